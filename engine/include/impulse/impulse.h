@@ -1,0 +1,10 @@
+#pragma once
+
+/// Everything a game needs.
+#include "impulse/body.h"
+#include "impulse/clock.h"
+#include "impulse/material.h"
+#include "impulse/math.h"
+#include "impulse/settings.h"
+#include "impulse/shape.h"
+#include "impulse/world.h"

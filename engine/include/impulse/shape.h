@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "impulse/material.h"
+#include "impulse/math.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// Always computed from a shape and a density, never set by hand; an inverse of 0 means immovable.
+struct MassData {
+  Real mass = 0;     // kg
+  Real inertia = 0;  // kg m^2 about `center`
+  Vec2 center;       // of mass, frame of the shape's owner
+};
+
+enum class ShapeType : std::uint8_t { circle, box, polygon, capsule, segment, half_space };
+constexpr int shape_type_count = 6;
+
+/// A convex shape in its body's frame. A value: copy it freely.
+///
+/// Everything but the half-space is a convex hull of `count` vertices, grown by `radius`: one vertex is a circle, two are
+/// a capsule or a segment, more are a polygon (vertices counter-clockwise; normal i points out of the edge i -> i+1).
+class Shape {
+ public:
+  static constexpr int max_vertices = 8;
+
+  /// All of these throw std::invalid_argument for sizes that are not positive and finite.
+  static Shape circle(Real radius, Vec2 center = {});
+  static Shape box(Vec2 half_extents, Vec2 center = {}, Real angle = 0);
+  /// The convex hull of the points, in any order; refuses fewer than three distinct ones, hulls of more than eight
+  /// vertices, and hulls thinner than a thousandth of their length.
+  static Shape polygon(std::span<const Vec2> points);
+  static Shape capsule(Vec2 from, Vec2 to, Real radius);
+  static Shape segment(Vec2 from, Vec2 to);
+  /// Solid where dot(normal, p) <= offset. The normal need not be of unit length: a x + b y + c <= 0 is
+  /// half_space({a, b}, -c).
+  static Shape half_space(Vec2 normal, Real offset);
+  /// Segments through the points that know their neighbours, so that nothing catches on the joins ("ghost collisions").
+  /// One-sided: solid is to the right of the direction of travel (below a chain that runs towards -x, as in Box2D, is
+  /// its free side); `loop` closes it.
+  static std::vector<Shape> chain(std::span<const Vec2> points, bool loop);
+
+  ShapeType type() const { return type_; }
+  int count() const { return count_; }
+  Vec2 vertex(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
+  Vec2 normal(int i) const { return normals_[static_cast<std::size_t>(i)]; }  // half-space: normal(0), offset()
+  Real radius() const { return radius_; }
+  Real offset() const { return offset_; }  // half-space only
+  Vec2 centroid() const { return centroid_; }
+
+  /// Half-spaces have no finite bounds: theirs reach to +-1e9 m where the boundary does not limit them.
+  Aabb bounds(const Pose& pose) const;
+  MassData mass(Real density) const;
+  bool contains(Vec2 local) const;
+  Real extent() const;  // farthest point from the frame's origin, m
+  Shape moved(Vec2 by) const;
+
+  /// Ghost neighbours of a chain's segment: the vertex before `from` and the one after `to`.
+  bool in_chain() const { return in_chain_; }
+  Vec2 ghost_before() const { return ghosts_[0]; }
+  Vec2 ghost_after() const { return ghosts_[1]; }
+
+ private:
+  ShapeType type_ = ShapeType::circle;
+  std::uint8_t count_ = 1;
+  bool in_chain_ = false;
+  Real radius_ = 0;
+  Real offset_ = 0;
+  Vec2 centroid_;
+  std::array<Vec2, max_vertices> vertices_{};
+  std::array<Vec2, max_vertices> normals_{};
+  std::array<Vec2, 2> ghosts_{};
+};
+
+struct RayHit {
+  Real fraction = 1;  // of the ray from `from` to `to`
+  Vec2 point;
+  Vec2 normal;  // out of the shape
+};
+
+/// Where the ray from -> to (shape's frame) enters the shape. Nothing if it misses or starts inside.
+bool ray_cast(const Shape& shape, Vec2 from, Vec2 to, RayHit& hit);
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "impulse/body.h"
+#include "impulse/settings.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// One point of a touching pair, as the last step left it.
+struct ContactInfo {
+  BodyId a, b;
+  Vec2 point;                // world frame
+  Vec2 normal;               // unit, from a to b
+  Real separation = 0;       // m, negative when they overlap
+  Real normal_impulse = 0;   // N s on b along the normal, sum over the last step
+  Real tangent_impulse = 0;  // N s on b along perpendicular(normal), sum over the last step
+};
+
+/// The article's Scene: holds the bodies, steps them, answers queries.
+///
+/// Bodies may be created, inserted, removed and destroyed at any time; inside a callback the change takes effect when
+/// the call that runs the callback returns. Same calls, same bits, on every machine.
+class World {
+ public:
+  explicit World(const Settings& settings = {});
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  const Settings& settings() const;
+  /// Throws std::invalid_argument and leaves the world as it was.
+  void set_settings(const Settings& settings);
+  Vec2 gravity() const { return settings().gravity; }
+  void set_gravity(Vec2 gravity);
+  Real dt() const { return settings().dt; }
+  void set_dt(Real dt);
+
+  /// Makes a body of one or more parts and inserts it. Throws std::invalid_argument for a def that is not finite, for
+  /// no parts, or for a dynamic body without mass.
+  BodyId create_body(const BodyDef& def, std::span<const Part> parts);
+  BodyId create_body(const BodyDef& def, const Shape& shape, const Material& material = {});
+  /// Takes a body out of the simulation; it keeps its state and can be inserted again.
+  void remove_body(BodyId id);
+  void insert_body(BodyId id);
+  /// Ends a body; its handles go stale.
+  void destroy_body(BodyId id);
+
+  bool contains(BodyId id) const;  // alive, inserted or not
+  /// Throws std::out_of_range for a stale handle.
+  Body body(BodyId id);
+  /// All inserted bodies, in order of their index.
+  std::vector<BodyId> bodies() const;
+  std::size_t body_count() const;
+
+  /// Advances by dt().
+  void step();
+
+  /// Calls back for every part whose bounds overlap the box / that contains the point; return false to stop.
+  using QueryCallback = std::function<bool(BodyId, const Part&)>;
+  void query_aabb(const Aabb& box, const QueryCallback& callback);
+  void query_point(Vec2 point, const QueryCallback& callback);
+
+  std::vector<ContactInfo> contacts() const;
+
+ private:
+  friend class Body;
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

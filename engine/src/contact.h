@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "impulse/math.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// What a pair of shapes reports: up to two points along one normal.
+struct ManifoldPoint {
+  Vec2 point;                 // midway between the two surfaces; frame as the manifold's
+  Real separation = 0;        // m, along the normal; negative when they overlap
+  std::uint32_t feature = 0;  // which edge and vertex made it; equal from step to step while the contact is the same
+};
+
+struct Manifold {
+  Vec2 normal;  // unit, from a to b
+  int count = 0;
+  std::array<ManifoldPoint, 2> points;
+};
+
+struct ContactPoint {
+  Vec2 arm_a, arm_b;    // from each centre of mass to the point, world frame
+  Real separation = 0;  // m, when it was found
+  std::uint32_t feature = 0;
+  Real normal_impulse = 0;   // N s: what the last step ended with (warm start), for a step of dt
+  Real tangent_impulse = 0;  // along perpendicular(normal)
+  Real total_normal_impulse = 0;   // N s over the whole step, sub-steps and events included: for the outside
+  Real total_tangent_impulse = 0;
+  bool fresh = true;  // was not there in the last step
+};
+
+/// Two touching (or nearly touching) shapes of two bodies. Rows are sorted by (body_a, body_b, part_a, part_b) with
+/// body_a < body_b, whatever broad phase found them, so that results never depend on which.
+struct Contact {
+  std::uint32_t body_a = 0, body_b = 0;
+  std::uint16_t part_a = 0, part_b = 0;
+  Vec2 normal;  // unit, from a to b
+  Real static_friction = 0, dynamic_friction = 0, restitution = 0;
+  int count = 0;
+  int age = 0;  // steps since it began
+  std::array<ContactPoint, 2> points;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "body_set.h"
+#include "force_field.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// Carries free motion over h seconds in two halves; the solver corrects velocities in between.
+class Integrator {
+ public:
+  Integrator() = default;
+  Integrator(const Integrator&) = delete;
+  Integrator& operator=(const Integrator&) = delete;
+  virtual ~Integrator() = default;
+
+  /// Brings velocities to where contacts are solved.
+  virtual void begin(BodySet& bodies, const ForceField& forces, Real h) = 0;
+  /// Moves the poses with the solved velocities, and finishes the velocities where the method does so afterwards.
+  virtual void finish(BodySet& bodies, const ForceField& forces, Real h) = 0;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "reports/trace.h"
+#include "scenarios/scene.h"
+
+namespace plumb {
+
+/// What a metric may look at.
+struct Evidence {
+  const Scene& scene;
+  const Trace& trace;
+  const Trace* truth = nullptr;  // the closed form's run, where there is one
+  double truth_until = 0;        // s, for how long it holds
+};
+
+enum class Better { lower, higher, neither };
+
+/// One number from a trace. Nothing where it makes no sense for that scene.
+struct Metric {
+  std::string name;
+  std::string unit;
+  std::string definition;
+  Better better = Better::lower;
+  std::function<std::optional<double>(const Evidence&)> measure;
+};
+
+}  // namespace plumb

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/trace.h"
+#include "scenarios/scenario.h"
+
+/// Everything a report says, ready to be written; writers look at nothing else.
+namespace plumb {
+
+enum class Status { ok, failed, not_supported };
+
+/// right: within what is allowed of the truth. plausible: nothing to judge it by, and nothing broken. wrong: outside.
+enum class Verdict { right, plausible, wrong, beyond_horizon, not_supported, failed };
+
+struct Measured {
+  double value = 0;
+  std::string unit;
+};
+
+struct TruthCheck {
+  std::string body;
+  std::string quantity;
+  double time = 0;
+  double expected = 0, measured = 0, error = 0, tolerance = 0;  // error = |measured - expected|
+  bool passed = false;
+  std::string source;
+};
+
+struct RunRecord {
+  std::string scenario;
+  std::string variant;
+  Parameters parameters;
+  std::string engine;
+  std::string method;  // settings that tell methods of one engine apart, "key=value,..."; "" where there is one only
+  bool exact = false;  // a closed form
+  double dt = 0;
+  Status status = Status::ok;
+  std::string reason;
+  std::map<std::string, Measured> metrics;
+  std::vector<TruthCheck> truth;
+  Verdict verdict = Verdict::plausible;
+  std::shared_ptr<const Scene> scene;  // for pictures; not part of report.json
+  std::shared_ptr<const Trace> trace;  // the same
+};
+
+/// One contender against another, or against the truth, over one scenario.
+struct Comparison {
+  std::string scenario;
+  std::string variant;
+  std::string a, b;                         // engine (with method where needed)
+  std::map<std::string, Measured> metrics;  // differences over time and at the end
+  Verdict verdict = Verdict::plausible;
+  std::string reason;
+};
+
+struct Timing {
+  std::string scenario;
+  std::string variant;
+  std::string engine;
+  std::string method;
+  double step_us = 0;              // median over repetitions of the mean time of a step
+  double step_us_low = 0;          // lower quartile
+  double step_us_high = 0;         // upper quartile
+  double real_time_factor = 0;     // simulated seconds per second
+  int repetitions = 0;
+};
+
+struct Report {
+  std::string title;
+  std::vector<std::string> command;              // that made it
+  std::map<std::string, std::string> environment;  // compiler, flags, build, versions, processor: no clock
+  std::vector<RunRecord> runs;
+  std::vector<Comparison> comparisons;
+  std::vector<Timing> timings;
+  std::map<std::string, double> clock;  // wall seconds of the parts, share outside step: with the timings, apart
+};
+
+const char* name_of(Status);
+const char* name_of(Verdict);
+
+}  // namespace plumb
