@@ -22,9 +22,9 @@ struct BodyState {
 
 /// One contact point as the contender left it after its last step.
 struct ContactState {
-  std::size_t a = 0, b = 0;  // indices into Scene::bodies
-  Vec point;                 // world frame
-  Vec normal;                // unit, from a to b
+  std::size_t a = 0, b = 0;    // indices into Scene::bodies
+  Vec point;                   // world frame
+  Vec normal;                  // unit, from a to b
   double normal_impulse = 0;   // N s on b along the normal, over the last step
   double tangent_impulse = 0;  // N s on b along the normal turned by +90 degrees, over the last step
   double separation = 0;       // m, negative when they overlap
@@ -77,8 +77,8 @@ struct Contender {
   std::function<std::unique_ptr<Simulation>(const Scene&, const Settings&)> build;
 };
 
-/// The settings with every option present, in the contender's own words. Throws std::invalid_argument, naming the nearest
-/// key or choice, for what it does not know.
+/// The settings with every option present, in the contender's own words. Throws std::invalid_argument, naming the
+/// nearest key or choice, for what it does not know.
 Settings complete(const Contender&, const Settings&);
 
 }  // namespace plumb

@@ -63,16 +63,16 @@ struct Timing {
   std::string variant;
   std::string engine;
   std::string method;
-  double step_us = 0;              // median over repetitions of the mean time of a step
-  double step_us_low = 0;          // lower quartile
-  double step_us_high = 0;         // upper quartile
-  double real_time_factor = 0;     // simulated seconds per second
+  double step_us = 0;           // median over repetitions of the mean time of a step
+  double step_us_low = 0;       // lower quartile
+  double step_us_high = 0;      // upper quartile
+  double real_time_factor = 0;  // simulated seconds per second
   int repetitions = 0;
 };
 
 struct Report {
   std::string title;
-  std::vector<std::string> command;              // that made it
+  std::vector<std::string> command;                // that made it
   std::map<std::string, std::string> environment;  // compiler, flags, build, versions, processor: no clock
   std::vector<RunRecord> runs;
   std::vector<Comparison> comparisons;

@@ -8,7 +8,8 @@
 
 namespace plumb {
 
-/// What a run left behind: the state of every body before the first step and after each one, and the contacts of each step.
+/// What a run left behind: the state of every body before the first step and after each one, and the contacts of each
+/// step.
 class Trace {
  public:
   explicit Trace(std::size_t bodies) : bodies_(bodies) {}

@@ -11,8 +11,9 @@ struct Mass {
   Vec center;          // of mass, body frame
 };
 
-/// Sources: disc m r^2/2, rectangle m (w^2+h^2)/12, polygon by Green's theorem, capsule as rectangle and two half discs,
-/// all moved to the common centre by the parallel-axis theorem. Segments and half-spaces have no area and so no mass.
+/// Sources: disc m r^2/2, rectangle m (w^2+h^2)/12, polygon by Green's theorem, capsule as rectangle and two half
+/// discs, all moved to the common centre by the parallel-axis theorem. Segments and half-spaces have no area and so no
+/// mass.
 Mass mass_of(const Body&);
 
 }  // namespace plumb

@@ -16,9 +16,9 @@ struct Parameter {
   std::string name;
   double value = 0;  // by default
   double min = 0, max = 0;
-  std::string unit;   // "" where it has none
-  std::string about;  // in words
-  bool whole = false; // takes whole numbers only
+  std::string unit;    // "" where it has none
+  std::string about;   // in words
+  bool whole = false;  // takes whole numbers only
 };
 
 /// Values by parameter name, complete: every parameter of the family has one.
@@ -26,19 +26,33 @@ using Parameters = std::map<std::string, double>;
 
 /// What a contender states of how it steps: enough to predict its errors. Stated, never measured.
 struct Stepping {
-  double dt = 0;     // s, of a call to step
-  double h = 0;      // s, of one integration sub-step
-  double drift = 0;  // free fall is off by drift * gravity * t * h: +1/2 for symplectic Euler, -1/2 for explicit, 0 where exact
+  double dt = 0;  // s, of a call to step
+  double h = 0;   // s, of one integration sub-step
+  double drift =
+      0;  // free fall is off by drift * gravity * t * h: +1/2 for symplectic Euler, -1/2 for explicit, 0 where exact
   double impact_lag = 1;  // how late an impact may be noticed, in units of h; 0 where its time is solved for
-  double gap = 0;         // m, by which a resting contact may stand off from touching, either way (skin, slop, compliance)
-  double creep = 0;       // m/s, at which a sticking contact may slide by the method's nature
+  double gap = 0;    // m, by which a resting contact may stand off from touching, either way (skin, slop, compliance)
+  double creep = 0;  // m/s, at which a sticking contact may slide by the method's nature
   double restitution_threshold = 0;  // m/s, slower impacts are treated as inelastic
   double epsilon = 0;                // unit round-off of its arithmetic
 };
 
 /// What can be read off a motion. x, y, vx, vy are of the centre of mass; energy and momenta are of the whole scene
 /// (kinetic + gravity + springs and attractions; about the world's origin; dynamic bodies only).
-enum class Quantity { x, y, angle, vx, vy, speed, angular_velocity, energy, momentum_x, momentum_y, angular_momentum, apex };
+enum class Quantity {
+  x,
+  y,
+  angle,
+  vx,
+  vy,
+  speed,
+  angular_velocity,
+  energy,
+  momentum_x,
+  momentum_y,
+  angular_momentum,
+  apex
+};
 
 const char* name_of(Quantity);
 const char* unit_of(Quantity);
@@ -50,8 +64,9 @@ struct Expectation {
   std::optional<double> time;      // s; nothing means the end
   int index = 0;                   // apex: the how-manieth local maximum of y, from 1
   std::optional<double> expected;  // nothing: what the scenario's closed form says at that time
-  std::function<double(const Stepping&)> allowed;  // largest |error|, in the quantity's unit, from how the contender steps
-  std::string source;                              // the formula, and why that much is allowed
+  std::function<double(const Stepping&)>
+      allowed;         // largest |error|, in the quantity's unit, from how the contender steps
+  std::string source;  // the formula, and why that much is allowed
 };
 
 /// One canonical setting of a family, by the parameters that differ from the defaults.
@@ -71,8 +86,8 @@ struct Scenario {
   std::function<std::vector<Expectation>(const Parameters&)> expectations;
 };
 
-/// All defaults, with the changes laid over. Throws std::invalid_argument for an unknown name, a value out of range or a
-/// broken whole number; the message names the nearest parameter.
+/// All defaults, with the changes laid over. Throws std::invalid_argument for an unknown name, a value out of range or
+/// a broken whole number; the message names the nearest parameter.
 Parameters complete(const Scenario&, const Parameters& changes);
 
 }  // namespace plumb

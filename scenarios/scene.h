@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-/// The neutral question that every contender is given. SI units (m, kg, s, rad, N; density in kg/m^2), double precision,
-/// angles counter-clockwise, y up. No engine's own idea lives here.
+/// The neutral question that every contender is given. SI units (m, kg, s, rad, N; density in kg/m^2), double
+/// precision, angles counter-clockwise, y up. No engine's own idea lives here.
 namespace plumb {
 
 struct Vec {

@@ -8,8 +8,8 @@
 namespace impulse::inline IMPULSE_PRECISION {
 
 struct Velocity {
-  Vec2 v;      // of the centre of mass, m/s
-  Real w = 0;  // rad/s
+  Vec2 v;           // of the centre of mass, m/s
+  Real w = 0;       // rad/s
   Real unused = 0;  // four lanes
 };
 
@@ -23,9 +23,9 @@ struct BodyDetail {
   std::uint32_t generation = 0;
   bool alive = false;
   bool inserted = false;
-  BodyDef def;                  // type, layers, damping, gravity scale as they are now; pose and velocity as at the start
-  MassData mass;                // body frame
-  std::vector<Part> parts;      // shapes relative to the centre of mass
+  BodyDef def;              // type, layers, damping, gravity scale as they are now; pose and velocity as at the start
+  MassData mass;            // body frame
+  std::vector<Part> parts;  // shapes relative to the centre of mass
 };
 
 /// The bodies as columns: row i of each is one body. Rows of dead or removed bodies have no parts to collide, inverse

@@ -11,7 +11,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 /// One part of one body, for the search of pairs.
 struct Proxy {
-  Aabb bounds;               // already grown by the margin
+  Aabb bounds;  // already grown by the margin
   std::uint32_t body = 0;
   std::uint16_t part = 0;
   bool moves = false;        // fixed and kinematic bodies don't collide with each other

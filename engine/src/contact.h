@@ -24,9 +24,9 @@ struct ContactPoint {
   Vec2 arm_a, arm_b;    // from each centre of mass to the point, world frame
   Real separation = 0;  // m, when it was found
   std::uint32_t feature = 0;
-  Real normal_impulse = 0;   // N s: what the last step ended with (warm start), for a step of dt
-  Real tangent_impulse = 0;  // along perpendicular(normal)
-  Real total_normal_impulse = 0;   // N s over the whole step, sub-steps and events included: for the outside
+  Real normal_impulse = 0;        // N s: what the last step ended with (warm start), for a step of dt
+  Real tangent_impulse = 0;       // along perpendicular(normal)
+  Real total_normal_impulse = 0;  // N s over the whole step, sub-steps and events included: for the outside
   Real total_tangent_impulse = 0;
   bool fresh = true;  // was not there in the last step
 };

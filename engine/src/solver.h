@@ -19,8 +19,8 @@ struct StepData {
   const Settings& settings;
 };
 
-/// One method of carrying bodies and contacts over a step: integrates, solves, corrects. Leaves in each contact point the
-/// impulses for the next warm start and the totals of the step.
+/// One method of carrying bodies and contacts over a step: integrates, solves, corrects. Leaves in each contact point
+/// the impulses for the next warm start and the totals of the step.
 class Solver {
  public:
   Solver() = default;

@@ -51,10 +51,10 @@ class Body {
   Vec2 position() const;  // of the body's frame
   Real angle() const;
   Rotation rotation() const;
-  Vec2 center() const;            // of mass, world frame
-  Vec2 velocity() const;          // of the centre of mass, m/s
-  Real angular_velocity() const;  // rad/s
-  MassData mass() const;          // of all parts, body frame; 0 where immovable
+  Vec2 center() const;                  // of mass, world frame
+  Vec2 velocity() const;                // of the centre of mass, m/s
+  Real angular_velocity() const;        // rad/s
+  MassData mass() const;                // of all parts, body frame; 0 where immovable
   std::span<const Part> parts() const;  // shapes relative to the centre of mass
   std::uint32_t layers() const;
   bool awake() const;

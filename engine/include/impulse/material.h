@@ -9,10 +9,10 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 /// What a shape is made of.
 struct Material {
-  Real density = 1;                             // kg/m^2; 0 gives no mass
+  Real density = 1;                               // kg/m^2; 0 gives no mass
   Real static_friction = static_cast<Real>(.6);   // Coulomb coefficient while sticking
   Real dynamic_friction = static_cast<Real>(.6);  // Coulomb coefficient while sliding, at most the static one
-  Real restitution = 0;                         // 0 ... 1
+  Real restitution = 0;                           // 0 ... 1
 };
 
 struct NamedMaterial {

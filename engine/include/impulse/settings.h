@@ -11,12 +11,12 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// How a world steps. World refuses settings that make no sense (std::invalid_argument names the field) and keeps the
 /// ones it had.
 struct Settings {
-  Vec2 gravity{0, -10};                      // m/s^2
-  Real dt = static_cast<Real>(1.0 / 60.0);   // s, of a step
-  std::string solver = "article";            // one of solvers()
+  Vec2 gravity{0, -10};                         // m/s^2
+  Real dt = static_cast<Real>(1.0 / 60.0);      // s, of a step
+  std::string solver = "article";               // one of solvers()
   std::string integrator = "symplectic-euler";  // one of integrators(); for solvers that leave the choice
-  std::string broad_phase = "brute";         // one of broad_phases()
-  int iterations = 10;                       // of the velocity solver
+  std::string broad_phase = "brute";            // one of broad_phases()
+  int iterations = 10;                          // of the velocity solver
   FrictionMixing friction_mixing = FrictionMixing::geometric;
   RestitutionMixing restitution_mixing = RestitutionMixing::max;
 };

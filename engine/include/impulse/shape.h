@@ -22,8 +22,9 @@ constexpr int shape_type_count = 6;
 
 /// A convex shape in its body's frame. A value: copy it freely.
 ///
-/// Everything but the half-space is a convex hull of `count` vertices, grown by `radius`: one vertex is a circle, two are
-/// a capsule or a segment, more are a polygon (vertices counter-clockwise; normal i points out of the edge i -> i+1).
+/// Everything but the half-space is a convex hull of `count` vertices, grown by `radius`: one vertex is a circle, two
+/// are a capsule or a segment, more are a polygon (vertices counter-clockwise; normal i points out of the edge i ->
+/// i+1).
 class Shape {
  public:
   static constexpr int max_vertices = 8;
