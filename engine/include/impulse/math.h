@@ -23,36 +23,22 @@ struct Vec2 {
   constexpr Vec2& operator*=(Real s) { return *this = *this * s; }
 };
 
-constexpr Real dot(Vec2 a, Vec2 b) {
-  return a.x * b.x + a.y * b.y;
-}
+constexpr Real dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 
 /// The z component of the product in space: |a| |b| sin of the angle from a to b.
-constexpr Real cross(Vec2 a, Vec2 b) {
-  return a.x * b.y - a.y * b.x;
-}
+constexpr Real cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
 /// w z x r: the velocity of a point at arm r of a body that turns at w (rad/s). v = w x r.
-constexpr Vec2 cross(Real w, Vec2 r) {
-  return {-w * r.y, w * r.x};
-}
+constexpr Vec2 cross(Real w, Vec2 r) { return {-w * r.y, w * r.x}; }
 
 /// r x w z.
-constexpr Vec2 cross(Vec2 r, Real w) {
-  return {w * r.y, -w * r.x};
-}
+constexpr Vec2 cross(Vec2 r, Real w) { return {w * r.y, -w * r.x}; }
 
 /// a turned by +90 degrees.
-constexpr Vec2 perpendicular(Vec2 a) {
-  return {-a.y, a.x};
-}
+constexpr Vec2 perpendicular(Vec2 a) { return {-a.y, a.x}; }
 
-constexpr Real length_squared(Vec2 a) {
-  return dot(a, a);
-}
-inline Real length(Vec2 a) {
-  return std::sqrt(dot(a, a));
-}
+constexpr Real length_squared(Vec2 a) { return dot(a, a); }
+inline Real length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
 /// a at unit length; the zero vector stays zero.
 inline Vec2 normalized(Vec2 a) {
@@ -60,15 +46,9 @@ inline Vec2 normalized(Vec2 a) {
   return l > 0 ? a / l : Vec2{};
 }
 
-constexpr Vec2 min(Vec2 a, Vec2 b) {
-  return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y};
-}
-constexpr Vec2 max(Vec2 a, Vec2 b) {
-  return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y};
-}
-constexpr Real clamp(Real x, Real low, Real high) {
-  return x < low ? low : (x > high ? high : x);
-}
+constexpr Vec2 min(Vec2 a, Vec2 b) { return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y}; }
+constexpr Vec2 max(Vec2 a, Vec2 b) { return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y}; }
+constexpr Real clamp(Real x, Real low, Real high) { return x < low ? low : (x > high ? high : x); }
 
 /// Sine and cosine from + - * / alone, so that every compiler and library gives the same bits.
 struct SinCos {
@@ -126,17 +106,11 @@ struct Pose {
   Rotation q;
 };
 
-constexpr Vec2 to_world(const Pose& pose, Vec2 local) {
-  return pose.p + pose.q * local;
-}
-constexpr Vec2 to_local(const Pose& pose, Vec2 world) {
-  return pose.q.inverse() * (world - pose.p);
-}
+constexpr Vec2 to_world(const Pose& pose, Vec2 local) { return pose.p + pose.q * local; }
+constexpr Vec2 to_local(const Pose& pose, Vec2 world) { return pose.q.inverse() * (world - pose.p); }
 
 /// b as seen from a: the change of basis that lets two shapes collide in one shape's own frame.
-constexpr Pose relative(const Pose& a, const Pose& b) {
-  return {to_local(a, b.p), a.q.inverse() * b.q};
-}
+constexpr Pose relative(const Pose& a, const Pose& b) { return {to_local(a, b.p), a.q.inverse() * b.q}; }
 
 struct Aabb {
   Vec2 low;
@@ -149,11 +123,7 @@ constexpr bool overlap(const Aabb& a, const Aabb& b) {
 constexpr bool contains(const Aabb& box, Vec2 p) {
   return box.low.x <= p.x && p.x <= box.high.x && box.low.y <= p.y && p.y <= box.high.y;
 }
-constexpr Aabb merged(const Aabb& a, const Aabb& b) {
-  return {min(a.low, b.low), max(a.high, b.high)};
-}
-constexpr Aabb grown(const Aabb& a, Real by) {
-  return {a.low - Vec2{by, by}, a.high + Vec2{by, by}};
-}
+constexpr Aabb merged(const Aabb& a, const Aabb& b) { return {min(a.low, b.low), max(a.high, b.high)}; }
+constexpr Aabb grown(const Aabb& a, Real by) { return {a.low - Vec2{by, by}, a.high + Vec2{by, by}}; }
 
 }  // namespace impulse::inline IMPULSE_PRECISION
