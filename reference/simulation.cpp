@@ -1,1 +1,63 @@
-#include <cstddef>
+#include "reference/simulation.h"
+
+#include <charconv>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+#include "scenarios/nearest.h"
+
+namespace plumb {
+namespace {
+
+std::string place(const Contender& contender, const Option& option) {
+  return contender.name + ": option " + option.key + ": ";
+}
+
+void check_choice(const Contender& contender, const Option& option, const std::string& value) {
+  std::vector<std::string> choices;
+  for (const auto& [choice, about] : option.choices) {
+    if (choice == value) return;
+    choices.push_back(choice);
+  }
+  throw std::invalid_argument(place(contender, option) + unknown("choice", value, choices));
+}
+
+void check_number(const Contender& contender, const Option& option, std::string_view value) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+  const bool read = error == std::errc{} && end == value.data() + value.size();
+  if (read && number >= option.min && number <= option.max) return;
+  std::ostringstream what;
+  what << place(contender, option) << '"' << value << "\" must be a number, " << option.min << " ... " << option.max;
+  throw std::invalid_argument(what.str());
+}
+
+}  // namespace
+
+double Simulation::valid_until() const { return std::numeric_limits<double>::infinity(); }
+
+Settings complete(const Contender& contender, const Settings& given) {
+  Settings values;
+  std::vector<std::string> keys;
+  for (const Option& option : contender.options) {
+    values[option.key] = option.value;
+    keys.push_back(option.key);
+  }
+  for (const auto& [key, value] : given) {
+    const auto known = values.find(key);
+    if (known == values.end()) throw std::invalid_argument(contender.name + ": " + unknown("option", key, keys));
+    known->second = value;
+  }
+  for (const Option& option : contender.options) {
+    if (option.choices.empty()) {
+      check_number(contender, option, values[option.key]);
+    } else {
+      check_choice(contender, option, values[option.key]);
+    }
+  }
+  return values;
+}
+
+}  // namespace plumb

@@ -47,7 +47,7 @@ class Simulation {
   /// Appends the contacts of the last step. A contender that reveals none appends nothing.
   virtual void read_contacts(std::vector<ContactState>&) const {}
 
-  /// Seconds from the start for which the answer holds; a closed form may end at its second impact.
+  /// Seconds from the start for which the answer holds; a closed form may end at its second impact. By default: for ever.
   virtual double valid_until() const;
 };
 

@@ -84,6 +84,7 @@ struct Scenario {
   std::string closed_form;        // entry of reference/exact that knows the answer; "" where physics has none
   std::function<Scene(const Parameters&)> scene;
   std::function<std::vector<Expectation>(const Parameters&)> expectations;
+  bool canonical = false;  // part of the short report that runs by default
 };
 
 /// All defaults, with the changes laid over. Throws std::invalid_argument for an unknown name, a value out of range or

@@ -1,0 +1,83 @@
+#include "scenarios/scenario.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "scenarios/nearest.h"
+
+namespace plumb {
+namespace {
+
+struct Words {
+  const char* name;
+  const char* unit;
+};
+
+Words words_for(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::x:
+      return {"x", "m"};
+    case Quantity::y:
+      return {"y", "m"};
+    case Quantity::angle:
+      return {"angle", "rad"};
+    case Quantity::vx:
+      return {"vx", "m/s"};
+    case Quantity::vy:
+      return {"vy", "m/s"};
+    case Quantity::speed:
+      return {"speed", "m/s"};
+    case Quantity::angular_velocity:
+      return {"angularVelocity", "rad/s"};
+    case Quantity::energy:
+      return {"energy", "J"};
+    case Quantity::momentum_x:
+      return {"momentumX", "kg m/s"};
+    case Quantity::momentum_y:
+      return {"momentumY", "kg m/s"};
+    case Quantity::angular_momentum:
+      return {"angularMomentum", "kg m^2/s"};
+    case Quantity::apex:
+      return {"apex", "m"};
+  }
+  return {"", ""};
+}
+
+void check(const Scenario& scenario, const Parameter& parameter, double value) {
+  const bool inside = value >= parameter.min && value <= parameter.max;  // false for NaN
+  const bool broken = parameter.whole && value != std::floor(value);
+  if (inside && !broken) return;
+  std::ostringstream what;
+  what << scenario.name << ": " << parameter.name << " = " << value;
+  if (broken) {
+    what << " must be a whole number";
+  } else {
+    what << " is out of range, must be " << parameter.min << " ... " << parameter.max;
+    if (!parameter.unit.empty()) what << ' ' << parameter.unit;
+  }
+  throw std::invalid_argument(what.str());
+}
+
+}  // namespace
+
+const char* name_of(Quantity quantity) { return words_for(quantity).name; }
+const char* unit_of(Quantity quantity) { return words_for(quantity).unit; }
+
+Parameters complete(const Scenario& scenario, const Parameters& changes) {
+  Parameters values;
+  std::vector<std::string> names;
+  for (const Parameter& parameter : scenario.parameters) {
+    values[parameter.name] = parameter.value;
+    names.push_back(parameter.name);
+  }
+  for (const auto& [name, value] : changes) {
+    const auto known = values.find(name);
+    if (known == values.end()) throw std::invalid_argument(scenario.name + ": " + unknown("parameter", name, names));
+    known->second = value;
+  }
+  for (const Parameter& parameter : scenario.parameters) check(scenario, parameter, values[parameter.name]);
+  return values;
+}
+
+}  // namespace plumb
