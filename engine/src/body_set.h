@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "contact.h"
 #include "impulse/body.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -18,31 +20,64 @@ struct InverseMass {
   Real i = 0;  // 1/(kg m^2)
 };
 
+/// How a body answers to gravity and to the air.
+struct Response {
+  Real gravity_scale = 1;
+  Real linear_damping = 0;   // 1/s
+  Real angular_damping = 0;  // 1/s
+};
+
 /// What a step seldom touches.
 struct BodyDetail {
   std::uint32_t generation = 0;
   bool alive = false;
   bool inserted = false;
-  BodyDef def;              // type, layers, damping, gravity scale as they are now; pose and velocity as at the start
-  MassData mass;            // body frame
+  BodyDef def;              // as it was created, but for the layers, which are as they are now
+  MassData mass;            // body frame; 0 where immovable
+  Velocity removed_with;    // the velocity that a removed body will be inserted with
   std::vector<Part> parts;  // shapes relative to the centre of mass
 };
 
-/// The bodies as columns: row i of each is one body. Rows of dead or removed bodies have no parts to collide, inverse
-/// mass 0 and velocity 0, so that loops over all rows need no branch. The pose is that of the centre of mass.
+/// The bodies as columns: row i of each is one body. Rows of dead or removed bodies have inverse mass 0 and velocity 0,
+/// so that loops over all rows need no branch. The pose is that of the centre of mass.
 struct BodySet {
   std::vector<Pose> pose;
   std::vector<Real> angle;  // the pose's rotation as a number that winds up
   std::vector<Velocity> velocity;
   std::vector<InverseMass> inverse_mass;
-  std::vector<Vec2> force;   // N, collected until the next step
-  std::vector<Real> torque;  // N m
+  std::vector<Response> response;
+  std::vector<Vec2> force;         // N, collected until the next step
+  std::vector<Real> torque;        // N m
+  std::vector<Real> reach;         // m, of the farthest point of its shapes from the centre of mass; half-spaces aside
+  std::vector<std::uint8_t> held;  // 1 if a contact or joint pushed it in the last step
   std::vector<BodyDetail> detail;
+  std::vector<std::uint32_t> free_rows;  // the last freed is reused first
 
   std::size_t size() const { return pose.size(); }
+
+  /// Makes a body in a free row, not inserted yet. Throws std::invalid_argument as World::create_body does.
+  BodyId add(const BodyDef& def, std::span<const Part> parts);
+  void insert(std::size_t i);
+  void remove(std::size_t i);
+  void destroy(std::size_t i);
+
+  bool contains(BodyId id) const {
+    return id.index < size() && detail[id.index].alive && detail[id.index].generation == id.generation;
+  }
+  /// The velocity of a body, inserted or not.
+  Velocity& motion(std::size_t i) { return detail[i].inserted ? velocity[i] : detail[i].removed_with; }
+  BodyId id(std::size_t i) const { return {static_cast<std::uint32_t>(i), detail[i].generation}; }
+
+  /// Moves row i by h seconds at its velocity.
+  void advance(std::size_t i, Real h) { advance(i, velocity[i], h); }
+  /// Moves row i by h seconds at a velocity other than its own.
+  void advance(std::size_t i, const Velocity& at, Real h);
+
+  void mark_held(std::span<const Contact> contacts);
+  void clear_forces();
 };
 
-/// Moves row i by h seconds at its velocity.
-void advance(BodySet& bodies, std::size_t i, Real h);
+/// Mass, centre and inertia of several shapes as one body.
+MassData total_mass(std::span<const Part> parts);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

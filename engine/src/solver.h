@@ -19,6 +19,13 @@ struct StepData {
   const Settings& settings;
 };
 
+/// How far apart two shapes may be and still make a contact ("speculative" contacts, which let a solver see what it is
+/// about to hit).
+struct Margin {
+  Real distance = 0;  // m
+  Real time = 0;      // s; adds the distance that the two may close in this time at their present velocities
+};
+
 /// One method of carrying bodies and contacts over a step: integrates, solves, corrects. Leaves in each contact point
 /// the impulses for the next warm start and the totals of the step.
 class Solver {
@@ -28,6 +35,8 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
   virtual ~Solver() = default;
   virtual void step(StepData& data) = 0;
+  /// The contacts that it wants to be given; only touching shapes unless it says otherwise.
+  virtual Margin margin(const Settings&) const { return {}; }
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -10,6 +11,7 @@
 namespace impulse::inline IMPULSE_PRECISION {
 
 class World;
+struct BodySet;
 
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
@@ -75,6 +77,8 @@ class Body {
  private:
   friend class World;
   Body(World& world, BodyId id) : world_(&world), id_(id) {}
+  std::size_t row() const;
+  BodySet& bodies() const;
   World* world_;
   BodyId id_;
 };

@@ -1,0 +1,91 @@
+#include "impulse/body.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "finite.h"
+#include "world_state.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+template <class... Value>
+void need_finite(const char* what, Value... values) {
+  if (!(finite(values) && ...)) throw std::invalid_argument(std::string(what) + " must be finite");
+}
+
+}  // namespace
+
+BodySet& Body::bodies() const { return world_->state_->bodies; }
+std::size_t Body::row() const { return world_->state_->row(id_); }
+
+BodyType Body::type() const { return bodies().detail[row()].def.type; }
+
+Vec2 Body::position() const {
+  const std::size_t i = row();
+  return to_world(bodies().pose[i], -bodies().detail[i].mass.center);
+}
+
+Real Body::angle() const { return bodies().angle[row()]; }
+Rotation Body::rotation() const { return bodies().pose[row()].q; }
+Vec2 Body::center() const { return bodies().pose[row()].p; }
+Vec2 Body::velocity() const { return bodies().motion(row()).v; }
+Real Body::angular_velocity() const { return bodies().motion(row()).w; }
+MassData Body::mass() const { return bodies().detail[row()].mass; }
+std::span<const Part> Body::parts() const { return bodies().detail[row()].parts; }
+std::uint32_t Body::layers() const { return bodies().detail[row()].def.layers; }
+bool Body::awake() const { return bodies().detail[row()].inserted; }
+void* Body::user_data() const { return bodies().detail[row()].def.user_data; }
+
+void Body::set_pose(Vec2 position, Real angle) {
+  need_finite("Body::set_pose: position and angle", position, angle);
+  const std::size_t i = row();
+  BodySet& set = bodies();
+  const Rotation q(angle);
+  set.pose[i] = {position + q * set.detail[i].mass.center, q};
+  set.angle[i] = angle;
+}
+
+void Body::set_velocity(Vec2 velocity, Real angular_velocity) {
+  need_finite("Body::set_velocity: velocities", velocity, angular_velocity);
+  const std::size_t i = row();
+  if (type() == BodyType::fixed) throw std::invalid_argument("Body::set_velocity: a fixed body has no velocity");
+  bodies().motion(i) = {velocity, angular_velocity};
+}
+
+void Body::set_gravity_scale(Real scale) {
+  need_finite("Body::set_gravity_scale: the scale", scale);
+  bodies().response[row()].gravity_scale = scale;
+}
+
+void Body::set_layers(std::uint32_t mask) { bodies().detail[row()].def.layers = mask; }
+
+void Body::apply_force(Vec2 force) {
+  need_finite("Body::apply_force: the force", force);
+  bodies().force[row()] += force;
+}
+
+void Body::apply_force(Vec2 force, Vec2 point) {
+  need_finite("Body::apply_force: force and point", force, point);
+  const std::size_t i = row();
+  BodySet& set = bodies();
+  set.force[i] += force;
+  set.torque[i] += cross(point - set.pose[i].p, force);
+}
+
+void Body::apply_torque(Real torque) {
+  need_finite("Body::apply_torque: the torque", torque);
+  bodies().torque[row()] += torque;
+}
+
+void Body::apply_impulse(Vec2 impulse, Vec2 point) {
+  need_finite("Body::apply_impulse: impulse and point", impulse, point);
+  const std::size_t i = row();
+  BodySet& set = bodies();
+  const InverseMass inverse = set.inverse_mass[i];
+  set.velocity[i].v += inverse.m * impulse;
+  set.velocity[i].w += inverse.i * cross(point - set.pose[i].p, impulse);
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

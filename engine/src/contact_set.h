@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "body_set.h"
+#include "broad_phase.h"
+#include "contact.h"
+#include "impulse/settings.h"
+#include "solver.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// The contacts of a world from step to step.
+class ContactSet {
+ public:
+  /// Finds what touches, or will within the margin; contacts that were there before keep their impulses and age.
+  void find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin);
+
+  /// Forgets the contacts of a body.
+  void forget(std::size_t body);
+
+  /// Sorted by (body_a, body_b, part_a, part_b).
+  std::vector<Contact>& rows() { return rows_; }
+  const std::vector<Contact>& rows() const { return rows_; }
+
+ private:
+  void collect_proxies(const BodySet& bodies, const Margin& margin);
+  void sort_pairs();
+  void collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin);
+
+  std::vector<Proxy> proxies_;
+  std::vector<Pair> pairs_;
+  std::vector<Contact> rows_;
+  std::vector<Contact> last_rows_;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

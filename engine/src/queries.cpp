@@ -1,0 +1,50 @@
+#include "world_state.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// Calls back for each part of the inserted bodies that passes the test, until told to stop. Bodies that the callback
+/// creates are not inserted before it returns, so they are not among them.
+template <class Test>
+void visit(const BodySet& bodies, const World::QueryCallback& callback, const Test& test) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.detail[i].inserted) continue;
+    for (std::size_t p = 0; p < bodies.detail[i].parts.size(); ++p) {
+      const Part& part = bodies.detail[i].parts[p];
+      if (test(part.shape, bodies.pose[i]) && !callback(bodies.id(i), part)) return;
+    }
+  }
+}
+
+}  // namespace
+
+void World::query_aabb(const Aabb& box, const QueryCallback& callback) {
+  const State::CallbackScope scope(*state_);
+  visit(state_->bodies, callback,
+        [&box](const Shape& shape, const Pose& pose) { return overlap(box, shape.bounds(pose)); });
+}
+
+void World::query_point(Vec2 point, const QueryCallback& callback) {
+  const State::CallbackScope scope(*state_);
+  visit(state_->bodies, callback,
+        [point](const Shape& shape, const Pose& pose) { return shape.contains(to_local(pose, point)); });
+}
+
+std::vector<ContactInfo> World::contacts() const {
+  const BodySet& bodies = state_->bodies;
+  std::vector<ContactInfo> infos;
+  for (const Contact& contact : state_->contacts.rows()) {
+    for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+      const ContactPoint& point = contact.points[p];
+      if (point.separation > 0 && point.total_normal_impulse == 0) continue;
+      const Vec2 on_a = bodies.pose[contact.body_a].p + point.arm_a;
+      const Vec2 on_b = bodies.pose[contact.body_b].p + point.arm_b;
+      infos.push_back({bodies.id(contact.body_a), bodies.id(contact.body_b), Real{0.5} * (on_a + on_b), contact.normal,
+                       point.separation, point.total_normal_impulse, point.total_tangent_impulse});
+    }
+  }
+  return infos;
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,52 @@
+#include "impulse/settings.h"
+
+#include <stdexcept>
+
+#include "broad_phase.h"
+#include "finite.h"
+#include "integrator.h"
+#include "method_list.h"
+#include "solver.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+constexpr Real longest_step = 10;            // s; beyond it nothing is resolved, and speeds times steps leave the range
+constexpr Real strongest_gravity = 1000000;  // m/s^2; a slip of units, not a planet
+constexpr int most_iterations = 10000;       // a step that takes minutes looks like a hang
+
+[[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("Settings: " + what); }
+
+void check_name(const char* field, const std::string& name, const std::vector<MethodInfo>& known) {
+  std::string names;
+  for (const MethodInfo& method : known) {
+    if (method.name == name) return;
+    names += (names.empty() ? "" : ", ") + method.name;
+  }
+  refuse(std::string(field) + " \"" + name + "\" is not known; there are: " + names);
+}
+
+}  // namespace
+
+void validate(const Settings& settings) {
+  if (!(settings.dt > 0 && settings.dt <= longest_step)) {
+    refuse("dt must be above 0 and at most " + std::to_string(longest_step) + " s, got " + std::to_string(settings.dt));
+  }
+  if (!finite(settings.gravity) || length(settings.gravity) > strongest_gravity) {
+    refuse("gravity must be finite and at most " + std::to_string(strongest_gravity) + " m/s^2");
+  }
+  if (settings.iterations < 1 || settings.iterations > most_iterations) {
+    refuse("iterations must be from 1 to " + std::to_string(most_iterations) + ", got " +
+           std::to_string(settings.iterations));
+  }
+  check_name("solver", settings.solver, solvers());
+  check_name("integrator", settings.integrator, integrators());
+  check_name("broad_phase", settings.broad_phase, broad_phases());
+}
+
+std::vector<MethodInfo> solvers() { return MethodList<Solver>::infos(); }
+std::vector<MethodInfo> integrators() { return MethodList<Integrator>::infos(); }
+std::vector<MethodInfo> broad_phases() { return MethodList<BroadPhase>::infos(); }
+
+}  // namespace impulse::inline IMPULSE_PRECISION

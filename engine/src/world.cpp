@@ -1,0 +1,122 @@
+#include "impulse/world.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "method_list.h"
+#include "world_state.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+World::World(const Settings& settings) : state_(std::make_unique<State>(settings)) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::step() {
+  State& s = *state_;
+  if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
+  s.forces.gravity = s.settings.gravity;
+  s.contacts.find(s.bodies, *s.broad_phase, s.settings, s.solver->margin(s.settings));
+  StepData data{s.bodies, s.contacts.rows(), s.forces, *s.integrator, s.settings};
+  s.solver->step(data);
+  s.bodies.mark_held(s.contacts.rows());
+  s.bodies.clear_forces();
+}
+
+const Settings& World::settings() const { return state_->settings; }
+
+void World::set_settings(const Settings& settings) { state_->adopt(settings); }
+
+void World::set_gravity(Vec2 gravity) {
+  Settings changed = settings();
+  changed.gravity = gravity;
+  set_settings(changed);
+}
+
+void World::set_dt(Real dt) {
+  Settings changed = settings();
+  changed.dt = dt;
+  set_settings(changed);
+}
+
+BodyId World::create_body(const BodyDef& def, std::span<const Part> parts) {
+  const BodyId id = state_->bodies.add(def, parts);
+  insert_body(id);
+  return id;
+}
+
+BodyId World::create_body(const BodyDef& def, const Shape& shape, const Material& material) {
+  const Part part{shape, material};
+  return create_body(def, std::span(&part, 1));
+}
+
+void World::remove_body(BodyId id) { state_->change(State::Change::remove, id); }
+void World::insert_body(BodyId id) { state_->change(State::Change::insert, id); }
+void World::destroy_body(BodyId id) { state_->change(State::Change::destroy, id); }
+
+bool World::contains(BodyId id) const { return state_->bodies.contains(id); }
+
+Body World::body(BodyId id) {
+  state_->row(id);
+  return {*this, id};
+}
+
+std::vector<BodyId> World::bodies() const {
+  std::vector<BodyId> ids;
+  for (std::size_t i = 0; i < state_->bodies.size(); ++i) {
+    if (state_->bodies.detail[i].inserted) ids.push_back(state_->bodies.id(i));
+  }
+  return ids;
+}
+
+std::size_t World::body_count() const {
+  std::size_t count = 0;
+  for (const BodyDetail& body : state_->bodies.detail) count += body.inserted ? 1 : 0;
+  return count;
+}
+
+void World::State::adopt(const Settings& chosen) {
+  validate(chosen);
+  const bool first = solver == nullptr;
+  if (first || chosen.solver != settings.solver) solver = MethodList<Solver>::make(chosen.solver);
+  if (first || chosen.integrator != settings.integrator) integrator = MethodList<Integrator>::make(chosen.integrator);
+  if (first || chosen.broad_phase != settings.broad_phase)
+    broad_phase = MethodList<BroadPhase>::make(chosen.broad_phase);
+  settings = chosen;
+}
+
+std::size_t World::State::row(BodyId id) const {
+  if (!bodies.contains(id)) {
+    throw std::out_of_range("World: no body " + std::to_string(id.index) + " of generation " +
+                            std::to_string(id.generation) + "; it was destroyed or never of this world");
+  }
+  return id.index;
+}
+
+void World::State::change(Change what, BodyId id) {
+  row(id);
+  if (callbacks_running > 0) {
+    deferred.emplace_back(what, id);
+  } else {
+    apply(what, id);
+  }
+}
+
+void World::State::apply(Change what, BodyId id) {
+  if (what == Change::insert) return bodies.insert(id.index);
+  contacts.forget(id.index);
+  if (what == Change::remove) return bodies.remove(id.index);
+  bodies.destroy(id.index);
+}
+
+World::State::CallbackScope::~CallbackScope() {
+  if (--state_.callbacks_running > 0) return;
+  // A body may have been destroyed twice in one callback: the second time finds it gone.
+  for (const auto& [what, id] : state_.deferred) {
+    if (state_.bodies.contains(id)) state_.apply(what, id);
+  }
+  state_.deferred.clear();
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "body_set.h"
+#include "broad_phase.h"
+#include "contact_set.h"
+#include "force_field.h"
+#include "impulse/world.h"
+#include "integrator.h"
+#include "solver.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+struct World::State {
+  enum class Change : std::uint8_t { insert, remove, destroy };
+
+  Settings settings;
+  std::unique_ptr<Solver> solver;
+  std::unique_ptr<Integrator> integrator;
+  std::unique_ptr<BroadPhase> broad_phase;
+  BodySet bodies;
+  ContactSet contacts;
+  ForceField forces;
+  int callbacks_running = 0;
+  std::vector<std::pair<Change, BodyId>> deferred;
+
+  explicit State(const Settings& chosen) { adopt(chosen); }
+
+  /// Takes these settings, or throws and changes nothing.
+  void adopt(const Settings& chosen);
+
+  /// The row of a living body. Throws std::out_of_range.
+  std::size_t row(BodyId id) const;
+
+  /// Does it now, or when the running callback has returned.
+  void change(Change what, BodyId id);
+  void apply(Change what, BodyId id);
+
+  /// While one of these lives, changes wait.
+  class CallbackScope {
+   public:
+    explicit CallbackScope(State& state) : state_(state) { ++state_.callbacks_running; }
+    CallbackScope(const CallbackScope&) = delete;
+    CallbackScope& operator=(const CallbackScope&) = delete;
+    ~CallbackScope();
+
+   private:
+    State& state_;
+  };
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION
