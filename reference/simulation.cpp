@@ -1,6 +1,7 @@
 #include "reference/simulation.h"
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -28,9 +29,11 @@ void check_number(const Contender& contender, const Option& option, std::string_
   double number = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
   const bool read = error == std::errc{} && end == value.data() + value.size();
-  if (read && number >= option.min && number <= option.max) return;
+  const bool fits = !option.whole || number == std::trunc(number);
+  if (read && fits && number >= option.min && number <= option.max) return;
   std::ostringstream what;
-  what << place(contender, option) << '"' << value << "\" must be a number, " << option.min << " ... " << option.max;
+  what << place(contender, option) << '"' << value << "\" must be a " << (option.whole ? "whole number, " : "number, ")
+       << option.min << " ... " << option.max;
   throw std::invalid_argument(what.str());
 }
 

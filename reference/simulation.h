@@ -47,7 +47,8 @@ class Simulation {
   /// Appends the contacts of the last step. A contender that reveals none appends nothing.
   virtual void read_contacts(std::vector<ContactState>&) const {}
 
-  /// Seconds from the start for which the answer holds; a closed form may end at its second impact. By default: for ever.
+  /// Seconds from the start for which the answer holds; a closed form may end at its second impact. By default: for
+  /// ever.
   virtual double valid_until() const;
 };
 
@@ -58,6 +59,7 @@ struct Option {
   std::vector<std::pair<std::string, std::string>> choices;  // value and one line about it; empty: a number
   std::string about;
   double min = 0, max = 0;  // of a number
+  bool whole = false;       // takes whole numbers only
 };
 
 /// Values by option key; what is missing has its default.

@@ -104,6 +104,7 @@ struct Weld {
   Vec anchor;  // world frame, at the start
 };
 
+/// Two bodies that share a joint do not collide with each other.
 using Joint = std::variant<Revolute, Distance, Prismatic, Weld>;
 
 /// Every other dynamic body is accelerated towards `from` by strength / r^exponent.

@@ -1,1 +1,419 @@
-#include <cstddef>
+// What this engine does differently
+// - Float arithmetic throughout, angles included: unit round-off 2^-24.
+// - Symplectic Euler: velocities first, then positions with the new velocities. Free fall is off by +g t h/2.
+// - Damping c divides velocities by 1 + c h each step (Pade), where the scene means e^(-c h).
+// - Polygons, boxes and edges carry a skin of b2_polygonRadius (0.01 m): two of them come to rest 0.015 m apart, a
+// circle
+//   on one of them 0.005 m. Circles have none. Position correction leaves b2_linearSlop (0.005 m) of overlap, measured
+//   from the skins.
+// - Restitution acts only above a closing speed of 1 m/s (option `restitution`).
+// - Contacts are solved by sequential impulses, 8 velocity and 3 position iterations, warm-started: an approximation
+//   whose error shows in tall stacks and large mass ratios.
+// - Nothing moves by more than 2 m or turns by more than a quarter turn in a step: faster bodies are slowed down.
+// - One coefficient of friction; mixed values are ours, set on each contact when it begins.
+// - Continuous collision moves back in time bodies that hit fixed ones (and bullets); such a body loses the rest of
+//   its step, so a bounce off the ground may cost time.
+// - Vertices closer than 0.0025 m are welded; polygons have eight at most.
+// - No capsules: built from a rectangle, thinned by its skin so that sides and caps are flush, and two circles. No
+//   half-spaces: built from an edge in a frame whose x axis is the boundary, which keeps float errors along the edge.
+//   It has two sides; continuous collision keeps bodies from passing.
+// - A soft distance joint is an implicit spring: it damps more than its damping says.
+// - Sleeping is off unless asked for: a sleeping stack has perfect energy.
+// Every body's frame is moved to its centre of mass, whose mass data are those of plumb::mass_of.
+
+#include <box2d/box2d.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "reference/loads.h"
+#include "reference/scene_facts.h"
+#include "reference/simulation.h"
+#include "scenarios/mass.h"
+
+namespace plumb {
+namespace {
+
+b2Vec2 to_b2(Vec v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+Vec from_b2(b2Vec2 v) { return {v.x, v.y}; }
+
+// What a fixture must know of the scene it came from; its user data is an index into a list of these.
+struct Tag {
+  std::size_t body = 0;
+  std::uint32_t layers = 0;
+  Surface surface;
+};
+
+class Tags {
+ public:
+  b2FixtureUserData add(Tag tag) {
+    tags_.push_back(tag);
+    b2FixtureUserData data;
+    data.pointer = tags_.size() - 1;
+    return data;
+  }
+  // const_cast: b2Fixture::GetUserData is not const, though it changes nothing.
+  const Tag& of(const b2Fixture* fixture) const {
+    return tags_[const_cast<b2Fixture*>(fixture)->GetUserData().pointer];
+  }
+
+ private:
+  std::vector<Tag> tags_;
+};
+
+class SharedLayers : public b2ContactFilter {
+ public:
+  explicit SharedLayers(const Tags& tags) : tags_(tags) {}
+
+ private:
+  bool ShouldCollide(b2Fixture* a, b2Fixture* b) override { return (tags_.of(a).layers & tags_.of(b).layers) != 0; }
+
+  const Tags& tags_;
+};
+
+// The scene's coefficients go in when a contact begins and persist; its impulses come out after each solve, of which a
+// step has several where continuous collision acts.
+class Contacts : public b2ContactListener {
+ public:
+  Contacts(const Tags& tags, Mixing mixing, float threshold) : tags_(tags), mixing_(mixing), threshold_(threshold) {}
+
+  void clear() { solved_.clear(); }
+
+  void read(std::vector<ContactState>& out) const {
+    for (const Solved& solved : solved_) {
+      const b2Fixture* a = solved.contact->GetFixtureA();
+      const b2Fixture* b = solved.contact->GetFixtureB();
+      b2WorldManifold world;
+      world.Initialize(&solved.manifold, a->GetBody()->GetTransform(), a->GetShape()->m_radius,
+                       b->GetBody()->GetTransform(), b->GetShape()->m_radius);
+      for (int i = 0; i < solved.impulse.count; ++i) {
+        // Box2D's tangent is the normal turned by -90 degrees.
+        out.push_back({tags_.of(a).body, tags_.of(b).body, from_b2(world.points[i]), from_b2(world.normal),
+                       solved.impulse.normalImpulses[i], -solved.impulse.tangentImpulses[i], world.separations[i]});
+      }
+    }
+  }
+
+ private:
+  struct Solved {
+    const b2Contact* contact;
+    b2Manifold manifold;  // a copy: a later sub-step may replace the contact's own
+    b2ContactImpulse impulse;
+  };
+
+  void BeginContact(b2Contact* contact) override {
+    const Surface& a = tags_.of(contact->GetFixtureA()).surface;
+    const Surface& b = tags_.of(contact->GetFixtureB()).surface;
+    contact->SetFriction(static_cast<float>(mixed_dynamic_friction(mixing_, a, b)));
+    contact->SetRestitution(static_cast<float>(mixed_restitution(mixing_, a, b)));
+    contact->SetRestitutionThreshold(threshold_);
+  }
+
+  void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
+    solved_.push_back({contact, *contact->GetManifold(), *impulse});
+  }
+
+  const Tags& tags_;
+  Mixing mixing_;
+  float threshold_;
+  std::vector<Solved> solved_;
+};
+
+// Hangs a scene's shapes on a Box2D body.
+struct Hang {
+  b2Body& body;
+  b2FixtureUserData tag;
+
+  void operator()(const Circle& circle) { disc(circle.center, circle.radius); }
+
+  void operator()(const Box& box) { rectangle(box.center, box.size.x / 2, box.size.y / 2, box.angle); }
+
+  void operator()(const Polygon& polygon) {
+    std::vector<b2Vec2> vertices;
+    for (const Vec& vertex : polygon.vertices) vertices.push_back(to_b2(vertex));
+    b2PolygonShape shape;
+    shape.Set(vertices.data(), static_cast<int32>(vertices.size()));
+    attach(shape);
+  }
+
+  void operator()(const Capsule& capsule) {
+    const Vec d{capsule.to.x - capsule.from.x, capsule.to.y - capsule.from.y};
+    rectangle({(capsule.from.x + capsule.to.x) / 2, (capsule.from.y + capsule.to.y) / 2}, std::hypot(d.x, d.y) / 2,
+              capsule.radius - b2_polygonRadius, std::atan2(d.y, d.x));
+    disc(capsule.from, capsule.radius);
+    disc(capsule.to, capsule.radius);
+  }
+
+  void operator()(const Segment& segment) {
+    b2EdgeShape shape;
+    shape.SetTwoSided(to_b2(segment.from), to_b2(segment.to));
+    attach(shape);
+  }
+
+  void operator()(const HalfSpace&) {}  // has a body of its own
+
+  void disc(Vec center, double radius) {
+    b2CircleShape shape;
+    shape.m_p = to_b2(center);
+    shape.m_radius = static_cast<float>(radius);
+    attach(shape);
+  }
+
+  void rectangle(Vec center, double half_width, double half_height, double angle) {
+    b2PolygonShape shape;
+    shape.SetAsBox(static_cast<float>(half_width), static_cast<float>(half_height), to_b2(center),
+                   static_cast<float>(angle));
+    attach(shape);
+  }
+
+  void attach(const b2Shape& shape) {
+    b2FixtureDef def;
+    def.userData = tag;
+    def.shape = &shape;
+    body.CreateFixture(&def);
+  }
+};
+
+class Box2d : public Simulation {
+ public:
+  Box2d(const Scene& scene, const Settings& settings)
+      : loads_(scene),
+        filter_(tags_),
+        contacts_(tags_, scene.mixing, std::stof(settings.at("restitution"))),
+        world_(to_b2(scene.gravity)),
+        velocity_iterations_(static_cast<int>(std::stod(settings.at("velocity")))),
+        position_iterations_(static_cast<int>(std::stod(settings.at("position")))) {
+    world_.SetAllowSleeping(settings.at("sleep") == "on");
+    world_.SetContinuousPhysics(settings.at("continuous") == "on");
+    world_.SetWarmStarting(settings.at("warm") == "on");
+    world_.SetContactFilter(&filter_);
+    world_.SetContactListener(&contacts_);
+    const double edge = reach(scene);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) add(i, scene.bodies[i], edge);
+    for (const Joint& joint : scene.joints) {
+      std::visit([&](const auto& kind) { add(kind); }, joint);
+    }
+    states_.resize(bodies_.size());
+  }
+
+  void step(double dt) override {
+    if (loads_.any()) push();
+    contacts_.clear();
+    world_.Step(static_cast<float>(dt), velocity_iterations_, position_iterations_);
+  }
+
+  void read(std::span<BodyState> out) const override {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const b2Body& body = *bodies_[i];
+      out[i] = {from_b2(body.GetPosition()), body.GetAngle(), from_b2(body.GetLinearVelocity()),
+                body.GetAngularVelocity()};
+    }
+  }
+
+  void read_contacts(std::vector<ContactState>& out) const override { contacts_.read(out); }
+
+ private:
+  void add(std::size_t index, const Body& given, double edge) {
+    const Body body = centered(given);
+    b2Body* made = make(body, body.angle);
+    bodies_.push_back(made);
+    for (const Shape& shape : body.shapes) {
+      if (const auto* half_space = std::get_if<HalfSpace>(&shape.geometry)) {
+        add(index, body, *half_space, shape.surface, edge);
+      } else {
+        Hang hang{*made, tags_.add({index, body.layers, shape.surface})};
+        std::visit(hang, shape.geometry);
+      }
+    }
+    const Mass mass = mass_of(given);
+    const b2MassData data{static_cast<float>(mass.mass), {0, 0}, static_cast<float>(mass.inertia)};
+    made->SetMassData(&data);
+  }
+
+  // Turned until the normal is its y axis.
+  void add(std::size_t index, const Body& body, const HalfSpace& half_space, const Surface& surface, double edge) {
+    b2Body* made = make(body, body.angle + std::atan2(-half_space.normal.x, half_space.normal.y));
+    Hang hang{*made, tags_.add({index, body.layers, surface})};
+    hang(Segment{{edge, half_space.offset}, {-edge, half_space.offset}});
+  }
+
+  b2Body* make(const Body& body, double angle) {
+    b2BodyDef def;
+    def.type = body.type == BodyType::fixed       ? b2_staticBody
+               : body.type == BodyType::kinematic ? b2_kinematicBody
+                                                  : b2_dynamicBody;
+    def.position = to_b2(body.position);
+    def.angle = static_cast<float>(angle);
+    def.linearVelocity = to_b2(body.velocity);
+    def.angularVelocity = static_cast<float>(body.angular_velocity);
+    def.linearDamping = static_cast<float>(body.linear_damping);
+    def.angularDamping = static_cast<float>(body.angular_damping);
+    def.fixedRotation = body.fixed_rotation;
+    def.bullet = body.bullet;
+    def.gravityScale = static_cast<float>(body.gravity_scale);
+    return world_.CreateBody(&def);
+  }
+
+  void add(const Revolute& joint) {
+    b2RevoluteJointDef def;
+    def.Initialize(bodies_[joint.a], bodies_[joint.b], to_b2(joint.anchor));
+    world_.CreateJoint(&def);
+  }
+
+  void add(const Distance& joint) {
+    b2DistanceJointDef def;
+    def.Initialize(bodies_[joint.a], bodies_[joint.b], to_b2(joint.anchor_a), to_b2(joint.anchor_b));
+    const bool rigid = joint.stiffness == 0;
+    def.length = static_cast<float>(joint.length);
+    def.minLength = rigid ? def.length : 0;
+    def.maxLength = rigid ? def.length : b2_maxFloat;
+    def.stiffness = static_cast<float>(joint.stiffness);
+    def.damping = static_cast<float>(joint.damping);
+    world_.CreateJoint(&def);
+  }
+
+  void add(const Prismatic& joint) {
+    b2PrismaticJointDef def;
+    def.Initialize(bodies_[joint.a], bodies_[joint.b], to_b2(joint.anchor), to_b2(joint.axis));
+    world_.CreateJoint(&def);
+  }
+
+  void add(const Weld& joint) {
+    b2WeldJointDef def;
+    def.Initialize(bodies_[joint.a], bodies_[joint.b], to_b2(joint.anchor));
+    world_.CreateJoint(&def);
+  }
+
+  void push() {
+    read(states_);
+    const std::span<const Load> loads = loads_.at(states_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      bodies_[i]->ApplyForceToCenter(to_b2(loads[i].force), true);
+      bodies_[i]->ApplyTorque(static_cast<float>(loads[i].torque), true);
+    }
+  }
+
+  Loads loads_;
+  std::vector<BodyState> states_;
+  Tags tags_;
+  SharedLayers filter_;
+  Contacts contacts_;
+  b2World world_;
+  std::vector<b2Body*> bodies_;
+  int velocity_iterations_;
+  int position_iterations_;
+};
+
+// b2PolygonShape::Set would weld them, and make a 1 m box of what is left when fewer than three are.
+bool welds(const std::vector<Vec>& vertices) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double d = std::hypot(vertices[i].x - vertices[j].x, vertices[i].y - vertices[j].y);
+      if (d <= b2_linearSlop / 2) return true;
+    }
+  }
+  return false;
+}
+
+struct Refusal {
+  std::string operator()(const Polygon& polygon) const {
+    if (polygon.vertices.size() > b2_maxPolygonVertices) return "polygons have eight vertices at most";
+    return welds(polygon.vertices) ? "welds vertices closer than 0.0025 m" : "";
+  }
+  std::string operator()(const Capsule& capsule) const {
+    const bool thin = capsule.radius <= 2 * b2_polygonRadius;
+    return thin ? "knows no capsule; one built from a rectangle with a skin needs a radius above 0.02 m" : "";
+  }
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return "";
+  }
+};
+
+std::string unsupported(const Scene& scene, const Settings&) {
+  for (const std::string& reason :
+       {needs_two_frictions(scene), needs_dynamic_half_space(scene), needs_massless_body(scene)}) {
+    if (!reason.empty()) return reason;
+  }
+  for (const Body& body : scene.bodies) {
+    for (const Shape& shape : body.shapes) {
+      std::string reason = std::visit(Refusal{}, shape.geometry);
+      if (!reason.empty()) return reason;
+    }
+  }
+  return "";
+}
+
+const Contender& self() { return *Catalog<Contender>::find("box2d"); }
+
+Stepping stepping(const Settings& settings, double dt) {
+  Stepping stated;
+  stated.dt = dt;
+  stated.h = dt;
+  stated.drift = 0.5;
+  stated.impact_lag = 1;
+  stated.gap = 2 * b2_polygonRadius;
+  stated.creep = 0;
+  stated.restitution_threshold = std::stod(complete(self(), settings).at("restitution"));
+  stated.epsilon = std::ldexp(1.0, -24);
+  return stated;
+}
+
+std::string version() {
+  return std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
+         std::to_string(b2_version.revision);
+}
+
+std::vector<std::pair<std::string, std::string>> on_or_off(const char* on, const char* off) {
+  return {{"on", on}, {"off", off}};
+}
+
+const Catalog<Contender>::Entry entry{{
+    .name = "box2d",
+    .about = "Box2D 2.4: sequential impulses, symplectic Euler, float",
+    .source = "Box2D " + version() + ", Erin Catto, box2d.org",
+    .options =
+        {
+            {.key = "velocity",
+             .value = "8",
+             .about = "iterations of the velocity solver",
+             .min = 1,
+             .max = 10000,
+             .whole = true},
+            {.key = "position",
+             .value = "3",
+             .about = "iterations of the position solver",
+             .min = 0,
+             .max = 10000,
+             .whole = true},
+            {.key = "restitution",
+             .value = "1",
+             .about = "m/s, closing speed below which nothing bounces",
+             .min = 0,
+             .max = 100},
+            {.key = "continuous",
+             .value = "on",
+             .choices = on_or_off("stops bodies at fixed ones in mid-step", "bodies may overlap after a step"),
+             .about = "continuous collision"},
+            {.key = "sleep",
+             .value = "off",
+             .choices = on_or_off("stops bodies that hardly move", "bodies never sleep"),
+             .about = "sleeping"},
+            {.key = "warm",
+             .value = "on",
+             .choices = on_or_off("starts from the last step's impulses", "starts from nothing"),
+             .about = "warm starting"},
+        },
+    .stepping = stepping,
+    .unsupported = unsupported,
+    .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
+      return std::make_unique<Box2d>(scene, complete(self(), settings));
+    },
+}};
+
+}  // namespace
+}  // namespace plumb

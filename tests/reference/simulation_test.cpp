@@ -39,6 +39,17 @@ TEST(CompleteSettings, RefuseWhatIsNoNumberInRange) {
   }
 }
 
+TEST(CompleteSettings, RefuseBrokenNumbersWhereWholeOnesAreMeant) {
+  const Contender counting{.name = "counting", .options = {{.key = "n", .value = "8", .max = 9, .whole = true}}};
+  EXPECT_EQ(complete(counting, {{"n", "7"}}).at("n"), "7");
+  try {
+    complete(counting, {{"n", "7.5"}});
+    FAIL() << "took half an iteration";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "counting: option n: \"7.5\" must be a whole number, 0 ... 9");
+  }
+}
+
 TEST(Simulation, HoldsForEverUnlessItSaysOtherwise) {
   class Still : public Simulation {
     void step(double) override {}

@@ -1,0 +1,72 @@
+#include "reference/loads.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "scenarios/mass.h"
+
+namespace plumb {
+namespace {
+
+Body disc(Vec position, double radius = 1) {
+  Body body;
+  body.position = position;
+  body.shapes.push_back({Circle{radius, {}}, {}});
+  return body;
+}
+
+constexpr double m = std::numbers::pi;  // kg, of a disc of radius 1
+
+TEST(Loads, AttractByInversePowersAndPushBackWhereMutual) {
+  Scene scene;
+  scene.bodies = {disc({0, 0}), disc({2, 0})};
+  scene.forces = {Attraction{0, 8, 2, false}};
+  const std::vector<BodyState> states{{{0, 0}}, {{2, 0}}};
+  Loads one_way(scene);
+  EXPECT_DOUBLE_EQ(one_way.at(states)[1].force.x, -m * 8 / 4);
+  EXPECT_EQ(one_way.at(states)[0].force, Vec{});
+  scene.forces = {Attraction{0, 8, 2, true}};
+  Loads mutual(scene);
+  EXPECT_DOUBLE_EQ(mutual.at(states)[0].force.x, m * 8 / 4);
+}
+
+TEST(Loads, PullWithSpringsAlongTheLineOfTheirAnchors) {
+  Scene scene;
+  scene.bodies = {disc({0, 0}), disc({5, 0})};
+  scene.forces = {Spring{0, 1, {0, 1}, {0, 1}, 10, 3, 2}};
+  const std::vector<BodyState> states{{{0, 0}}, {{5, 0}, 0, {.5, 0}, 0}};
+  Loads loads(scene);
+  const std::span<const Load> at = loads.at(states);
+  EXPECT_DOUBLE_EQ(at[0].force.x, 10 * (5 - 3) + 2 * .5);
+  EXPECT_DOUBLE_EQ(at[1].force.x, -21);
+  EXPECT_DOUBLE_EQ(at[0].torque, -21);  // at an arm of 1 m upwards
+  EXPECT_DOUBLE_EQ(at[1].torque, 21);
+}
+
+// The anchor belongs to the body's frame, whose origin need not be the centre of mass.
+TEST(Loads, FindAnchorsFromTheCentreOfMass) {
+  Body body = disc({0, 0});
+  body.shapes[0].geometry = Circle{1, {2, 0}};
+  Scene scene;
+  scene.bodies = {body};
+  scene.forces = {Spring{{}, 0, {0, 5}, {0, 0}, 1, 0, 0}};
+  Loads loads(scene);
+  const Load load = loads.at(std::vector<BodyState>{{{2, 0}}})[0];
+  EXPECT_DOUBLE_EQ(load.force.x, 0);
+  EXPECT_DOUBLE_EQ(load.force.y, 5);
+  EXPECT_DOUBLE_EQ(load.torque, -2 * 5);
+}
+
+TEST(Loads, AddUp) {
+  Scene scene;
+  scene.bodies = {disc({0, 0})};
+  scene.forces = {Constant{0, {1, 2}, 3}, Constant{0, {10, 20}, 30}};
+  Loads loads(scene);
+  const Load load = loads.at(std::vector<BodyState>(1))[0];
+  EXPECT_EQ(load.force, (Vec{11, 22}));
+  EXPECT_EQ(load.torque, 33);
+}
+
+}  // namespace
+}  // namespace plumb
