@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "body_set.h"
+#include "impulse/force.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -16,8 +19,27 @@ class ForceField {
   ///
   /// Damping is -d v at the velocity after `implicit` seconds: v' = v + h (a - d v') is v' = v + h (a - d v)/(1 + h d),
   /// which no damping makes unstable, and whose speed of fall in air, a/d, is exact; but it is of first order in h, so
-  /// a method of higher order passes 0 and gets -d v itself.
+  /// a method of higher order passes 0 and gets -d v itself. The damping of springs is always taken at the present
+  /// velocity.
   void accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out) const;
+
+  /// Throws std::invalid_argument for numbers that make no sense and std::out_of_range for bodies that are not there.
+  ForceId add(const Force& force, const BodySet& bodies);
+  bool contains(ForceId id) const;
+  /// Throws std::out_of_range for a stale id.
+  void remove(ForceId id);
+  /// Ends every generator that names the body.
+  void forget(BodyId body);
+
+ private:
+  struct Slot {
+    std::uint32_t generation = 0;
+    std::optional<Force> force;
+  };
+  void end(std::size_t slot);
+
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> free_slots_;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -55,6 +55,10 @@ void World::remove_body(BodyId id) { state_->change(State::Change::remove, id); 
 void World::insert_body(BodyId id) { state_->change(State::Change::insert, id); }
 void World::destroy_body(BodyId id) { state_->change(State::Change::destroy, id); }
 
+ForceId World::add_force(const Force& force) { return state_->forces.add(force, state_->bodies); }
+void World::remove_force(ForceId id) { state_->forces.remove(id); }
+bool World::contains(ForceId id) const { return state_->forces.contains(id); }
+
 bool World::contains(BodyId id) const { return state_->bodies.contains(id); }
 
 Body World::body(BodyId id) {
@@ -107,6 +111,7 @@ void World::State::apply(Change what, BodyId id) {
   if (what == Change::insert) return bodies.insert(id.index);
   contacts.forget(id.index);
   if (what == Change::remove) return bodies.remove(id.index);
+  forces.forget(id);
   bodies.destroy(id.index);
 }
 

@@ -9,7 +9,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 class FrameClock {
  public:
   /// `longest` caps the stored time (s), so that a slow frame cannot demand ever more steps (the "spiral of death").
-  /// Throws std::invalid_argument unless 0 < dt <= longest, both finite.
+  /// Throws std::invalid_argument unless 0 < dt <= longest <= 1e6 dt, both finite.
   explicit FrameClock(double dt, double longest = 0.2);
 
   /// Adds a frame's duration (s; negative or NaN counts as 0) and returns how many steps are due now.

@@ -3,6 +3,7 @@
 /// Everything a game needs.
 #include "impulse/body.h"
 #include "impulse/clock.h"
+#include "impulse/force.h"
 #include "impulse/material.h"
 #include "impulse/math.h"
 #include "impulse/settings.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "impulse/body.h"
+#include "impulse/force.h"
 #include "impulse/settings.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -56,6 +57,13 @@ class World {
   /// All inserted bodies, in order of their index.
   std::vector<BodyId> bodies() const;
   std::size_t body_count() const;
+
+  /// Acts from the next step on. Throws std::invalid_argument for numbers that make no sense and std::out_of_range for
+  /// a stale body. It ends with remove_force or with any body that it names.
+  ForceId add_force(const Force& force);
+  /// Throws std::out_of_range for a stale id.
+  void remove_force(ForceId id);
+  bool contains(ForceId id) const;
 
   /// Advances by dt().
   void step();
