@@ -17,6 +17,8 @@ class Integrator {
   virtual void begin(BodySet& bodies, const ForceField& forces, Real h) = 0;
   /// Moves the poses with the solved velocities, and finishes the velocities where the method does so afterwards.
   virtual void finish(BodySet& bodies, const ForceField& forces, Real h) = 0;
+  /// Free fall is off by drift * gravity * t * h.
+  virtual Real drift() const = 0;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

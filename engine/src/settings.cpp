@@ -49,4 +49,13 @@ std::vector<MethodInfo> solvers() { return MethodList<Solver>::infos(); }
 std::vector<MethodInfo> integrators() { return MethodList<Integrator>::infos(); }
 std::vector<MethodInfo> broad_phases() { return MethodList<BroadPhase>::infos(); }
 
+StatedErrors stated_errors(const Settings& settings) {
+  validate(settings);
+  StatedErrors errors;
+  errors.h = settings.dt;
+  errors.drift = MethodList<Integrator>::make(settings.integrator)->drift();
+  MethodList<Solver>::make(settings.solver)->state(settings, errors);
+  return errors;
+}
+
 }  // namespace impulse::inline IMPULSE_PRECISION

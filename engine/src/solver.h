@@ -35,6 +35,8 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
   virtual ~Solver() = default;
   virtual void step(StepData& data) = 0;
+  /// Its own errors, laid over those of one integrator step of settings.dt.
+  virtual void state(const Settings& settings, StatedErrors& errors) const = 0;
   /// The contacts that it wants to be given; only touching shapes unless it says otherwise.
   virtual Margin margin(const Settings&) const { return {}; }
 };

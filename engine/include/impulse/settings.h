@@ -35,4 +35,17 @@ std::vector<MethodInfo> solvers();
 std::vector<MethodInfo> integrators();
 std::vector<MethodInfo> broad_phases();
 
+/// What the chosen methods say of their own errors, before any is measured.
+struct StatedErrors {
+  Real h = 0;                      // s, of one integration sub-step
+  Real drift = 0;                  // free fall is off by drift * gravity * t * h
+  Real impact_lag = 1;             // how late an impact may be noticed, in units of h; 0 where its time is solved for
+  Real gap = 0;                    // m, by which a resting contact may stand off from touching, either way
+  Real creep = 0;                  // m/s, at which a sticking contact may slide
+  Real restitution_threshold = 0;  // m/s, slower impacts are inelastic
+};
+
+/// Throws std::invalid_argument for settings that validate() refuses.
+StatedErrors stated_errors(const Settings&);
+
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -21,6 +21,9 @@ class ExplicitEuler : public Integrator {
     }
   }
 
+  // x = g (t^2 - t h)/2: every step moves with the velocity it began with.
+  Real drift() const override { return -static_cast<Real>(.5); }
+
  private:
   std::vector<Velocity> acceleration_;
 };

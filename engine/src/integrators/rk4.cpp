@@ -44,6 +44,8 @@ class RungeKutta4 : public Integrator {
     }
   }
 
+  Real drift() const override { return 0; }
+
  private:
   /// Adds the slopes at the present state by `weight`, then puts the bodies `next` seconds along them from the start.
   void stage(BodySet& bodies, const ForceField& forces, Real weight, Real next) {

@@ -29,6 +29,8 @@ class VelocityVerlet : public Integrator {
     }
   }
 
+  Real drift() const override { return 0; }
+
  private:
   void kick(BodySet& bodies, std::size_t i, Real h) const {
     bodies.velocity[i].v += h * acceleration_[i].v;

@@ -81,11 +81,20 @@ class Article : public Solver {
     correct_positions(data);
   }
 
+  void state(const Settings& settings, StatedErrors& errors) const override {
+    errors.gap = slop;
+    errors.restitution_threshold = resting_speed(settings);
+  }
+
  private:
+  // The demo engine's rule: gravity alone presses resting bodies together at |g| dt in every step. That is no impact,
+  // so e = 0 up to this speed; and a tenth beyond it, for what the iterations of the last step left.
+  static Real resting_speed(const Settings& settings) {
+    return static_cast<Real>(1.1) * length(settings.gravity) * settings.dt;
+  }
+
   void prepare(const StepData& data) {
-    // The demo engine's rule: gravity alone presses resting bodies together at |g| dt in every step. That is no impact,
-    // so e = 0 up to this speed; and a tenth beyond it, for what the iterations of the last step left.
-    resting_speed_ = static_cast<Real>(1.1) * length(data.settings.gravity) * data.settings.dt;
+    resting_speed_ = resting_speed(data.settings);
     points_.resize(data.contacts.size());
     for (std::size_t c = 0; c < data.contacts.size(); ++c) {
       const Contact& contact = data.contacts[c];

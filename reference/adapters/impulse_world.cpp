@@ -1,0 +1,218 @@
+#include "reference/adapters/impulse_world.h"
+
+#include <impulse/impulse.h>
+
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+namespace plumb::IMPULSE_PRECISION {
+namespace {
+
+using impulse::Real;
+
+impulse::Vec2 to_engine(Vec v) { return {static_cast<Real>(v.x), static_cast<Real>(v.y)}; }
+Vec from_engine(impulse::Vec2 v) { return {v.x, v.y}; }
+
+struct ShapeOf {
+  impulse::Shape operator()(const Circle& circle) const {
+    return impulse::Shape::circle(static_cast<Real>(circle.radius), to_engine(circle.center));
+  }
+  impulse::Shape operator()(const Box& box) const {
+    return impulse::Shape::box(to_engine({box.size.x / 2, box.size.y / 2}), to_engine(box.center),
+                               static_cast<Real>(box.angle));
+  }
+  impulse::Shape operator()(const Polygon& polygon) const {
+    std::vector<impulse::Vec2> vertices;
+    for (const Vec& vertex : polygon.vertices) vertices.push_back(to_engine(vertex));
+    return impulse::Shape::polygon(vertices);
+  }
+  impulse::Shape operator()(const Capsule& capsule) const {
+    return impulse::Shape::capsule(to_engine(capsule.from), to_engine(capsule.to), static_cast<Real>(capsule.radius));
+  }
+  impulse::Shape operator()(const Segment& segment) const {
+    return impulse::Shape::segment(to_engine(segment.from), to_engine(segment.to));
+  }
+  impulse::Shape operator()(const HalfSpace& half_space) const {
+    return impulse::Shape::half_space(to_engine(half_space.normal), static_cast<Real>(half_space.offset));
+  }
+};
+
+impulse::BodyDef def_of(const Body& body) {
+  impulse::BodyDef def;
+  def.type = body.type == BodyType::fixed       ? impulse::BodyType::fixed
+             : body.type == BodyType::kinematic ? impulse::BodyType::kinematic
+                                                : impulse::BodyType::dynamic;
+  def.position = to_engine(body.position);
+  def.angle = static_cast<Real>(body.angle);
+  def.velocity = to_engine(body.velocity);
+  def.angular_velocity = static_cast<Real>(body.angular_velocity);
+  def.gravity_scale = static_cast<Real>(body.gravity_scale);
+  def.linear_damping = static_cast<Real>(body.linear_damping);
+  def.angular_damping = static_cast<Real>(body.angular_damping);
+  def.fixed_rotation = body.fixed_rotation;
+  def.bullet = body.bullet;
+  def.layers = body.layers;
+  return def;
+}
+
+std::vector<impulse::Part> parts_of(const Body& body) {
+  std::vector<impulse::Part> parts;
+  for (const Shape& shape : body.shapes) {
+    const Surface& surface = shape.surface;
+    parts.push_back({std::visit(ShapeOf{}, shape.geometry),
+                     {static_cast<Real>(surface.density), static_cast<Real>(surface.static_friction),
+                      static_cast<Real>(surface.dynamic_friction), static_cast<Real>(surface.restitution)}});
+  }
+  return parts;
+}
+
+impulse::Settings settings_of(const Settings& settings) {
+  impulse::Settings made;
+  made.solver = settings.at("solver");
+  made.integrator = settings.at("integrator");
+  made.broad_phase = settings.at("broad-phase");
+  made.iterations = static_cast<int>(std::stod(settings.at("iterations")));
+  return made;
+}
+
+// The scene's mixing rules are the engine's, in the same order.
+impulse::Settings settings_of(const Scene& scene, const Settings& settings) {
+  impulse::Settings made = settings_of(settings);
+  made.gravity = to_engine(scene.gravity);
+  made.friction_mixing = static_cast<impulse::FrictionMixing>(scene.mixing.friction);
+  made.restitution_mixing = static_cast<impulse::RestitutionMixing>(scene.mixing.restitution);
+  return made;
+}
+
+class Impulse : public Simulation {
+ public:
+  Impulse(const Scene& scene, const Settings& settings) : world_(settings_of(scene, settings)) {
+    for (const Body& body : scene.bodies) {
+      const impulse::BodyId id = world_.create_body(def_of(body), parts_of(body));
+      bodies_.push_back(id);
+      if (id.index >= scene_index_.size()) scene_index_.resize(id.index + 1);
+      scene_index_[id.index] = bodies_.size() - 1;
+    }
+    for (const Force& force : scene.forces) {
+      world_.add_force(std::visit([&](const auto& kind) { return force_of(kind); }, force));
+    }
+  }
+
+  void step(double dt) override {
+    const Real h = static_cast<Real>(dt);
+    if (h != world_.dt()) world_.set_dt(h);
+    world_.step();
+  }
+
+  void read(std::span<BodyState> out) const override {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const impulse::Body body = world_.body(bodies_[i]);
+      out[i] = {from_engine(body.center()), body.angle(), from_engine(body.velocity()), body.angular_velocity()};
+    }
+  }
+
+  void read_contacts(std::vector<ContactState>& out) const override {
+    for (const impulse::ContactInfo& contact : world_.contacts()) {
+      out.push_back({scene_index_[contact.a.index], scene_index_[contact.b.index], from_engine(contact.point),
+                     from_engine(contact.normal), contact.normal_impulse, contact.tangent_impulse, contact.separation});
+    }
+  }
+
+ private:
+  impulse::Force force_of(const Attraction& attraction) const {
+    impulse::Attraction made;
+    made.from = bodies_[attraction.from];
+    made.strength = static_cast<Real>(attraction.strength);
+    made.exponent = static_cast<Real>(attraction.exponent);
+    made.mutual = attraction.mutual;
+    return made;
+  }
+
+  impulse::Force force_of(const Spring& spring) const {
+    impulse::Spring made;
+    if (spring.a) made.a = bodies_[*spring.a];
+    made.b = bodies_[spring.b];
+    made.anchor_a = to_engine(spring.anchor_a);
+    made.anchor_b = to_engine(spring.anchor_b);
+    made.stiffness = static_cast<Real>(spring.stiffness);
+    made.length = static_cast<Real>(spring.length);
+    made.damping = static_cast<Real>(spring.damping);
+    return made;
+  }
+
+  impulse::Force force_of(const Constant& constant) const {
+    return impulse::ConstantForce{bodies_[constant.body], to_engine(constant.force),
+                                  static_cast<Real>(constant.torque)};
+  }
+
+  mutable impulse::World world_;  // its views of bodies can write as well as read
+  std::vector<impulse::BodyId> bodies_;
+  std::vector<std::size_t> scene_index_;  // by BodyId::index
+};
+
+std::vector<std::pair<std::string, std::string>> choices(const std::vector<impulse::MethodInfo>& methods) {
+  std::vector<std::pair<std::string, std::string>> made;
+  for (const impulse::MethodInfo& method : methods) made.emplace_back(method.name, method.about);
+  return made;
+}
+
+std::vector<Option> options() {
+  const impulse::Settings standard;
+  return {{.key = "solver",
+           .value = standard.solver,
+           .choices = choices(impulse::solvers()),
+           .about = "method of solving contacts"},
+          {.key = "integrator",
+           .value = standard.integrator,
+           .choices = choices(impulse::integrators()),
+           .about = "method of free motion, for solvers that leave the choice"},
+          {.key = "broad-phase",
+           .value = standard.broad_phase,
+           .choices = choices(impulse::broad_phases()),
+           .about = "search for pairs"},
+          {.key = "iterations",
+           .value = std::to_string(standard.iterations),
+           .about = "of the velocity solver",
+           .min = 1,
+           .max = 10000,
+           .whole = true}};
+}
+
+Stepping stepping(const Settings& settings, double dt) {
+  impulse::Settings with_dt = settings_of(settings);
+  with_dt.dt = static_cast<Real>(dt);
+  const impulse::StatedErrors errors = impulse::stated_errors(with_dt);
+  Stepping stated;
+  stated.dt = dt;
+  stated.h = errors.h;
+  stated.drift = errors.drift;
+  stated.impact_lag = errors.impact_lag;
+  stated.gap = errors.gap;
+  stated.creep = errors.creep;
+  stated.restitution_threshold = errors.restitution_threshold;
+  stated.epsilon = std::numeric_limits<Real>::epsilon() / 2;
+  return stated;
+}
+
+// Whatever the engine itself refuses, in its words.
+std::string unsupported(const Scene& scene, const Settings& settings) {
+  if (!scene.joints.empty()) return "has no joints";
+  try {
+    const Impulse tried(scene, settings);
+  } catch (const std::invalid_argument& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
+std::unique_ptr<Simulation> build(const Scene& scene, const Settings& settings) {
+  return std::make_unique<Impulse>(scene, settings);
+}
+
+}  // namespace
+
+ImpulseEngine impulse_engine() { return {options, stepping, unsupported, build}; }
+
+}  // namespace plumb::IMPULSE_PRECISION
