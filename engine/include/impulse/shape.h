@@ -28,6 +28,7 @@ constexpr int shape_type_count = 6;
 class Shape {
  public:
   static constexpr int max_vertices = 8;
+  static constexpr Real unbounded = 1000000000;  // m
 
   /// All of these throw std::invalid_argument for sizes that are not positive and finite.
   static Shape circle(Real radius, Vec2 center = {});
@@ -41,8 +42,9 @@ class Shape {
   /// half_space({a, b}, -c).
   static Shape half_space(Vec2 normal, Real offset);
   /// Segments through the points that know their neighbours, so that nothing catches on the joins ("ghost collisions").
-  /// One-sided: solid is to the right of the direction of travel (below a chain that runs towards -x, as in Box2D, is
-  /// its free side); `loop` closes it.
+  /// One-sided, like the outline of a counter-clockwise polygon: solid to the left of the direction of travel, free to
+  /// the right, where normal(0) points. The ground under a sky runs towards -x. `loop` joins the last point to the
+  /// first. Needs two points, or three for a loop; neighbours must be distinct.
   static std::vector<Shape> chain(std::span<const Vec2> points, bool loop);
 
   ShapeType type() const { return type_; }
@@ -50,28 +52,38 @@ class Shape {
   Vec2 vertex(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
   Vec2 normal(int i) const { return normals_[static_cast<std::size_t>(i)]; }  // half-space: normal(0), offset()
   Real radius() const { return radius_; }
-  Real offset() const { return offset_; }  // half-space only
+  Real offset() const { return offset_; }              // half-space only, along the unit normal
+  Vec2 half_extents() const { return half_extents_; }  // box only; its x axis is normal(1)
   Vec2 centroid() const { return centroid_; }
 
-  /// Half-spaces have no finite bounds: theirs reach to +-1e9 m where the boundary does not limit them.
+  /// Half-spaces have no finite bounds: theirs reach to `unbounded` where the boundary does not limit them.
   Aabb bounds(const Pose& pose) const;
+  /// Throws std::invalid_argument for a density (kg/m^2) that is negative or not finite. Segments and half-spaces have
+  /// no mass: they can only be parts of bodies that get theirs elsewhere, or do not move.
   MassData mass(Real density) const;
+  /// The boundary belongs to the shape; segments contain nothing.
   bool contains(Vec2 local) const;
-  Real extent() const;  // farthest point from the frame's origin, m
+  Real extent() const;  // farthest point from the frame's origin, m; `unbounded` for half-spaces
   Shape moved(Vec2 by) const;
 
   /// Ghost neighbours of a chain's segment: the vertex before `from` and the one after `to`.
   bool in_chain() const { return in_chain_; }
+  /// At a free end of an open chain the ghost is the segment's other end, as if the chain turned back.
   Vec2 ghost_before() const { return ghosts_[0]; }
   Vec2 ghost_after() const { return ghosts_[1]; }
 
  private:
+  static Shape hull(ShapeType type, std::span<const Vec2> vertices, Real radius);
+
   ShapeType type_ = ShapeType::circle;
   std::uint8_t count_ = 1;
   bool in_chain_ = false;
   Real radius_ = 0;
   Real offset_ = 0;
   Vec2 centroid_;
+  Vec2 half_extents_;
+  Vec2 given_normal_;      // half-space as given, before its normal was brought to unit length:
+  Real given_offset_ = 0;  // on these, contains() is exact
   std::array<Vec2, max_vertices> vertices_{};
   std::array<Vec2, max_vertices> normals_{};
   std::array<Vec2, 2> ghosts_{};
@@ -83,7 +95,8 @@ struct RayHit {
   Vec2 normal;  // out of the shape
 };
 
-/// Where the ray from -> to (shape's frame) enters the shape. Nothing if it misses or starts inside.
+/// Where the ray from -> to (shape's frame) enters the shape. Nothing if it misses or starts inside. A segment is hit
+/// from both sides, one of a chain from its free side only.
 bool ray_cast(const Shape& shape, Vec2 from, Vec2 to, RayHit& hit);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

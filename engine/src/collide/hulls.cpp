@@ -1,0 +1,51 @@
+#include "collide/colliders.h"
+#include "collide/hull.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+// Of which hull the coordinates must be precise where they meet.
+Real size_of(const Hull& hull) { return std::abs(hull.vertices[0].x) + std::abs(hull.vertices[0].y); }
+
+// The reference face belongs to `hull`.
+Manifold against(const Hull& hull, const Face& face, const Hull& other, Real margin) {
+  const Edge reference = hull.edge(face.edge);
+  const Edge incident = other.edge(edge_against(other, face.support, reference.normal));
+  const Real size = size_of(hull) + size_of(other);
+  Manifold m = meet(reference, incident, face.separation, size, margin);
+  if (m.count == 0 && face.separation <= 0) {
+    // The preferred face of two may just miss the other's edge although the shapes overlap.
+    const Real separation = face.separation - hull.radius - other.radius;
+    const Vec2 deepest = other.vertices[static_cast<std::size_t>(face.support)];
+    const Vec2 middle = deepest - (other.radius + separation / 2) * reference.normal;
+    if (separation <= margin) add(m, middle, separation, feature(face.edge, face.support));
+  }
+  return m;
+}
+
+}  // namespace
+
+// Separating axes in the first one's frame, then clipping.
+Manifold hull_hull(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {
+  const Hull first = hull_of(a);
+  const Hull second = hull_of(b, relative(pose_a, pose_b));
+  const Real reach = margin + first.radius + second.radius;
+  const Face of_first = best_face(first, second);
+  if (of_first.separation > reach) return {};
+  const Face of_second = best_face(second, first);
+  if (of_second.separation > reach) return {};
+  const Vec2 normal_a = first.normals[static_cast<std::size_t>(of_first.edge)];
+  const Vec2 normal_b = second.normals[static_cast<std::size_t>(of_second.edge)];
+  if (beats(of_second.separation, of_first.separation, opposite(normal_a, normal_b))) {
+    return to_world(pose_a, flipped(against(second, of_second, first, margin)));
+  }
+  return to_world(pose_a, against(first, of_first, second, margin));
+}
+
+Manifold hull_segment(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {
+  if (b.in_chain()) return flipped(chain_hull(b, pose_b, a, pose_a, margin));
+  return hull_hull(a, pose_a, b, pose_b, margin);
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION
