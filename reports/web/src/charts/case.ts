@@ -1,0 +1,76 @@
+// The three charts of a case, each with a sentence that says what one sees.
+import { enumerate, number } from "../format";
+import type { Case, Entry } from "../model";
+import { figure } from "./figure";
+import { over_time, type OverTime } from "./over_time";
+
+type Column = OverTime["column"];
+
+const last = (values: (number | null)[]): number | null => {
+  for (let index = values.length - 1; index >= 0; --index) {
+    const value = values[index];
+    if (typeof value === "number") return value;
+  }
+  return null;
+};
+
+const largest = (values: (number | null)[]): number =>
+  values.reduce<number>((most, value) => Math.max(most, Math.abs(value ?? 0)), 0);
+
+/** "impulse ends at 12.3 J, box2d at 12.1 J, the truth at 12.4 J" */
+function ends(entries: Entry[], column: Column, unit: string): string {
+  const parts = entries.flatMap(({ contender, series }) => {
+    const value = series ? last(series[column]) : null;
+    return value === null ? [] : [`${contender.exact ? "the truth" : contender.label} at ${number(value, unit)}`];
+  });
+  return parts.length ? `At the end: ${enumerate(parts)}.` : "";
+}
+
+function energy(entries: Entry[]): HTMLElement {
+  const chart: OverTime = { quantity: "energy", unit: "J", entries, column: "energy" };
+  return figure({
+    title: "Energy of the whole scene",
+    note: ends(entries, "energy", "J"),
+    height: 220,
+    draw: (width) => [over_time(width, chart)],
+  });
+}
+
+const components: { column: Column; quantity: string; unit: string }[] = [
+  { column: "momentum_x", quantity: "horizontal momentum", unit: "kg m/s" },
+  { column: "momentum_y", quantity: "vertical momentum", unit: "kg m/s" },
+  { column: "angular_momentum", quantity: "angular momentum", unit: "kg m^2/s" },
+];
+
+/** Components that stay at zero but for round-off are named, not drawn. */
+function momentum(entries: Entry[]): HTMLElement {
+  const size = (column: Column) => Math.max(0, ...entries.map(({ series }) => (series ? largest(series[column]) : 0)));
+  const most = Math.max(...components.map(({ column }) => size(column)));
+  const moving = components.filter(({ column }) => most > 0 && size(column) > 1e-6 * most);
+  const still = components.filter((component) => !moving.includes(component));
+  const height = moving.length > 1 ? 150 : 220;
+  return figure({
+    title: "Momentum of the whole scene",
+    note: still.length ? `Zero throughout: ${enumerate(still.map(({ quantity }) => quantity))}.` : undefined,
+    height: height * Math.max(1, moving.length),
+    draw: (width) => moving.map((component) => over_time(width, { ...component, entries, height })),
+  });
+}
+
+function pose(entries: Entry[]): HTMLElement {
+  const engines = entries.filter(({ contender, series }) => !contender.exact && series);
+  const parts = engines.map(({ contender, series }) => `${contender.label} ${number(largest(series?.pose_difference ?? []), "m")}`);
+  const apart = engines.some(({ series }) => largest(series?.pose_difference ?? []) > 0);
+  const against = entries.some(({ contender }) => contender.exact) ? "from the truth" : "between the engines";
+  return figure({
+    title: `Pose difference ${against}`,
+    note: apart ? `At most: ${enumerate(parts)}.` : "None at any time.",
+    height: 220,
+    draw: (width) =>
+      apart ? [over_time(width, { quantity: "pose difference", unit: "m", entries, column: "pose_difference", log: true })] : [],
+  });
+}
+
+export function case_charts({ entries }: Case): HTMLElement[] {
+  return entries.some(({ series }) => series) ? [energy(entries), momentum(entries), pose(entries)] : [];
+}

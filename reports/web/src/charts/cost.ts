@@ -1,0 +1,117 @@
+// Error against cost, one mark a run: what an engine pays and what it gets.
+import * as Plot from "@observablehq/plot";
+import { number, time_step } from "../format";
+import type { Entry, Model } from "../model";
+import { decades } from "./decades";
+import { figure } from "./figure";
+import { dot_look, plot_look } from "./look";
+
+/** Smaller errors are round-off; they stand at the foot of the chart. */
+const least_floor = 1e-12; // m
+
+const metric = "truth_error_rms";
+
+interface Mark {
+  entry: Entry;
+  place: string;
+  cost: number;
+  low: number;
+  high: number;
+  error: number;
+}
+
+function marks_of(model: Model): Mark[] {
+  const found: Mark[] = [];
+  for (const chapter of model.chapters) {
+    for (const { scenario, variant, entries } of chapter.cases) {
+      for (const entry of entries) {
+        const cost = entry.timing?.step_us;
+        const error = entry.run.metrics[metric]?.value;
+        if (entry.contender.exact || !cost || typeof error !== "number") continue;
+        found.push({
+          entry,
+          place: `${scenario}, ${variant}`,
+          cost,
+          low: entry.timing?.step_us_low || cost,
+          high: entry.timing?.step_us_high || cost,
+          error,
+        });
+      }
+    }
+  }
+  return found;
+}
+
+const described = ({ entry, place, cost, error }: Mark): string =>
+  [
+    entry.contender.label,
+    place,
+    `${number(error, "m")} from the truth`,
+    `${number(cost, "\u00b5s")} a step of ${time_step(entry.run.dt)}`,
+  ].join("\n");
+
+export function cost_chart(model: Model): HTMLElement | null {
+  const marks = marks_of(model);
+  if (!marks.length) return null;
+  const positive = marks.map(({ error }) => error).filter((error) => error > least_floor);
+  const floor = positive.length ? 10 ** Math.floor(Math.log10(Math.min(...positive))) : least_floor;
+  const foot = marks.some(({ error }) => error < floor);
+  const x = decades(marks.flatMap(({ low, high }) => [low, high]));
+  const y = decades([floor, ...positive]);
+  const height_of = ({ error }: Mark) => Math.max(floor, error);
+  const by_contender = model.contenders.map((contender) => marks.filter(({ entry }) => entry.contender === contender));
+  const draw = (width: number) =>
+    Plot.plot({
+      ...plot_look(width, Math.max(300, Math.min(460, width * 0.55))),
+      marginLeft: 56,
+      marginTop: 28,
+      marginRight: 16,
+      marginBottom: 40,
+      ariaLabel: "Error against cost of every run",
+      x: {
+        type: "log",
+        label: "time per step (\u00b5s), median",
+        labelAnchor: "right",
+        grid: true,
+        ...x,
+        tickFormat: (value: number) => number(value, "", 1),
+      },
+      y: {
+        type: "log",
+        label: "distance from the truth, RMS (m)",
+        grid: true,
+        ...y,
+        tickFormat: (value: number) => (value === floor && foot ? `\u2264 ${number(value, "", 1)}` : number(value, "", 1)),
+      },
+      marks: [
+        Plot.line(marks, { x: "cost", y: height_of, z: "place", stroke: "var(--faint)", strokeOpacity: 0.35 }),
+        Plot.link(marks, {
+          x1: "low",
+          x2: "high",
+          y1: height_of,
+          y2: height_of,
+          stroke: ({ entry }: Mark) => entry.contender.color,
+          strokeOpacity: 0.5,
+        }),
+        ...by_contender.flatMap((own) =>
+          own.slice(0, 1).map(({ entry }) =>
+            Plot.dot(own, {
+              x: "cost",
+              y: height_of,
+              r: 5,
+              ...dot_look(entry.contender),
+              className: "marks",
+              ariaDescription: entry.contender.label,
+            }),
+          ),
+        ),
+        Plot.tip(marks, Plot.pointer({ x: "cost", y: height_of, title: described, fill: "var(--paper)", stroke: "var(--faint)" })),
+      ],
+    });
+  return figure({
+    title: "Error against cost, every run",
+    note: "Lower is more accurate, further left is faster. Thin lines join the engines over one case; bars span the middle half of the repetitions.",
+    height: 400,
+    draw: (width) => [draw(width)],
+  });
+}

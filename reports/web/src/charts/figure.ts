@@ -1,0 +1,48 @@
+// A chart with its title and one sentence on what it shows. Drawn when it comes near the screen, at the width it has
+// there, and again when that changes; all at once before printing.
+import { h } from "../dom";
+
+export interface Figure {
+  title: string;
+  note?: string | undefined;
+  height: number; // px, about; keeps the place until it is drawn
+  draw: (width: number) => Element[];
+}
+
+const paper_width = 640; // px
+
+const pending = new Map<Element, (width: number) => void>();
+
+const near = new IntersectionObserver(
+  (entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (!isIntersecting) continue;
+      near.unobserve(target);
+      resized.observe(target);
+    }
+  },
+  { rootMargin: "600px" },
+);
+
+const resized = new ResizeObserver((entries) => {
+  for (const { target, contentRect } of entries) {
+    if (contentRect.width > 0) pending.get(target)?.(Math.floor(contentRect.width));
+  }
+});
+
+addEventListener("beforeprint", () => {
+  for (const draw of pending.values()) draw(paper_width);
+});
+
+export function figure({ title, note, height, draw }: Figure): HTMLElement {
+  const canvas = h("div", { class: "canvas", style: `min-height: ${height}px` });
+  let drawn = 0;
+  pending.set(canvas, (width) => {
+    if (width === drawn) return;
+    drawn = width;
+    canvas.style.minHeight = "";
+    canvas.replaceChildren(...draw(width));
+  });
+  near.observe(canvas);
+  return h("figure", {}, h("figcaption", {}, h("strong", {}, title), note ? h("span", {}, note) : null), canvas);
+}

@@ -1,0 +1,101 @@
+// One quantity over time: a line a contender, with its shape set on it now and then.
+import * as Plot from "@observablehq/plot";
+import { given, number, pretty_unit } from "../format";
+import type { Contender, Entry } from "../model";
+import { decades } from "./decades";
+import { dot_look, line_look, plot_look } from "./look";
+
+export interface Point {
+  t: number;
+  value: number;
+  contender: Contender;
+}
+
+export interface OverTime {
+  quantity: string;
+  unit: string;
+  entries: Entry[];
+  column: "energy" | "momentum_x" | "momentum_y" | "angular_momentum" | "pose_difference";
+  log?: boolean;
+  height?: number;
+}
+
+const shapes_per_line = 5;
+/** More points than pixels only cost time. */
+const most_points = 1500;
+
+function points_of(entry: Entry, column: OverTime["column"], log: boolean): Point[] {
+  const { series, contender } = entry;
+  if (!series) return [];
+  const stride = Math.max(1, Math.ceil(series.t.length / most_points));
+  const points: Point[] = [];
+  series.t.forEach((t, index) => {
+    const value = series[column][index];
+    const wanted = index % stride === 0 || index === series.t.length - 1;
+    if (wanted && typeof value === "number" && (!log || value > 0)) points.push({ t, value, contender });
+  });
+  return points;
+}
+
+/** Shapes of several lines stand at different times, so that lines upon each other still show who they are. */
+function shapes(points: Point[], index: number, lines: number): Point[] {
+  return Array.from({ length: shapes_per_line }, (_, k) => {
+    const place = (k + (index + 0.5) / lines) / shapes_per_line;
+    return points[Math.floor(place * points.length)];
+  }).filter((point): point is Point => point !== undefined);
+}
+
+/** Round-off is not to fill the chart: at least 2 % of the values' size is always in view. */
+function linear_domain(points: Point[]): [number, number] {
+  const values = points.map((point) => point.value);
+  const low = Math.min(...values);
+  const high = Math.max(...values);
+  const least = 0.02 * Math.max(Math.abs(low), Math.abs(high)) || 1;
+  const lack = Math.max(0, least - (high - low)) / 2;
+  return [low - lack, high + lack];
+}
+
+export function over_time(width: number, { quantity, unit, entries, column, log = false, height = 220 }: OverTime): Element {
+  const lines = entries
+    .filter((entry) => !log || !entry.contender.exact)
+    .map((entry) => ({ contender: entry.contender, points: points_of(entry, column, log) }))
+    .filter((line) => line.points.length > 0);
+  const all = lines.flatMap((line) => line.points);
+  const engines = lines.filter((line) => !line.contender.exact);
+  const drawn = [...lines].sort((a, b) => Number(b.contender.exact) - Number(a.contender.exact));
+  return Plot.plot({
+    ...plot_look(width, height),
+    marginLeft: 56,
+    marginTop: 26,
+    marginRight: 12,
+    marginBottom: 36,
+    ariaLabel: `${quantity} over time`,
+    x: { label: "time (s)", domain: [0, Math.max(...all.map(({ t }) => t))], labelAnchor: "right", ticks: Math.max(3, Math.floor(width / 90)) },
+    y: {
+      label: `${quantity} (${pretty_unit(unit)})`,
+      type: log ? "log" : "linear",
+      grid: true,
+      ...(log ? decades(all.map(({ value }) => value), 1) : { domain: linear_domain(all), nice: true, ticks: 5 }),
+      tickFormat: log ? (value: number) => number(value, "", 1) : (value: number) => given(value),
+    },
+    marks: [
+      ...drawn.map(({ contender, points }) =>
+        Plot.line(points, { x: "t", y: "value", ...line_look(contender), className: "line", ariaDescription: contender.label }),
+      ),
+      ...engines.map(({ contender, points }, index) =>
+        Plot.dot(shapes(points, index, engines.length), { x: "t", y: "value", r: 3.5, ...dot_look(contender), ariaHidden: "true" }),
+      ),
+      Plot.crosshairX(all, { x: "t", y: "value", color: "var(--faint)", textFill: "var(--ink)", textStroke: "var(--paper)", opacity: 0.6 }),
+      Plot.tip(
+        all,
+        Plot.pointer({
+          x: "t",
+          y: "value",
+          title: (point: Point) => `${point.contender.label}\n${number(point.value, unit, 4)}\nat ${number(point.t, "s")}`,
+          fill: "var(--paper)",
+          stroke: "var(--faint)",
+        }),
+      ),
+    ],
+  });
+}

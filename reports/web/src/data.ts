@@ -1,0 +1,253 @@
+// What the C++ side hands to the page, and the check that it is that. The page trusts nothing else: a report that does
+// not fit is refused whole, with the places named.
+
+export interface Measured {
+  value: number | null; // null: not finite
+  unit: string;
+}
+
+export interface TruthCheck {
+  body: string;
+  quantity: string;
+  time: number;
+  expected: number | null;
+  measured: number | null;
+  error: number | null;
+  tolerance: number | null;
+  passed: boolean;
+  source: string;
+  unit: string;
+}
+
+export const verdicts = ["right", "plausible", "wrong", "beyond horizon", "not supported", "failed"] as const;
+export type Verdict = (typeof verdicts)[number];
+
+export interface Run {
+  scenario: string;
+  variant: string;
+  parameters: Record<string, number>;
+  engine: string;
+  method: string;
+  exact: boolean;
+  dt: number;
+  status: "ok" | "failed" | "not supported";
+  reason: string;
+  metrics: Record<string, Measured>;
+  truth: TruthCheck[];
+  verdict: Verdict;
+}
+
+export interface Comparison {
+  scenario: string;
+  variant: string;
+  a: string;
+  b: string;
+  metrics: Record<string, Measured>;
+  verdict: Verdict;
+  reason: string;
+}
+
+export interface Timing {
+  scenario: string;
+  variant: string;
+  engine: string;
+  method: string;
+  step_us: number | null;
+  step_us_low: number | null;
+  step_us_high: number | null;
+  real_time_factor: number | null;
+  repetitions: number;
+}
+
+/** What scenarios, engines and metrics say of themselves. */
+export interface ScenarioNote {
+  name: string;
+  question: string;
+  parameters: { name: string; unit: string; about: string }[];
+}
+
+export interface EngineNote {
+  name: string;
+  about: string;
+  source: string;
+}
+
+export interface MetricNote {
+  name: string;
+  unit: string;
+  definition: string;
+}
+
+export interface Report {
+  plumb: number;
+  title: string;
+  command: string[];
+  environment: Record<string, string>;
+  scenarios: ScenarioNote[];
+  engines: EngineNote[];
+  metrics: MetricNote[];
+  runs: Run[];
+  comparisons: Comparison[];
+  timings: { steps: Timing[]; clock: Record<string, number | null> };
+}
+
+/** Columns of equal length: one entry a recorded moment. */
+export interface Series {
+  scenario: string;
+  variant: string;
+  engine: string;
+  method: string;
+  t: number[];
+  energy: (number | null)[];
+  momentum_x: (number | null)[];
+  momentum_y: (number | null)[];
+  angular_momentum: (number | null)[];
+  pose_difference: (number | null)[];
+}
+
+export interface Page {
+  report: Report;
+  series: Series[];
+}
+
+/** The format of report.json this page reads. */
+export const format = 1;
+
+type Rule = (value: unknown, path: string, problems: string[]) => void;
+
+const kind = (value: unknown): string =>
+  value === null ? "null" : value === undefined ? "nothing" : Array.isArray(value) ? "a list" : `a ${typeof value}`;
+
+const expect =
+  (fits: (value: unknown) => boolean, what: string): Rule =>
+  (value, path, problems) => {
+    if (!fits(value)) problems.push(`${path}: expected ${what}, found ${kind(value)}`);
+  };
+
+const text = expect((value) => typeof value === "string", "a text");
+const yes_no = expect((value) => typeof value === "boolean", "true or false");
+const finite = expect((value) => typeof value === "number", "a number");
+const number = expect((value) => typeof value === "number" || value === null, "a number or null");
+const one_of = (...words: readonly string[]): Rule =>
+  expect((value) => words.includes(value as string), `one of ${words.join(", ")}`);
+
+const list =
+  (rule: Rule): Rule =>
+  (value, path, problems) => {
+    if (!Array.isArray(value)) problems.push(`${path}: expected a list, found ${kind(value)}`);
+    else value.forEach((item, index) => rule(item, `${path}[${index}]`, problems));
+  };
+
+const is_object = (value: unknown): value is Record<string, unknown> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+const map =
+  (rule: Rule): Rule =>
+  (value, path, problems) => {
+    if (!is_object(value)) problems.push(`${path}: expected names with values, found ${kind(value)}`);
+    else for (const [name, item] of Object.entries(value)) rule(item, `${path}["${name}"]`, problems);
+  };
+
+const record =
+  (rules: Record<string, Rule>): Rule =>
+  (value, path, problems) => {
+    if (!is_object(value)) problems.push(`${path}: expected an object, found ${kind(value)}`);
+    else for (const [name, rule] of Object.entries(rules)) rule(value[name], `${path}.${name}`, problems);
+  };
+
+const measured = record({ value: number, unit: text });
+const place = { scenario: text, variant: text };
+const contender = { ...place, engine: text, method: text };
+
+const report_rule = record({
+  title: text,
+  command: list(text),
+  environment: map(text),
+  scenarios: list(record({ name: text, question: text, parameters: list(record({ name: text, unit: text, about: text })) })),
+  engines: list(record({ name: text, about: text, source: text })),
+  metrics: list(record({ name: text, unit: text, definition: text })),
+  runs: list(
+    record({
+      ...contender,
+      parameters: map(finite),
+      exact: yes_no,
+      dt: finite,
+      status: one_of("ok", "failed", "not supported"),
+      reason: text,
+      metrics: map(measured),
+      truth: list(
+        record({
+          body: text,
+          quantity: text,
+          time: finite,
+          expected: number,
+          measured: number,
+          error: number,
+          tolerance: number,
+          passed: yes_no,
+          source: text,
+          unit: text,
+        }),
+      ),
+      verdict: one_of(...verdicts),
+    }),
+  ),
+  comparisons: list(
+    record({ ...place, a: text, b: text, metrics: map(measured), verdict: one_of(...verdicts), reason: text }),
+  ),
+  timings: record({
+    steps: list(
+      record({
+        ...contender,
+        step_us: number,
+        step_us_low: number,
+        step_us_high: number,
+        real_time_factor: number,
+        repetitions: finite,
+      }),
+    ),
+    clock: map(number),
+  }),
+});
+
+const columns = ["energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference"] as const;
+
+const series_rule: Rule = (value, path, problems) => {
+  const before = problems.length;
+  const rules: Record<string, Rule> = { ...contender, t: list(finite) };
+  for (const column of columns) rules[column] = list(number);
+  record(rules)(value, path, problems);
+  if (problems.length > before) return;
+  const series = value as Series;
+  for (const column of columns) {
+    if (series[column].length !== series.t.length) {
+      problems.push(`${path}.${column}: ${series[column].length} values for ${series.t.length} times`);
+    }
+  }
+};
+
+const page_rule = record({
+  report: report_rule,
+  series: list(series_rule),
+});
+
+export type Outcome = { page: Page } | { problems: string[] };
+
+/** Reads the text of the data element; says all that is wrong with it, place by place. */
+export function read(json: string | null | undefined): Outcome {
+  if (!json?.trim()) return { problems: ["the page holds no report"] };
+  let value: unknown;
+  try {
+    value = JSON.parse(json);
+  } catch (error) {
+    return { problems: [`the report is not JSON: ${(error as Error).message}`] };
+  }
+  const version = is_object(value) && is_object(value["report"]) ? value["report"]["plumb"] : undefined;
+  if (version !== undefined && version !== format) {
+    return { problems: [`report.plumb: the report is of format ${String(version)}, this page reads format ${format}`] };
+  }
+  const problems: string[] = [];
+  if (version === undefined) problems.push(`report.plumb: expected ${format}, the number of the format, found nothing`);
+  page_rule(value, "", problems);
+  return problems.length ? { problems: problems.map((problem) => problem.replace(/^\./, "")) } : { page: value as Page };
+}

@@ -1,0 +1,76 @@
+// Numbers as people read them: as many digits as are known, and a unit.
+
+const minus = "\u2212";
+const thin = "\u202f";
+const superscripts = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
+
+function raised(exponent: number): string {
+  const digits = [...String(Math.abs(exponent))].map((digit) => superscripts[Number(digit)]).join("");
+  return (exponent < 0 ? "\u207b" : "") + digits;
+}
+
+const signed = (text: string): string => text.replace("-", minus);
+
+const with_unit = (text: string, unit: string): string => (unit ? `${text}${thin}${pretty_unit(unit)}` : text);
+
+/** "kg m^2/s" -> "kg m²/s" */
+export function pretty_unit(unit: string): string {
+  return unit.replace(/\^(-?\d+)/g, (_, power: string) => raised(Number(power)));
+}
+
+/** "step_us" -> "step us"; names are the C++ side's identifiers. */
+export const words = (name: string): string => name.replaceAll("_", " ");
+
+/** To significant digits; powers of ten where plain digits would be zeros mostly. */
+export function number(value: number | null | undefined, unit = "", digits = 3): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "not finite";
+  if (value === 0) return with_unit("0", unit);
+  const size = Math.abs(value);
+  if (size >= 1e6 || size < 1e-3) {
+    const [mantissa = "", exponent = "0"] = value.toExponential(digits - 1).split("e");
+    return with_unit(`${signed(mantissa)}${thin}\u00d7${thin}10${raised(Number(exponent))}`, unit);
+  }
+  const rounded = Math.abs(Number(value.toPrecision(digits)));
+  const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(rounded)));
+  return with_unit(signed(value.toFixed(decimals)), unit);
+}
+
+/** A whole or short number as it was given: no digit added. */
+export function given(value: number, unit = ""): string {
+  const short = Number(value.toPrecision(6));
+  const plain = short === 0 || (Math.abs(short) >= 1e-4 && Math.abs(short) < 1e7);
+  return plain ? with_unit(signed(String(short)), unit) : number(short, unit, 2);
+}
+
+/** A value known to a tolerance: digits beyond a hundredth of it say nothing. */
+export function to_tolerance(value: number | null, tolerance: number | null, unit: string): string {
+  if (value === null || !Number.isFinite(value)) return "not finite";
+  if (!tolerance || !Number.isFinite(tolerance)) return number(value, unit, 6);
+  if (Math.abs(value) >= 1e6) return number(value, unit, 6);
+  const decimals = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(tolerance))));
+  const text = value.toFixed(decimals);
+  return with_unit(signed(Number(text) === 0 ? text.replace("-", "") : text), unit);
+}
+
+/** 1/60 s rather than 0.0167 s. */
+export function time_step(dt: number): string {
+  const rate = Math.round(1 / dt);
+  return dt > 0 && Math.abs(rate * dt - 1) < 1e-9 ? with_unit(rate === 1 ? "1" : `1/${rate}`, "s") : number(dt, "s");
+}
+
+/** An error as a share of what is allowed. */
+export function share(ratio: number): string {
+  if (Number.isNaN(ratio)) return "\u2013";
+  if (ratio === 0) return "0";
+  if (ratio === Infinity) return "no bound";
+  if (ratio < 0.001) return "< 0.001";
+  if (ratio < 10) return ratio.toFixed(ratio < 0.0995 ? 3 : 2);
+  return ratio < 1000 ? ratio.toPrecision(3) : "> 1000";
+}
+
+/** "a, b and c" */
+export function enumerate(parts: string[]): string {
+  return parts.length < 2 ? parts.join("") : `${parts.slice(0, -1).join(", ")} and ${parts[parts.length - 1]}`;
+}
+
+export const count = (many: number, one: string): string => `${many} ${one}${many === 1 ? "" : "s"}`;

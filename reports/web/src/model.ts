@@ -1,0 +1,126 @@
+// The report as the page thinks of it: contenders with a look of their own, and cases (a scenario in one variant) with
+// everything that is known about them.
+import type { Comparison, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
+
+export interface Contender {
+  label: string; // as --engine takes it; "truth" for the closed forms
+  engine: string;
+  method: string;
+  exact: boolean;
+  color: string;
+  symbol: string;
+  dash: string;
+}
+
+export interface Entry {
+  contender: Contender;
+  run: Run;
+  series: Series | undefined;
+  timing: Timing | undefined;
+  worst: number; // largest error as a share of what is allowed; NaN where nothing is judged
+}
+
+export interface Case {
+  scenario: string;
+  variant: string;
+  parameters: Record<string, number>;
+  entries: Entry[]; // the truth last
+  comparisons: Comparison[];
+}
+
+export interface Chapter {
+  name: string;
+  note: ScenarioNote | undefined;
+  cases: Case[];
+}
+
+export interface Model {
+  page: Page;
+  contenders: Contender[];
+  chapters: Chapter[];
+}
+
+const label_of = (of: { engine: string; method: string }): string => (of.method ? `${of.engine}:${of.method}` : of.engine);
+
+// Told apart three ways at once: by colour (a palette that survives every common colour blindness), shape and dash.
+const symbols = ["circle", "square", "triangle", "diamond", "wye", "star"];
+const dashes = ["", "7 3", "2 3", "9 3 2 3", "12 4", "4 2"];
+const colors = 6;
+
+function contenders_of(runs: Run[]): Contender[] {
+  const found = new Map<string, Contender>();
+  const looks = (index: number, exact: boolean) =>
+    exact
+      ? { color: "var(--truth)", symbol: "times", dash: "1 4" }
+      : {
+          color: `var(--engine-${(index % colors) + 1})`,
+          symbol: symbols[index % symbols.length] ?? "circle",
+          dash: dashes[index % dashes.length] ?? "",
+        };
+  const first_ours = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
+  let index = 0;
+  for (const run of first_ours) {
+    const label = run.exact ? "truth" : label_of(run);
+    if (found.has(label)) continue;
+    found.set(label, {
+      label,
+      engine: run.engine,
+      method: run.method,
+      exact: run.exact,
+      ...looks(run.exact ? 0 : index++, run.exact),
+    });
+  }
+  return [...found.values()].sort((a, b) => Number(a.exact) - Number(b.exact));
+}
+
+export function ratio(check: TruthCheck): number {
+  if (check.error === null || check.tolerance === null) return Infinity;
+  if (check.error === 0) return 0;
+  return check.tolerance > 0 ? check.error / check.tolerance : Infinity;
+}
+
+const worst = (run: Run): number => (run.truth.length ? Math.max(...run.truth.map(ratio)) : NaN);
+
+const key = (...parts: string[]): string => JSON.stringify(parts);
+const run_key = (of: { scenario: string; variant: string; engine: string; method: string }): string =>
+  key(of.scenario, of.variant, of.engine, of.method);
+
+export function model_of(page: Page): Model {
+  const { report } = page;
+  const contenders = contenders_of(report.runs);
+  const by_label = new Map(contenders.map((contender) => [contender.label, contender]));
+  const series = new Map(page.series.map((item) => [run_key(item), item]));
+  const timings = new Map(report.timings.steps.map((item) => [run_key(item), item]));
+
+  const chapters = new Map<string, Chapter>();
+  const cases = new Map<string, Case>();
+  for (const run of report.runs) {
+    const contender = by_label.get(run.exact ? "truth" : label_of(run));
+    if (!contender) continue;
+    let chapter = chapters.get(run.scenario);
+    if (!chapter) {
+      chapter = { name: run.scenario, note: report.scenarios.find(({ name }) => name === run.scenario), cases: [] };
+      chapters.set(run.scenario, chapter);
+    }
+    const case_key = key(run.scenario, run.variant);
+    let place = cases.get(case_key);
+    if (!place) {
+      place = {
+        scenario: run.scenario,
+        variant: run.variant,
+        parameters: run.parameters,
+        entries: [],
+        comparisons: report.comparisons.filter((c) => c.scenario === run.scenario && c.variant === run.variant),
+      };
+      cases.set(case_key, place);
+      chapter.cases.push(place);
+    }
+    const found = { series: series.get(run_key(run)), timing: timings.get(run_key(run)) };
+    place.entries.push({ contender, run, worst: worst(run), ...found });
+  }
+  const order = new Map(contenders.map((contender, index) => [contender, index]));
+  for (const place of cases.values()) {
+    place.entries.sort((a, b) => (order.get(a.contender) ?? 0) - (order.get(b.contender) ?? 0));
+  }
+  return { page, contenders, chapters: [...chapters.values()] };
+}

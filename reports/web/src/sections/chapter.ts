@@ -1,0 +1,48 @@
+// One scenario: its question, and for each case the charts and the tables they rest on.
+import { case_charts } from "../charts/case";
+import { legend } from "../charts/look";
+import { h, slug } from "../dom";
+import { given, words } from "../format";
+import type { Case, Chapter, Entry } from "../model";
+import { checks } from "./checks";
+import { numbers } from "./numbers";
+import { badge } from "./pieces";
+
+function parameters(place: Case, chapter: Chapter): HTMLElement {
+  const about = new Map(chapter.note?.parameters.map((parameter) => [parameter.name, parameter]));
+  const items = Object.entries(place.parameters).map(([name, value]) => {
+    const known = about.get(name);
+    return h("div", known ? { title: known.about } : {}, h("dt", {}, words(name)), h("dd", {}, given(value, known?.unit)));
+  });
+  return h("dl", { class: "parameters" }, ...items);
+}
+
+/** Why there is nothing to see of an engine. */
+function absence({ contender, run }: Entry): HTMLElement {
+  return h("p", { class: "absence" }, badge(run.verdict), h("strong", {}, contender.label), ` ${run.reason}`);
+}
+
+function section(place: Case, chapter: Chapter): HTMLElement {
+  const drawn = place.entries.filter(({ series }) => series).map(({ contender }) => contender);
+  return h(
+    "article",
+    { id: slug(place.scenario, place.variant), class: "case" },
+    h("h3", {}, place.variant),
+    parameters(place, chapter),
+    ...place.entries.filter(({ run }) => run.status !== "ok").map(absence),
+    drawn.length ? legend(drawn) : null,
+    h("div", { class: "charts" }, ...case_charts(place)),
+    checks(place),
+    numbers(place),
+  );
+}
+
+export function chapter_section(chapter: Chapter): HTMLElement {
+  return h(
+    "section",
+    { id: slug(chapter.name), class: "chapter" },
+    h("h2", {}, chapter.name),
+    chapter.note ? h("p", { class: "lede" }, chapter.note.question) : null,
+    ...chapter.cases.map((place) => section(place, chapter)),
+  );
+}

@@ -1,0 +1,60 @@
+// How the numbers are made, on what, and how to make them again.
+import { h } from "../dom";
+import { number, pretty_unit, words } from "../format";
+import type { Model } from "../model";
+
+const definitions: [string, string][] = [
+  ["right", "every reading is within what is allowed of the truth"],
+  ["plausible", "there is nothing to judge by, and nothing is broken"],
+  ["wrong", "at least one reading is outside what is allowed"],
+  ["beyond horizon", "past the time for which motions can be predicted; not judged point by point"],
+  ["not supported", "the engine cannot be asked this; the reason stands beside it"],
+  ["failed", "the run diverged or broke off; the reason stands beside it"],
+  [
+    "allowed",
+    "how far off a correct engine may be: from the order of its method, its step, the gaps it states and the round-off of its arithmetic. No limit is set by what an engine happened to do.",
+  ],
+  ["energy", "kinetic, rotational and gravitational, of all dynamic bodies, from the scene and the read-out states; no engine is asked"],
+  ["momentum", "linear, and angular about the world\u2019s origin, of all dynamic bodies"],
+  ["time per step", "only the engine\u2019s own step is timed, after a warm-up, the engines taking turns; median over the repetitions"],
+  ["real-time factor", "simulated seconds for each second spent in steps"],
+];
+
+function entries(pairs: [string, string][], kind: string): HTMLElement {
+  return h("dl", { class: kind }, ...pairs.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
+}
+
+const quoted = (word: string): string => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+
+export function method(model: Model): HTMLElement {
+  const { report } = model.page;
+  const again = [report.command, ...model.chapters.map(({ name }) => ["./plumb", "run", name])].filter((words) => words.length);
+  const clock = Object.entries(report.timings.clock).map(([name, value]): [string, string] => [
+    words(name),
+    name.includes("share") ? number(value === null ? null : 100 * value, "%") : number(value, "s"),
+  ]);
+  return h(
+    "section",
+    { id: "method" },
+    h("h2", {}, "Method"),
+    h("p", { class: "lede" }, "Every engine is given the same scene, steps it with the same time step, and is read the same way."),
+    h("h3", {}, "Words"),
+    entries(definitions, "definitions"),
+    h("h3", {}, "Metrics"),
+    entries(
+      report.metrics.map(({ name, unit, definition }) => [`${words(name)}${unit ? ` (${pretty_unit(unit)})` : ""}`, definition]),
+      "definitions",
+    ),
+    h("h3", {}, "Who was asked"),
+    entries(
+      report.engines.map(({ name, about, source }) => [name, source ? `${about} (${source})` : about]),
+      "definitions",
+    ),
+    h("h3", {}, "To make it again"),
+    h("pre", {}, again.map((line) => line.map(quoted).join(" ")).join("\n")),
+    h("h3", {}, "Made with"),
+    entries(Object.entries(report.environment).map(([name, value]) => [words(name), value]), "environment"),
+    clock.length ? h("h3", {}, "Time it took") : null,
+    clock.length ? entries(clock, "environment") : null,
+  );
+}

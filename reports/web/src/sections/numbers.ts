@@ -1,0 +1,41 @@
+// Two tables of a case: what was measured of each run, and how far the runs are from each other and from the truth.
+import type { Measured } from "../data";
+import { h, table } from "../dom";
+import { number, words } from "../format";
+import type { Case } from "../model";
+
+interface Column {
+  head: string;
+  metrics: Record<string, Measured>;
+}
+
+function metric_table(caption: string, columns: Column[]): HTMLElement | null {
+  const names = [...new Set(columns.flatMap(({ metrics }) => Object.keys(metrics)))];
+  if (!names.length) return null;
+  const rows = names.map((name) => {
+    const row = h("tr", {}, h("th", { scope: "row" }, words(name)));
+    for (const { head, metrics } of columns) {
+      const found = metrics[name];
+      row.append(h("td", { "data-label": head }, found ? number(found.value, found.unit) : "\u2013"));
+    }
+    return row;
+  });
+  return table(caption, ["", ...columns.map(({ head }) => head)], rows, "numbers");
+}
+
+export function numbers(place: Case): HTMLElement | null {
+  const runs = place.entries.map(({ contender, run, timing }) => {
+    const cost: Record<string, Measured> = timing
+      ? {
+          "time per step, median": { value: timing.step_us, unit: "\u00b5s" },
+          "real-time factor": { value: timing.real_time_factor, unit: "" },
+        }
+      : {};
+    return { head: contender.label, metrics: { ...run.metrics, ...cost } };
+  });
+  const pairs = place.comparisons.map(({ a, b, metrics }) => ({ head: `${a} against ${b}`, metrics }));
+  const tables = [metric_table("Measured of each run", runs), metric_table("Differences", pairs)].filter(Boolean);
+  const reasons = place.comparisons.filter(({ reason }) => reason).map(({ a, b, reason }) => h("p", {}, `${a} against ${b}: ${reason}`));
+  if (!tables.length) return null;
+  return h("details", { class: "more" }, h("summary", {}, "All numbers, and the engines against each other"), ...tables, ...reasons);
+}
