@@ -90,6 +90,7 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
   if (free_rows.empty()) {
     pose.emplace_back();
     angle.emplace_back();
+    remainder.emplace_back();
     velocity.emplace_back();
     inverse_mass.emplace_back();
     response.emplace_back();
@@ -105,6 +106,7 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
   const Rotation q(def.angle);
   pose[i] = {def.position + q * made.mass.center, q};
   angle[i] = def.angle;
+  remainder[i] = {};
   response[i] = {def.gravity_scale, def.linear_damping, def.angular_damping};
   force[i] = {};
   torque[i] = 0;

@@ -42,7 +42,8 @@ struct BodyDetail {
 /// so that loops over all rows need no branch. The pose is that of the centre of mass.
 struct BodySet {
   std::vector<Pose> pose;
-  std::vector<Real> angle;  // the pose's rotation as a number that winds up
+  std::vector<Real> angle;      // the pose's rotation as a number that winds up
+  std::vector<Vec2> remainder;  // m, of the position, too small for the pose to hold; for solvers that keep it
   std::vector<Velocity> velocity;
   std::vector<InverseMass> inverse_mass;
   std::vector<Response> response;

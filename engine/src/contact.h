@@ -39,7 +39,12 @@ struct Contact {
   Vec2 normal;  // unit, from a to b
   Real static_friction = 0, dynamic_friction = 0, restitution = 0;
   int count = 0;
-  int age = 0;  // steps since it began
+  int age = 0;                      // steps since it began
+  Real radius_a = 0, radius_b = 0;  // m, by which the shapes are rounded
+  bool discs = false;               // both are circles about their centres of mass
+  Real offset = 0;                  // m, for solvers that keep a standing correction of the separation
+  Pose found_a, found_b;            // of the bodies when points and separations were found
+  std::array<Real, 2> found_separation{};
   std::array<ContactPoint, 2> points;
 };
 

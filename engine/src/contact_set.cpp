@@ -9,7 +9,12 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-auto order(const Contact& c) { return std::tie(c.body_a, c.body_b, c.part_a, c.part_b); }
+auto key(const Contact& c) { return std::tie(c.body_a, c.body_b, c.part_a, c.part_b); }
+auto key(const Proxy& a, const Proxy& b) { return std::tie(a.body, b.body, a.part, b.part); }
+
+/// m, of both bodies' motion together since the points were found; and the points count as touching (m) up to here.
+constexpr Real recycled_motion = static_cast<Real>(0.01);
+constexpr Real recycled_gap = static_cast<Real>(0.005);
 
 /// The farthest that a body's surface can go in the margin's time.
 Real travel(const BodySet& bodies, std::size_t i, const Margin& margin) {
@@ -26,6 +31,37 @@ Real closing(const BodySet& bodies, std::size_t a, std::size_t b, const Margin& 
   return margin.distance + margin.time * (length(vb.v - va.v) + turning);
 }
 
+/// How far any point of the body can have come since it was at `then`.
+Real motion_since(const Pose& then, const BodySet& bodies, std::size_t i) {
+  const Rotation turn = bodies.pose[i].q * then.q.inverse();
+  return length(bodies.pose[i].p - then.p) + std::abs(turn.s) * bodies.reach[i];
+}
+
+bool recycled(const Contact& contact, const BodySet& bodies) {
+  if (contact.discs) return false;
+  for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+    if (contact.points[p].separation > recycled_gap) return false;
+  }
+  return motion_since(contact.found_a, bodies, contact.body_a) + motion_since(contact.found_b, bodies, contact.body_b) <
+         recycled_motion;
+}
+
+/// The same points on the same bodies, which have moved a little.
+void measure_again(Contact& contact, const BodySet& bodies) {
+  const Pose& a = bodies.pose[contact.body_a];
+  const Pose& b = bodies.pose[contact.body_b];
+  const Rotation turn_a = a.q * contact.found_a.q.inverse();
+  const Rotation turn_b = b.q * contact.found_b.q.inverse();
+  const Vec2 apart = (b.p - contact.found_b.p) - (a.p - contact.found_a.p);
+  for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+    ContactPoint& point = contact.points[p];
+    const Vec2 arms = (turn_b * point.arm_b - point.arm_b) - (turn_a * point.arm_a - point.arm_a);
+    point.separation = contact.found_separation[p] + dot(contact.normal, apart + arms);
+    point.fresh = false;
+  }
+  ++contact.age;
+}
+
 Contact make(const BodySet& bodies, const Proxy& a, const Proxy& b, const Manifold& manifold) {
   Contact contact;
   contact.body_a = a.body;
@@ -33,6 +69,14 @@ Contact make(const BodySet& bodies, const Proxy& a, const Proxy& b, const Manifo
   contact.part_a = a.part;
   contact.part_b = b.part;
   contact.normal = manifold.normal;
+  contact.found_a = bodies.pose[a.body];
+  contact.found_b = bodies.pose[b.body];
+  const Shape& shape_a = bodies.detail[a.body].parts[a.part].shape;
+  const Shape& shape_b = bodies.detail[b.body].parts[b.part].shape;
+  contact.radius_a = shape_a.radius();
+  contact.radius_b = shape_b.radius();
+  const auto disc = [](const Shape& shape) { return shape.type() == ShapeType::circle && shape.vertex(0) == Vec2{}; };
+  contact.discs = disc(shape_a) && disc(shape_b);
   contact.count = manifold.count;
   for (std::size_t p = 0; p < static_cast<std::size_t>(manifold.count); ++p) {
     const ManifoldPoint& found = manifold.points[p];
@@ -41,6 +85,7 @@ Contact make(const BodySet& bodies, const Proxy& a, const Proxy& b, const Manifo
     point.arm_b = found.point - bodies.pose[b.body].p;
     point.separation = found.separation;
     point.feature = found.feature;
+    contact.found_separation[p] = found.separation;
   }
   return contact;
 }
@@ -53,6 +98,7 @@ void mix_materials(Contact& contact, const Material& a, const Material& b, const
 
 void carry_over(Contact& contact, const Contact& last) {
   contact.age = last.age + 1;
+  contact.offset = last.offset;
   for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
     for (std::size_t q = 0; q < static_cast<std::size_t>(last.count); ++q) {
       ContactPoint& point = contact.points[p];
@@ -67,11 +113,12 @@ void carry_over(Contact& contact, const Contact& last) {
 
 }  // namespace
 
-void ContactSet::find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin) {
+void ContactSet::find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
+                      bool recycle) {
   collect_proxies(bodies, margin);
   broad_phase.find_pairs(proxies_, pairs_);
   sort_pairs();
-  collide_pairs(bodies, settings, margin);
+  collide_pairs(bodies, settings, margin, recycle);
 }
 
 void ContactSet::collect_proxies(const BodySet& bodies, const Margin& margin) {
@@ -100,13 +147,20 @@ void ContactSet::sort_pairs() {
   }
 }
 
-void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin) {
+void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle) {
   std::swap(rows_, last_rows_);
   rows_.clear();
   auto last = last_rows_.cbegin();
   for (const Pair& pair : pairs_) {
     const Proxy& a = proxies_[pair.first];
     const Proxy& b = proxies_[pair.second];
+    while (last != last_rows_.cend() && key(*last) < key(a, b)) ++last;
+    const bool known = last != last_rows_.cend() && key(*last) == key(a, b);
+    if (known && recycle && recycled(*last, bodies)) {
+      rows_.push_back(*last);
+      measure_again(rows_.back(), bodies);
+      continue;
+    }
     const Part& part_a = bodies.detail[a.body].parts[a.part];
     const Part& part_b = bodies.detail[b.body].parts[b.part];
     const Manifold manifold = collide(part_a.shape, bodies.pose[a.body], part_b.shape, bodies.pose[b.body],
@@ -114,8 +168,7 @@ void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, 
     if (manifold.count == 0) continue;
     Contact& contact = rows_.emplace_back(make(bodies, a, b, manifold));
     mix_materials(contact, part_a.material, part_b.material, settings);
-    while (last != last_rows_.cend() && order(*last) < order(contact)) ++last;
-    if (last != last_rows_.cend() && order(*last) == order(contact)) carry_over(contact, *last);
+    if (known) carry_over(contact, *last);
   }
 }
 

@@ -14,7 +14,12 @@ namespace impulse::inline IMPULSE_PRECISION {
 class ContactSet {
  public:
   /// Finds what touches, or will within the margin; contacts that were there before keep their impulses and age.
-  void find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin);
+  ///
+  /// With `recycle`, a contact whose bodies hardly moved since its points were found keeps normal and arms as they were
+  /// and only measures its separations anew. That is stability, not thrift: arms that turn with every tremor make the
+  /// stiffness of a stack depend on its lean, and a tall one buckles.
+  void find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
+            bool recycle);
 
   /// Forgets the contacts of a body.
   void forget(std::size_t body);
@@ -26,7 +31,7 @@ class ContactSet {
  private:
   void collect_proxies(const BodySet& bodies, const Margin& margin);
   void sort_pairs();
-  void collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin);
+  void collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle);
 
   std::vector<Proxy> proxies_;
   std::vector<Pair> pairs_;

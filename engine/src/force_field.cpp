@@ -1,5 +1,6 @@
 #include "force_field.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -27,6 +28,15 @@ void ForceField::accelerations(const BodySet& bodies, Real implicit, std::vector
     if (linear > 0) out[i].v = (out[i].v - linear * velocity.v) / (1 + implicit * linear);
     if (angular > 0) out[i].w = (out[i].w - angular * velocity.w) / (1 + implicit * angular);
   }
+}
+
+bool ForceField::vary(const BodySet& bodies) const {
+  const auto varies = [](const Slot& slot) {
+    return slot.force && !std::holds_alternative<ConstantForce>(*slot.force);
+  };
+  const auto damped = [](const Response& r) { return r.linear_damping > 0 || r.angular_damping > 0; };
+  return std::any_of(slots_.begin(), slots_.end(), varies) ||
+         std::any_of(bodies.response.begin(), bodies.response.end(), damped);
 }
 
 ForceId ForceField::add(const Force& force, const BodySet& bodies) {

@@ -23,6 +23,9 @@ class ForceField {
   /// velocity.
   void accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out) const;
 
+  /// Whether accelerations depend on where bodies are or how fast they go.
+  bool vary(const BodySet& bodies) const;
+
   /// Throws std::invalid_argument for numbers that make no sense and std::out_of_range for bodies that are not there.
   ForceId add(const Force& force, const BodySet& bodies);
   bool contains(ForceId id) const;

@@ -39,6 +39,8 @@ class Solver {
   virtual void state(const Settings& settings, StatedErrors& errors) const = 0;
   /// The contacts that it wants to be given; only touching shapes unless it says otherwise.
   virtual Margin margin(const Settings&) const { return {}; }
+  /// Whether points of bodies that hardly moved stay where they are (see contact_set.h).
+  virtual bool recycles() const { return false; }
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -17,7 +17,7 @@ void World::step() {
   State& s = *state_;
   if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
   s.forces.gravity = s.settings.gravity;
-  s.contacts.find(s.bodies, *s.broad_phase, s.settings, s.solver->margin(s.settings));
+  s.contacts.find(s.bodies, *s.broad_phase, s.settings, s.solver->margin(s.settings), s.solver->recycles());
   StepData data{s.bodies, s.contacts.rows(), s.forces, *s.integrator, s.settings};
   s.solver->step(data);
   s.bodies.mark_held(s.contacts.rows());

@@ -17,6 +17,7 @@ struct Settings {
   std::string integrator = "symplectic-euler";  // one of integrators(); for solvers that leave the choice
   std::string broad_phase = "brute";            // one of broad_phases()
   int iterations = 10;                          // of the velocity solver
+  int substeps = 4;                             // for solvers that cut a step into sub-steps
   FrictionMixing friction_mixing = FrictionMixing::geometric;
   RestitutionMixing restitution_mixing = RestitutionMixing::max;
 };

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "body_set.h"
+#include "contact.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// A contact point as solvers iterate on it, in the frame of its contact: normal n and tangent t = perpendicular(n).
+/// With the arms r from each centre of mass, the point's relative velocity is
+///
+///   along n:  n.(vB - vA) + wB (rB x n) - wA (rA x n)
+///   along t:  t.(vB - vA) + wB (rB . n) - wA (rA . n)        because r x t = r . n
+///
+/// so four numbers a point say all about where it is.
+struct RowPoint {
+  Real cross_a = 0, cross_b = 0;                 // r x n, m
+  Real dot_a = 0, dot_b = 0;                     // r . n, m
+  Real turn_a = 0, turn_b = 0;                   // the part of r . n that turns with the body: a disc's rim does not
+  Real separation = 0;                           // m, at the start of the step
+  Real normal_mass = 0, tangent_mass = 0;        // effective, kg
+  Real normal_impulse = 0, tangent_impulse = 0;  // N s, of one sub-step
+  Real total_normal = 0, total_tangent = 0;      // N s, of the whole step
+};
+
+struct ContactRow {
+  std::uint32_t a = 0, b = 0;
+  Vec2 normal;
+  InverseMass mass_a, mass_b;
+  Real static_friction = 0, dynamic_friction = 0, restitution = 0;
+  int count = 0;
+  std::uint32_t contact = 0;  // index it was made from
+  std::array<RowPoint, 2> points;
+};
+
+/// The two bodies of a row seen along its normal and tangent. Impulses act on this; the bodies learn the sum at the
+/// end.
+struct ContactFrame {
+  Real normal = 0, tangent = 0;          // relative velocity of the centres, m/s
+  Real wa = 0, wb = 0;                   // rad/s
+  Real normal_sum = 0, tangent_sum = 0;  // N s given so far
+
+  ContactFrame(const ContactRow& row, const Velocity& a, const Velocity& b)
+      : normal(dot(row.normal, b.v - a.v)), tangent(dot(perpendicular(row.normal), b.v - a.v)), wa(a.w), wb(b.w) {}
+
+  Real normal_velocity(const RowPoint& p) const { return normal + wb * p.cross_b - wa * p.cross_a; }
+  Real tangent_velocity(const RowPoint& p) const { return tangent + wb * p.dot_b - wa * p.dot_a; }
+
+  void push_normal(const ContactRow& row, const RowPoint& p, Real impulse) {
+    normal += impulse * (row.mass_a.m + row.mass_b.m);
+    wa -= impulse * row.mass_a.i * p.cross_a;
+    wb += impulse * row.mass_b.i * p.cross_b;
+    normal_sum += impulse;
+  }
+  void push_tangent(const ContactRow& row, const RowPoint& p, Real impulse) {
+    tangent += impulse * (row.mass_a.m + row.mass_b.m);
+    wa -= impulse * row.mass_a.i * p.dot_a;
+    wb += impulse * row.mass_b.i * p.dot_b;
+    tangent_sum += impulse;
+  }
+  void leave(const ContactRow& row, Velocity& a, Velocity& b) const {
+    const Vec2 impulse = normal_sum * row.normal + tangent_sum * perpendicular(row.normal);
+    a.v -= row.mass_a.m * impulse;
+    a.w = wa;
+    b.v += row.mass_b.m * impulse;
+    b.w = wb;
+  }
+};
+
+/// 1 / (1/mA + 1/mB + cA^2/IA + cB^2/IB): the mass that an impulse along a direction feels, c = arm x direction; 0 if
+/// neither body can move.
+Real effective_mass(const ContactRow& row, Real arm_a, Real arm_b);
+
+/// Rows of all contacts that have points and a body that can be moved. Impulses are those of the last step.
+void prepare_rows(const BodySet& bodies, const std::vector<Contact>& contacts, std::vector<ContactRow>& rows);
+
+/// Hands a row's impulses back for the next warm start, and the totals of the step.
+void store_row(const ContactRow& row, std::vector<Contact>& contacts);
+
+/// Coulomb: the friction impulse `wanted` held by a normal impulse; sticks up to the static coefficient, slides with
+/// the dynamic one beyond it.
+Real within_cone(const ContactRow& row, Real wanted, Real normal_impulse);
+
+/// Brings a point's accumulated normal impulse to `total`.
+inline void push_to(const ContactRow& row, RowPoint& p, ContactFrame& frame, Real total) {
+  frame.push_normal(row, p, total - p.normal_impulse);
+  p.normal_impulse = total;
+}
+
+/// Friction at all points: stops the sliding as far as the cone of the accumulated normal impulse allows.
+void rub(ContactRow& row, ContactFrame& frame);
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "impulse/real.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// Groups of bodies that something ties together, by union-find (Tarjan 1975, path halving). Islands are numbered in
+/// order of their lowest body, bodies in an island ascend: nothing depends on the order of the ties.
+class Islands {
+ public:
+  /// Starts over with every body an island of its own.
+  void clear(std::size_t bodies);
+  void tie(std::uint32_t a, std::uint32_t b);
+  /// Numbers the groups; after this, the calls below may be used.
+  void number();
+
+  std::size_t size() const { return start_.size() - 1; }
+  std::uint32_t of(std::uint32_t body) const { return island_[body]; }
+  std::span<const std::uint32_t> bodies(std::size_t island) const {
+    return std::span(order_).subspan(start_[island], start_[island + 1] - start_[island]);
+  }
+
+ private:
+  std::uint32_t root(std::uint32_t body);
+
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint32_t> island_;  // of each body
+  std::vector<std::uint32_t> order_;   // bodies, island by island
+  std::vector<std::uint32_t> start_;   // of each island in order_, and the end
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,483 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "contact_rows.h"
+#include "islands.h"
+#include "method_list.h"
+#include "solver.h"
+#include "solvers/impacts.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// Contacts give way like damped springs of frequency f = 1/(8 h), the stiffest that does not jitter, and twice that
+/// against what cannot move. In the terms of Catto's soft constraints (GDC 2011), with damping ratio zeta:
+///
+///   impulse = -m [ strength (v + rate s) ] - relief * lambda
+///
+/// A load then rests at a depth of load / (2 m_eff w^2), w = 2 pi f: half of the usual, because half of each sub-step's
+/// impulse is already given when the contact is solved.
+struct Softness {
+  Real rate = 0;      // 1/s
+  Real strength = 1;  // share of the rigid impulse
+  Real relief = 0;    // share of the accumulated impulse that is given back
+  Real omega = 0;     // rad/s
+
+  static Softness of(Real frequency, Real h) {
+    constexpr Real zeta = 10;
+    const Real omega = 2 * pi * frequency;
+    const Real damping = 2 * zeta + h * omega;
+    const Real stiffness = h * omega * damping;
+    return {omega / damping, stiffness / (1 + stiffness), 1 / (1 + stiffness), omega};
+  }
+};
+
+/// A sub-step is so short that an island would sink by this much (m) at most before the standing offset lifts it.
+constexpr Real tolerated_sink = static_cast<Real>(0.0005);
+constexpr int most_substeps = 32;
+/// Budget of one island and step: large piles keep the base number of sub-steps.
+constexpr std::size_t most_body_substeps = 4000;
+/// 1/s, at which the offset takes up a standing depth; 1 ... 4 are all stable, 2 settles soonest.
+constexpr Real offset_rate = 2;
+/// A contact's first steps are no standing load yet.
+constexpr int offset_from_age = 2;
+
+/// One island for the length of a step.
+struct Island {
+  std::span<const std::uint32_t> bodies;
+  std::span<ImpactRow> rows;
+  int substeps = 1;
+  Real h = 0;
+  Softness soft, stiff;   // between movable bodies; against what cannot move
+  bool bounces = false;   // some contact has restitution
+  bool settling = false;  // begins at rest: its loads are found at once
+
+  const Softness& softness(const ContactRow& row) const {
+    return row.mass_a.m == 0 || row.mass_b.m == 0 ? stiff : soft;
+  }
+};
+
+/// The sub-step that makes flight and impacts exact to rounding. A step of dt is cut into N sub-steps of h, each
+/// kick, press, drift, kick, relax:
+///
+///   impacts  events of contacts with restitution, at their own times (impacts.h)
+///   kick     v += h/2 a, and half of the impulse that held the contact in the last sub-step
+///   press    contacts as damped springs on the depth s: velocities that correct positions too
+///   drift    x += h v
+///   kick     the other halves, with the forces at the new place
+///   relax    rigid contacts with friction: velocities keep no trace of the correction
+///
+/// Kick-drift-kick (velocity Verlet) is exact for a parabola and second order for any smooth force; that contacts, too,
+/// give half their impulse before the drift and half after keeps a resting body where it is.
+class Accurate : public Solver {
+ public:
+  void step(StepData& data) override;
+  void state(const Settings& settings, StatedErrors& errors) const override {
+    errors.h = settings.dt / static_cast<Real>(settings.substeps);
+    errors.drift = 0;
+    errors.impact_lag = 0;
+    errors.gap = tolerated_sink;  // until the offset has taken it up
+    errors.creep = 0;
+    errors.restitution_threshold = impact_threshold;
+  }
+  bool recycles() const override { return true; }
+  /// Whatever may be hit within the step, gravity's part included.
+  Margin margin(const Settings& settings) const override {
+    return {static_cast<Real>(0.02) + 2 * length(settings.gravity) * settings.dt * settings.dt, settings.dt};
+  }
+
+ private:
+  void prepare(StepData& data);
+  void tie_islands(const StepData& data);
+  Island island(const StepData& data, std::size_t number);
+  int substeps(const StepData& data, const Island& island) const;
+  void substep(StepData& data, Island& island);
+  void find_impacts(StepData& data, Island& island);
+  void halve(Island& island) const;
+  void kick(BodySet& bodies, Island& island);
+  void press(BodySet& bodies, Island& island);
+  void drift(StepData& data, const Island& island);
+  void relax(BodySet& bodies, Island& island);
+  bool solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const;
+  void turn_normal(ImpactRow& row) const;
+  Real gap(const ImpactRow& row, const RowPoint& p) const {
+    return separation(row, p, motion_[row.a], motion_[row.b]) - row.offset;
+  }
+  void note_loads(const Island& island);
+  void settle_offsets(const Island& island);
+  void place(BodySet& bodies);
+
+  Islands islands_;
+  std::vector<ContactRow> plain_rows_;
+  std::vector<ImpactRow> rows_;         // island by island
+  std::vector<std::size_t> row_start_;  // of each island in rows_, and the end
+  std::vector<Motion> motion_;          // of each body since the start of the step
+  std::vector<Pose> start_;             // of each body
+  std::vector<Velocity> acceleration_;  // of each body, by the force field
+  std::vector<Velocity> flight_;        // the same, but 0 for a body that rests on a contact
+  std::vector<std::uint8_t> loaded_;    // a contact pushed the body in the last sub-step
+  std::vector<std::uint8_t> crowd_;     // contacts of each movable body, up to 3
+  bool forces_vary_ = false;            // within a step
+  Impacts impacts_;
+};
+
+void Accurate::step(StepData& data) {
+  prepare(data);
+  for (std::size_t number = 0; number < islands_.size(); ++number) {
+    Island now = island(data, number);
+    for (ImpactRow& row : now.rows) {
+      for (RowPoint& p : row.points) {
+        p.normal_impulse /= static_cast<Real>(now.substeps);
+        p.tangent_impulse /= static_cast<Real>(now.substeps);
+      }
+    }
+    for (int i = 0; i < now.substeps; ++i) substep(data, now);
+    settle_offsets(now);
+    for (ImpactRow& row : now.rows) {
+      for (RowPoint& p : row.points) {
+        p.normal_impulse *= static_cast<Real>(now.substeps);
+        p.tangent_impulse *= static_cast<Real>(now.substeps);
+      }
+      store_row(row, data.contacts);
+      data.contacts[row.contact].offset = row.offset;
+    }
+  }
+  place(data.bodies);
+}
+
+void Accurate::substep(StepData& data, Island& island) {
+  if (island.bounces) find_impacts(data, island);
+  halve(island);
+  kick(data.bodies, island);
+  press(data.bodies, island);
+  drift(data, island);
+  kick(data.bodies, island);
+  relax(data.bodies, island);
+  note_loads(island);
+}
+
+void Accurate::prepare(StepData& data) {
+  BodySet& bodies = data.bodies;
+  start_ = bodies.pose;
+  motion_.assign(bodies.size(), {});
+  loaded_.assign(bodies.size(), 0);
+  crowd_.assign(bodies.size(), 0);
+  forces_vary_ = data.forces.vary(bodies);
+  data.forces.accelerations(bodies, data.settings.dt / static_cast<Real>(2 * data.settings.substeps), acceleration_);
+  flight_ = acceleration_;
+
+  prepare_rows(bodies, data.contacts, plain_rows_);
+  for (const ContactRow& row : plain_rows_) {
+    for (const std::uint32_t body : {row.a, row.b})
+      crowd_[body] = static_cast<std::uint8_t>(std::min(crowd_[body] + 1, 3));
+  }
+  tie_islands(data);
+
+  // Rows keep their order within an island: a stable counting sort.
+  const auto island_of = [&](const ContactRow& row) {
+    return islands_.of(row.mass_a.m + row.mass_a.i > 0 ? row.a : row.b);
+  };
+  row_start_.assign(islands_.size() + 1, 0);
+  for (const ContactRow& row : plain_rows_) ++row_start_[island_of(row) + 1];
+  std::partial_sum(row_start_.begin(), row_start_.end(), row_start_.begin());
+  rows_.resize(plain_rows_.size());
+  std::vector<std::size_t> next(row_start_.begin(), row_start_.end() - 1);
+  for (const ContactRow& plain : plain_rows_) {
+    ImpactRow& row = rows_[next[island_of(plain)]++];
+    static_cast<ContactRow&>(row) = plain;
+    const Contact& contact = data.contacts[row.contact];
+    row.offset = contact.offset;
+    row.disc_distance = contact.discs ? contact.radius_a + contact.radius_b : Real{0};
+    row.between = start_[row.b].p - start_[row.a].p;
+    row.age = contact.age;
+    row.fresh = contact.age == 0;
+    row.active = true;
+    // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
+    const bool column = (row.mass_a.m == 0 || crowd_[row.a] <= 2) && (row.mass_b.m == 0 || crowd_[row.b] <= 2);
+    row.block = column && row.count == 2;
+    for (const RowPoint& p : row.points) {
+      if (p.normal_impulse > 0) loaded_[row.a] = loaded_[row.b] = 1;
+    }
+  }
+}
+
+/// Bodies share an island if they touch and both move: such bodies must be stepped together. Where forces depend on
+/// where bodies are, one island holds them all.
+void Accurate::tie_islands(const StepData& data) {
+  const BodySet& bodies = data.bodies;
+  const auto moves = [&](std::uint32_t body) {
+    const Velocity& v = bodies.velocity[body];
+    return bodies.inverse_mass[body].m + bodies.inverse_mass[body].i > 0 || !(v.v == Vec2{} && v.w == 0);
+  };
+  islands_.clear(bodies.size());
+  for (const ContactRow& row : plain_rows_) {
+    if (moves(row.a) && moves(row.b)) islands_.tie(row.a, row.b);
+  }
+  if (forces_vary_) {
+    for (std::uint32_t body = 1; body < bodies.size(); ++body) islands_.tie(0, body);
+  }
+  islands_.number();
+}
+
+Island Accurate::island(const StepData& data, std::size_t number) {
+  Island now;
+  now.bodies = islands_.bodies(number);
+  now.rows = std::span(rows_).subspan(row_start_[number], row_start_[number + 1] - row_start_[number]);
+  now.substeps = substeps(data, now);
+  now.h = data.settings.dt / static_cast<Real>(now.substeps);
+  const Real frequency = 1 / (8 * now.h);
+  now.soft = Softness::of(frequency, now.h);
+  now.stiff = Softness::of(2 * frequency, now.h);
+  now.bounces = std::any_of(now.rows.begin(), now.rows.end(), [](const ImpactRow& row) { return row.restitution > 0; });
+  const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
+  now.settling = !now.rows.empty() &&
+                 std::all_of(now.rows.begin(), now.rows.end(), [](const ImpactRow& row) { return row.fresh; }) &&
+                 std::all_of(now.bodies.begin(), now.bodies.end(), [&](std::uint32_t body) {
+                   const Velocity& v = data.bodies.velocity[body];
+                   return length(v.v) + std::abs(v.w) * data.bodies.reach[body] <= slow;
+                 });
+  return now;
+}
+
+/// How many sub-steps an island needs so that its own weight presses it no deeper than tolerated. From masses alone: an
+/// estimate from the impulses would flicker with them, and a stack would topple while it is low.
+///
+///   sink = weight / (points on the ground) * k_max / (2 w^2), and sink ~ h^2
+int Accurate::substeps(const StepData& data, const Island& island) const {
+  const int base = data.settings.substeps;
+  if (island.rows.empty()) return base;
+  Real weight = 0;
+  for (const std::uint32_t body : island.bodies) {
+    const Real m = data.bodies.inverse_mass[body].m;
+    if (m > 0) weight += length(acceleration_[body].v) / m;
+  }
+  int points = 0;
+  Real softest = 0;  // 1/kg
+  for (const ImpactRow& row : island.rows) {
+    if (row.mass_a.m == 0 || row.mass_b.m == 0) points += row.count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      softest = std::max(softest, 1 / row.points[i].normal_mass);
+    }
+  }
+  if (points == 0) return base;
+  const Real omega = 2 * pi * static_cast<Real>(base) / (8 * data.settings.dt);
+  const Real sink = weight / static_cast<Real>(points) * softest / (2 * omega * omega);
+  const Real wanted = static_cast<Real>(base) * std::sqrt(sink / tolerated_sink);
+  int n = base;
+  while (2 * n <= most_substeps && static_cast<Real>(2 * n * n) < wanted * wanted &&
+         static_cast<std::size_t>(2 * n) * island.bodies.size() <= most_body_substeps) {
+    n *= 2;
+  }
+  return n;
+}
+
+void Accurate::find_impacts(StepData& data, Island& island) {
+  for (const std::uint32_t body : island.bodies) {
+    flight_[body] = loaded_[body] != 0 ? Velocity{} : acceleration_[body];
+  }
+  impacts_.resolve(island.rows, data.bodies, motion_, flight_, island.h);
+}
+
+/// What the contacts bore in the last sub-step is given again, half in each kick.
+void Accurate::halve(Island& island) const {
+  for (ImpactRow& row : island.rows) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      RowPoint& p = row.points[i];
+      row.half[i] = row.active ? Vec2{p.normal_impulse / 2, p.tangent_impulse / 2} : Vec2{};
+      p.normal_impulse = 0;
+      p.tangent_impulse = 0;
+    }
+  }
+}
+
+/// Half of the forces, half of the contacts' last impulses.
+void Accurate::kick(BodySet& bodies, Island& island) {
+  for (const std::uint32_t body : island.bodies) {
+    bodies.velocity[body].v += island.h / 2 * acceleration_[body].v;
+    bodies.velocity[body].w += island.h / 2 * acceleration_[body].w;
+  }
+  for (ImpactRow& row : island.rows) {
+    if (!row.active) continue;
+    ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      RowPoint& p = row.points[i];
+      frame.push_normal(row, p, row.half[i].x);
+      frame.push_tangent(row, p, row.half[i].y);
+      p.normal_impulse += row.half[i].x;
+      p.tangent_impulse += row.half[i].y;
+    }
+    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+  }
+}
+
+void Accurate::turn_normal(ImpactRow& row) const {
+  if (row.disc_distance == 0) return;
+  row.normal = normalized(row.between + (motion_[row.b].d - motion_[row.a].d));
+  // gap() measures along the normal from `between`: for discs that is their distance less the radii.
+  row.points[0].separation = dot(row.normal, row.between) - row.disc_distance;
+}
+
+/// Contacts give way as damped springs; a gap that would close within the sub-step is closed just so far. Friction
+/// waits for the rigid pass, except in a contact's first step (else a box set down on a slope slips before it is held).
+void Accurate::press(BodySet& bodies, Island& island) {
+  for (ImpactRow& row : island.rows) {
+    if (!row.active) continue;
+    turn_normal(row);
+    const Softness& soft = island.softness(row);
+    ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    if (!row.block || !solve_pair(island, row, frame, true)) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+        RowPoint& p = row.points[i];
+        const Real s = gap(row, p);
+        const Real v = frame.normal_velocity(p);
+        const Real push = s > 0 ? -p.normal_mass * (v + s / island.h)
+                                : -p.normal_mass * soft.strength * (v + soft.rate * s) - soft.relief * p.normal_impulse;
+        push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+      }
+    }
+    if (row.fresh) rub(row, frame);
+    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+  }
+}
+
+/// Rigid contacts with friction, no memory of depth. What has a gap and no load is left alone: it would be braked one
+/// sub-step before it arrives.
+void Accurate::relax(BodySet& bodies, Island& island) {
+  // An island that begins at rest finds its loads now instead of sinking until it has them.
+  constexpr int settling_sweeps = 30;
+  const int sweeps = island.settling ? settling_sweeps : 1;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (ImpactRow& row : island.rows) {
+      if (!row.active) continue;
+      turn_normal(row);
+      ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+      if (!row.block || !solve_pair(island, row, frame, false)) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+          RowPoint& p = row.points[i];
+          if (p.normal_impulse == 0 && gap(row, p) > 0) continue;
+          const Real push = -p.normal_mass * frame.normal_velocity(p);
+          push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+        }
+      }
+      rub(row, frame);
+      frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    }
+  }
+}
+
+/// Both points at once: (K + G) d = -(v + bias + G lambda) with G the springs' give; nothing if a point would pull.
+bool Accurate::solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const {
+  const Softness& soft = island.softness(row);
+  std::array<Real, 2> give{};
+  std::array<Real, 2> bias{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RowPoint& p = row.points[i];
+    const Real s = gap(row, p);
+    if (pressing) {
+      give[i] = s > 0 ? Real{0} : (1 / soft.strength - 1) / p.normal_mass;
+      bias[i] = s > 0 ? s / island.h : soft.rate * s;
+    } else if (p.normal_impulse == 0 && s > 0) {
+      return false;
+    }
+  }
+  RowPoint& p = row.points[0];
+  RowPoint& q = row.points[1];
+  const Real k11 = 1 / p.normal_mass + give[0];
+  const Real k22 = 1 / q.normal_mass + give[1];
+  const Real k12 =
+      row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a + row.mass_b.i * p.cross_b * q.cross_b;
+  const Mat22 k({k11, k12}, {k12, k22});
+  // Two points almost in one place: the matrix says nothing about the difference of their loads.
+  constexpr Real worst_condition = 1000;
+  if (k11 * k22 > worst_condition * k.determinant()) return false;
+  const Vec2 change = k.solve({-(frame.normal_velocity(p) + bias[0] + give[0] * p.normal_impulse),
+                               -(frame.normal_velocity(q) + bias[1] + give[1] * q.normal_impulse)});
+  const Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + change;
+  if (total.x < 0 || total.y < 0) return false;
+  push_to(row, p, frame, total.x);
+  push_to(row, q, frame, total.y);
+  return true;
+}
+
+void Accurate::drift(StepData& data, const Island& island) {
+  BodySet& bodies = data.bodies;
+  for (const std::uint32_t body : island.bodies) {
+    const Velocity& v = bodies.velocity[body];
+    motion_[body].d += island.h * v.v;
+    motion_[body].turn_by(island.h * v.w);
+  }
+  if (!forces_vary_) return;
+  for (const std::uint32_t body : island.bodies) {
+    bodies.pose[body].p = start_[body].p + motion_[body].d;
+    bodies.pose[body].q = Rotation(1 + motion_[body].drop, motion_[body].sine) * start_[body].q;
+  }
+  data.forces.accelerations(bodies, island.h / 2, acceleration_);
+}
+
+void Accurate::note_loads(const Island& island) {
+  for (const std::uint32_t body : island.bodies) loaded_[body] = 0;
+  for (ImpactRow& row : island.rows) {
+    for (RowPoint& p : row.points) {
+      p.total_normal += p.normal_impulse;
+      p.total_tangent += p.tangent_impulse;
+      if (p.normal_impulse > 0) loaded_[row.a] = loaded_[row.b] = 1;
+    }
+  }
+}
+
+/// A standing load presses its springs in. The offset, one for both points of a contact (one each would take away the
+/// stiffness that keeps a column upright), slowly moves the springs' rest length until the surfaces just touch; it
+/// never exceeds the depth that the load explains, load / (2 m_eff w^2), and goes with the load.
+void Accurate::settle_offsets(const Island& island) {
+  for (ImpactRow& row : island.rows) {
+    const Real omega = island.softness(row).omega;
+    Real speed = 0;  // lambda / m_eff
+    Real depth = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const RowPoint& p = row.points[i];
+      speed += p.normal_impulse / p.normal_mass;
+      depth -= separation(row, p, motion_[row.a], motion_[row.b]);
+    }
+    const Real points = static_cast<Real>(row.count);
+    const Real explained = speed / points / (2 * island.h * omega * omega);
+    if (island.settling) {
+      row.offset = explained;
+    } else if (row.age >= offset_from_age) {
+      constexpr Real headroom = static_cast<Real>(1.05);
+      row.offset = clamp(row.offset + offset_rate * island.h * static_cast<Real>(island.substeps) * depth / points, 0,
+                         headroom * explained);
+    }
+  }
+}
+
+/// Adds the step's motion to the poses; what rounding leaves out is kept and added in the next step (Kahan 1965), so
+/// that in float, too, a body at rest far from the origin stays there.
+void Accurate::place(BodySet& bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Motion& moved = motion_[i];
+    if (moved.d == Vec2{} && moved.turn == 0) {
+      bodies.pose[i] = start_[i];
+      continue;
+    }
+    const Vec2 wanted = moved.d + bodies.remainder[i];
+    const Vec2 p = start_[i].p + wanted;
+    bodies.remainder[i] = wanted - (p - start_[i].p);
+    bodies.angle[i] += moved.turn;
+    bodies.pose[i] = {p, Rotation(bodies.angle[i])};
+  }
+}
+
+const MethodList<Solver>::Entry entry{
+    {"accurate", "sub-steps by kick, press, drift, kick, relax; impacts at their own times; loads without sinking",
+     "soft contacts and relaxation after E. Catto, Soft Constraints (GDC 2011) and Solver2D (2024); velocity Verlet; "
+     "time-of-impact events"},
+    [] { return std::make_unique<Accurate>(); }};
+
+}  // namespace
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,276 @@
+#include "solvers/impacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+constexpr Real never = std::numeric_limits<Real>::infinity();
+
+/// Points closer than this (m) at an impact are struck together: a box that lands flat must not start to spin.
+constexpr Real together = static_cast<Real>(0.0005);
+
+/// The bodies as they fly, if nothing hits them.
+struct Flight {
+  const BodySet& bodies;
+  const std::vector<Motion>& motion;
+  const std::vector<Velocity>& acceleration;
+
+  Motion motion_at(std::uint32_t body, Real t) const {
+    const Velocity& v = bodies.velocity[body];
+    const Velocity& a = acceleration[body];
+    Motion at = motion[body];
+    at.d += t * v.v + (t * t / 2) * a.v;
+    at.turn_by(t * v.w + (t * t / 2) * a.w);
+    return at;
+  }
+  Velocity velocity_at(std::uint32_t body, Real t) const {
+    const Velocity& v = bodies.velocity[body];
+    const Velocity& a = acceleration[body];
+    return {v.v + t * a.v, v.w + t * a.w};
+  }
+};
+
+/// The row as it stands when its bodies have moved: arms turned (but not the rims of discs), the normal of two discs
+/// renewed.
+ImpactRow moved(const ImpactRow& row, const Motion& a, const Motion& b) {
+  ImpactRow now = row;
+  if (row.disc_distance > 0) {
+    const Vec2 apart = row.between + (b.d - a.d);
+    const Real distance = length(apart);
+    if (distance > 0) now.normal = apart / distance;
+    now.points[0].separation = distance - row.disc_distance;
+    return now;
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const RowPoint& p = row.points[i];
+    RowPoint& q = now.points[i];
+    q.separation = separation(row, p, a, b);
+    q.cross_a = p.cross_a + a.drop * p.cross_a - a.sine * p.turn_a;
+    q.cross_b = p.cross_b + b.drop * p.cross_b - b.sine * p.turn_b;
+    q.dot_a = p.dot_a + a.drop * p.turn_a + a.sine * p.cross_a;
+    q.dot_b = p.dot_b + b.drop * p.turn_b + b.sine * p.cross_b;
+  }
+  return now;
+}
+
+struct Approach {
+  Real separation = 0;
+  Real speed = 0;  // d separation / dt
+};
+
+Approach approach(const ImpactRow& row, std::size_t point, const Flight& flight, Real t) {
+  const ImpactRow now = moved(row, flight.motion_at(row.a, t), flight.motion_at(row.b, t));
+  const ContactFrame frame(now, flight.velocity_at(row.a, t), flight.velocity_at(row.b, t));
+  return {now.points[point].separation, frame.normal_velocity(now.points[point])};
+}
+
+/// d2 separation / dt2: the accelerations along the normal, the centripetal terms of the arms, and for two discs that
+/// pass each other |v across|^2 / distance.
+Real curvature(const ImpactRow& row, const RowPoint& p, const Flight& flight) {
+  const Velocity& a = flight.bodies.velocity[row.a];
+  const Velocity& b = flight.bodies.velocity[row.b];
+  Real c = dot(row.normal, flight.acceleration[row.b].v - flight.acceleration[row.a].v);
+  c += a.w * a.w * p.turn_a - b.w * b.w * p.turn_b;
+  if (row.disc_distance > 0) {
+    const Real across = dot(perpendicular(row.normal), b.v - a.v);
+    c += across * across / row.disc_distance;
+  }
+  return c;
+}
+
+/// The first time in [now, h] at which the point touches while approaching faster than the threshold.
+///
+/// s(now + x) = s + v x + c x^2/2 gives the first guess; Newton's iteration on the exact path finishes it (quadratic:
+/// from a guess good to 1e-3, three rounds are below round-off).
+Real time_of_impact(const ImpactRow& row, std::size_t point, const Flight& flight, Real now, Real h) {
+  const Approach start = approach(row, point, flight, now);
+  if (start.separation <= 0) return start.speed < -impact_threshold ? now : never;
+
+  const ImpactRow here = moved(row, flight.motion_at(row.a, now), flight.motion_at(row.b, now));
+  const Real c = curvature(here, row.points[point], flight);
+  const Real discriminant = start.speed * start.speed - 2 * c * start.separation;
+  if (discriminant < 0) return never;
+  const Real closing = std::sqrt(discriminant) - start.speed;
+  if (closing <= 0) return never;
+  const Real rest = h - now;
+  Real x = 2 * start.separation / closing;
+  if (x > 2 * rest) return never;
+  constexpr int rounds = 4;
+  Approach there;
+  for (int round = 0; round < rounds; ++round) {
+    there = approach(row, point, flight, now + x);
+    if (there.speed >= 0) return never;
+    x = std::max(x - there.separation / there.speed, Real{0});
+  }
+  if (x > rest || there.speed > -impact_threshold) return never;
+  return now + x;
+}
+
+/// Normal and tangential impulse at one point, with both laws at once: the normal velocity is reversed times e, and the
+/// tangential one is stopped if Coulomb's cone allows, else opposed by mu J. K is the 2x2 matrix of inverse effective
+/// masses in (n, t).
+void strike_one(const ContactRow& row, RowPoint& p, ContactFrame& frame) {
+  const Real vn = frame.normal_velocity(p);
+  const Real vt = frame.tangent_velocity(p);
+  const Real kn = 1 / effective_mass(row, p.cross_a, p.cross_b);
+  const Real kt = 1 / effective_mass(row, p.dot_a, p.dot_b);
+  const Real knt = row.mass_a.i * p.cross_a * p.dot_a + row.mass_b.i * p.cross_b * p.dot_b;
+  const Real wanted = -(1 + row.restitution) * vn;
+
+  Vec2 j = Mat22({kn, knt}, {knt, kt}).solve({wanted, -vt});  // sticks
+  if (std::abs(j.y) > row.static_friction * j.x) {
+    const Real mu = j.y < 0 ? -row.dynamic_friction : row.dynamic_friction;
+    j.x = wanted / (kn + mu * knt);
+    j.y = mu * j.x;
+  }
+  // Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985) and fails where kn + mu
+  // knt <= 0 (Painleve); then the normal impulse is taken without regard to friction, which only ever takes energy.
+  const Real work = j.x * vn + j.y * vt + (kn * j.x * j.x + 2 * knt * j.x * j.y + kt * j.y * j.y) / 2;
+  if (!(j.x > 0) || work > 0) {
+    j.x = wanted / kn;
+    j.y = within_cone(row, -(vt + knt * j.x) / kt, j.x);
+  }
+  frame.push_normal(row, p, j.x);
+  frame.push_tangent(row, p, j.y);
+  p.total_normal += j.x;
+  p.total_tangent += j.y;
+}
+
+/// Two points struck together: the normal impulses solve the 2x2 complementarity problem K J + (1+e) v >= 0, J >= 0;
+/// then friction at each.
+void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& frame) {
+  const Real k11 = 1 / effective_mass(row, p.cross_a, p.cross_b);
+  const Real k22 = 1 / effective_mass(row, q.cross_a, q.cross_b);
+  const Real k12 =
+      row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a + row.mass_b.i * p.cross_b * q.cross_b;
+  const Real b1 = -(1 + row.restitution) * frame.normal_velocity(p);
+  const Real b2 = -(1 + row.restitution) * frame.normal_velocity(q);
+  Vec2 j = Mat22({k11, k12}, {k12, k22}).solve({b1, b2});
+  if (!(j.x >= 0 && j.y >= 0)) j = k12 * b1 >= b2 * k11 ? Vec2{b1 / k11, 0} : Vec2{0, b2 / k22};
+
+  const auto push = [&](RowPoint& point, Real normal_impulse) {
+    frame.push_normal(row, point, normal_impulse);
+    point.total_normal += normal_impulse;
+  };
+  const auto rub = [&](RowPoint& point, Real normal_impulse) {
+    const Real wanted = -effective_mass(row, point.dot_a, point.dot_b) * frame.tangent_velocity(point);
+    const Real given = within_cone(row, wanted, normal_impulse);
+    frame.push_tangent(row, point, given);
+    point.total_tangent += given;
+  };
+  push(p, j.x);
+  push(q, j.y);
+  rub(p, j.x);
+  rub(q, j.y);
+}
+
+/// The impact of a row at tau: velocities change there, and the start of the sub-step's path shifts so that the path
+/// still passes through where the bodies are at tau.
+void strike(ImpactRow& row, BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration,
+            Real tau) {
+  const Flight flight{bodies, motion, acceleration};
+  const Velocity before_a = flight.velocity_at(row.a, tau);
+  const Velocity before_b = flight.velocity_at(row.b, tau);
+  ImpactRow now = moved(row, flight.motion_at(row.a, tau), flight.motion_at(row.b, tau));
+  ContactFrame frame(now, before_a, before_b);
+
+  RowPoint* first = &now.points[0];
+  RowPoint* second = now.count == 2 ? &now.points[1] : nullptr;
+  if (second != nullptr && second->separation < first->separation) std::swap(first, second);
+  if (second != nullptr && second->separation < together && frame.normal_velocity(*second) < 0) {
+    strike_two(now, *first, *second, frame);
+  } else {
+    strike_one(now, *first, frame);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    row.points[i].total_normal = now.points[i].total_normal;
+    row.points[i].total_tangent = now.points[i].total_tangent;
+  }
+
+  Velocity after_a = before_a;
+  Velocity after_b = before_b;
+  frame.leave(now, after_a, after_b);
+  const auto divert = [&](std::uint32_t body, const Velocity& before, const Velocity& after) {
+    const Vec2 dv = after.v - before.v;
+    const Real dw = after.w - before.w;
+    bodies.velocity[body].v += dv;
+    bodies.velocity[body].w += dw;
+    motion[body].d -= tau * dv;
+    motion[body].turn_by(-tau * dw);
+  };
+  divert(row.a, before_a, after_a);
+  divert(row.b, before_b, after_b);
+}
+
+}  // namespace
+
+void Motion::turn_by(Real angle) {
+  if (angle == 0) return;
+  turn += angle;
+  // cos - 1 = -2 sin^2(half): no cancellation for small turns.
+  const SinCos half = sin_cos(turn / 2);
+  sine = 2 * half.sin * half.cos;
+  drop = -2 * half.sin * half.sin;
+}
+
+void Impacts::resolve(std::span<ImpactRow> rows, BodySet& bodies, std::vector<Motion>& motion,
+                      const std::vector<Velocity>& acceleration, Real h) {
+  const Flight flight{bodies, motion, acceleration};
+  candidates_.clear();
+  const auto aim = [&](Candidate& candidate, Real now) {
+    const ImpactRow& row = rows[candidate.row];
+    candidate.time = never;
+    candidate.speed = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const Real time = time_of_impact(row, i, flight, now, h);
+      if (time == never) continue;
+      const Real speed = -approach(row, i, flight, time).speed;
+      if (time < candidate.time || (time == candidate.time && speed > candidate.speed)) {
+        candidate.time = time;
+        candidate.speed = speed;
+      }
+    }
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].active = true;
+    if (rows[i].restitution <= 0) continue;
+    candidates_.push_back({i});
+    aim(candidates_.back(), 0);
+  }
+
+  // A cradle of n balls needs about n^2/2 impacts; far more in one sub-step is a storm that the contact solve ends.
+  const std::size_t most = 64 + 16 * candidates_.size();
+  for (std::size_t count = 0; count < most; ++count) {
+    const Candidate* next = nullptr;
+    for (const Candidate& c : candidates_) {
+      if (c.time == never) continue;
+      if (next == nullptr || c.time < next->time || (c.time == next->time && c.speed > next->speed)) next = &c;
+    }
+    if (next == nullptr) break;
+    const Real now = next->time;
+    ImpactRow& hit = rows[next->row];
+    strike(hit, bodies, motion, acceleration, now);
+    const bool moved_a = hit.mass_a.m + hit.mass_a.i > 0;
+    const bool moved_b = hit.mass_b.m + hit.mass_b.i > 0;
+    for (Candidate& c : candidates_) {
+      const ImpactRow& row = rows[c.row];
+      const bool touched =
+          (moved_a && (row.a == hit.a || row.b == hit.a)) || (moved_b && (row.a == hit.b || row.b == hit.b));
+      if (touched) aim(c, now);
+    }
+  }
+
+  for (const Candidate& c : candidates_) {
+    ImpactRow& row = rows[c.row];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const Approach end = approach(row, i, flight, h);
+      if (end.separation > 0 && end.speed < -impact_threshold) row.active = false;
+    }
+  }
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

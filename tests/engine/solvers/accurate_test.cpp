@@ -1,0 +1,393 @@
+// What the default method promises at 60 Hz with 4 sub-steps, against closed forms, over several random starts. Bounds
+// are those of the issue that asked for it; float is held to what its 24 bits allow.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "impulse/impulse.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+namespace {
+
+constexpr bool is_double = sizeof(Real) == sizeof(double);
+constexpr double g = 10;
+
+/// The bound for the precision that this is compiled for.
+constexpr double bound(double in_double, double in_float) { return is_double ? in_double : in_float; }
+
+Settings accurate() {
+  Settings settings;
+  settings.solver = "accurate";
+  return settings;
+}
+
+Material material(double restitution, double friction = 0) {
+  Material m;
+  m.restitution = static_cast<Real>(restitution);
+  m.static_friction = static_cast<Real>(friction);
+  m.dynamic_friction = static_cast<Real>(friction);
+  return m;
+}
+
+Vec2 vec(double x, double y) { return {static_cast<Real>(x), static_cast<Real>(y)}; }
+Real real(double x) { return static_cast<Real>(x); }
+
+BodyDef at(double x, double y, double vx = 0, double vy = 0, double w = 0, double angle = 0) {
+  BodyDef def;
+  def.position = vec(x, y);
+  def.velocity = vec(vx, vy);
+  def.angular_velocity = real(w);
+  def.angle = real(angle);
+  return def;
+}
+
+BodyId ground(World& world, const Material& m, double angle = 0) {
+  BodyDef def;
+  def.type = BodyType::fixed;
+  def.angle = real(angle);
+  return world.create_body(def, Shape::half_space({0, 1}, 0), m);
+}
+
+void run(World& world, double seconds) {
+  const int steps = static_cast<int>(std::lround(seconds * 60));
+  for (int i = 0; i < steps; ++i) world.step();
+}
+
+double energy(World& world) {
+  double sum = 0;
+  for (const BodyId id : world.bodies()) {
+    const Body body = world.body(id);
+    const MassData mass = body.mass();
+    const double v2 = static_cast<double>(length_squared(body.velocity()));
+    const double w = static_cast<double>(body.angular_velocity());
+    sum += static_cast<double>(mass.mass) * (v2 / 2 + static_cast<double>(-dot(world.gravity(), body.center()))) +
+           static_cast<double>(mass.inertia) * w * w / 2;
+  }
+  return sum;
+}
+
+double seeded(std::mt19937& random, double low, double high) {
+  return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+}
+
+TEST(Accurate, FallsFreelyAsGalileoSays) {
+  World world(accurate());
+  const BodyId id = world.create_body(at(0, 100, 1, 2, 3), Shape::box(vec(.5, .5)));
+  run(world, 1);
+  EXPECT_NEAR(world.body(id).position().y, 100 + 2 - g / 2, bound(1e-9, 1e-4));
+  EXPECT_NEAR(world.body(id).position().x, 1, bound(1e-9, 1e-4));
+  EXPECT_NEAR(world.body(id).angle(), 3, bound(1e-9, 1e-5));
+}
+
+TEST(Accurate, SlidesDownASlopeWithCoulombsAcceleration) {
+  for (const double degrees : {15.0, 20.0, 35.0}) {
+    const double a = degrees * static_cast<double>(pi) / 180;
+    const double mu = 0.2;
+    World world(accurate());
+    ground(world, material(0, mu), a);
+    const BodyId id = world.create_body(at(-.5 * std::sin(a), .5 * std::cos(a), 0, 0, 0, a), Shape::box(vec(.5, .5)),
+                                        material(0, mu));
+    const Vec2 start = world.body(id).position();
+    run(world, 2);
+    const double down = static_cast<double>(length(world.body(id).position() - start));
+    const double expected = (g * (std::sin(a) - mu * std::cos(a))) * 2 * 2 / 2;
+    EXPECT_NEAR(down / expected, 1, 1e-4) << degrees << " degrees";
+  }
+}
+
+TEST(Accurate, RollsADiscDownWithTwoThirdsOfTheSlope) {
+  for (const double degrees : {10.0, 20.0, 30.0}) {
+    const double a = degrees * static_cast<double>(pi) / 180;
+    World world(accurate());
+    ground(world, material(0, 1), a);
+    const BodyId id =
+        world.create_body(at(-.5 * std::sin(a), .5 * std::cos(a)), Shape::circle(real(.5)), material(0, 1));
+    const Vec2 start = world.body(id).position();
+    run(world, 2);
+    const double down = static_cast<double>(length(world.body(id).position() - start));
+    EXPECT_NEAR(down / (2.0 / 3 * g * std::sin(a) * 2), 1, 1e-4) << degrees << " degrees";
+  }
+}
+
+TEST(Accurate, StopsASlidingBoxWhereFrictionHasEatenItsEnergy) {
+  for (const double v : {2.0, 3.3, 5.0}) {
+    const double mu = 0.3;
+    World world(accurate());
+    ground(world, material(0, mu));
+    const BodyId id = world.create_body(at(0, .25, v), Shape::box(vec(.5, .25)), material(0, mu));
+    run(world, 3);
+    EXPECT_NEAR(world.body(id).position().x / (v * v / (2 * mu * g)), 1, 1e-4) << v << " m/s";
+    EXPECT_NEAR(world.body(id).velocity().x, 0, bound(1e-9, 1e-5));
+  }
+}
+
+TEST(Accurate, SticksBelowTheFrictionAngleAndCreepsLessThanATenthOfAMillimetre) {
+  const double mu = 0.5;
+  const double a = std::atan(mu) - 0.02;
+  World world(accurate());
+  ground(world, material(0, mu), a);
+  const BodyId id =
+      world.create_body(at(-.5 * std::sin(a), .5 * std::cos(a), 0, 0, 0, a), Shape::box(vec(.5, .5)), material(0, mu));
+  const Vec2 start = world.body(id).position();
+  run(world, 2);
+  const Vec2 soon = world.body(id).position();
+  EXPECT_LT(length(soon - start), 1e-4);
+  run(world, 8);
+  EXPECT_LT(length(world.body(id).position() - soon), 1e-5);
+}
+
+TEST(Accurate, TurnsSlippingIntoRolling) {
+  const double mu = 0.25;
+  const double v0 = 4;
+  World world(accurate());
+  ground(world, material(0, mu));
+  const BodyId id = world.create_body(at(0, .5, v0), Shape::circle(real(.5)), material(0, mu));
+  run(world, 1);
+  EXPECT_NEAR(world.body(id).velocity().x, 2 * v0 / 3, bound(1e-6, 1e-4));
+  EXPECT_NEAR(world.body(id).angular_velocity(), -2 * v0 / 3 / .5, bound(1e-6, 1e-3));
+}
+
+/// Apexes of a bouncing disc, by the parabola through three samples.
+std::vector<double> apexes(double e, double height, double seconds, double* energy_change) {
+  World world(accurate());
+  ground(world, material(e));
+  const BodyId id = world.create_body(at(0, .5 + height), Shape::circle(real(.5)), material(e));
+  const double before = energy(world);
+  std::vector<double> found;
+  double y0 = height;
+  double y1 = height;
+  const int steps = static_cast<int>(std::lround(seconds * 60));
+  for (int i = 0; i < steps; ++i) {
+    world.step();
+    const double y = static_cast<double>(world.body(id).position().y) - .5;
+    const double curve = y0 - 2 * y1 + y;
+    // Only where all three samples are of one flight: its second difference is -g dt^2.
+    if (i > 1 && y1 >= y0 && y1 > y && std::abs(curve + g / 3600) < 1e-5) {
+      found.push_back(y1 - (y - y0) * (y - y0) / (8 * curve));
+    }
+    y0 = y1;
+    y1 = y;
+  }
+  *energy_change = (energy(world) - before) / (before - g * static_cast<double>(world.body(id).mass().mass) * .5);
+  return found;
+}
+
+TEST(Accurate, BouncesToTheSquareOfRestitution) {
+  std::mt19937 random(1);
+  for (const double e : {.5, .8, 1.0}) {
+    for (int start = 0; start < 4; ++start) {
+      const double h = seeded(random, 1, 3);
+      double change = 0;
+      const std::vector<double> found = apexes(e, h, 3, &change);
+      ASSERT_GE(found.size(), 2U);
+      EXPECT_NEAR(found[0] / (e * e * h), 1, bound(1e-6, 1e-4)) << "e " << e << " h " << h;
+      EXPECT_NEAR(found[1] / (e * e * e * e * h), 1, bound(1e-6, 2e-4)) << "e " << e << " h " << h;
+    }
+  }
+}
+
+TEST(Accurate, KeepsTheEnergyOfAPerfectBounceForTenSeconds) {
+  std::mt19937 random(2);
+  for (int start = 0; start < 4; ++start) {
+    double change = 0;
+    apexes(1, seeded(random, 1, 3), 10, &change);
+    EXPECT_NEAR(change, 0, bound(1e-6, 1e-4));
+  }
+}
+
+TEST(Accurate, ReflectsADiscFromAWallWithFrictionAndSpin) {
+  const double mu = 0.3;
+  const double e = 0.6;
+  std::mt19937 random(3);
+  for (int start = 0; start < 4; ++start) {
+    Settings settings = accurate();
+    settings.gravity = {};
+    World world(settings);
+    ground(world, material(e, mu));
+    const double vx = seeded(random, -4, 4);
+    const double vy = seeded(random, -6, -2);
+    const double w = seeded(random, -8, 8);
+    const BodyId id = world.create_body(at(0, 2, vx, vy, w), Shape::circle(real(.5)), material(e, mu));
+    run(world, 2);
+    // Jt stops the contact point's slip (effective mass m/3) or is mu Jn.
+    const double jn = -(1 + e) * vy;
+    const double slip = vx + w * .5;
+    const double jt = std::clamp(-slip / 3, -mu * jn, mu * jn);
+    EXPECT_NEAR(world.body(id).velocity().y, -e * vy, bound(1e-9, 1e-5));
+    EXPECT_NEAR(world.body(id).velocity().x, vx + jt, bound(1e-6, 1e-4));
+    EXPECT_NEAR(world.body(id).angular_velocity(), w + jt * .5 / (.5 * .25), bound(1e-6, 1e-4));
+  }
+}
+
+TEST(Accurate, ScattersDiscsObliquelyUpToAThousandfoldMass) {
+  for (const double ratio : {1.0, 10.0, 1000.0}) {
+    const double e = 1;
+    Settings settings = accurate();
+    settings.gravity = {};
+    World world(settings);
+    Material heavy = material(e);
+    heavy.density = real(ratio);
+    const BodyId a = world.create_body(at(-2, 0, 3, 0), Shape::circle(real(.5)), material(e));
+    const BodyId b = world.create_body(at(1, .4, -1, .1), Shape::circle(real(.5)), heavy);
+    run(world, 2);
+    // In the frame of the centres: at contact the distance is 1, so the offset along the path gives the normal.
+    const double rx = 3.0;
+    const double ry = .4;
+    const double ux = -4.0;
+    const double uy = .1;  // of b relative to a
+    const double uu = ux * ux + uy * uy;
+    const double ru = rx * ux + ry * uy;
+    const double t = (-ru - std::sqrt(ru * ru - uu * (rx * rx + ry * ry - 1))) / uu;
+    const double nx = rx + ux * t;
+    const double ny = ry + uy * t;
+    const double vn = ux * nx + uy * ny;
+    const double j = -(1 + e) * vn / (1 + 1 / ratio);
+    EXPECT_NEAR(world.body(a).velocity().x, 3 - j * nx, bound(1e-9, 1e-4));
+    EXPECT_NEAR(world.body(a).velocity().y, -j * ny, bound(1e-9, 1e-4));
+    EXPECT_NEAR(world.body(b).velocity().x, -1 + j * nx / ratio, bound(1e-9, 1e-4));
+    EXPECT_NEAR(world.body(b).position().x, 1 - 2 + j * nx / ratio * (2 - t), bound(1e-6, 1e-4));
+  }
+}
+
+TEST(Accurate, LandsABoxOnItsCornerAsTheImpulseLawSays) {
+  std::mt19937 random(4);
+  for (int start = 0; start < 4; ++start) {
+    const double e = seeded(random, .3, 1);
+    const double angle = seeded(random, .3, .7);
+    const double w = seeded(random, 0, .5);
+    World world(accurate());
+    ground(world, material(e));
+    const double drop = 1;
+    const BodyId id = world.create_body(at(0, 2, 0, 0, w, angle), Shape::box(vec(.5, .5)), material(e));
+    // The corner that is lowest at the impact, found by bisection on its exact height.
+    const auto height = [&](double t) {
+      const double phi = angle + w * t;
+      return 2 - g * t * t / 2 - .5 * (std::sin(phi) + std::cos(phi));
+    };
+    double low = 0;
+    double high = 1;
+    for (int i = 0; i < 200; ++i) (height((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
+    const double t = low;
+    const double phi = angle + w * t;
+    // Corner (-.5, -.5) turned by phi; its arm across the normal is rx.
+    const double rx = -.5 * std::cos(phi) + .5 * std::sin(phi);
+    const double vn = -g * t + w * rx;
+    const double inertia = 1.0 / 6;
+    const double j = -(1 + e) * vn / (1 + rx * rx / inertia);
+    const int steps = static_cast<int>(std::ceil(t * 60));
+    for (int i = 0; i < steps; ++i) world.step();
+    const double after = steps / 60.0;
+    EXPECT_NEAR(world.body(id).angular_velocity(), w + rx * j / inertia, bound(1e-6, 2e-4)) << drop;
+    EXPECT_NEAR(world.body(id).velocity().y, -g * after + j, bound(1e-6, 2e-4));
+  }
+}
+
+TEST(Accurate, HandsSpeedThroughACradleOfFive) {
+  for (const double gap : {0.0, 0.01}) {
+    Settings settings = accurate();
+    settings.gravity = {};
+    World world(settings);
+    std::vector<BodyId> balls;
+    for (int i = 0; i < 5; ++i) {
+      balls.push_back(world.create_body(at(i * (1 + gap) + (i == 0 ? -1 : 0), 0, i == 0 ? 2 : 0),
+                                        Shape::circle(real(.5)), material(1)));
+    }
+    run(world, 2);
+    for (int i = 0; i < 5; ++i) {
+      EXPECT_NEAR(world.body(balls[static_cast<std::size_t>(i)]).velocity().x, i == 4 ? 2 : 0, bound(1e-6, 1e-4));
+    }
+  }
+}
+
+/// Impacts of a light block between a wall and a heavy one that comes at it (Galperin 2003), by changes of velocity.
+int galperin(double ratio, double seconds) {
+  Settings settings = accurate();
+  settings.gravity = {};
+  World world(settings);
+  BodyDef wall;
+  wall.type = BodyType::fixed;
+  world.create_body(wall, Shape::half_space({1, 0}, 0), material(1));
+  Material heavy = material(1);
+  heavy.density = real(ratio);
+  const BodyId light = world.create_body(at(2, 0), Shape::circle(real(.5)), material(1));
+  const BodyId big = world.create_body(at(4, 0, -1), Shape::circle(real(.5)), heavy);
+  // Each impact with the big block changes its momentum by 2 m |u|; in the plane (sqrt(M) V, sqrt(m) v) every pair of
+  // impacts turns the state by 2 theta with tan(theta) = sqrt(m/M), so the final angle tells how many there were.
+  run(world, seconds);
+  const double theta = std::atan(1 / std::sqrt(ratio));
+  const double big_v = static_cast<double>(world.body(big).velocity().x);
+  const double light_v = static_cast<double>(world.body(light).velocity().x);
+  EXPECT_NEAR(std::sqrt(big_v * big_v + light_v * light_v / ratio), 1, bound(1e-9, 1e-4));
+  // State starts at angle pi; after n pairs it stands at pi - 2 n theta.
+  const double angle = std::atan2(light_v / std::sqrt(ratio), big_v);
+  const double pairs = (static_cast<double>(pi) - angle) / (2 * theta);
+  EXPECT_LT(std::abs(light_v), big_v + 1e-3);
+  // A last impact with the wall mirrors the light block's velocity; either parity is told by the count of half turns.
+  return static_cast<int>(std::lround(2 * pairs));
+}
+
+TEST(Accurate, CountsTheDigitsOfPiInCollisions) {
+  EXPECT_EQ(galperin(100, 12), 31);
+  if (is_double) {
+    EXPECT_EQ(galperin(10000, 12), 314);
+  }
+}
+
+struct Stacked {
+  double low;      // m, by which the top is too low at the end
+  double aside;    // m, farthest drift of any box sideways
+  double fastest;  // m/s, at the end
+};
+
+Stacked stack(int n, double top_density, unsigned seed, double seconds) {
+  World world(accurate());
+  std::mt19937 random(seed);
+  ground(world, material(0, .6));
+  std::vector<BodyId> boxes;
+  std::vector<double> xs;
+  for (int i = 0; i < n; ++i) {
+    Material m = material(0, .6);
+    if (i == n - 1) m.density = real(top_density);
+    xs.push_back(seeded(random, -.002, .002));
+    boxes.push_back(world.create_body(at(xs.back(), .5 + i), Shape::box(vec(.5, .5)), m));
+  }
+  run(world, seconds);
+  Stacked result{};
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Body body = world.body(boxes[i]);
+    result.aside = std::max(result.aside, std::abs(static_cast<double>(body.position().x) - xs[i]));
+    result.fastest = std::max(result.fastest, static_cast<double>(length(body.velocity())));
+  }
+  result.low = n - .5 - static_cast<double>(world.body(boxes.back()).position().y);
+  return result;
+}
+
+TEST(Accurate, StacksOfTenAndTwentyStandSettleAndDoNotSink) {
+  for (const int n : {10, 20}) {
+    for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+      const Stacked result = stack(n, 1, seed, 20);
+      EXPECT_LT(std::abs(result.low), 1e-4) << n << " boxes, seed " << seed;
+      EXPECT_LT(result.aside, .01) << n << " boxes, seed " << seed;
+      EXPECT_LT(result.fastest, 1e-3) << n << " boxes, seed " << seed;
+    }
+  }
+}
+
+TEST(Accurate, StacksOfFiftyAndHeavyLoadsStand) {
+  for (const unsigned seed : {1U, 2U}) {
+    const Stacked tall = stack(50, 1, seed, 20);
+    EXPECT_LT(std::abs(tall.low), 1e-3) << "seed " << seed;
+    EXPECT_LT(tall.aside, .02) << "seed " << seed;
+    const Stacked heavy = stack(2, 400, seed, 20);
+    EXPECT_LT(std::abs(heavy.low), 1e-3) << "seed " << seed;
+    EXPECT_LT(heavy.aside, .02) << "seed " << seed;
+    const Stacked top = stack(11, 100, seed, 20);
+    EXPECT_LT(std::abs(top.low), 1e-3) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace impulse::inline IMPULSE_PRECISION
