@@ -1,0 +1,95 @@
+#include "reference/exact/recognise.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "scenarios/mass.h"
+
+namespace plumb {
+namespace {
+
+Floor world(Vec normal, double offset, const Body& body, double from, double to) {
+  const Vec n = turned(normal, body.angle);
+  const Floor here{.normal = n, .offset = offset + dot(n, body.position)};
+  const double shift = dot(here.along(), body.position);
+  return {n, here.offset, from + shift, to + shift};
+}
+
+}  // namespace
+
+std::string beyond_textbook(const Scene& scene) {
+  if (!scene.joints.empty()) return "knows no joints";
+  if (!scene.forces.empty()) return "knows no force but gravity";
+  for (const Body& body : scene.bodies) {
+    if (body.linear_damping != 0 || body.angular_damping != 0) return "knows no damping";
+  }
+  return "";
+}
+
+BodyState start_of(const Body& body) {
+  return {.position = body.position + turned(mass_of(body).center, body.angle),
+          .angle = body.angle,
+          .velocity = body.velocity,
+          .angular_velocity = body.angular_velocity};
+}
+
+std::vector<BodyState> start_of(const Scene& scene) {
+  std::vector<BodyState> states;
+  for (const Body& body : scene.bodies) states.push_back(start_of(body));
+  return states;
+}
+
+Vec gravity_of(const Scene& scene, const Body& body) {
+  return body.type == BodyType::dynamic ? body.gravity_scale * scene.gravity : Vec{};
+}
+
+std::optional<Floor> floor_of(const Body& body, Vec gravity) {
+  if (body.type != BodyType::fixed) return std::nullopt;
+  if (const HalfSpace* half = lone<HalfSpace>(body)) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    return world(half->normal, half->offset, body, -far, far);
+  }
+  const Box* box = lone<Box>(body);
+  if (box == nullptr) return std::nullopt;
+  const Vec sides[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  const double extents[] = {box->size.x / 2, box->size.y / 2};
+  std::optional<Floor> best;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const Vec normal = turned(sides[side], box->angle);
+    const double reach = extents[(side + 1) % 2];
+    const double middle = dot({normal.y, -normal.x}, box->center);
+    const double offset = extents[side % 2] + dot(normal, box->center);
+    const Floor face = world(normal, offset, body, middle - reach, middle + reach);
+    if (!best || dot(face.normal, gravity) < dot(best->normal, gravity)) best = face;
+  }
+  return best;
+}
+
+std::optional<Pair> one_on_ground(const Scene& scene) {
+  if (scene.bodies.size() != 2) return std::nullopt;
+  for (const std::size_t ground : {std::size_t{0}, std::size_t{1}}) {
+    const std::size_t body = 1 - ground;
+    if (scene.bodies[ground].type == BodyType::fixed && scene.bodies[body].type == BodyType::dynamic) {
+      return Pair{ground, body};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Footprint> footprint(const Box& box, double angle, const Floor& floor) {
+  const double off = angle + box.angle - std::atan2(floor.along().y, floor.along().x);
+  const double quarters = std::round(off / (std::numbers::pi / 2));
+  if (std::abs(off - quarters * std::numbers::pi / 2) > flat) return std::nullopt;
+  if (std::fmod(quarters, 2.0) != 0) return Footprint{box.size.y, box.size.x};
+  return Footprint{box.size.x, box.size.y};
+}
+
+Coefficients between(const Scene& scene, const Body& a, const Body& b) {
+  const Surface& one = a.shapes.front().surface;
+  const Surface& other = b.shapes.front().surface;
+  return {mixed_static_friction(scene.mixing, one, other), mixed_dynamic_friction(scene.mixing, one, other),
+          mixed_restitution(scene.mixing, one, other)};
+}
+
+}  // namespace plumb

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cmath>
+
+#include "scenarios/scenario.h"
+
+/// Parts of what an Expectation allows, each derived from how the contender says it steps.
+namespace plumb {
+
+/// After t seconds of stepping with numbers up to `size`: a step rounds a speed twice and a place twice, by half an
+/// epsilon each, and every such error may point the same way. `size` counts what the speed's error moves: |x| + |v| t.
+inline double round_off(const Stepping& s, double t, double size) {
+  const double steps = s.h > 0 ? t / s.h : 1;
+  return 4 * s.epsilon * (steps + 1) * size;
+}
+
+/// m, by which a place is off after t seconds under a constant acceleration: drift a t h.
+inline double drifted(const Stepping& s, double acceleration, double t) {
+  return std::abs(s.drift) * std::abs(acceleration) * t * s.h;
+}
+
+/// s, between a contact and its being noticed.
+inline double lag(const Stepping& s) { return s.impact_lag * s.h; }
+
+}  // namespace plumb

@@ -1,0 +1,76 @@
+#include "reference/exact/closed_form.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "scenarios/scenario.h"
+
+namespace plumb {
+namespace {
+
+TEST(ClosedForms, AreAllHere) {
+  std::vector<std::string> names;
+  for (const Contender* contender : Catalog<Contender>::all()) {
+    if (contender->exact) names.push_back(contender->name);
+  }
+  EXPECT_THAT(names, testing::ElementsAre("ballistic", "bounce", "first-impact", "rest", "slide"));
+}
+
+TEST(Contenders, NameTheirSource) {
+  for (const Contender* contender : Catalog<Contender>::all()) {
+    EXPECT_NE(contender->source, "") << contender->name;
+  }
+}
+
+TEST(ClosedForms, AcceptEveryVariantOfTheScenariosThatNameThem) {
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    if (scenario->closed_form.empty()) continue;
+    const Contender* form = Catalog<Contender>::find(scenario->closed_form);
+    ASSERT_NE(form, nullptr) << scenario->name;
+    for (const Variant& variant : scenario->variants) {
+      const Scene scene = scenario->scene(complete(*scenario, variant.changes));
+      EXPECT_EQ(form->unsupported(scene, {}), "") << scenario->name << ' ' << variant.label;
+    }
+  }
+}
+
+TEST(ClosedForms, StartWhereTheirSceneDoesAndHoldUntilTheLastExpectation) {
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    if (scenario->closed_form.empty()) continue;
+    for (const Variant& variant : scenario->variants) {
+      const Parameters parameters = complete(*scenario, variant.changes);
+      const Scene scene = scenario->scene(parameters);
+      const auto simulation = Catalog<Contender>::find(scenario->closed_form)->build(scene, {});
+      std::vector<BodyState> states(scene.bodies.size());
+      simulation->read(states);
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        EXPECT_EQ(states[i].position, scene.bodies[i].position) << scenario->name;
+        EXPECT_EQ(states[i].angle, scene.bodies[i].angle) << scenario->name;
+        EXPECT_NEAR(states[i].velocity.x, scene.bodies[i].velocity.x, 1e-15) << scenario->name;
+      }
+      for (const Expectation& expectation : scenario->expectations(parameters)) {
+        EXPECT_LE(expectation.time.value_or(scene.duration), simulation->valid_until())
+            << scenario->name << ' ' << variant.label;
+      }
+    }
+  }
+}
+
+TEST(ClosedForm, RefusesToBuildWhatItDoesNotSupport) {
+  EXPECT_THROW(Catalog<Contender>::find("bounce")->build(Scene{.name = "empty"}, {}), std::invalid_argument);
+}
+
+TEST(Elapsed, DoesNotDriftOverAMillionSteps) {
+  Elapsed elapsed;
+  for (int i = 0; i < 1000000; ++i) elapsed.add(1.0 / 60);
+  EXPECT_NEAR(elapsed.seconds(), 1000000 / 60.0, 4e-12);  // an ulp of the sum
+}
+
+}  // namespace
+}  // namespace plumb

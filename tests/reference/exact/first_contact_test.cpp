@@ -1,0 +1,78 @@
+#include "reference/exact/first_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scenarios/parts.h"
+
+namespace plumb {
+namespace {
+
+const Floor ground{.normal = {0, 1}};
+const Vec gravity{0, -10};
+
+double lowest(const std::vector<Corner>& corners, const BodyState& state) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Corner& corner : corners) least = std::min(least, clearance(corner, state, ground));
+  return least;
+}
+
+// Looks at a hundred thousand moments, then halves the interval in which the body first went under.
+double scan(const std::vector<Corner>& corners, const BodyState& start, double horizon) {
+  constexpr int moments = 100000;
+  for (int i = 1; i <= moments; ++i) {
+    double high = horizon * i / moments;
+    if (lowest(corners, thrown(start, gravity, high)) >= 0) continue;
+    double low = horizon * (i - 1) / moments;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (low + high) / 2;
+      (lowest(corners, thrown(start, gravity, middle)) < 0 ? high : low) = middle;
+    }
+    return high;
+  }
+  return horizon;
+}
+
+TEST(FirstContact, IsTheOneAScanFinds) {
+  const std::vector<Corner> corners = corners_of(box("box", {0, 0}, {2, 0.2}, {}));
+  for (int i = 0; i < 40; ++i) {
+    const BodyState start{
+        .position = {0, 3}, .angle = 0.37 * i, .velocity = {1, 0.1 * i}, .angular_velocity = -9 + 0.45 * i};
+    const std::optional<Contact> contact = first_contact(start, gravity, corners, ground, 3);
+    ASSERT_TRUE(contact) << i;
+    EXPECT_NEAR(contact->time, scan(corners, start, 3), 1e-12) << i;
+  }
+}
+
+TEST(FirstContact, OfADiscNeedsNoScan) {
+  const std::vector<Corner> corners = corners_of(disc("disc", {0, 0}, 0.5, {}));
+  const BodyState start{.position = {0, 4.5}, .angular_velocity = 20};
+  EXPECT_NEAR(first_contact(start, gravity, corners, ground, 2)->time, std::sqrt(0.8), 1e-15);
+}
+
+TEST(FirstContact, LeavesTheOneItStartsWith) {
+  const std::vector<Corner> corners = corners_of(disc("disc", {0, 0}, 0.5, {}));
+  const BodyState start{.position = {0, 0.5}, .velocity = {0, 5}};
+  EXPECT_NEAR(first_contact(start, gravity, corners, ground, 2)->time, 1, 1e-15);
+}
+
+TEST(FirstContact, NeverComesWhereNothingFalls) {
+  const std::vector<Corner> corners = corners_of(box("box", {0, 0}, {1, 1}, {}));
+  EXPECT_FALSE(first_contact({.position = {0, 3}, .angular_velocity = 4}, {}, corners, ground, 100));
+  EXPECT_FALSE(first_contact({.position = {0, 3}, .velocity = {0, -0.01}}, {}, corners, ground, 100));
+  EXPECT_NEAR(first_contact({.position = {0, 3}, .velocity = {0, -1}}, {}, corners, ground, 100)->time, 2.5, 1e-15);
+}
+
+TEST(CornersOf, AreMeasuredFromTheCentreOfMass) {
+  const Body triangle{.shapes = {{.geometry = Polygon{{{0, 0}, {3, 0}, {0, 3}}}, .surface = {}}}};
+  const std::vector<Corner> corners = corners_of(triangle);
+  ASSERT_EQ(corners.size(), 3u);
+  EXPECT_NEAR(corners[0].offset.x, -1, 1e-15);
+  EXPECT_NEAR(corners[1].offset.x, 2, 1e-15);
+}
+
+}  // namespace
+}  // namespace plumb

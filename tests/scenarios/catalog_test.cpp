@@ -1,0 +1,88 @@
+#include "scenarios/catalog.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scenarios/mass.h"
+#include "scenarios/scenario.h"
+
+namespace plumb {
+namespace {
+
+TEST(Scenarios, AreAllHere) {
+  std::vector<std::string> names;
+  for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);
+  EXPECT_THAT(names, testing::ElementsAre("bounce", "slope", "spinning-obb", "stacking"));
+}
+
+TEST(Scenarios, OfTheShortReportAreTheFourCanonicalOnes) {
+  std::vector<std::string> names;
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    if (scenario->canonical) names.push_back(scenario->name);
+  }
+  EXPECT_THAT(names, testing::ElementsAre("bounce", "slope", "spinning-obb", "stacking"));
+}
+
+// What every variant of every family must be: a scene with names to call its bodies by, on the grid of 1/60 s.
+TEST(Scenarios, MakeWellFormedScenes) {
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    EXPECT_NE(scenario->question, "") << scenario->name;
+    ASSERT_FALSE(scenario->variants.empty()) << scenario->name;
+    std::set<std::string> labels;
+    for (const Variant& variant : scenario->variants) {
+      EXPECT_TRUE(labels.insert(variant.label).second) << scenario->name << ' ' << variant.label;
+      const Scene scene = scenario->scene(complete(*scenario, variant.changes));
+      EXPECT_EQ(scene.name, scenario->name);
+      EXPECT_NEAR(scene.duration * 60, std::round(scene.duration * 60), 1e-9) << scenario->name;
+      std::set<std::string> bodies;
+      for (const Body& body : scene.bodies) {
+        EXPECT_TRUE(bodies.insert(body.name).second) << scenario->name << ' ' << body.name;
+        EXPECT_EQ(mass_of(body).mass > 0, body.type == BodyType::dynamic) << scenario->name << ' ' << body.name;
+      }
+    }
+  }
+}
+
+TEST(Scenarios, ExpectOnlyOfBodiesThatAreThere) {
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    for (const Variant& variant : scenario->variants) {
+      const Parameters parameters = complete(*scenario, variant.changes);
+      const Scene scene = scenario->scene(parameters);
+      std::set<std::string> bodies{""};
+      for (const Body& body : scene.bodies) bodies.insert(body.name);
+      for (const Expectation& expectation : scenario->expectations(parameters)) {
+        EXPECT_TRUE(bodies.count(expectation.body)) << scenario->name << ' ' << expectation.body;
+        EXPECT_NE(expectation.source, "") << scenario->name;
+        EXPECT_TRUE(expectation.expected || !scenario->closed_form.empty()) << scenario->name;
+      }
+    }
+  }
+}
+
+// An allowance is what the method owes: finite at 60 steps a second, less with every finer step, round-off alone for
+// none.
+TEST(Scenarios, AllowLessWithFinerStepsAndAlmostNothingWithout) {
+  const auto stepping = [](double h) { return Stepping{.dt = h, .h = h, .drift = 0.5, .epsilon = 0x1p-53}; };
+  const Stepping exact{.dt = 1e-9, .impact_lag = 0, .epsilon = 0x1p-53};
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    for (const Variant& variant : scenario->variants) {
+      for (const Expectation& expectation : scenario->expectations(complete(*scenario, variant.changes))) {
+        const std::string what =
+            scenario->name + ' ' + variant.label + ' ' + expectation.body + ' ' + name_of(expectation.quantity);
+        const double coarse = expectation.allowed(stepping(1.0 / 60));
+        const double fine = expectation.allowed(stepping(1.0 / 960));
+        EXPECT_TRUE(std::isfinite(coarse) && fine > 0) << what;
+        EXPECT_TRUE(coarse < 1e-8 || fine < coarse / 4) << what << ' ' << coarse << ' ' << fine;
+        EXPECT_LT(expectation.allowed(exact), 1e-9) << what;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plumb
