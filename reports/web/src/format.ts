@@ -68,6 +68,11 @@ export function share(ratio: number): string {
   return ratio < 1000 ? ratio.toPrecision(3) : "> 1000";
 }
 
+/** A command line as a shell takes it. */
+export function shell(words: string[]): string {
+  return words.map((word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(" ");
+}
+
 /** "a, b and c" */
 export function enumerate(parts: string[]): string {
   return parts.length < 2 ? parts.join("") : `${parts.slice(0, -1).join(", ")} and ${parts[parts.length - 1]}`;

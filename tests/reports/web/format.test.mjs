@@ -38,3 +38,7 @@ test("a share of what is allowed stays short", () => {
     "0", "< 0.001", "0.042", "1.00", "3.23", "> 1000", "no bound", "\u2013",
   ]);
 });
+
+test("a command line survives a shell", () => {
+  assert.equal(format.shell(["./plumb", "run", "slope:it's 20\u00b0"]), "./plumb run 'slope:it'\\''s 20\u00b0'");
+});

@@ -4,7 +4,7 @@ import { number, time_step } from "../format";
 import type { Entry, Model } from "../model";
 import { decades } from "./decades";
 import { figure } from "./figure";
-import { dot_look, plot_look } from "./look";
+import { dot_look, plot_look, tip_look } from "./look";
 
 /** Smaller errors are round-off; they stand at the foot of the chart. */
 const least_floor = 1e-12; // m
@@ -62,11 +62,7 @@ export function cost_chart(model: Model): HTMLElement | null {
   const by_contender = model.contenders.map((contender) => marks.filter(({ entry }) => entry.contender === contender));
   const draw = (width: number) =>
     Plot.plot({
-      ...plot_look(width, Math.max(300, Math.min(460, width * 0.55))),
-      marginLeft: 56,
-      marginTop: 28,
-      marginRight: 16,
-      marginBottom: 40,
+      ...plot_look(width, 400),
       ariaLabel: "Error against cost of every run",
       x: {
         type: "log",
@@ -105,7 +101,7 @@ export function cost_chart(model: Model): HTMLElement | null {
             }),
           ),
         ),
-        Plot.tip(marks, Plot.pointer({ x: "cost", y: height_of, title: described, fill: "var(--paper)", stroke: "var(--faint)" })),
+        Plot.tip(marks, Plot.pointer({ x: "cost", y: height_of, title: described, ...tip_look })),
       ],
     });
   return figure({

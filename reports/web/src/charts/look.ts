@@ -16,16 +16,30 @@ export const dot_look = (contender: Contender) => ({
   strokeWidth: 1,
 });
 
+/** Charts grow with the page's type: sizes are given for type of 16 px. */
+export const scale = (): number => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+
 /** What all charts share. */
-export const plot_look = (width: number, height: number): Plot.PlotOptions => ({
-  width,
-  height,
-  style: { fontFamily: "inherit", fontSize: "12px", background: "none", overflow: "visible" },
-});
+export function plot_look(width: number, height: number): Plot.PlotOptions {
+  const size = scale();
+  return {
+    width,
+    height: height * size,
+    marginLeft: 56 * size,
+    marginTop: 27 * size,
+    marginRight: 12 * size,
+    marginBottom: 38 * size,
+    style: { fontFamily: "inherit", fontSize: "0.77rem", background: "none", overflow: "visible" },
+  };
+}
+
+/** What the pointer is told. */
+export const tip_look = { fill: "var(--paper)", stroke: "var(--faint)" };
 
 const swatch = (contender: Contender): Element =>
   Plot.plot({
-    ...plot_look(36, 16),
+    width: 36,
+    height: 16,
     margin: 0,
     x: { domain: [0, 36], axis: null },
     y: { domain: [0, 16], axis: null },

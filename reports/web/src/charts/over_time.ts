@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { given, number, pretty_unit } from "../format";
 import type { Contender, Entry } from "../model";
 import { decades } from "./decades";
-import { dot_look, line_look, plot_look } from "./look";
+import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
 
 export interface Point {
   t: number;
@@ -65,12 +65,8 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
   const drawn = [...lines].sort((a, b) => Number(b.contender.exact) - Number(a.contender.exact));
   return Plot.plot({
     ...plot_look(width, height),
-    marginLeft: 56,
-    marginTop: 26,
-    marginRight: 12,
-    marginBottom: 36,
     ariaLabel: `${quantity} over time`,
-    x: { label: "time (s)", domain: [0, Math.max(...all.map(({ t }) => t))], labelAnchor: "right", ticks: Math.max(3, Math.floor(width / 90)) },
+    x: { label: "time (s)", domain: [0, Math.max(...all.map(({ t }) => t))], labelAnchor: "right", ticks: Math.max(3, Math.floor(width / (90 * scale()))) },
     y: {
       label: `${quantity} (${pretty_unit(unit)})`,
       type: log ? "log" : "linear",
@@ -92,8 +88,7 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
           x: "t",
           y: "value",
           title: (point: Point) => `${point.contender.label}\n${number(point.value, unit, 4)}\nat ${number(point.t, "s")}`,
-          fill: "var(--paper)",
-          stroke: "var(--faint)",
+          ...tip_look,
         }),
       ),
     ],

@@ -1,6 +1,6 @@
 // How the numbers are made, on what, and how to make them again.
 import { h } from "../dom";
-import { number, pretty_unit, words } from "../format";
+import { number, pretty_unit, shell, words } from "../format";
 import type { Model } from "../model";
 
 const definitions: [string, string][] = [
@@ -23,8 +23,6 @@ const definitions: [string, string][] = [
 function entries(pairs: [string, string][], kind: string): HTMLElement {
   return h("dl", { class: kind }, ...pairs.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
 }
-
-const quoted = (word: string): string => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
 export function method(model: Model): HTMLElement {
   const { report } = model.page;
@@ -51,7 +49,7 @@ export function method(model: Model): HTMLElement {
       "definitions",
     ),
     h("h3", {}, "To make it again"),
-    h("pre", {}, again.map((line) => line.map(quoted).join(" ")).join("\n")),
+    h("pre", {}, again.map(shell).join("\n")),
     h("h3", {}, "Made with"),
     entries(Object.entries(report.environment).map(([name, value]) => [words(name), value]), "environment"),
     clock.length ? h("h3", {}, "Time it took") : null,

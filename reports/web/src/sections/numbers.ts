@@ -1,7 +1,7 @@
 // Two tables of a case: what was measured of each run, and how far the runs are from each other and from the truth.
 import type { Measured } from "../data";
 import { h, table } from "../dom";
-import { number, words } from "../format";
+import { number, shell, words } from "../format";
 import type { Case } from "../model";
 
 interface Column {
@@ -37,5 +37,6 @@ export function numbers(place: Case): HTMLElement | null {
   const tables = [metric_table("Measured of each run", runs), metric_table("Differences", pairs)].filter(Boolean);
   const reasons = place.comparisons.filter(({ reason }) => reason).map(({ a, b, reason }) => h("p", {}, `${a} against ${b}: ${reason}`));
   if (!tables.length) return null;
-  return h("details", { class: "more" }, h("summary", {}, "All numbers, and the engines against each other"), ...tables, ...reasons);
+  const command = h("pre", {}, shell(["./plumb", "run", `${place.scenario}:${place.variant}`]));
+  return h("details", { class: "more" }, h("summary", {}, "All numbers, and how to make them again"), ...tables, ...reasons, command);
 }

@@ -40,8 +40,6 @@ export function overview(model: Model): HTMLElement {
       { class: "lede" },
       "Each number is the largest error of a run as a share of what is allowed there; the tick on the bar is the limit. A cell leads to its evidence.",
     ),
-    matrix(model, engines),
-    legend(engines),
-    cost_chart(model),
+    h("div", { class: "pair" }, h("div", {}, matrix(model, engines), legend(engines)), cost_chart(model)),
   );
 }
