@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -52,7 +53,7 @@ class RandomShapes {
   std::mt19937_64 random_;
 };
 
-constexpr std::array all_shape_types{ShapeType::circle,  ShapeType::box,     ShapeType::polygon,
-                                     ShapeType::capsule, ShapeType::segment, ShapeType::half_space};
+inline constexpr std::array all_shape_types{ShapeType::circle,  ShapeType::box,     ShapeType::polygon,
+                                            ShapeType::capsule, ShapeType::segment, ShapeType::half_space};
 
 }  // namespace impulse::inline IMPULSE_PRECISION

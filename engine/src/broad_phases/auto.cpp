@@ -1,0 +1,43 @@
+#include <algorithm>
+
+#include "broad_phase.h"
+#include "method_list.h"
+#include "proxy_sizes.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// Chooses anew at each call, by the proxies alone: brute force for up to 64; the grid where no more than
+/// 8 + count / 64 of them are large (each of those is tested against all); else the tree.
+class Auto : public BroadPhase {
+ public:
+  void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) override {
+    choose(proxies).find_pairs(proxies, pairs);
+  }
+
+ private:
+  BroadPhase& choose(std::span<const Proxy> proxies) {
+    if (proxies.size() <= 64) return method(brute_, "brute");
+    const double typical = typical_extent(proxies);
+    const auto large = static_cast<std::size_t>(std::count_if(
+        proxies.begin(), proxies.end(), [typical](const Proxy& proxy) { return is_large(proxy, typical); }));
+    return large <= 8 + proxies.size() / 64 ? method(grid_, "grid") : method(tree_, "tree");
+  }
+
+  // Made when first needed: before main the list may not be complete.
+  static BroadPhase& method(std::unique_ptr<BroadPhase>& slot, std::string_view name) {
+    if (!slot) slot = MethodList<BroadPhase>::make(name);
+    return *slot;
+  }
+
+  std::unique_ptr<BroadPhase> brute_, grid_, tree_;
+};
+
+const MethodList<BroadPhase>::Entry entry{
+    {"auto", "brute, grid or tree, by the number and the sizes of the bodies", "measured, see benchmarks"},
+    [] { return std::make_unique<Auto>(); }};
+
+}  // namespace
+
+}  // namespace impulse::inline IMPULSE_PRECISION
