@@ -19,7 +19,7 @@ constexpr Real percent =
 struct Point {
   Real normal_mass = 0;   // kg, 1 / (1/mA + 1/mB + (rA x n)^2/IA + (rB x n)^2/IB)
   Real tangent_mass = 0;  // kg, the same along the tangent
-  Real rebound = 0;       // m/s, the speed of parting that restitution asks for
+  Real rebound = 0;       // m/s, the speed of parting that the approach before any impulse asks for; 0 once reached
 };
 
 /// Two bodies that touch, for as long as their contact is worked on.
@@ -63,9 +63,9 @@ struct Touching {
 ///
 /// divided by the number of the manifold's points, as in the demo engine: each would stop a flat landing alone.
 /// Iterated over two points that formula ends at vn = 0, whatever e, since every impulse sees only what the others
-/// left. So the first approach that a point shows settles the speed of parting, e |vn|, and
+/// left. So the approach before any impulse, vn0, settles the speed of parting, and until a point has reached it
 ///
-///     j = (e |vn first| - vn) / k:  a single point gets the printed impulse exactly.
+///     j = (e |vn0| - vn) / k:  a single point gets the printed impulse exactly, and at once.
 ///
 /// Friction has no (1 + e): jt = -vt / kt, divided likewise. Amontons-Coulomb: it sticks while |jt| <= mu_static j,
 /// else it slides with mu_dynamic j against the motion. In the plane the print's tangent, vr - (vr.n) n at unit length,
@@ -104,17 +104,12 @@ class Article : public Solver {
         Point& point = points_[c][p];
         point.normal_mass = pair.mass(at, contact.normal);
         point.tangent_mass = pair.mass(at, perpendicular(contact.normal));
-        point.rebound = 0;
-        notice_approach(point, contact, dot(pair.relative_velocity(at), contact.normal));
+        point.rebound = rebound(contact, dot(pair.relative_velocity(at), contact.normal));
       }
     }
   }
 
-  /// Where others set the pair in motion, as in a row of touching balls, the first approach comes during the
-  /// iterations.
-  void notice_approach(Point& point, const Contact& contact, Real vn) const {
-    if (point.rebound == 0 && -vn > resting_speed_) point.rebound = contact.restitution * -vn;
-  }
+  Real rebound(const Contact& contact, Real vn) const { return -vn > resting_speed_ ? contact.restitution * -vn : 0; }
 
   void solve(StepData& data) {
     for (std::size_t c = 0; c < data.contacts.size(); ++c) {
@@ -134,9 +129,11 @@ class Article : public Solver {
     const Real share = 1 / static_cast<Real>(contact.count);
 
     const Real vn = dot(pair.relative_velocity(at), normal);
-    notice_approach(point, contact, vn);
-    const Real j = (point.rebound - vn) * point.normal_mass * share;
-    if (j <= 0) return;
+    // What others set in motion, as in a row of touching balls, answers to how it approaches now.
+    const Real target = std::max(point.rebound, rebound(contact, vn));
+    if (vn >= target || contact.count == 1) point.rebound = 0;
+    if (vn >= target) return;
+    const Real j = (target - vn) * point.normal_mass * share;
     pair.push(at, j * normal);
 
     Real jt = -dot(pair.relative_velocity(at), tangent) * point.tangent_mass * share;
