@@ -45,6 +45,7 @@ void Body::set_pose(Vec2 position, Real angle) {
   const Rotation q(angle);
   set.pose[i] = {position + q * set.detail[i].mass.center, q};
   set.angle[i] = angle;
+  set.remainder[i] = {};
 }
 
 void Body::set_velocity(Vec2 velocity, Real angular_velocity) {

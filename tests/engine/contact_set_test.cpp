@@ -30,7 +30,7 @@ struct Heap {
     return add(def, std::span(&part, 1));
   }
   std::vector<Contact>& find() {
-    contacts.find(bodies, *broad_phase, settings, margin);
+    contacts.find(bodies, *broad_phase, settings, margin, false);
     return contacts.rows();
   }
 };
