@@ -375,7 +375,7 @@ std::vector<std::pair<std::string, std::string>> on_or_off(const char* on, const
 const Catalog<Contender>::Entry entry{{
     .name = "box2d",
     .about = "Box2D 2.4: sequential impulses, symplectic Euler, float",
-    .source = "Box2D " + version() + ", Erin Catto, box2d.org",
+    .source = "Box2D, Erin Catto, box2d.org; says it is " + version() + ", as 2.4.1 does too",
     .options =
         {
             {.key = "velocity",

@@ -38,7 +38,7 @@ BodyState last(const Scene& scene, const Settings& settings, int steps) {
   return states.back();
 }
 
-TEST(Box2d, NamesTheVersionItRunsWith) { EXPECT_EQ(box2d().source.rfind("Box2D 2.4", 0), 0u) << box2d().source; }
+TEST(Box2d, NamesTheVersionItRunsWith) { EXPECT_NE(box2d().source.find("2.4."), std::string::npos) << box2d().source; }
 
 TEST(Box2d, RefusesPolygonsItWouldChange) {
   std::vector<Vec> nine;

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "reference/simulation.h"
+
+namespace plumb {
+namespace {
+
+const Contender* chipmunk() { return Catalog<Contender>::find("chipmunk"); }
+
+// The library is optional: without it there is nothing to test.
+class Chipmunk : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (chipmunk() == nullptr) GTEST_SKIP() << "built without Chipmunk";
+  }
+};
+
+Body body(BodyType type, Vec position, Geometry geometry, double restitution = 0) {
+  Body made;
+  made.name = "body";
+  made.type = type;
+  made.position = position;
+  made.shapes.push_back({std::move(geometry), {1, .5, .5, restitution}});
+  return made;
+}
+
+Scene scene_of(std::vector<Body> bodies) {
+  Scene scene;
+  scene.bodies = std::move(bodies);
+  return scene;
+}
+
+BodyState last(const Scene& scene, const Settings& settings, int steps) {
+  const std::unique_ptr<Simulation> simulation = chipmunk()->build(scene, settings);
+  for (int i = 0; i < steps; ++i) simulation->step(1.0 / 60);
+  std::vector<BodyState> states(scene.bodies.size());
+  simulation->read(states);
+  return states.back();
+}
+
+TEST_F(Chipmunk, NamesTheVersionItRunsWith) { EXPECT_EQ(chipmunk()->source.rfind("Chipmunk2D 7", 0), 0u); }
+
+TEST_F(Chipmunk, GreetsNobody) {
+  testing::internal::CaptureStdout();
+  last(scene_of({body(BodyType::dynamic, {}, Circle{.5})}), {}, 1);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+// Positions move before velocities, and forces are taken after the move: on a spring that is symplectic Euler with its
+// two halves swapped, whose energy stays within w h of what it was (w h = sqrt(100)/60).
+TEST_F(Chipmunk, KeepsTheEnergyOfASpring) {
+  Scene scene = scene_of({body(BodyType::dynamic, {1, 0}, Box{})});
+  scene.gravity = {};
+  scene.forces.push_back(Spring{{}, 0, {0, 0}, {0, 0}, 100, 0, 0});
+  const std::unique_ptr<Simulation> simulation = chipmunk()->build(scene, {});
+  std::vector<BodyState> states(1);
+  for (int i = 0; i < 6000; ++i) {
+    simulation->step(1.0 / 60);
+    simulation->read(states);
+    const Vec x = states[0].position;
+    const Vec v = states[0].velocity;
+    ASSERT_NEAR((v.x * v.x + 100 * x.x * x.x) / 2, 50, 50 * 10.0 / 60) << "step " << i;
+  }
+}
+
+TEST_F(Chipmunk, DampsExponentially) {
+  Scene scene = scene_of({body(BodyType::dynamic, {}, Box{})});
+  scene.gravity = {};
+  scene.bodies[0].velocity = {3, 0};
+  scene.bodies[0].angular_velocity = 5;
+  scene.bodies[0].linear_damping = .4;
+  scene.bodies[0].angular_damping = .7;
+  const BodyState state = last(scene, {}, 60);
+  EXPECT_NEAR(state.velocity.x, 3 * std::exp(-.4), 1e-13);
+  EXPECT_NEAR(state.angular_velocity, 5 * std::exp(-.7), 1e-13);
+}
+
+TEST_F(Chipmunk, LeavesOverlapUpToTheSlop) {
+  const auto rest = [](const Settings& settings) {
+    const Scene scene = scene_of({body(BodyType::fixed, {}, HalfSpace{}), body(BodyType::dynamic, {0, .45}, Box{})});
+    return last(scene, settings, 300).position.y;
+  };
+  EXPECT_NEAR(rest({}), .45, 1e-2);
+  EXPECT_NEAR(rest({{"slop", "0.005"}}), .5 - .005, 1e-3);
+}
+
+TEST_F(Chipmunk, BouncesAtAnySpeed) {
+  Scene scene = scene_of({body(BodyType::fixed, {}, HalfSpace{}), body(BodyType::dynamic, {0, .51}, Circle{.5}, .5)});
+  scene.gravity = {};
+  scene.bodies[1].velocity = {0, -.1};
+  EXPECT_NEAR(last(scene, {}, 30).velocity.y, .05, 1e-12);
+}
+
+}  // namespace
+}  // namespace plumb
