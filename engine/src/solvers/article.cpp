@@ -83,6 +83,9 @@ class Article : public Solver {
 
   void state(const Settings& settings, StatedErrors& errors) const override {
     errors.gap = slop;
+    // Friction is held against each push of its own and not against their sum, so what gravity adds along a slope in a
+    // step, |g| sin(slope) dt, is never taken out whole. Half of |g| dt is that on 30 degrees.
+    errors.creep = length(settings.gravity) * settings.dt / 2;
     errors.restitution_threshold = resting_speed(settings);
   }
 
