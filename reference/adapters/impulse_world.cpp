@@ -74,6 +74,7 @@ impulse::Settings settings_of(const Settings& settings) {
   made.integrator = settings.at("integrator");
   made.broad_phase = settings.at("broad-phase");
   made.iterations = static_cast<int>(std::stod(settings.at("iterations")));
+  made.substeps = static_cast<int>(std::stod(settings.at("substeps")));
   return made;
 }
 
@@ -154,6 +155,7 @@ class Impulse : public Simulation {
 
 std::vector<std::pair<std::string, std::string>> choices(const std::vector<impulse::MethodInfo>& methods) {
   std::vector<std::pair<std::string, std::string>> made;
+  made.reserve(methods.size());
   for (const impulse::MethodInfo& method : methods) made.emplace_back(method.name, method.about);
   return made;
 }
@@ -177,6 +179,12 @@ std::vector<Option> options() {
            .about = "of the velocity solver",
            .min = 1,
            .max = 10000,
+           .whole = true},
+          {.key = "substeps",
+           .value = std::to_string(standard.substeps),
+           .about = "of a step, for solvers that cut it up",
+           .min = 1,
+           .max = 1000,
            .whole = true}};
 }
 

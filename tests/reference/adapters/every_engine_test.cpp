@@ -1,11 +1,12 @@
 // What every engine's adapter owes, whoever wrote the engine: each test runs for every contender that is not a closed
-// form, with its default settings.
+// form, with its default settings and with every other solver, broad phase and precision that it offers.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+#include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reference/simulation.h"
@@ -43,14 +44,24 @@ Scene scene_of(std::vector<Body> bodies) {
   return scene;
 }
 
-class EveryEngine : public testing::TestWithParam<std::string> {
+struct Entrant {
+  std::string name;
+  Settings settings;
+};
+
+void PrintTo(const Entrant& entrant, std::ostream* out) {
+  *out << entrant.name;
+  for (const auto& [key, value] : entrant.settings) *out << ' ' << key << '=' << value;
+}
+
+class EveryEngine : public testing::TestWithParam<Entrant> {
  protected:
-  const Contender& engine() const { return *Catalog<Contender>::find(GetParam()); }
-  Stepping stated() const { return engine().stepping({}, dt); }
-  std::string refusal(const Scene& scene) const { return engine().unsupported(scene, {}); }
+  const Contender& engine() const { return *Catalog<Contender>::find(GetParam().name); }
+  Stepping stated() const { return engine().stepping(GetParam().settings, dt); }
+  std::string refusal(const Scene& scene) const { return engine().unsupported(scene, GetParam().settings); }
 
   std::unique_ptr<Simulation> after(const Scene& scene, int steps) const {
-    std::unique_ptr<Simulation> simulation = engine().build(scene, {});
+    std::unique_ptr<Simulation> simulation = engine().build(scene, GetParam().settings);
     for (int i = 0; i < steps; ++i) simulation->step(dt);
     return simulation;
   }
@@ -345,23 +356,30 @@ TEST_P(EveryEngine, StatesWhereItComesFrom) {
   EXPECT_GT(stated().epsilon, 0);
 }
 
-std::vector<std::string> engines() {
-  std::vector<std::string> names;
+std::vector<Entrant> entrants() {
+  std::vector<Entrant> all;
   for (const Contender* contender : Catalog<Contender>::all()) {
-    if (!contender->exact) names.push_back(contender->name);
+    if (contender->exact) continue;
+    all.push_back({contender->name, {}});
+    for (const Option& option : contender->options) {
+      if (option.key != "solver" && option.key != "broad-phase" && option.key != "precision") continue;
+      for (const auto& [choice, about] : option.choices) {
+        if (choice != option.value) all.push_back({contender->name, {{option.key, choice}}});
+      }
+    }
   }
-  return names;
+  return all;
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
+std::string test_name(const testing::TestParamInfo<Entrant>& info) {
+  std::string name = testing::PrintToString(info.param);
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Adapters, EveryEngine, testing::ValuesIn(engines()), test_name);
+INSTANTIATE_TEST_SUITE_P(Adapters, EveryEngine, testing::ValuesIn(entrants()), test_name);
 
 }  // namespace
 }  // namespace plumb
