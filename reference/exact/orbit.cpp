@@ -1,0 +1,91 @@
+#include "reference/exact/orbit.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "reference/exact/closed_form.h"
+#include "reference/exact/recognise.h"
+
+namespace plumb {
+
+// Vis viva: v^2 = k (2/r - 1/a).
+Orbit::Orbit(Vec place, Vec velocity, double strength)
+    : place_(place),
+      velocity_(velocity),
+      strength_(strength),
+      axis_(1 / (2 / length(place) - dot(velocity, velocity) / strength)) {}
+
+double Orbit::period() const { return 2 * std::numbers::pi * std::sqrt(axis_ * axis_ * axis_ / strength_); }
+
+// Kepler's equation from the starting point instead of the perihelion, in the change x of the eccentric anomaly:
+//   n t = x - (1 - r0/a) sin x + (r0.v0/sqrt(k a)) (1 - cos x),   n = sqrt(k/a^3),
+// whose derivative is r/a > 0; then Lagrange's f and g give r = f r0 + g v0 (Battin, ch. 4.3). It rises with x, so that
+// Newton's method kept within a shrinking bracket always arrives.
+Orbit::State Orbit::at(double t) const {
+  const double r0 = length(place_);
+  const double n = std::sqrt(strength_ / (axis_ * axis_ * axis_));
+  const double m = n * std::remainder(t, period());
+  const double ec = 1 - r0 / axis_;
+  const double es = dot(place_, velocity_) / std::sqrt(strength_ * axis_);
+  double low = m - 2;  // |x - n t| <= 2 e < 2
+  double high = m + 2;
+  double x = m;
+  for (int i = 0; i < 100; ++i) {
+    const double value = x - ec * std::sin(x) + es * (1 - std::cos(x)) - m;
+    (value < 0 ? low : high) = x;
+    const double newton = x - value / (1 - ec * std::cos(x) + es * std::sin(x));
+    const double next = newton > low && newton < high ? newton : (low + high) / 2;
+    if (next == x) break;
+    x = next;
+  }
+  const double less = 2 * std::sin(x / 2) * std::sin(x / 2);  // 1 - cos x without cancelling
+  const double r = axis_ * (1 - ec * std::cos(x) + es * std::sin(x));
+  const double f = 1 - axis_ / r0 * less;
+  const double g = (r0 * std::sin(x) + axis_ * es * less) / (n * axis_);
+  const double df = -std::sqrt(strength_ * axis_) / (r * r0) * std::sin(x);
+  const double dg = 1 - axis_ / r * less;
+  return {f * place_ + g * velocity_, df * place_ + dg * velocity_};
+}
+
+namespace {
+
+struct Planet {
+  std::vector<BodyState> start;
+  std::size_t body = 0, sun = 0;
+  Orbit orbit;
+
+  void at(double t, std::span<BodyState> out) const {
+    for (std::size_t i = 0; i < start.size(); ++i) out[i] = start[i];
+    const Orbit::State now = orbit.at(t);
+    out[body].position = start[sun].position + now.place;
+    out[body].velocity = now.velocity;
+    out[body].angle = start[body].angle + t * start[body].angular_velocity;
+  }
+};
+
+Recognised<Planet> recognise(const Scene& scene) {
+  const std::optional<Pair> pair = one_on_ground(scene);
+  if (!scene.joints.empty() || !pair || scene.forces.size() != 1) return "solves one body about one fixed attractor";
+  const Attraction* pull = std::get_if<Attraction>(&scene.forces.front());
+  if (pull == nullptr || pull->from != pair->ground) return "solves one body about one fixed attractor";
+  if (pull->exponent != 2 || pull->strength <= 0) return "solves attraction with 1/r^2";
+  const Body& body = scene.bodies[pair->body];
+  if (gravity_of(scene, body) != Vec{}) return "solves an orbit without gravity";
+  if (body.linear_damping != 0 || body.angular_damping != 0) return "knows no damping";
+  if ((body.layers & scene.bodies[pair->ground].layers) != 0) return "solves bodies that share no layer";
+  const std::vector<BodyState> start = start_of(scene);
+  const Vec place = start[pair->body].position - start[pair->ground].position;
+  const Vec velocity = start[pair->body].velocity;
+  if (cross(place, velocity) == 0) return "solves orbits, not a fall into the centre";
+  if (dot(velocity, velocity) / 2 >= pull->strength / length(place)) return "solves a body that cannot escape";
+  return Planet{start, pair->body, pair->ground, Orbit(place, velocity, pull->strength)};
+}
+
+const Catalog<Contender>::Entry entry{
+    closed_form<Planet>({.name = "orbit",
+                         .about = "A body on an ellipse about a fixed centre: T = 2 pi sqrt(a^3/k)",
+                         .source = "Kepler, Newton; Battin, Mathematics and Methods of Astrodynamics, ch. 3 and 4"},
+                        recognise)};
+
+}  // namespace
+}  // namespace plumb

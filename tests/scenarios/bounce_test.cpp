@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "scenarios/scenario.h"
+
+namespace plumb {
+namespace {
+
+const Scenario& bounce() { return *Catalog<Scenario>::find("bounce"); }
+
+// The plainest engine there is: symplectic Euler, a contact where the disc overlaps at the start of a step, the speed
+// turned round within it; `lift` moves the disc out of the ground. Its apexes, as a trace of every step shows them.
+std::vector<double> apexes(const Parameters& p, double h, bool lift) {
+  const double radius = p.at("radius");
+  std::vector<double> tops;
+  double y = p.at("height") + radius;
+  double v = 0;
+  double before = y;
+  bool hit = false;
+  for (double t = 0; t < 10; t += h) {
+    const bool touches = y <= radius;
+    if (touches && lift) y = radius;
+    v -= 10 * h;
+    if (touches && v < 0) {
+      v *= -p.at("restitution");
+      hit = true;
+    }
+    const double next = y + h * v;
+    if (hit && next < y && y >= before) {
+      tops.push_back(y);
+      hit = false;
+    }
+    before = y;
+    y = next;
+  }
+  return tops;
+}
+
+TEST(Bounce, AllowsWhatAPlainEngineDoesWhereverInAStepTheImpactFalls) {
+  const double h = 1.0 / 60;
+  const Stepping stepping{.dt = h, .h = h, .drift = 0.5, .epsilon = 0x1p-53};
+  for (const double e : {0.5, 0.8, 1.0}) {
+    for (int phase = 0; phase < 50; ++phase) {
+      const Parameters p = complete(bounce(), {{"restitution", e}, {"height", 4 + 0.003 * phase}});
+      for (const bool lift : {false, true}) {
+        const std::vector<double> tops = apexes(p, h, lift);
+        for (const Expectation& expectation : bounce().expectations(p)) {
+          if (expectation.quantity != Quantity::apex) continue;
+          const auto n = static_cast<std::size_t>(expectation.index);
+          ASSERT_GE(tops.size(), n);
+          EXPECT_NEAR(tops[n - 1], *expectation.expected, expectation.allowed(stepping))
+              << e << ' ' << n << ' ' << lift;
+        }
+      }
+    }
+  }
+}
+
+TEST(Bounce, AllowsAtMostThreeTimesTheWorstPhaseOfThatEngine) {
+  const double h = 1.0 / 60;
+  const Stepping stepping{.dt = h, .h = h, .drift = 0.5, .epsilon = 0x1p-53};
+  for (const double e : {0.8, 1.0}) {
+    double worst = 0;
+    double allowed = 0;
+    for (int phase = 0; phase < 50; ++phase) {
+      const Parameters p = complete(bounce(), {{"restitution", e}, {"height", 4 + 0.003 * phase}});
+      const Expectation first = bounce().expectations(p).front();
+      allowed = first.allowed(stepping);
+      for (const bool lift : {false, true}) {
+        worst = std::max(worst, std::abs(apexes(p, h, lift).front() - *first.expected));
+      }
+    }
+    EXPECT_LT(allowed, 3 * worst) << e;
+  }
+}
+
+}  // namespace
+}  // namespace plumb
