@@ -1,1 +1,47 @@
-#include <cstddef>
+#include "reports/trace.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "reports/vec.h"
+
+namespace plumb {
+
+void Trace::record(double time, std::span<const BodyState> states, std::span<const ContactState> contacts) {
+  if (states.size() != bodies_) throw std::invalid_argument("a trace must be given the state of every body");
+  if (!times_.empty() && !(time > times_.back())) throw std::invalid_argument("a trace runs forward in time");
+  times_.push_back(time);
+  states_.insert(states_.end(), states.begin(), states.end());
+  contacts_.insert(contacts_.end(), contacts.begin(), contacts.end());
+  contact_end_.push_back(contacts_.size());
+}
+
+std::span<const BodyState> Trace::states(std::size_t moment) const {
+  return std::span(states_).subspan(moment * bodies_, bodies_);
+}
+
+std::span<const ContactState> Trace::contacts(std::size_t moment) const {
+  const std::size_t begin = moment == 0 ? 0 : contact_end_[moment - 1];
+  return std::span(contacts_).subspan(begin, contact_end_[moment] - begin);
+}
+
+Trace::Between Trace::around(double time) const {
+  if (times_.empty()) throw std::invalid_argument("an empty trace has no states");
+  const auto after = std::lower_bound(times_.begin(), times_.end(), time);
+  if (after == times_.begin()) return {0, 0, 0};
+  if (after == times_.end()) return {times_.size() - 1, times_.size() - 1, 0};
+  const auto i = static_cast<std::size_t>(after - times_.begin());
+  return {i - 1, i, (time - times_[i - 1]) / (times_[i] - times_[i - 1])};
+}
+
+BodyState Trace::state_at(std::size_t body, double time) const {
+  const auto [before, after, share] = around(time);
+  const BodyState& a = states(before)[body];
+  const BodyState& b = states(after)[body];
+  return {.position = a.position + share * (b.position - a.position),
+          .angle = a.angle + share * (b.angle - a.angle),
+          .velocity = a.velocity + share * (b.velocity - a.velocity),
+          .angular_velocity = a.angular_velocity + share * (b.angular_velocity - a.angular_velocity)};
+}
+
+}  // namespace plumb

@@ -14,6 +14,7 @@ class Trace {
  public:
   explicit Trace(std::size_t bodies) : bodies_(bodies) {}
 
+  /// Throws std::invalid_argument unless there is a state for every body and time has advanced.
   void record(double time, std::span<const BodyState> states, std::span<const ContactState> contacts);
 
   std::size_t bodies() const { return bodies_; }
@@ -23,7 +24,15 @@ class Trace {
   std::span<const BodyState> states(std::size_t moment) const;
   std::span<const ContactState> contacts(std::size_t moment) const;
 
-  /// The state at a time, interpolated linearly between steps (as scene-format says a reading is).
+  /// The two moments on either side of a time and how far between them it lies, 0 ... 1. Before the first and after the
+  /// last recorded moment: that moment itself. Throws std::invalid_argument when nothing is recorded.
+  struct Between {
+    std::size_t before, after;
+    double share;
+  };
+  Between around(double time) const;
+
+  /// The state at a time, interpolated linearly between steps (as the scene format says a reading is).
   BodyState state_at(std::size_t body, double time) const;
 
  private:

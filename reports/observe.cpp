@@ -1,0 +1,88 @@
+#include "reports/observe.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "reports/vec.h"
+#include "scenarios/nearest.h"
+
+namespace plumb {
+namespace {
+
+// Through (-1, a), (0, b), (1, c): y(s) = b + (c-a) s/2 + (a-2b+c) s^2/2, highest at s = (a-c)/(2 (a-2b+c)).
+Reading vertex(double time, double step, double a, double b, double c) {
+  const double bend = a - 2 * b + c;
+  const double s = (a - c) / (2 * bend);
+  return {time + s * step, b - (c - a) * (c - a) / (8 * bend)};
+}
+
+std::optional<Reading> apex(const Trace& trace, std::size_t body, int index) {
+  const auto y = [&](std::size_t moment) { return trace.states(moment)[body].position.y; };
+  int seen = 0;
+  for (std::size_t i = 1; i + 1 < trace.size(); ++i) {
+    const bool highest = y(i - 1) < y(i) && y(i) >= y(i + 1);
+    if (highest && ++seen == index) {
+      return vertex(trace.time(i), trace.time(i) - trace.time(i - 1), y(i - 1), y(i), y(i + 1));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::size_t index_of(const Scene& scene, std::string_view name) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies[i].name == name) return i;
+    names.push_back(scene.bodies[i].name);
+  }
+  throw std::invalid_argument(scene.name + ": " + unknown("body", name, names));
+}
+
+double quantity_of(Quantity quantity, std::size_t body, const Conserved& conserved, std::span<const BodyState> states) {
+  switch (quantity) {
+    case Quantity::x:
+      return states[body].position.x;
+    case Quantity::y:
+      return states[body].position.y;
+    case Quantity::angle:
+      return states[body].angle;
+    case Quantity::vx:
+      return states[body].velocity.x;
+    case Quantity::vy:
+      return states[body].velocity.y;
+    case Quantity::speed:
+      return length(states[body].velocity);
+    case Quantity::angular_velocity:
+      return states[body].angular_velocity;
+    case Quantity::energy:
+      return conserved.energy(states).total();
+    case Quantity::momentum_x:
+      return conserved.momentum(states).linear.x;
+    case Quantity::momentum_y:
+      return conserved.momentum(states).linear.y;
+    case Quantity::angular_momentum:
+      return conserved.momentum(states).angular;
+    case Quantity::apex:
+      break;
+  }
+  throw std::invalid_argument("an apex belongs to a trace, not to a moment");
+}
+
+std::optional<Reading> observe(const Scene& scene, const Trace& trace, const Expectation& expectation, double time) {
+  const std::size_t body = expectation.body.empty() ? 0 : index_of(scene, expectation.body);
+  if (expectation.quantity == Quantity::apex) return apex(trace, body, expectation.index);
+  const double when = expectation.time.value_or(time);
+  // The last step ends at the scene's end but for the rounding of steps times dt.
+  const double rounding = 1e-9 * std::abs(when);
+  if (trace.size() == 0 || when > trace.times().back() + rounding) return std::nullopt;
+  const Conserved conserved(scene);
+  const auto [before, after, share] = trace.around(when);
+  const double a = quantity_of(expectation.quantity, body, conserved, trace.states(before));
+  const double b = quantity_of(expectation.quantity, body, conserved, trace.states(after));
+  return Reading{when, a + share * (b - a)};
+}
+
+}  // namespace plumb

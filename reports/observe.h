@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "reports/conserved.h"
+#include "reports/trace.h"
+#include "scenarios/scenario.h"
+
+namespace plumb {
+
+struct Reading {
+  double time = 0;  // s; of an apex: when it was passed
+  double value = 0;
+};
+
+/// The index of the body of that name in Scene::bodies. Throws std::invalid_argument, naming the nearest, if there is
+/// none.
+std::size_t index_of(const Scene&, std::string_view body);
+
+/// A quantity (any but the apex) at one moment. `body` counts for quantities of a body only.
+double quantity_of(Quantity, std::size_t body, const Conserved&, std::span<const BodyState>);
+
+/// What a trace says of an expectation's quantity: at its time, linear between steps, or at an apex: the vertex of the
+/// parabola through the highest sample and its neighbours, exact in free flight. `time` counts where the expectation
+/// gives none. Nothing when the trace ends before that or has no such apex.
+std::optional<Reading> observe(const Scene&, const Trace&, const Expectation&, double time);
+
+}  // namespace plumb

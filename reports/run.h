@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/simulation.h"
+#include "reports/report.h"
+#include "scenarios/scenario.h"
+
+/// The only time loops and the only clock.
+namespace plumb {
+
+/// One question, ready to be put.
+struct Case {
+  const Scenario* scenario = nullptr;
+  std::string variant;  // label
+  Parameters parameters;
+  std::shared_ptr<const Scene> scene;
+  const Contender* closed_form = nullptr;  // null where physics has none
+};
+
+/// One who is asked it.
+struct Entrant {
+  const Contender* contender = nullptr;
+  Settings settings;  // complete
+
+  /// "key=value,..." of what differs from the defaults; "" for the defaults.
+  std::string method() const;
+};
+
+/// How a run went, before anything is judged.
+struct Outcome {
+  Status status = Status::ok;
+  std::string reason;            // why not ok
+  std::shared_ptr<Trace> trace;  // up to where it went wrong; null if it never began
+  double wall = 0;               // s, all of the run: build, steps, recording
+  double stepping = 0;           // s, inside `step` alone
+};
+
+/// Builds, steps to the scene's end (or to where the answer ends) and records. Never throws for what the contender
+/// does: what it cannot run is `not_supported`, what diverges or throws is `failed`, with the reason.
+Outcome run(const Scene&, const Entrant&, double dt);
+
+/// What a step costs each entrant: the runs take turns, repeated, after one round of warm-up that is not counted;
+/// nothing but `step` is inside the clock. Entrants must be able to run the case: time on a failed run is no result.
+std::vector<Timing> time_steps(const Case&, std::span<const Entrant>, double dt);
+
+/// Steps of dt that cover a duration, both in s.
+std::size_t steps_in(double duration, double dt);
+
+}  // namespace plumb

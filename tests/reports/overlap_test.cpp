@@ -1,0 +1,46 @@
+#include "reports/overlap.h"
+
+#include <gtest/gtest.h>
+
+#include "reports/conserved.h"
+
+namespace plumb {
+namespace {
+
+Body box_at(double x, double y) {
+  return {.name = "box", .position = {x, y}, .shapes = {{.geometry = Box{.size = {1, 1}}}}};
+}
+
+Body ground() { return {.name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}}}}; }
+
+double deepest(const Scene& scene) { return Overlap(scene).deepest(initial_states(scene)); }
+
+TEST(Overlap, FindsTheDeepestPair) {
+  EXPECT_NEAR(deepest({.bodies = {ground(), box_at(0, 0.49), box_at(0, 1.46), box_at(8, 4)}}), 0.03, 1e-12);
+  EXPECT_EQ(deepest({.bodies = {ground(), box_at(0, 0.5), box_at(0, 1.5)}}), 0);
+}
+
+TEST(Overlap, LeavesOutWhatMayNotTouch) {
+  Scene layers{.bodies = {box_at(0, 0), box_at(0.5, 0)}};
+  EXPECT_NEAR(deepest(layers), 0.5, 1e-12);
+  layers.bodies[0].layers = 1;
+  layers.bodies[1].layers = 2;
+  EXPECT_EQ(deepest(layers), 0);
+
+  Scene jointed{.bodies = {box_at(0, 0), box_at(0.5, 0)}};
+  jointed.joints = {Revolute{.a = 1, .b = 0}};
+  EXPECT_EQ(deepest(jointed), 0);
+
+  Scene fixed{.bodies = {box_at(0, 0), box_at(0.5, 0)}};
+  fixed.bodies[0].type = fixed.bodies[1].type = BodyType::fixed;
+  EXPECT_EQ(deepest(fixed), 0);
+}
+
+TEST(Overlap, PlacesShapesAroundTheCentreOfMass) {
+  Body shifted = box_at(0, 0.4);
+  shifted.shapes[0].geometry = Box{.size = {1, 1}, .center = {3, 0}};
+  EXPECT_NEAR(deepest({.bodies = {ground(), shifted}}), 0.1, 1e-12);
+}
+
+}  // namespace
+}  // namespace plumb
