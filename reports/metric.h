@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
+#include "reports/report.h"
 #include "reports/trace.h"
 #include "scenarios/scene.h"
 
@@ -27,5 +29,8 @@ struct Metric {
   Better better = Better::lower;
   std::function<std::optional<double>(const Evidence&)> measure;
 };
+
+/// By name, every metric that makes sense for the scene.
+std::map<std::string, Measured> measure(const Evidence&);
 
 }  // namespace plumb

@@ -25,7 +25,8 @@ struct Measured {
 struct TruthCheck {
   std::string body;
   std::string quantity;
-  double time = 0;
+  std::string unit;
+  double time = 0;                                              // s
   double expected = 0, measured = 0, error = 0, tolerance = 0;  // error = |measured - expected|
   bool passed = false;
   std::string source;
@@ -70,17 +71,48 @@ struct Timing {
   int repetitions = 0;
 };
 
+/// What readers of a report need to know of the names in it.
+struct ScenarioNote {
+  std::string name;
+  std::string question;
+  std::string closed_form;  // "" where physics has none
+  std::vector<Parameter> parameters;
+};
+
+struct EngineNote {
+  std::string name;
+  std::string about;
+  std::string source;
+  bool exact = false;
+};
+
+struct MetricNote {
+  std::string name;
+  std::string unit;
+  std::string definition;
+  std::string better;  // "lower", "higher", "neither"
+};
+
 struct Report {
   std::string title;
   std::vector<std::string> command;                // that made it
   std::map<std::string, std::string> environment;  // compiler, flags, build, versions, processor: no clock
+  std::vector<ScenarioNote> scenarios;
+  std::vector<EngineNote> engines;
+  std::vector<MetricNote> metrics;
   std::vector<RunRecord> runs;
   std::vector<Comparison> comparisons;
   std::vector<Timing> timings;
   std::map<std::string, double> clock;  // wall seconds of the parts, share outside step: with the timings, apart
 };
 
+/// "ok", "failed", "not supported".
 const char* name_of(Status);
+
+/// "right", "plausible", "wrong", "beyond horizon", "not supported", "failed".
 const char* name_of(Verdict);
+
+/// "engine" or "engine:key=value,...", as --engine takes it.
+std::string label_of(const std::string& engine, const std::string& method);
 
 }  // namespace plumb

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/report.h"
+#include "reports/run.h"
+
+namespace plumb {
+
+struct Plan {
+  std::vector<Case> cases;
+  std::vector<Entrant> entrants;
+  double dt = 1.0 / 60;  // s
+};
+
+/// Told before each run what comes next: "bounce e=0.5: box2d", the how-manieth of how many.
+using Progress = std::function<void(const std::string& what, std::size_t done, std::size_t of)>;
+
+/// Runs every case with its closed form and all entrants, measures, judges and compares; then times those that ran.
+/// `title`, `command` and `environment` are left to the caller.
+Report carry_out(const Plan&, const Progress&);
+
+}  // namespace plumb

@@ -1,0 +1,15 @@
+#include "reports/metric.h"
+
+#include "scenarios/catalog.h"
+
+namespace plumb {
+
+std::map<std::string, Measured> measure(const Evidence& evidence) {
+  std::map<std::string, Measured> measured;
+  for (const Metric* metric : Catalog<Metric>::all()) {
+    if (const auto value = metric->measure(evidence)) measured[metric->name] = {*value, metric->unit};
+  }
+  return measured;
+}
+
+}  // namespace plumb

@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <variant>
+
+#include "reports/conserved.h"
+#include "reports/energy_range.h"
+#include "reports/metric.h"
+#include "reports/vec.h"
+#include "scenarios/catalog.h"
+
+namespace plumb {
+namespace {
+
+// What does work from outside makes a change of energy no error.
+bool works_from_outside(const Scene& scene) {
+  const auto pushes = [](const Force& force) { return std::holds_alternative<Constant>(force); };
+  const auto drives = [](const Body& body) {
+    return body.type == BodyType::kinematic && (length(body.velocity) != 0 || body.angular_velocity != 0);
+  };
+  return std::any_of(scene.forces.begin(), scene.forces.end(), pushes) ||
+         std::any_of(scene.bodies.begin(), scene.bodies.end(), drives);
+}
+
+template <class Change>
+Metric relative(const char* name, const char* definition, Better better, Change change) {
+  return {.name = name,
+          .unit = "1",
+          .definition = definition,
+          .better = better,
+          .measure = [change](const Evidence& evidence) -> std::optional<double> {
+            const double range = energy_range(evidence.scene, evidence.truth);
+            if (range == 0 || works_from_outside(evidence.scene)) return std::nullopt;
+            const Conserved conserved(evidence.scene);
+            return change(conserved, evidence.trace) / range;
+          }};
+}
+
+double largest_rise(const Conserved& conserved, const Trace& trace) {
+  double lowest = conserved.energy(trace.states(0)).total();
+  double rise = 0;
+  for (std::size_t i = 1; i < trace.size(); ++i) {
+    const double energy = conserved.energy(trace.states(i)).total();
+    rise = std::max(rise, energy - lowest);
+    lowest = std::min(lowest, energy);
+  }
+  return rise;
+}
+
+double drift(const Conserved& conserved, const Trace& trace) {
+  return conserved.energy(trace.states(trace.size() - 1)).total() - conserved.energy(trace.states(0)).total();
+}
+
+const Catalog<Metric>::Entry rise{
+    relative("energy_rise", "largest rise of the total energy above an earlier value, over the scene's energy range",
+             Better::lower, largest_rise)};
+const Catalog<Metric>::Entry change{
+    relative("energy_drift", "total energy at the end less that at the start, over the scene's energy range",
+             Better::neither, drift)};
+
+}  // namespace
+}  // namespace plumb

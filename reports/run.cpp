@@ -1,0 +1,148 @@
+#include "reports/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include "reports/statistics.h"
+#include "reports/vec.h"
+
+namespace plumb {
+namespace {
+
+// A scene of this size, in SI units, that plays for minutes under Earth's gravity reaches 1e3 m/s and 1e5 m. Beyond a
+// hundred times as much an engine has blown up, though its numbers may still be finite.
+constexpr double absurd_speed = 1e6;     // m/s, and rad/s
+constexpr double absurd_distance = 1e7;  // m
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+// Comparisons with NaN are false, so what is not finite is not sane.
+bool sane(const BodyState& state) {
+  return std::abs(state.position.x) <= absurd_distance && std::abs(state.position.y) <= absurd_distance &&
+         std::abs(state.velocity.x) <= absurd_speed && std::abs(state.velocity.y) <= absurd_speed &&
+         std::abs(state.angular_velocity) <= absurd_speed && std::isfinite(state.angle);
+}
+
+std::string divergence(const Scene& scene, std::span<const BodyState> states, double time) {
+  const auto lost = std::find_if_not(states.begin(), states.end(), sane);
+  if (lost == states.end()) return "";
+  return fmt::format("diverged at t = {:.4g} s: body \"{}\" at ({:.3g}, {:.3g}) m, {:.3g} m/s, {:.3g} rad/s", time,
+                     scene.bodies[static_cast<std::size_t>(lost - states.begin())].name, lost->position.x,
+                     lost->position.y, length(lost->velocity), lost->angular_velocity);
+}
+
+void record_until_the_end(const Scene& scene, Simulation& simulation, double dt, Outcome& outcome) {
+  std::vector<BodyState> states(scene.bodies.size());
+  std::vector<ContactState> contacts;
+  simulation.read(states);
+  outcome.trace->record(0, states, contacts);
+
+  const double valid = simulation.valid_until();
+  const std::size_t steps = steps_in(scene.duration, dt);
+  for (std::size_t i = 1; i <= steps; ++i) {
+    // Not the sum of many dt, which would carry the rounding of each.
+    const double time = static_cast<double>(i) * dt;
+    if (time > valid) return;
+    const Stopwatch in_step;
+    simulation.step(dt);
+    outcome.stepping += in_step.seconds();
+
+    simulation.read(states);
+    contacts.clear();
+    simulation.read_contacts(contacts);
+    outcome.reason = divergence(scene, states, time);
+    if (!outcome.reason.empty()) {
+      outcome.status = Status::failed;
+      return;
+    }
+    outcome.trace->record(time, states, contacts);
+  }
+}
+
+}  // namespace
+
+std::string Entrant::method() const {
+  std::string text;
+  for (const Option& option : contender->options) {
+    const std::string& value = settings.at(option.key);
+    if (value != option.value) text += (text.empty() ? "" : ",") + option.key + "=" + value;
+  }
+  return text;
+}
+
+std::size_t steps_in(double duration, double dt) {
+  // 2 s at 1/60 s are 120 steps, though 2 / (1/60.) may round to a little more.
+  return static_cast<std::size_t>(std::max(0.0, std::ceil(duration / dt * (1 - 1e-12))));
+}
+
+Outcome run(const Scene& scene, const Entrant& entrant, double dt) {
+  const Stopwatch all;
+  Outcome outcome;
+  try {
+    outcome.reason = entrant.contender->unsupported(scene, entrant.settings);
+    if (!outcome.reason.empty()) {
+      outcome.status = Status::not_supported;
+      return outcome;
+    }
+    const auto simulation = entrant.contender->build(scene, entrant.settings);
+    outcome.trace = std::make_shared<Trace>(scene.bodies.size());
+    record_until_the_end(scene, *simulation, dt, outcome);
+  } catch (const std::exception& error) {
+    outcome.status = Status::failed;
+    outcome.reason = error.what();
+  }
+  outcome.wall = all.seconds();
+  return outcome;
+}
+
+std::vector<Timing> time_steps(const Case& asked, std::span<const Entrant> entrants, double dt) {
+  // Enough for a median and quartiles; more for scenes so short that a single interruption would show.
+  constexpr int fewest = 5;
+  constexpr int most = 15;
+  constexpr double budget = 0.05;  // s of stepping per entrant, beyond the fewest repetitions
+
+  const Scene& scene = *asked.scene;
+  const std::size_t steps = steps_in(scene.duration, dt);
+  std::vector<std::vector<double>> seconds(entrants.size());
+  double spent = 0;
+  for (int round = 0; round <= most; ++round) {
+    if (round > fewest && spent > budget * static_cast<double>(entrants.size())) break;
+    for (std::size_t e = 0; e < entrants.size(); ++e) {
+      const auto simulation = entrants[e].contender->build(scene, entrants[e].settings);
+      const Stopwatch only_steps;
+      for (std::size_t i = 0; i < steps; ++i) simulation->step(dt);
+      const double took = only_steps.seconds();
+      spent += took;
+      if (round > 0) seconds[e].push_back(took);
+    }
+  }
+
+  std::vector<Timing> timings;
+  for (std::size_t e = 0; e < entrants.size(); ++e) {
+    const Quartiles all = quartiles(seconds[e]);
+    const double us = 1e6 / static_cast<double>(steps);
+    timings.push_back({.scenario = asked.scenario->name,
+                       .variant = asked.variant,
+                       .engine = entrants[e].contender->name,
+                       .method = entrants[e].method(),
+                       .step_us = all.median * us,
+                       .step_us_low = all.low * us,
+                       .step_us_high = all.high * us,
+                       .real_time_factor = static_cast<double>(steps) * dt / all.median,
+                       .repetitions = static_cast<int>(seconds[e].size())});
+  }
+  return timings;
+}
+
+}  // namespace plumb

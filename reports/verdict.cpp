@@ -1,0 +1,131 @@
+#include "reports/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/conserved.h"
+#include "reports/observe.h"
+#include "reports/vec.h"
+
+namespace plumb {
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+// The largest values that a body went through.
+struct Extent {
+  double position = 0, speed = 0, angle = 0, spin = 0;
+};
+
+Extent extent_of(const Trace& trace, std::size_t body) {
+  Extent extent;
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    const BodyState& state = trace.states(i)[body];
+    extent.position = std::max(extent.position, length(state.position));
+    extent.speed = std::max(extent.speed, length(state.velocity));
+    extent.angle = std::max(extent.angle, std::abs(state.angle));
+    extent.spin = std::max(extent.spin, std::abs(state.angular_velocity));
+  }
+  return extent;
+}
+
+double expected_by(const Truth* truth, const Scene& scene, const Expectation& expectation, double time) {
+  if (expectation.expected) return *expectation.expected;
+  const auto states = truth == nullptr ? std::nullopt : truth->at(time);
+  if (!states) return missing;
+  const std::size_t body = expectation.body.empty() ? 0 : index_of(scene, expectation.body);
+  return quantity_of(expectation.quantity, body, Conserved(scene), *states);
+}
+
+TruthCheck check(const Scene& scene, const Expectation& expectation, const Trace& trace, const Stepping& stepping,
+                 const Truth* truth) {
+  const auto reading = observe(scene, trace, expectation, scene.duration);
+  const double time = reading ? reading->time : expectation.time.value_or(scene.duration);
+  const std::size_t body = expectation.body.empty() ? 0 : index_of(scene, expectation.body);
+  TruthCheck check{.body = expectation.body,
+                   .quantity = name_of(expectation.quantity),
+                   .unit = unit_of(expectation.quantity),
+                   .time = time,
+                   .expected = expected_by(truth, scene, expectation, time),
+                   .measured = reading ? reading->value : missing,
+                   .tolerance = (expectation.allowed ? expectation.allowed(stepping) : 0) +
+                                round_off(expectation.quantity, body, scene, trace, stepping),
+                   .source = expectation.source};
+  check.error = std::abs(check.measured - check.expected);
+  // False for NaN on either side; an infinite tolerance would pass anything.
+  check.passed = std::isfinite(check.tolerance) && check.error <= check.tolerance;
+  return check;
+}
+
+}  // namespace
+
+// In n sub-steps of h each stored value is rounded n times, by at most its largest magnitude times the unit round-off u
+// (and its increments together by one or two u more):
+//   velocity  dv <= (n + 2) u v_max
+//   position  dx <= (n + 2) u x_max + t dv/2    (its own sum, and the velocity's error, growing evenly, carried along)
+// and the same for spin and angle. Energy m v^2/2 + m g y and the momenta follow to first order.
+double round_off(Quantity quantity, std::size_t body, const Scene& scene, const Trace& trace,
+                 const Stepping& stepping) {
+  if (trace.size() == 0) return 0;
+  const double t = trace.times().back();
+  const auto steps = static_cast<double>(trace.size() - 1);
+  const double nu = ((stepping.h > 0 ? std::max(steps, t / stepping.h) : steps) + 2) * stepping.epsilon;
+  const auto off = [&](std::size_t i) {
+    const Extent of = extent_of(trace, i);
+    const double dv = nu * of.speed;
+    const double dw = nu * of.spin;
+    return Extent{nu * of.position + t * dv / 2, dv, nu * of.angle + t * dw / 2, dw};
+  };
+  const auto over_all = [&](auto&& of_one) {
+    const Conserved conserved(scene);
+    double sum = 0;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const Mass& mass = conserved.masses()[i];
+      if (mass.mass > 0) sum += of_one(mass, extent_of(trace, i), off(i));
+    }
+    return sum;
+  };
+  switch (quantity) {
+    case Quantity::x:
+    case Quantity::y:
+    case Quantity::apex:
+      return off(body).position;
+    case Quantity::vx:
+    case Quantity::vy:
+    case Quantity::speed:
+      return off(body).speed;
+    case Quantity::angle:
+      return off(body).angle;
+    case Quantity::angular_velocity:
+      return off(body).spin;
+    case Quantity::energy:
+      return over_all([&](const Mass& m, const Extent& of, const Extent& by) {
+        return m.mass * (of.speed * by.speed + length(scene.gravity) * by.position) + m.inertia * of.spin * by.spin;
+      });
+    case Quantity::momentum_x:
+    case Quantity::momentum_y:
+      return over_all([](const Mass& m, const Extent&, const Extent& by) { return m.mass * by.speed; });
+    case Quantity::angular_momentum:
+      return over_all([](const Mass& m, const Extent& of, const Extent& by) {
+        return m.mass * (of.position * by.speed + by.position * of.speed) + m.inertia * by.spin;
+      });
+  }
+  return 0;
+}
+
+Judgement judge(const Scene& scene, std::span<const Expectation> expectations, const Trace& trace,
+                const Stepping& stepping, const Truth* truth) {
+  Judgement judgement;
+  for (const Expectation& expectation : expectations) {
+    judgement.checks.push_back(check(scene, expectation, trace, stepping, truth));
+  }
+  if (!judgement.checks.empty()) {
+    const bool all =
+        std::all_of(judgement.checks.begin(), judgement.checks.end(), [](const TruthCheck& one) { return one.passed; });
+    judgement.verdict = all ? Verdict::right : Verdict::wrong;
+  }
+  return judgement;
+}
+
+}  // namespace plumb

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "reports/report.h"
+#include "reports/trace.h"
+#include "reports/truth.h"
+#include "scenarios/scenario.h"
+
+namespace plumb {
+
+struct Judgement {
+  std::vector<TruthCheck> checks;
+  Verdict verdict = Verdict::plausible;
+};
+
+/// Holds a trace against what must come true. Each reading may be off by what the scenario allows for this way of
+/// stepping, and by the round-off of its arithmetic. What is not finite, or could not be read, never passes.
+/// `truth` answers the expectations that leave the value to the closed form; without it they cannot pass.
+Judgement judge(const Scene&, std::span<const Expectation>, const Trace&, const Stepping&, const Truth* truth);
+
+/// How far a quantity may be off at the end of a trace by rounding alone, in its unit.
+double round_off(Quantity, std::size_t body, const Scene&, const Trace&, const Stepping&);
+
+}  // namespace plumb

@@ -1,0 +1,98 @@
+#include "reports/run.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/reports/fakes.h"
+
+namespace plumb {
+namespace {
+
+using fakes::Stepper;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+Outcome run_with(const Contender& contender, double dt = 1.0 / 60) {
+  static const Scene scene = fakes::thrown_box();
+  return run(scene, {&contender, {}}, dt);
+}
+
+TEST(Run, RecordsTheStartAndEveryStep) {
+  const Outcome outcome = run_with(fakes::engine("ours"));
+  EXPECT_EQ(outcome.status, Status::ok);
+  EXPECT_EQ(outcome.trace->size(), 121u);
+  EXPECT_EQ(outcome.trace->time(0), 0);
+  EXPECT_DOUBLE_EQ(outcome.trace->times().back(), 2);
+  EXPECT_EQ(outcome.trace->states(0)[0].position, (Vec{1, 2}));
+}
+
+TEST(Run, CoversADurationThatIsNoMultipleOfTheStep) {
+  EXPECT_EQ(steps_in(1, 0.3), 4u);
+  EXPECT_EQ(steps_in(2, 1.0 / 60), 120u);
+  EXPECT_EQ(steps_in(0.7, 0.1), 7u);
+  EXPECT_EQ(steps_in(0, 0.1), 0u);
+}
+
+TEST(Run, EndsWhereAClosedFormEnds) {
+  const Outcome outcome = run_with(fakes::free_flight(1.01), 0.1);
+  EXPECT_EQ(outcome.status, Status::ok);
+  EXPECT_DOUBLE_EQ(outcome.trace->times().back(), 1);
+}
+
+TEST(Run, TellsWhenAndWhichBodyWasLost) {
+  const Outcome nan = run_with(fakes::engine("bad", Stepper::Fault::nan), 0.25);
+  EXPECT_EQ(nan.status, Status::failed);
+  EXPECT_THAT(nan.reason, StartsWith("diverged at t = 1 s: body \"box\""));
+  EXPECT_EQ(nan.trace->size(), 4u) << "what was sane is kept";
+
+  const Outcome explosion = run_with(fakes::engine("bad", Stepper::Fault::explosion), 0.25);
+  EXPECT_EQ(explosion.status, Status::failed);
+  EXPECT_THAT(explosion.reason, StartsWith("diverged at t = 1 s: body \"box\""));
+}
+
+TEST(Run, ReportsWhatAnEngineThrows) {
+  const Outcome outcome = run_with(fakes::engine("bad", Stepper::Fault::exception));
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_EQ(outcome.reason, "the engine gave up");
+}
+
+TEST(Run, SaysWhyASceneIsNotSupported) {
+  Contender contender = fakes::engine("picky");
+  contender.unsupported = [](const Scene&, const Settings&) { return "knows no boxes"; };
+  const Outcome outcome = run_with(contender);
+  EXPECT_EQ(outcome.status, Status::not_supported);
+  EXPECT_EQ(outcome.reason, "knows no boxes");
+  EXPECT_EQ(outcome.trace, nullptr);
+}
+
+TEST(Run, SpendsNoMoreInStepsThanInAll) {
+  const Outcome outcome = run_with(fakes::engine("ours"));
+  EXPECT_GT(outcome.stepping, 0);
+  EXPECT_LT(outcome.stepping, outcome.wall);
+}
+
+TEST(TimeSteps, GivesEveryEntrantAMedianBetweenItsQuartiles) {
+  const Scenario scenario = fakes::throwing();
+  const Contender one = fakes::engine("one");
+  const Contender two = fakes::engine("two");
+  const std::vector<Entrant> entrants{{&one, {}}, {&two, {}}};
+  const auto timings = time_steps(fakes::case_of(scenario, nullptr), entrants, 1.0 / 60);
+  ASSERT_EQ(timings.size(), 2u);
+  EXPECT_EQ(timings[1].engine, "two");
+  for (const Timing& timing : timings) {
+    EXPECT_GT(timing.step_us_low, 0);
+    EXPECT_LE(timing.step_us_low, timing.step_us);
+    EXPECT_LE(timing.step_us, timing.step_us_high);
+    EXPECT_GE(timing.repetitions, 5);
+    EXPECT_GT(timing.real_time_factor, 1);
+  }
+}
+
+TEST(Entrant, IsNamedByWhatDiffersFromTheDefaults) {
+  Contender contender = fakes::engine("ours");
+  contender.options = {{.key = "solver", .value = "a"}, {.key = "steps", .value = "4"}};
+  EXPECT_EQ((Entrant{&contender, {{"solver", "a"}, {"steps", "4"}}}.method()), "");
+  EXPECT_EQ((Entrant{&contender, {{"solver", "b"}, {"steps", "8"}}}.method()), "solver=b,steps=8");
+}
+
+}  // namespace
+}  // namespace plumb
