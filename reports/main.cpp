@@ -1,1 +1,3 @@
-int main() { return 0; }
+#include "reports/program.h"
+
+int main(int argc, char** argv) { return plumb::program({argv + 1, argv + argc}); }

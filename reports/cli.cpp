@@ -1,0 +1,135 @@
+#include "reports/cli.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "scenarios/catalog.h"
+#include "scenarios/nearest.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view home = "impulse";
+
+// What stands before and after the first `mark`; all of it before, where there is none.
+std::pair<std::string, std::string> split(std::string_view text, char mark) {
+  const auto place = text.find(mark);
+  if (place == std::string_view::npos) return {std::string(text), ""};
+  return {std::string(text.substr(0, place)), std::string(text.substr(place + 1))};
+}
+
+// "key=value,key=value"
+std::vector<std::pair<std::string, std::string>> assignments(const std::string& context, std::string_view text) {
+  std::vector<std::pair<std::string, std::string>> all;
+  while (!text.empty()) {
+    const std::string one = split(text, ',').first;
+    text.remove_prefix(std::min(text.size(), one.size() + 1));
+    const auto [key, value] = split(one, '=');
+    if (key.empty() || value.empty()) {
+      throw std::invalid_argument(context + ": \"" + one + "\" should read key=value");
+    }
+    all.emplace_back(key, value);
+  }
+  return all;
+}
+
+double parse_plain(std::string_view what, std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(number)) return number;
+  throw std::invalid_argument(std::string(what) + ": \"" + std::string(text) +
+                              "\" is not a number; write 0.01 or 1/60");
+}
+
+template <class T>
+const T& find(const char* kind, const std::string& name, bool (*offered)(const T&)) {
+  const T* found = Catalog<T>::find(name);
+  if (found != nullptr && offered(*found)) return *found;
+  std::vector<std::string> names;
+  for (const T* entry : Catalog<T>::all()) {
+    if (offered(*entry)) names.push_back(entry->name);
+  }
+  throw std::invalid_argument(unknown(kind, name, names));
+}
+
+const Contender* closed_form_of(const Scenario& scenario) {
+  if (scenario.closed_form.empty()) return nullptr;
+  const Contender* closed_form = Catalog<Contender>::find(scenario.closed_form);
+  if (closed_form != nullptr) return closed_form;
+  throw std::logic_error(scenario.name + ": there is no closed form \"" + scenario.closed_form + "\"");
+}
+
+Case case_of(const Scenario& scenario, const std::string& label, const Parameters& changes) {
+  const Parameters parameters = complete(scenario, changes);
+  return {.scenario = &scenario,
+          .variant = label,
+          .parameters = parameters,
+          .scene = std::make_shared<const Scene>(scenario.scene(parameters)),
+          .closed_form = closed_form_of(scenario)};
+}
+
+std::vector<Case> all_variants(const Scenario& scenario) {
+  std::vector<Case> cases;
+  for (const Variant& variant : scenario.variants) cases.push_back(case_of(scenario, variant.label, variant.changes));
+  return cases;
+}
+
+}  // namespace
+
+double parse_number(std::string_view what, std::string_view text) {
+  const auto [over, under] = split(text, '/');
+  if (under.empty()) return parse_plain(what, text);
+  const double divisor = parse_plain(what, under);
+  if (divisor == 0) throw std::invalid_argument(std::string(what) + ": \"" + std::string(text) + "\" divides by zero");
+  return parse_plain(what, over) / divisor;
+}
+
+double parse_dt(std::string_view text) {
+  const double dt = parse_number("--dt", text);
+  if (dt > 0 && dt <= 1) return dt;
+  throw std::invalid_argument("--dt: \"" + std::string(text) + "\" must be above 0 and at most 1 s");
+}
+
+std::vector<Case> parse_cases(std::string_view word) {
+  const auto [name, rest] = split(word, ':');
+  const Scenario& scenario = find<Scenario>("scenario", name, [](const Scenario&) { return true; });
+  if (rest.empty()) return all_variants(scenario);
+  for (const Variant& variant : scenario.variants) {
+    if (variant.label == rest) return {case_of(scenario, variant.label, variant.changes)};
+  }
+  Parameters changes;
+  for (const auto& [key, value] : assignments(name, rest)) changes[key] = parse_number(name + ": " + key, value);
+  return {case_of(scenario, rest, changes)};
+}
+
+std::vector<Case> default_cases(bool all) {
+  std::vector<Case> cases;
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    if (!all && !scenario->canonical) continue;
+    for (Case& one : all_variants(*scenario)) cases.push_back(std::move(one));
+  }
+  return cases;
+}
+
+Entrant parse_entrant(std::string_view word) {
+  const auto [name, rest] = split(word, ':');
+  const Contender& contender = find<Contender>("engine", name, [](const Contender& offered) { return !offered.exact; });
+  Settings settings;
+  for (const auto& [key, value] : assignments(name, rest)) settings[key] = value;
+  return {&contender, complete(contender, settings)};
+}
+
+std::vector<Entrant> default_entrants() {
+  std::vector<Entrant> entrants;
+  for (const Contender* contender : Catalog<Contender>::all()) {
+    if (!contender->exact) entrants.push_back({contender, complete(*contender, {})});
+  }
+  std::stable_partition(entrants.begin(), entrants.end(),
+                        [](const Entrant& entrant) { return entrant.contender->name == home; });
+  return entrants;
+}
+
+}  // namespace plumb

@@ -1,0 +1,31 @@
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "reports/command.h"
+#include "reports/session.h"
+#include "scenarios/catalog.h"
+
+namespace plumb {
+namespace {
+
+int report(const Session& session) {
+  const auto [report, written] = session.conduct("report");
+  for (const auto& file : written.files) fmt::print("{}\n", std::filesystem::absolute(file).string());
+  return 0;
+}
+
+const Catalog<Command>::Entry entry{
+    {.name = "report",
+     .about = "Run everything and write the page to look at; exit code 0 whatever it finds",
+     .examples = "  plumb report                     page, JSON and CSV in out/\n"
+                 "  plumb report --out results       somewhere else\n"
+                 "  plumb report --all --dt 1/120    every scenario, at half the step\n",
+     .attach = [](CLI::App& app) {
+       const auto session = std::make_shared<Session>();
+       session->attach_to(app);
+       return [session] { return report(*session); };
+     }}};
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,39 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "reports/command.h"
+#include "reports/session.h"
+#include "scenarios/catalog.h"
+
+namespace plumb {
+namespace {
+
+int run(const Session& session) {
+  const auto [report, written] = session.conduct("run");
+  for (const auto& file : written.files) fmt::print("{}\n", file.string());
+  const bool broken = std::any_of(report.runs.begin(), report.runs.end(), [](const RunRecord& record) {
+    return record.verdict == Verdict::wrong || record.verdict == Verdict::failed;
+  });
+  return broken ? 1 : 0;
+}
+
+const Catalog<Command>::Entry entry{
+    {.name = "run",
+     .about = "Run scenarios and judge the engines; exit code 1 when one is wrong or fails",
+     .examples = "  plumb run                                  the canonical scenarios, every engine\n"
+                 "  plumb run bounce                           every variant of one scenario\n"
+                 "  plumb run bounce:restitution=0.5           one with a parameter of your own\n"
+                 "  plumb run slope --engine box2d --dt 1/240  one engine, a smaller step\n"
+                 "  plumb run --engine impulse --engine impulse:integrator=explicit   two methods compared\n",
+     .attach = [](CLI::App& app) {
+       const auto session = std::make_shared<Session>();
+       app.add_option("scenario", session->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...")
+           ->type_name("NAME");
+       session->attach_to(app);
+       return [session] { return run(*session); };
+     }}};
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,171 @@
+#include "reports/writers/console.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t width = 100;  // columns
+constexpr std::size_t shown = 3;    // failed checks of a run; the files have them all
+
+const char* colour_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::right:
+      return "\033[32m";
+    case Verdict::plausible:
+    case Verdict::beyond_horizon:
+      return "\033[33m";
+    case Verdict::wrong:
+    case Verdict::failed:
+      return "\033[31m";
+    case Verdict::not_supported:
+      return "\033[2m";
+  }
+  return "";
+}
+
+// Padded first: the escapes take no columns.
+std::string painted(Verdict verdict, std::size_t columns, bool colour) {
+  const std::string text = fmt::format("{:<{}}", name_of(verdict), columns);
+  return colour ? colour_of(verdict) + text + "\033[0m" : text;
+}
+
+std::string cut(const std::string& text, std::size_t columns) {
+  return text.size() <= columns ? text : text.substr(0, columns - 3) + "...";
+}
+
+// Words in lines of at most `width`, each indented; a word that is too long for a line is broken.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  const std::size_t room = width - indent;
+  std::istringstream words(text);
+  std::string lines;
+  std::string line;
+  const auto flush = [&] {
+    lines += std::string(indent, ' ') + line + '\n';
+    line.clear();
+  };
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > room) flush();
+    for (; word.size() > room; word.erase(0, room)) {
+      line = word.substr(0, room);
+      flush();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  if (!line.empty()) flush();
+  return lines;
+}
+
+std::string number(const std::map<std::string, Measured>& metrics, const char* name) {
+  const auto found = metrics.find(name);
+  return found == metrics.end() ? "-" : fmt::format("{:.3g}", found->second.value);
+}
+
+std::string step_cost(const Report& report, const RunRecord& run) {
+  for (const Timing& timing : report.timings) {
+    const bool same = timing.scenario == run.scenario && timing.variant == run.variant && timing.engine == run.engine &&
+                      timing.method == run.method;
+    if (same) return fmt::format("{:.3g}", timing.step_us);
+  }
+  return "-";
+}
+
+std::string passed(const RunRecord& run) {
+  if (run.truth.empty()) return "-";
+  const auto count = std::count_if(run.truth.begin(), run.truth.end(), [](const auto& check) { return check.passed; });
+  return fmt::format("{}/{}", count, run.truth.size());
+}
+
+std::string table_row(const std::string& engine, const std::string& verdict, const std::string& checks,
+                      const std::string& error, const std::string& rise, const std::string& overlap,
+                      const std::string& cost) {
+  return fmt::format("    {:<28}{}{:>8}{:>11}{:>11}{:>11}{:>11}\n", cut(engine, 27), verdict, checks, error, rise,
+                     overlap, cost);
+}
+
+std::string in_words(const TruthCheck& check) {
+  const std::string of = check.body.empty() ? "" : " of " + check.body;
+  return fmt::format("{}{} at {:.4g} s: {:.6g}, expected {:.6g} +- {:.2g} {}", check.quantity, of, check.time,
+                     check.measured, check.expected, check.tolerance, check.unit);
+}
+
+std::string row(const Report& report, const RunRecord& run, bool colour) {
+  std::string text =
+      table_row(label_of(run.engine, run.method) + (run.exact ? " (exact)" : ""), painted(run.verdict, 14, colour),
+                passed(run), number(run.metrics, "truth_error_end"), number(run.metrics, "energy_rise"),
+                number(run.metrics, "penetration_max"), step_cost(report, run));
+  if (!run.reason.empty()) text += wrapped(run.reason, 8);
+  std::size_t failed = 0;
+  for (const TruthCheck& check : run.truth) {
+    if (!check.passed && ++failed <= shown) text += wrapped(in_words(check), 8);
+  }
+  if (failed > shown) text += wrapped(fmt::format("and {} more", failed - shown), 8);
+  return text;
+}
+
+std::string in_words(const Comparison& comparison) {
+  if (comparison.metrics.empty()) return "";
+  const auto of = [&](const char* name) { return number(comparison.metrics, name); };
+  std::string text =
+      fmt::format("{} - {}: apart by up to {} m, {} m at the end; energy by up to {} J", comparison.a, comparison.b,
+                  of("position_difference_max"), of("position_difference_end"), of("energy_difference_max"));
+  if (comparison.metrics.count("parted_at") != 0) text += fmt::format("; parted at {} s", of("parted_at"));
+  return text;
+}
+
+// The runs of one case stand together; so do the comparisons.
+std::string case_text(const Report& report, const RunRecord& first, bool colour) {
+  std::string text = wrapped(first.variant, 2);
+  text +=
+      table_row("engine", fmt::format("{:<14}", "verdict"), "checks", "error, m", "E rise", "overlap, m", "us/step");
+  const auto same = [&](const auto& one) { return one.scenario == first.scenario && one.variant == first.variant; };
+  for (const RunRecord& run : report.runs) {
+    if (same(run)) text += row(report, run, colour);
+  }
+  for (const Comparison& comparison : report.comparisons) {
+    const bool with_truth = std::any_of(report.runs.begin(), report.runs.end(), [&](const RunRecord& run) {
+      return run.exact && same(run) && run.engine == comparison.b;
+    });
+    if (same(comparison) && !with_truth) text += wrapped(in_words(comparison), 4);
+  }
+  return text;
+}
+
+std::string summary(const Report& report) {
+  std::map<std::string, std::map<Verdict, int>> counts;
+  for (const RunRecord& run : report.runs) {
+    if (!run.exact) ++counts[label_of(run.engine, run.method)][run.verdict];
+  }
+  std::string text;
+  for (const auto& [engine, verdicts] : counts) {
+    std::string line = engine + ":";
+    for (const auto& [verdict, count] : verdicts) line += fmt::format(" {} {},", count, name_of(verdict));
+    line.pop_back();
+    text += wrapped(line, 0);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string console_text(const Report& report, bool colour) {
+  std::string text;
+  const RunRecord* before = nullptr;
+  for (const RunRecord& run : report.runs) {
+    if (before == nullptr || before->scenario != run.scenario) {
+      const auto note = std::find_if(report.scenarios.begin(), report.scenarios.end(),
+                                     [&](const ScenarioNote& one) { return one.name == run.scenario; });
+      text += wrapped(run.scenario + (note == report.scenarios.end() ? "" : ": " + note->question), 0);
+    }
+    if (before == nullptr || before->scenario != run.scenario || before->variant != run.variant) {
+      text += case_text(report, run, colour) + "\n";
+    }
+    before = &run;
+  }
+  return text + summary(report);
+}
+
+}  // namespace plumb

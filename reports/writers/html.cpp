@@ -1,0 +1,105 @@
+#include "reports/writers/html.h"
+
+#include <cmath>
+#include <limits>
+
+#include "reports/conserved.h"
+#include "reports/pose_difference.h"
+#include "reports/writer.h"
+#include "reports/writers/json.h"
+#include "reports/writers/page.h"
+#include "scenarios/catalog.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view mark = "<!--plumb-data-->";
+
+// Six significant digits: more than a chart can show, and a third of the bytes.
+double rounded(double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const double unit = std::pow(10.0, 5 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+  return std::isfinite(unit) && unit > 0 ? std::round(value * unit) / unit : value;
+}
+
+// What a run's poses are measured by: the closed form of its case, else the first engine, as the comparator has it.
+const RunRecord* reference_of(const Report& report, const RunRecord& run) {
+  const RunRecord* reference = nullptr;
+  for (const RunRecord& other : report.runs) {
+    if (other.scenario != run.scenario || other.variant != run.variant || other.status != Status::ok) continue;
+    if (other.exact) return &other;
+    if (reference == nullptr) reference = &other;
+  }
+  return reference;
+}
+
+Json series_of(const RunRecord& run, const RunRecord* reference, std::size_t most) {
+  const Trace& trace = *run.trace;
+  const Conserved conserved(*run.scene);
+  Json series{{"scenario", run.scenario}, {"variant", run.variant}, {"engine", run.engine}, {"method", run.method}};
+  for (const char* column : {"t", "energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference"}) {
+    series[column] = Json::array();
+  }
+  const auto apart = reference == nullptr ? std::vector<PoseDifference>{}
+                                          : pose_differences(*run.scene, trace, *reference->trace,
+                                                             std::numeric_limits<double>::infinity());
+  const std::size_t last = trace.size() - 1;
+  const std::size_t shown = std::min(trace.size(), most);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t moment = shown == 1 ? last : i * last / (shown - 1);
+    const auto states = trace.states(moment);
+    const Momentum momentum = conserved.momentum(states);
+    series["t"].push_back(rounded(trace.time(moment)));
+    series["energy"].push_back(rounded(conserved.energy(states).total()));
+    series["momentum_x"].push_back(rounded(momentum.linear.x));
+    series["momentum_y"].push_back(rounded(momentum.linear.y));
+    series["angular_momentum"].push_back(rounded(momentum.angular));
+    series["pose_difference"].push_back(moment < apart.size() ? Json(rounded(apart[moment].position)) : Json());
+  }
+  return series;
+}
+
+const Catalog<Writer>::Entry entry{
+    {.name = "html", .file = "index.html", .text = [](const Report& report, std::string& why_not) {
+       return fill_page(page_template(), report, why_not);
+     }}};
+
+}  // namespace
+
+Json series_of(const Report& report, std::size_t most) {
+  Json all = Json::array();
+  for (const RunRecord& run : report.runs) {
+    if (run.trace && run.scene && run.trace->size() > 0) all.push_back(series_of(run, reference_of(report, run), most));
+  }
+  return all;
+}
+
+std::optional<std::string> fill_page(std::string_view page, const Report& report, std::string& why_not) {
+  if (page.empty()) {
+    why_not = "built without Node.js: no page";
+    return std::nullopt;
+  }
+  const auto place = page.find(mark);
+  if (place == std::string_view::npos) {
+    why_not = "the built page has no mark " + std::string(mark);
+    return std::nullopt;
+  }
+  const std::string data = Json{{"report", to_json(report)}, {"series", series_of(report)}}.dump();
+  std::string filled(page.substr(0, place));
+  filled += R"(<script type="application/json" id="plumb-data">)";
+  // No tag can begin inside the data: a name in it must not end the script early.
+  for (const char letter : data) {
+    if (letter == '<') {
+      filled += "\\u003c";
+    } else {
+      filled += letter;
+    }
+  }
+  filled += "</script>";
+  filled += page.substr(place + mark.size());
+  return filled;
+}
+
+}  // namespace plumb

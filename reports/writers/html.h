@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "reports/report.h"
+
+namespace plumb {
+
+/// The page with the report's data in place of its mark, or nothing and why.
+std::optional<std::string> fill_page(std::string_view page, const Report&, std::string& why_not);
+
+/// What the charts are drawn from: per run that has a trace the energy, momenta and distance from the closed form
+/// (from the case's first engine where there is none) over time, at no more than `most` moments, six digits each.
+nlohmann::ordered_json series_of(const Report&, std::size_t most = 300);
+
+}  // namespace plumb

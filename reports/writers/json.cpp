@@ -1,0 +1,124 @@
+#include "reports/writers/json.h"
+
+#include "reports/writer.h"
+#include "scenarios/catalog.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int format = 1;  // of report.json; grows when a reader of the old one would be misled
+
+template <class Items, class ToJson>
+Json list(const Items& items, ToJson to) {
+  Json all = Json::array();
+  for (const auto& item : items) all.push_back(to(item));
+  return all;
+}
+
+Json of(const std::map<std::string, Measured>& metrics) {
+  Json all = Json::object();
+  for (const auto& [name, measured] : metrics) all[name] = {{"value", measured.value}, {"unit", measured.unit}};
+  return all;
+}
+
+Json of(const TruthCheck& check) {
+  return {{"body", check.body},    {"quantity", check.quantity},   {"unit", check.unit},
+          {"time", check.time},    {"expected", check.expected},   {"measured", check.measured},
+          {"error", check.error},  {"tolerance", check.tolerance}, {"passed", check.passed},
+          {"source", check.source}};
+}
+
+Json final_pose_of(const RunRecord& run) {
+  Json all = Json::array();
+  if (run.status != Status::ok || !run.trace || !run.scene) return all;
+  const auto states = run.trace->states(run.trace->size() - 1);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Body& body = run.scene->bodies[i];
+    if (body.type != BodyType::dynamic) continue;
+    all.push_back(
+        {{"body", body.name}, {"x", states[i].position.x}, {"y", states[i].position.y}, {"angle", states[i].angle}});
+  }
+  return all;
+}
+
+Json of(const RunRecord& run) {
+  return {{"scenario", run.scenario},
+          {"variant", run.variant},
+          {"parameters", Json(run.parameters)},
+          {"engine", run.engine},
+          {"method", run.method},
+          {"exact", run.exact},
+          {"dt", run.dt},
+          {"status", name_of(run.status)},
+          {"reason", run.reason},
+          {"verdict", name_of(run.verdict)},
+          {"metrics", of(run.metrics)},
+          {"final_pose", final_pose_of(run)},
+          {"truth", list(run.truth, [](const TruthCheck& check) { return of(check); })}};
+}
+
+Json of(const Comparison& comparison) {
+  return {{"scenario", comparison.scenario},
+          {"variant", comparison.variant},
+          {"a", comparison.a},
+          {"b", comparison.b},
+          {"verdict", name_of(comparison.verdict)},
+          {"reason", comparison.reason},
+          {"metrics", of(comparison.metrics)}};
+}
+
+Json of(const Timing& timing) {
+  return {{"scenario", timing.scenario},
+          {"variant", timing.variant},
+          {"engine", timing.engine},
+          {"method", timing.method},
+          {"step_us", timing.step_us},
+          {"step_us_low", timing.step_us_low},
+          {"step_us_high", timing.step_us_high},
+          {"real_time_factor", timing.real_time_factor},
+          {"repetitions", timing.repetitions}};
+}
+
+Json of(const ScenarioNote& note) {
+  return {{"name", note.name},
+          {"question", note.question},
+          {"closed_form", note.closed_form},
+          {"parameters", list(note.parameters, [](const Parameter& parameter) {
+             return Json{{"name", parameter.name}, {"unit", parameter.unit}, {"about", parameter.about}};
+           })}};
+}
+
+Json of(const EngineNote& note) {
+  return {{"name", note.name}, {"about", note.about}, {"source", note.source}, {"exact", note.exact}};
+}
+
+Json of(const MetricNote& note) {
+  return {{"name", note.name}, {"unit", note.unit}, {"definition", note.definition}, {"better", note.better}};
+}
+
+const auto as_json = [](const auto& item) { return of(item); };
+
+const Catalog<Writer>::Entry entry{{.name = "json",
+                                    .file = "report.json",
+                                    .text = [](const Report& report, std::string&) -> std::optional<std::string> {
+                                      return to_json(report).dump(1) + "\n";
+                                    }}};
+
+}  // namespace
+
+Json to_json(const Report& report) {
+  return {{"plumb", format},
+          {"title", report.title},
+          {"command", report.command},
+          {"environment", report.environment},
+          {"scenarios", list(report.scenarios, as_json)},
+          {"engines", list(report.engines, as_json)},
+          {"metrics", list(report.metrics, as_json)},
+          {"runs", list(report.runs, as_json)},
+          {"comparisons", list(report.comparisons, as_json)},
+          {"timings", {{"steps", list(report.timings, as_json)}, {"clock", Json(report.clock)}}}};
+}
+
+}  // namespace plumb
