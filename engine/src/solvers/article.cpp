@@ -61,9 +61,12 @@ struct Touching {
 ///
 ///     j = -(1 + e) vn / k,
 ///
-/// divided by the number of the manifold's points, as in the demo engine: each would stop a flat landing alone.
-/// Iterated over two points that formula ends at vn = 0, whatever e, since every impulse sees only what the others
-/// left. So the approach before any impulse, vn0, settles the speed of parting, and until a point has reached it
+/// divided by the number of the manifold's points, as in the demo engine: each would stop a flat landing alone. The
+/// points share out the velocities that all of them find (the demo engine lets the second see what the first did, and
+/// so a flat landing turns a box and its friction drives it sideways).
+///
+/// Iterated over two points the formula ends at vn = 0, whatever e, since every impulse sees only what the others left.
+/// So the approach before any impulse, vn0, settles the speed of parting, and until a point has reached it
 ///
 ///     j = (e |vn0| - vn) / k:  a single point gets the printed impulse exactly, and at once.
 ///
@@ -118,35 +121,47 @@ class Article : public Solver {
     for (std::size_t c = 0; c < data.contacts.size(); ++c) {
       Contact& contact = data.contacts[c];
       Touching pair(data.bodies, contact);
-      for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
-        push_apart(pair, contact, contact.points[p], points_[c][p]);
-      }
+      const auto j = push_apart(pair, contact, points_[c]);
+      rub(pair, contact, points_[c], j);
       data.bodies.velocity[contact.body_a] = pair.a;
       data.bodies.velocity[contact.body_b] = pair.b;
     }
   }
 
-  void push_apart(Touching& pair, const Contact& contact, ContactPoint& at, Point& point) const {
-    const Vec2 normal = contact.normal;
-    const Vec2 tangent = perpendicular(normal);
-    const Real share = 1 / static_cast<Real>(contact.count);
+  /// The normal impulses of this iteration.
+  std::array<Real, 2> push_apart(Touching& pair, Contact& contact, std::array<Point, 2>& points) const {
+    std::array<Real, 2> j{};
+    const auto count = static_cast<std::size_t>(contact.count);
+    for (std::size_t p = 0; p < count; ++p) {
+      const Real vn = dot(pair.relative_velocity(contact.points[p]), contact.normal);
+      // What others set in motion, as in a row of touching balls, answers to how it approaches now.
+      const Real target = std::max(points[p].rebound, rebound(contact, vn));
+      if (vn >= target || count == 1) points[p].rebound = 0;
+      if (vn < target) j[p] = (target - vn) * points[p].normal_mass / static_cast<Real>(count);
+    }
+    for (std::size_t p = 0; p < count; ++p) {
+      pair.push(contact.points[p], j[p] * contact.normal);
+      contact.points[p].total_normal_impulse += j[p];
+      contact.points[p].normal_impulse = contact.points[p].total_normal_impulse;
+    }
+    return j;
+  }
 
-    const Real vn = dot(pair.relative_velocity(at), normal);
-    // What others set in motion, as in a row of touching balls, answers to how it approaches now.
-    const Real target = std::max(point.rebound, rebound(contact, vn));
-    if (vn >= target || contact.count == 1) point.rebound = 0;
-    if (vn >= target) return;
-    const Real j = (target - vn) * point.normal_mass * share;
-    pair.push(at, j * normal);
-
-    Real jt = -dot(pair.relative_velocity(at), tangent) * point.tangent_mass * share;
-    if (std::abs(jt) > contact.static_friction * j) jt = std::copysign(contact.dynamic_friction * j, jt);
-    pair.push(at, jt * tangent);
-
-    at.total_normal_impulse += j;
-    at.total_tangent_impulse += jt;
-    at.normal_impulse = at.total_normal_impulse;
-    at.tangent_impulse = at.total_tangent_impulse;
+  static void rub(Touching& pair, Contact& contact, const std::array<Point, 2>& points, const std::array<Real, 2>& j) {
+    const Vec2 tangent = perpendicular(contact.normal);
+    std::array<Real, 2> jt{};
+    const auto count = static_cast<std::size_t>(contact.count);
+    for (std::size_t p = 0; p < count; ++p) {
+      const Real vt = dot(pair.relative_velocity(contact.points[p]), tangent);
+      jt[p] = -vt * points[p].tangent_mass / static_cast<Real>(count);
+      if (std::abs(jt[p]) > contact.static_friction * j[p])
+        jt[p] = std::copysign(contact.dynamic_friction * j[p], jt[p]);
+    }
+    for (std::size_t p = 0; p < count; ++p) {
+      pair.push(contact.points[p], jt[p] * tangent);
+      contact.points[p].total_tangent_impulse += jt[p];
+      contact.points[p].tangent_impulse = contact.points[p].total_tangent_impulse;
+    }
   }
 
   /// Part 1: moves overlapping bodies apart along the normal, the lighter one farther.
