@@ -6,6 +6,7 @@
 #include <string>
 
 #include "finite.h"
+#include "joint_set.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -149,7 +150,7 @@ void BodySet::advance(std::size_t i, const Velocity& at, Real h) {
   pose[i].q = Rotation(angle[i]);
 }
 
-void BodySet::mark_held(std::span<const Contact> contacts) {
+void BodySet::mark_held(std::span<const Contact> contacts, std::span<const ActiveJoint> joints) {
   std::fill(held.begin(), held.end(), std::uint8_t{0});
   for (const Contact& contact : contacts) {
     for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
@@ -157,6 +158,11 @@ void BodySet::mark_held(std::span<const Contact> contacts) {
       held[contact.body_a] = 1;
       held[contact.body_b] = 1;
     }
+  }
+  for (const ActiveJoint& joint : joints) {
+    if (joint.block.equations == 0) continue;
+    held[joint.block.a] = 1;
+    held[joint.block.b] = 1;
   }
 }
 

@@ -38,6 +38,8 @@ struct BodyDetail {
   std::vector<Part> parts;  // shapes relative to the centre of mass
 };
 
+struct ActiveJoint;
+
 /// The bodies as columns: row i of each is one body. Rows of dead or removed bodies have inverse mass 0 and velocity 0,
 /// so that loops over all rows need no branch. The pose is that of the centre of mass.
 struct BodySet {
@@ -74,7 +76,7 @@ struct BodySet {
   /// Moves row i by h seconds at a velocity other than its own.
   void advance(std::size_t i, const Velocity& at, Real h);
 
-  void mark_held(std::span<const Contact> contacts);
+  void mark_held(std::span<const Contact> contacts, std::span<const ActiveJoint> joints);
   void clear_forces();
 };
 

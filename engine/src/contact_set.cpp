@@ -114,11 +114,11 @@ void carry_over(Contact& contact, const Contact& last) {
 }  // namespace
 
 void ContactSet::find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
-                      bool recycle) {
+                      bool recycle, const JointSet& joints) {
   collect_proxies(bodies, margin);
   broad_phase.find_pairs(proxies_, pairs_);
   sort_pairs();
-  collide_pairs(bodies, settings, margin, recycle);
+  collide_pairs(bodies, settings, margin, recycle, joints);
 }
 
 void ContactSet::collect_proxies(const BodySet& bodies, const Margin& margin) {
@@ -147,13 +147,15 @@ void ContactSet::sort_pairs() {
   }
 }
 
-void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle) {
+void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle,
+                               const JointSet& joints) {
   std::swap(rows_, last_rows_);
   rows_.clear();
   auto last = last_rows_.cbegin();
   for (const Pair& pair : pairs_) {
     const Proxy& a = proxies_[pair.first];
     const Proxy& b = proxies_[pair.second];
+    if (joints.ties(a.body, b.body)) continue;
     while (last != last_rows_.cend() && key(*last) < key(a, b)) ++last;
     const bool known = last != last_rows_.cend() && key(*last) == key(a, b);
     if (known && recycle && recycled(*last, bodies)) {

@@ -6,6 +6,7 @@
 #include "broad_phase.h"
 #include "contact.h"
 #include "impulse/settings.h"
+#include "joint_set.h"
 #include "solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -19,7 +20,7 @@ class ContactSet {
   /// and only measures its separations anew. That is stability, not thrift: arms that turn with every tremor make the
   /// stiffness of a stack depend on its lean, and a tall one buckles.
   void find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
-            bool recycle);
+            bool recycle, const JointSet& joints);
 
   /// Forgets the contacts of a body.
   void forget(std::size_t body);
@@ -31,7 +32,8 @@ class ContactSet {
  private:
   void collect_proxies(const BodySet& bodies, const Margin& margin);
   void sort_pairs();
-  void collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle);
+  void collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle,
+                     const JointSet& joints);
 
   std::vector<Proxy> proxies_;
   std::vector<Pair> pairs_;

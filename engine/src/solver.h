@@ -7,6 +7,7 @@
 #include "force_field.h"
 #include "impulse/settings.h"
 #include "integrator.h"
+#include "joint_set.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -14,6 +15,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 struct StepData {
   BodySet& bodies;
   std::vector<Contact>& contacts;
+  std::vector<ActiveJoint>& joints;
   const ForceField& forces;
   Integrator& integrator;
   const Settings& settings;

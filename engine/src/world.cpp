@@ -17,10 +17,11 @@ void World::step() {
   State& s = *state_;
   if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
   s.forces.gravity = s.settings.gravity;
-  s.contacts.find(s.bodies, *s.broad_phase, s.settings, s.solver->margin(s.settings), s.solver->recycles());
-  StepData data{s.bodies, s.contacts.rows(), s.forces, *s.integrator, s.settings};
+  s.contacts.find(s.bodies, *s.broad_phase, s.settings, s.solver->margin(s.settings), s.solver->recycles(), s.joints);
+  StepData data{s.bodies, s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator, s.settings};
   s.solver->step(data);
-  s.bodies.mark_held(s.contacts.rows());
+  s.joints.store();
+  s.bodies.mark_held(s.contacts.rows(), data.joints);
   s.bodies.clear_forces();
 }
 
@@ -58,6 +59,11 @@ void World::destroy_body(BodyId id) { state_->change(State::Change::destroy, id)
 ForceId World::add_force(const Force& force) { return state_->forces.add(force, state_->bodies); }
 void World::remove_force(ForceId id) { state_->forces.remove(id); }
 bool World::contains(ForceId id) const { return state_->forces.contains(id); }
+
+JointId World::create_joint(const Joint& joint) { return state_->joints.add(joint, state_->bodies, state_->forces); }
+void World::destroy_joint(JointId id) { state_->joints.remove(id, state_->forces); }
+bool World::contains(JointId id) const { return state_->joints.contains(id); }
+Vec2 World::joint_impulse(JointId id) const { return state_->joints.impulse(id); }
 
 bool World::contains(BodyId id) const { return state_->bodies.contains(id); }
 
@@ -111,6 +117,7 @@ void World::State::apply(Change what, BodyId id) {
   if (what == Change::insert) return bodies.insert(id.index);
   contacts.forget(id.index);
   if (what == Change::remove) return bodies.remove(id.index);
+  joints.forget(id);
   forces.forget(id);
   bodies.destroy(id.index);
 }

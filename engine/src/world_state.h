@@ -10,6 +10,7 @@
 #include "force_field.h"
 #include "impulse/world.h"
 #include "integrator.h"
+#include "joint_set.h"
 #include "solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -24,6 +25,7 @@ struct World::State {
   BodySet bodies;
   ContactSet contacts;
   ForceField forces;
+  JointSet joints;
   int callbacks_running = 0;
   std::vector<std::pair<Change, BodyId>> deferred;
 

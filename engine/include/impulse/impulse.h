@@ -4,6 +4,7 @@
 #include "impulse/body.h"
 #include "impulse/clock.h"
 #include "impulse/force.h"
+#include "impulse/joint.h"
 #include "impulse/material.h"
 #include "impulse/math.h"
 #include "impulse/settings.h"

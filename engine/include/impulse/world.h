@@ -8,6 +8,7 @@
 
 #include "impulse/body.h"
 #include "impulse/force.h"
+#include "impulse/joint.h"
 #include "impulse/settings.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -64,6 +65,14 @@ class World {
   /// Throws std::out_of_range for a stale id.
   void remove_force(ForceId id);
   bool contains(ForceId id) const;
+
+  /// Ties two bodies as they stand now. Throws std::invalid_argument for numbers or pairs that make no sense,
+  /// std::out_of_range for a stale body. The joint ends with destroy_joint or with either body.
+  JointId create_joint(const Joint& joint);
+  void destroy_joint(JointId id);
+  bool contains(JointId id) const;
+  /// N s that the joint gave to body b (and took from a) in the last sub-step, world frame.
+  Vec2 joint_impulse(JointId id) const;
 
   /// Advances by dt().
   void step();

@@ -51,7 +51,9 @@ constexpr int offset_from_age = 2;
 struct Island {
   std::span<const std::uint32_t> bodies;
   std::span<ImpactRow> rows;
+  IslandJoints joints;
   int substeps = 1;
+  int sweeps = 1;  // joints and contacts, or joints and their stops, are solved in turn
   Real h = 0;
   Softness soft, stiff;   // between movable bodies; against what cannot move
   bool bounces = false;   // some contact has restitution
@@ -61,6 +63,8 @@ struct Island {
     return row.mass_a.m == 0 || row.mass_b.m == 0 ? stiff : soft;
   }
 };
+
+bool has_stops(const ActiveJoint* joint) { return joint->block.stops > 0 || joint->block.driven; }
 
 /// The sub-step that makes flight and impacts exact to rounding. A step of dt is cut into N sub-steps of h, each
 /// kick, press, drift, kick, relax:
@@ -93,9 +97,11 @@ class Accurate : public Solver {
 
  private:
   void prepare(StepData& data);
+  template <class Items, class IslandOf>
+  std::vector<std::size_t> starts(std::vector<std::size_t>& start, const Items& items, IslandOf island_of) const;
   void tie_islands(const StepData& data);
-  Island island(const StepData& data, std::size_t number);
-  int substeps(const StepData& data, const Island& island) const;
+  Island island(StepData& data, std::size_t number);
+  int choose_substeps(const StepData& data, const Island& island) const;
   void substep(StepData& data, Island& island);
   void find_impacts(StepData& data, Island& island);
   void halve(Island& island) const;
@@ -116,6 +122,9 @@ class Accurate : public Solver {
   std::vector<ContactRow> plain_rows_;
   std::vector<ImpactRow> rows_;         // island by island
   std::vector<std::size_t> row_start_;  // of each island in rows_, and the end
+  std::vector<ActiveJoint*> joints_;    // island by island
+  std::vector<std::size_t> joint_start_;
+  JointWorkspace joint_work_;
   std::vector<Motion> motion_;          // of each body since the start of the step
   std::vector<Pose> start_;             // of each body
   std::vector<Velocity> acceleration_;  // of each body, by the force field
@@ -136,7 +145,10 @@ void Accurate::step(StepData& data) {
         p.tangent_impulse /= static_cast<Real>(now.substeps);
       }
     }
+    now.joints.share(1 / static_cast<Real>(now.substeps));
+    now.joints.write();
     for (int i = 0; i < now.substeps; ++i) substep(data, now);
+    now.joints.share(static_cast<Real>(now.substeps));
     settle_offsets(now);
     for (ImpactRow& row : now.rows) {
       for (RowPoint& p : row.points) {
@@ -156,6 +168,7 @@ void Accurate::substep(StepData& data, Island& island) {
   kick(data.bodies, island);
   press(data.bodies, island);
   drift(data, island);
+  island.joints.write();
   kick(data.bodies, island);
   relax(data.bodies, island);
   note_loads(island);
@@ -178,15 +191,10 @@ void Accurate::prepare(StepData& data) {
   }
   tie_islands(data);
 
-  // Rows keep their order within an island: a stable counting sort.
-  const auto island_of = [&](const ContactRow& row) {
-    return islands_.of(row.mass_a.m + row.mass_a.i > 0 ? row.a : row.b);
-  };
-  row_start_.assign(islands_.size() + 1, 0);
-  for (const ContactRow& row : plain_rows_) ++row_start_[island_of(row) + 1];
-  std::partial_sum(row_start_.begin(), row_start_.end(), row_start_.begin());
+  // Rows and joints keep their order within an island: a stable counting sort.
+  const auto island_of = [&](const auto& tie) { return islands_.of(tie.mass_a.m + tie.mass_a.i > 0 ? tie.a : tie.b); };
+  std::vector<std::size_t> next = starts(row_start_, plain_rows_, island_of);
   rows_.resize(plain_rows_.size());
-  std::vector<std::size_t> next(row_start_.begin(), row_start_.end() - 1);
   for (const ContactRow& plain : plain_rows_) {
     ImpactRow& row = rows_[next[island_of(plain)]++];
     static_cast<ContactRow&>(row) = plain;
@@ -204,6 +212,23 @@ void Accurate::prepare(StepData& data) {
       if (p.normal_impulse > 0) loaded_[row.a] = loaded_[row.b] = 1;
     }
   }
+  const auto joint_island = [&](const ActiveJoint& joint) { return island_of(joint.block); };
+  next = starts(joint_start_, data.joints, joint_island);
+  joints_.resize(data.joints.size());
+  for (ActiveJoint& joint : data.joints) {
+    joints_[next[joint_island(joint)]++] = &joint;
+  }
+  IslandJoints(joints_, bodies, start_, motion_, joint_work_).mark(loaded_);
+}
+
+/// Where each island's items will start, as the first free places; `start` gets the same and the end.
+template <class Items, class IslandOf>
+std::vector<std::size_t> Accurate::starts(std::vector<std::size_t>& start, const Items& items,
+                                          IslandOf island_of) const {
+  start.assign(islands_.size() + 1, 0);
+  for (const auto& item : items) ++start[island_of(item) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  return {start.begin(), start.end() - 1};
 }
 
 /// Bodies share an island if they touch and both move: such bodies must be stepped together. Where forces depend on
@@ -218,18 +243,25 @@ void Accurate::tie_islands(const StepData& data) {
   for (const ContactRow& row : plain_rows_) {
     if (moves(row.a) && moves(row.b)) islands_.tie(row.a, row.b);
   }
+  for (const ActiveJoint& joint : data.joints) {
+    if (moves(joint.block.a) && moves(joint.block.b)) islands_.tie(joint.block.a, joint.block.b);
+  }
   if (forces_vary_) {
     for (std::uint32_t body = 1; body < bodies.size(); ++body) islands_.tie(0, body);
   }
   islands_.number();
 }
 
-Island Accurate::island(const StepData& data, std::size_t number) {
-  Island now;
-  now.bodies = islands_.bodies(number);
-  now.rows = std::span(rows_).subspan(row_start_[number], row_start_[number + 1] - row_start_[number]);
-  now.substeps = substeps(data, now);
+Island Accurate::island(StepData& data, std::size_t number) {
+  const auto joints = std::span(joints_).subspan(joint_start_[number], joint_start_[number + 1] - joint_start_[number]);
+  Island now{.bodies = islands_.bodies(number),
+             .rows = std::span(rows_).subspan(row_start_[number], row_start_[number + 1] - row_start_[number]),
+             .joints = IslandJoints(joints, data.bodies, start_, motion_, joint_work_)};
+  now.substeps = choose_substeps(data, now);
   now.h = data.settings.dt / static_cast<Real>(now.substeps);
+  if (!joints.empty() && (!now.rows.empty() || std::any_of(joints.begin(), joints.end(), has_stops))) {
+    now.sweeps = data.settings.iterations;
+  }
   const Real frequency = 1 / (8 * now.h);
   now.soft = Softness::of(frequency, now.h);
   now.stiff = Softness::of(2 * frequency, now.h);
@@ -248,7 +280,7 @@ Island Accurate::island(const StepData& data, std::size_t number) {
 /// estimate from the impulses would flicker with them, and a stack would topple while it is low.
 ///
 ///   sink = weight / (points on the ground) * k_max / (2 w^2), and sink ~ h^2
-int Accurate::substeps(const StepData& data, const Island& island) const {
+int Accurate::choose_substeps(const StepData& data, const Island& island) const {
   const int base = data.settings.substeps;
   if (island.rows.empty()) return base;
   Real weight = 0;
@@ -280,11 +312,12 @@ void Accurate::find_impacts(StepData& data, Island& island) {
   for (const std::uint32_t body : island.bodies) {
     flight_[body] = loaded_[body] != 0 ? Velocity{} : acceleration_[body];
   }
-  impacts_.resolve(island.rows, data.bodies, motion_, flight_, island.h);
+  impacts_.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h);
 }
 
 /// What the contacts bore in the last sub-step is given again, half in each kick.
 void Accurate::halve(Island& island) const {
+  island.joints.halve();
   for (ImpactRow& row : island.rows) {
     for (std::size_t i = 0; i < 2; ++i) {
       RowPoint& p = row.points[i];
@@ -313,6 +346,7 @@ void Accurate::kick(BodySet& bodies, Island& island) {
     }
     frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
+  island.joints.kick();
 }
 
 void Accurate::turn_normal(ImpactRow& row) const {
@@ -325,23 +359,27 @@ void Accurate::turn_normal(ImpactRow& row) const {
 /// Contacts give way as damped springs; a gap that would close within the sub-step is closed just so far. Friction
 /// waits for the rigid pass, except in a contact's first step (else a box set down on a slope slips before it is held).
 void Accurate::press(BodySet& bodies, Island& island) {
-  for (ImpactRow& row : island.rows) {
-    if (!row.active) continue;
-    turn_normal(row);
-    const Softness& soft = island.softness(row);
-    ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-    if (!row.block || !solve_pair(island, row, frame, true)) {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-        RowPoint& p = row.points[i];
-        const Real s = gap(row, p);
-        const Real v = frame.normal_velocity(p);
-        const Real push = s > 0 ? -p.normal_mass * (v + s / island.h)
+  for (int sweep = 0; sweep < island.sweeps; ++sweep) {
+    island.joints.press(island.h);
+    for (ImpactRow& row : island.rows) {
+      if (!row.active) continue;
+      turn_normal(row);
+      const Softness& soft = island.softness(row);
+      ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+      if (!row.block || !solve_pair(island, row, frame, true)) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+          RowPoint& p = row.points[i];
+          const Real s = gap(row, p);
+          const Real v = frame.normal_velocity(p);
+          const Real push = s > 0
+                                ? -p.normal_mass * (v + s / island.h)
                                 : -p.normal_mass * soft.strength * (v + soft.rate * s) - soft.relief * p.normal_impulse;
-        push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+          push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+        }
       }
+      if (row.fresh) rub(row, frame);
+      frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
     }
-    if (row.fresh) rub(row, frame);
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }
 
@@ -350,8 +388,9 @@ void Accurate::press(BodySet& bodies, Island& island) {
 void Accurate::relax(BodySet& bodies, Island& island) {
   // An island that begins at rest finds its loads now instead of sinking until it has them.
   constexpr int settling_sweeps = 30;
-  const int sweeps = island.settling ? settling_sweeps : 1;
+  const int sweeps = island.settling ? std::max(settling_sweeps, island.sweeps) : island.sweeps;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
+    island.joints.relax(island.h);
     for (ImpactRow& row : island.rows) {
       if (!row.active) continue;
       turn_normal(row);
@@ -421,6 +460,7 @@ void Accurate::drift(StepData& data, const Island& island) {
 
 void Accurate::note_loads(const Island& island) {
   for (const std::uint32_t body : island.bodies) loaded_[body] = 0;
+  island.joints.mark(loaded_);
   for (ImpactRow& row : island.rows) {
     for (RowPoint& p : row.points) {
       p.total_normal += p.normal_impulse;

@@ -7,17 +7,10 @@
 
 #include "body_set.h"
 #include "contact_rows.h"
+#include "solvers/island_joints.h"
+#include "solvers/motion.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
-
-/// How far a body has come since the start of the step. Small numbers, so that float keeps them to the last place.
-struct Motion {
-  Vec2 d;         // m
-  Real turn = 0;  // rad
-  Real sine = 0;  // of turn
-  Real drop = 0;  // cos(turn) - 1
-  void turn_by(Real angle);
-};
 
 /// A row, and what the sub-step of `accurate` needs to know beside it.
 struct ImpactRow : ContactRow {
@@ -47,10 +40,14 @@ constexpr Real impact_threshold = static_cast<Real>(0.1);
 /// shifting the start of the path by -tau J/m makes the whole sub-step come out as if it had been split at tau, without
 /// splitting it. Repeats in order of time until no contact with restitution hits before h. Rows that still approach
 /// afterwards hit in a later sub-step and are made inactive for this one.
+///
+/// Where bodies hang on joints, the joints pass the blow on at once: impulse and joints are solved in turn until both
+/// laws hold, before the paths are shifted.
 class Impacts {
  public:
-  void resolve(std::span<ImpactRow> rows, BodySet& bodies, std::vector<Motion>& motion,
-               const std::vector<Velocity>& acceleration, Real h);
+  /// `members` are the bodies that the rows and joints act on.
+  void resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members, BodySet& bodies,
+               std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h);
 
  private:
   struct Candidate {
@@ -58,7 +55,11 @@ class Impacts {
     Real time = 0;   // of the next impact; infinite when there is none
     Real speed = 0;  // of approach then
   };
+  void strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
+              std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau);
+
   std::vector<Candidate> candidates_;
+  std::vector<Velocity> before_;  // of the bodies struck
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "body_set.h"
+#include "joint_set.h"
+#include "solvers/joint_system.h"
+#include "solvers/motion.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// What the joints of an island work with; kept from island to island for its storage.
+struct JointWorkspace {
+  JointSystem system;
+  std::vector<Real> bias;
+};
+
+/// The joints of one island through the stages of `accurate`, as RATTLE (Andersen 1983) does it: velocities before the
+/// drift are chosen so that the joints fit *after* it, with the rows of before; velocities after it so that they go on
+/// fitting, with the rows of after. Second order, and it keeps the energy.
+class IslandJoints {
+ public:
+  IslandJoints(std::span<ActiveJoint* const> joints, BodySet& bodies, const std::vector<Pose>& start,
+               const std::vector<Motion>& motion, JointWorkspace& work)
+      : joints_(joints), bodies_(bodies), start_(start), motion_(motion), work_(work) {}
+
+  bool empty() const { return joints_.empty(); }
+  /// Impulses of a whole step to those of one of n sub-steps, and back.
+  void share(Real by);
+  /// What the joints gave in the last sub-step is given again, half in each kick.
+  void halve();
+  void kick();
+  /// Sets the flag of every body that a joint holds.
+  void mark(std::vector<std::uint8_t>& held) const;
+  /// error(x + h v) = 0.
+  void press(Real h);
+  /// Rows as the bodies stand.
+  void write();
+  /// rate = 0.
+  void relax(Real h);
+  /// Velocities that fit the joints, from an impact's; nothing is accumulated.
+  void absorb_impact();
+
+ private:
+  JointPose pose(std::uint32_t body, Real ahead) const;
+  JointBlock ahead(const ActiveJoint& joint, Real h) const;
+
+  std::span<ActiveJoint* const> joints_;
+  BodySet& bodies_;
+  const std::vector<Pose>& start_;
+  const std::vector<Motion>& motion_;
+  JointWorkspace& work_;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

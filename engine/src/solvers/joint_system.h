@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "body_set.h"
+#include "joint_set.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// All joint equations of an island as one linear system, K d = -(rate + bias), K the inverse effective masses between
+/// every two equations. Solved directly, so that a chain with a heavy end needs no sweeps: K = L D L^T in skyline
+/// storage (each row from its first entry on), whose cost for a chain of n joints is proportional to n.
+class JointSystem {
+ public:
+  /// Of the rows as they stand.
+  void factor(std::span<ActiveJoint* const> joints, std::size_t bodies);
+
+  /// Brings the rates to -bias. `bias` has one entry an equation, in the joints' order. Where `accumulate`, the joints
+  /// remember the impulses.
+  void solve(std::span<ActiveJoint* const> joints, BodySet& bodies, std::span<const Real> bias, bool accumulate);
+
+  std::size_t equations() const { return first_.size(); }
+
+ private:
+  Real& entry(std::size_t row, std::size_t column) { return values_[start_[row] + column - first_[row]]; }
+  Real entry(std::size_t row, std::size_t column) const { return values_[start_[row] + column - first_[row]]; }
+
+  std::vector<Real> values_;         // rows from first_ up to the diagonal
+  std::vector<std::size_t> start_;   // of each row in values_
+  std::vector<std::size_t> first_;   // column of each row's first entry
+  std::vector<std::size_t> lowest_;  // of each body, the first equation that moves it
+  std::vector<Real> solution_;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,225 @@
+// Joints under the default method, against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "../real_literal.h"
+#include "impulse/impulse.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+namespace {
+
+constexpr bool is_double = sizeof(Real) == sizeof(double);
+constexpr double bound(double in_double, double in_float) { return is_double ? in_double : in_float; }
+
+Settings accurate(Vec2 gravity = {0, -10}) {
+  Settings settings;
+  settings.solver = "accurate";
+  settings.gravity = gravity;
+  return settings;
+}
+
+BodyId anchor(World& world, Vec2 at = {}) {
+  BodyDef def;
+  def.type = BodyType::fixed;
+  def.position = at;
+  return world.create_body(def, Shape::circle(0.1_r));
+}
+
+BodyId box(World& world, Vec2 at, Vec2 half = {0.25_r, 0.25_r}, Real angle = 0, Real density = 1) {
+  BodyDef def;
+  def.position = at;
+  def.angle = angle;
+  Material material;
+  material.density = density;
+  return world.create_body(def, Shape::box(half), material);
+}
+
+void run(World& world, double seconds) {
+  const int steps = static_cast<int>(std::lround(seconds * 60));
+  for (int i = 0; i < steps; ++i) world.step();
+}
+
+double energy(World& world) {
+  double sum = 0;
+  for (const BodyId id : world.bodies()) {
+    const Body body = world.body(id);
+    const MassData mass = body.mass();
+    const double w = static_cast<double>(body.angular_velocity());
+    sum += static_cast<double>(mass.mass) *
+               static_cast<double>(length_squared(body.velocity()) / 2 - dot(world.gravity(), body.center())) +
+           static_cast<double>(mass.inertia) * w * w / 2;
+  }
+  return sum;
+}
+
+/// A box hung from the origin by an arm of length 1, drawn aside by an angle from straight down.
+struct Pendulum {
+  World world{accurate()};
+  BodyId bob;
+  JointId hinge;
+
+  explicit Pendulum(double from) {
+    const BodyId post = anchor(world);
+    const Vec2 at{static_cast<Real>(std::sin(from)), static_cast<Real>(-std::cos(from))};
+    bob = box(world, at, {0.25_r, 0.25_r}, static_cast<Real>(from));
+    hinge = world.create_joint(RevoluteJoint{post, bob, {}});
+  }
+};
+
+TEST(Joints, PendulumKeepsItsEnergyForAMinute) {
+  for (const double from : {0.5, 1.0, 2.0}) {
+    Pendulum p(from);
+    const double swing = 10 * .25 * (1 - std::cos(from));  // m g L (1 - cos)
+    const double before = energy(p.world);
+    double worst = 0;
+    for (int i = 0; i < 3600; ++i) {
+      p.world.step();
+      worst = std::max(worst, std::abs(energy(p.world) - before) / swing);
+    }
+    EXPECT_LT(worst, 5e-4) << from << " rad";
+    EXPECT_NEAR(length(p.world.body(p.bob).position()), 1, bound(1e-6, 1e-4));
+  }
+}
+
+TEST(Joints, PendulumKeepsTimeByTheEllipticIntegral) {
+  const double from = 1;
+  Pendulum p(from);
+  // T = 4 sqrt(I_p / (m g d)) K(sin(a/2)), K = pi / (2 agm(1, cos(a/2))).
+  double a = 1;
+  double b = std::cos(from / 2);
+  for (int i = 0; i < 20; ++i) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  const double inertia = 1 + (.5 * .5 + .5 * .5) / 12;  // per mass, about the hinge
+  const double period = 4 * std::sqrt(inertia / 10) * 3.14159265358979 / (2 * a);
+  double crossing = 0;
+  int crossings = 0;
+  double last = static_cast<double>(p.world.body(p.bob).position().x);
+  for (int i = 1; i <= 3600; ++i) {
+    p.world.step();
+    const double x = static_cast<double>(p.world.body(p.bob).position().x);
+    if ((x > 0) != (last > 0)) {
+      crossing = (i - x / (x - last)) / 60;
+      ++crossings;
+    }
+    last = x;
+  }
+  EXPECT_NEAR(crossing / ((crossings - .5) * period / 2), 1, 2e-4);
+}
+
+TEST(Joints, HingeCarriesTheWeightThatHangsOnIt) {
+  Pendulum p(0);
+  run(p.world, 1);
+  // 0.25 kg for one sub-step of 1/240 s; world frame, on the bob.
+  EXPECT_NEAR(p.world.joint_impulse(p.hinge).y * 60, .25 * 10, bound(1e-6, 1e-3));
+}
+
+TEST(Joints, CradleOnStringsHandsTheEnergyOn) {
+  World world(accurate());
+  std::vector<BodyId> balls;
+  Material steel;
+  steel.restitution = 1;
+  steel.static_friction = steel.dynamic_friction = 0;
+  for (int i = 0; i < 5; ++i) {
+    const Vec2 top{static_cast<Real>(i), 2};
+    const BodyId post = anchor(world, top);
+    BodyDef def;
+    def.position = i == 0 ? top + Vec2{-2 * 0.6_r, -2 * 0.8_r} : top - Vec2{0, 2};
+    balls.push_back(world.create_body(def, Shape::circle(0.5_r), steel));
+    world.create_joint(DistanceJoint{post, balls.back(), top, def.position, 2});
+  }
+  const double before = energy(world);
+  world.body(balls[0]);
+  const double swing = static_cast<double>(world.body(balls[0]).mass().mass) * 10 * 2 * (1 - .8);
+  run(world, 10);
+  EXPECT_NEAR((energy(world) - before) / swing, 0, 2e-3);
+}
+
+TEST(Joints, WeldKeepsTwoBodiesAsOne) {
+  World world(accurate());
+  const BodyId a = box(world, {0, 10});
+  const BodyId b = box(world, {0.5_r, 10});
+  world.body(a).set_velocity({}, 3);
+  world.create_joint(WeldJoint{a, b, {0.25_r, 10}});
+  run(world, 1);
+  const Vec2 apart = world.body(b).position() - world.body(a).position();
+  EXPECT_NEAR(length(apart), .5, bound(1e-6, 1e-4));
+  EXPECT_NEAR(world.body(b).angle() - world.body(a).angle(), 0, bound(1e-6, 1e-4));
+  EXPECT_NEAR((world.body(a).position().y + world.body(b).position().y) / 2, 10 - 5, bound(1e-6, 1e-3));
+}
+
+TEST(Joints, HingeStopsAtItsLimits) {
+  World world(accurate());
+  const BodyId post = anchor(world);
+  const BodyId arm = box(world, {1, 0}, {1, 0.05_r});
+  world.create_joint(RevoluteJoint{post, arm, {}, Limits{-0.5_r, 0.5_r}});
+  run(world, 3);
+  EXPECT_NEAR(world.body(arm).angle(), -.5, 1e-4);
+  EXPECT_NEAR(world.body(arm).angular_velocity(), 0, bound(1e-6, 1e-3));
+}
+
+TEST(Joints, MotorTurnsWithItsStrengthAndHoldsItsSpeed) {
+  World world(accurate({}));
+  const BodyId post = anchor(world);
+  const BodyId wheel = box(world, {}, {0.5_r, 0.5_r});
+  world.create_joint(RevoluteJoint{post, wheel, {}, {}, Motor{4, 0.5_r}});
+  run(world, .5);
+  // Torque / inertia = 0.5 / (1/6) = 3 rad/s^2.
+  EXPECT_NEAR(world.body(wheel).angular_velocity(), 1.5, bound(.02, .02));
+  run(world, 2);
+  EXPECT_NEAR(world.body(wheel).angular_velocity(), 4, bound(1e-6, 1e-4));
+}
+
+TEST(Joints, SliderMovesAlongItsAxisAloneAndStops) {
+  World world(accurate());
+  const BodyId post = anchor(world);
+  const BodyId slider = box(world, {0, 0});
+  world.create_joint(PrismaticJoint{post, slider, {}, {0.6_r, 0.8_r}, Limits{-2, 2}});
+  run(world, .5);
+  // Falls along the axis: g sin = 8 m/s^2.
+  const Vec2 p = world.body(slider).position();
+  EXPECT_NEAR(p.x * .8 - p.y * .6, 0, bound(1e-6, 1e-4));
+  EXPECT_NEAR(length(p), .5 * 8 * .25, bound(1e-3, 1e-3));
+  run(world, 2);
+  EXPECT_NEAR(length(world.body(slider).position()), 2, 1e-3);
+}
+
+TEST(Joints, SoftDistanceIsASpring) {
+  World world(accurate());
+  const BodyId post = anchor(world, {0, 5});
+  const BodyId bob = box(world, {0, 3});
+  world.create_joint(DistanceJoint{post, bob, {0, 5}, {0, 3}, 2, 50, 0});
+  const double w = std::sqrt(50 / .25);
+  run(world, 2);
+  EXPECT_NEAR(world.body(bob).position().y, 3 - 10 / (w * w) * (1 - std::cos(2 * w)), 2e-4 * 2 * w);
+}
+
+TEST(Joints, EndWithTheirBodiesAndNeverFollowAStaleName) {
+  Pendulum p(0);
+  p.world.destroy_body(p.bob);
+  EXPECT_FALSE(p.world.contains(p.hinge));
+  EXPECT_THROW(p.world.destroy_joint(p.hinge), std::out_of_range);
+  EXPECT_THROW(p.world.create_joint(WeldJoint{p.bob, p.bob, {}}), std::out_of_range);
+}
+
+TEST(Joints, ChainOfTwentyWithAHeavyEndHolds) {
+  World world(accurate());
+  BodyId last = anchor(world);
+  for (int i = 0; i < 20; ++i) {
+    const Real x = static_cast<Real>(i);
+    const BodyId link = box(world, {x + 0.5_r, 0}, {0.5_r, 0.1_r}, 0, i == 19 ? 20_r : 1_r);
+    world.create_joint(RevoluteJoint{last, link, {x, 0}});
+    last = link;
+  }
+  double before = energy(world);
+  run(world, 5);
+  EXPECT_LT(energy(world), before + .01 * std::abs(before) + 1);
+  EXPECT_LT(length(world.body(last).position()), 20.);
+}
+
+}  // namespace
+}  // namespace impulse::inline IMPULSE_PRECISION
