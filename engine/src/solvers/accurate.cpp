@@ -10,59 +10,16 @@
 #include "method_list.h"
 #include "solver.h"
 #include "solvers/impacts.h"
+#include "solvers/island.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Contacts give way like damped springs of frequency f = 1/(8 h), the stiffest that does not jitter, and twice that
-/// against what cannot move. In the terms of Catto's soft constraints (GDC 2011), with damping ratio zeta:
-///
-///   impulse = -m [ strength (v + rate s) ] - relief * lambda
-///
-/// A load then rests at a depth of load / (2 m_eff w^2), w = 2 pi f: half of the usual, because half of each sub-step's
-/// impulse is already given when the contact is solved.
-struct Softness {
-  Real rate = 0;      // 1/s
-  Real strength = 1;  // share of the rigid impulse
-  Real relief = 0;    // share of the accumulated impulse that is given back
-  Real omega = 0;     // rad/s
-
-  static Softness of(Real frequency, Real h) {
-    constexpr Real zeta = 10;
-    const Real omega = 2 * pi * frequency;
-    const Real damping = 2 * zeta + h * omega;
-    const Real stiffness = h * omega * damping;
-    return {omega / damping, stiffness / (1 + stiffness), 1 / (1 + stiffness), omega};
-  }
-};
-
-/// A sub-step is so short that an island would sink by this much (m) at most before the standing offset lifts it.
-constexpr Real tolerated_sink = static_cast<Real>(0.0005);
-constexpr int most_substeps = 32;
-/// Budget of one island and step: large piles keep the base number of sub-steps.
-constexpr std::size_t most_body_substeps = 4000;
 /// 1/s, at which the offset takes up a standing depth; 1 ... 4 are all stable, 2 settles soonest.
 constexpr Real offset_rate = 2;
 /// A contact's first steps are no standing load yet.
 constexpr int offset_from_age = 2;
-
-/// One island for the length of a step.
-struct Island {
-  std::span<const std::uint32_t> bodies;
-  std::span<ImpactRow> rows;
-  IslandJoints joints;
-  int substeps = 1;
-  int sweeps = 1;  // joints and contacts, or joints and their stops, are solved in turn
-  Real h = 0;
-  Softness soft, stiff;   // between movable bodies; against what cannot move
-  bool bounces = false;   // some contact has restitution
-  bool settling = false;  // begins at rest: its loads are found at once
-
-  const Softness& softness(const ContactRow& row) const {
-    return row.mass_a.m == 0 || row.mass_b.m == 0 ? stiff : soft;
-  }
-};
 
 bool has_stops(const ActiveJoint* joint) { return joint->block.stops > 0 || joint->block.driven; }
 
@@ -101,7 +58,6 @@ class Accurate : public Solver {
   std::vector<std::size_t> starts(std::vector<std::size_t>& start, const Items& items, IslandOf island_of) const;
   void tie_islands(const StepData& data);
   Island island(StepData& data, std::size_t number);
-  int choose_substeps(const StepData& data, const Island& island) const;
   void substep(StepData& data, Island& island);
   void find_impacts(StepData& data, Island& island);
   void halve(Island& island) const;
@@ -257,14 +213,10 @@ Island Accurate::island(StepData& data, std::size_t number) {
   Island now{.bodies = islands_.bodies(number),
              .rows = std::span(rows_).subspan(row_start_[number], row_start_[number + 1] - row_start_[number]),
              .joints = IslandJoints(joints, data.bodies, start_, motion_, joint_work_)};
-  now.substeps = choose_substeps(data, now);
-  now.h = data.settings.dt / static_cast<Real>(now.substeps);
+  now.cut(data.settings.dt, substeps_for(now, data.bodies, acceleration_, data.settings));
   if (!joints.empty() && (!now.rows.empty() || std::any_of(joints.begin(), joints.end(), has_stops))) {
     now.sweeps = data.settings.iterations;
   }
-  const Real frequency = 1 / (8 * now.h);
-  now.soft = Softness::of(frequency, now.h);
-  now.stiff = Softness::of(2 * frequency, now.h);
   now.bounces = std::any_of(now.rows.begin(), now.rows.end(), [](const ImpactRow& row) { return row.restitution > 0; });
   const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
   now.settling = !now.rows.empty() &&
@@ -274,38 +226,6 @@ Island Accurate::island(StepData& data, std::size_t number) {
                    return length(v.v) + std::abs(v.w) * data.bodies.reach[body] <= slow;
                  });
   return now;
-}
-
-/// How many sub-steps an island needs so that its own weight presses it no deeper than tolerated. From masses alone: an
-/// estimate from the impulses would flicker with them, and a stack would topple while it is low.
-///
-///   sink = weight / (points on the ground) * k_max / (2 w^2), and sink ~ h^2
-int Accurate::choose_substeps(const StepData& data, const Island& island) const {
-  const int base = data.settings.substeps;
-  if (island.rows.empty()) return base;
-  Real weight = 0;
-  for (const std::uint32_t body : island.bodies) {
-    const Real m = data.bodies.inverse_mass[body].m;
-    if (m > 0) weight += length(acceleration_[body].v) / m;
-  }
-  int points = 0;
-  Real softest = 0;  // 1/kg
-  for (const ImpactRow& row : island.rows) {
-    if (row.mass_a.m == 0 || row.mass_b.m == 0) points += row.count;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      softest = std::max(softest, 1 / row.points[i].normal_mass);
-    }
-  }
-  if (points == 0) return base;
-  const Real omega = 2 * pi * static_cast<Real>(base) / (8 * data.settings.dt);
-  const Real sink = weight / static_cast<Real>(points) * softest / (2 * omega * omega);
-  const Real wanted = static_cast<Real>(base) * std::sqrt(sink / tolerated_sink);
-  int n = base;
-  while (2 * n <= most_substeps && static_cast<Real>(2 * n * n) < wanted * wanted &&
-         static_cast<std::size_t>(2 * n) * island.bodies.size() <= most_body_substeps) {
-    n *= 2;
-  }
-  return n;
 }
 
 void Accurate::find_impacts(StepData& data, Island& island) {

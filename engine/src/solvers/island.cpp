@@ -1,0 +1,56 @@
+#include "solvers/island.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+constexpr int most_substeps = 32;
+
+/// Budget of one island and step: large piles keep the base number of sub-steps.
+constexpr std::size_t most_body_substeps = 4000;
+
+}  // namespace
+
+void Island::cut(Real dt, int into) {
+  constexpr Real damping_ratio = 10;
+  substeps = into;
+  h = dt / static_cast<Real>(into);
+  const Real frequency = 1 / (8 * h);
+  soft = Softness::of(frequency, damping_ratio, h);
+  stiff = Softness::of(2 * frequency, damping_ratio, h);
+}
+
+// sink = weight / (points on the ground) * k_max / (2 w^2), k the inverse effective mass; and sink ~ h^2.
+int substeps_for(const Island& island, const BodySet& bodies, const std::vector<Velocity>& acceleration,
+                 const Settings& settings) {
+  const int base = settings.substeps;
+  Real weight = 0;
+  for (const std::uint32_t body : island.bodies) {
+    const Real m = bodies.inverse_mass[body].m;
+    if (m > 0) weight += length(acceleration[body].v) / m;
+  }
+  int points = 0;
+  Real softest = 0;  // 1/kg
+  for (const ImpactRow& row : island.rows) {
+    if (row.mass_a.m == 0 || row.mass_b.m == 0) points += row.count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      softest = std::max(softest, 1 / row.points[i].normal_mass);
+    }
+  }
+  if (points == 0) return base;
+  const Real omega = 2 * pi * static_cast<Real>(base) / (8 * settings.dt);
+  const Real sink = weight / static_cast<Real>(points) * softest / (2 * omega * omega);
+  const Real wanted = static_cast<Real>(base) * std::sqrt(sink / tolerated_sink);
+  // Powers of two, the nearest by ratio.
+  int n = base;
+  while (2 * n <= most_substeps && static_cast<Real>(2 * n * n) < wanted * wanted &&
+         static_cast<std::size_t>(2 * n) * island.bodies.size() <= most_body_substeps) {
+    n *= 2;
+  }
+  return n;
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION
