@@ -28,23 +28,35 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Jn = m (1+e) vn, Jt = min(mu Jn, m vt/3) against the slip vt: a disc's normal and tangential motion do not mix.
-// Nothing changes before the impact, so that the speeds do not care when it is noticed; places are off by their jump
-// times the lag, and by the depth that may be put right.
+// Jn = m (1+e) vn, Jt = min(mu Jn, m vt/3) against the slip vt: a disc's normal and tangential motion do not mix, and
+// nothing changes before the impact. Noticed late, the disc overlaps by d = v lag and a gap, and the point of contact
+// may be taken anywhere within: the arm is off by d. With o = d/r that changes
+//   Jt of a grip, m (v + w r)/(1 + 2 (r_arm/r)^2), by m (4 vt + 3 w r)/9 o, hence along by (vt + w r) o/2 at most;
+//   the spin by 2/r times that and Jt/m o <= vt o/3;                both up to (1 + o)^2 of higher terms.
+// Places are off by the jump times the lag, by these speeds times the time, and by the depth that may be put right.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const double spin = std::abs(p.at("spin"));
   const double slip = v + spin * radius;
   const auto exact = [=](const Stepping& s) { return round_off(s, duration, v + slip / radius + spin); };
-  const auto place = [=](const Stepping& s) { return (2 * v + v) * lag(s) + s.gap + exact(s); };
-  const auto along = [=](const Stepping& s) { return slip / 3 * lag(s) + exact(s); };
-  const auto turn = [=](const Stepping& s) { return 2 * slip / (3 * radius) * lag(s) + exact(s); };
+  const auto overlap = [=](const Stepping& s) {
+    const double o = (v * lag(s) + s.gap) / radius;
+    return o * (1 + o) * (1 + o);
+  };
+  const auto along = [=](const Stepping& s) { return (slip + spin * radius) / 2 * overlap(s) + exact(s); };
+  const auto about = [=](const Stepping& s) { return 2 / radius * (along(s) + slip / 3 * overlap(s)); };
+  const auto x = [=](const Stepping& s) { return slip / 3 * lag(s) + along(s) * duration; };
+  const auto y = [=](const Stepping& s) { return 3 * v * lag(s) + s.gap + exact(s); };
+  const auto turn = [=](const Stepping& s) { return 2 * slip / (3 * radius) * lag(s) + about(s) * duration; };
   return {
-      {.body = "disc", .quantity = Quantity::vx, .allowed = exact, .source = "Jt = min(mu Jn, m vt/3)"},
-      {.body = "disc", .quantity = Quantity::vy, .allowed = exact, .source = "e vn"},
-      {.body = "disc", .quantity = Quantity::angular_velocity, .allowed = exact, .source = "r Jt/I"},
-      {.body = "disc", .quantity = Quantity::x, .allowed = along, .source = "the jump times the lag"},
-      {.body = "disc", .quantity = Quantity::y, .allowed = place, .source = "the jump times the lag, and the depth"},
+      {.body = "disc",
+       .quantity = Quantity::vx,
+       .allowed = along,
+       .source = "Jt = min(mu Jn, m vt/3); the arm's depth"},
+      {.body = "disc", .quantity = Quantity::vy, .allowed = exact, .source = "e vn, whenever it is noticed"},
+      {.body = "disc", .quantity = Quantity::angular_velocity, .allowed = about, .source = "r Jt/I; the arm's depth"},
+      {.body = "disc", .quantity = Quantity::x, .allowed = x, .source = "the jump times the lag"},
+      {.body = "disc", .quantity = Quantity::y, .allowed = y, .source = "the jump times the lag, and the depth"},
       {.body = "disc", .quantity = Quantity::angle, .allowed = turn, .source = "the jump times the lag"}};
 }
 

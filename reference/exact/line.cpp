@@ -139,7 +139,8 @@ std::variant<std::vector<Found>, std::string> row_of(const Scene& scene) {
       const Vec n = turned(half->normal, body.angle);
       if (std::abs(n.y) > flat) return "solves walls across the line";
       const double face = n.x * (half->offset + dot(n, body.position));
-      row.push_back({i, true, n.x > 0 ? -never : face, n.x > 0 ? face : never});
+      const bool left = n.x > 0;
+      row.push_back({.body = i, .wall = true, .low = left ? -never : face, .high = left ? face : never});
     } else if (const std::optional<double> extent = half_extent(body); extent && body.type == BodyType::fixed) {
       row.push_back({i, true, body.position.x - *extent, body.position.x + *extent});
     } else {
