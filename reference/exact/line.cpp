@@ -138,9 +138,9 @@ std::variant<std::vector<Found>, std::string> row_of(const Scene& scene) {
     if (const HalfSpace* half = lone<HalfSpace>(body); half != nullptr && body.type == BodyType::fixed) {
       const Vec n = turned(half->normal, body.angle);
       if (std::abs(n.y) > flat) return "solves walls across the line";
-      const double face = n.x * (half->offset + dot(n, body.position));
-      const bool left = n.x > 0;
-      row.push_back({.body = i, .wall = true, .low = left ? -never : face, .high = left ? face : never});
+      Found wall{.body = i, .wall = true, .low = -never, .high = never};
+      (n.x > 0 ? wall.high : wall.low) = n.x * (half->offset + dot(n, body.position));
+      row.push_back(wall);
     } else if (const std::optional<double> extent = half_extent(body); extent && body.type == BodyType::fixed) {
       row.push_back({i, true, body.position.x - *extent, body.position.x + *extent});
     } else {
