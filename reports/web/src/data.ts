@@ -70,6 +70,7 @@ export interface EngineNote {
   name: string;
   about: string;
   source: string;
+  exact: boolean;
 }
 
 export interface MetricNote {
@@ -164,7 +165,7 @@ const report_rule = record({
   command: list(text),
   environment: map(text),
   scenarios: list(record({ name: text, question: text, parameters: list(record({ name: text, unit: text, about: text })) })),
-  engines: list(record({ name: text, about: text, source: text })),
+  engines: list(record({ name: text, about: text, source: text, exact: yes_no })),
   metrics: list(record({ name: text, unit: text, definition: text })),
   runs: list(
     record({

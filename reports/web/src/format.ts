@@ -11,11 +11,12 @@ function raised(exponent: number): string {
 
 const signed = (text: string): string => text.replace("-", minus);
 
-const with_unit = (text: string, unit: string): string => (unit ? `${text}${thin}${pretty_unit(unit)}` : text);
+/** "1" is the unit of what has none. */
+const with_unit = (text: string, unit: string): string => (unit && unit !== "1" ? `${text}${thin}${pretty_unit(unit)}` : text);
 
-/** "kg m^2/s" -> "kg m²/s" */
+/** "kg m^2/s" -> "kg m²/s", in one piece */
 export function pretty_unit(unit: string): string {
-  return unit.replace(/\^(-?\d+)/g, (_, power: string) => raised(Number(power)));
+  return unit.replaceAll(" ", thin).replace(/\^(-?\d+)/g, (_, power: string) => raised(Number(power)));
 }
 
 /** "step_us" -> "step us"; names are the C++ side's identifiers. */
@@ -28,7 +29,8 @@ export function number(value: number | null | undefined, unit = "", digits = 3):
   const size = Math.abs(value);
   if (size >= 1e6 || size < 1e-3) {
     const [mantissa = "", exponent = "0"] = value.toExponential(digits - 1).split("e");
-    return with_unit(`${signed(mantissa)}${thin}\u00d7${thin}10${raised(Number(exponent))}`, unit);
+    const factor = mantissa === "1" ? "" : `${signed(mantissa)}${thin}\u00d7${thin}`;
+    return with_unit(`${factor}10${raised(Number(exponent))}`, unit);
   }
   const rounded = Math.abs(Number(value.toPrecision(digits)));
   const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(rounded)));
@@ -36,18 +38,18 @@ export function number(value: number | null | undefined, unit = "", digits = 3):
 }
 
 /** A whole or short number as it was given: no digit added. */
-export function given(value: number, unit = ""): string {
-  const short = Number(value.toPrecision(6));
+export function given(value: number, unit = "", digits = 6): string {
+  const short = Number(value.toPrecision(digits));
   const plain = short === 0 || (Math.abs(short) >= 1e-4 && Math.abs(short) < 1e7);
   return plain ? with_unit(signed(String(short)), unit) : number(short, unit, 2);
 }
 
-/** A value known to a tolerance: digits beyond a hundredth of it say nothing. */
-export function to_tolerance(value: number | null, tolerance: number | null, unit: string): string {
+/** A value that is told from another by so much: two digits of the difference are shown, and none below. */
+export function to_within(value: number | null, difference: number, unit: string): string {
   if (value === null || !Number.isFinite(value)) return "not finite";
-  if (!tolerance || !Number.isFinite(tolerance)) return number(value, unit, 6);
-  if (Math.abs(value) >= 1e6) return number(value, unit, 6);
-  const decimals = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(tolerance))));
+  if (value === 0) return with_unit("0", unit);
+  if (!(difference > 0) || !Number.isFinite(difference) || Math.abs(value) >= 1e6) return number(value, unit, 6);
+  const decimals = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(difference))));
   const text = value.toFixed(decimals);
   return with_unit(signed(Number(text) === 0 ? text.replace("-", "") : text), unit);
 }
@@ -67,6 +69,9 @@ export function share(ratio: number): string {
   if (ratio < 10) return ratio.toFixed(ratio < 0.0995 ? 3 : 2);
   return ratio < 1000 ? ratio.toPrecision(3) : "> 1000";
 }
+
+/** "3.2 times" */
+export const times = (ratio: number): string => (ratio >= 1000 ? "more than 1000 times" : `${share(ratio)} times`);
 
 /** A command line as a shell takes it. */
 export function shell(words: string[]): string {

@@ -1,6 +1,6 @@
 // The report in one sentence, and the words for verdicts.
 import type { Run, Verdict } from "./data";
-import { count, enumerate, share } from "./format";
+import { count, enumerate, times } from "./format";
 import type { Contender, Entry, Model } from "./model";
 
 export const verdict_words: Record<Verdict, string> = {
@@ -51,7 +51,8 @@ export function sentence(model: Model): string {
     return `${who} are right in ${cases === 1 ? "the one case" : `all ${cases} cases`} that physics can judge.`;
   }
   const parts = tallies.map(({ contender, right, judged }, index) => {
-    const how = right === judged ? `all ${count(judged, "case")}` : `${right} of ${index ? judged : count(judged, "case")}`;
+    const of = index ? String(judged) : count(judged, "case");
+    const how = right === judged ? `all ${of}` : `${right} of ${of}`;
     return `${contender.label}${index ? "" : " is right"} in ${how}`;
   });
   const furthest = entries
@@ -59,7 +60,7 @@ export function sentence(model: Model): string {
     .sort((a, b) => b.worst - a.worst)[0];
   const worst =
     furthest && furthest.worst > 1 && Number.isFinite(furthest.worst)
-      ? `; ${furthest.contender.label} is furthest off, in ${furthest.run.scenario} (${furthest.run.variant}): ${share(furthest.worst)} times what is allowed`
+      ? `; ${furthest.contender.label} is furthest off, in ${furthest.run.scenario} (${furthest.run.variant}): ${times(furthest.worst)} what is allowed`
       : "";
   return `${enumerate(parts)}${worst}.`;
 }

@@ -1,50 +1,42 @@
-import {build} from 'esbuild';
-import assert from 'node:assert/strict';
-import {test} from 'node:test';
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { build } from "esbuild";
 
-const bundle = await build(
-    {entryPoints: [new URL('../src/format.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm'});
-const format =
-    await import(`data:text/javascript;base64,${Buffer.from(bundle.outputFiles[0].text).toString('base64')}`);
+const bundle = await build({ entryPoints: [new URL("../src/format.ts", import.meta.url).pathname], bundle: true, write: false, format: "esm" });
+const format = await import(`data:text/javascript;base64,${Buffer.from(bundle.outputFiles[0].text).toString("base64")}`);
 
-const plain = (text) => text.replaceAll('\u202f', ' ');
+const plain = (text) => text.replaceAll("\u202f", " ");
 
-test('a number has the digits that are known, and its unit', () => {
-  assert.equal(plain(format.number(3.14159, 'm')), '3.14 m');
-  assert.equal(plain(format.number(-0.0421, 'kg m^2/s')), '\u22120.0421 kg m\u00b2/s');
-  assert.equal(plain(format.number(1.5e-7, 'J')), '1.50 \u00d7 10\u207b\u2077 J');
-  assert.equal(format.number(9.996), '10.0');
-  assert.equal(format.number(123456), '123456');
-  assert.equal(format.number(0), '0');
+test("a number has the digits that are known, and its unit", () => {
+  assert.equal(plain(format.number(3.14159, "m")), "3.14 m");
+  assert.equal(plain(format.number(-0.0421, "kg m^2/s")), "\u22120.0421 kg m\u00b2/s");
+  assert.equal(plain(format.number(1.5e-7, "J")), "1.50 \u00d7 10\u207b\u2077 J");
+  assert.equal(format.number(9.996), "10.0");
+  assert.equal(format.number(123456), "123456");
+  assert.equal(format.number(0), "0");
 });
 
-test('what is not finite is never a number', () => {
-  assert.equal(format.number(null), 'not finite');
-  assert.equal(format.number(Infinity, 'm'), 'not finite');
-  assert.equal(format.to_tolerance(null, 0.1, 'm'), 'not finite');
+test("what is not finite is never a number", () => {
+  assert.equal(format.number(null), "not finite");
+  assert.equal(format.number(Infinity, "m"), "not finite");
+  assert.equal(format.to_within(null, 0.1, "m"), "not finite");
 });
 
-test('a value known to a tolerance shows no digit below a tenth of it', () => {
-  assert.equal(plain(format.to_tolerance(-5.08333, 0.0833, 'm')), '\u22125.083 m');
-  assert.equal(plain(format.to_tolerance(-0.00001, 0.0833, 'm')), '0.000 m');
-  assert.equal(plain(format.to_tolerance(1234.5678, 20, 'J')), '1235 J');
+test("a value that is told from another shows two digits of the difference", () => {
+  assert.equal(plain(format.to_within(-5.08333, 0.0833, "m")), "\u22125.083 m");
+  assert.equal(plain(format.to_within(-0.00001, 0.0833, "m")), "0.000 m");
+  assert.equal(plain(format.to_within(0, 0.0833, "m")), "0 m");
+  assert.equal(plain(format.to_within(1234.5678, 20, "J")), "1235 J");
 });
 
-test('a time step is read as a rate where it is one', () => {
-  assert.equal(plain(format.time_step(1 / 60)), '1/60 s');
-  assert.equal(plain(format.time_step(0.003)), '0.00300 s');
+test("a time step is read as a rate where it is one", () => {
+  assert.equal(plain(format.time_step(1 / 60)), "1/60 s");
+  assert.equal(plain(format.time_step(0.003)), "0.00300 s");
 });
 
-test('a share of what is allowed stays short', () => {
+test("a share of what is allowed stays short", () => {
   assert.deepEqual([0, 1e-9, 0.0421, 0.9984, 3.2308, 12345, Infinity, NaN].map(format.share), [
-    '0',
-    '< 0.001',
-    '0.042',
-    '1.00',
-    '3.23',
-    '> 1000',
-    'no bound',
-    '\u2013',
+    "0", "< 0.001", "0.042", "1.00", "3.23", "> 1000", "no bound", "\u2013",
   ]);
 });
 

@@ -1,35 +1,28 @@
-import assert from 'node:assert/strict';
-import {after, test} from 'node:test';
-
-import {close, draw_all, open, write} from './browser.mjs';
-import {sample} from './sample.mjs';
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, draw_all, open, write } from "./browser.mjs";
+import { sample } from "./sample.mjs";
 
 after(close);
 
-const reports = {
-  'the sample': await write(sample())
-};
-if (process.env.PLUMB_REPORT) reports['the real report'] = process.env.PLUMB_REPORT;
+const reports = { "the sample": await write(sample()) };
+if (process.env.PLUMB_REPORT) reports["the real report"] = process.env.PLUMB_REPORT;
 
 for (const [name, file] of Object.entries(reports)) {
-  for (const colorScheme of ['light', 'dark']) {
+  for (const colorScheme of ["light", "dark"]) {
     for (const width of [360, 1280, 2560]) {
       test(`${name} fits ${width} px in ${colorScheme}, draws everything, and asks for nothing`, async () => {
-        const {page, trouble} = await open(file, {width, colorScheme});
+        const { page, trouble } = await open(file, { width, colorScheme });
         await draw_all(page);
         const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
         assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
         const empty = await page.evaluate(
-            () => [...document.querySelectorAll('.canvas')]
-                      .filter(
-                          (canvas) =>
-                              !canvas.querySelector('svg') && canvas.previousSibling.textContent.indexOf('None') < 0)
-                      .length,
+          () => [...document.querySelectorAll(".canvas")].filter((canvas) => !canvas.querySelector("svg") && canvas.previousSibling.textContent.indexOf("None") < 0).length,
         );
         assert.equal(empty, 0);
         const background = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
         const brightness = Number(/\d+/.exec(background)[0]);
-        assert.equal(brightness < 128, colorScheme === 'dark');
+        assert.equal(brightness < 128, colorScheme === "dark");
         assert.deepEqual(trouble, []);
         await page.close();
       });
@@ -37,80 +30,73 @@ for (const [name, file] of Object.entries(reports)) {
   }
 }
 
-test('every contender has its line in each chart, and every run its mark against cost', async () => {
-  const {page} = await open(reports['the sample']);
+test("every contender has its line in each chart, and every run its mark against cost", async () => {
+  const { page } = await open(reports["the sample"]);
   await draw_all(page);
-  const first = page.locator('article').first();
-  const labels = (locator) =>
-      locator.evaluateAll((all) => all.map((mark) => mark.getAttribute('aria-description')).sort());
-  const figures = first.locator('figure');
-  assert.deepEqual(await labels(figures.nth(0).locator('g.line')), ['box2d', 'impulse', 'truth']);
-  assert.deepEqual(await labels(figures.nth(1).locator('g.line')), ['box2d', 'impulse', 'truth']);
-  assert.deepEqual(await labels(figures.nth(2).locator('g.line')), ['box2d', 'impulse']);
-  const line = await figures.nth(0).locator('g.line path').first().getAttribute('d');
-  assert.equal(line.split('L').length, 121);
-  assert.equal(await page.locator('#overview g.marks path, #overview g.marks circle').count(), 4);
+  const first = page.locator("article").first();
+  const labels = (locator) => locator.evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort());
+  const figures = first.locator("figure");
+  assert.deepEqual(await labels(figures.nth(0).locator("g.line")), ["box2d", "impulse", "truth"]);
+  assert.deepEqual(await labels(figures.nth(1).locator("g.line")), ["box2d", "impulse"]);
+  assert.deepEqual(await labels(figures.nth(2).locator("g.line")), ["box2d", "impulse", "truth"]);
+  const line = await figures.nth(0).locator("g.line path").first().getAttribute("d");
+  assert.equal(line.split("L").length, 121);
+  assert.equal(await page.locator("#overview g.marks path, #overview g.marks circle").count(), 4);
   await page.close();
 });
 
-test('the verdict stands first, and a case without an answer says why', async () => {
-  const {page} = await open(reports['the sample']);
+test("the verdict stands first, and a case without an answer says why", async () => {
+  const { page } = await open(reports["the sample"]);
   assert.equal(
-      await page.locator('h1').innerText(),
-      'impulse is right in 2 of 3 cases and box2d in 2 of 3; impulse is furthest off, in stacking (10 boxes): 3.23 times what is allowed.',
+    await page.locator("h1").innerText(),
+    "impulse is right in 2 of 3 cases and box2d in 2 of 3; impulse is furthest off, in stacking (10 boxes): 3.23 times what is allowed.",
   );
-  const matrix = await page.locator('.matrix').innerText();
+  const matrix = await page.locator(".matrix").innerText();
   assert.match(matrix, /diverged at t = 0\.42 s/);
   assert.match(matrix, /has one friction coefficient only/);
   await page.close();
 });
 
-test('a cell leads to its evidence, and an address opens at its place', async () => {
-  const {page} = await open(reports['the sample']);
-  await page.locator('.matrix a', {hasText: 'wrong'}).click();
-  assert.equal(new URL(page.url()).hash, '#stacking--10-boxes');
-  const top = () => page.evaluate(() => document.getElementById('stacking--10-boxes').getBoundingClientRect().top);
+test("a cell leads to its evidence, and an address opens at its place", async () => {
+  const { page } = await open(reports["the sample"]);
+  await page.locator(".matrix a", { hasText: "wrong" }).click();
+  assert.equal(new URL(page.url()).hash, "#stacking--10-boxes");
+  const top = () => page.evaluate(() => document.getElementById("stacking--10-boxes").getBoundingClientRect().top);
   assert.ok(Math.abs(await top()) < 900);
-  const again = await open(reports['the sample'], {hash: '#stacking--10-boxes'});
+  const again = await open(reports["the sample"], { hash: "#stacking--10-boxes" });
   assert.ok((await again.page.evaluate(() => scrollY)) > 0);
   await page.close();
   await again.page.close();
 });
 
-test('names are text, never markup', async () => {
-  const name = '<img src=x onerror=document.title=\'bad\'></script><b>';
-  const {page, trouble} = await open(await write(sample(name)));
-  assert.equal(await page.locator('h2', {hasText: '<img'}).innerText(), name);
-  assert.equal(await page.locator('img').count(), 0);
-  assert.equal(await page.locator('main b').count(), 0);
-  assert.notEqual(await page.title(), 'bad');
+test("names are text, never markup", async () => {
+  const name = "<img src=x onerror=document.title='bad'></script><b>";
+  const { page, trouble } = await open(await write(sample(name)));
+  assert.equal(await page.locator("h2", { hasText: "<img" }).innerText(), name);
+  assert.equal(await page.locator("img").count(), 0);
+  assert.equal(await page.locator("main b").count(), 0);
+  assert.notEqual(await page.title(), "bad");
   assert.deepEqual(trouble, []);
   await page.close();
 });
 
-test('paper gets every chart and every table', async () => {
-  const {page} = await open(reports['the sample']);
-  await page.emulateMedia({media: 'print'});
-  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-  assert.equal(await page.locator('details:not([open])').count(), 0);
-  assert.equal(await page.locator('.canvas:not(:has(svg))').count(), 0);
+test("paper gets every chart and every table", async () => {
+  const { page } = await open(reports["the sample"]);
+  await page.emulateMedia({ media: "print" });
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  assert.equal(await page.locator("details:not([open])").count(), 0);
+  assert.equal(await page.locator(".canvas:not(:has(svg))").count(), 0);
   await page.close();
 });
 
 const damages = {
-  'no report at all': ['', /the page holds no report/],
-  'a report that is cut off': [JSON.stringify(sample()).slice(0, 999), /the report is not JSON/],
-  'a report of another format':
-      [{...sample(), report: {...sample().report, plumb: 7}}, /of format 7, this page reads format 1/],
-  'a report without its runs':
-      [{...sample(), report: {...sample().report, runs: undefined}}, /report\.runs: expected a list, found nothing/],
-  'a run whose step is text': [
-    damaged((page) => (page.report.runs[1].dt = '1/60')), /report\.runs\[1\]\.dt: expected a number, found a string/
-  ],
-  'a verdict nobody knows':
-      [damaged((page) => (page.report.runs[0].verdict = 'fine')), /report\.runs\[0\]\.verdict: expected one of right/],
-  'a column that is too short':
-      [damaged((page) => page.series[2].energy.pop()), /series\[2\]\.energy: 120 values for 121 times/],
+  "no report at all": ["", /the page holds no report/],
+  "a report that is cut off": [JSON.stringify(sample()).slice(0, 999), /the report is not JSON/],
+  "a report of another format": [{ ...sample(), report: { ...sample().report, plumb: 7 } }, /of format 7, this page reads format 1/],
+  "a report without its runs": [{ ...sample(), report: { ...sample().report, runs: undefined } }, /report\.runs: expected a list, found nothing/],
+  "a run whose step is text": [damaged((page) => (page.report.runs[1].dt = "1/60")), /report\.runs\[1\]\.dt: expected a number, found a string/],
+  "a verdict nobody knows": [damaged((page) => (page.report.runs[0].verdict = "fine")), /report\.runs\[0\]\.verdict: expected one of right/],
+  "a column that is too short": [damaged((page) => page.series[2].energy.pop()), /series\[2\]\.energy: 120 values for 121 times/],
 };
 
 function damaged(damage) {
@@ -121,9 +107,9 @@ function damaged(damage) {
 
 for (const [name, [data, words]] of Object.entries(damages)) {
   test(`${name} is told as such, and nothing else is shown`, async () => {
-    const {page, trouble} = await open(await write(data));
-    assert.match(await page.locator('#page').innerText(), words);
-    assert.equal(await page.locator('section').count(), 0);
+    const { page, trouble } = await open(await write(data));
+    assert.match(await page.locator("#page").innerText(), words);
+    assert.equal(await page.locator("section").count(), 0);
     assert.deepEqual(trouble, []);
     await page.close();
   });

@@ -4,30 +4,30 @@ const steps = 120;
 const dt = 1 / 60;
 const g = 10;
 
-const times = Array.from({length: steps + 1}, (_, i) => i * dt);
+const times = Array.from({ length: steps + 1 }, (_, i) => i * dt);
 const contenders = [
-  {engine: 'impulse', method: '', exact: false, off: 0.5, cost: 0.4},
-  {engine: 'box2d', method: '', exact: false, off: -0.5, cost: 0.7},
-  {engine: 'free fall', method: '', exact: true, off: 0, cost: 0.01},
+  { engine: "impulse", method: "", exact: false, off: 0.5, cost: 0.4 },
+  { engine: "box2d", method: "", exact: false, off: -0.5, cost: 0.7 },
+  { engine: "free fall", method: "", exact: true, off: 0, cost: 0.01 },
 ];
 
 function fall(height, contender) {
   const at = (t) => height - (g * t * t) / 2 - contender.off * g * t * dt;
   const error = Math.abs(contender.off) * g * 2 * dt;
   const check = {
-    body: 'ball',
-    quantity: 'y',
-    unit: 'm',
+    body: "ball",
+    quantity: "y",
+    unit: "m",
     time: 2,
     expected: height - 2 * g,
     measured: at(2),
     error,
     tolerance: error * 1.25 + 1e-9,
     passed: true,
-    source: 'h - g t^2/2; symplectic Euler is off by g t dt/2',
+    source: "h - g t^2/2; symplectic Euler is off by g t dt/2",
   };
   return {
-    metrics: {truth_error_rms: {value: error / 1.7, unit: 'm'}, energy_rise: {value: 0, unit: 'J'}},
+    metrics: { truth_error_rms: { value: error / 1.7, unit: "m" }, energy_rise: { value: 0, unit: "J" } },
     truth: contender.exact ? [] : [check],
     series: {
       t: times,
@@ -40,103 +40,60 @@ function fall(height, contender) {
   };
 }
 
-const place = (scenario, variant, {engine, method}) => ({scenario, variant, engine, method});
+const place = (scenario, variant, { engine, method }) => ({ scenario, variant, engine, method });
 
 /** The whole of what the page is given; `scenario` names the first scenario. */
-export function sample(scenario = 'free-fall') {
+export function sample(scenario = "free-fall") {
   const page = {
     report: {
       plumb: 1,
-      title: 'Canonical scenarios',
-      command: ['./plumb', 'report'],
-      environment: {compiler: 'GCC 12.2.0', build: 'Release', box2d: '2.4.1'},
+      title: "Canonical scenarios",
+      command: ["./plumb", "report"],
+      environment: { compiler: "GCC 12.2.0", build: "Release", box2d: "2.4.1" },
       scenarios: [
         {
           name: scenario,
-          question: 'Does a lone ball fall as Galileo says?',
-          parameters: [{name: 'height', unit: 'm', about: 'above the ground at the start'}],
+          question: "Does a lone ball fall as Galileo says?",
+          parameters: [{ name: "height", unit: "m", about: "above the ground at the start" }],
         },
       ],
-      engines: [{name: 'impulse', about: 'Our own engine.', source: ''}],
-      metrics: [{name: 'truth_error_rms', unit: 'm', definition: 'RMS distance of the bodies from the closed form'}],
+      engines: [{ name: "impulse", about: "our own engine", source: "engine/", exact: false }],
+      metrics: [{ name: "truth_error_rms", unit: "m", definition: "RMS distance of the bodies from the closed form" }],
       runs: [],
       comparisons: [],
-      timings: {steps: [], clock: {total: 3.2, share_outside_step: 0.31}},
+      timings: { steps: [], clock: { runs_s: 3.2, outside_step: 0.31 } },
     },
     series: [],
   };
-  const {report} = page;
+  const { report } = page;
   for (const height of [5, 50]) {
     const variant = `height ${height}`;
     for (const contender of contenders) {
-      const {series, ...result} = fall(height, contender);
+      const { series, ...result } = fall(height, contender);
       const of = place(scenario, variant, contender);
-      report.runs.push({
-        ...of,
-        parameters: {height},
-        exact: contender.exact,
-        dt,
-        status: 'ok',
-        reason: '',
-        ...result,
-        verdict: 'right'
-      });
-      page.series.push({...of, ...series});
+      report.runs.push({ ...of, parameters: { height }, exact: contender.exact, dt, status: "ok", reason: "", ...result, verdict: "right" });
+      page.series.push({ ...of, ...series });
       if (contender.exact) continue;
-      const cost = {
-        step_us: contender.cost * height ** 0.2,
-        step_us_low: contender.cost,
-        step_us_high: contender.cost * 2
-      };
-      report.timings.steps.push({...of, ...cost, real_time_factor: 40000, repetitions: 5});
+      const cost = { step_us: contender.cost * height ** 0.2, step_us_low: contender.cost, step_us_high: contender.cost * 2 };
+      report.timings.steps.push({ ...of, ...cost, real_time_factor: 40000, repetitions: 5 });
     }
     report.comparisons.push({
       scenario,
       variant,
-      a: 'impulse',
-      b: 'box2d',
-      metrics: {pose_difference_end: {value: 0.333, unit: 'm'}},
-      verdict: 'plausible',
-      reason: '',
+      a: "impulse",
+      b: "box2d",
+      metrics: { pose_difference_end: { value: 0.333, unit: "m" } },
+      verdict: "plausible",
+      reason: "",
     });
   }
-  const other = {parameters: {boxes: 10}, exact: false, dt, metrics: {}, truth: []};
-  const wrong = {
-    body: 'box 10',
-    quantity: 'x',
-    unit: 'm',
-    time: 10,
-    expected: 0,
-    measured: 0.42,
-    error: 0.42,
-    tolerance: 0.13,
-    passed: false,
-    source: 'nothing moves'
-  };
+  const other = { parameters: { boxes: 10 }, exact: false, dt, metrics: {}, truth: [] };
+  const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, passed: false, source: "nothing moves" };
   report.runs.push(
-      {
-        ...other,
-        ...place('stacking', '10 boxes', contenders[0]),
-        status: 'ok',
-        reason: '',
-        verdict: 'wrong',
-        truth: [wrong]
-      },
-      {
-        ...other,
-        ...place('stacking', '10 boxes', contenders[1]),
-        status: 'failed',
-        reason: 'diverged at t = 0.42 s',
-        verdict: 'failed'
-      },
-      {...other, ...place('stacking', 'tilted', contenders[0]), status: 'ok', reason: '', verdict: 'plausible'},
-      {
-        ...other,
-        ...place('stacking', 'tilted', contenders[1]),
-        status: 'not supported',
-        reason: 'has one friction coefficient only',
-        verdict: 'not supported'
-      },
+    { ...other, ...place("stacking", "10 boxes", contenders[0]), status: "ok", reason: "", verdict: "wrong", truth: [wrong] },
+    { ...other, ...place("stacking", "10 boxes", contenders[1]), status: "failed", reason: "diverged at t = 0.42 s", verdict: "failed" },
+    { ...other, ...place("stacking", "tilted", contenders[0]), status: "ok", reason: "", verdict: "plausible" },
+    { ...other, ...place("stacking", "tilted", contenders[1]), status: "not supported", reason: "has one friction coefficient only", verdict: "not supported" },
   );
   return page;
 }

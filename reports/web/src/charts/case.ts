@@ -42,19 +42,24 @@ const components: { column: Column; quantity: string; unit: string }[] = [
   { column: "angular_momentum", quantity: "angular momentum", unit: "kg m^2/s" },
 ];
 
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** Components that stay at zero but for round-off are named, not drawn. */
-function momentum(entries: Entry[]): HTMLElement {
+function momenta(entries: Entry[]): HTMLElement[] {
   const size = (column: Column) => Math.max(0, ...entries.map(({ series }) => (series ? largest(series[column]) : 0)));
   const most = Math.max(...components.map(({ column }) => size(column)));
   const moving = components.filter(({ column }) => most > 0 && size(column) > 1e-6 * most);
-  const still = components.filter((component) => !moving.includes(component));
-  const height = moving.length > 1 ? 150 : 220;
-  return figure({
-    title: "Momentum of the whole scene",
-    note: still.length ? `Zero throughout: ${enumerate(still.map(({ quantity }) => quantity))}.` : undefined,
-    height: height * Math.max(1, moving.length),
-    draw: (width) => moving.map((component) => over_time(width, { ...component, entries, height })),
-  });
+  const still = components.filter((component) => !moving.includes(component)).map(({ quantity }) => quantity);
+  const zero = still.length ? ` ${capital(enumerate(still))}: zero throughout.` : "";
+  if (!moving.length) return [figure({ title: "Momentum", note: zero.trim(), height: 0, draw: () => [] })];
+  return moving.map((component, index) =>
+    figure({
+      title: `${capital(component.quantity)} of the whole scene`,
+      note: ends(entries, component.column, component.unit) + (index ? "" : zero),
+      height: 220,
+      draw: (width) => [over_time(width, { ...component, entries })],
+    }),
+  );
 }
 
 function pose(entries: Entry[]): HTMLElement {
@@ -72,5 +77,5 @@ function pose(entries: Entry[]): HTMLElement {
 }
 
 export function case_charts({ entries }: Case): HTMLElement[] {
-  return entries.some(({ series }) => series) ? [energy(entries), momentum(entries), pose(entries)] : [];
+  return entries.some(({ series }) => series) ? [energy(entries), pose(entries), ...momenta(entries)] : [];
 }

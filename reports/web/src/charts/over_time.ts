@@ -17,9 +17,9 @@ export interface OverTime {
   entries: Entry[];
   column: "energy" | "momentum_x" | "momentum_y" | "angular_momentum" | "pose_difference";
   log?: boolean;
-  height?: number;
 }
 
+const height = 220; // px
 const shapes_per_line = 5;
 /** More points than pixels only cost time. */
 const most_points = 1500;
@@ -55,7 +55,7 @@ function linear_domain(points: Point[]): [number, number] {
   return [low - lack, high + lack];
 }
 
-export function over_time(width: number, { quantity, unit, entries, column, log = false, height = 220 }: OverTime): Element {
+export function over_time(width: number, { quantity, unit, entries, column, log = false }: OverTime): Element {
   const lines = entries
     .filter((entry) => !log || !entry.contender.exact)
     .map((entry) => ({ contender: entry.contender, points: points_of(entry, column, log) }))

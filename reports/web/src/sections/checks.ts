@@ -1,58 +1,77 @@
 // The verdict table: what physics expects, what each engine did, and how much of the allowed error that took.
 import type { TruthCheck } from "../data";
 import { h, table } from "../dom";
-import { count, given, number, share, to_tolerance, words } from "../format";
+import { count, given, number, share, to_within, words } from "../format";
 import { ratio, type Case, type Entry } from "../model";
 import { badge, gauge } from "./pieces";
 
-const heads = ["engine", "expected", "measured", "error", "allowed", "share of allowed", "verdict"];
+interface Answer {
+  entry: Entry;
+  check: TruthCheck;
+}
+
+const heads = ["reading", "engine", "expected", "measured", "error", "allowed", "share of allowed", "verdict"];
 
 /** Longer tables open when asked, or when something is wrong. */
 const most_open = 12;
 
-const subject = (check: TruthCheck): string => `${check.body ? `${check.body}, ` : ""}${words(check.quantity)}`;
-
-const check_key = (check: TruthCheck): string => JSON.stringify([check.body, check.quantity, check.time, check.source]);
-
-function head_row(check: TruthCheck): HTMLTableRowElement {
-  const title = h("strong", {}, `${subject(check)} at ${given(check.time, "s")}`);
-  return h("tr", { class: "subject" }, h("th", { colspan: String(heads.length), scope: "colgroup" }, title, h("span", {}, check.source)));
+/** The same reading of every engine. The k-th apex is the same reading whenever each engine has it. */
+function readings(place: Case): Answer[][] {
+  const groups = new Map<string, Answer[]>();
+  for (const entry of place.entries) {
+    if (entry.contender.exact) continue;
+    const seen = new Map<string, number>();
+    for (const check of entry.run.truth) {
+      const kind = JSON.stringify([check.body, check.quantity, check.source]);
+      const place = (seen.get(kind) ?? 0) + 1;
+      seen.set(kind, place);
+      const key = `${kind} ${place}`;
+      groups.set(key, [...(groups.get(key) ?? []), { entry, check }]);
+    }
+  }
+  return [...groups.values()];
 }
 
-function row(entry: Entry, check: TruthCheck): HTMLTableRowElement {
+function subject(answers: Answer[], check: TruthCheck): HTMLElement {
+  const body = check.body ? `${check.body}, ` : "";
+  const times = [...new Set(answers.map((answer) => given(answer.check.time, "s", 4)))];
+  const title = h("strong", {}, `${body}${words(check.quantity)} at ${times.join(" or ")}`);
+  return h("th", { scope: "rowgroup", rowspan: String(answers.length), class: "subject" }, title, h("span", {}, check.source));
+}
+
+function cells({ entry, check }: Answer): HTMLElement[] {
   const { unit } = check;
-  const cells = [
-    to_tolerance(check.expected, check.tolerance, unit),
-    to_tolerance(check.measured, check.tolerance, unit),
+  const difference = Math.max(check.error ?? 0, check.tolerance ?? 0);
+  const contents = [
+    to_within(check.expected, difference, unit),
+    to_within(check.measured, difference, unit),
     number(check.error, unit, 2),
     number(check.tolerance, unit, 2),
     h("span", { class: "share" }, gauge(ratio(check)), share(ratio(check))),
     badge(check.passed ? "right" : "wrong"),
   ];
-  return h(
-    "tr",
-    {},
+  return [
     h("th", { scope: "row" }, entry.contender.label),
-    ...cells.map((content, index) => h("td", { "data-label": heads[index + 1] }, content)),
-  );
+    ...contents.map((content, index) => h("td", { "data-label": heads[index + 2] }, content)),
+  ];
 }
 
+const rows = (answers: Answer[]): HTMLTableRowElement[] =>
+  answers.map((answer, index) => {
+    const first = index === 0;
+    return h("tr", first ? { class: "first" } : {}, first ? subject(answers, answer.check) : null, ...cells(answer));
+  });
+
 export function checks(place: Case): HTMLElement | null {
-  const subjects = new Map<string, { entry: Entry; check: TruthCheck }[]>();
-  for (const entry of place.entries) {
-    for (const check of entry.run.truth) {
-      if (entry.contender.exact) continue;
-      const key = check_key(check);
-      subjects.set(key, [...(subjects.get(key) ?? []), { entry, check }]);
-    }
-  }
-  const all = [...subjects.values()].flat();
+  const groups = readings(place);
+  const all = groups.flat();
   if (!all.length) return null;
-  const rows = [...subjects.values()].flatMap((group) => [
-    ...group.slice(0, 1).map(({ check }) => head_row(check)),
-    ...group.map(({ entry, check }) => row(entry, check)),
-  ]);
   const failed = all.filter(({ check }) => !check.passed).length;
-  const summary = `Against the truth: ${count(all.length, "check")}, ${failed ? `${failed} outside what is allowed` : "all within what is allowed"}`;
-  return h("details", { ...(failed || all.length <= most_open ? { open: "" } : {}), class: "checks" }, h("summary", {}, summary), table("Against the truth", heads, rows, "checks"));
+  const outcome = failed ? `${failed} outside what is allowed` : "all within what is allowed";
+  return h(
+    "details",
+    { class: "checks", ...(failed || all.length <= most_open ? { open: "" } : {}) },
+    h("summary", {}, `Against the truth: ${count(all.length, "check")}, ${outcome}`),
+    table("Against the truth", heads, groups.flatMap(rows), "grouped"),
+  );
 }

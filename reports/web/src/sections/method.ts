@@ -1,4 +1,5 @@
 // How the numbers are made, on what, and how to make them again.
+import type { EngineNote } from "../data";
 import { h } from "../dom";
 import { number, pretty_unit, shell, words } from "../format";
 import type { Model } from "../model";
@@ -24,13 +25,19 @@ function entries(pairs: [string, string][], kind: string): HTMLElement {
   return h("dl", { class: kind }, ...pairs.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
 }
 
+const described = (notes: EngineNote[]): [string, string][] =>
+  notes.map(({ name, about, source }) => [name, source ? `${about}. ${source}` : about]);
+
+/** "runs_s" is in seconds; what names no unit is a share. */
+const clock_entry = ([name, value]: [string, number | null]): [string, string] =>
+  name.endsWith("_s")
+    ? [words(name.slice(0, -2)), number(value, "s")]
+    : [words(name), number(value === null ? null : 100 * value, "%")];
+
 export function method(model: Model): HTMLElement {
   const { report } = model.page;
   const again = [report.command, ...model.chapters.map(({ name }) => ["./plumb", "run", name])].filter((words) => words.length);
-  const clock = Object.entries(report.timings.clock).map(([name, value]): [string, string] => [
-    words(name),
-    name.includes("share") ? number(value === null ? null : 100 * value, "%") : number(value, "s"),
-  ]);
+  const clock = Object.entries(report.timings.clock).map(clock_entry);
   return h(
     "section",
     { id: "method" },
@@ -43,11 +50,10 @@ export function method(model: Model): HTMLElement {
       report.metrics.map(({ name, unit, definition }) => [`${words(name)}${unit ? ` (${pretty_unit(unit)})` : ""}`, definition]),
       "definitions",
     ),
-    h("h3", {}, "Who was asked"),
-    entries(
-      report.engines.map(({ name, about, source }) => [name, source ? `${about} (${source})` : about]),
-      "definitions",
-    ),
+    h("h3", {}, "Engines"),
+    entries(described(report.engines.filter(({ exact }) => !exact)), "definitions"),
+    h("h3", {}, "Truths"),
+    entries(described(report.engines.filter(({ exact }) => exact)), "definitions"),
     h("h3", {}, "To make it again"),
     h("pre", {}, again.map(shell).join("\n")),
     h("h3", {}, "Made with"),

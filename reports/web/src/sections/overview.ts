@@ -26,7 +26,7 @@ function matrix(model: Model, engines: Contender[]): HTMLElement {
       return row;
     }),
   );
-  return table("Verdicts by case and engine", ["scenario", "case", ...engines.map(({ label }) => label)], rows, "matrix");
+  return table("Verdicts by case and engine", ["scenario", "case", ...engines.map(({ label }) => label)], rows, "matrix grouped");
 }
 
 export function overview(model: Model): HTMLElement {
