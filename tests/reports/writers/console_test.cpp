@@ -1,0 +1,39 @@
+#include "reports/writers/console.h"
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "tests/reports/writers/sample.h"
+
+namespace plumb {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(Console, FitsAHundredColumns) {
+  std::istringstream text(console_text(sample_report(), false));
+  for (std::string line; std::getline(text, line);) EXPECT_LE(line.size(), 100u) << line;
+}
+
+TEST(Console, ShowsVerdictsReasonsAndTheChecksThatFailed) {
+  const std::string text = console_text(sample_report(), false);
+  EXPECT_THAT(text, HasSubstr("slide: Does it slide?"));
+  EXPECT_THAT(text, HasSubstr("wrong"));
+  EXPECT_THAT(text, HasSubstr("0/1"));
+  EXPECT_THAT(text, HasSubstr("expected 0.333333 +- 0.1 m"));
+  EXPECT_THAT(text, HasSubstr("diverged at t = 1 s"));
+  EXPECT_THAT(text, HasSubstr("lost: 1 failed"));
+  EXPECT_THAT(text, HasSubstr("parted at 0.5 s"));
+}
+
+TEST(Console, ColoursOnlyWhenAsked) {
+  EXPECT_THAT(console_text(sample_report(), false), Not(HasSubstr("\033")));
+  const std::string text = console_text(sample_report(), true);
+  EXPECT_THAT(text, HasSubstr("\033[31mwrong"));
+  EXPECT_THAT(text, HasSubstr("\033[32mright"));
+}
+
+}  // namespace
+}  // namespace plumb

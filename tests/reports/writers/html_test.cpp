@@ -1,0 +1,68 @@
+#include "reports/writers/html.h"
+
+#include <gmock/gmock.h>
+
+#include "reports/writers/json.h"
+#include "tests/reports/writers/sample.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view page = "<body><!--plumb-data--></body>";
+
+TEST(FillPage, PutsTheReportAndItsSeriesWhereTheMarkWas) {
+  std::string why_not;
+  const auto filled = fill_page(page, sample_report(), why_not);
+  ASSERT_TRUE(filled);
+  const std::string before = R"(<body><script type="application/json" id="plumb-data">)";
+  const std::string after = "</script></body>";
+  ASSERT_THAT(*filled, ::testing::StartsWith(before));
+  ASSERT_THAT(*filled, ::testing::EndsWith(after));
+  const Json data = Json::parse(filled->substr(before.size(), filled->size() - before.size() - after.size()));
+  EXPECT_EQ(data["report"].dump(), to_json(sample_report()).dump());
+  EXPECT_EQ(data["series"].size(), 2u) << "the run that failed left no trace";
+}
+
+TEST(FillPage, LetsNoNameBreakOut) {
+  std::string why_not;
+  const std::string filled = *fill_page(page, sample_report(), why_not);
+  EXPECT_THAT(filled, ::testing::Not(::testing::HasSubstr("<script>alert")));
+  EXPECT_EQ(filled.find("</script>"), filled.rfind("</script>"));
+}
+
+TEST(FillPage, SaysWhyThereIsNoPage) {
+  std::string why_not;
+  EXPECT_FALSE(fill_page("", sample_report(), why_not));
+  EXPECT_EQ(why_not, "built without Node.js: no page");
+  EXPECT_FALSE(fill_page("<body></body>", sample_report(), why_not));
+  EXPECT_THAT(why_not, ::testing::HasSubstr("no mark"));
+}
+
+TEST(Series, IsThinnedButKeepsBothEnds) {
+  const Json series = series_of(sample_report(), 300)[1];
+  EXPECT_EQ(series["t"].size(), 300u);
+  EXPECT_EQ(series["t"].front(), 0);
+  EXPECT_EQ(series["t"].back(), 16.6667) << "six digits";
+  for (const char* column : {"energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference"}) {
+    EXPECT_EQ(series[column].size(), 300u) << column;
+  }
+  EXPECT_EQ(series["energy"][7], 1);
+  EXPECT_EQ(series["momentum_x"][7], 2);
+  EXPECT_EQ(series["pose_difference"][7], 0) << "from the closed form";
+}
+
+TEST(Series, HasNoDifferenceBeyondTheEndOfTheTruth) {
+  Report report = sample_report();
+  const auto brief = std::make_shared<Trace>(1);
+  const BodyState state;
+  brief->record(0, std::span(&state, 1), {});
+  report.runs[0].trace = brief;
+  const Json series = series_of(report, 10)[1];
+  EXPECT_EQ(series["pose_difference"][0], 0);
+  EXPECT_TRUE(series["pose_difference"][1].is_null());
+}
+
+}  // namespace
+}  // namespace plumb

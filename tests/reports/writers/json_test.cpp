@@ -1,0 +1,54 @@
+#include "reports/writers/json.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/reports/writers/sample.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+TEST(Json, HasWhatTheFormatPromises) {
+  const Json report = to_json(sample_report());
+  EXPECT_EQ(report["plumb"], 1);
+  EXPECT_EQ(report["environment"]["compiler"], "some");
+  const Json& run = report["runs"][1];
+  for (const char* key : {"scenario", "parameters", "engine", "method", "dt", "status", "reason", "metrics", "truth",
+                          "verdict", "variant", "exact", "final_pose"}) {
+    EXPECT_TRUE(run.contains(key)) << key;
+  }
+  for (const char* key : {"body", "quantity", "time", "expected", "measured", "error", "tolerance", "passed"}) {
+    EXPECT_TRUE(run["truth"][0].contains(key)) << key;
+  }
+  EXPECT_EQ(run["metrics"]["energy_rise"]["unit"], "1");
+  EXPECT_EQ(report["runs"][2]["status"], "failed");
+  EXPECT_EQ(report["comparisons"].size(), 1u);
+}
+
+TEST(Json, KeepsAllThatHangsOnTheClockApart) {
+  Report report = sample_report();
+  Json before = to_json(report);
+  report.timings.clear();
+  report.clock["outside_step"] = 0.9;
+  Json after = to_json(report);
+  EXPECT_NE(before.dump(), after.dump());
+  before.erase("timings");
+  after.erase("timings");
+  EXPECT_EQ(before.dump(), after.dump());
+}
+
+TEST(Json, WritesNumbersThatReadBackToTheSameBits) {
+  const Json back = Json::parse(to_json(sample_report()).dump());
+  EXPECT_EQ(back["runs"][1]["truth"][0]["expected"].get<double>(), 1.0 / 3);
+  EXPECT_EQ(back["runs"][0]["final_pose"][0]["x"].get<double>(), 1000 / 3.0);
+}
+
+TEST(Json, WritesNullForWhatIsNotFinite) {
+  const Json back = Json::parse(to_json(sample_report()).dump());
+  EXPECT_TRUE(back["runs"][1]["truth"][0]["measured"].is_null());
+  EXPECT_FALSE(back["runs"][1]["truth"][0]["passed"].get<bool>());
+}
+
+}  // namespace
+}  // namespace plumb
