@@ -72,7 +72,6 @@ class Accurate : public Solver {
   }
   void note_loads(const Island& island);
   void settle_offsets(const Island& island);
-  void place(BodySet& bodies);
 
   Islands islands_;
   std::vector<ContactRow> plain_rows_;
@@ -115,7 +114,7 @@ void Accurate::step(StepData& data) {
       data.contacts[row.contact].offset = row.offset;
     }
   }
-  place(data.bodies);
+  place(data.bodies, start_, motion_);
 }
 
 void Accurate::substep(StepData& data, Island& island) {
@@ -372,8 +371,7 @@ void Accurate::drift(StepData& data, const Island& island) {
   }
   if (!forces_vary_) return;
   for (const std::uint32_t body : island.bodies) {
-    bodies.pose[body].p = start_[body].p + motion_[body].d;
-    bodies.pose[body].q = Rotation(1 + motion_[body].drop, motion_[body].sine) * start_[body].q;
+    bodies.pose[body] = motion_[body].from(start_[body]);
   }
   data.forces.accelerations(bodies, island.h / 2, acceleration_);
 }
@@ -412,23 +410,6 @@ void Accurate::settle_offsets(const Island& island) {
       row.offset = clamp(row.offset + offset_rate * island.h * static_cast<Real>(island.substeps) * depth / points, 0,
                          headroom * explained);
     }
-  }
-}
-
-/// Adds the step's motion to the poses; what rounding leaves out is kept and added in the next step (Kahan 1965), so
-/// that in float, too, a body at rest far from the origin stays there.
-void Accurate::place(BodySet& bodies) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Motion& moved = motion_[i];
-    if (moved.d == Vec2{} && moved.turn == 0) {
-      bodies.pose[i] = start_[i];
-      continue;
-    }
-    const Vec2 wanted = moved.d + bodies.remainder[i];
-    const Vec2 p = start_[i].p + wanted;
-    bodies.remainder[i] = wanted - (p - start_[i].p);
-    bodies.angle[i] += moved.turn;
-    bodies.pose[i] = {p, Rotation(bodies.angle[i])};
   }
 }
 

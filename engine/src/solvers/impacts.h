@@ -24,13 +24,6 @@ struct ImpactRow : ContactRow {
   bool block = false;        // its two points are solved together
 };
 
-/// s(t) of a point whose bodies have come so far, exact for rigid motion against a normal that stands still:
-/// n . (R(turn) r - r) = sine (r x n) + drop (r . n).
-inline Real separation(const ImpactRow& row, const RowPoint& p, const Motion& a, const Motion& b) {
-  return p.separation + dot(row.normal, b.d - a.d) + (b.sine * p.cross_b + b.drop * p.turn_b) -
-         (a.sine * p.cross_a + a.drop * p.turn_a);
-}
-
 /// Slower approaches (m/s) are left to the contact solve: ends the infinite sequence of ever smaller bounces ("Zeno").
 constexpr Real impact_threshold = static_cast<Real>(0.1);
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "body_set.h"
+#include "contact_rows.h"
 #include "joint_set.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -12,19 +15,23 @@ struct Motion {
   Real sine = 0;  // of turn
   Real drop = 0;  // cos(turn) - 1
 
-  void turn_by(Real angle) {
-    if (angle == 0) return;
-    turn += angle;
-    // cos - 1 = -2 sin^2(half): no cancellation for small turns.
-    const SinCos half = sin_cos(turn / 2);
-    sine = 2 * half.sin * half.cos;
-    drop = -2 * half.sin * half.sin;
-  }
+  void turn_by(Real angle);
   void advance(const Velocity& velocity, Real h) {
     d += h * velocity.v;
     turn_by(h * velocity.w);
   }
   Pose from(const Pose& start) const { return {start.p + d, Rotation(1 + drop, sine) * start.q}; }
 };
+
+/// s of a point whose bodies have come so far, exact for rigid motion against a normal that stands still:
+/// n . (R(turn) r - r) = sine (r x n) + drop (r . n).
+inline Real separation(const ContactRow& row, const RowPoint& p, const Motion& a, const Motion& b) {
+  return p.separation + dot(row.normal, b.d - a.d) + (b.sine * p.cross_b + b.drop * p.turn_b) -
+         (a.sine * p.cross_a + a.drop * p.turn_a);
+}
+
+/// Ends a step: adds the motions to the poses that the bodies started from. What rounding leaves out is kept and added
+/// in the next step (Kahan 1965), so that in float, too, a body at rest far from the origin stays there.
+void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Motion>& motion);
 
 }  // namespace impulse::inline IMPULSE_PRECISION
