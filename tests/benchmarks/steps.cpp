@@ -76,10 +76,9 @@ struct Case {
 };
 
 void enter(const Case& one, const std::string& name, const Contender& contender, const Settings& settings) {
-  benchmark::RegisterBenchmark((one.name + "/" + name).c_str(),
-                               [one, &contender, settings](benchmark::State& state) {
-                                 run(state, contender, settings, one.scene, one.warm_up);
-                               })
+  benchmark::RegisterBenchmark(
+      (one.name + "/" + name).c_str(),
+      [one, &contender, settings](benchmark::State& state) { run(state, contender, settings, one.scene, one.warm_up); })
       ->Iterations(one.steps)
       ->Unit(benchmark::kMicrosecond);
 }

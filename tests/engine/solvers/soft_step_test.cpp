@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "impulse/impulse.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+namespace {
+
+constexpr bool is_double = sizeof(Real) == sizeof(double);
+constexpr double g = 10;
+
+Real real(double x) { return static_cast<Real>(x); }
+Vec2 vec(double x, double y) { return {real(x), real(y)}; }
+
+Settings soft_step(int substeps = 4) {
+  Settings settings;
+  settings.solver = "soft-step";
+  settings.substeps = substeps;
+  return settings;
+}
+
+/// A shape above the ground, on its own.
+struct Drop {
+  World world;
+  BodyId body;
+
+  Drop(const Settings& settings, const Shape& shape, double y, double vy = 0, double restitution = 0)
+      : world(settings) {
+    const Material material{1, real(.6), real(.6), real(restitution)};
+    BodyDef fixed;
+    fixed.type = BodyType::fixed;
+    world.create_body(fixed, Shape::half_space({0, 1}, 0), material);
+    BodyDef def;
+    def.position = vec(0, y);
+    def.velocity = vec(0, vy);
+    body = world.create_body(def, shape, material);
+  }
+  void run(int steps) {
+    for (int i = 0; i < steps; ++i) world.step();
+  }
+  double y() { return static_cast<double>(world.body(body).position().y); }
+  double vy() { return static_cast<double>(world.body(body).velocity().y); }
+};
+
+// load / (m_eff w^2) with w = 2 pi 60 Hz against the ground: a disc bears m g at m; each corner of a square m g/2 at
+// 1/m_eff = 1/m + (a/2)^2/(m a^2/6) = 2.5/m.
+TEST(SoftStep, RestsAtTheDepthOfItsSprings) {
+  const double w = 2 * static_cast<double>(pi) * 60;
+  const double tolerance = is_double ? 1e-9 : 1e-6;
+  Drop disc(soft_step(8), Shape::circle(real(.5)), .5);
+  disc.run(600);
+  EXPECT_NEAR(.5 - disc.y(), g / (w * w), tolerance);
+  Drop box(soft_step(8), Shape::box(vec(.5, .5)), .5);
+  box.run(600);
+  EXPECT_NEAR(.5 - box.y(), 1.25 * g / (w * w), tolerance);
+}
+
+// Symplectic Euler with sub-steps h: short by g t h/2, a quarter of a whole step's.
+TEST(SoftStep, FallsAsFarAsSymplecticEulerDoes) {
+  for (const int substeps : {1, 4, 10}) {
+    Drop ball(soft_step(substeps), Shape::circle(real(.5)), 100);
+    ball.run(60);
+    EXPECT_NEAR(ball.y(), 95 - g / 120 / substeps, is_double ? 1e-9 : 1e-4) << substeps;
+  }
+}
+
+TEST(SoftStep, BouncesOffOnlyAboveAMetrePerSecond) {
+  Settings weightless = soft_step();
+  weightless.gravity = {};
+  Drop slow(weightless, Shape::circle(real(.5)), .6, -.9, .5);
+  slow.run(60);
+  EXPECT_LT(std::abs(slow.vy()), 1e-3);
+  Drop fast(weightless, Shape::circle(real(.5)), .6, -1.1, .5);
+  fast.run(60);
+  EXPECT_NEAR(fast.vy(), .55, 1e-5);
+}
+
+// 3 m/s at most, and nothing of it is left in the velocity.
+TEST(SoftStep, PushesDeepOverlapOutGently) {
+  Settings weightless = soft_step();
+  weightless.gravity = {};
+  Drop ball(weightless, Shape::circle(real(.5)), .1);
+  for (int i = 0; i < 60; ++i) {
+    const double before = ball.y();
+    ball.run(1);
+    EXPECT_LE(ball.y() - before, 3.0 / 60 + 1e-6);
+    EXPECT_NEAR(ball.vy(), 0, 1e-5);
+  }
+  EXPECT_GT(ball.y(), .49);
+}
+
+TEST(SoftStep, HoldsALoadWithTheImpulseOfItsWeight) {
+  Drop box(soft_step(), Shape::box(vec(.5, .5)), .5);
+  box.run(120);
+  double sum = 0;
+  for (const ContactInfo& contact : box.world.contacts()) sum += static_cast<double>(contact.normal_impulse);
+  EXPECT_NEAR(sum, g / 60, is_double ? 1e-9 : 1e-5);
+}
+
+}  // namespace
+}  // namespace impulse::inline IMPULSE_PRECISION
