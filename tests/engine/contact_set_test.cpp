@@ -19,6 +19,7 @@ struct Heap {
   std::unique_ptr<BroadPhase> broad_phase = MethodList<BroadPhase>::make("brute");
   Settings settings;
   Margin margin;
+  JointSet joints;
 
   std::size_t add(const BodyDef& def, std::span<const Part> parts) {
     const std::size_t i = bodies.add(def, parts).index;
@@ -30,7 +31,7 @@ struct Heap {
     return add(def, std::span(&part, 1));
   }
   std::vector<Contact>& find() {
-    contacts.find(bodies, *broad_phase, settings, margin, false);
+    contacts.find(bodies, *broad_phase, settings, margin, false, joints);
     return contacts.rows();
   }
 };
