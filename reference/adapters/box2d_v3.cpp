@@ -1,0 +1,494 @@
+// What this engine does differently
+// - Float arithmetic: unit round-off 2^-24 (with double positions where it was built so).
+// - Soft step: each step is cut into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off by +g t h/2,
+//   h being a sub-step's length.
+// - Contacts are damped springs of 30 Hz at most, relaxed afterwards: they don't converge with the step, and a load
+//   presses boxes a few millimetres into each other. Up to B2_LINEAR_SLOP (0.005 m) of overlap is left alone.
+// - Collisions are found once a step, a little ahead ("speculative"); from 3.2 on contacts that hardly changed are
+//   recycled, which its stacks need. Continuous collision against fixed bodies.
+// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step.
+// - Rotations are cosine and sine. They start from exact ones (b2MakeRot is an approximation) and advance by atan(w h):
+//   fast spins lose (w h)^2/3 of their angle. Whole turns are counted here, from one reading to the next.
+// - Damping c divides velocities by 1 + c h each sub-step (Pade), where the scene means e^(-c h).
+// - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
+// - One coefficient of friction, mixed by a callback that is told the coefficients alone: one callback per rule.
+// - Joints are stiff springs too. A soft distance joint is tuned by frequency and damping ratio, which is stiffness and
+//   damping only where the effective mass stays the same: between centres of mass.
+// - Hulls lose vertices within 0.005 m of a line through others; they have eight at most.
+// - No half-spaces: built from a segment in a frame whose x axis is the boundary, which keeps float errors along it.
+// - Contacts' impulses: the normal ones are the step's sum (before 3.2: the last sub-step's times their number), the
+//   tangential ones in the proportion of the last sub-step.
+// - Sleeping is off unless asked for.
+// Every body's frame is moved to its centre of mass, whose mass data are those of plumb::mass_of. Fields that 3.1 and
+// 3.2 name differently are asked for by `requires`.
+
+#include <box2d/box2d.h>
+
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "reference/loads.h"
+#include "reference/scene_facts.h"
+#include "reference/simulation.h"
+#include "scenarios/mass.h"
+
+namespace plumb {
+namespace {
+
+constexpr double linear_slop = 0.005;  // m, B2_LINEAR_SLOP
+
+b2Vec2 to_b2(Vec v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
+template <class Point>  // b2Vec2, or b2Pos of doubles
+Vec from_b2(Point p) {
+  return {p.x, p.y};
+}
+
+b2Rot turn_of(double angle) { return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))}; }
+
+// The type of the identifiers, which this does not need, changed with 3.2.
+template <FrictionMixing rule, class Id>
+float mixed_friction(float a, Id, float b, Id) {
+  return static_cast<float>(
+      mixed_dynamic_friction({.friction = rule}, {.dynamic_friction = a}, {.dynamic_friction = b}));
+}
+
+template <RestitutionMixing rule, class Id>
+float mixed_bounce(float a, Id, float b, Id) {
+  return static_cast<float>(mixed_restitution({.restitution = rule}, {.restitution = a}, {.restitution = b}));
+}
+
+b2FrictionCallback* callback_of(FrictionMixing rule) {
+  switch (rule) {
+    case FrictionMixing::geometric:
+      return mixed_friction<FrictionMixing::geometric>;
+    case FrictionMixing::pythagorean:
+      return mixed_friction<FrictionMixing::pythagorean>;
+    case FrictionMixing::average:
+      return mixed_friction<FrictionMixing::average>;
+    case FrictionMixing::min:
+      return mixed_friction<FrictionMixing::min>;
+    case FrictionMixing::max:
+      return mixed_friction<FrictionMixing::max>;
+    case FrictionMixing::multiply:
+      return mixed_friction<FrictionMixing::multiply>;
+  }
+  return nullptr;
+}
+
+b2RestitutionCallback* callback_of(RestitutionMixing rule) {
+  switch (rule) {
+    case RestitutionMixing::max:
+      return mixed_bounce<RestitutionMixing::max>;
+    case RestitutionMixing::min:
+      return mixed_bounce<RestitutionMixing::min>;
+    case RestitutionMixing::average:
+      return mixed_bounce<RestitutionMixing::average>;
+    case RestitutionMixing::multiply:
+      return mixed_bounce<RestitutionMixing::multiply>;
+  }
+  return nullptr;
+}
+
+b2Hull hull_of(const std::vector<Vec>& given) {
+  std::vector<b2Vec2> vertices;
+  vertices.reserve(given.size());
+  for (const Vec& vertex : given) vertices.push_back(to_b2(vertex));
+  return b2ComputeHull(vertices.data(), static_cast<int>(vertices.size()));
+}
+
+// Hangs a scene's shapes on a Box2D body.
+struct Hang {
+  b2BodyId body;
+  b2ShapeDef def;
+
+  void operator()(const Circle& circle) const {
+    const b2Circle made{to_b2(circle.center), static_cast<float>(circle.radius)};
+    b2CreateCircleShape(body, &def, &made);
+  }
+  void operator()(const Box& box) const {
+    const b2Polygon made = b2MakeOffsetBox(static_cast<float>(box.size.x / 2), static_cast<float>(box.size.y / 2),
+                                           to_b2(box.center), turn_of(box.angle));
+    b2CreatePolygonShape(body, &def, &made);
+  }
+  void operator()(const Polygon& polygon) const {
+    const b2Hull hull = hull_of(polygon.vertices);
+    const b2Polygon made = b2MakePolygon(&hull, 0);
+    b2CreatePolygonShape(body, &def, &made);
+  }
+  void operator()(const Capsule& capsule) const {
+    const b2Capsule made{to_b2(capsule.from), to_b2(capsule.to), static_cast<float>(capsule.radius)};
+    b2CreateCapsuleShape(body, &def, &made);
+  }
+  void operator()(const Segment& segment) const {
+    const b2Segment made{to_b2(segment.from), to_b2(segment.to)};
+    b2CreateSegmentShape(body, &def, &made);
+  }
+  void operator()(const HalfSpace&) const {}  // has a body of its own
+};
+
+// Worlds come from one table for the whole program, which is not guarded.
+std::mutex& table() {
+  static std::mutex guard;
+  return guard;
+}
+
+class World {
+ public:
+  explicit World(const b2WorldDef& def) {
+    const std::lock_guard<std::mutex> lock(table());
+    id_ = b2CreateWorld(&def);
+    if (!b2World_IsValid(id_)) throw std::runtime_error("box2d-v3: no more worlds");
+  }
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+  ~World() {
+    const std::lock_guard<std::mutex> lock(table());
+    b2DestroyWorld(id_);
+  }
+  b2WorldId id() const { return id_; }
+
+ private:
+  b2WorldId id_{};
+};
+
+b2WorldDef world_of(const Scene& scene, const Settings& settings) {
+  b2WorldDef def = b2DefaultWorldDef();
+  def.gravity = to_b2(scene.gravity);
+  def.restitutionThreshold = std::stof(settings.at("restitution"));
+  def.frictionCallback = callback_of(scene.mixing.friction);
+  def.restitutionCallback = callback_of(scene.mixing.restitution);
+  def.enableSleep = settings.at("sleep") == "on";
+  def.enableContinuous = settings.at("continuous") == "on";
+  def.workerCount = 1;
+  return def;
+}
+
+// Names the two bodies of a joint, where it holds them and its axis (rad, world frame).
+template <class Def>
+Def joint_between(Def def, b2BodyId a, b2BodyId b, b2Vec2 on_a, b2Vec2 on_b, double axis) {
+  const b2Rot along = turn_of(axis);
+  const b2Rot axis_a = b2InvMulRot(b2Body_GetRotation(a), along);
+  const b2Rot axis_b = b2InvMulRot(b2Body_GetRotation(b), along);
+  if constexpr (requires { def.base; }) {
+    def.base.bodyIdA = a;
+    def.base.bodyIdB = b;
+    def.base.localFrameA = {on_a, axis_a};
+    def.base.localFrameB = {on_b, axis_b};
+  } else {
+    def.bodyIdA = a;
+    def.bodyIdB = b;
+    def.localAnchorA = on_a;
+    def.localAnchorB = on_b;
+    if constexpr (requires { def.localAxisA; }) def.localAxisA = {axis_a.c, axis_a.s};
+    if constexpr (requires { def.referenceAngle; }) {
+      const b2Rot between = b2InvMulRot(axis_b, axis_a);
+      def.referenceAngle = std::atan2(between.s, between.c);
+    }
+  }
+  return def;
+}
+
+// The impulse along the normal, over the whole step of so many sub-steps.
+template <class Data>
+double normal_impulse(const Data& contact, int point, int substeps) {
+  const b2ManifoldPoint& at = contact.manifold.points[point];
+  constexpr bool sums_sub_steps = requires { contact.contactId; };  // 3.2 on
+  return sums_sub_steps ? double{at.totalNormalImpulse} : substeps * double{at.normalImpulse};
+}
+
+class Box2dV3 : public Simulation {
+ public:
+  Box2dV3(const Scene& scene, const Settings& settings)
+      : loads_(scene),
+        world_(world_of(scene, settings)),
+        substeps_(static_cast<int>(std::stod(settings.at("substeps")))) {
+    b2World_EnableWarmStarting(world_.id(), settings.at("warm") == "on");
+    const double edge = reach(scene);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) add(i, scene.bodies[i], edge);
+    for (const Joint& joint : scene.joints) {
+      std::visit([&](const auto& kind) { add(scene, kind); }, joint);
+    }
+    states_.resize(bodies_.size());
+  }
+
+  void step(double dt) override {
+    if (loads_.any()) push();
+    b2World_Step(world_.id(), static_cast<float>(dt), substeps_);
+    since_reading_ += dt;
+  }
+
+  void read(std::span<BodyState> out) const override {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const b2BodyId body = bodies_[i];
+      const double w = b2Body_GetAngularVelocity(body);
+      out[i] = {from_b2(b2Body_GetPosition(body)), unwound(i, w), from_b2(b2Body_GetLinearVelocity(body)), w};
+    }
+    since_reading_ = 0;
+  }
+
+  void read_contacts(std::vector<ContactState>& out) const override {
+    for (const b2BodyId body : carriers_) append(body, out);
+  }
+
+ private:
+  static std::size_t index_of(b2BodyId body) { return *static_cast<const std::size_t*>(b2Body_GetUserData(body)); }
+
+  void add(std::size_t index, const Body& given, double edge) {
+    const Body body = centered(given);
+    const b2BodyId made = make(index, body, body.angle);
+    bodies_.push_back(made);
+    angles_.push_back(body.angle);
+    for (const Shape& shape : body.shapes) {
+      if (const auto* half_space = std::get_if<HalfSpace>(&shape.geometry)) {
+        add(index, body, *half_space, shape.surface, edge);
+      } else {
+        std::visit(Hang{made, shape_of(body, shape.surface)}, shape.geometry);
+      }
+    }
+    if (body.type != BodyType::dynamic) return;
+    const Mass mass = mass_of(given);
+    b2Body_SetMassData(made, {static_cast<float>(mass.mass), {0, 0}, static_cast<float>(mass.inertia)});
+  }
+
+  // Turned until the normal is its y axis.
+  void add(std::size_t index, const Body& body, const HalfSpace& half_space, const Surface& surface, double edge) {
+    const b2BodyId made = make(index, body, body.angle + std::atan2(-half_space.normal.x, half_space.normal.y));
+    const Hang hang{made, shape_of(body, surface)};
+    hang(Segment{{edge, half_space.offset}, {-edge, half_space.offset}});
+  }
+
+  b2BodyId make(std::size_t index, const Body& body, double angle) {
+    b2BodyDef def = b2DefaultBodyDef();
+    def.type = body.type == BodyType::fixed       ? b2_staticBody
+               : body.type == BodyType::kinematic ? b2_kinematicBody
+                                                  : b2_dynamicBody;
+    def.position.x = static_cast<decltype(def.position.x)>(body.position.x);
+    def.position.y = static_cast<decltype(def.position.y)>(body.position.y);
+    def.rotation = turn_of(angle);
+    def.linearVelocity = to_b2(body.velocity);
+    def.angularVelocity = static_cast<float>(body.angular_velocity);
+    def.linearDamping = static_cast<float>(body.linear_damping);
+    def.angularDamping = static_cast<float>(body.angular_damping);
+    def.gravityScale = static_cast<float>(body.gravity_scale);
+    def.isBullet = body.bullet;
+    def.userData = &indices_.emplace_back(index);
+    return carriers_.emplace_back(b2CreateBody(world_.id(), &def));
+  }
+
+  static b2ShapeDef shape_of(const Body& body, const Surface& surface) {
+    b2ShapeDef def = b2DefaultShapeDef();
+    def.density = static_cast<float>(surface.density);
+    def.material.friction = static_cast<float>(surface.dynamic_friction);
+    def.material.restitution = static_cast<float>(surface.restitution);
+    def.filter.categoryBits = body.layers;
+    def.filter.maskBits = body.layers;
+    return def;
+  }
+
+  template <class Def>
+  Def between(Def def, std::size_t a, std::size_t b, Vec anchor_a, Vec anchor_b, double axis = 0) const {
+    return joint_between(def, bodies_[a], bodies_[b], local(a, anchor_a), local(b, anchor_b), axis);
+  }
+
+  b2Vec2 local(std::size_t body, Vec point) const {
+    const Vec origin = from_b2(b2Body_GetPosition(bodies_[body]));
+    return b2InvRotateVector(b2Body_GetRotation(bodies_[body]), to_b2({point.x - origin.x, point.y - origin.y}));
+  }
+
+  void add(const Scene&, const Revolute& joint) {
+    const auto def = between(b2DefaultRevoluteJointDef(), joint.a, joint.b, joint.anchor, joint.anchor);
+    b2CreateRevoluteJoint(world_.id(), &def);
+  }
+
+  // k = m w^2 and d = 2 z m w for the mass m that the line between the centres of mass feels.
+  void add(const Scene& scene, const Distance& joint) {
+    auto def = between(b2DefaultDistanceJointDef(), joint.a, joint.b, joint.anchor_a, joint.anchor_b);
+    def.length = static_cast<float>(joint.length);
+    if (joint.stiffness > 0) {
+      const double inverse = inverse_mass(scene.bodies[joint.a]) + inverse_mass(scene.bodies[joint.b]);
+      const double w = std::sqrt(joint.stiffness * inverse);
+      def.enableSpring = true;
+      def.hertz = static_cast<float>(w / (2 * std::numbers::pi));
+      def.dampingRatio = static_cast<float>(joint.damping * inverse / (2 * w));
+    }
+    b2CreateDistanceJoint(world_.id(), &def);
+  }
+
+  void add(const Scene&, const Prismatic& joint) {
+    const auto def = between(b2DefaultPrismaticJointDef(), joint.a, joint.b, joint.anchor, joint.anchor,
+                             std::atan2(joint.axis.y, joint.axis.x));
+    b2CreatePrismaticJoint(world_.id(), &def);
+  }
+
+  void add(const Scene&, const Weld& joint) {
+    const auto def = between(b2DefaultWeldJointDef(), joint.a, joint.b, joint.anchor, joint.anchor);
+    b2CreateWeldJoint(world_.id(), &def);
+  }
+
+  static double inverse_mass(const Body& body) {
+    const double mass = mass_of(body).mass;
+    return mass > 0 ? 1 / mass : 0;
+  }
+
+  void push() {
+    read(states_);
+    const std::span<const Load> loads = loads_.at(states_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      b2Body_ApplyForceToCenter(bodies_[i], to_b2(loads[i].force), true);
+      b2Body_ApplyTorque(bodies_[i], static_cast<float>(loads[i].torque), true);
+    }
+  }
+
+  // The angle that the rotation stands for, nearest to where the last reading and the present spin lead.
+  double unwound(std::size_t i, double w) const {
+    const b2Rot turn = b2Body_GetRotation(bodies_[i]);
+    const double expected = angles_[i] + w * since_reading_;
+    const double off = std::atan2(double{turn.s}, double{turn.c}) - expected;
+    angles_[i] = expected + std::remainder(off, 2 * std::numbers::pi);
+    return angles_[i];
+  }
+
+  // Each contact is met at both its bodies and taken at the first.
+  void append(b2BodyId body, std::vector<ContactState>& out) const {
+    std::vector<b2ContactData> contacts(static_cast<std::size_t>(b2Body_GetContactCapacity(body)));
+    const int count = b2Body_GetContactData(body, contacts.data(), static_cast<int>(contacts.size()));
+    for (int i = 0; i < count; ++i) {
+      const b2ContactData& contact = contacts[static_cast<std::size_t>(i)];
+      if (!B2_ID_EQUALS(b2Shape_GetBody(contact.shapeIdA), body)) continue;
+      const Vec origin = from_b2(b2Body_GetPosition(body));
+      const b2Manifold& manifold = contact.manifold;
+      for (int p = 0; p < manifold.pointCount; ++p) {
+        const b2ManifoldPoint& at = manifold.points[p];
+        const double normal = normal_impulse(contact, p, substeps_);
+        // Box2D's tangent is the normal turned by -90 degrees.
+        const double tangent = at.normalImpulse > 0 ? -normal * at.tangentImpulse / at.normalImpulse : 0;
+        out.push_back({index_of(body),
+                       index_of(b2Shape_GetBody(contact.shapeIdB)),
+                       {origin.x + at.anchorA.x, origin.y + at.anchorA.y},
+                       from_b2(manifold.normal),
+                       normal,
+                       tangent,
+                       at.separation});
+      }
+    }
+  }
+
+  Loads loads_;
+  std::vector<BodyState> states_;
+  std::deque<std::size_t> indices_;  // bodies point into it
+  World world_;
+  std::vector<b2BodyId> bodies_;        // one for each of the scene
+  std::vector<b2BodyId> carriers_;      // those and one for each half-space
+  mutable std::vector<double> angles_;  // rad, as last read
+  mutable double since_reading_ = 0;    // s
+  int substeps_;
+};
+
+struct Refusal {
+  std::string operator()(const Polygon& polygon) const {
+    if (polygon.vertices.size() > B2_MAX_POLYGON_VERTICES) return "polygons have eight vertices at most";
+    const bool whole = hull_of(polygon.vertices).count == static_cast<int>(polygon.vertices.size());
+    return whole ? "" : "drops vertices within 0.005 m of a line through others";
+  }
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return "";
+  }
+};
+
+bool at_center(const Body& body, Vec anchor) {
+  constexpr double same = 1e-6;  // m, what float makes of one place
+  const Vec center = centered(body).position;
+  return std::hypot(anchor.x - center.x, anchor.y - center.y) < same;
+}
+
+std::string unsupported(const Scene& scene, const Settings&) {
+  for (std::string reason : {needs_two_frictions(scene), needs_dynamic_half_space(scene), needs_massless_body(scene)}) {
+    if (!reason.empty()) return reason;
+  }
+  for (const Body& body : scene.bodies) {
+    for (const Shape& shape : body.shapes) {
+      std::string reason = std::visit(Refusal{}, shape.geometry);
+      if (!reason.empty()) return reason;
+    }
+  }
+  for (const Joint& joint : scene.joints) {
+    const auto* distance = std::get_if<Distance>(&joint);
+    if (distance == nullptr || distance->stiffness == 0) continue;
+    const auto eccentric = [&](std::size_t i, Vec anchor) {
+      return scene.bodies[i].type == BodyType::dynamic && !at_center(scene.bodies[i], anchor);
+    };
+    if (eccentric(distance->a, distance->anchor_a) || eccentric(distance->b, distance->anchor_b)) {
+      return "tunes springs by frequency, so that their stiffness is known between centres of mass only";
+    }
+  }
+  return "";
+}
+
+const Contender& self() { return *Catalog<Contender>::find("box2d-v3"); }
+
+Stepping stepping(const Settings& given, double dt) {
+  const Settings settings = complete(self(), given);
+  Stepping stated;
+  stated.dt = dt;
+  stated.h = dt / std::stod(settings.at("substeps"));
+  stated.drift = 0.5;
+  stated.impact_lag = std::stod(settings.at("substeps"));  // found once a step
+  stated.gap = linear_slop;
+  stated.creep = 0;
+  stated.restitution_threshold = std::stod(settings.at("restitution"));
+  stated.epsilon = std::ldexp(1.0, -24);
+  return stated;
+}
+
+std::string version() {
+  const b2Version version = b2GetVersion();
+  return std::to_string(version.major) + "." + std::to_string(version.minor) + "." + std::to_string(version.revision);
+}
+
+std::vector<std::pair<std::string, std::string>> on_or_off(const char* on, const char* off) {
+  return {{"on", on}, {"off", off}};
+}
+
+const Catalog<Contender>::Entry entry{{
+    .name = "box2d-v3",
+    .about = "Box2D 3: soft contacts in sub-steps, float",
+    .source = "Box2D " + version() + ", Erin Catto, box2d.org",
+    .options =
+        {
+            {.key = "substeps", .value = "4", .about = "of a step", .min = 1, .max = 1000, .whole = true},
+            {.key = "restitution",
+             .value = "1",
+             .about = "m/s, closing speed below which nothing bounces",
+             .min = 0,
+             .max = 100},
+            {.key = "continuous",
+             .value = "on",
+             .choices = on_or_off("stops bodies at fixed ones in mid-step", "bodies may overlap after a step"),
+             .about = "continuous collision"},
+            {.key = "sleep",
+             .value = "off",
+             .choices = on_or_off("stops bodies that hardly move", "bodies never sleep"),
+             .about = "sleeping"},
+            {.key = "warm",
+             .value = "on",
+             .choices = on_or_off("starts from the last step's impulses", "starts from nothing"),
+             .about = "warm starting"},
+        },
+    .stepping = stepping,
+    .unsupported = unsupported,
+    .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
+      return std::make_unique<Box2dV3>(scene, complete(self(), settings));
+    },
+}};
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "reference/simulation.h"
+
+namespace plumb {
+namespace {
+
+const Contender* box2d() { return Catalog<Contender>::find("box2d-v3"); }
+
+// The library is optional: without it there is nothing to test.
+class Box2dV3 : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (box2d() == nullptr) GTEST_SKIP() << "built without Box2D 3";
+  }
+};
+
+Body body(BodyType type, Vec position, Geometry geometry) {
+  Body made;
+  made.name = "body";
+  made.type = type;
+  made.position = position;
+  made.shapes.push_back({std::move(geometry), {1, .5, .5, 0}});
+  return made;
+}
+
+Scene scene_of(std::vector<Body> bodies) {
+  Scene scene;
+  scene.bodies = std::move(bodies);
+  return scene;
+}
+
+std::string refusal(const Geometry& geometry) {
+  return box2d()->unsupported(scene_of({body(BodyType::dynamic, {}, geometry)}), {});
+}
+
+std::vector<Vec> regular(std::size_t count, double radius) {
+  std::vector<Vec> vertices(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(count);
+    vertices[i] = {radius * std::cos(angle), radius * std::sin(angle)};
+  }
+  return vertices;
+}
+
+TEST_F(Box2dV3, NamesTheVersionItRunsWith) { EXPECT_EQ(box2d()->source.rfind("Box2D 3.", 0), 0u); }
+
+TEST_F(Box2dV3, RefusesPolygonsItWouldChange) {
+  EXPECT_EQ(refusal(Polygon{regular(9, 1)}), "polygons have eight vertices at most");
+  EXPECT_EQ(refusal(Polygon{regular(8, 1)}), "");
+  EXPECT_EQ(refusal(Polygon{regular(8, .01)}), "drops vertices within 0.005 m of a line through others");
+}
+
+TEST_F(Box2dV3, CutsStepsIntoSubSteps) {
+  EXPECT_EQ(box2d()->stepping({}, 1).h, .25);
+  EXPECT_EQ(box2d()->stepping({{"substeps", "10"}}, 1).h, .1);
+}
+
+// b2MakeRot would make 20 degrees steeper by 0.08.
+TEST_F(Box2dV3, TurnsBodiesByTheAngleAsked) {
+  Scene scene = scene_of({body(BodyType::fixed, {}, Box{})});
+  scene.bodies[0].angle = M_PI / 9;
+  std::vector<BodyState> states(1);
+  box2d()->build(scene, {})->read(states);
+  EXPECT_NEAR(states[0].angle, M_PI / 9, 2 * std::ldexp(1.0, -24));
+}
+
+TEST_F(Box2dV3, CountsWholeTurns) {
+  Scene scene = scene_of({body(BodyType::dynamic, {}, Circle{.5})});
+  scene.gravity = {};
+  scene.bodies[0].angular_velocity = -5;
+  for (const int between : {1, 7, 240}) {
+    const std::unique_ptr<Simulation> simulation = box2d()->build(scene, {});
+    std::vector<BodyState> states(1);
+    for (int i = 1; i <= 240; ++i) {
+      simulation->step(1.0 / 60);
+      if (i % between == 0) simulation->read(states);
+    }
+    simulation->read(states);
+    // (w h)^2/3 of the angle is lost, for h = 1/240 s.
+    EXPECT_NEAR(states[0].angle, -20, 20 * 25 / (3 * 240.0 * 240.0) + 1e-4) << "read every " << between;
+  }
+}
+
+// Two bodies on a spring between their centres: period 2 pi sqrt(mu/k) for the reduced mass mu.
+TEST_F(Box2dV3, TunesSpringsToTheirStiffness) {
+  Scene scene = scene_of({body(BodyType::dynamic, {0, 0}, Box{}), body(BodyType::dynamic, {3, 0}, Box{{2, 1}, {}, 0})});
+  scene.gravity = {};
+  scene.joints.push_back(Distance{0, 1, {0, 0}, {3, 0}, 2.5, 4, 0});
+  ASSERT_EQ(box2d()->unsupported(scene, {}), "");
+  const std::unique_ptr<Simulation> simulation = box2d()->build(scene, {{"substeps", "100"}});
+  const double half_period = M_PI * std::sqrt(1 * 2 / (1 + 2.0) / 4);
+  const int n = static_cast<int>(std::lround(half_period * 60));
+  for (int i = 0; i < n; ++i) simulation->step(half_period / n);
+  std::vector<BodyState> states(2);
+  simulation->read(states);
+  // Implicit: amplitude falls by w h/2 a radian, to first order; w half_period = pi.
+  const double damped = .5 * (1 - M_PI * M_PI / (2.0 * n * 100));
+  EXPECT_NEAR(states[1].position.x - states[0].position.x, 2.5 - damped, 1e-3);
+}
+
+TEST_F(Box2dV3, RefusesSpringsAwayFromTheCentres) {
+  Scene scene = scene_of({body(BodyType::fixed, {0, 0}, Box{}), body(BodyType::dynamic, {3, 0}, Box{})});
+  scene.joints.push_back(Distance{0, 1, {0, .5}, {3, .5}, 3, 4, 0});
+  EXPECT_NE(box2d()->unsupported(scene, {}), "");
+}
+
+}  // namespace
+}  // namespace plumb
