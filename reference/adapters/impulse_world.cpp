@@ -96,6 +96,9 @@ class Impulse : public Simulation {
       if (id.index >= scene_index_.size()) scene_index_.resize(id.index + 1);
       scene_index_[id.index] = bodies_.size() - 1;
     }
+    for (const Joint& joint : scene.joints) {
+      world_.create_joint(std::visit([&](const auto& kind) { return joint_of(kind); }, joint));
+    }
     for (const Force& force : scene.forces) {
       world_.add_force(std::visit([&](const auto& kind) { return force_of(kind); }, force));
     }
@@ -122,6 +125,28 @@ class Impulse : public Simulation {
   }
 
  private:
+  impulse::Joint joint_of(const Revolute& joint) const {
+    return impulse::RevoluteJoint{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor)};
+  }
+
+  impulse::Joint joint_of(const Distance& joint) const {
+    return impulse::DistanceJoint{bodies_[joint.a],
+                                  bodies_[joint.b],
+                                  to_engine(joint.anchor_a),
+                                  to_engine(joint.anchor_b),
+                                  static_cast<Real>(joint.length),
+                                  static_cast<Real>(joint.stiffness),
+                                  static_cast<Real>(joint.damping)};
+  }
+
+  impulse::Joint joint_of(const Prismatic& joint) const {
+    return impulse::PrismaticJoint{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor), to_engine(joint.axis)};
+  }
+
+  impulse::Joint joint_of(const Weld& joint) const {
+    return impulse::WeldJoint{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor)};
+  }
+
   impulse::Force force_of(const Attraction& attraction) const {
     impulse::Attraction made;
     made.from = bodies_[attraction.from];
@@ -206,7 +231,9 @@ Stepping stepping(const Settings& settings, double dt) {
 
 // Whatever the engine itself refuses, in its words.
 std::string unsupported(const Scene& scene, const Settings& settings) {
-  if (!scene.joints.empty()) return "has no joints";
+  if (!scene.joints.empty() && !impulse::stated_errors(settings_of(scene, settings)).joints) {
+    return "its solver " + settings.at("solver") + " holds no joints";
+  }
   try {
     const Impulse tried(scene, settings);
   } catch (const std::invalid_argument& refused) {

@@ -44,6 +44,7 @@ struct StatedErrors {
   Real gap = 0;                    // m, by which a resting contact may stand off from touching, either way
   Real creep = 0;                  // m/s, at which a sticking contact may slide
   Real restitution_threshold = 0;  // m/s, slower impacts are inelastic
+  bool joints = false;             // whether the solver holds them; else they are not there
 };
 
 /// Throws std::invalid_argument for settings that validate() refuses.

@@ -44,6 +44,7 @@ class Accurate : public Solver {
     errors.impact_lag = 0;
     errors.gap = tolerated_sink;  // until the offset has taken it up
     errors.creep = 0;
+    errors.joints = true;
     errors.restitution_threshold = impact_threshold;
   }
   bool recycles() const override { return true; }

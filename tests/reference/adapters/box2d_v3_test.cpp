@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,7 @@ std::string refusal(const Geometry& geometry) {
 std::vector<Vec> regular(std::size_t count, double radius) {
   std::vector<Vec> vertices(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(count);
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
     vertices[i] = {radius * std::cos(angle), radius * std::sin(angle)};
   }
   return vertices;
@@ -63,10 +64,10 @@ TEST_F(Box2dV3, CutsStepsIntoSubSteps) {
 // b2MakeRot would make 20 degrees steeper by 0.08.
 TEST_F(Box2dV3, TurnsBodiesByTheAngleAsked) {
   Scene scene = scene_of({body(BodyType::fixed, {}, Box{})});
-  scene.bodies[0].angle = M_PI / 9;
+  scene.bodies[0].angle = std::numbers::pi / 9;
   std::vector<BodyState> states(1);
   box2d()->build(scene, {})->read(states);
-  EXPECT_NEAR(states[0].angle, M_PI / 9, 2 * std::ldexp(1.0, -24));
+  EXPECT_NEAR(states[0].angle, std::numbers::pi / 9, 2 * std::ldexp(1.0, -24));
 }
 
 TEST_F(Box2dV3, CountsWholeTurns) {
@@ -93,13 +94,13 @@ TEST_F(Box2dV3, TunesSpringsToTheirStiffness) {
   scene.joints.push_back(Distance{0, 1, {0, 0}, {3, 0}, 2.5, 4, 0});
   ASSERT_EQ(box2d()->unsupported(scene, {}), "");
   const std::unique_ptr<Simulation> simulation = box2d()->build(scene, {{"substeps", "100"}});
-  const double half_period = M_PI * std::sqrt(1 * 2 / (1 + 2.0) / 4);
+  const double half_period = std::numbers::pi * std::sqrt(1 * 2 / (1 + 2.0) / 4);
   const int n = static_cast<int>(std::lround(half_period * 60));
   for (int i = 0; i < n; ++i) simulation->step(half_period / n);
   std::vector<BodyState> states(2);
   simulation->read(states);
   // Implicit: amplitude falls by w h/2 a radian, to first order; w half_period = pi.
-  const double damped = .5 * (1 - M_PI * M_PI / (2.0 * n * 100));
+  const double damped = .5 * (1 - std::numbers::pi * std::numbers::pi / (2.0 * n * 100));
   EXPECT_NEAR(states[1].position.x - states[0].position.x, 2.5 - damped, 1e-3);
 }
 

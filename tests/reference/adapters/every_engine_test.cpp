@@ -157,7 +157,7 @@ TEST_P(EveryEngine, KeepsLayersApart) {
   other.layers = 0b0110;
   Body through = box({0, 1});
   through.layers = 0b1001;
-  Body held = box({5, 1});
+  Body held = box({5, .5});
   held.layers = 0b1100;
   const std::vector<BodyState> states = run(scene_of({other, through, held}), 60);
   EXPECT_LT(states[1].position.y, -3);

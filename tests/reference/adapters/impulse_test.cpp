@@ -74,6 +74,15 @@ TEST(Impulse, RefusesInTheEnginesOwnWords) {
   EXPECT_EQ(engine().unsupported(scene_of(Circle{}), {}), "");
 }
 
+TEST(Impulse, RunsJointsOnlyWithSolversThatHoldThem) {
+  Scene scene = scene_of(Circle{});
+  scene.bodies.push_back(scene.bodies[0]);
+  scene.bodies[1].position = {2, 10};
+  scene.joints.push_back(Revolute{0, 1, {1, 10}});
+  EXPECT_EQ(engine().unsupported(scene, {{"solver", "article"}}), "its solver article holds no joints");
+  EXPECT_EQ(engine().unsupported(scene, {{"solver", "accurate"}}), "");
+}
+
 // With forces known to the engine, a method of second order keeps its order: halving the step quarters the error of
 // an oscillation. Handed over from outside once a step, they would leave it at first order.
 TEST(Impulse, KeepsTheOrderOfItsIntegratorUnderForces) {
