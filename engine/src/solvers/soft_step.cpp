@@ -96,6 +96,7 @@ void SoftStep::share_impulses(StepData& data, Real by) {
 // each bears m g/2 and 1/m_eff = 2/m + 2 (a/2)^2/(m a^2/6) = 5/m: a depth of 2.5 g / w^2 for every body on top.
 void SoftStep::state(const Settings& settings, StatedErrors& errors) const {
   const Real omega = 2 * pi * frequency(settings);
+  errors.joints = true;
   errors.h = settings.dt / static_cast<Real>(settings.substeps);
   errors.drift = static_cast<Real>(.5);  // symplectic Euler
   errors.impact_lag = static_cast<Real>(settings.substeps);
