@@ -1,5 +1,5 @@
 // The three charts of a case, each with a sentence that says what one sees.
-import { enumerate, number } from "../format";
+import { enumerate, number, to_within } from "../format";
 import type { Case, Entry } from "../model";
 import { figure } from "./figure";
 import { over_time, type OverTime } from "./over_time";
@@ -17,13 +17,24 @@ const last = (values: (number | null)[]): number | null => {
 const largest = (values: (number | null)[]): number =>
   values.reduce<number>((most, value) => Math.max(most, Math.abs(value ?? 0)), 0);
 
-/** "impulse ends at 12.3 J, box2d at 12.1 J, the truth at 12.4 J" */
+/** Values apart by less than this share of the chart's size look, and are called, the same. */
+const same = 1e-3;
+
+/** "At the end: impulse at 12.3 J, box2d at 12.1 J and the truth at 12.4 J." */
 function ends(entries: Entry[], column: Column, unit: string): string {
-  const parts = entries.flatMap(({ contender, series }) => {
+  const found = entries.flatMap(({ contender, series }) => {
     const value = series ? last(series[column]) : null;
-    return value === null ? [] : [`${contender.exact ? "the truth" : contender.label} at ${number(value, unit)}`];
+    return value === null ? [] : [{ name: contender.exact ? "the truth" : contender.label, value }];
   });
-  return parts.length ? `At the end: ${enumerate(parts)}.` : "";
+  if (!found.length) return "";
+  const values = found.map(({ value }) => value);
+  const spread = Math.max(...values) - Math.min(...values);
+  const size = Math.max(...entries.map(({ series }) => (series ? largest(series[column]) : 0)));
+  if (found.length > 1 && spread <= same * size) {
+    const value = values[values.length - 1] ?? 0;
+    return `At the end all stand at ${number(Math.abs(value) <= same * size ? 0 : value, unit)}.`;
+  }
+  return `At the end: ${enumerate(found.map(({ name, value }) => `${name} at ${to_within(value, spread, unit)}`))}.`;
 }
 
 function energy(entries: Entry[]): HTMLElement {

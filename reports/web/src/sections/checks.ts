@@ -34,8 +34,10 @@ function readings(place: Case): Answer[][] {
 
 function subject(answers: Answer[], check: TruthCheck): HTMLElement {
   const body = check.body ? `${check.body}, ` : "";
-  const times = [...new Set(answers.map((answer) => given(answer.check.time, "s", 4)))];
-  const title = h("strong", {}, `${body}${words(check.quantity)} at ${times.join(" or ")}`);
+  const times = answers.map((answer) => answer.check.time);
+  const [first, last] = [Math.min(...times), Math.max(...times)];
+  const when = first === last ? given(first, "s", 4) : `${given(first, "", 4)} to ${given(last, "s", 4)}`;
+  const title = h("strong", {}, `${body}${words(check.quantity)} at ${when}`);
   return h("th", { scope: "rowgroup", rowspan: String(answers.length), class: "subject" }, title, h("span", {}, check.source));
 }
 
