@@ -100,6 +100,11 @@ std::vector<Case> parse_cases(std::string_view word) {
   for (const Variant& variant : scenario.variants) {
     if (variant.label == rest) return {case_of(scenario, variant.label, variant.changes)};
   }
+  if (rest.find('=') == std::string::npos) {
+    std::vector<std::string> labels;
+    for (const Variant& variant : scenario.variants) labels.push_back(variant.label);
+    throw std::invalid_argument(name + ": " + unknown("variant", rest, labels) + " Or write parameter=value.");
+  }
   Parameters changes;
   for (const auto& [key, value] : assignments(name, rest)) changes[key] = parse_number(name + ": " + key, value);
   return {case_of(scenario, rest, changes)};
@@ -116,6 +121,10 @@ std::vector<Case> default_cases(bool all) {
 
 Entrant parse_entrant(std::string_view word) {
   const auto [name, rest] = split(word, ':');
+  const Contender* closed_form = Catalog<Contender>::find(name);
+  if (closed_form != nullptr && closed_form->exact) {
+    throw std::invalid_argument("\"" + name + "\" is a closed form, not an engine; it answers its scenarios unasked");
+  }
   const Contender& contender = find<Contender>("engine", name, [](const Contender& offered) { return !offered.exact; });
   Settings settings;
   for (const auto& [key, value] : assignments(name, rest)) settings[key] = value;

@@ -7,10 +7,12 @@
 #include <cstdlib>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "reports/cli.h"
 #include "reports/environment.h"
 #include "reports/experiment.h"
+#include "reports/output.h"
 #include "reports/writers/console.h"
 
 namespace plumb {
@@ -55,6 +57,25 @@ Report carry_out_with_progress(const Plan& plan) {
   }
 }
 
+void must_be_new(const std::string& name, std::set<std::string>& seen) {
+  if (!seen.insert(name).second) throw std::invalid_argument("\"" + name + "\" is asked for twice");
+}
+
+Plan plan_of(const Session& session) {
+  Plan plan{.dt = parse_dt(session.dt)};
+  for (const std::string& word : session.scenarios) {
+    for (Case& one : parse_cases(word)) plan.cases.push_back(std::move(one));
+  }
+  if (session.scenarios.empty()) plan.cases = default_cases(session.all);
+  for (const std::string& word : session.engines) plan.entrants.push_back(parse_entrant(word));
+  if (session.engines.empty()) plan.entrants = default_entrants();
+
+  std::set<std::string> seen;
+  for (const Case& one : plan.cases) must_be_new(one.scenario->name + ":" + one.variant, seen);
+  for (const Entrant& one : plan.entrants) must_be_new(label_of(one.contender->name, one.method()), seen);
+  return plan;
+}
+
 }  // namespace
 
 void Session::attach_to(CLI::App& app) {
@@ -68,24 +89,11 @@ void Session::attach_to(CLI::App& app) {
       ->type_name("DIR");
 }
 
-Session::Result Session::conduct(const std::string& command) const {
-  Plan plan{.dt = parse_dt(dt)};
-  for (const std::string& word : scenarios) {
-    for (Case& one : parse_cases(word)) plan.cases.push_back(std::move(one));
-  }
-  if (scenarios.empty()) plan.cases = default_cases(all);
-
-  for (const std::string& word : engines) plan.entrants.push_back(parse_entrant(word));
-  if (engines.empty()) plan.entrants = default_entrants();
-  std::set<std::string> labels;
-  for (const Entrant& entrant : plan.entrants) {
-    const std::string label = label_of(entrant.contender->name, entrant.method());
-    if (!labels.insert(label).second) throw std::invalid_argument("engine \"" + label + "\" is asked for twice");
-  }
+Report Session::conduct(const std::string& command) const {
+  const Plan plan = plan_of(*this);
   const OutputFolder folder(out);
 
-  Result result{.report = carry_out_with_progress(plan)};
-  Report& report = result.report;
+  Report report = carry_out_with_progress(plan);
   report.title = "Plumb: " + command;
   report.command = {"plumb", command};
   report.command.insert(report.command.end(), scenarios.begin(), scenarios.end());
@@ -94,11 +102,12 @@ Session::Result Session::conduct(const std::string& command) const {
   report.command.insert(report.command.end(), {"--dt", dt});
   report.environment = environment();
 
-  result.written = folder.write(report);
+  const auto [files, skipped] = folder.write(report);
   fmt::print("{}", console_text(report, wants_colour()));
   fmt::print("{:.1f} % of the runs' time was spent outside step.\n", 100 * report.clock.at("outside_step"));
-  for (const auto& [file, why] : result.written.skipped) fmt::print("No {}: {}.\n", file, why);
-  return result;
+  for (const auto& file : files) fmt::print("{}\n", file.string());
+  for (const auto& [file, why] : skipped) fmt::print("No {}: {}.\n", file, why);
+  return report;
 }
 
 }  // namespace plumb

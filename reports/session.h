@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "reports/output.h"
 #include "reports/report.h"
 
 namespace plumb {
@@ -19,14 +18,9 @@ struct Session {
 
   void attach_to(CLI::App&);
 
-  struct Result {
-    Report report;
-    OutputFolder::Written written;
-  };
-
-  /// Runs what is asked for, writes the files and prints the table. `command` is the word that began it. Throws
-  /// std::invalid_argument for what the user should put right, before anything is run.
-  Result conduct(const std::string& command) const;
+  /// Runs what is asked for, writes the files and prints the table and where the files are. `command` is the word that
+  /// began it. Throws std::invalid_argument for what the user should put right, before anything is run.
+  Report conduct(const std::string& command) const;
 };
 
 }  // namespace plumb

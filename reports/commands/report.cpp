@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <memory>
 
 #include "reports/command.h"
@@ -10,8 +8,7 @@ namespace plumb {
 namespace {
 
 int report(const Session& session) {
-  const auto [report, written] = session.conduct("report");
-  for (const auto& file : written.files) fmt::print("{}\n", std::filesystem::absolute(file).string());
+  session.conduct("report");
   return 0;
 }
 

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <memory>
 
@@ -11,8 +9,7 @@ namespace plumb {
 namespace {
 
 int run(const Session& session) {
-  const auto [report, written] = session.conduct("run");
-  for (const auto& file : written.files) fmt::print("{}\n", file.string());
+  const Report report = session.conduct("run");
   const bool broken = std::any_of(report.runs.begin(), report.runs.end(), [](const RunRecord& record) {
     return record.verdict == Verdict::wrong || record.verdict == Verdict::failed;
   });
@@ -26,7 +23,7 @@ const Catalog<Command>::Entry entry{
                  "  plumb run bounce                           every variant of one scenario\n"
                  "  plumb run bounce:restitution=0.5           one with a parameter of your own\n"
                  "  plumb run slope --engine box2d --dt 1/240  one engine, a smaller step\n"
-                 "  plumb run --engine impulse --engine impulse:integrator=explicit   two methods compared\n",
+                 "  plumb run --engine impulse --engine impulse:integrator=rk4   two methods compared\n",
      .attach = [](CLI::App& app) {
        const auto session = std::make_shared<Session>();
        app.add_option("scenario", session->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...")

@@ -110,7 +110,7 @@ std::string in_words(const Comparison& comparison) {
   if (comparison.metrics.empty()) return "";
   const auto of = [&](const char* name) { return number(comparison.metrics, name); };
   std::string text =
-      fmt::format("{} - {}: apart by up to {} m, {} m at the end; energy by up to {} J", comparison.a, comparison.b,
+      fmt::format("{} - {}: up to {} m apart, {} m at the end; energy up to {} J", comparison.a, comparison.b,
                   of("position_difference_max"), of("position_difference_end"), of("energy_difference_max"));
   if (comparison.metrics.count("parted_at") != 0) text += fmt::format("; parted at {} s", of("parted_at"));
   return text;

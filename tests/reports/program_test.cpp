@@ -1,6 +1,14 @@
 #include "reports/program.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "reports/command.h"
+#include "scenarios/catalog.h"
 
 namespace plumb {
 namespace {
@@ -19,6 +27,68 @@ Said say(std::vector<std::string> arguments) {
   std::fflush(stdout);
   std::fflush(stderr);
   return {code, ::testing::internal::GetCapturedStdout(), ::testing::internal::GetCapturedStderr()};
+}
+
+// A folder of this process's own, gone after the test.
+class ProgramRun : public ::testing::Test {
+ protected:
+  ~ProgramRun() override { std::filesystem::remove_all(out_); }
+
+  nlohmann::ordered_json report() const { return nlohmann::ordered_json::parse(std::ifstream(out_ / "report.json")); }
+
+  std::filesystem::path out_ = std::filesystem::path(::testing::TempDir()) / ("plumb-run-" + std::to_string(getpid()));
+};
+
+TEST_F(ProgramRun, WritesTheSameReportTwiceTimesAside) {
+  const auto text = [&] {
+    say({"run", "bounce", "--out", out_.string()});
+    auto json = report();
+    json.erase("timings");
+    return json.dump();
+  };
+  EXPECT_EQ(text(), text());
+}
+
+TEST_F(ProgramRun, ExitsWith0WhereAllIsRight) {
+  const Said said = say({"run", "spinning-obb:free-fall", "--engine", "impulse", "--out", out_.string()});
+  EXPECT_EQ(said.code, 0) << said.out;
+  EXPECT_THAT(said.out, HasSubstr("report.json"));
+  EXPECT_THAT(said.out, HasSubstr("outside step"));
+}
+
+// w dt = 15: the spring's energy grows by 226 with every step.
+TEST_F(ProgramRun, ExitsWith1WhereARunDiverges) {
+  const Said said =
+      say({"run", "spring:w=15", "--engine", "impulse:integrator=explicit-euler", "--dt", "1", "--out", out_.string()});
+  EXPECT_EQ(said.code, 1) << said.out;
+  EXPECT_THAT(said.out, HasSubstr("diverged at t = "));
+}
+
+TEST_F(ProgramRun, KeepsWhatIsAskedInTheReportButNotTheFolder) {
+  say({"run", "bounce:restitution=0.5", "--engine", "impulse", "--dt", "1/120", "--out", out_.string()});
+  EXPECT_EQ(report()["command"].dump(),
+            R"(["plumb","run","bounce:restitution=0.5","--engine","impulse","--dt","1/120"])");
+  EXPECT_EQ(report()["runs"][0]["dt"], 1.0 / 120);
+}
+
+TEST_F(ProgramRun, WantsEachCaseAndEngineOnce) {
+  EXPECT_EQ(say({"run", "bounce", "bounce", "--out", out_.string()}).code, 2);
+  EXPECT_EQ(say({"run", "--engine", "impulse", "--engine", "impulse", "--out", out_.string()}).code, 2);
+}
+
+TEST(Program, KnowsTheseCommands) {
+  std::vector<std::string> names;
+  for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"list", "report", "run"}));
+}
+
+TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
+  const Said said = say({"list"});
+  EXPECT_EQ(said.code, 0);
+  for (const char* word : {"bounce", "restitution", "impulse", "integrator", "box2d", "energy_rise"}) {
+    EXPECT_THAT(said.out, HasSubstr(word));
+  }
+  EXPECT_THAT(say({"list", "metrics"}).out, ::testing::Not(HasSubstr("integrator")));
 }
 
 TEST(Program, HelpsWithExamples) {

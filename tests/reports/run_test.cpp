@@ -8,7 +8,6 @@ namespace plumb {
 namespace {
 
 using fakes::Stepper;
-using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 Outcome run_with(const Contender& contender, double dt = 1.0 / 60) {

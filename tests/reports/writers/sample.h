@@ -46,7 +46,8 @@ inline Report sample_report() {
   failed.exact = false;
   failed.status = Status::failed;
   failed.verdict = Verdict::failed;
-  failed.reason = "diverged at t = 1 s: body \"box\" " + std::string(300, 'x') + " and a good deal more to be said of it";
+  failed.reason =
+      "diverged at t = 1 s: body \"box\" " + std::string(300, 'x') + " and a good deal more to be said of it";
   failed.metrics.clear();
   failed.trace = nullptr;
   return {.title = "Plumb: run",
