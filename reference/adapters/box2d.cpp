@@ -16,7 +16,7 @@
 // - Vertices closer than 0.0025 m are welded; polygons have eight at most.
 // - No capsules: built from a rectangle, thinned by its skin so that sides and caps are flush, and two circles. No
 //   half-spaces: built from an edge in a frame whose x axis is the boundary, which keeps float errors along the edge.
-//   It has two sides; continuous collision keeps bodies from passing.
+//   It has two sides; continuous collision keeps bodies from passing. (A large box gives the same figures.)
 // - A soft distance joint is an implicit spring: it damps more than its damping says.
 // - Sleeping is off unless asked for: a sleeping stack has perfect energy.
 // Every body's frame is moved to its centre of mass, whose mass data are those of plumb::mass_of.

@@ -41,8 +41,11 @@ BodyState last(const Scene& scene, const Settings& settings, int steps) {
 TEST(Box2d, NamesTheVersionItRunsWith) { EXPECT_NE(box2d().source.find("2.4."), std::string::npos) << box2d().source; }
 
 TEST(Box2d, RefusesPolygonsItWouldChange) {
-  std::vector<Vec> nine;
-  for (int i = 0; i < 9; ++i) nine.push_back({std::cos(i * .69), std::sin(i * .69)});
+  std::vector<Vec> nine(9);
+  for (std::size_t i = 0; i < nine.size(); ++i) {
+    const double angle = .69 * static_cast<double>(i);
+    nine[i] = {std::cos(angle), std::sin(angle)};
+  }
   EXPECT_EQ(refusal(Polygon{nine}), "polygons have eight vertices at most");
   nine.pop_back();
   EXPECT_EQ(refusal(Polygon{nine}), "");
