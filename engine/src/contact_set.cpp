@@ -158,13 +158,14 @@ void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, 
     if (joints.ties(a.body, b.body)) continue;
     while (last != last_rows_.cend() && key(*last) < key(a, b)) ++last;
     const bool known = last != last_rows_.cend() && key(*last) == key(a, b);
+    const Part& part_a = bodies.detail[a.body].parts[a.part];
+    const Part& part_b = bodies.detail[b.body].parts[b.part];
     if (known && recycle && recycled(*last, bodies)) {
       rows_.push_back(*last);
       measure_again(rows_.back(), bodies);
+      mix_materials(rows_.back(), part_a.material, part_b.material, settings);
       continue;
     }
-    const Part& part_a = bodies.detail[a.body].parts[a.part];
-    const Part& part_b = bodies.detail[b.body].parts[b.part];
     const Manifold manifold = collide(part_a.shape, bodies.pose[a.body], part_b.shape, bodies.pose[b.body],
                                       closing(bodies, a.body, b.body, margin));
     if (manifold.count == 0) continue;

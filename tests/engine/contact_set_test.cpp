@@ -20,6 +20,7 @@ struct Heap {
   Settings settings;
   Margin margin;
   JointSet joints;
+  bool recycle = false;
 
   std::size_t add(const BodyDef& def, std::span<const Part> parts) {
     const std::size_t i = bodies.add(def, parts).index;
@@ -31,7 +32,7 @@ struct Heap {
     return add(def, std::span(&part, 1));
   }
   std::vector<Contact>& find() {
-    contacts.find(bodies, *broad_phase, settings, margin, false, joints);
+    contacts.find(bodies, *broad_phase, settings, margin, recycle, joints);
     return contacts.rows();
   }
 };
@@ -136,6 +137,34 @@ TEST(ContactSet, GivesArmsFromBothCentresToOnePoint) {
   const Vec2 on_b = heap.bodies.pose[1].p + row.points[0].arm_b;
   EXPECT_NEAR(on_a.x, .875, 4 * round_off);
   EXPECT_NEAR(on_b.x, .875, 4 * round_off);
+}
+
+TEST(ContactSet, RecyclesPointsOfBodiesThatHardlyMoved) {
+  Heap heap;
+  heap.recycle = true;
+  heap.margin.distance = real(.02);
+  heap.add(at(0, 0), Shape::box({1, 1}));
+  const std::size_t above = heap.add(at(0, 2), Shape::box({1, 1}));
+  const Vec2 arm = heap.find()[0].points[0].arm_b;
+  heap.contacts.rows()[0].points[0].normal_impulse = 3;
+  heap.bodies.pose[above].p = {real(.001), real(2.002)};
+  const Contact& row = heap.find()[0];
+  EXPECT_EQ(row.points[0].arm_b, arm);
+  EXPECT_EQ(row.points[0].normal_impulse, 3);
+  EXPECT_NEAR(row.points[0].separation, .002, 8 * round_off);
+  heap.bodies.pose[above].p = {real(.1), 2};
+  EXPECT_NE(heap.find()[0].points[0].arm_b, arm);
+}
+
+TEST(ContactSet, MixesRecycledContactsByTheRuleOfToday) {
+  Heap heap;
+  heap.recycle = true;
+  heap.add(at(0, 0), Shape::box({1, 1}), {1, real(.4), real(.4), 0});
+  heap.add(at(0, 2), Shape::box({1, 1}), {1, real(.3), real(.3), 0});
+  heap.settings.friction_mixing = FrictionMixing::max;
+  EXPECT_EQ(heap.find()[0].static_friction, real(.4));
+  heap.settings.friction_mixing = FrictionMixing::min;
+  EXPECT_EQ(heap.find()[0].static_friction, real(.3));
 }
 
 }  // namespace

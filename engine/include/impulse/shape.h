@@ -28,7 +28,7 @@ constexpr int shape_type_count = 6;
 class Shape {
  public:
   static constexpr int max_vertices = 8;
-  static constexpr Real unbounded = 1000000000;  // m
+  static constexpr Real unbounded = static_cast<Real>(1e9);  // m
 
   /// All of these throw std::invalid_argument for sizes that are not positive and finite.
   static Shape circle(Real radius, Vec2 center = {});

@@ -162,9 +162,10 @@ TEST(Article, LetsAStraightStackStandStraight) {
 // Equal masses and e = 1: each hands its speed on.
 TEST(Article, HandsTheSpeedOnThroughARowOfTouchingBalls) {
   World world(weightless());
-  std::vector<BodyId> balls;
-  for (int i = 0; i < 5; ++i) {
-    balls.push_back(world.create_body(at(i, 0, i == 0 ? 2 : 0, 0), Shape::circle(Real{0.5}), frictionless(1)));
+  std::array<BodyId, 5> balls;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const double x = static_cast<double>(i);
+    balls[i] = world.create_body(at(x, 0, i == 0 ? 2 : 0, 0), Shape::circle(Real{0.5}), frictionless(1));
   }
   world.step();
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(world.body(balls[i]).velocity().x, 0, 32 * round_off) << i;
