@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "distance.h"
 #include "random_shapes.h"
 #include "real_literal.h"
 
@@ -385,6 +386,73 @@ TEST(Collide, OfAChainHoldsABoxInACornerAndOnAnEdge) {
                 collide(outward[1], origin, Shape::circle(1), at(-0.6_r, 0.79_r), 0.01_r).count,
             1);
   EXPECT_LE(collide(outward[0], origin, box, balanced, 0.01_r).count, 2);
+}
+
+// A rough ground that runs towards -x: hills, dents, steep walls.
+std::vector<Vec2> rough_ground(RandomShapes& random) {
+  std::vector<Vec2> points;
+  Real x = 4;
+  for (int i = 0; i < 12; ++i) {
+    points.push_back({x, random.number(-0.6, 0.6)});
+    x -= random.number(0.05, 1.2);
+  }
+  return points;
+}
+
+struct Support {
+  int count = 0;
+  Real least = std::numeric_limits<Real>::infinity();
+};
+
+Support support_of(const std::vector<Shape>& chain, const Shape& shape, const Pose& pose, Real margin) {
+  Support all;
+  for (const Shape& link : chain) {
+    const Manifold m = collide(link, origin, shape, pose, margin);
+    all.count += m.count;
+    all.least = std::min(all.least, least_separation(m));
+  }
+  return all;
+}
+
+// Whatever the joints look like, the links together report the distance to their line: none falls between two, and none
+// is nearer or deeper than it is.
+TEST(Collide, OfAChainIsTheDistanceToTheWholeLine) {
+  RandomShapes random(14);
+  int compared = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const std::vector<Vec2> points = rough_ground(random);
+    const std::vector<Shape> chain = Shape::chain(points, false);
+    const Shape shape = random.shape(all_shape_types[static_cast<std::size_t>(i) % 4]);
+    Pose pose{{random.number(-1, 1), 4}, Rotation(random.number(-4, 4))};
+    const auto to_line = [&] {
+      Gap nearest{std::numeric_limits<Real>::infinity(), {}, {}, {}};
+      for (const Shape& link : chain) {
+        const Gap gap = distance(link, origin, shape, pose);
+        if (gap.distance < nearest.distance) nearest = gap;
+      }
+      return nearest;
+    };
+    // Down to 0.1 m above the ground, by steps that cannot pass it.
+    constexpr Real above = 0.1_r;
+    for (int step = 0; step < 60; ++step) pose.p.y -= to_line().distance - above;
+    const Real gap = to_line().distance;
+    const Vec2 foot = to_line().a;
+    const bool at_an_end = length(foot - points.front()) < 0.05_r || length(foot - points.back()) < 0.05_r;
+    if (at_an_end || gap < 0.5_r * above || gap > 1.5_r * above) continue;
+    ++compared;
+    const Support near = support_of(chain, shape, pose, 0.2_r);
+    ASSERT_GT(near.count, 0) << i;
+    ASSERT_NEAR(near.least, gap, 3.1e-5_r * (gap + shape.radius()) + 100 * epsilon) << i;
+
+    // Pushed in by `sink`, no height over any link can have changed by more.
+    const Real sink = 0.02_r;
+    pose.p.y -= gap + sink;
+    const Support deep = support_of(chain, shape, pose, 0.2_r);
+    ASSERT_GT(deep.count, 0) << i;
+    ASSERT_GT(deep.least, -1.1_r * (gap + sink)) << i;
+    ASSERT_LT(deep.least, gap) << i;
+  }
+  EXPECT_GT(compared, 3000);
 }
 
 }  // namespace

@@ -2,72 +2,14 @@
 #include <limits>
 
 #include "collide/colliders.h"
-#include "collide/hull.h"
+#include "collide/link.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-
-// Whose business a contact normal at a joint is.
-enum class Owner { self, neighbour, nobody };
-
-// One end of a link, where it meets a neighbour. On an outward bend the normals from one face's to the other's are
-// shared out at the middle; on a straight or inward joint no normals exist but those of the two faces, and a contact
-// that would have another is a ghost.
-struct Joint {
-  Vec2 own, other;     // the two faces' normals
-  Vec2 away;           // along this link, out over the joint
-  bool bends_outward;  // or turns back at a free end
-
-  Owner owner(Vec2 normal) const {
-    const Real lean = dot(normal, away);
-    if (lean < -rounding) return Owner::nobody;
-    if (lean <= rounding && dot(normal, own) > 0) return Owner::self;
-    if (!bends_outward) return Owner::nobody;
-    const Real to_own = dot(normal, own);
-    const Real to_other = dot(normal, other);
-    const Real opening = dot(own, other) - rounding;
-    if (to_own < opening || to_other < opening) return Owner::nobody;  // beyond one of the two
-    return to_own >= to_other ? Owner::self : Owner::neighbour;
-  }
-};
-
-Joint make_joint(Vec2 own, Vec2 away, Vec2 beyond) {
-  const Vec2 onward = normalized(beyond);
-  const Real turn = dot(own, onward);  // negative: the neighbour falls away from the free side
-  const bool back = std::abs(turn) <= rounding && dot(away, onward) < 0;
-  // The neighbour's normal stands to `onward` as `own` does to `away`.
-  const Vec2 other = cross(away, own) > 0 ? perpendicular(onward) : -perpendicular(onward);
-  return {own, other, away, turn < -rounding || back};
-}
-
-// A segment of a chain in its own frame.
-struct Link {
-  Edge face;
-  Joint start, end;
-
-  explicit Link(const Shape& segment) {
-    const Vec2 n = segment.normal(0);
-    const Vec2 t = perpendicular(n);
-    const Vec2 from = segment.vertex(0);
-    const Vec2 to = segment.vertex(1);
-    // Links reach over their joints by a rounding, so that nothing falls between two.
-    const Real reach = rounding * (std::abs(from.x) + std::abs(from.y) + std::abs(to.x) + std::abs(to.y));
-    face = {from - reach * t, to + reach * t, n, 0, 1, 0};
-    start = make_joint(n, -t, segment.ghost_before() - from);
-    end = make_joint(n, t, segment.ghost_after() - to);
-  }
-  const Joint& joint(int vertex) const { return vertex == 0 ? start : end; }
-  Hull hull() const {
-    Hull line;
-    line.count = 2;
-    line.vertices = {face.from, face.to};
-    line.normals = {face.normal, -face.normal};
-    return line;
-  }
-};
+// The other side of it.
+Edge reversed(const Edge& edge) { return {edge.to, edge.from, -edge.normal, edge.second, edge.first, edge.radius}; }
 
 // Of a face with normal n through p against a hull's core.
 Face against_line(Vec2 p, Vec2 n, const Hull& hull) {
@@ -92,28 +34,61 @@ Manifold on_face(const Link& link, const Face& face, const Hull& hull, Real marg
   return clip(link.face, incident, over, margin);
 }
 
-// The hull's face separates better than the link's.
-Manifold on_joint(const Link& link, const Face& link_face, const Face& face, const Hull& hull, Real margin) {
+Manifold on_joint(const Link& link, const Face& face, const Hull& hull, Real margin) {
   const Edge reference = hull.edge(face.edge);
-  const Joint& joint = link.joint(face.support);
-  switch (joint.owner(-reference.normal)) {
-    case Owner::neighbour:
-      return {};
-    case Owner::self: {
-      const Real size = std::abs(link.face.from.x) + std::abs(link.face.from.y);
-      const Manifold m = flipped(meet(reference, link.face, face.separation, size, margin));
-      return joint.owner(m.normal) == Owner::self ? m : Manifold{};
-    }
-    case Owner::nobody:
-      break;
+  const Edge incident = dot(reference.normal, link.face.normal) < 0 ? link.face : reversed(link.face);
+  return flipped(meet(reference, incident, face.separation, link.size, margin));
+}
+
+bool holds(const Hull& hull, Vec2 p) {
+  for (int i = 0; i < hull.count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (dot(hull.normals[at], p - hull.vertices[at]) > 0) return false;
   }
-  // Beside an outward bend the neighbour pushes if it has less far to push.
-  if (joint.bends_outward) {
-    const Vec2 corner = face.support == 0 ? link.face.from : link.face.to;
-    const Real beside = against_line(corner, joint.other, hull).separation;
-    if (beats(beside, link_face.separation, true)) return {};
+  return true;
+}
+
+// Whether a neighbour behind an outward bend has less far to push than the link's own face.
+bool neighbour_pushes(const Joint& joint, const Hull& hull, Real own) {
+  return joint.bends_outward && !joint.free_end &&
+         beats(against_line(joint.place, joint.other, hull).separation, own, false);
+}
+
+// The shortest way out of those that the line of links has: along the link's normal, or along a face of the hull that a
+// joint allows. What touches a joint's neighbour as well, for it holds the joint, may be left to that neighbour.
+// `in_front`: whether the link's own face may push.
+Manifold shortest_way_out(const Link& link, const Face& of_link, const Hull& hull, bool in_front, Real margin) {
+  const Hull line = link.hull();
+  Face allowed{-1, 0, in_front ? of_link.separation : -Shape::unbounded};
+  for (int i = 0; i < hull.count; ++i) {
+    const Face face = face_against(hull, i, line);
+    const Owner owner = link.joint(face.support).owner(-hull.normals[static_cast<std::size_t>(i)]);
+    const bool better =
+        allowed.edge < 0 ? beats(face.separation, allowed.separation, false) : face.separation > allowed.separation;
+    if (owner != Owner::nobody && better) allowed = face;
   }
-  return on_face(link, link_face, hull, margin);
+  for (const Joint* joint : {&link.start, &link.end}) {
+    if (holds(hull, joint->place) && neighbour_pushes(*joint, hull, allowed.separation)) return {};
+  }
+  if (allowed.edge < 0) return in_front ? on_face(link, of_link, hull, margin) : Manifold{};
+  const Joint& joint = link.joint(allowed.support);
+  const Owner owner = joint.owner(-hull.normals[static_cast<std::size_t>(allowed.edge)]);
+  if (owner == Owner::neighbour && holds(hull, joint.place)) return {};
+  return on_joint(link, allowed, hull, margin);
+}
+
+// Where the cores don't overlap, the nearest points decide, unless no joint allows their direction.
+Manifold meet_apart(const Link& link, const Face& of_link, const Hull& hull, const Face& of_hull, bool in_front,
+                    Real margin) {
+  const Vec2 facing = hull.normals[static_cast<std::size_t>(of_hull.edge)];
+  if (beats(of_hull.separation, of_link.separation, opposite(link.face.normal, facing))) {
+    const Joint& joint = link.joint(of_hull.support);
+    const Manifold m = on_joint(link, of_hull, hull, margin);
+    const Owner owner = joint.owner(m.normal);
+    if (owner == Owner::self || m.count == 0) return m;
+    if (owner == Owner::neighbour || neighbour_pushes(joint, hull, of_link.separation)) return {};
+  }
+  return in_front ? on_face(link, of_link, hull, margin) : Manifold{};
 }
 
 }  // namespace
@@ -143,17 +118,18 @@ Manifold chain_circle(const Shape& a, const Pose& pose_a, const Shape& b, const 
 Manifold chain_hull(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {
   const Link link(a);
   const Hull hull = hull_of(b, relative(pose_a, pose_b));
-  if (dot(link.face.normal, hull.centroid - link.face.from) < 0) return {};
+  // One-sided: what has its centre behind the face is not pushed by it, but may lean on a joint until all is behind.
+  const bool in_front = dot(link.face.normal, hull.centroid - link.face.from) >= 0;
   const Real reach = margin + hull.radius;
   const Face of_link = against_line(link.face.from, link.face.normal, hull);
   if (of_link.separation > reach) return {};
+  const Real behind = against_line(link.face.from, -link.face.normal, hull).separation;
+  if (behind > 0) return {};
   const Face of_hull = best_face(hull, link.hull());
   if (of_hull.separation > reach) return {};
-  const Vec2 facing = hull.normals[static_cast<std::size_t>(of_hull.edge)];
-  if (beats(of_hull.separation, of_link.separation, opposite(link.face.normal, facing))) {
-    return to_world(pose_a, on_joint(link, of_link, of_hull, hull, margin));
-  }
-  return to_world(pose_a, on_face(link, of_link, hull, margin));
+  const bool apart = of_link.separation > 0 || of_hull.separation > 0;
+  return to_world(pose_a, apart ? meet_apart(link, of_link, hull, of_hull, in_front, margin)
+                                : shortest_way_out(link, of_link, hull, in_front, margin));
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -120,19 +120,31 @@ constexpr bool beats(Real second, Real first, bool opposite_faces) {
   return second > first + least - first / 64;
 }
 
+/// The incident edge's deeper end: where shapes overlap although a preferred face just misses the other's edge.
+inline void add_deepest(Manifold& m, const Edge& reference, const Edge& incident, const Overlay& over, Real margin) {
+  const bool low = over.low.y < over.high.y;
+  const Real separation = (low ? over.low.y : over.high.y) - reference.radius - incident.radius;
+  if (separation > margin) return;
+  const Vec2 middle = (low ? incident.to : incident.from) - (incident.radius + separation / 2) * reference.normal;
+  add(m, middle, separation,
+      low ? feature(reference.first, incident.second) : feature(reference.second, incident.first));
+}
+
 /// What two shapes make whose nearest faces these edges are; `separation` is of the faces without radii, along the
 /// reference's normal, `size` that of the coordinates.
 inline Manifold meet(const Edge& reference, const Edge& incident, Real separation, Real size, Real margin) {
   const Overlay over(reference, incident);
+  const Real least = blurred(size);
   // Two lines end to end have no separating face; their corners are apart all the same.
-  if (separation > 0 || !over.overlaps()) {
+  if (separation > 0 || (separation > -least && !over.overlaps())) {
     const Corners corners = facing_corners(reference, incident, over);
-    const Real least = blurred(size);
     if (corners.closest && length_squared(corners.b - corners.a) > least * least) {
       return touch(reference, incident, corners, margin);
     }
   }
-  return clip(reference, incident, over, margin);
+  Manifold m = clip(reference, incident, over, margin);
+  if (m.count == 0 && separation <= 0) add_deepest(m, reference, incident, over, margin);
+  return m;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

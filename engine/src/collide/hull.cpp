@@ -34,21 +34,26 @@ Hull hull_of(const Shape& shape, const Pose& pose) {
   return hull;
 }
 
+Face face_against(const Hull& hull, int edge, const Hull& other) {
+  const auto at = static_cast<std::size_t>(edge);
+  const Vec2 n = hull.normals[at];
+  int support = 0;
+  Real lowest = std::numeric_limits<Real>::infinity();
+  for (int j = 0; j < other.count; ++j) {
+    const Real height = dot(n, other.vertices[static_cast<std::size_t>(j)]);
+    if (height < lowest) {
+      lowest = height;
+      support = j;
+    }
+  }
+  return {edge, support, lowest - dot(n, hull.vertices[at])};
+}
+
 Face best_face(const Hull& hull, const Hull& other) {
   Face best{0, 0, -std::numeric_limits<Real>::infinity()};
   for (int i = 0; i < hull.count; ++i) {
-    const Vec2 n = hull.normals[static_cast<std::size_t>(i)];
-    int support = 0;
-    Real lowest = std::numeric_limits<Real>::infinity();
-    for (int j = 0; j < other.count; ++j) {
-      const Real height = dot(n, other.vertices[static_cast<std::size_t>(j)]);
-      if (height < lowest) {
-        lowest = height;
-        support = j;
-      }
-    }
-    const Real separation = lowest - dot(n, hull.vertices[static_cast<std::size_t>(i)]);
-    if (separation > best.separation) best = {i, support, separation};
+    const Face face = face_against(hull, i, other);
+    if (face.separation > best.separation) best = face;
   }
   return best;
 }

@@ -23,12 +23,13 @@ Hull hull_of(const Shape& shape);
 /// In the frame that sees the shape's frame at `pose`.
 Hull hull_of(const Shape& shape, const Pose& pose);
 
-/// The face of one hull that separates it best from another (cores only, radii apart).
+/// How well a face of one hull separates it from another (cores only, radii apart), and the face that does so best.
 struct Face {
   int edge = 0;
   int support = 0;  // the other hull's vertex that is deepest below the face
   Real separation = 0;
 };
+Face face_against(const Hull& hull, int edge, const Hull& other);
 Face best_face(const Hull& hull, const Hull& other);
 
 /// Of the two edges at a vertex, the one that faces a normal.

@@ -13,15 +13,7 @@ Manifold against(const Hull& hull, const Face& face, const Hull& other, Real mar
   const Edge reference = hull.edge(face.edge);
   const Edge incident = other.edge(edge_against(other, face.support, reference.normal));
   const Real size = size_of(hull) + size_of(other);
-  Manifold m = meet(reference, incident, face.separation, size, margin);
-  if (m.count == 0 && face.separation <= 0) {
-    // The preferred face of two may just miss the other's edge although the shapes overlap.
-    const Real separation = face.separation - hull.radius - other.radius;
-    const Vec2 deepest = other.vertices[static_cast<std::size_t>(face.support)];
-    const Vec2 middle = deepest - (other.radius + separation / 2) * reference.normal;
-    if (separation <= margin) add(m, middle, separation, feature(face.edge, face.support));
-  }
-  return m;
+  return meet(reference, incident, face.separation, size, margin);
 }
 
 }  // namespace
