@@ -56,16 +56,18 @@ bool neighbour_pushes(const Joint& joint, const Hull& hull, Real own) {
 
 // The shortest way out of those that the line of links has: along the link's normal, or along a face of the hull that a
 // joint allows. What touches a joint's neighbour as well, for it holds the joint, may be left to that neighbour.
-// `in_front`: whether the link's own face may push.
+// `in_front`: whether the link's own face may push; if not, only a joint that the hull holds does.
 Manifold shortest_way_out(const Link& link, const Face& of_link, const Hull& hull, bool in_front, Real margin) {
   const Hull line = link.hull();
   Face allowed{-1, 0, in_front ? of_link.separation : -Shape::unbounded};
   for (int i = 0; i < hull.count; ++i) {
     const Face face = face_against(hull, i, line);
-    const Owner owner = link.joint(face.support).owner(-hull.normals[static_cast<std::size_t>(i)]);
+    const Joint& joint = link.joint(face.support);
+    if (joint.owner(-hull.normals[static_cast<std::size_t>(i)]) == Owner::nobody) continue;
+    const bool reachable = in_front || holds(hull, joint.place);
     const bool better =
         allowed.edge < 0 ? beats(face.separation, allowed.separation, false) : face.separation > allowed.separation;
-    if (owner != Owner::nobody && better) allowed = face;
+    if (reachable && better) allowed = face;
   }
   for (const Joint* joint : {&link.start, &link.end}) {
     if (holds(hull, joint->place) && neighbour_pushes(*joint, hull, allowed.separation)) return {};
