@@ -72,6 +72,8 @@ struct Contender {
   std::string source;  // where it comes from, with version; for a closed form the textbook
   bool exact = false;  // a closed form: a truth, not a competitor
   std::vector<Option> options;
+  /// Settings worth showing beside the default ones; a report without a choice of engines runs these too.
+  std::vector<Settings> also = {};
   std::function<Stepping(const Settings&, double dt)> stepping;
 
   /// Why it cannot run this scene; "" when it can.

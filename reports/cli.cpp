@@ -134,7 +134,9 @@ Entrant parse_entrant(std::string_view word) {
 std::vector<Entrant> default_entrants() {
   std::vector<Entrant> entrants;
   for (const Contender* contender : Catalog<Contender>::all()) {
-    if (!contender->exact) entrants.push_back({contender, complete(*contender, {})});
+    if (contender->exact) continue;
+    entrants.push_back({contender, complete(*contender, {})});
+    for (const Settings& other : contender->also) entrants.push_back({contender, complete(*contender, other)});
   }
   std::stable_partition(entrants.begin(), entrants.end(),
                         [](const Entrant& entrant) { return entrant.contender->name == home; });

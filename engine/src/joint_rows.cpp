@@ -75,6 +75,10 @@ void solve_motor(JointBlock& block, Real h, Velocity& a, Velocity& b) {
   row.impulse = total;
 }
 
+void forget_impulses(JointBlock& block) {
+  for_each_row(block, [](JointRow& row) { row.impulse = 0; });
+}
+
 void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies) {
   Velocity& a = bodies.velocity[block.a];
   Velocity& b = bodies.velocity[block.b];

@@ -47,6 +47,9 @@ void solve_stops(JointBlock& block, const std::array<Real, 2>& bias, Velocity& a
 /// Drives the rate to the motor's speed with at most strength * h.
 void solve_motor(JointBlock& block, Real h, Velocity& a, Velocity& b);
 
+/// Starts the impulses from zero.
+void forget_impulses(JointBlock& block);
+
 /// One pass over a joint for solvers that correct velocities: rates that take away `share` of the error within h.
 void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies);
 

@@ -25,6 +25,7 @@ Contender impulse() {
        .value = "double",
        .choices = {{"float", "single precision, as games run it"}, {"double", "double precision"}},
        .about = "arithmetic"});
+  contender.also = {{{"solver", "article"}}};
   contender.stepping = [](const Settings& given, double dt) {
     const Settings settings = complete(self(), given);
     return in_precision_of(settings).stepping(settings, dt);

@@ -13,9 +13,9 @@ namespace impulse::inline IMPULSE_PRECISION {
 struct Settings {
   Vec2 gravity{0, -10};                         // m/s^2
   Real dt = static_cast<Real>(1.0 / 60.0);      // s, of a step
-  std::string solver = "article";               // one of solvers()
+  std::string solver = "accurate";              // one of solvers()
   std::string integrator = "symplectic-euler";  // one of integrators(); for solvers that leave the choice
-  std::string broad_phase = "brute";            // one of broad_phases()
+  std::string broad_phase = "auto";             // one of broad_phases()
   int iterations = 10;                          // of the velocity solver
   int substeps = 4;                             // for solvers that cut a step into sub-steps
   FrictionMixing friction_mixing = FrictionMixing::geometric;
