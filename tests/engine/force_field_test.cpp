@@ -23,6 +23,7 @@ bool falls_alike(FreeFall fall) {
 
 Vec2 as_the_engine(Real mass, Vec2 gravity, Real dt) {
   Settings settings;
+  settings.solver = "article";
   settings.gravity = gravity;
   settings.dt = dt;
   World world(settings);
@@ -88,6 +89,7 @@ TEST(ForceField, TurnsByArmTimesForce) {
 
 TEST(ForceField, ScalesGravityByBody) {
   Settings settings;
+  settings.solver = "article";
   settings.dt = Real{0.5};
   World world(settings);
   BodyDef def;

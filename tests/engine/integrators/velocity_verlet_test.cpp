@@ -40,6 +40,7 @@ TEST(VelocityVerlet, IsExactInBallisticFlight) { EXPECT_NEAR(fall_error("velocit
 // Half a kick after the contacts were solved would leave it sinking at g h/2.
 TEST(VelocityVerlet, LeavesAHeldBodyAtRest) {
   Settings settings;
+  settings.solver = "article";
   settings.integrator = "velocity-verlet";
   World world(settings);
   add_floor(world);

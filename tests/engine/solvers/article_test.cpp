@@ -9,6 +9,13 @@ namespace {
 
 using namespace impulse;
 
+/// The method under test, in the default gravity.
+Settings falling() {
+  Settings settings;
+  settings.solver = "article";
+  return settings;
+}
+
 /// Two discs of these masses meet head on, the left one at 1 m/s and the right one at -2; their speeds afterwards.
 struct HeadOn {
   double mass_a = 1, mass_b = 1, restitution = 0;
@@ -150,7 +157,7 @@ TEST(Article, BouncesAFlatBoxByItsRestitutionWithoutTurningIt) {
 
 // Points that see each other's pushes would set friction to work sideways.
 TEST(Article, LetsAStraightStackStandStraight) {
-  World world;
+  World world(falling());
   add_floor(world);
   world.create_body(at(0, .5), Shape::box({Real{0.5}, Real{0.5}}));
   const BodyId top = world.create_body(at(0, 1.5), Shape::box({Real{0.5}, Real{0.5}}));
@@ -174,7 +181,7 @@ TEST(Article, HandsTheSpeedOnThroughARowOfTouchingBalls) {
 
 // Gravity alone presses a resting ball into the floor; that is no impact, however bouncy it is.
 TEST(Article, LetsASuperBallRest) {
-  World world;
+  World world(falling());
   add_floor(world, frictionless(.95));
   const BodyId ball = world.create_body(at(0, .498), Shape::circle(Real{0.5}), frictionless(.95));
   for (int i = 0; i < 120; ++i) {
