@@ -1,5 +1,7 @@
 #include "reports/cli.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -29,7 +31,7 @@ std::vector<std::pair<std::string, std::string>> assignments(const std::string& 
     text.remove_prefix(std::min(text.size(), one.size() + 1));
     const auto [key, value] = split(one, '=');
     if (key.empty() || value.empty()) {
-      throw std::invalid_argument(context + ": \"" + one + "\" should read key=value");
+      throw std::invalid_argument(fmt::format("{}: \"{}\" should read key=value", context, one));
     }
     all.emplace_back(key, value);
   }
@@ -106,7 +108,8 @@ std::vector<Case> parse_cases(std::string_view word) {
     throw std::invalid_argument(name + ": " + unknown("variant", rest, labels) + " Or write parameter=value.");
   }
   Parameters changes;
-  for (const auto& [key, value] : assignments(name, rest)) changes[key] = parse_number(name + ": " + key, value);
+  for (const auto& [key, value] : assignments(name, rest))
+    changes[key] = parse_number(fmt::format("{}: {}", name, key), value);
   return {case_of(scenario, rest, changes)};
 }
 
