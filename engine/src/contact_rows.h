@@ -61,12 +61,17 @@ struct ContactFrame {
     wb += impulse * row.mass_b.i * p.dot_b;
     tangent_sum += impulse;
   }
+  /// What cannot be pushed is not written: it may belong to other islands too.
   void leave(const ContactRow& row, Velocity& a, Velocity& b) const {
     const Vec2 impulse = normal_sum * row.normal + tangent_sum * perpendicular(row.normal);
-    a.v -= row.mass_a.m * impulse;
-    a.w = wa;
-    b.v += row.mass_b.m * impulse;
-    b.w = wb;
+    if (row.mass_a.m + row.mass_a.i > 0) {
+      a.v -= row.mass_a.m * impulse;
+      a.w = wa;
+    }
+    if (row.mass_b.m + row.mass_b.i > 0) {
+      b.v += row.mass_b.m * impulse;
+      b.w = wb;
+    }
   }
 };
 

@@ -17,10 +17,15 @@ Real coupling(const JointBlock& block, const JointRow& p, const JointRow& q) {
 }  // namespace
 
 void apply(const JointBlock& block, const JointRow& row, Real impulse, Velocity& a, Velocity& b) {
-  a.v -= block.mass_a.m * impulse * row.axis;
-  a.w -= block.mass_a.i * impulse * row.arm_a;
-  b.v += block.mass_b.m * impulse * row.axis;
-  b.w += block.mass_b.i * impulse * row.arm_b;
+  // What cannot be pushed is not written: it may belong to other islands too.
+  if (block.mass_a.m + block.mass_a.i > 0) {
+    a.v -= block.mass_a.m * impulse * row.axis;
+    a.w -= block.mass_a.i * impulse * row.arm_a;
+  }
+  if (block.mass_b.m + block.mass_b.i > 0) {
+    b.v += block.mass_b.m * impulse * row.axis;
+    b.w += block.mass_b.i * impulse * row.arm_b;
+  }
 }
 
 Real rate(const JointRow& row, const Velocity& a, const Velocity& b) {

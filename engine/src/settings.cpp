@@ -15,6 +15,7 @@ namespace {
 constexpr Real longest_step = 10;            // s; beyond it nothing is resolved, and speeds times steps leave the range
 constexpr Real strongest_gravity = 1000000;  // m/s^2; a slip of units, not a planet
 constexpr int most_iterations = 10000;       // a step that takes minutes looks like a hang
+constexpr int most_workers = 256;
 constexpr int most_substeps = 1000;
 
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("Settings: " + what); }
@@ -44,6 +45,9 @@ void validate(const Settings& settings) {
   if (settings.substeps < 1 || settings.substeps > most_substeps) {
     refuse("substeps must be from 1 to " + std::to_string(most_substeps) + ", got " +
            std::to_string(settings.substeps));
+  }
+  if (settings.workers < 1 || settings.workers > most_workers) {
+    refuse("workers must be from 1 to " + std::to_string(most_workers) + ", got " + std::to_string(settings.workers));
   }
   check_name("solver", settings.solver, solvers());
   check_name("integrator", settings.integrator, integrators());

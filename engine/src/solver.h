@@ -8,6 +8,7 @@
 #include "impulse/settings.h"
 #include "integrator.h"
 #include "joint_set.h"
+#include "workers.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -19,6 +20,7 @@ struct StepData {
   const ForceField& forces;
   Integrator& integrator;
   const Settings& settings;
+  Workers& workers;
 };
 
 /// How far apart two shapes may be and still make a contact ("speculative" contacts, which let a solver see what it is

@@ -18,7 +18,8 @@ void World::step() {
   if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
   s.forces.gravity = s.settings.gravity;
   s.contacts.find(s.bodies, *s.broad_phase, s.settings, s.solver->margin(s.settings), s.solver->recycles(), s.joints);
-  StepData data{s.bodies, s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator, s.settings};
+  StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator,
+                s.settings, *s.workers};
   s.solver->step(data);
   s.joints.store();
   s.bodies.mark_held(s.contacts.rows(), data.joints);
@@ -93,6 +94,7 @@ void World::State::adopt(const Settings& chosen) {
   if (first || chosen.integrator != settings.integrator) integrator = MethodList<Integrator>::make(chosen.integrator);
   if (first || chosen.broad_phase != settings.broad_phase)
     broad_phase = MethodList<BroadPhase>::make(chosen.broad_phase);
+  if (first || chosen.workers != settings.workers) workers = std::make_unique<Workers>(chosen.workers);
   settings = chosen;
 }
 

@@ -12,6 +12,7 @@
 #include "integrator.h"
 #include "joint_set.h"
 #include "solver.h"
+#include "workers.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -22,6 +23,7 @@ struct World::State {
   std::unique_ptr<Solver> solver;
   std::unique_ptr<Integrator> integrator;
   std::unique_ptr<BroadPhase> broad_phase;
+  std::unique_ptr<Workers> workers;
   BodySet bodies;
   ContactSet contacts;
   ForceField forces;

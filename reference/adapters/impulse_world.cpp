@@ -75,6 +75,7 @@ impulse::Settings settings_of(const Settings& settings) {
   made.broad_phase = settings.at("broad-phase");
   made.iterations = static_cast<int>(std::stod(settings.at("iterations")));
   made.substeps = static_cast<int>(std::stod(settings.at("substeps")));
+  made.workers = static_cast<int>(std::stod(settings.at("workers")));
   return made;
 }
 
@@ -181,7 +182,7 @@ class Impulse : public Simulation {
 std::vector<std::pair<std::string, std::string>> choices(const std::vector<impulse::MethodInfo>& methods) {
   std::vector<std::pair<std::string, std::string>> made;
   made.reserve(methods.size());
-  for (const impulse::MethodInfo& method : methods) made.emplace_back(method.name, method.about);
+  for (const impulse::MethodInfo& method : methods) made.emplace_back(method.name, method.about + "; " + method.source);
   return made;
 }
 
@@ -210,6 +211,12 @@ std::vector<Option> options() {
            .about = "of a step, for solvers that cut it up",
            .min = 1,
            .max = 1000,
+           .whole = true},
+          {.key = "workers",
+           .value = std::to_string(standard.workers),
+           .about = "threads; the same bits for any number",
+           .min = 1,
+           .max = 256,
            .whole = true}};
 }
 

@@ -18,6 +18,7 @@ struct Settings {
   std::string broad_phase = "auto";             // one of broad_phases()
   int iterations = 10;                          // of the velocity solver
   int substeps = 4;                             // for solvers that cut a step into sub-steps
+  int workers = 1;                              // threads to share islands among; the bits are the same for any number
   FrictionMixing friction_mixing = FrictionMixing::geometric;
   RestitutionMixing restitution_mixing = RestitutionMixing::max;
 };

@@ -21,6 +21,22 @@ constexpr Real offset_rate = 2;
 /// A contact's first steps are no standing load yet.
 constexpr int offset_from_age = 2;
 
+/// What one worker needs to itself.
+struct Workspace {
+  Impacts impacts;
+  JointWorkspace joints;
+};
+
+/// Impulses of a whole step to those of one of n sub-steps, and back.
+void share_impulses(std::span<ImpactRow> rows, Real by) {
+  for (ImpactRow& row : rows) {
+    for (RowPoint& p : row.points) {
+      p.normal_impulse *= by;
+      p.tangent_impulse *= by;
+    }
+  }
+}
+
 bool has_stops(const ActiveJoint* joint) { return joint->block.stops > 0 || joint->block.driven; }
 
 /// The sub-step that makes flight and impacts exact to rounding. A step of dt is cut into N sub-steps of h, each
@@ -58,9 +74,11 @@ class Accurate : public Solver {
   template <class Items, class IslandOf>
   std::vector<std::size_t> starts(std::vector<std::size_t>& start, const Items& items, IslandOf island_of) const;
   void tie_islands(const StepData& data);
-  Island island(StepData& data, std::size_t number);
-  void substep(StepData& data, Island& island);
-  void find_impacts(StepData& data, Island& island);
+  Island island(StepData& data, std::size_t number, Workspace& space);
+  void step_island(StepData& data, std::size_t number, Workspace& space);
+  void fly(StepData& data, const Island& island);
+  void substep(StepData& data, Island& island, Workspace& space);
+  void find_impacts(StepData& data, Island& island, Impacts& impacts);
   void halve(Island& island) const;
   void kick(BodySet& bodies, Island& island);
   void press(BodySet& bodies, Island& island);
@@ -72,6 +90,12 @@ class Accurate : public Solver {
     return separation(row, p, motion_[row.a], motion_[row.b]) - row.offset;
   }
   void note_loads(const Island& island);
+  /// Only bodies that can be pushed: the others are shared among islands.
+  template <class Tie>
+  void note_load(const Tie& tie) {
+    if (tie.mass_a.m + tie.mass_a.i > 0) loaded_[tie.a] = 1;
+    if (tie.mass_b.m + tie.mass_b.i > 0) loaded_[tie.b] = 1;
+  }
   void settle_offsets(const Island& island);
 
   Islands islands_;
@@ -80,7 +104,6 @@ class Accurate : public Solver {
   std::vector<std::size_t> row_start_;  // of each island in rows_, and the end
   std::vector<ActiveJoint*> joints_;    // island by island
   std::vector<std::size_t> joint_start_;
-  JointWorkspace joint_work_;
   std::vector<Motion> motion_;          // of each body since the start of the step
   std::vector<Pose> start_;             // of each body
   std::vector<Velocity> acceleration_;  // of each body, by the force field
@@ -88,38 +111,54 @@ class Accurate : public Solver {
   std::vector<std::uint8_t> loaded_;    // a contact pushed the body in the last sub-step
   std::vector<std::uint8_t> crowd_;     // contacts of each movable body, up to 3
   bool forces_vary_ = false;            // within a step
-  Impacts impacts_;
+  std::vector<Workspace> spaces_;       // of each worker
 };
 
 void Accurate::step(StepData& data) {
   prepare(data);
-  for (std::size_t number = 0; number < islands_.size(); ++number) {
-    Island now = island(data, number);
-    for (ImpactRow& row : now.rows) {
-      for (RowPoint& p : row.points) {
-        p.normal_impulse /= static_cast<Real>(now.substeps);
-        p.tangent_impulse /= static_cast<Real>(now.substeps);
-      }
-    }
-    now.joints.share(1 / static_cast<Real>(now.substeps));
-    now.joints.write();
-    for (int i = 0; i < now.substeps; ++i) substep(data, now);
-    now.joints.share(static_cast<Real>(now.substeps));
-    settle_offsets(now);
-    for (ImpactRow& row : now.rows) {
-      for (RowPoint& p : row.points) {
-        p.normal_impulse *= static_cast<Real>(now.substeps);
-        p.tangent_impulse *= static_cast<Real>(now.substeps);
-      }
-      store_row(row, data.contacts);
-      data.contacts[row.contact].offset = row.offset;
-    }
-  }
+  spaces_.resize(static_cast<std::size_t>(data.workers.count()));
+  // Small islands are handed out in batches; an island's bits depend on nothing outside it.
+  constexpr std::size_t batch = 32;
+  const std::size_t batches = (islands_.size() + batch - 1) / batch;
+  data.workers.share_out(batches, [&](std::size_t piece, std::size_t worker) {
+    const std::size_t end = std::min((piece + 1) * batch, islands_.size());
+    for (std::size_t number = piece * batch; number < end; ++number) step_island(data, number, spaces_[worker]);
+  });
   place(data.bodies, start_, motion_);
 }
 
-void Accurate::substep(StepData& data, Island& island) {
-  if (island.bounces) find_impacts(data, island);
+void Accurate::step_island(StepData& data, std::size_t number, Workspace& space) {
+  Island now = island(data, number, space);
+  if (now.rows.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
+  const auto substeps = static_cast<Real>(now.substeps);
+  share_impulses(now.rows, 1 / substeps);
+  now.joints.share(1 / substeps);
+  now.joints.write();
+  for (int i = 0; i < now.substeps; ++i) substep(data, now, space);
+  settle_offsets(now);
+  share_impulses(now.rows, substeps);
+  now.joints.share(substeps);
+  for (const ImpactRow& row : now.rows) {
+    store_row(row, data.contacts);
+    data.contacts[row.contact].offset = row.offset;
+  }
+}
+
+/// Bodies that meet nothing under forces that stay the same: x += v t + a t^2/2 is exact, whatever the step.
+void Accurate::fly(StepData& data, const Island& island) {
+  const Real t = data.settings.dt;
+  for (const std::uint32_t body : island.bodies) {
+    Velocity& v = data.bodies.velocity[body];
+    const Velocity& a = acceleration_[body];
+    if (data.bodies.inverse_mass[body].m + data.bodies.inverse_mass[body].i == 0 && v.v == Vec2{} && v.w == 0) continue;
+    motion_[body].advance({v.v + t / 2 * a.v, v.w + t / 2 * a.w}, t);
+    v.v += t * a.v;
+    v.w += t * a.w;
+  }
+}
+
+void Accurate::substep(StepData& data, Island& island, Workspace& space) {
+  if (island.bounces) find_impacts(data, island, space.impacts);
   halve(island);
   kick(data.bodies, island);
   press(data.bodies, island);
@@ -165,7 +204,7 @@ void Accurate::prepare(StepData& data) {
     const bool column = (row.mass_a.m == 0 || crowd_[row.a] <= 2) && (row.mass_b.m == 0 || crowd_[row.b] <= 2);
     row.block = column && row.count == 2;
     for (const RowPoint& p : row.points) {
-      if (p.normal_impulse > 0) loaded_[row.a] = loaded_[row.b] = 1;
+      if (p.normal_impulse > 0) note_load(row);
     }
   }
   const auto joint_island = [&](const ActiveJoint& joint) { return island_of(joint.block); };
@@ -174,7 +213,7 @@ void Accurate::prepare(StepData& data) {
   for (ActiveJoint& joint : data.joints) {
     joints_[next[joint_island(joint)]++] = &joint;
   }
-  IslandJoints(joints_, bodies, start_, motion_, joint_work_).mark(loaded_);
+  for (const ActiveJoint& joint : data.joints) note_load(joint.block);
 }
 
 /// Where each island's items will start, as the first free places; `start` gets the same and the end.
@@ -208,11 +247,11 @@ void Accurate::tie_islands(const StepData& data) {
   islands_.number();
 }
 
-Island Accurate::island(StepData& data, std::size_t number) {
+Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
   const auto joints = std::span(joints_).subspan(joint_start_[number], joint_start_[number + 1] - joint_start_[number]);
   Island now{.bodies = islands_.bodies(number),
              .rows = std::span(rows_).subspan(row_start_[number], row_start_[number + 1] - row_start_[number]),
-             .joints = IslandJoints(joints, data.bodies, start_, motion_, joint_work_)};
+             .joints = IslandJoints(joints, data.bodies, start_, motion_, space.joints)};
   now.cut(data.settings.dt, substeps_for(now, data.bodies, acceleration_, data.settings));
   if (!joints.empty() && (!now.rows.empty() || std::any_of(joints.begin(), joints.end(), has_stops))) {
     now.sweeps = data.settings.iterations;
@@ -228,11 +267,11 @@ Island Accurate::island(StepData& data, std::size_t number) {
   return now;
 }
 
-void Accurate::find_impacts(StepData& data, Island& island) {
+void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {
   for (const std::uint32_t body : island.bodies) {
     flight_[body] = loaded_[body] != 0 ? Velocity{} : acceleration_[body];
   }
-  impacts_.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h);
+  impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h);
 }
 
 /// What the contacts bore in the last sub-step is given again, half in each kick.
@@ -379,12 +418,12 @@ void Accurate::drift(StepData& data, const Island& island) {
 
 void Accurate::note_loads(const Island& island) {
   for (const std::uint32_t body : island.bodies) loaded_[body] = 0;
-  island.joints.mark(loaded_);
+  for (const ActiveJoint* joint : island.joints.all()) note_load(joint->block);
   for (ImpactRow& row : island.rows) {
     for (RowPoint& p : row.points) {
       p.total_normal += p.normal_impulse;
       p.total_tangent += p.tangent_impulse;
-      if (p.normal_impulse > 0) loaded_[row.a] = loaded_[row.b] = 1;
+      if (p.normal_impulse > 0) note_load(row);
     }
   }
 }

@@ -191,6 +191,10 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   ImpactRow now = moved(row, flight.motion_at(row.a, tau), flight.motion_at(row.b, tau));
   before_.clear();
   for (const std::uint32_t body : struck) {
+    if (bodies.inverse_mass[body].m + bodies.inverse_mass[body].i == 0) {
+      before_.push_back(bodies.velocity[body]);
+      continue;
+    }
     bodies.velocity[body] = flight.velocity_at(body, tau);
     before_.push_back(bodies.velocity[body]);
   }
@@ -231,6 +235,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   }
   for (std::size_t i = 0; i < struck.size(); ++i) {
     const std::uint32_t body = struck[i];
+    if (bodies.inverse_mass[body].m + bodies.inverse_mass[body].i == 0) continue;
     Velocity& velocity = bodies.velocity[body];
     motion[body].d -= tau * (velocity.v - before_[i].v);
     motion[body].turn_by(-tau * (velocity.w - before_[i].w));

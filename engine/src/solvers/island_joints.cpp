@@ -35,12 +35,6 @@ void IslandJoints::kick() {
   }
 }
 
-void IslandJoints::mark(std::vector<std::uint8_t>& held) const {
-  for (const ActiveJoint* joint : joints_) {
-    if (joint->block.equations > 0) held[joint->block.a] = held[joint->block.b] = 1;
-  }
-}
-
 JointBlock IslandJoints::ahead(const ActiveJoint& joint, Real h) const {
   JointBlock block = joint.block;
   joint.model->write(pose(block.a, h), pose(block.b, h), block);

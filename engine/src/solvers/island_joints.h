@@ -25,14 +25,13 @@ class IslandJoints {
                const std::vector<Motion>& motion, JointWorkspace& work)
       : joints_(joints), bodies_(bodies), start_(start), motion_(motion), work_(work) {}
 
+  std::span<ActiveJoint* const> all() const { return joints_; }
   bool empty() const { return joints_.empty(); }
   /// Impulses of a whole step to those of one of n sub-steps, and back.
   void share(Real by);
   /// What the joints gave in the last sub-step is given again, half in each kick.
   void halve();
   void kick();
-  /// Sets the flag of every body that a joint holds.
-  void mark(std::vector<std::uint8_t>& held) const;
   /// error(x + h v) = 0.
   void press(Real h);
   /// Rows as the bodies stand.

@@ -30,7 +30,7 @@ Real coupling(const JointBlock& of_p, const JointRow& p, const JointBlock& of_q,
 }  // namespace
 
 void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodies) {
-  lowest_.assign(bodies, none);
+  lowest_.resize(bodies, none);
   values_.clear();
   start_.clear();
   first_.clear();
@@ -55,6 +55,7 @@ void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodie
       }
     }
   }
+  for (const ActiveJoint* joint : joints) lowest_[joint->block.a] = lowest_[joint->block.b] = none;
   solution_.resize(rows.size());
 
   // Row by row: g = L D of the row, then L and the pivot D.

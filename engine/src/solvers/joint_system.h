@@ -29,7 +29,7 @@ class JointSystem {
   std::vector<Real> values_;         // rows from first_ up to the diagonal
   std::vector<std::size_t> start_;   // of each row in values_
   std::vector<std::size_t> first_;   // column of each row's first entry
-  std::vector<std::size_t> lowest_;  // of each body, the first equation that moves it
+  std::vector<std::size_t> lowest_;  // of each body, the first equation that moves it; none between calls
   std::vector<Real> solution_;
 };
 
