@@ -45,6 +45,16 @@ test("every contender has its line in each chart, and every run its mark against
   await page.close();
 });
 
+test("the pointer is told what every contender says at that time", async () => {
+  const { page } = await open(reports["the sample"]);
+  const chart = page.locator("article figure svg").first();
+  await page.locator("article").first().scrollIntoViewIfNeeded();
+  await chart.hover();
+  const told = await chart.locator("[aria-label=tip]").textContent();
+  for (const name of ["impulse: ", "box2d: ", "truth: "]) assert.ok(told.includes(name), told);
+  await page.close();
+});
+
 test("the verdict stands first, and a case without an answer says why", async () => {
   const { page } = await open(reports["the sample"]);
   assert.equal(

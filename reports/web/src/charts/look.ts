@@ -34,7 +34,7 @@ export function plot_look(width: number, height: number): Plot.PlotOptions {
 }
 
 /** What the pointer is told. */
-export const tip_look = { fill: "var(--paper)", stroke: "var(--faint)" };
+export const tip_look = { fill: "var(--paper)", stroke: "var(--faint)", lineHeight: 1.4 };
 
 const swatch = (contender: Contender): Element =>
   Plot.plot({

@@ -37,6 +37,21 @@ function points_of(entry: Entry, column: OverTime["column"], log: boolean): Poin
   return points;
 }
 
+interface Moment {
+  t: number;
+  points: Point[];
+}
+
+/** What all lines say at one time. */
+function moments_of(points: Point[]): Moment[] {
+  const moments = new Map<number, Point[]>();
+  for (const point of points) moments.set(point.t, [...(moments.get(point.t) ?? []), point]);
+  return [...moments].map(([t, at]) => ({ t, points: at }));
+}
+
+const told = ({ t, points }: Moment, unit: string): string =>
+  [`at ${given(t, "s", 4)}`, ...points.map(({ contender, value }) => `${contender.label}: ${number(value, unit, 4)}`)].join("\n");
+
 /** Shapes of several lines stand at different times, so that lines upon each other still show who they are. */
 function shapes(points: Point[], index: number, lines: number): Point[] {
   return Array.from({ length: shapes_per_line }, (_, k) => {
@@ -61,6 +76,7 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
     .map((entry) => ({ contender: entry.contender, points: points_of(entry, column, log) }))
     .filter((line) => line.points.length > 0);
   const all = lines.flatMap((line) => line.points);
+  const moments = moments_of(all);
   const engines = lines.filter((line) => !line.contender.exact);
   const drawn = [...lines].sort((a, b) => Number(b.contender.exact) - Number(a.contender.exact));
   return Plot.plot({
@@ -81,16 +97,8 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
       ...engines.map(({ contender, points }, index) =>
         Plot.dot(shapes(points, index, engines.length), { x: "t", y: "value", r: 3.5, ...dot_look(contender), ariaHidden: "true" }),
       ),
-      Plot.crosshairX(all, { x: "t", y: "value", color: "var(--faint)", textFill: "var(--ink)", textStroke: "var(--paper)", opacity: 0.6 }),
-      Plot.tip(
-        all,
-        Plot.pointer({
-          x: "t",
-          y: "value",
-          title: (point: Point) => `${point.contender.label}\n${number(point.value, unit, 4)}\nat ${number(point.t, "s")}`,
-          ...tip_look,
-        }),
-      ),
+      Plot.ruleX(moments, Plot.pointerX({ x: "t", stroke: "var(--faint)" })),
+      Plot.tip(moments, Plot.pointerX({ x: "t", frameAnchor: "top-left", title: (moment: Moment) => told(moment, unit), ...tip_look })),
     ],
   });
 }
