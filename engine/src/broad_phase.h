@@ -21,7 +21,10 @@ struct Proxy {
 /// Indices into the proxies, first < second.
 struct Pair {
   std::uint32_t first = 0, second = 0;
-  friend auto operator<=>(const Pair&, const Pair&) = default;
+  friend constexpr bool operator==(const Pair&, const Pair&) = default;
+  friend constexpr bool operator<(const Pair& a, const Pair& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  }
 };
 
 /// Finds the pairs that may touch: bounds overlap, layers share a bit, at least one moves, not of one body. Each pair

@@ -15,9 +15,8 @@ TEST(ConvexHull, TurnsLeftEverywhereAndHoldsAllPoints) {
   RandomShapes random(1);
   constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();
   for (int round = 0; round < 500; ++round) {
-    std::vector<Vec2> points;
-    for (int i = 0; i < 20; ++i) points.push_back(random.point(1));
-    for (int i = 0; i < 10; ++i) points.push_back((points[static_cast<std::size_t>(i)] + points[0]) / 2);
+    std::vector<Vec2> points = random.points(20, 1);
+    for (std::size_t i = 1; i < 10; ++i) points[i] = (points[i + 10] + points[0]) / 2;
     const std::vector<Vec2> hull = convex_hull(points);
     ASSERT_GE(hull.size(), 3U);
     for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -32,17 +31,20 @@ TEST(ConvexHull, TurnsLeftEverywhereAndHoldsAllPoints) {
 
 TEST(ConvexHull, DependsOnNoOrderOfThePoints) {
   RandomShapes random(2);
-  std::vector<Vec2> points;
-  for (int i = 0; i < 30; ++i) points.push_back(random.point(1));
+  std::vector<Vec2> points = random.points(30, 1);
   const std::vector<Vec2> hull = convex_hull(points);
   std::reverse(points.begin(), points.end());
   EXPECT_EQ(convex_hull(points), hull);
 }
 
 TEST(ConvexHull, LeavesOutCornersThatAreRoundingOnly) {
-  std::vector<Vec2> points{{0, 0}, {3, 0}, {3, 1}, {0, 1}};
-  for (int i = 1; i < 30; ++i) points.push_back(points[0] + static_cast<Real>(i) / 30 * (points[2] - points[0]));
-  for (int i = 1; i < 30; ++i) points.push_back({0.1_r * static_cast<Real>(i), -std::numeric_limits<Real>::epsilon()});
+  std::vector<Vec2> points(64);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Real part = static_cast<Real>(i) / 64;
+    const bool on_edge = i % 2 == 0;
+    points[i] = on_edge ? Vec2{3 * part, -std::numeric_limits<Real>::epsilon()} : Vec2{3 * part, part};
+  }
+  points.insert(points.end(), {{0, 0}, {3, 0}, {3, 1}, {0, 1}});
   EXPECT_EQ(convex_hull(points).size(), 4U);
 }
 

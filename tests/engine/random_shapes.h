@@ -8,6 +8,15 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+/// The corners of a regular polygon around the origin.
+inline std::vector<Vec2> ring(int corners, Real radius) {
+  std::vector<Vec2> points(static_cast<std::size_t>(corners));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = Rotation(static_cast<Real>(i) * 2 * pi / static_cast<Real>(corners)) * Vec2{radius, 0};
+  }
+  return points;
+}
+
 /// Shapes and poses for property tests; the same seed gives the same ones.
 class RandomShapes {
  public:
@@ -17,6 +26,11 @@ class RandomShapes {
     // Not std::uniform_real_distribution<Real>: both precisions should see the same shapes.
     const double unit = static_cast<double>(random_() >> 11) * 0x1p-53;
     return static_cast<Real>(low + (high - low) * unit);
+  }
+  std::vector<Vec2> points(std::size_t count, double reach) {
+    std::vector<Vec2> all(count);
+    for (Vec2& p : all) p = point(reach);
+    return all;
   }
   Vec2 point(double reach) { return {number(-reach, reach), number(-reach, reach)}; }
   Pose pose(double reach) { return {point(reach), Rotation(number(-4, 4))}; }
@@ -42,12 +56,12 @@ class RandomShapes {
  private:
   Shape polygon() {
     const int count = 3 + static_cast<int>(number(0, 5.99));
-    std::vector<Vec2> points;
-    for (int i = 0; i < count; ++i) {
+    std::vector<Vec2> corners(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
       const Real angle = (static_cast<Real>(i) + number(0, 0.8)) * 2 * pi / static_cast<Real>(count);
-      points.push_back(Rotation(angle) * Vec2{number(0.5, 1), 0});
+      corners[i] = Rotation(angle) * Vec2{number(0.5, 1), 0};
     }
-    return Shape::polygon(points);
+    return Shape::polygon(corners);
   }
 
   std::mt19937_64 random_;

@@ -39,8 +39,7 @@ TEST(Mass, OfARightTriangleIsTheTextbooks) {
 
 TEST(Mass, OfARegularHexagonIsTheTextbooks) {
   // Side s: area 3 sqrt(3)/2 s^2, inertia m s^2 5/12.
-  std::vector<Vec2> points;
-  for (int i = 0; i < 6; ++i) points.push_back(Rotation(static_cast<Real>(i) * pi / 3) * Vec2{2, 0});
+  const std::vector<Vec2> points = ring(6, 2);
   const double mass = 1.5 * 1.7320508075688772 * 4;
   expect_near(Shape::polygon(points).mass(1), mass, mass * 4 * 5 / 12, {0, 0});
 }
@@ -94,8 +93,8 @@ TEST(Mass, OfPartsAddsUpByTheParallelAxisTheorem) {
 
 TEST(Mass, IsAsPreciseFarFromTheFramesOrigin) {
   const std::vector<Vec2> near{{0, 0}, {2, 0}, {2, 1}, {0, 1}};
-  std::vector<Vec2> far;
-  for (const Vec2 p : near) far.push_back(p + Vec2{4096, 4096});
+  std::vector<Vec2> far = near;
+  for (Vec2& p : far) p += Vec2{4096, 4096};
   EXPECT_EQ(Shape::polygon(far).mass(1).inertia, Shape::polygon(near).mass(1).inertia);
 }
 

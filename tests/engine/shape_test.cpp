@@ -71,8 +71,7 @@ TEST(Polygon, RefusesWhatHasNoInside) {
 }
 
 TEST(Polygon, HasAtMostEightVertices) {
-  std::vector<Vec2> points;
-  for (int i = 0; i < 9; ++i) points.push_back(Rotation(static_cast<Real>(i) * 2 * pi / 9) * Vec2{1, 0});
+  std::vector<Vec2> points = ring(9, 1);
   EXPECT_THROW(Shape::polygon(points), std::invalid_argument);
   points.pop_back();
   EXPECT_EQ(Shape::polygon(points).count(), 8);
