@@ -12,6 +12,21 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
+// The width across a polygon is least square to one of its edges.
+Real thickness(const Shape& shape) {
+  if (shape.type() == ShapeType::half_space) return Shape::unbounded;
+  if (shape.count() < 3) return 2 * shape.radius();
+  Real least = Shape::unbounded;
+  for (int i = 0; i < shape.count(); ++i) {
+    Real width = 0;
+    for (int j = 0; j < shape.count(); ++j) {
+      width = std::max(width, dot(shape.normal(i), shape.vertex(i) - shape.vertex(j)));
+    }
+    least = std::min(least, width);
+  }
+  return least;
+}
+
 [[noreturn]] void refuse(const std::string& field, const char* must) {
   throw std::invalid_argument("BodyDef: " + field + " must be " + must);
 }
@@ -80,9 +95,11 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
     }
     if (def.fixed_rotation) made.mass.inertia = 0;
   }
+  made.thickness = Shape::unbounded;
   Real farthest = 0;
   for (const Part& part : parts) {
     made.parts.push_back({part.shape.moved(-made.mass.center), part.material});
+    made.thickness = std::min(made.thickness, thickness(part.shape));
     if (part.shape.type() == ShapeType::half_space) continue;
     const Real extent = made.parts.back().shape.extent();
     if (extent > farthest) farthest = extent;

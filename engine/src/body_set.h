@@ -34,6 +34,7 @@ struct BodyDetail {
   bool inserted = false;
   BodyDef def;              // as it was created, but for the layers, which are as they are now
   MassData mass;            // body frame; 0 where immovable
+  Real thickness = 0;       // m, the least distance between two parallel lines that hold its thinnest part
   Velocity removed_with;    // the velocity that a removed body will be inserted with
   std::vector<Part> parts;  // shapes relative to the centre of mass
 };

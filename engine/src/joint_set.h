@@ -63,6 +63,8 @@ class JointSet {
   /// Whether a joint ties these two rows of bodies.
   bool ties(std::uint32_t a, std::uint32_t b) const;
 
+  /// The rows of every two bodies that a joint ties, lower first, sorted.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> tied() const { return pairs_; }
   /// What the joint gave body b in the last step, along its equations: N s (and N m s); the impulse on `a` is the
   /// opposite. Throws std::out_of_range for a stale id.
   Vec2 impulse(JointId id) const;
@@ -82,7 +84,7 @@ class JointSet {
   std::vector<std::uint32_t> free_slots_;
   std::vector<ActiveJoint> active_;
   std::vector<std::size_t> active_slot_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // sorted, lower first
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+#include "finite.h"
 #include "world_state.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -17,7 +22,45 @@ void visit(const BodySet& bodies, const World::QueryCallback& callback, const Te
   }
 }
 
+/// All parts that the ray enters, in order of bodies and parts.
+std::vector<BodyHit> hits(const BodySet& bodies, Vec2 from, Vec2 to, std::uint32_t layers) {
+  if (!finite(from) || !finite(to)) throw std::invalid_argument("World::ray_cast: both points must be finite");
+  std::vector<BodyHit> found;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyDetail& body = bodies.detail[i];
+    if (!body.inserted || (body.def.layers & layers) == 0) continue;
+    const Pose& pose = bodies.pose[i];
+    for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      RayHit hit;
+      if (!ray_cast(body.parts[p].shape, to_local(pose, from), to_local(pose, to), hit)) continue;
+      found.push_back({bodies.id(i), p, hit.fraction, to_world(pose, hit.point), pose.q * hit.normal});
+    }
+  }
+  return found;
+}
+
+// Of two at the same place the first body's comes first, whatever the sorting.
+bool nearer(const BodyHit& left, const BodyHit& right) {
+  return std::tie(left.fraction, left.body.index, left.part) < std::tie(right.fraction, right.body.index, right.part);
+}
+
 }  // namespace
+
+void World::ray_cast(Vec2 from, Vec2 to, const RayCallback& callback) {
+  const State::CallbackScope scope(*state_);
+  std::vector<BodyHit> found = hits(state_->bodies, from, to, ~std::uint32_t{0});
+  std::sort(found.begin(), found.end(), nearer);
+  for (const BodyHit& hit : found) {
+    if (!callback(hit)) return;
+  }
+}
+
+std::optional<BodyHit> World::ray_cast(Vec2 from, Vec2 to, std::uint32_t layers) const {
+  const std::vector<BodyHit> found = hits(state_->bodies, from, to, layers);
+  const auto first = std::min_element(found.begin(), found.end(), nearer);
+  if (first == found.end()) return std::nullopt;
+  return *first;
+}
 
 void World::query_aabb(const Aabb& box, const QueryCallback& callback) {
   const State::CallbackScope scope(*state_);
@@ -46,5 +89,7 @@ std::vector<ContactInfo> World::contacts() const {
   }
   return infos;
 }
+
+ContactEvents World::contact_events() const { return state_->touches.events(); }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -12,6 +12,8 @@
 #include "integrator.h"
 #include "joint_set.h"
 #include "solver.h"
+#include "sweep.h"
+#include "touch_log.h"
 #include "workers.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -26,6 +28,8 @@ struct World::State {
   std::unique_ptr<Workers> workers;
   BodySet bodies;
   ContactSet contacts;
+  TouchLog touches;
+  Sweep sweep;
   ForceField forces;
   JointSet joints;
   int callbacks_running = 0;

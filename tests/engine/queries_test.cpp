@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "support.h"
@@ -64,6 +66,65 @@ TEST(QueryAabb, StopsWhenTold) {
   int calls = 0;
   world.query_aabb({{-10, -10}, {10, 10}}, [&calls](BodyId, const Part&) { return ++calls < 2; });
   EXPECT_EQ(calls, 2);
+}
+
+TEST(RayCast, FindsTheNearestPartAndWhereItIsHit) {
+  World world;
+  world.create_body(at(8, 0), Shape::circle(1));
+  BodyDef turned = at(4, 0);
+  turned.angle = pi / 2;
+  const std::array parts{Part{Shape::circle(Real{0.5}, {0, 5}), {}}, Part{Shape::box({1, 2}), {}}};
+  const BodyId near = world.create_body(turned, parts);
+  // Lying down, the box reaches from x = 2 to 6 and y = -1 to 1; the circle is behind the ray.
+  const std::optional<BodyHit> hit = world.ray_cast({0, 0}, {10, 0});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->body, near);
+  EXPECT_EQ(hit->part, 1U);
+  EXPECT_NEAR(hit->point.x, 2, 32 * round_off);
+  const std::optional<BodyHit> lower = world.ray_cast({4, -10}, {4, 10});
+  ASSERT_TRUE(lower);
+  EXPECT_NEAR(lower->point.y, -1, 32 * round_off);
+  EXPECT_NEAR(lower->fraction, .45, 8 * round_off);
+  EXPECT_NEAR(lower->normal.y, -1, 8 * round_off);
+  EXPECT_FALSE(world.ray_cast({0, 9}, {10, 9}));
+}
+
+TEST(RayCast, MeetsPartsInOrderAndStopsWhenTold) {
+  World world;
+  const BodyId far = world.create_body(at(6, 0), Shape::circle(1));
+  const BodyId near = world.create_body(at(3, 0), Shape::circle(1));
+  world.create_body(at(0, 0), Shape::circle(1));  // holds the ray's start
+  std::vector<BodyId> met;
+  world.ray_cast({0, 0}, {10, 0}, [&met](const BodyHit& hit) {
+    met.push_back(hit.body);
+    return true;
+  });
+  EXPECT_THAT(met, ElementsAre(near, far));
+  met.clear();
+  world.ray_cast({0, 0}, {10, 0}, [&](const BodyHit& hit) {
+    met.push_back(hit.body);
+    world.destroy_body(hit.body);
+    return false;
+  });
+  EXPECT_THAT(met, ElementsAre(near));
+  EXPECT_EQ(world.ray_cast({0, 0}, {10, 0})->body, far);
+}
+
+TEST(RayCast, SeesOnlyTheLayersAskedFor) {
+  World world;
+  BodyDef glass = at(2, 0);
+  glass.layers = 0b01;
+  world.create_body(glass, Shape::circle(1));
+  BodyDef wall = at(6, 0);
+  wall.layers = 0b10;
+  const BodyId seen = world.create_body(wall, Shape::circle(1));
+  EXPECT_EQ(world.ray_cast({0, 0}, {10, 0}, 0b10)->body, seen);
+}
+
+TEST(RayCast, RefusesPointsThatAreNotFinite) {
+  World world;
+  const Real infinite = std::numeric_limits<Real>::infinity();
+  EXPECT_THROW(world.ray_cast({0, 0}, {infinite, 0}), std::invalid_argument);
 }
 
 TEST(Callback, MayDestroyEveryBodyItIsShown) {

@@ -3,6 +3,7 @@
 /// Everything a game needs.
 #include "impulse/body.h"
 #include "impulse/clock.h"
+#include "impulse/debug_draw.h"
 #include "impulse/force.h"
 #include "impulse/joint.h"
 #include "impulse/material.h"

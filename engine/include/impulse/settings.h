@@ -19,6 +19,10 @@ struct Settings {
   int iterations = 10;                          // of the velocity solver
   int substeps = 4;                             // for solvers that cut a step into sub-steps
   int workers = 1;                              // threads to share islands among; the bits are the same for any number
+  /// Whether bodies that move farther than half their thickness in a step are stopped where they meet something, losing
+  /// the rest of the step, instead of passing through: fixed and kinematic bodies, and all for a `bullet`. Solvers that
+  /// look ahead (accurate, soft-step) need it only for what hits with a corner and spins on.
+  bool continuous = false;
   FrictionMixing friction_mixing = FrictionMixing::geometric;
   RestitutionMixing restitution_mixing = RestitutionMixing::max;
 };

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "impulse/body.h"
+#include "impulse/debug_draw.h"
 #include "impulse/force.h"
 #include "impulse/joint.h"
 #include "impulse/settings.h"
@@ -21,6 +23,34 @@ struct ContactInfo {
   Real separation = 0;       // m, negative when they overlap
   Real normal_impulse = 0;   // N s on b along the normal, sum over the last step
   Real tangent_impulse = 0;  // N s on b along perpendicular(normal), sum over the last step
+};
+
+/// Two parts that touched in a step: they overlapped at its start or pushed each other during it.
+struct TouchingParts {
+  BodyId a, b;
+  std::uint16_t part_a = 0, part_b = 0;  // places in Body::parts()
+  Vec2 point;                            // world frame, middle of the points in contact
+  Vec2 normal;                           // unit, from a to b
+  Real normal_impulse = 0;               // N s on b along the normal, of all points, sum over the step
+  Real tangent_impulse = 0;              // N s on b along perpendicular(normal), likewise
+};
+
+/// What the last step changed, each in order of bodies and parts. The spans hold until the next step.
+struct ContactEvents {
+  std::span<const TouchingParts> begun;     // did not touch in the step before
+  std::span<const TouchingParts> touching;  // all, those that begun among them
+  /// Touch no more, as they last did. A body that was destroyed or removed ends its contacts with the next step: ask
+  /// contains() before using its handle.
+  std::span<const TouchingParts> ended;
+};
+
+/// Where a ray enters a part.
+struct BodyHit {
+  BodyId body;
+  std::size_t part = 0;  // place in Body::parts()
+  Real fraction = 1;     // of the way from the ray's start to its end
+  Vec2 point;            // world frame
+  Vec2 normal;           // unit, out of the part, world frame
 };
 
 /// The article's Scene: holds the bodies, steps them, answers queries.
@@ -82,7 +112,19 @@ class World {
   void query_aabb(const Aabb& box, const QueryCallback& callback);
   void query_point(Vec2 point, const QueryCallback& callback);
 
+  /// Calls back for every part that the ray from -> to enters, nearest first; return false to stop. A part that holds
+  /// the ray's start is not entered. Throws std::invalid_argument for points that are not finite.
+  using RayCallback = std::function<bool(const BodyHit&)>;
+  void ray_cast(Vec2 from, Vec2 to, const RayCallback& callback);
+  /// The nearest of them on bodies that share a layer with `layers`.
+  std::optional<BodyHit> ray_cast(Vec2 from, Vec2 to, std::uint32_t layers = ~std::uint32_t{0}) const;
+
   std::vector<ContactInfo> contacts() const;
+  ContactEvents contact_events() const;
+
+  /// Draws the parts whose bounds meet `view` (world frame), the contacts, and a line between the centres of mass of
+  /// every two bodies that a joint ties.
+  void debug_draw(DebugDraw& draw, const Aabb& view);
 
  private:
   friend class Body;

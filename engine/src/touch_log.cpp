@@ -1,0 +1,58 @@
+#include "touch_log.h"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+bool touches(const ContactPoint& point) { return point.separation <= 0 || point.total_normal_impulse > 0; }
+
+/// `count` of the contact's points touch.
+TouchingParts touching_parts(const BodySet& bodies, const Contact& contact, int count) {
+  TouchingParts pair;
+  pair.a = bodies.id(contact.body_a);
+  pair.b = bodies.id(contact.body_b);
+  pair.part_a = contact.part_a;
+  pair.part_b = contact.part_b;
+  pair.normal = contact.normal;
+  Vec2 arms;
+  for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+    const ContactPoint& point = contact.points[p];
+    if (!touches(point)) continue;
+    arms += point.arm_a + point.arm_b;
+    pair.normal_impulse += point.total_normal_impulse;
+    pair.tangent_impulse += point.total_tangent_impulse;
+  }
+  const Vec2 centers = bodies.pose[contact.body_a].p + bodies.pose[contact.body_b].p;
+  pair.point = Real{0.5} * (centers + arms / static_cast<Real>(count));
+  return pair;
+}
+
+/// Order of the contacts; a body that came into the row of another is another body.
+auto key(const TouchingParts& pair) {
+  return std::tuple(pair.a.index, pair.b.index, pair.part_a, pair.part_b, pair.a.generation, pair.b.generation);
+}
+
+}  // namespace
+
+void TouchLog::note(const BodySet& bodies, std::span<const Contact> contacts) {
+  std::swap(touching_, last_);
+  touching_.clear();
+  for (const Contact& contact : contacts) {
+    const auto count = std::count_if(contact.points.begin(), contact.points.begin() + contact.count, touches);
+    if (count > 0) touching_.push_back(touching_parts(bodies, contact, static_cast<int>(count)));
+  }
+  const auto before = [](const TouchingParts& left, const TouchingParts& right) { return key(left) < key(right); };
+  std::sort(touching_.begin(), touching_.end(), before);
+  begun_.clear();
+  ended_.clear();
+  std::set_difference(touching_.begin(), touching_.end(), last_.begin(), last_.end(), std::back_inserter(begun_),
+                      before);
+  std::set_difference(last_.begin(), last_.end(), touching_.begin(), touching_.end(), std::back_inserter(ended_),
+                      before);
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION
