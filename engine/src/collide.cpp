@@ -15,7 +15,11 @@ Manifold never(const Shape& /*a*/, const Pose& /*pose_a*/, const Shape& /*b*/, c
 
 namespace {
 
-using Table = std::array<std::array<Collider*, shape_type_count>, shape_type_count>;
+struct Cell {
+  Collider* collider = nullptr;
+  bool filled = false;  // gcc under UBSan takes no comparison with null for a constant
+};
+using Table = std::array<std::array<Cell, shape_type_count>, shape_type_count>;
 
 // For the entries below the diagonal.
 template <Collider collider>
@@ -34,8 +38,8 @@ template <Collider collider>
 constexpr void enter(Table& table, ShapeType a, ShapeType b) {
   const auto row = static_cast<std::size_t>(a);
   const auto column = static_cast<std::size_t>(b);
-  table[row][column] = row == column ? ordered<collider> : collider;
-  if (row != column) table[column][row] = swapped<collider>;
+  table[row][column] = {row == column ? ordered<collider> : collider, true};
+  if (row != column) table[column][row] = {swapped<collider>, true};
 }
 
 constexpr Table make_table() {
@@ -67,8 +71,8 @@ constexpr Table make_table() {
 
 constexpr bool full(const Table& table) {
   for (const auto& row : table) {
-    for (Collider* const entry : row) {
-      if (entry == nullptr) return false;
+    for (const Cell& cell : row) {
+      if (!cell.filled) return false;
     }
   }
   return true;
@@ -80,7 +84,8 @@ static_assert(full(table), "every pair of shape types needs a collider, be it `n
 }  // namespace
 
 Manifold collide(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {
-  return table[static_cast<std::size_t>(a.type())][static_cast<std::size_t>(b.type())](a, pose_a, b, pose_b, margin);
+  const Cell& cell = table[static_cast<std::size_t>(a.type())][static_cast<std::size_t>(b.type())];
+  return cell.collider(a, pose_a, b, pose_b, margin);
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION
