@@ -34,7 +34,10 @@ TEST(Collide, AnswersForEveryPairOfTypes) {
       const bool can_meet = has_inside(a) || has_inside(b) || (half_space_free(a) != half_space_free(b));
       int met = 0;
       for (int i = 0; i < 50; ++i) {
-        const Manifold m = collide(random.shape(a), random.pose(0.2), random.shape(b), random.pose(0.2), 0.1_r);
+        const Shape shape_a = random.shape(a);
+        const Shape shape_b = random.shape(b);
+        const Pose pose_a = random.pose(0.2);
+        const Manifold m = collide(shape_a, pose_a, shape_b, random.pose(0.2), 0.1_r);
         met += m.count > 0 ? 1 : 0;
         EXPECT_LE(m.count, 2);
         EXPECT_NEAR(length(m.normal), m.count > 0 || length(m.normal) > 0 ? 1 : 0, 4 * epsilon);
@@ -270,9 +273,9 @@ TEST(Collide, KeepsItsFeaturesWhileABoxTremblesOnAnother) {
   ASSERT_EQ(still.count, 2);
   RandomShapes random(13);
   for (int i = 0; i < 1000; ++i) {
-    const Manifold m =
-        collide(box, origin, box,
-                at(random.number(-1e-3, 1e-3), random.number(0.99, 1.005), random.number(-3e-3, 3e-3)), 0.02_r);
+    const Pose trembling{{random.number(-1e-3, 1e-3), random.number(0.99, 1.005)},
+                         Rotation(random.number(-3e-3, 3e-3))};
+    const Manifold m = collide(box, origin, box, trembling, 0.02_r);
     ASSERT_EQ(m.count, 2) << i;
     ASSERT_EQ(m.points[0].feature, still.points[0].feature) << i;
     ASSERT_EQ(m.points[1].feature, still.points[1].feature) << i;

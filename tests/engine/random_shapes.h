@@ -35,20 +35,32 @@ class RandomShapes {
   Vec2 point(double reach) { return {number(-reach, reach), number(-reach, reach)}; }
   Pose pose(double reach) { return {point(reach), Rotation(number(-4, 4))}; }
 
+  // In braces, arguments are evaluated from left to right by every compiler; in a call they need not be.
   Shape shape(ShapeType type) {
     switch (type) {
-      case ShapeType::circle:
-        return Shape::circle(number(0.1, 1), point(0.3));
-      case ShapeType::box:
-        return Shape::box({number(0.1, 1), number(0.1, 1)}, point(0.3), number(-2, 2));
+      case ShapeType::circle: {
+        const Real radius = number(0.1, 1);
+        return Shape::circle(radius, point(0.3));
+      }
+      case ShapeType::box: {
+        const Vec2 half{number(0.1, 1), number(0.1, 1)};
+        const Vec2 center = point(0.3);
+        return Shape::box(half, center, number(-2, 2));
+      }
       case ShapeType::polygon:
         return polygon();
-      case ShapeType::capsule:
-        return Shape::capsule(point(1), point(1), number(0.1, 0.5));
-      case ShapeType::segment:
-        return Shape::segment(point(1), point(1));
-      case ShapeType::half_space:
-        return Shape::half_space(point(1), number(-1, 1));
+      case ShapeType::capsule: {
+        const std::vector<Vec2> ends = points(2, 1);
+        return Shape::capsule(ends[0], ends[1], number(0.1, 0.5));
+      }
+      case ShapeType::segment: {
+        const std::vector<Vec2> ends = points(2, 1);
+        return Shape::segment(ends[0], ends[1]);
+      }
+      case ShapeType::half_space: {
+        const Vec2 normal = point(1);
+        return Shape::half_space(normal, number(-1, 1));
+      }
     }
     return {};
   }
