@@ -35,32 +35,35 @@ function tally(contender: Contender, entries: Entry[]): Tally {
   return { contender, judged: judged.length, right: judged.filter(({ run }) => run.verdict === "right").length };
 }
 
-/** "impulse is right in all 9 cases, box2d in 7 of 9; box2d is furthest off, in bounce (e 0.9): 3.2 times what is allowed." */
+/** "impulse is right in all 9 cases, box2d in 7 of 9 and chipmunk in 8 of 9" */
+function scores(tallies: Tally[]): string {
+  const cases = Math.max(...tallies.map(({ judged }) => judged));
+  const faultless = tallies.filter(({ right }) => right === cases);
+  const others = tallies.filter((one) => !faultless.includes(one));
+  const all = cases === 1 ? "the one case" : `all ${cases} cases`;
+  const names = enumerate(faultless.map(({ contender }) => contender.label));
+  const lead = faultless.length ? [`${names} ${faultless.length > 1 ? "are" : "is"} right in ${all}`] : [];
+  const rest = others.map(({ contender, right, judged }, index) =>
+    lead.length || index ? `${contender.label} in ${right} of ${judged}` : `${contender.label} is right in ${right} of ${count(judged, "case")}`,
+  );
+  return [...lead, ...(rest.length ? [enumerate(rest)] : [])].join(", ");
+}
+
+/** "; box2d is furthest off, in bounce (e=0.9): 3.2 times what is allowed" */
+function furthest_off(entries: Entry[]): string {
+  const [furthest] = entries
+    .filter(({ contender, run, worst }) => !contender.exact && run.status === "ok" && worst > 1 && Number.isFinite(worst))
+    .sort((a, b) => b.worst - a.worst);
+  if (!furthest) return "";
+  const { contender, run, worst } = furthest;
+  return `; ${contender.label} is furthest off, in ${run.scenario} (${run.variant}): ${times(worst)} what is allowed`;
+}
+
 export function sentence(model: Model): string {
   const entries = model.chapters.flatMap((chapter) => chapter.cases.flatMap((place) => place.entries));
   const tallies = model.contenders
     .filter((contender) => !contender.exact)
     .map((contender) => tally(contender, entries))
     .filter(({ judged }) => judged > 0);
-  if (!tallies.length) return "Nothing here has a truth to be judged by.";
-
-  const all_right = tallies.every(({ right, judged }) => right === judged);
-  const cases = tallies[0]?.judged ?? 0;
-  if (all_right && tallies.length > 1 && tallies.every(({ judged }) => judged === cases)) {
-    const who = tallies.length === 2 ? enumerate(tallies.map(({ contender }) => contender.label)) : `All ${tallies.length} engines`;
-    return `${who} are right in ${cases === 1 ? "the one case" : `all ${cases} cases`} that physics can judge.`;
-  }
-  const parts = tallies.map(({ contender, right, judged }, index) => {
-    const of = index ? String(judged) : count(judged, "case");
-    const how = right === judged ? `all ${of}` : `${right} of ${of}`;
-    return `${contender.label}${index ? "" : " is right"} in ${how}`;
-  });
-  const furthest = entries
-    .filter(({ contender, run }) => !contender.exact && run.verdict === "wrong" && run.status === "ok")
-    .sort((a, b) => b.worst - a.worst)[0];
-  const worst =
-    furthest && furthest.worst > 1 && Number.isFinite(furthest.worst)
-      ? `; ${furthest.contender.label} is furthest off, in ${furthest.run.scenario} (${furthest.run.variant}): ${times(furthest.worst)} what is allowed`
-      : "";
-  return `${enumerate(parts)}${worst}.`;
+  return tallies.length ? `${scores(tallies)}${furthest_off(entries)}.` : "Nothing here has a truth to be judged by.";
 }

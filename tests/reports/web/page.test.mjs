@@ -67,6 +67,15 @@ test("the verdict stands first, and a case without an answer says why", async ()
   await page.close();
 });
 
+test("who is right in every case is named first", async () => {
+  const data = sample();
+  const run = data.report.runs.find(({ scenario, engine }) => scenario === "stacking" && engine === "impulse");
+  Object.assign(run, { verdict: "right", truth: [] });
+  const { page } = await open(await write(data));
+  assert.equal(await page.locator("h1").innerText(), "impulse is right in all 3 cases, box2d in 2 of 3.");
+  await page.close();
+});
+
 test("a cell leads to its evidence, and an address opens at its place", async () => {
   const { page } = await open(reports["the sample"]);
   await page.locator(".matrix a", { hasText: "wrong" }).click();
