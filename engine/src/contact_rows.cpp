@@ -62,6 +62,13 @@ Real within_cone(const ContactRow& row, Real wanted, Real normal_impulse) {
   return clamp(wanted, -most, most);
 }
 
+void warm_start(const ContactRow& row, ContactFrame& frame) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    frame.push_normal(row, row.points[i], row.points[i].normal_impulse);
+    frame.push_tangent(row, row.points[i], row.points[i].tangent_impulse);
+  }
+}
+
 void rub(ContactRow& row, ContactFrame& frame) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
     RowPoint& p = row.points[i];

@@ -95,6 +95,9 @@ inline void push_to(const ContactRow& row, RowPoint& p, ContactFrame& frame, Rea
   p.normal_impulse = total;
 }
 
+/// Gives again what a row's points gave last.
+void warm_start(const ContactRow& row, ContactFrame& frame);
+
 /// Friction at all points: stops the sliding as far as the cone of the accumulated normal impulse allows.
 void rub(ContactRow& row, ContactFrame& frame);
 

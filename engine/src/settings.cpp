@@ -42,6 +42,10 @@ void validate(const Settings& settings) {
     refuse("iterations must be from 1 to " + std::to_string(most_iterations) + ", got " +
            std::to_string(settings.iterations));
   }
+  if (settings.position_iterations < 0 || settings.position_iterations > most_iterations) {
+    refuse("position_iterations must be from 0 to " + std::to_string(most_iterations) + ", got " +
+           std::to_string(settings.position_iterations));
+  }
   if (settings.substeps < 1 || settings.substeps > most_substeps) {
     refuse("substeps must be from 1 to " + std::to_string(most_substeps) + ", got " +
            std::to_string(settings.substeps));

@@ -74,6 +74,7 @@ impulse::Settings settings_of(const Settings& settings) {
   made.integrator = settings.at("integrator");
   made.broad_phase = settings.at("broad-phase");
   made.iterations = static_cast<int>(std::stod(settings.at("iterations")));
+  made.position_iterations = static_cast<int>(std::stod(settings.at("position-iterations")));
   made.substeps = static_cast<int>(std::stod(settings.at("substeps")));
   made.workers = static_cast<int>(std::stod(settings.at("workers")));
   return made;
@@ -204,6 +205,12 @@ std::vector<Option> options() {
            .value = std::to_string(standard.iterations),
            .about = "of the velocity solver",
            .min = 1,
+           .max = 10000,
+           .whole = true},
+          {.key = "position-iterations",
+           .value = std::to_string(standard.position_iterations),
+           .about = "of solvers that correct positions apart from velocities",
+           .min = 0,
            .max = 10000,
            .whole = true},
           {.key = "substeps",

@@ -5,39 +5,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "impulse/impulse.h"
+#include "support.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
 namespace {
+
+using namespace impulse;
 
 constexpr double g = 10;
 constexpr double dt = 1.0 / 60;
-constexpr double round_off = std::numeric_limits<Real>::epsilon() / 2;
 
-Real real(double x) { return static_cast<Real>(x); }
 Vec2 vec(double x, double y) { return {real(x), real(y)}; }
 
 Material material(double restitution, double friction) {
   return {1, real(friction), real(friction), real(restitution)};
 }
 
-BodyDef at(double x, double y, double vx = 0, double vy = 0, double angle = 0) {
-  BodyDef def;
-  def.position = vec(x, y);
-  def.velocity = vec(vx, vy);
+BodyDef tilted(double x, double y, double angle) {
+  BodyDef def = at(x, y);
   def.angle = real(angle);
   return def;
 }
 
 BodyId ground(World& world, const Material& made_of, double angle = 0) {
-  BodyDef def;
+  BodyDef def = tilted(0, 0, angle);
   def.type = BodyType::fixed;
-  def.angle = real(angle);
   return world.create_body(def, Shape::half_space({0, 1}, 0), made_of);
 }
 
@@ -60,33 +55,27 @@ class EverySolver : public testing::TestWithParam<std::string> {
     chosen.solver = GetParam();
     return chosen;
   }
-  Settings weightless() const {
-    Settings chosen = settings();
-    chosen.gravity = {};
-    return chosen;
-  }
   StatedErrors stated() const { return stated_errors(settings()); }
 };
 
-void run(World& world, double seconds) {
-  for (int i = 0; i < static_cast<int>(std::lround(seconds * 60)); ++i) world.step();
-}
-
-// Head on, v' = v - (1 + e) m u / (1/mA + 1/mB). A method that finds velocities from positions 1.5 m from the origin
-// knows them to their rounding over h.
+// Head on, v' = v - (1 + e) m u / (1/mA + 1/mB). They meet in the 15th step, 2 mm deep, so that nothing needs to be
+// pushed apart: what Baumgarte's velocities add to an impact is a test of its own. A method that finds velocities from
+// positions 1.5 m from the origin knows them to their rounding over h.
 TEST_P(EverySolver, CollidesTwoDiscsByTheLawOfImpactsAndKeepsMomentum) {
   for (const double e : {0.0, .5, 1.0}) {
     for (const double density : {1.0, 10.0, 100.0}) {
-      World world(weightless());
+      Settings chosen = weightless();
+      chosen.solver = GetParam();
+      World world(chosen);
       Material heavy = material(e, 0);
       heavy.density = real(density);
       const BodyId a = world.create_body(at(-1.5, 0, 3), Shape::circle(real(.5)), material(e, 0));
-      const BodyId b = world.create_body(at(.5, 0, -1), Shape::circle(real(.5)), heavy);
-      run(world, 1);
+      const BodyId b = world.create_body(at(.498, 0, -1), Shape::circle(real(.5)), heavy);
+      run(world, 60);
       const double ma = world.body(a).mass().mass;
       const double mb = world.body(b).mass().mass;
       const double j = (1 + e) * 4 / (1 / ma + 1 / mb);
-      const double tolerance = 64 * round_off * 1.5 / static_cast<double>(stated().h);
+      const double tolerance = 64 * static_cast<double>(round_off) * 1.5 / static_cast<double>(stated().h);
       EXPECT_NEAR(world.body(a).velocity().x, 3 - j / ma, tolerance) << "e " << e << ", density " << density;
       EXPECT_NEAR(world.body(b).velocity().x, -1 + j / mb, tolerance) << "e " << e << ", density " << density;
       EXPECT_NEAR(ma * world.body(a).velocity().x + mb * world.body(b).velocity().x, 3 * ma - mb, tolerance * ma);
@@ -109,7 +98,7 @@ TEST_P(EverySolver, StandsAStackOfFive) {
       xs.push_back(-.002 + .004 * static_cast<double>(random()) / static_cast<double>(std::mt19937::max()));
       boxes.push_back(world.create_body(at(xs.back(), .5 + i), Shape::box(vec(.5, .5)), material(0, .6)));
     }
-    run(world, 8);
+    run(world, 480);
     double gaps = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Body body = world.body(boxes[i]);
@@ -126,10 +115,10 @@ TEST_P(EverySolver, SticksBelowTheAngleOfFriction) {
   World world(settings());
   ground(world, material(0, mu), a);
   const BodyId box =
-      world.create_body(at(-.5 * std::sin(a), .5 * std::cos(a), 0, 0, a), Shape::box(vec(.5, .5)), material(0, mu));
-  run(world, .5);
+      world.create_body(tilted(-.5 * std::sin(a), .5 * std::cos(a), a), Shape::box(vec(.5, .5)), material(0, mu));
+  run(world, 30);
   const Vec2 soon = world.body(box).position();
-  run(world, 2);
+  run(world, 120);
   const double moved = static_cast<double>(length(world.body(box).position() - soon));
   EXPECT_LE(moved, 2 * static_cast<double>(stated().creep) + 1e-4);
 }
@@ -141,8 +130,8 @@ TEST_P(EverySolver, SlidesBeyondItWithCoulombsAcceleration) {
   World world(settings());
   ground(world, material(0, mu), a);
   const BodyId box =
-      world.create_body(at(-.5 * std::sin(a), .5 * std::cos(a), 0, 0, a), Shape::box(vec(.5, .5)), material(0, mu));
-  run(world, 1);
+      world.create_body(tilted(-.5 * std::sin(a), .5 * std::cos(a), a), Shape::box(vec(.5, .5)), material(0, mu));
+  run(world, 60);
   EXPECT_NEAR(length(world.body(box).velocity()), g * (std::sin(a) - mu * std::cos(a)), g * dt);
 }
 
@@ -182,7 +171,7 @@ TEST_P(EverySolver, NeverAddsEnergyToAHeap) {
   for (int i = 0; i < 8; ++i) {
     const Shape shape =
         i % 2 == 0 ? Shape::box(vec(between(.3, .5), between(.3, .5))) : Shape::circle(real(between(.3, .5)));
-    world.create_body(at(between(-.5, .5), 1 + 1.5 * i, 0, 0, between(0, 1)), shape, material(0, .5));
+    world.create_body(tilted(between(-.5, .5), 1 + 1.5 * i, between(0, 1)), shape, material(0, .5));
   }
   const double before = energy(world);
   double most = before;
@@ -207,4 +196,3 @@ INSTANTIATE_TEST_SUITE_P(Solvers, EverySolver, testing::ValuesIn(names()), [](co
 });
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION

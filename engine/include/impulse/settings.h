@@ -17,6 +17,7 @@ struct Settings {
   std::string integrator = "symplectic-euler";  // one of integrators(); for solvers that leave the choice
   std::string broad_phase = "auto";             // one of broad_phases()
   int iterations = 10;                          // of the velocity solver
+  int position_iterations = 3;                  // for solvers that correct positions apart from velocities
   int substeps = 4;                             // for solvers that cut a step into sub-steps
   int workers = 1;                              // threads to share islands among; the bits are the same for any number
   /// Whether bodies that move farther than half their thickness in a step are stopped where they meet something, losing

@@ -150,10 +150,7 @@ void SoftStep::warm_start(StepData& data) {
   }
   for (const ContactRow& row : rows_) {
     ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      frame.push_normal(row, row.points[i], row.points[i].normal_impulse);
-      frame.push_tangent(row, row.points[i], row.points[i].tangent_impulse);
-    }
+    impulse::warm_start(row, frame);
     frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }

@@ -2,16 +2,14 @@
 
 #include <cmath>
 
-#include "impulse/impulse.h"
+#include "../support.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
 namespace {
+
+using namespace impulse;
 
 constexpr bool is_double = sizeof(Real) == sizeof(double);
 constexpr double g = 10;
-
-Real real(double x) { return static_cast<Real>(x); }
-Vec2 vec(double x, double y) { return {real(x), real(y)}; }
 
 Settings soft_step(int substeps = 4) {
   Settings settings;
@@ -28,17 +26,10 @@ struct Drop {
   Drop(const Settings& settings, const Shape& shape, double y, double vy = 0, double restitution = 0)
       : world(settings) {
     const Material material{1, real(.6), real(.6), real(restitution)};
-    BodyDef fixed;
-    fixed.type = BodyType::fixed;
-    world.create_body(fixed, Shape::half_space({0, 1}, 0), material);
-    BodyDef def;
-    def.position = vec(0, y);
-    def.velocity = vec(0, vy);
-    body = world.create_body(def, shape, material);
+    add_floor(world, material);
+    body = world.create_body(at(0, y, 0, vy), shape, material);
   }
-  void run(int steps) {
-    for (int i = 0; i < steps; ++i) world.step();
-  }
+  void run(int steps) { impulse::run(world, steps); }
   double y() { return static_cast<double>(world.body(body).position().y); }
   double vy() { return static_cast<double>(world.body(body).velocity().y); }
 };
@@ -51,7 +42,7 @@ TEST(SoftStep, RestsAtTheDepthOfItsSprings) {
   Drop disc(soft_step(8), Shape::circle(real(.5)), .5);
   disc.run(600);
   EXPECT_NEAR(.5 - disc.y(), g / (w * w), tolerance);
-  Drop box(soft_step(8), Shape::box(vec(.5, .5)), .5);
+  Drop box(soft_step(8), Shape::box({real(.5), real(.5)}), .5);
   box.run(600);
   EXPECT_NEAR(.5 - box.y(), 1.25 * g / (w * w), tolerance);
 }
@@ -66,21 +57,21 @@ TEST(SoftStep, FallsAsFarAsSymplecticEulerDoes) {
 }
 
 TEST(SoftStep, BouncesOffOnlyAboveAMetrePerSecond) {
-  Settings weightless = soft_step();
-  weightless.gravity = {};
-  Drop slow(weightless, Shape::circle(real(.5)), .6, -.9, .5);
+  Settings no_gravity = soft_step();
+  no_gravity.gravity = {};
+  Drop slow(no_gravity, Shape::circle(real(.5)), .6, -.9, .5);
   slow.run(60);
   EXPECT_LT(std::abs(slow.vy()), 1e-3);
-  Drop fast(weightless, Shape::circle(real(.5)), .6, -1.1, .5);
+  Drop fast(no_gravity, Shape::circle(real(.5)), .6, -1.1, .5);
   fast.run(60);
   EXPECT_NEAR(fast.vy(), .55, 1e-5);
 }
 
 // 3 m/s at most, and nothing of it is left in the velocity.
 TEST(SoftStep, PushesDeepOverlapOutGently) {
-  Settings weightless = soft_step();
-  weightless.gravity = {};
-  Drop ball(weightless, Shape::circle(real(.5)), .1);
+  Settings no_gravity = soft_step();
+  no_gravity.gravity = {};
+  Drop ball(no_gravity, Shape::circle(real(.5)), .1);
   for (int i = 0; i < 60; ++i) {
     const double before = ball.y();
     ball.run(1);
@@ -91,7 +82,7 @@ TEST(SoftStep, PushesDeepOverlapOutGently) {
 }
 
 TEST(SoftStep, HoldsALoadWithTheImpulseOfItsWeight) {
-  Drop box(soft_step(), Shape::box(vec(.5, .5)), .5);
+  Drop box(soft_step(), Shape::box({real(.5), real(.5)}), .5);
   box.run(120);
   double sum = 0;
   for (const ContactInfo& contact : box.world.contacts()) sum += static_cast<double>(contact.normal_impulse);
@@ -99,4 +90,3 @@ TEST(SoftStep, HoldsALoadWithTheImpulseOfItsWeight) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
