@@ -38,7 +38,8 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
   virtual ~Simulation() = default;
 
-  /// Advances by dt seconds. The only call that is ever timed.
+  /// Advances by dt seconds. The only call that is ever timed. Throws std::domain_error, saying why, where it turns out
+  /// on the way that the scene is beyond the contender: that is *not supported*, not a failure.
   virtual void step(double dt) = 0;
 
   /// Writes the state of every body, in Scene order. `out` is as long as Scene::bodies.

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <stdexcept>
 
 #include "reports/statistics.h"
 #include "reports/vec.h"
@@ -98,6 +99,11 @@ Outcome run(const Scene& scene, const Entrant& entrant, double dt) {
     const auto simulation = entrant.contender->build(scene, entrant.settings);
     outcome.trace = std::make_shared<Trace>(scene.bodies.size());
     record_until_the_end(scene, *simulation, dt, outcome);
+  } catch (const std::domain_error& beyond) {
+    // Some methods can only tell under way that a scene is too much for them.
+    outcome.status = Status::not_supported;
+    outcome.reason = beyond.what();
+    outcome.trace = nullptr;
   } catch (const std::exception& error) {
     outcome.status = Status::failed;
     outcome.reason = error.what();

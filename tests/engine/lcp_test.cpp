@@ -44,8 +44,7 @@ TEST(Lcp, LeavesAloneWhatIsSolvedByZero) {
   EXPECT_EQ(*z, (std::vector<double>{0, 0}));
 }
 
-// w = (2 1; 1 2) z + (-5, -6) has
-// both w = 0 at z = (4/3, 7/3).
+// w = (2 1; 1 2) z + (-5, -6) has both w = 0 at z = (4/3, 7/3).
 TEST(Lcp, SolvesTwoEquationsByHand) {
   const auto z = solve_lcp(std::vector<double>{2, 1, 1, 2}, std::vector<double>{-5, -6});
   ASSERT_TRUE(z);

@@ -48,6 +48,11 @@ TEST(Settings, RefuseCountsThatMakeNoSenseByName) {
     settings.iterations = iterations;
     EXPECT_THAT(refusal(settings), HasSubstr("iterations must be")) << iterations;
   }
+  for (const int iterations : {-1, 1000000000}) {
+    Settings settings;
+    settings.position_iterations = iterations;
+    EXPECT_THAT(refusal(settings), HasSubstr("position_iterations must be")) << iterations;
+  }
 }
 
 TEST(Settings, ListTheMethodsThereAreWhenTheyRefuseOne) {
@@ -63,7 +68,11 @@ TEST(Settings, ListTheMethodsThereAreWhenTheyRefuseOne) {
 }
 
 TEST(Settings, NoMethodIsLost) {
-  EXPECT_THAT(solvers(), Contains(Field(&MethodInfo::name, "article")));
+  for (const char* name :
+       {"accurate", "article", "block", "exact", "sequential-impulse", "soft-step", "split-impulse", "xpbd"}) {
+    EXPECT_THAT(solvers(), Contains(Field(&MethodInfo::name, name)));
+  }
+  EXPECT_THAT(solvers(), Not(Contains(Field(&MethodInfo::source, ""))));
   EXPECT_THAT(broad_phases(), Contains(Field(&MethodInfo::name, "brute")));
   for (const char* name : {"explicit-euler", "rk4", "symplectic-euler", "velocity-verlet"}) {
     EXPECT_THAT(integrators(), Contains(Field(&MethodInfo::name, name)));

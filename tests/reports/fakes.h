@@ -59,7 +59,7 @@ class FreeFlight : public Simulation {
 /// Symplectic Euler, or one that goes wrong at a time.
 class Stepper : public Simulation {
  public:
-  enum class Fault { none, nan, explosion, exception };
+  enum class Fault { none, nan, explosion, exception, beyond };
   Stepper(const Scene& scene, Fault fault, double when = 1)
       : scene_(scene), fault_(fault), when_(when), states_(initial_states(scene)) {}
   void step(double dt) override {
@@ -75,6 +75,7 @@ class Stepper : public Simulation {
     if (fault_ == Fault::nan) states_.back().position.x = std::nan("");
     if (fault_ == Fault::explosion) states_.back().velocity.y = 1e9;
     if (fault_ == Fault::exception) throw std::runtime_error("the engine gave up");
+    if (fault_ == Fault::beyond) throw std::domain_error("too much for it");
   }
   void read(std::span<BodyState> out) const override { std::copy(states_.begin(), states_.end(), out.begin()); }
 

@@ -63,6 +63,13 @@ TEST(Run, SaysWhyASceneIsNotSupported) {
   EXPECT_EQ(outcome.trace, nullptr);
 }
 
+TEST(Run, SaysWhyASceneTurnsOutToBeNotSupported) {
+  const Outcome outcome = run_with(fakes::engine("small", Stepper::Fault::beyond));
+  EXPECT_EQ(outcome.status, Status::not_supported);
+  EXPECT_EQ(outcome.reason, "too much for it");
+  EXPECT_EQ(outcome.trace, nullptr);
+}
+
 TEST(Run, SpendsNoMoreInStepsThanInAll) {
   const Outcome outcome = run_with(fakes::engine("ours"));
   EXPECT_GT(outcome.stepping, 0);

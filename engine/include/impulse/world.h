@@ -104,7 +104,8 @@ class World {
   /// N s that the joint gave to body b (and took from a) in the last sub-step, world frame.
   Vec2 joint_impulse(JointId id) const;
 
-  /// Advances by dt().
+  /// Advances by dt(). Throws std::domain_error, and moves nothing, where the solver says that it cannot solve this
+  /// world (only `exact` does).
   void step();
 
   /// Calls back for every part whose bounds overlap the box / that contains the point; return false to stop.

@@ -27,6 +27,7 @@ class SequentialImpulses : public Solver {
   void state(const Settings&, StatedErrors& errors) const final {
     errors.gap = slop + slop / 100;
     errors.restitution_threshold = restitution_threshold;
+    errors.joints = true;
   }
 
  protected:

@@ -86,6 +86,7 @@ void Xpbd::state(const Settings& settings, StatedErrors& errors) const {
   // A point that static friction cannot hold alone slides for the sub-step with what gravity gives it there.
   errors.creep = length(settings.gravity) * errors.h;
   errors.restitution_threshold = inelastic_speed(settings);
+  errors.joints = true;
 }
 
 void Xpbd::prepare(StepData& data) {
