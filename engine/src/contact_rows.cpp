@@ -1,7 +1,5 @@
 #include "contact_rows.h"
 
-#include <cmath>
-
 namespace impulse::inline IMPULSE_PRECISION {
 
 Real effective_mass(const ContactRow& row, Real arm_a, Real arm_b) {
@@ -53,29 +51,6 @@ void store_row(const ContactRow& row, std::vector<Contact>& contacts) {
     to.tangent_impulse = from.tangent_impulse;
     to.total_normal_impulse = from.total_normal;
     to.total_tangent_impulse = from.total_tangent;
-  }
-}
-
-Real within_cone(const ContactRow& row, Real wanted, Real normal_impulse) {
-  if (std::abs(wanted) <= row.static_friction * normal_impulse) return wanted;
-  const Real most = row.dynamic_friction * normal_impulse;
-  return clamp(wanted, -most, most);
-}
-
-void warm_start(const ContactRow& row, ContactFrame& frame) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-    frame.push_normal(row, row.points[i], row.points[i].normal_impulse);
-    frame.push_tangent(row, row.points[i], row.points[i].tangent_impulse);
-  }
-}
-
-void rub(ContactRow& row, ContactFrame& frame) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-    RowPoint& p = row.points[i];
-    const Real wanted = p.tangent_impulse - p.tangent_mass * frame.tangent_velocity(p);
-    const Real held = within_cone(row, wanted, p.normal_impulse);
-    frame.push_tangent(row, p, held - p.tangent_impulse);
-    p.tangent_impulse = held;
   }
 }
 

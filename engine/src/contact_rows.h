@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -87,7 +88,11 @@ void store_row(const ContactRow& row, std::vector<Contact>& contacts);
 
 /// Coulomb: the friction impulse `wanted` held by a normal impulse; sticks up to the static coefficient, slides with
 /// the dynamic one beyond it.
-Real within_cone(const ContactRow& row, Real wanted, Real normal_impulse);
+inline Real within_cone(const ContactRow& row, Real wanted, Real normal_impulse) {
+  if (std::abs(wanted) <= row.static_friction * normal_impulse) return wanted;
+  const Real most = row.dynamic_friction * normal_impulse;
+  return clamp(wanted, -most, most);
+}
 
 /// Brings a point's accumulated normal impulse to `total`.
 inline void push_to(const ContactRow& row, RowPoint& p, ContactFrame& frame, Real total) {
@@ -96,9 +101,22 @@ inline void push_to(const ContactRow& row, RowPoint& p, ContactFrame& frame, Rea
 }
 
 /// Gives again what a row's points gave last.
-void warm_start(const ContactRow& row, ContactFrame& frame);
+inline void warm_start(const ContactRow& row, ContactFrame& frame) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    frame.push_normal(row, row.points[i], row.points[i].normal_impulse);
+    frame.push_tangent(row, row.points[i], row.points[i].tangent_impulse);
+  }
+}
 
 /// Friction at all points: stops the sliding as far as the cone of the accumulated normal impulse allows.
-void rub(ContactRow& row, ContactFrame& frame);
+inline void rub(ContactRow& row, ContactFrame& frame) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    RowPoint& p = row.points[i];
+    const Real wanted = p.tangent_impulse - p.tangent_mass * frame.tangent_velocity(p);
+    const Real held = within_cone(row, wanted, p.normal_impulse);
+    frame.push_tangent(row, p, held - p.tangent_impulse);
+    p.tangent_impulse = held;
+  }
+}
 
 }  // namespace impulse::inline IMPULSE_PRECISION

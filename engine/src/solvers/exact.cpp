@@ -255,6 +255,7 @@ void Exact::project(BodySet& bodies, std::vector<Place>& places) {
   };
   const std::size_t n = places.size();
   std::vector<double> s;
+  s.reserve(n);
   for (const Place& place : places) {
     s.push_back(static_cast<double>(separation(*place.row, *place.point, moved(place.row->a), moved(place.row->b))));
   }

@@ -12,13 +12,13 @@ constexpr Real small_turn = static_cast<Real>(.25);
 // Taylor's series of sine, and of cosine - 1 without its cancellation.
 void small_sine_and_drop(Real angle, Real& sine, Real& drop) {
   const Real z = angle * angle;
-  Real odd = -1 / Real{39916800};  // -1/11!
+  Real odd = -1 / static_cast<Real>(39916800);  // -1/11!
   odd = odd * z + 1 / Real{362880};
   odd = odd * z - 1 / Real{5040};
   odd = odd * z + 1 / Real{120};
   odd = odd * z - 1 / Real{6};
   sine = angle + angle * z * odd;
-  Real even = 1 / Real{479001600};  // 1/12!
+  Real even = 1 / static_cast<Real>(479001600);  // 1/12!
   even = even * z - 1 / Real{3628800};
   even = even * z + 1 / Real{40320};
   even = even * z - 1 / Real{720};

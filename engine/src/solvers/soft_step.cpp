@@ -60,6 +60,7 @@ class SoftStep : public Solver {
   }
 
   Real h_ = 0;
+  Real per_h_ = 0;         // 1/h: a product is soon there, a quotient is not
   Softness soft_, stiff_;  // between movable bodies; against what cannot move
   std::vector<ContactRow> rows_;
   std::vector<Approach> approaches_;
@@ -107,6 +108,7 @@ void SoftStep::state(const Settings& settings, StatedErrors& errors) const {
 
 void SoftStep::prepare(StepData& data) {
   h_ = data.settings.dt / static_cast<Real>(data.settings.substeps);
+  per_h_ = 1 / h_;
   soft_ = Softness::of(frequency(data.settings), damping_ratio, h_);
   stiff_ = Softness::of(2 * frequency(data.settings), damping_ratio, h_);
   start_ = data.bodies.pose;
@@ -166,7 +168,7 @@ void SoftStep::press(StepData& data) {
       RowPoint& p = row.points[i];
       const Real s = separation(row, p, motion_[row.a], motion_[row.b]);
       const Real v = frame.normal_velocity(p);
-      const Real push = s > 0 ? -p.normal_mass * (v + s / h_)
+      const Real push = s > 0 ? -p.normal_mass * (v + s * per_h_)
                               : -p.normal_mass * soft.strength * (v + std::max(soft.rate * s, -push_out_speed)) -
                                     soft.relief * p.normal_impulse;
       push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
@@ -197,7 +199,7 @@ void SoftStep::relax(StepData& data) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       RowPoint& p = row.points[i];
       const Real s = separation(row, p, motion_[row.a], motion_[row.b]);
-      const Real push = -p.normal_mass * (frame.normal_velocity(p) + std::max(s, Real{0}) / h_);
+      const Real push = -p.normal_mass * (frame.normal_velocity(p) + std::max(s, Real{0}) * per_h_);
       push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       p.total_normal += p.normal_impulse;
     }
