@@ -9,6 +9,7 @@
 #include "islands.h"
 #include "method_list.h"
 #include "solver.h"
+#include "solvers/energy_bound.h"
 #include "solvers/impacts.h"
 #include "solvers/island.h"
 
@@ -25,6 +26,7 @@ constexpr int offset_from_age = 2;
 struct Workspace {
   Impacts impacts;
   JointWorkspace joints;
+  EnergyBound bound;
 };
 
 /// Impulses of a whole step to those of one of n sub-steps, and back.
@@ -160,12 +162,15 @@ void Accurate::fly(StepData& data, const Island& island) {
 void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   if (island.bounces) find_impacts(data, island, space.impacts);
   halve(island);
+  if (!island.joints.empty()) space.bound.note(island.bodies, data.bodies, motion_);
   kick(data.bodies, island);
   press(data.bodies, island);
   drift(data, island);
+  const bool joints_fit = island.joints.fit();
   island.joints.write();
   kick(data.bodies, island);
   relax(data.bodies, island);
+  if (!joints_fit) space.bound.keep(island.bodies, data.bodies, motion_, acceleration_);
   note_loads(island);
 }
 

@@ -34,6 +34,9 @@ class IslandJoints {
   void kick();
   /// error(x + h v) = 0.
   void press(Real h);
+  /// Whether every press since the last drift made them fit. They cannot always: a chain pulled straight between two
+  /// walls would need an infinite force.
+  bool fit() const { return fit_; }
   /// Rows as the bodies stand.
   void write();
   /// rate = 0.
@@ -44,12 +47,18 @@ class IslandJoints {
  private:
   JointPose pose(std::uint32_t body, Real ahead) const;
   JointBlock ahead(const ActiveJoint& joint, Real h) const;
+  Real miss(Real h);
+  Real good_enough() const;
+  bool fit_by_present_rows(Real h);
+  void write_rows(Real ahead, Real give_way);
+  void approach_by_rows_ahead(Real h);
 
   std::span<ActiveJoint* const> joints_;
   BodySet& bodies_;
   const std::vector<Pose>& start_;
   const std::vector<Motion>& motion_;
   JointWorkspace& work_;
+  bool fit_ = true;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -29,11 +29,12 @@ Real coupling(const JointBlock& of_p, const JointRow& p, const JointBlock& of_q,
 
 }  // namespace
 
-void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodies) {
+void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodies, Real give) {
   lowest_.resize(bodies, none);
   values_.clear();
   start_.clear();
   first_.clear();
+  give_.clear();
   // Each equation, and which joint it is of.
   std::vector<std::pair<const JointBlock*, const JointRow*>> rows;
   for (const ActiveJoint* joint : joints) {
@@ -53,6 +54,8 @@ void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodie
       for (std::size_t j = first; j < rows.size(); ++j) {
         values_.push_back(coupling(block, block.equation[i], *rows[j].first, *rows[j].second));
       }
+      give_.push_back(give * values_.back());
+      values_.back() += give_.back();
     }
   }
   for (const ActiveJoint* joint : joints) lowest_[joint->block.a] = lowest_[joint->block.b] = none;
@@ -77,8 +80,7 @@ void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodie
   }
 }
 
-void JointSystem::solve(std::span<ActiveJoint* const> joints, BodySet& bodies, std::span<const Real> bias,
-                        bool accumulate) {
+void JointSystem::solve(std::span<ActiveJoint* const> joints, const BodySet& bodies, std::span<const Real> bias) {
   std::size_t next = 0;
   for (const ActiveJoint* joint : joints) {
     const JointBlock& block = joint->block;
@@ -94,12 +96,16 @@ void JointSystem::solve(std::span<ActiveJoint* const> joints, BodySet& bodies, s
   for (std::size_t i = x.size(); i-- > 0;) {
     for (std::size_t j = first_[i]; j < i; ++j) x[j] -= entry(i, j) * x[i];
   }
-  next = 0;
+}
+
+void JointSystem::push(std::span<ActiveJoint* const> joints, BodySet& bodies, Real share, bool accumulate) const {
+  std::size_t next = 0;
   for (ActiveJoint* joint : joints) {
     JointBlock& block = joint->block;
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.equations); ++i, ++next) {
-      apply(block, block.equation[i], x[next], bodies.velocity[block.a], bodies.velocity[block.b]);
-      if (accumulate) block.equation[i].impulse += x[next];
+      const Real impulse = share * solution_[next];
+      apply(block, block.equation[i], impulse, bodies.velocity[block.a], bodies.velocity[block.b]);
+      if (accumulate) block.equation[i].impulse += impulse;
     }
   }
 }

@@ -13,12 +13,18 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// storage (each row from its first entry on), whose cost for a chain of n joints is proportional to n.
 class JointSystem {
  public:
-  /// Of the rows as they stand.
-  void factor(std::span<ActiveJoint* const> joints, std::size_t bodies);
+  /// Of the rows as they stand. Each equation gives way by a share `give` of its own inverse effective mass, as if its
+  /// joint were a spring: what many joints cannot all have exactly then stays finite.
+  void factor(std::span<ActiveJoint* const> joints, std::size_t bodies, Real give);
 
-  /// Brings the rates to -bias. `bias` has one entry an equation, in the joints' order. Where `accumulate`, the joints
-  /// remember the impulses.
-  void solve(std::span<ActiveJoint* const> joints, BodySet& bodies, std::span<const Real> bias, bool accumulate);
+  /// Finds the impulses that bring the rates to -bias. `bias` has one entry an equation, in the joints' order.
+  void solve(std::span<ActiveJoint* const> joints, const BodySet& bodies, std::span<const Real> bias);
+
+  /// Gives a share of the impulses found last. Where `accumulate`, the joints remember them.
+  void push(std::span<ActiveJoint* const> joints, BodySet& bodies, Real share, bool accumulate) const;
+
+  /// By which an equation's rate lags behind for each unit of its impulse, in 1/kg or 1/(kg m^2).
+  Real give(std::size_t equation) const { return give_[equation]; }
 
   std::size_t equations() const { return first_.size(); }
 
@@ -30,6 +36,7 @@ class JointSystem {
   std::vector<std::size_t> start_;   // of each row in values_
   std::vector<std::size_t> first_;   // column of each row's first entry
   std::vector<std::size_t> lowest_;  // of each body, the first equation that moves it; none between calls
+  std::vector<Real> give_;           // of each row
   std::vector<Real> solution_;
 };
 

@@ -221,5 +221,32 @@ TEST(Joints, ChainOfTwentyWithAHeavyEndHolds) {
   EXPECT_LT(length(world.body(last).position()), 20.);
 }
 
+// Dead straight between two banks, rigid planks could only hang still by an infinite force. Joints do no work, so
+// whatever becomes of it, energy never rises; and a ball dropped on it does not fall through.
+TEST(Joints, BridgeBuiltDeadStraightHoldsABallAndGainsNoEnergy) {
+  for (const int planks : {10, 40}) {
+    World world(accurate());
+    const BodyId left = anchor(world);
+    const BodyId right = anchor(world, {static_cast<Real>(planks), 0});
+    BodyId last = left;
+    for (int i = 0; i < planks; ++i) {
+      const Real x = static_cast<Real>(i);
+      const BodyId plank = box(world, {x + 0.5_r, 0}, {0.5_r, 0.1_r});
+      world.create_joint(RevoluteJoint{last, plank, {x, 0}});
+      last = plank;
+    }
+    world.create_joint(RevoluteJoint{last, right, {static_cast<Real>(planks), 0}});
+    BodyDef def;
+    def.position = {static_cast<Real>(planks) / 2, 3};
+    const BodyId ball = world.create_body(def, Shape::circle(0.7_r), Material{1, 0.4_r, 0.4_r, 0.3_r});
+    const double before = energy(world);
+    for (int step = 0; step < 600; ++step) {
+      world.step();
+      ASSERT_LE(energy(world), before * (1 + bound(1e-12, 1e-5))) << planks << " planks, step " << step;
+    }
+    EXPECT_GT(world.body(ball).position().y, Real{0}) << planks << " planks";
+  }
+}
+
 }  // namespace
 }  // namespace impulse::inline IMPULSE_PRECISION

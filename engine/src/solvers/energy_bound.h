@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "body_set.h"
+#include "solvers/motion.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// Ideal joints do no work. Where joints could not be made to fit, an island's kinetic energy after a sub-step is held
+/// to what it had and what its forces gave, by slowing all its bodies alike; a motor's work in such a sub-step is lost.
+class EnergyBound {
+ public:
+  /// Remembers how the bodies are at the start of a sub-step.
+  void note(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion);
+
+  /// `acceleration` is the force field's, m/s^2 and rad/s^2.
+  void keep(std::span<const std::uint32_t> island, BodySet& bodies, const std::vector<Motion>& motion,
+            const std::vector<Velocity>& acceleration) const;
+
+ private:
+  Real kinetic_ = 0;           // J
+  std::vector<Motion> start_;  // of the island's bodies
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION
