@@ -13,7 +13,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 namespace {
 
 // The width across a polygon is least square to one of its edges.
-Real thickness(const Shape& shape) {
+Real thickness_of(const Shape& shape) {
   if (shape.type() == ShapeType::half_space) return Shape::unbounded;
   if (shape.count() < 3) return 2 * shape.radius();
   Real least = Shape::unbounded;
@@ -95,11 +95,11 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
     }
     if (def.fixed_rotation) made.mass.inertia = 0;
   }
-  made.thickness = Shape::unbounded;
+  Real thinnest = Shape::unbounded;
   Real farthest = 0;
   for (const Part& part : parts) {
     made.parts.push_back({part.shape.moved(-made.mass.center), part.material});
-    made.thickness = std::min(made.thickness, thickness(part.shape));
+    thinnest = std::min(thinnest, thickness_of(part.shape));
     if (part.shape.type() == ShapeType::half_space) continue;
     const Real extent = made.parts.back().shape.extent();
     if (extent > farthest) farthest = extent;
@@ -115,6 +115,7 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
     force.emplace_back();
     torque.emplace_back();
     reach.emplace_back();
+    thickness.emplace_back();
     held.emplace_back();
     detail.emplace_back();
     free_rows.push_back(static_cast<std::uint32_t>(size() - 1));
@@ -129,6 +130,7 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
   force[i] = {};
   torque[i] = 0;
   reach[i] = farthest;
+  thickness[i] = thinnest;
   made.generation = detail[i].generation;
   detail[i] = std::move(made);
   return id(i);

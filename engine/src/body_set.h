@@ -34,7 +34,6 @@ struct BodyDetail {
   bool inserted = false;
   BodyDef def;              // as it was created, but for the layers, which are as they are now
   MassData mass;            // body frame; 0 where immovable
-  Real thickness = 0;       // m, the least distance between two parallel lines that hold its thinnest part
   Velocity removed_with;    // the velocity that a removed body will be inserted with
   std::vector<Part> parts;  // shapes relative to the centre of mass
 };
@@ -53,6 +52,7 @@ struct BodySet {
   std::vector<Vec2> force;         // N, collected until the next step
   std::vector<Real> torque;        // N m
   std::vector<Real> reach;         // m, of the farthest point of its shapes from the centre of mass; half-spaces aside
+  std::vector<Real> thickness;     // m, the least distance between two parallel lines that hold its thinnest part
   std::vector<std::uint8_t> held;  // 1 if a contact or joint pushed it in the last step
   std::vector<BodyDetail> detail;
   std::vector<std::uint32_t> free_rows;  // the last freed is reused first

@@ -17,12 +17,13 @@ void World::step() {
   State& s = *state_;
   if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
   s.forces.gravity = s.settings.gravity;
-  if (s.settings.continuous) s.sweep.remember(s.bodies);
+  const bool sweeps = s.settings.continuous != Continuous::off;
+  if (sweeps) s.sweep.remember(s.bodies);
   s.contacts.find(s.bodies, *s.broad_phase, s.settings, s.solver->margin(s.settings), s.solver->recycles(), s.joints);
   StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator,
                 s.settings, *s.workers};
   s.solver->step(data);
-  if (s.settings.continuous) s.sweep.hold_back(s.bodies, s.joints);
+  if (sweeps) s.sweep.hold_back(s.bodies, s.joints, s.settings.continuous);
   s.joints.store();
   s.bodies.mark_held(s.contacts.rows(), data.joints);
   s.touches.note(s.bodies, s.contacts.rows());

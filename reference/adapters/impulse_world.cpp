@@ -68,6 +68,11 @@ std::vector<impulse::Part> parts_of(const Body& body) {
   return parts;
 }
 
+impulse::Continuous continuous_of(const std::string& name) {
+  if (name == "off") return impulse::Continuous::off;
+  return name == "on" ? impulse::Continuous::on : impulse::Continuous::automatic;
+}
+
 impulse::Settings settings_of(const Settings& settings) {
   impulse::Settings made;
   made.solver = settings.at("solver");
@@ -77,6 +82,7 @@ impulse::Settings settings_of(const Settings& settings) {
   made.position_iterations = static_cast<int>(std::stod(settings.at("position-iterations")));
   made.substeps = static_cast<int>(std::stod(settings.at("substeps")));
   made.workers = static_cast<int>(std::stod(settings.at("workers")));
+  made.continuous = continuous_of(settings.at("continuous"));
   return made;
 }
 
@@ -219,6 +225,17 @@ std::vector<Option> options() {
            .min = 1,
            .max = 1000,
            .whole = true},
+          {.key = "continuous",
+           .value = "auto",
+           .choices = {{"off",
+                        "a body passes through what is thinner than its way in a step, unless the solver looks "
+                        "ahead"},
+                       {"auto",
+                        "one that moves farther than half its thickness in a step stops where it meets a fixed "
+                        "or kinematic body, a bullet where it meets any; conservative advancement, B. Mirtich "
+                        "(1996)"},
+                       {"on", "as if every body were a bullet"}},
+           .about = "continuous collision"},
           {.key = "workers",
            .value = std::to_string(standard.workers),
            .about = "threads; the same bits for any number",

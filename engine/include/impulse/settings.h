@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,14 @@
 #include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
+
+/// What happens to bodies that move farther than half their thickness in a step; slower ones are never looked at.
+enum class Continuous : std::uint8_t {
+  off,        // they pass through what is thinner than their way, unless the solver looks ahead
+  automatic,  // they stop where they meet a fixed or kinematic body, a `bullet` at any body; the rest of the step is
+              // lost
+  on          // as if all were bullets
+};
 
 /// How a world steps. World refuses settings that make no sense (std::invalid_argument names the field) and keeps the
 /// ones it had.
@@ -20,10 +29,7 @@ struct Settings {
   int position_iterations = 3;                  // for solvers that correct positions apart from velocities
   int substeps = 4;                             // for solvers that cut a step into sub-steps
   int workers = 1;                              // threads to share islands among; the bits are the same for any number
-  /// Whether bodies that move farther than half their thickness in a step are stopped where they meet something, losing
-  /// the rest of the step, instead of passing through: fixed and kinematic bodies, and all for a `bullet`. Solvers that
-  /// look ahead (accurate, soft-step) need it only for what hits with a corner and spins on.
-  bool continuous = false;
+  Continuous continuous = Continuous::automatic;
   FrictionMixing friction_mixing = FrictionMixing::geometric;
   RestitutionMixing restitution_mixing = RestitutionMixing::max;
 };

@@ -65,6 +65,23 @@ TEST(Impulse, RunsInEitherPrecision) {
   EXPECT_NE(in_float, last(scene_of(Circle{}), {}, 31).position.y);
 }
 
+// 25 m in a step, through a disc of 1 m.
+TEST(Impulse, TunnelsOnlyIfToldTo) {
+  const auto end = [](const char* continuous) {
+    Scene scene = scene_of(Circle{});
+    scene.gravity = {};
+    Body wall = scene.bodies[0];
+    wall.type = BodyType::fixed;
+    scene.bodies[0].velocity = {0, 1500};
+    scene.bodies[0].position = {0, -3};
+    scene.bodies.insert(scene.bodies.begin(), wall);
+    return last(scene, {{"solver", "article"}, {"continuous", continuous}}, 3).position.y;
+  };
+  EXPECT_GT(end("off"), 10);
+  EXPECT_LT(end("auto"), 10);
+  EXPECT_LT(end("on"), 10);
+}
+
 TEST(Impulse, RefusesInTheEnginesOwnWords) {
   std::vector<Vec> nine(9);
   for (std::size_t i = 0; i < nine.size(); ++i) {
