@@ -53,11 +53,13 @@ impulse::BodyDef def_of(const Body& body) {
   def.angular_damping = static_cast<Real>(body.angular_damping);
   def.fixed_rotation = body.fixed_rotation;
   def.bullet = body.bullet;
-  def.layers = body.layers;
+  def.layers = body.shapes.empty() ? 0 : body.layers;
   return def;
 }
 
+// The engine has no body without a shape: a mere place to hang things from becomes a disc on no layer.
 std::vector<impulse::Part> parts_of(const Body& body) {
+  if (body.shapes.empty() && body.type != BodyType::dynamic) return {{impulse::Shape::circle(1), {}}};
   std::vector<impulse::Part> parts;
   for (const Shape& shape : body.shapes) {
     const Surface& surface = shape.surface;

@@ -316,6 +316,17 @@ TEST_P(EveryEngine, SwingsAPendulumOnItsRod) {
   }
 }
 
+TEST_P(EveryEngine, HangsABodyFromAPlaceThatHasNoShape) {
+  Scene scene = scene_of({{.name = "hook", .type = BodyType::fixed}, box({2, 0})});
+  scene.joints.push_back(Revolute{0, 1, {0, 0}});
+  const std::string reason = refusal(scene);
+  if (reason.find("joints") != std::string::npos) GTEST_SKIP() << reason;
+  EXPECT_EQ(reason, "");
+  const BodyState bob = run(scene, 30).at(1);
+  EXPECT_LT(bob.position.y, -.5);
+  EXPECT_NEAR(std::hypot(bob.position.x, bob.position.y), 2, .01);
+}
+
 TEST_P(EveryEngine, SlidesOnARailAndKeepsAWeld) {
   Scene rail = scene_of({body("rail", BodyType::fixed, {0, 0}, Circle{.1}), box({3, 4})});
   rail.joints.push_back(Prismatic{0, 1, {3, 4}, {std::sqrt(.5), -std::sqrt(.5)}});
