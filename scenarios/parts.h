@@ -29,6 +29,20 @@ inline Body disc(std::string name, Vec position, double radius, Surface of) {
       .name = std::move(name), .position = position, .shapes = {{.geometry = Circle{.radius = radius}, .surface = of}}};
 }
 
+inline Body fixed(Body body) {
+  body.type = BodyType::fixed;
+  return body;
+}
+
+/// A floor at y = 0 and walls at x = -width/2 and width/2, solid all the way out: nothing is thrown through them.
+inline Body pit(double width, Surface of) {
+  Body made = level_ground(of);
+  made.name = "pit";
+  made.shapes.push_back({.geometry = HalfSpace{.normal = {1, 0}, .offset = -width / 2}, .surface = of});
+  made.shapes.push_back({.geometry = HalfSpace{.normal = {-1, 0}, .offset = -width / 2}, .surface = of});
+  return made;
+}
+
 constexpr double degree = std::numbers::pi / 180;  // rad
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/conserved.h"
+#include "scenarios/scenario.h"
 
 namespace plumb {
 namespace {
@@ -40,6 +41,23 @@ TEST(Overlap, PlacesShapesAroundTheCentreOfMass) {
   Body shifted = box_at(0, 0.4);
   shifted.shapes[0].geometry = Box{.size = {1, 1}, .center = {3, 0}};
   EXPECT_NEAR(deepest({.bodies = {ground(), shifted}}), 0.1, 1e-12);
+}
+
+// Round-off alone, whatever a family is asked for; the largest scenes only repeat their pattern.
+TEST(Overlap, IsThereInNoSceneOfTheCatalogAtItsStart) {
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    std::vector<Parameters> settings{complete(*scenario, {})};
+    for (const Variant& variant : scenario->variants) settings.push_back(complete(*scenario, variant.changes));
+    for (const Parameter& parameter : scenario->parameters) {
+      settings.push_back(complete(*scenario, {{parameter.name, parameter.min}}));
+      settings.push_back(complete(*scenario, {{parameter.name, parameter.max}}));
+    }
+    for (const Parameters& parameters : settings) {
+      const Scene scene = scenario->scene(parameters);
+      if (scene.bodies.size() > 2000) continue;
+      EXPECT_LT(deepest(scene), 1e-9) << scenario->name << ' ' << scene.bodies.size();
+    }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/scenario.h"
+
+namespace plumb {
+namespace {
+
+// What the corners of the chain take goes with the length of its facets; on the cycloid itself all are at 0 together.
+TEST(Tautochrone, ExpectsTheBeadsTogetherAtTheBottomAsFacetsShrink) {
+  const Scenario& scenario = *Catalog<Scenario>::find("tautochrone");
+  const auto farthest = [&](double facets) {
+    double far = 0;
+    for (const Expectation& bead : scenario.expectations(complete(scenario, {{"facets", facets}}))) {
+      far = std::max(far, std::abs(*bead.expected));
+    }
+    return far;
+  };
+  const double coarse = farthest(100);
+  EXPECT_LT(coarse, 0.01);
+  EXPECT_NEAR(farthest(200) / coarse, 0.5, 0.05);
+  EXPECT_NEAR(farthest(1000) / coarse, 0.1, 0.01);
+}
+
+}  // namespace
+}  // namespace plumb
