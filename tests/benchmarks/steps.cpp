@@ -63,6 +63,26 @@ Scene rain() {
   return scene;
 }
 
+/// Balls and boxes that go on bouncing in a pen: 600 of them, e = 0.8, without friction.
+Scene bouncing() {
+  Scene scene;
+  scene.bodies.push_back(body(BodyType::fixed, {0, -1}, Box{{40, 2}}));
+  scene.bodies.push_back(body(BodyType::fixed, {-13, 50}, Box{{2, 100}}));
+  scene.bodies.push_back(body(BodyType::fixed, {13, 50}, Box{{2, 100}}));
+  std::mt19937 random(2);
+  const auto between = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  for (int i = 0; i < 600; ++i) {
+    const Vec at{-11 + .95 * (i % 24), 1 + .95 * (i / 24)};
+    scene.bodies.push_back(body(BodyType::dynamic, at, i % 2 == 0 ? Geometry{Circle{.4}} : Geometry{Box{{.7, .7}}}));
+    scene.bodies.back().shapes[0].surface = {1, 0, 0, .8};
+    scene.bodies.back().angle = between(-1, 1);
+    scene.bodies.back().velocity = {between(-5, 5), between(-5, 5)};
+  }
+  return scene;
+}
+
 void run(benchmark::State& state, const Contender& contender, const Settings& settings, const Scene& scene,
          int warm_up) {
   const std::unique_ptr<Simulation> simulation = contender.build(scene, settings);
@@ -90,7 +110,8 @@ void enter(const Case& one, const std::string& name, const Contender& contender,
 
 void enter_all() {
   for (const Case& one : {Case{"pyramid-100", pyramid(100), 60, 60}, Case{"pyramid-20", pyramid(20), 60, 600},
-                          Case{"free-10000", free_bodies(), 10, 200}, Case{"rain-2000", rain(), 0, 600}}) {
+                          Case{"free-10000", free_bodies(), 10, 200}, Case{"rain-2000", rain(), 0, 600},
+                          Case{"bouncing-600", bouncing(), 0, 600}}) {
     for (const Contender* contender : Catalog<Contender>::all()) {
       if (contender->exact) continue;
       if (contender->name != "impulse") {

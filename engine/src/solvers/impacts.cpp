@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -23,6 +24,7 @@ struct Flight {
     const Velocity& v = bodies.velocity[body];
     const Velocity& a = acceleration[body];
     Motion at = motion[body];
+    if (t == 0) return at;
     at.d += t * v.v + (t * t / 2) * a.v;
     at.turn_by(t * v.w + (t * t / 2) * a.w);
     return at;
@@ -34,27 +36,11 @@ struct Flight {
   }
 };
 
-/// The row as it stands when its bodies have moved: arms turned (but not the rims of discs), the normal of two discs
-/// renewed.
-ImpactRow moved(const ImpactRow& row, const Motion& a, const Motion& b) {
-  ImpactRow now = row;
-  if (row.disc_distance > 0) {
-    const Vec2 apart = row.between + (b.d - a.d);
-    const Real distance = length(apart);
-    if (distance > 0) now.normal = apart / distance;
-    now.points[0].separation = distance - row.disc_distance;
-    return now;
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-    const RowPoint& p = row.points[i];
-    RowPoint& q = now.points[i];
-    q.separation = separation(row, p, a, b);
-    q.cross_a = p.cross_a + a.drop * p.cross_a - a.sine * p.turn_a;
-    q.cross_b = p.cross_b + b.drop * p.cross_b - b.sine * p.turn_b;
-    q.dot_a = p.dot_a + a.drop * p.turn_a + a.sine * p.cross_a;
-    q.dot_b = p.dot_b + b.drop * p.turn_b + b.sine * p.cross_b;
-  }
-  return now;
+/// r x n of an arm that has turned with its body (a disc's rim does not).
+Real turned_cross(Real cross, Real turn, const Motion& body) { return cross + body.drop * cross - body.sine * turn; }
+/// r . n of the same.
+Real turned_dot(Real dot, Real cross, Real turn, const Motion& body) {
+  return dot + body.drop * turn + body.sine * cross;
 }
 
 struct Approach {
@@ -62,52 +48,102 @@ struct Approach {
   Real speed = 0;  // d separation / dt
 };
 
-Approach approach(const ImpactRow& row, std::size_t point, const Flight& flight, Real t) {
-  const ImpactRow now = moved(row, flight.motion_at(row.a, t), flight.motion_at(row.b, t));
-  const ContactFrame frame(now, flight.velocity_at(row.a, t), flight.velocity_at(row.b, t));
-  return {now.points[point].separation, frame.normal_velocity(now.points[point])};
-}
+/// The two bodies of a row as they will be at a time; of two discs the normal is renewed.
+struct Encounter {
+  const ImpactRow& row;
+  Motion a, b;
+  Velocity va, vb;
+  Vec2 normal;
+  Real disc_separation = 0;
+
+  Encounter(const ImpactRow& seen, const Flight& flight, Real t)
+      : row(seen),
+        a(flight.motion_at(seen.a, t)),
+        b(flight.motion_at(seen.b, t)),
+        va(flight.velocity_at(seen.a, t)),
+        vb(flight.velocity_at(seen.b, t)),
+        normal(seen.normal) {
+    if (row.disc_distance == 0) return;
+    const Vec2 apart = row.between + (b.d - a.d);
+    const Real distance = length(apart);
+    if (distance > 0) normal = apart / distance;
+    disc_separation = distance - row.disc_distance;
+  }
+
+  Approach of(const RowPoint& p) const {
+    const Real along = dot(normal, vb.v - va.v);
+    if (row.disc_distance > 0) return {disc_separation, along + vb.w * p.cross_b - va.w * p.cross_a};
+    return {separation(row, p, a, b),
+            along + vb.w * turned_cross(p.cross_b, p.turn_b, b) - va.w * turned_cross(p.cross_a, p.turn_a, a)};
+  }
+
+  /// The row as it stands then.
+  ImpactRow moved() const {
+    ImpactRow now = row;
+    now.normal = normal;
+    if (row.disc_distance > 0) {
+      now.points[0].separation = disc_separation;
+      return now;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const RowPoint& p = row.points[i];
+      RowPoint& q = now.points[i];
+      q.separation = separation(row, p, a, b);
+      q.cross_a = turned_cross(p.cross_a, p.turn_a, a);
+      q.cross_b = turned_cross(p.cross_b, p.turn_b, b);
+      q.dot_a = turned_dot(p.dot_a, p.cross_a, p.turn_a, a);
+      q.dot_b = turned_dot(p.dot_b, p.cross_b, p.turn_b, b);
+    }
+    return now;
+  }
+};
 
 /// d2 separation / dt2: the accelerations along the normal, the centripetal terms of the arms, and for two discs that
 /// pass each other |v across|^2 / distance.
-Real curvature(const ImpactRow& row, const RowPoint& p, const Flight& flight) {
+Real curvature(const Encounter& now, const RowPoint& p, const Flight& flight) {
+  const ImpactRow& row = now.row;
   const Velocity& a = flight.bodies.velocity[row.a];
   const Velocity& b = flight.bodies.velocity[row.b];
-  Real c = dot(row.normal, flight.acceleration[row.b].v - flight.acceleration[row.a].v);
+  Real c = dot(now.normal, flight.acceleration[row.b].v - flight.acceleration[row.a].v);
   c += a.w * a.w * p.turn_a - b.w * b.w * p.turn_b;
   if (row.disc_distance > 0) {
-    const Real across = dot(perpendicular(row.normal), b.v - a.v);
+    const Real across = dot(perpendicular(now.normal), b.v - a.v);
     c += across * across / row.disc_distance;
   }
   return c;
 }
 
-/// The first time in [now, h] at which the point touches while approaching faster than the threshold.
+/// When a point hits, and how fast.
+struct Hit {
+  Real time = never;
+  Real speed = 0;
+};
+
+/// The first time from now on, `rest` seconds at most, at which the point touches while approaching faster than the
+/// threshold.
 ///
 /// s(now + x) = s + v x + c x^2/2 gives the first guess; Newton's iteration on the exact path finishes it (quadratic:
 /// from a guess good to 1e-3, three rounds are below round-off).
-Real time_of_impact(const ImpactRow& row, std::size_t point, const Flight& flight, Real now, Real h) {
-  const Approach start = approach(row, point, flight, now);
-  if (start.separation <= 0) return start.speed < -impact_threshold ? now : never;
+Hit first_hit(const Encounter& here, const RowPoint& p, const Flight& flight, Real now, Real rest) {
+  const Approach start = here.of(p);
+  if (start.separation <= 0) return start.speed < -impact_threshold ? Hit{now, -start.speed} : Hit{};
 
-  const ImpactRow here = moved(row, flight.motion_at(row.a, now), flight.motion_at(row.b, now));
-  const Real c = curvature(here, row.points[point], flight);
+  const Real c = curvature(here, p, flight);
   const Real discriminant = start.speed * start.speed - 2 * c * start.separation;
-  if (discriminant < 0) return never;
+  if (discriminant < 0) return {};
   const Real closing = std::sqrt(discriminant) - start.speed;
-  if (closing <= 0) return never;
-  const Real rest = h - now;
+  if (closing <= 0) return {};
   Real x = 2 * start.separation / closing;
-  if (x > 2 * rest) return never;
+  if (x > 2 * rest) return {};
   constexpr int rounds = 4;
   Approach there;
   for (int round = 0; round < rounds; ++round) {
-    there = approach(row, point, flight, now + x);
-    if (there.speed >= 0) return never;
+    there = Encounter(here.row, flight, now + x).of(p);
+    if (there.speed >= 0) return {};
     x = std::max(x - there.separation / there.speed, Real{0});
   }
-  if (x > rest || there.speed > -impact_threshold) return never;
-  return now + x;
+  if (x > rest || there.speed > -impact_threshold) return {};
+  return {now + x, -Encounter(here.row, flight, now + x).of(p).speed};
 }
 
 /// Normal and tangential impulse at one point, with both laws at once: the normal velocity is reversed times e, and the
@@ -188,7 +224,7 @@ struct Struck {
 void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
                      std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau) {
   const Flight flight{bodies, motion, acceleration};
-  ImpactRow now = moved(row, flight.motion_at(row.a, tau), flight.motion_at(row.b, tau));
+  ImpactRow now = Encounter(row, flight, tau).moved();
   before_.clear();
   for (const std::uint32_t body : struck) {
     if (bodies.inverse_mass[body].m + bodies.inverse_mass[body].i == 0) {
@@ -244,60 +280,92 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   }
 }
 
-void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members,
-                      BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h) {
+/// The earliest first; of two at once the faster, then the one whose row comes first.
+bool Impacts::later(const Event& left, const Event& right) {
+  if (left.time != right.time) return left.time > right.time;
+  if (left.speed != right.speed) return left.speed < right.speed;
+  return left.candidate > right.candidate;
+}
+
+/// What the candidate hits next is put among the events; what was there of it counts no more.
+void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, const BodySet& bodies,
+                  const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real now, Real h) {
+  Candidate& aimed = candidates_[candidate];
+  ++aimed.aims;
+  const ImpactRow& row = rows[aimed.row];
   const Flight flight{bodies, motion, acceleration};
+  const Encounter here(row, flight, now);
+  Hit first;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const Hit hit = first_hit(here, row.points[i], flight, now, h - now);
+    if (hit.time < first.time || (hit.time == first.time && hit.speed > first.speed)) first = hit;
+  }
+  if (first.time == never) return;
+  events_.push_back({first.time, first.speed, candidate, aimed.aims});
+  std::push_heap(events_.begin(), events_.end(), later);
+}
+
+/// Candidates of rows with restitution, each in the lists of those of its bodies that an impact can move.
+void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count) {
   candidates_.clear();
-  const auto aim = [&](Candidate& candidate, Real now) {
-    const ImpactRow& row = rows[candidate.row];
-    candidate.time = never;
-    candidate.speed = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      const Real time = time_of_impact(row, i, flight, now, h);
-      if (time == never) continue;
-      const Real speed = -approach(row, i, flight, time).speed;
-      if (time < candidate.time || (time == candidate.time && speed > candidate.speed)) {
-        candidate.time = time;
-        candidate.speed = speed;
-      }
-    }
+  events_.clear();
+  first_of_.resize(body_count);
+  const auto each_movable = [](const ImpactRow& row, const auto& visit) {
+    if (row.mass_a.m + row.mass_a.i > 0) visit(std::size_t{0}, row.a);
+    if (row.mass_b.m + row.mass_b.i > 0) visit(std::size_t{1}, row.b);
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].active = true;
     if (rows[i].restitution <= 0) continue;
-    candidates_.push_back({i});
-    aim(candidates_.back(), 0);
+    candidates_.push_back({static_cast<std::uint32_t>(i)});
+    each_movable(rows[i], [this](std::size_t, std::uint32_t body) { first_of_[body] = none; });
   }
+  for (std::uint32_t c = 0; c < candidates_.size(); ++c) {
+    each_movable(rows[candidates_[c].row], [this, c](std::size_t side, std::uint32_t body) {
+      candidates_[c].next[side] = std::exchange(first_of_[body], c);
+    });
+  }
+}
+
+void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members,
+                      BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h) {
+  list_candidates(rows, bodies.size());
+  const auto aim_at = [&](std::uint32_t candidate, Real now) {
+    aim(rows, candidate, bodies, motion, acceleration, now, h);
+  };
+  for (std::uint32_t c = 0; c < candidates_.size(); ++c) aim_at(c, 0);
 
   // A cradle of n balls needs about n^2/2 impacts; far more in one sub-step is a storm that the contact solve ends.
   const std::size_t most = 64 + 16 * candidates_.size();
-  for (std::size_t count = 0; count < most; ++count) {
-    const Candidate* next = nullptr;
-    for (const Candidate& c : candidates_) {
-      if (c.time == never) continue;
-      if (next == nullptr || c.time < next->time || (c.time == next->time && c.speed > next->speed)) next = &c;
-    }
-    if (next == nullptr) break;
-    const Real now = next->time;
-    ImpactRow& hit = rows[next->row];
+  for (std::size_t count = 0; count < most && !events_.empty();) {
+    std::pop_heap(events_.begin(), events_.end(), later);
+    const Event next = events_.back();
+    events_.pop_back();
+    if (next.aims != candidates_[next.candidate].aims) continue;
+    ++count;
+    ImpactRow& hit = rows[candidates_[next.candidate].row];
     const std::array<std::uint32_t, 2> pair{hit.a, hit.b};
     const auto struck = joints.empty() ? std::span<const std::uint32_t>(pair) : members;
-    strike(hit, joints, struck, bodies, motion, acceleration, now);
-    const bool moved_a = hit.mass_a.m + hit.mass_a.i > 0;
-    const bool moved_b = hit.mass_b.m + hit.mass_b.i > 0;
-    for (Candidate& c : candidates_) {
-      const ImpactRow& row = rows[c.row];
-      const bool touched =
-          (moved_a && (row.a == hit.a || row.b == hit.a)) || (moved_b && (row.a == hit.b || row.b == hit.b));
-      if (touched) aim(c, now);
+    strike(hit, joints, struck, bodies, motion, acceleration, next.time);
+    aim_at(next.candidate, next.time);
+    for (const bool b : {false, true}) {
+      const InverseMass& mass = b ? hit.mass_b : hit.mass_a;
+      if (mass.m + mass.i == 0) continue;
+      const std::uint32_t body = b ? hit.b : hit.a;
+      for (std::uint32_t c = first_of_[body]; c != none;) {
+        if (c != next.candidate) aim_at(c, next.time);
+        c = candidates_[c].next[rows[candidates_[c].row].b == body ? 1 : 0];
+      }
     }
   }
 
+  const Flight flight{bodies, motion, acceleration};
   for (const Candidate& c : candidates_) {
     ImpactRow& row = rows[c.row];
+    const Encounter end(row, flight, h);
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      const Approach end = approach(row, i, flight, h);
-      if (end.separation > 0 && end.speed < -impact_threshold) row.active = false;
+      const Approach approach = end.of(row.points[i]);
+      if (approach.separation > 0 && approach.speed < -impact_threshold) row.active = false;
     }
   }
 }

@@ -43,16 +43,31 @@ class Impacts {
                std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h);
 
  private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  /// A row with restitution.
   struct Candidate {
-    std::size_t row = 0;
-    Real time = 0;   // of the next impact; infinite when there is none
-    Real speed = 0;  // of approach then
+    std::uint32_t row = 0;
+    std::uint32_t aims = 0;                            // how often its next impact was sought
+    std::array<std::uint32_t, 2> next = {none, none};  // in the list of candidates of body a, of body b
   };
+  struct Event {
+    Real time = 0;   // of impact
+    Real speed = 0;  // of approach then
+    std::uint32_t candidate = 0;
+    std::uint32_t aims = 0;  // the candidate's when this was found: out of date if it has more now
+  };
+  static bool later(const Event& left, const Event& right);
+  void list_candidates(std::span<ImpactRow> rows, std::size_t body_count);
+  void aim(std::span<const ImpactRow> rows, std::uint32_t candidate, const BodySet& bodies,
+           const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real now, Real h);
   void strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
               std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau);
 
   std::vector<Candidate> candidates_;
-  std::vector<Velocity> before_;  // of the bodies struck
+  std::vector<std::uint32_t> first_of_;  // of each body's candidates; set only where there are any
+  std::vector<Event> events_;            // a heap
+  std::vector<Velocity> before_;         // of the bodies struck
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION
