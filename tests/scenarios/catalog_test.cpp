@@ -19,11 +19,11 @@ TEST(Scenarios, AreAllHere) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);
   EXPECT_THAT(names, testing::ElementsAre("billiard", "bounce", "card-house", "corner-impact", "cradle", "dominoes",
                                           "double-pendulum", "free-bodies", "hanging-chain", "head-on", "heavy-object",
-                                          "joint-grid", "layers", "many-pyramids", "mass-ratio", "oblique-disc",
-                                          "orbit", "overhang", "pendulum", "pi-billiard", "pyramid", "rain",
-                                          "rod-toppling", "rope-bridge", "slip-to-roll", "slope", "slope-disc", "smash",
-                                          "spinning-obb", "spring", "stacking", "stopping-distance", "tautochrone",
-                                          "teams", "thin-wall", "tumbler"));
+                                          "joint-grid", "layers", "many-pyramids", "mass-ratio", "materials",
+                                          "oblique-disc", "orbit", "overhang", "pendulum", "pi-billiard", "pyramid",
+                                          "rain", "rod-toppling", "rope-bridge", "slip-to-roll", "slope", "slope-disc",
+                                          "smash", "spinning-obb", "spring", "stacking", "stopping-distance",
+                                          "tautochrone", "teams", "thin-wall", "tumbler"));
 }
 
 TEST(Scenarios, OfTheShortReportAreTheFourCanonicalOnes) {
