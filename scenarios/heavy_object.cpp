@@ -35,9 +35,9 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// One-sided, the heavy disc flies on as Newton's first law has it, and the article's pseudocode. Mutual, the forces are
-// opposite and along one line: the momenta are constant for any method that moves all bodies alike, but for explicit
-// Euler, whose step leaves a moment dt^2 v x a.
+// One-sided, the heavy disc flies on as Newton's first law has it, and the article's pseudocode; what it does to the
+// others is work from outside. Mutual, the forces are opposite: the momentum is constant, for every Runge-Kutta method
+// too, as it is linear in the state. (Angular momentum is not, and only symplectic methods keep it to the last bit.)
 std::vector<Expectation> expectations(const Parameters& p) {
   const Scene all = scene(p);
   const double v = p.at("speed");
@@ -48,21 +48,15 @@ std::vector<Expectation> expectations(const Parameters& p) {
             {.body = "heavy", .quantity = Quantity::vx, .expected = v, .allowed = speed, .source = "feels nothing"}};
   }
   double momentum = 0;
-  double moment = 0;
   double largest = 0;
   for (const Body& body : all.bodies) {
     const double mass = mass_of(body).mass;
     momentum += mass * body.velocity.x;
-    moment -= mass * body.velocity.x * body.position.y;
-    largest += mass * (std::abs(body.velocity.x) + 10);
+    largest += mass * std::abs(body.velocity.x);
   }
   const auto exact = [=](const Stepping& s) { return round_off(s, duration, largest); };
   return {{.quantity = Quantity::momentum_x, .expected = momentum, .allowed = exact, .source = "forces are opposite"},
-          {.quantity = Quantity::momentum_y, .expected = 0, .allowed = exact, .source = "forces are opposite"},
-          {.quantity = Quantity::angular_momentum,
-           .expected = moment,
-           .allowed = [=](const Stepping& s) { return 10 * exact(s); },
-           .source = "forces are opposite and along one line"}};
+          {.quantity = Quantity::momentum_y, .expected = 0, .allowed = exact, .source = "forces are opposite"}};
 }
 
 const Catalog<Scenario>::Entry entry{
