@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "random_shapes.h"
 #include "support.h"
@@ -17,7 +19,7 @@ namespace {
 /// that is energy too: bodies wait on a square lattice whose cells are as wide as the largest.
 class RandomScene {
  public:
-  explicit RandomScene(unsigned seed) : random_(seed), world_(settings(random_)) {
+  RandomScene(unsigned seed, const std::string& solver) : random_(seed), world_(settings(random_, solver)) {
     const int count = 2 + static_cast<int>(random_.number(0, 199));
     const double largest = power_of_ten(static_cast<double>(random_.number(-2, 2)));
     const int row = static_cast<int>(std::ceil(std::sqrt(count)));
@@ -53,8 +55,9 @@ class RandomScene {
   }
 
  private:
-  static Settings settings(RandomShapes& random) {
+  static Settings settings(RandomShapes& random, const std::string& solver) {
     Settings chosen;
+    chosen.solver = solver;
     if (random.number(0, 1) < Real{0.5}) chosen.gravity = {};
     return chosen;
   }
@@ -104,6 +107,8 @@ class RandomScene {
   World world_;
 };
 
+constexpr int steps = 60;
+
 int seeds() {
   const char* asked = std::getenv("PLUMB_FUZZ_SEEDS");
   return asked == nullptr ? 20 : std::max(1, std::atoi(asked));
@@ -113,19 +118,52 @@ int seeds() {
 // an impact takes energy, friction takes energy, and since no two bodies overlap at first, what a contact's spring
 // lifts or parts was pressed in before. So only rounding is left: a body's speed and height are each rounded some
 // sixteen times in a step of four sub-steps, and their errors add up at worst.
-TEST(Fuzz, RandomScenesStayFiniteAndGainNoEnergy) {
-  constexpr int steps = 60;
-  constexpr double bound = steps * 16 * static_cast<double>(round_off);
+//
+// The others have none that follows from their sources: pushing overlap apart adds energy, and so does Newton's law at
+// several points at once or with friction (Kane and Levinson 1985). What 1000 seeds show is written here, rounded up,
+// so that a method that gets worse is noticed.
+double bound_of(const std::string& solver) {
+  if (solver == "accurate") return steps * 16 * static_cast<double>(round_off);
+  if (solver == "exact") return .45;
+  return solver == "article" || solver == "xpbd" ? .05 : .2;
+}
+
+class Fuzz : public testing::TestWithParam<std::string> {};
+
+TEST_P(Fuzz, RandomScenesStayFiniteAndGainNoMoreEnergyThanTheMethodMay) {
+  const double bound = bound_of(GetParam());
+  int beyond = 0;
   for (int seed = 1; seed <= seeds(); ++seed) {
-    RandomScene scene(static_cast<unsigned>(seed));
+    RandomScene scene(static_cast<unsigned>(seed), GetParam());
     const double before = scene.energy();
-    for (int step = 0; step < steps; ++step) {
-      scene.world().step();
-      ASSERT_TRUE(scene.finite()) << "seed " << seed << ", step " << step;
-      ASSERT_LE(scene.energy(), before * (1 + bound)) << "seed " << seed << ", step " << step;
+    try {
+      for (int step = 0; step < steps; ++step) {
+        scene.world().step();
+        ASSERT_TRUE(scene.finite()) << "seed " << seed << ", step " << step;
+        ASSERT_LE(scene.energy(), before * (1 + bound)) << "seed " << seed << ", step " << step;
+      }
+    } catch (const std::domain_error&) {
+      ++beyond;  // more hangs together than it solves
     }
   }
+  if (GetParam() == "exact") {
+    EXPECT_LT(beyond, seeds());
+  } else {
+    EXPECT_EQ(beyond, 0);
+  }
 }
+
+std::vector<std::string> names() {
+  std::vector<std::string> list;
+  for (const MethodInfo& solver : solvers()) list.push_back(solver.name);
+  return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, Fuzz, testing::ValuesIn(names()), [](const auto& entry) {
+  std::string name = entry.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
 
 }  // namespace
 

@@ -85,9 +85,9 @@ TEST_P(EverySolver, CollidesTwoDiscsByTheLawOfImpactsAndKeepsMomentum) {
   }
 }
 
-// The stated gap is that of one body's weight; contact i from the top bears i of them.
-TEST_P(EverySolver, StandsAStackOfFive) {
-  if (GetParam() == "article") GTEST_SKIP() << "keeps no impulses from iteration to iteration, so it drifts";
+// The stated gap is that of one body's weight; contact i from the top bears i of them. The article's method keeps no
+// impulses from iteration to iteration: its stack leans farther with every step, until after 8 s all lies on the floor.
+TEST_P(EverySolver, StandsAStackOfFiveUnlessItForgetsImpulses) {
   for (const unsigned seed : {1U, 2U}) {
     std::mt19937 random(seed);
     World world(settings());
@@ -99,6 +99,10 @@ TEST_P(EverySolver, StandsAStackOfFive) {
       boxes.push_back(world.create_body(at(xs.back(), .5 + i), Shape::box(vec(.5, .5)), material(0, .6)));
     }
     run(world, 480);
+    if (GetParam() == "article") {
+      EXPECT_LT(world.body(boxes.back()).position().y, 1) << "seed " << seed;
+      continue;
+    }
     double gaps = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Body body = world.body(boxes[i]);

@@ -207,6 +207,7 @@ void Accurate::prepare(StepData& data) {
     row.active = true;
     // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
     const bool column = (row.mass_a.m == 0 || crowd_[row.a] <= 2) && (row.mass_b.m == 0 || crowd_[row.b] <= 2);
+    row.web = !column;
     row.block = column && row.count == 2;
     for (const RowPoint& p : row.points) {
       if (p.normal_impulse > 0) note_load(row);

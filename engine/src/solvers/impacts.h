@@ -21,6 +21,7 @@ struct ImpactRow : ContactRow {
   int age = 0;               // steps since the contact began
   bool active = true;        // takes part in this sub-step's solve
   bool fresh = false;        // first step of the contact
+  bool web = false;          // a body of it touches more than two others, as in a pyramid and not in a column
   bool block = false;        // its two points are solved together
 };
 

@@ -18,12 +18,15 @@ void Island::cut(Real dt, int into) {
   constexpr Real damping_ratio = 10;
   substeps = into;
   h = dt / static_cast<Real>(into);
-  const Real frequency = 1 / (8 * h);
-  soft = Softness::of(frequency, damping_ratio, h);
-  stiff = Softness::of(2 * frequency, damping_ratio, h);
+  const auto at = [this](Real frequency) {
+    return Softnesses{Softness::of(frequency, damping_ratio, h), Softness::of(2 * frequency, damping_ratio, h)};
+  };
+  column = at(1 / (8 * h));
+  web = at(1 / (12 * h));
 }
 
-// sink = weight / (points on the ground) * k_max / (2 w^2), k the inverse effective mass; and sink ~ h^2.
+// sink = weight / (points on the ground) * k_max / (2 w^2), k the inverse effective mass; and sink ~ h^2. With w of a
+// column: a web may sink (12/8)^2 times as far until its offsets lift it, and still settles soonest with these.
 int substeps_for(const Island& island, const BodySet& bodies, const std::vector<Velocity>& acceleration,
                  const Settings& settings) {
   const int base = settings.substeps;
