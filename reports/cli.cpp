@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reports/scene_case.h"
 #include "scenarios/catalog.h"
 #include "scenarios/nearest.h"
 
@@ -73,6 +74,10 @@ Case case_of(const Scenario& scenario, const std::string& label, const Parameter
           .closed_form = closed_form_of(scenario)};
 }
 
+const Scenario& find_scenario(const std::string& name) {
+  return find<Scenario>("scenario", name, [](const Scenario&) { return true; });
+}
+
 std::vector<Case> all_variants(const Scenario& scenario) {
   std::vector<Case> cases;
   for (const Variant& variant : scenario.variants) cases.push_back(case_of(scenario, variant.label, variant.changes));
@@ -96,8 +101,9 @@ double parse_dt(std::string_view text) {
 }
 
 std::vector<Case> parse_cases(std::string_view word) {
+  if (means_file(word)) return {case_of_file(std::string(word))};
   const auto [name, rest] = split(word, ':');
-  const Scenario& scenario = find<Scenario>("scenario", name, [](const Scenario&) { return true; });
+  const Scenario& scenario = find_scenario(name);
   if (rest.empty()) return all_variants(scenario);
   for (const Variant& variant : scenario.variants) {
     if (variant.label == rest) return {case_of(scenario, variant.label, variant.changes)};
@@ -111,6 +117,12 @@ std::vector<Case> parse_cases(std::string_view word) {
   for (const auto& [key, value] : assignments(name, rest))
     changes[key] = parse_number(fmt::format("{}: {}", name, key), value);
   return {case_of(scenario, rest, changes)};
+}
+
+Case parse_case(std::string_view word) {
+  const auto [name, rest] = split(word, ':');
+  if (!rest.empty()) return parse_cases(word).front();
+  return case_of(find_scenario(name), "", {});
 }
 
 std::vector<Case> default_cases(bool all) {

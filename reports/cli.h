@@ -17,7 +17,11 @@ double parse_number(std::string_view what, std::string_view text);
 double parse_dt(std::string_view text);
 
 /// "NAME": all variants of a scenario. "NAME:LABEL": one of them. "NAME:parameter=value,...": one of your own.
+/// "FILE.json": what that scene file asks.
 std::vector<Case> parse_cases(std::string_view word);
+
+/// One case of the catalogue: "NAME" means the family's defaults.
+Case parse_case(std::string_view word);
 
 /// Every variant of the canonical scenarios, or of all.
 std::vector<Case> default_cases(bool all);

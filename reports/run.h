@@ -18,7 +18,8 @@ struct Case {
   std::string variant;  // label
   Parameters parameters;
   std::shared_ptr<const Scene> scene;
-  const Contender* closed_form = nullptr;  // null where physics has none
+  const Contender* closed_form = nullptr;               // null where physics has none
+  std::shared_ptr<const Scenario> from_file = nullptr;  // what `scenario` points to, where no catalog keeps it
 };
 
 /// One who is asked it.

@@ -43,14 +43,16 @@ TruthCheck check(const Scene& scene, const Expectation& expectation, const Trace
   const auto reading = observe(scene, trace, expectation, scene.duration);
   const double time = reading ? reading->time : expectation.time.value_or(scene.duration);
   const std::size_t body = expectation.body.empty() ? 0 : index_of(scene, expectation.body);
+  const double tolerance = expectation.within ? *expectation.within
+                                              : (expectation.allowed ? expectation.allowed(stepping) : 0) +
+                                                    round_off(expectation.quantity, body, scene, trace, stepping);
   TruthCheck check{.body = expectation.body,
                    .quantity = name_of(expectation.quantity),
                    .unit = unit_of(expectation.quantity),
                    .time = time,
                    .expected = expected_by(truth, scene, expectation, time),
                    .measured = reading ? reading->value : missing,
-                   .tolerance = (expectation.allowed ? expectation.allowed(stepping) : 0) +
-                                round_off(expectation.quantity, body, scene, trace, stepping),
+                   .tolerance = tolerance,
                    .source = expectation.source};
   check.error = std::abs(check.measured - check.expected);
   // False for NaN on either side; an infinite tolerance would pass anything.

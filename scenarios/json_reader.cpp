@@ -1,6 +1,8 @@
 #include "scenarios/json_reader.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <stdexcept>
 
 #include "scenarios/json_parse.h"
@@ -26,7 +28,10 @@ std::string description(const Json& value) {
   }
 }
 
-std::string shortest(double number) { return Json(number).dump(); }
+std::string shortest(double number) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
+}
 
 std::string description(Range range) {
   return "a number from " + shortest(range.least) + " to " + shortest(range.most) +

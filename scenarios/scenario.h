@@ -65,7 +65,9 @@ struct Expectation {
   int index = 0;                   // apex: the how-manieth local maximum of y, from 1
   std::optional<double> expected;  // nothing: what the scenario's closed form says at that time
   std::function<double(const Stepping&)>
-      allowed;         // largest |error|, in the quantity's unit, from how the contender steps
+      allowed;  // largest |error|, in the quantity's unit, from how the contender steps
+  std::optional<double> within =
+      std::nullopt;    // largest |error| whoever steps, round-off and all, instead of `allowed`
   std::string source;  // the formula, and why that much is allowed
 };
 

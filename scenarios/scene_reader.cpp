@@ -41,11 +41,11 @@ void must_not_move(const JsonReader& in, const Body& body) {
   if (body.angular_velocity != 0) in["angularVelocity"].refuse("a static body has none");
 }
 
-// Shapes too small and too light for a number leave no mass either.
+// Enough for single precision to hold it, and one over it.
 void must_have_mass(const JsonReader& in, const Body& body) {
+  constexpr double least = 1e-30;  // kg, and kg m^2
   const Mass mass = mass_of(body);
-  const bool turns = body.fixed_rotation || mass.inertia > 0;
-  if (mass.mass > 0 && turns) return;
+  if (mass.mass >= least && (body.fixed_rotation || mass.inertia >= least)) return;
   in.refuse("a dynamic body needs mass: a circle, box, polygon or capsule with a density above 0");
 }
 
@@ -198,10 +198,11 @@ StatedTruth read_truth(const JsonReader& in, const Context& of) {
     truth.time = time.number({0, of.scene.duration, "s"});
   }
   if (of_whole_scene(truth.quantity)) {
-    if (in.has("body")) in["body"].refuse("belongs to no body: " + std::string(name_of(truth.quantity)) +
-                                          " is that of the whole scene");
+    if (in.has("body"))
+      in["body"].refuse("belongs to no body: " + std::string(name_of(truth.quantity)) + " is that of the whole scene");
   } else {
-    if (!in.has("body")) in.refuse("the key \"body\" is missing: " + std::string(name_of(truth.quantity)) + " of what?");
+    if (!in.has("body"))
+      in.refuse("the key \"body\" is missing: " + std::string(name_of(truth.quantity)) + " of what?");
     truth.body = of.scene.bodies[of.names.find(in["body"])].name;
   }
   return truth;
@@ -241,7 +242,7 @@ SceneFile read_scene(std::string_view text, std::string_view file) {
   Names names;
   const Context context{scene, names};
   read_list(in, "bodies", scene.bodies, [&](const JsonReader& body) { return read_body(body, names); });
-  if (scene.bodies.empty()) in["bodies"].refuse("expected a body");
+  if (scene.bodies.empty()) in["bodies"].refuse("expected a body, found none");
   read_list(in, "joints", scene.joints,
             [&](const JsonReader& joint) { return joint.kind<ReadJoint>(joint_kinds)(joint, context); });
   read_list(in, "forces", scene.forces,

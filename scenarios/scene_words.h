@@ -12,10 +12,12 @@ constexpr int format = 1;  // of scene files; grows when a reader of the old one
 constexpr Word<BodyType> body_types[] = {
     {"static", BodyType::fixed}, {"kinematic", BodyType::kinematic}, {"dynamic", BodyType::dynamic}};
 
-constexpr Word<FrictionMixing> friction_rules[] = {
-    {"geometric", FrictionMixing::geometric}, {"pythagorean", FrictionMixing::pythagorean},
-    {"average", FrictionMixing::average},     {"min", FrictionMixing::min},
-    {"max", FrictionMixing::max},             {"multiply", FrictionMixing::multiply}};
+constexpr Word<FrictionMixing> friction_rules[] = {{"geometric", FrictionMixing::geometric},
+                                                   {"pythagorean", FrictionMixing::pythagorean},
+                                                   {"average", FrictionMixing::average},
+                                                   {"min", FrictionMixing::min},
+                                                   {"max", FrictionMixing::max},
+                                                   {"multiply", FrictionMixing::multiply}};
 
 constexpr Word<RestitutionMixing> restitution_rules[] = {{"max", RestitutionMixing::max},
                                                          {"min", RestitutionMixing::min},

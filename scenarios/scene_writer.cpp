@@ -1,8 +1,10 @@
 #include <bit>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <variant>
 
+#include "scenarios/json_parse.h"
 #include "scenarios/scene_json.h"
 #include "scenarios/scene_words.h"
 
@@ -12,7 +14,7 @@ namespace {
 using namespace scene_words;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t width = 120;  // columns
+constexpr std::size_t width = 120;  // columns at most, where a line can be broken
 
 // By their bits: -0 is not left out where 0 is the default.
 bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
@@ -167,24 +169,36 @@ void add_list(Json& into, const char* key, const Items& items, ToJson to) {
   for (const auto& item : items) list.push_back(to(item));
 }
 
-// On one line where that fits, else a line for each of its parts.
+std::string key_of(const std::string& key) { return Json(key).dump() + ": "; }
+
+std::string in_one_line(const Json& json) {
+  if (!json.is_structured()) return json.dump();
+  std::string out;
+  for (const auto& item : json.items()) {
+    out += out.empty() ? "" : ", ";
+    if (json.is_object()) out += key_of(item.key());
+    out += in_one_line(item.value());
+  }
+  return json.is_object() ? "{" + out + "}" : "[" + out + "]";
+}
+
+// On one line where that fits, else a line for each of its parts. `taken` counts the columns before it.
 void lay_out(const Json& json, std::size_t indent, std::size_t taken, std::string& out) {
-  const std::string line = json.dump();
-  if (!json.is_structured() || json.empty() || indent + taken + line.size() <= width) {
+  const std::string line = in_one_line(json);
+  if (!json.is_structured() || json.empty() || taken + line.size() < width) {
     out += line;
     return;
   }
-  const bool object = json.is_object();
   const std::string margin(indent + 2, ' ');
   const char* separator = "\n";
-  out += object ? '{' : '[';
+  out += json.is_object() ? '{' : '[';
   for (const auto& item : json.items()) {
-    const std::string key = object ? Json(item.key()).dump() + ": " : "";
+    const std::string key = json.is_object() ? key_of(item.key()) : "";
     out.append(separator).append(margin).append(key);
-    lay_out(item.value(), indent + 2, key.size() + 1, out);
+    lay_out(item.value(), indent + 2, margin.size() + key.size(), out);
     separator = ",\n";
   }
-  out.append("\n").append(indent, ' ') += object ? '}' : ']';
+  out.append("\n").append(indent, ' ') += json.is_object() ? '}' : ']';
 }
 
 }  // namespace
@@ -205,7 +219,11 @@ std::string write_scene(const SceneFile& file) {
   add_list(json, "truth", file.truth, [](const StatedTruth& truth) { return of(truth); });
 
   std::string text;
-  lay_out(json, 0, 0, text);
+  try {
+    lay_out(json, 0, 0, text);
+  } catch (const Json::type_error&) {
+    throw std::invalid_argument(printable(scene.name) + ": top level: a text in it is not UTF-8");
+  }
   text += '\n';
   // Nothing is handed out that could not be taken back: a number that is not finite, a name that is there twice.
   read_scene(text, scene.name);
