@@ -9,25 +9,12 @@
 
 #include "reports/command.h"
 #include "scenarios/catalog.h"
+#include "tests/reports/saying.h"
 
 namespace plumb {
 namespace {
 
 using ::testing::HasSubstr;
-
-struct Said {
-  int code;
-  std::string out, err;
-};
-
-Said say(std::vector<std::string> arguments) {
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
-  const int code = program(std::move(arguments));
-  std::fflush(stdout);
-  std::fflush(stderr);
-  return {code, ::testing::internal::GetCapturedStdout(), ::testing::internal::GetCapturedStderr()};
-}
 
 // A folder of this process's own, gone after the test.
 class ProgramRun : public ::testing::Test {
@@ -79,7 +66,7 @@ TEST_F(ProgramRun, WantsEachCaseAndEngineOnce) {
 TEST(Program, KnowsTheseCommands) {
   std::vector<std::string> names;
   for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
-  EXPECT_THAT(names, ::testing::IsSupersetOf({"list", "report", "run"}));
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"export", "list", "report", "run"}));
 }
 
 TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
@@ -92,7 +79,7 @@ TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
 }
 
 TEST(Program, HelpsWithExamples) {
-  for (const char* command : {"run", "report", "list"}) {
+  for (const char* command : {"run", "report", "list", "export"}) {
     const Said said = say({command, "--help"});
     EXPECT_EQ(said.code, 0);
     EXPECT_THAT(said.out, HasSubstr(std::string("plumb ") + command)) << "an example";

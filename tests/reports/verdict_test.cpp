@@ -41,6 +41,20 @@ TEST(Judge, IsRightWithinWhatIsAllowedAndWrongOutside) {
   EXPECT_FALSE(check.passed);
 }
 
+TEST(Judge, TakesAnAbsoluteToleranceAsItStands) {
+  const Scene scene = fakes::thrown_box();
+  Expectation stated = at_end(7.25, 100);
+  stated.within = 0.25;
+  const auto judged = [&](double epsilon) {
+    return judge(scene, std::vector{stated}, fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5, .epsilon = epsilon},
+                 nullptr);
+  };
+  EXPECT_EQ(judged(0.1).checks.at(0).tolerance, 0.25);  // no round-off on top
+  EXPECT_EQ(judged(0).verdict, Verdict::right);
+  stated.within = 0.2499;
+  EXPECT_EQ(judged(0.1).verdict, Verdict::wrong);
+}
+
 TEST(Judge, NeverPassesAValueThatIsNotFinite) {
   EXPECT_EQ(judge_end(nan, 1).verdict, Verdict::wrong);
   EXPECT_EQ(judge_end(infinity, 1).verdict, Verdict::wrong);

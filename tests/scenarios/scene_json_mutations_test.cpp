@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "random_scene.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene_json.h"
+#include "tests/scenarios/random_scene.h"
 
 namespace plumb {
 namespace {

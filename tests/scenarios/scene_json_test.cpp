@@ -10,11 +10,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "random_scene.h"
 #include "scenarios/catalog.h"
 #include "scenarios/materials.h"
 #include "scenarios/parts.h"
-#include "scene_bits.h"
+#include "tests/scenarios/random_scene.h"
+#include "tests/scenarios/scene_bits.h"
 
 namespace plumb {
 namespace {

@@ -1,0 +1,25 @@
+#include "scenarios/materials.h"
+
+#include <gtest/gtest.h>
+
+#include "impulse/material.h"
+
+namespace plumb {
+namespace {
+
+// The engine and the scene files must mean the same by a name.
+TEST(Materials, AreThoseOfOurEngine) {
+  ASSERT_EQ(materials().size(), impulse::materials().size());
+  const auto as = [](double number) { return static_cast<impulse::Real>(number); };
+  for (const Material& material : materials()) {
+    const impulse::Material* ours = impulse::find_material(material.name);
+    ASSERT_NE(ours, nullptr) << material.name;
+    EXPECT_EQ(ours->density, as(material.surface.density)) << material.name;
+    EXPECT_EQ(ours->static_friction, as(material.surface.static_friction)) << material.name;
+    EXPECT_EQ(ours->dynamic_friction, as(material.surface.dynamic_friction)) << material.name;
+    EXPECT_EQ(ours->restitution, as(material.surface.restitution)) << material.name;
+  }
+}
+
+}  // namespace
+}  // namespace plumb
