@@ -18,6 +18,7 @@ namespace {
 
 std::vector<Expectation> expectations_of(const std::vector<StatedTruth>& truths) {
   std::vector<Expectation> all;
+  all.reserve(truths.size());
   for (const StatedTruth& truth : truths) {
     all.push_back({.body = truth.body,
                    .quantity = truth.quantity,
