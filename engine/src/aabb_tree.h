@@ -27,6 +27,24 @@ class AabbTree {
   /// Nodes on the longest way from the root to a leaf.
   int height() const;
 
+  /// Calls visit(item) for every leaf whose bounds overlap the box. The tree must not change meanwhile.
+  template <class Visit>
+  void visit(const Aabb& box, const Visit& visit) {
+    stack_.clear();
+    if (root_ != none) stack_.push_back({root_, root_});
+    while (!stack_.empty()) {
+      const Node& node = nodes_[stack_.back().first];
+      stack_.pop_back();
+      if (!overlap(node.bounds, box)) continue;
+      if (node.leaf()) {
+        visit(node.item);
+      } else {
+        stack_.push_back({node.left, node.left});
+        stack_.push_back({node.right, node.right});
+      }
+    }
+  }
+
   /// Calls visit(item, item) once for every two leaves whose bounds overlap, unless both don't move.
   template <class Visit>
   void visit_pairs(const Visit& visit) {

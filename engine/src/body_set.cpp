@@ -31,6 +31,8 @@ Real thickness_of(const Shape& shape) {
   throw std::invalid_argument("BodyDef: " + field + " must be " + must);
 }
 
+InverseMass inverse(const MassData& of) { return {of.mass > 0 ? 1 / of.mass : 0, of.inertia > 0 ? 1 / of.inertia : 0}; }
+
 void check(const BodyDef& def) {
   if (!finite(def.position)) refuse("position", "finite");
   if (!finite(def.angle)) refuse("angle", "finite");
@@ -117,6 +119,7 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
     reach.emplace_back();
     thickness.emplace_back();
     held.emplace_back();
+    asleep.emplace_back();
     detail.emplace_back();
     free_rows.push_back(static_cast<std::uint32_t>(size() - 1));
   }
@@ -141,7 +144,7 @@ void BodySet::insert(std::size_t i) {
   if (body.inserted) return;
   body.inserted = true;
   velocity[i] = body.removed_with;
-  inverse_mass[i] = {body.mass.mass > 0 ? 1 / body.mass.mass : 0, body.mass.inertia > 0 ? 1 / body.mass.inertia : 0};
+  inverse_mass[i] = inverse(body.mass);
 }
 
 void BodySet::remove(std::size_t i) {
@@ -152,6 +155,21 @@ void BodySet::remove(std::size_t i) {
   velocity[i] = {};
   inverse_mass[i] = {};
   held[i] = 0;
+}
+
+void BodySet::put_to_sleep(std::size_t i) {
+  velocity[i] = {};
+  inverse_mass[i] = {};
+  asleep[i] = 1;
+  ++sleepers;
+  ++sleep_changes;
+}
+
+void BodySet::wake(std::size_t i) {
+  inverse_mass[i] = inverse(detail[i].mass);
+  asleep[i] = 0;
+  --sleepers;
+  ++sleep_changes;
 }
 
 void BodySet::destroy(std::size_t i) {
@@ -170,7 +188,8 @@ void BodySet::advance(std::size_t i, const Velocity& at, Real h) {
 }
 
 void BodySet::mark_held(std::span<const Contact> contacts, std::span<const ActiveJoint> joints) {
-  std::fill(held.begin(), held.end(), std::uint8_t{0});
+  // What sleeps stays held as it was: its contacts are not among these.
+  for (std::size_t i = 0; i < size(); ++i) held[i] &= asleep[i];
   for (const Contact& contact : contacts) {
     for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
       if (contact.points[p].total_normal_impulse == 0) continue;

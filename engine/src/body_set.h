@@ -41,7 +41,8 @@ struct BodyDetail {
 struct ActiveJoint;
 
 /// The bodies as columns: row i of each is one body. Rows of dead or removed bodies have inverse mass 0 and velocity 0,
-/// so that loops over all rows need no branch. The pose is that of the centre of mass.
+/// so that loops over all rows need no branch; so have those asleep, which are to solvers what a fixed body is. The
+/// pose is that of the centre of mass.
 struct BodySet {
   std::vector<Pose> pose;
   std::vector<Real> angle;      // the pose's rotation as a number that winds up
@@ -54,8 +55,11 @@ struct BodySet {
   std::vector<Real> reach;         // m, of the farthest point of its shapes from the centre of mass; half-spaces aside
   std::vector<Real> thickness;     // m, the least distance between two parallel lines that hold its thinnest part
   std::vector<std::uint8_t> held;  // 1 if a contact or joint pushed it in the last step
+  std::vector<std::uint8_t> asleep;
   std::vector<BodyDetail> detail;
   std::vector<std::uint32_t> free_rows;  // the last freed is reused first
+  std::size_t sleepers = 0;              // how many are asleep
+  std::uint64_t sleep_changes = 0;       // how often one fell asleep or woke
 
   std::size_t size() const { return pose.size(); }
 
@@ -64,6 +68,10 @@ struct BodySet {
   void insert(std::size_t i);
   void remove(std::size_t i);
   void destroy(std::size_t i);
+  /// Of a dynamic body that is inserted and awake; it loses its velocity.
+  void put_to_sleep(std::size_t i);
+  /// Of a body asleep; it must be awake before it is removed.
+  void wake(std::size_t i);
 
   bool contains(BodyId id) const {
     return id.index < size() && detail[id.index].alive && detail[id.index].generation == id.generation;
@@ -71,6 +79,12 @@ struct BodySet {
   /// The velocity of a body, inserted or not.
   Velocity& motion(std::size_t i) { return detail[i].inserted ? velocity[i] : detail[i].removed_with; }
   BodyId id(std::size_t i) const { return {static_cast<std::uint32_t>(i), detail[i].generation}; }
+
+  bool dynamic(std::size_t i) const { return detail[i].def.type == BodyType::dynamic; }
+  /// Whether a step may move it: an awake dynamic body, or a kinematic one on its way.
+  bool stirs(std::size_t i) const {
+    return inverse_mass[i].m + inverse_mass[i].i > 0 || velocity[i].v != Vec2{} || velocity[i].w != 0;
+  }
 
   /// Moves row i by h seconds at its velocity.
   void advance(std::size_t i, Real h) { advance(i, velocity[i], h); }

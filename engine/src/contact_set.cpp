@@ -1,8 +1,11 @@
 #include "contact_set.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <tuple>
 
+#include "closing.h"
 #include "collide.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -12,24 +15,15 @@ namespace {
 auto key(const Contact& c) { return std::tie(c.body_a, c.body_b, c.part_a, c.part_b); }
 auto key(const Proxy& a, const Proxy& b) { return std::tie(a.body, b.body, a.part, b.part); }
 
+bool in_order(const Contact& left, const Contact& right) { return key(left) < key(right); }
+
+bool of_sleepers(const Contact& c, const BodySet& bodies) {
+  return bodies.asleep[c.body_a] != 0 || bodies.asleep[c.body_b] != 0;
+}
+
 /// m, of both bodies' motion together since the points were found; and the points count as touching (m) up to here.
 constexpr Real recycled_motion = static_cast<Real>(0.01);
 constexpr Real recycled_gap = static_cast<Real>(0.005);
-
-/// The farthest that a body's surface can go in the margin's time.
-Real travel(const BodySet& bodies, std::size_t i, const Margin& margin) {
-  const Velocity& velocity = bodies.velocity[i];
-  return margin.time * (length(velocity.v) + std::abs(velocity.w) * bodies.reach[i]);
-}
-
-/// Two bodies that move together close no distance, however fast they are.
-Real closing(const BodySet& bodies, std::size_t a, std::size_t b, const Margin& margin) {
-  if (margin.time == 0) return margin.distance;
-  const Velocity& va = bodies.velocity[a];
-  const Velocity& vb = bodies.velocity[b];
-  const Real turning = std::abs(va.w) * bodies.reach[a] + std::abs(vb.w) * bodies.reach[b];
-  return margin.distance + margin.time * (length(vb.v - va.v) + turning);
-}
 
 /// How far any point of the body can have come since it was at `then`.
 Real motion_since(const Pose& then, const BodySet& bodies, std::size_t i) {
@@ -125,7 +119,7 @@ void ContactSet::collect_proxies(const BodySet& bodies, const Margin& margin) {
   proxies_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDetail& body = bodies.detail[i];
-    if (!body.inserted) continue;
+    if (!body.inserted || bodies.asleep[i] != 0) continue;
     const Real by = margin.distance / 2 + travel(bodies, i, margin);
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       proxies_.push_back({grown(body.parts[p].shape.bounds(bodies.pose[i]), by), static_cast<std::uint32_t>(i),
@@ -176,7 +170,37 @@ void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, 
 }
 
 void ContactSet::forget(std::size_t body) {
-  std::erase_if(rows_, [body](const Contact& c) { return c.body_a == body || c.body_b == body; });
+  const auto of_it = [body](const Contact& c) { return c.body_a == body || c.body_b == body; };
+  std::erase_if(rows_, of_it);
+  std::erase_if(resting_, of_it);
+}
+
+void ContactSet::lay_to_rest(const BodySet& bodies) {
+  const auto passed_by = [&](std::uint32_t body) { return bodies.dynamic(body) && bodies.asleep[body] == 0; };
+  std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(resting_), [&](const Contact& c) {
+    return of_sleepers(c, bodies) && !passed_by(c.body_a) && !passed_by(c.body_b);
+  });
+  std::sort(resting_.begin(), resting_.end(), in_order);
+  std::erase_if(rows_, [&](const Contact& c) { return of_sleepers(c, bodies); });
+}
+
+void ContactSet::take_back(const BodySet& bodies) {
+  const auto woken =
+      std::stable_partition(resting_.begin(), resting_.end(), [&](const Contact& c) { return of_sleepers(c, bodies); });
+  const auto awake = static_cast<std::ptrdiff_t>(rows_.size());
+  rows_.insert(rows_.end(), woken, resting_.end());
+  resting_.erase(woken, resting_.end());
+  std::inplace_merge(rows_.begin(), rows_.begin() + awake, rows_.end(), in_order);
+}
+
+std::vector<const Contact*> ContactSet::all() const {
+  std::vector<const Contact*> merged;
+  merged.reserve(rows_.size() + resting_.size());
+  for (const Contact& contact : rows_) merged.push_back(&contact);
+  for (const Contact& contact : resting_) merged.push_back(&contact);
+  std::inplace_merge(merged.begin(), merged.begin() + static_cast<std::ptrdiff_t>(rows_.size()), merged.end(),
+                     [](const Contact* left, const Contact* right) { return in_order(*left, *right); });
+  return merged;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

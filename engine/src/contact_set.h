@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "body_set.h"
@@ -25,9 +26,19 @@ class ContactSet {
   /// Forgets the contacts of a body.
   void forget(std::size_t body);
 
-  /// Sorted by (body_a, body_b, part_a, part_b).
+  /// Of bodies that are awake. Sorted by (body_a, body_b, part_a, part_b).
   std::vector<Contact>& rows() { return rows_; }
   const std::vector<Contact>& rows() const { return rows_; }
+
+  /// Of bodies asleep, as their last step left them; sorted likewise. Solvers don't see them.
+  std::span<const Contact> resting() const { return resting_; }
+  /// Lays aside the contacts of bodies that have fallen asleep.
+  void lay_to_rest(const BodySet& bodies);
+  /// Takes up again those of bodies that have woken, so that the next search finds them known.
+  void take_back(const BodySet& bodies);
+
+  /// Both kinds in one order.
+  std::vector<const Contact*> all() const;
 
  private:
   void collect_proxies(const BodySet& bodies, const Margin& margin);
@@ -39,6 +50,7 @@ class ContactSet {
   std::vector<Pair> pairs_;
   std::vector<Contact> rows_;
   std::vector<Contact> last_rows_;
+  std::vector<Contact> resting_;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

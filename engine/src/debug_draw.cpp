@@ -66,7 +66,8 @@ void World::debug_draw(DebugDraw& draw, const Aabb& view) {
     draw_shape(draw, part.shape, pose, view, role_of(seen.type(), seen.awake()));
     return true;
   });
-  for (const auto& [a, b] : state_->joints.tied()) {
+  const auto tied = state_->joints.tied();  // a copy: drawing may end joints
+  for (const auto& [a, b] : tied) {
     if (bodies.detail[a].inserted && bodies.detail[b].inserted) {
       draw.segment(bodies.pose[a].p, bodies.pose[b].p, DrawRole::joint);
     }

@@ -55,9 +55,30 @@ bool ForceField::contains(ForceId id) const {
   return id.index < slots_.size() && slots_[id.index].force && slots_[id.index].generation == id.generation;
 }
 
-void ForceField::remove(ForceId id) {
+void ForceField::need(ForceId id) const {
   if (!contains(id))
     throw std::out_of_range("World: no force " + std::to_string(id.index) + "; it or its body is gone");
+}
+
+std::vector<std::uint32_t> ForceField::bodies_of(ForceId id, const BodySet& bodies) const {
+  need(id);
+  std::vector<std::uint32_t> rows;
+  std::visit([&](const auto& force) { append_bodies(force, bodies, rows); }, *slots_[id.index].force);
+  return rows;
+}
+
+void ForceField::append_ties(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out) const {
+  std::vector<std::uint32_t> rows;
+  for (const Slot& slot : slots_) {
+    if (!slot.force) continue;
+    rows.clear();
+    std::visit([&](const auto& force) { append_bodies(force, bodies, rows); }, *slot.force);
+    for (std::size_t i = 1; i < rows.size(); ++i) out.emplace_back(rows[0], rows[i]);
+  }
+}
+
+void ForceField::remove(ForceId id) {
+  need(id);
   end(id.index);
 }
 

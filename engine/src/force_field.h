@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "body_set.h"
@@ -29,6 +30,10 @@ class ForceField {
   /// Throws std::invalid_argument for numbers that make no sense and std::out_of_range for bodies that are not there.
   ForceId add(const Force& force, const BodySet& bodies);
   bool contains(ForceId id) const;
+  /// The rows of the bodies that it acts on or comes from. Throws std::out_of_range for a stale id.
+  std::vector<std::uint32_t> bodies_of(ForceId id, const BodySet& bodies) const;
+  /// Appends the pairs of rows of which one feels where the other is.
+  void append_ties(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out) const;
   /// Throws std::out_of_range for a stale id.
   void remove(ForceId id);
   /// Ends every generator that names the body.
@@ -39,6 +44,7 @@ class ForceField {
     std::uint32_t generation = 0;
     std::optional<Force> force;
   };
+  void need(ForceId id) const;
   void end(std::size_t slot);
 
   std::vector<Slot> slots_;

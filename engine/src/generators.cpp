@@ -127,6 +127,28 @@ void check(const ConstantForce& constant, const BodySet& bodies) {
   if (!finite(constant.force) || !finite(constant.torque)) refuse("ConstantForce: force and torque must be finite");
 }
 
+void append_bodies(const Attraction& attraction, const BodySet& bodies, std::vector<std::uint32_t>& out) {
+  const std::uint32_t from = attraction.from.index;
+  if (!bodies.detail[from].inserted) return;
+  out.push_back(from);
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (i == from || !bodies.detail[i].inserted || !bodies.dynamic(i)) continue;
+    if (length(bodies.pose[from].p - bodies.pose[i].p) <= attraction.reach) out.push_back(i);
+  }
+}
+
+void append_bodies(const Spring& spring, const BodySet& bodies, std::vector<std::uint32_t>& out) {
+  const auto away = [&](BodyId end) { return end != BodyId{} && !bodies.detail[end.index].inserted; };
+  if (away(spring.a) || away(spring.b)) return;
+  for (const BodyId end : {spring.a, spring.b}) {
+    if (end != BodyId{}) out.push_back(end.index);
+  }
+}
+
+void append_bodies(const ConstantForce& constant, const BodySet&, std::vector<std::uint32_t>& out) {
+  out.push_back(constant.body.index);
+}
+
 bool names(const Attraction& attraction, BodyId body) { return attraction.from == body; }
 bool names(const Spring& spring, BodyId body) { return spring.a == body || spring.b == body; }
 bool names(const ConstantForce& constant, BodyId body) { return constant.body == body; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "body_set.h"
@@ -16,6 +17,11 @@ void accelerate(const ConstantForce&, const BodySet&, std::vector<Velocity>& out
 void check(const Attraction&, const BodySet&);
 void check(const Spring&, const BodySet&);
 void check(const ConstantForce&, const BodySet&);
+
+/// The rows of the bodies whose motion it makes depend on each other: of all others on the first's.
+void append_bodies(const Attraction&, const BodySet&, std::vector<std::uint32_t>& out);
+void append_bodies(const Spring&, const BodySet&, std::vector<std::uint32_t>& out);
+void append_bodies(const ConstantForce&, const BodySet&, std::vector<std::uint32_t>& out);
 
 bool names(const Attraction&, BodyId);
 bool names(const Spring&, BodyId);

@@ -61,9 +61,7 @@ bool JointSet::contains(JointId id) const {
 }
 
 void JointSet::remove(JointId id, ForceField& forces) {
-  if (!contains(id)) {
-    throw std::out_of_range("World: no joint " + std::to_string(id.index) + "; it or a body of its is gone");
-  }
+  need(id);
   if (slots_[id.index].spring) forces.remove(*slots_[id.index].spring);
   end(id.index);
 }
@@ -102,6 +100,7 @@ std::vector<ActiveJoint>& JointSet::activate(const BodySet& bodies) {
     const std::uint32_t a = slot.a.index;
     const std::uint32_t b = slot.b.index;
     if (!bodies.detail[a].inserted || !bodies.detail[b].inserted) continue;
+    if (bodies.asleep[a] != 0 || bodies.asleep[b] != 0) continue;
     slot.block.a = a;
     slot.block.b = b;
     slot.block.mass_a = bodies.inverse_mass[a];
@@ -117,8 +116,18 @@ void JointSet::store() {
   for (std::size_t i = 0; i < active_.size(); ++i) slots_[active_slot_[i]].block = active_[i].block;
 }
 
+std::pair<std::uint32_t, std::uint32_t> JointSet::bodies_of(JointId id) const {
+  need(id);
+  return {slots_[id.index].a.index, slots_[id.index].b.index};
+}
+
+void JointSet::need(JointId id) const {
+  if (contains(id)) return;
+  throw std::out_of_range("World: no joint " + std::to_string(id.index) + "; it or a body of its is gone");
+}
+
 Vec2 JointSet::impulse(JointId id) const {
-  if (!contains(id)) throw std::out_of_range("World: no joint " + std::to_string(id.index));
+  need(id);
   Vec2 sum;
   for_each_row(slots_[id.index].block, [&sum](const JointRow& row) { sum += row.impulse * row.axis; });
   return sum;

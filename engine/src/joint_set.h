@@ -54,8 +54,11 @@ class JointSet {
   /// Ends every joint of the body.
   void forget(BodyId body);
 
-  /// The joints whose bodies are both in the world, with rows as the bodies stand and the last step's impulses. In
-  /// order of creation slots.
+  /// The rows of the two bodies that it ties. Throws std::out_of_range for a stale id.
+  std::pair<std::uint32_t, std::uint32_t> bodies_of(JointId id) const;
+
+  /// The joints whose bodies are both in the world and not asleep, with rows as the bodies stand and the last step's
+  /// impulses. In order of creation slots.
   std::vector<ActiveJoint>& activate(const BodySet& bodies);
   /// Keeps the impulses for the next step.
   void store();
@@ -64,7 +67,7 @@ class JointSet {
   bool ties(std::uint32_t a, std::uint32_t b) const;
 
   /// The rows of every two bodies that a joint ties, lower first, sorted.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> tied() const { return pairs_; }
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& tied() const { return pairs_; }
   /// What the joint gave body b in the last step, along its equations: N s (and N m s); the impulse on `a` is the
   /// opposite. Throws std::out_of_range for a stale id.
   Vec2 impulse(JointId id) const;
@@ -77,6 +80,7 @@ class JointSet {
     JointBlock block;
     std::optional<ForceId> spring;
   };
+  void need(JointId id) const;
   void end(std::size_t slot);
   void note_pairs();
 

@@ -77,14 +77,14 @@ void World::query_point(Vec2 point, const QueryCallback& callback) {
 std::vector<ContactInfo> World::contacts() const {
   const BodySet& bodies = state_->bodies;
   std::vector<ContactInfo> infos;
-  for (const Contact& contact : state_->contacts.rows()) {
-    for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
-      const ContactPoint& point = contact.points[p];
+  for (const Contact* contact : state_->contacts.all()) {
+    for (std::size_t p = 0; p < static_cast<std::size_t>(contact->count); ++p) {
+      const ContactPoint& point = contact->points[p];
       if (point.separation > 0 && point.total_normal_impulse == 0) continue;
-      const Vec2 on_a = bodies.pose[contact.body_a].p + point.arm_a;
-      const Vec2 on_b = bodies.pose[contact.body_b].p + point.arm_b;
-      infos.push_back({bodies.id(contact.body_a), bodies.id(contact.body_b), Real{0.5} * (on_a + on_b), contact.normal,
-                       point.separation, point.total_normal_impulse, point.total_tangent_impulse});
+      const Vec2 on_a = bodies.pose[contact->body_a].p + point.arm_a;
+      const Vec2 on_b = bodies.pose[contact->body_b].p + point.arm_b;
+      infos.push_back({bodies.id(contact->body_a), bodies.id(contact->body_b), Real{0.5} * (on_a + on_b),
+                       contact->normal, point.separation, point.total_normal_impulse, point.total_tangent_impulse});
     }
   }
   return infos;

@@ -1,6 +1,7 @@
 #include "impulse/settings.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "broad_phase.h"
 #include "finite.h"
@@ -52,6 +53,13 @@ void validate(const Settings& settings) {
   }
   if (settings.workers < 1 || settings.workers > most_workers) {
     refuse("workers must be from 1 to " + std::to_string(most_workers) + ", got " + std::to_string(settings.workers));
+  }
+  for (const auto& [field, value] :
+       {std::pair("sleep_linear_speed", settings.sleep_linear_speed),
+        std::pair("sleep_angular_speed", settings.sleep_angular_speed), std::pair("sleep_time", settings.sleep_time)}) {
+    if (!finite(value) || !(value > 0)) {
+      refuse(std::string(field) + " must be finite and above 0, got " + std::to_string(value));
+    }
   }
   check_name("solver", settings.solver, solvers());
   check_name("integrator", settings.integrator, integrators());

@@ -36,23 +36,44 @@ auto key(const TouchingParts& pair) {
   return std::tuple(pair.a.index, pair.b.index, pair.part_a, pair.part_b, pair.a.generation, pair.b.generation);
 }
 
+bool before(const TouchingParts& left, const TouchingParts& right) { return key(left) < key(right); }
+
 }  // namespace
 
 void TouchLog::note(const BodySet& bodies, std::span<const Contact> contacts) {
-  std::swap(touching_, last_);
-  touching_.clear();
+  std::swap(awake_, last_);
+  const bool changed = sleep_changes_ != bodies.sleep_changes;
+  if (changed) follow_sleep(bodies);
+  awake_.clear();
   for (const Contact& contact : contacts) {
     const auto count = std::count_if(contact.points.begin(), contact.points.begin() + contact.count, touches);
-    if (count > 0) touching_.push_back(touching_parts(bodies, contact, static_cast<int>(count)));
+    if (count > 0) awake_.push_back(touching_parts(bodies, contact, static_cast<int>(count)));
   }
-  const auto before = [](const TouchingParts& left, const TouchingParts& right) { return key(left) < key(right); };
-  std::sort(touching_.begin(), touching_.end(), before);
+  std::sort(awake_.begin(), awake_.end(), before);
   begun_.clear();
   ended_.clear();
-  std::set_difference(touching_.begin(), touching_.end(), last_.begin(), last_.end(), std::back_inserter(begun_),
-                      before);
-  std::set_difference(last_.begin(), last_.end(), touching_.begin(), touching_.end(), std::back_inserter(ended_),
-                      before);
+  std::set_difference(awake_.begin(), awake_.end(), last_.begin(), last_.end(), std::back_inserter(begun_), before);
+  std::set_difference(last_.begin(), last_.end(), awake_.begin(), awake_.end(), std::back_inserter(ended_), before);
+  if (asleep_.empty() || (!changed && awake_.empty() && last_.empty())) return;
+  all_.clear();
+  std::merge(awake_.begin(), awake_.end(), asleep_.begin(), asleep_.end(), std::back_inserter(all_), before);
+}
+
+/// What fell asleep goes on touching what it touched; what woke is asked again.
+void TouchLog::follow_sleep(const BodySet& bodies) {
+  sleep_changes_ = bodies.sleep_changes;
+  const auto move = [](std::vector<TouchingParts>& from, std::vector<TouchingParts>& to, const auto& stays) {
+    const auto gone = std::stable_partition(from.begin(), from.end(), stays);
+    to.insert(to.end(), gone, from.end());
+    from.erase(gone, from.end());
+    std::sort(to.begin(), to.end(), before);
+  };
+  const auto asleep = [&bodies](const TouchingParts& pair) {
+    return bodies.contains(pair.a) && bodies.contains(pair.b) &&
+           (bodies.asleep[pair.a.index] != 0 || bodies.asleep[pair.b.index] != 0);
+  };
+  move(asleep_, last_, asleep);
+  move(last_, asleep_, [&](const TouchingParts& pair) { return !asleep(pair); });
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

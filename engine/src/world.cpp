@@ -1,5 +1,6 @@
 #include "impulse/world.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -19,7 +20,13 @@ void World::step() {
   s.forces.gravity = s.settings.gravity;
   const bool sweeps = s.settings.continuous != Continuous::off;
   if (sweeps) s.sweep.remember(s.bodies);
-  s.contacts.find(s.bodies, *s.broad_phase, s.settings, s.solver->margin(s.settings), s.solver->recycles(), s.joints);
+  const Margin margin = s.solver->margin(s.settings);
+  if (s.settings.sleeping && !s.sleep.rouse(margin)) {
+    s.touches.note(s.bodies, {});
+    s.bodies.clear_forces();
+    return;
+  }
+  s.contacts.find(s.bodies, *s.broad_phase, s.settings, margin, s.solver->recycles(), s.joints);
   StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator,
                 s.settings, *s.workers};
   s.solver->step(data);
@@ -28,6 +35,7 @@ void World::step() {
   s.bodies.mark_held(s.contacts.rows(), data.joints);
   s.touches.note(s.bodies, s.contacts.rows());
   s.bodies.clear_forces();
+  if (s.settings.sleeping) s.sleep.settle(s.settings, margin);
 }
 
 const Settings& World::settings() const { return state_->settings; }
@@ -61,12 +69,30 @@ void World::remove_body(BodyId id) { state_->change(State::Change::remove, id); 
 void World::insert_body(BodyId id) { state_->change(State::Change::insert, id); }
 void World::destroy_body(BodyId id) { state_->change(State::Change::destroy, id); }
 
-ForceId World::add_force(const Force& force) { return state_->forces.add(force, state_->bodies); }
-void World::remove_force(ForceId id) { state_->forces.remove(id); }
+ForceId World::add_force(const Force& force) {
+  const ForceId id = state_->forces.add(force, state_->bodies);
+  for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->sleep.wake(i);
+  return id;
+}
+
+void World::remove_force(ForceId id) {
+  for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->sleep.wake(i);
+  state_->forces.remove(id);
+}
+
 bool World::contains(ForceId id) const { return state_->forces.contains(id); }
 
-JointId World::create_joint(const Joint& joint) { return state_->joints.add(joint, state_->bodies, state_->forces); }
-void World::destroy_joint(JointId id) { state_->joints.remove(id, state_->forces); }
+JointId World::create_joint(const Joint& joint) {
+  const JointId id = state_->joints.add(joint, state_->bodies, state_->forces);
+  state_->wake_ends(id);
+  return id;
+}
+
+void World::destroy_joint(JointId id) {
+  state_->wake_ends(id);
+  state_->joints.remove(id, state_->forces);
+}
+
 bool World::contains(JointId id) const { return state_->joints.contains(id); }
 Vec2 World::joint_impulse(JointId id) const { return state_->joints.impulse(id); }
 
@@ -91,15 +117,31 @@ std::size_t World::body_count() const {
   return count;
 }
 
+std::size_t World::awake_count() const {
+  const auto& masses = state_->bodies.inverse_mass;
+  return static_cast<std::size_t>(std::count_if(masses.begin(), masses.end(), [](InverseMass m) { return m.m > 0; }));
+}
+
 void World::State::adopt(const Settings& chosen) {
   validate(chosen);
   const bool first = solver == nullptr;
+  // What a body rests by, and not how finely a step is cut.
+  if (!chosen.sleeping || chosen.gravity != settings.gravity || chosen.solver != settings.solver ||
+      chosen.friction_mixing != settings.friction_mixing) {
+    sleep.wake_all();
+  }
   if (first || chosen.solver != settings.solver) solver = MethodList<Solver>::make(chosen.solver);
   if (first || chosen.integrator != settings.integrator) integrator = MethodList<Integrator>::make(chosen.integrator);
   if (first || chosen.broad_phase != settings.broad_phase)
     broad_phase = MethodList<BroadPhase>::make(chosen.broad_phase);
   if (first || chosen.workers != settings.workers) workers = std::make_unique<Workers>(chosen.workers);
   settings = chosen;
+}
+
+void World::State::wake_ends(JointId id) {
+  const auto [a, b] = joints.bodies_of(id);
+  sleep.wake(a);
+  sleep.wake(b);
 }
 
 std::size_t World::State::row(BodyId id) const {
@@ -120,12 +162,17 @@ void World::State::change(Change what, BodyId id) {
 }
 
 void World::State::apply(Change what, BodyId id) {
-  if (what == Change::insert) return bodies.insert(id.index);
-  contacts.forget(id.index);
-  if (what == Change::remove) return bodies.remove(id.index);
+  const std::size_t i = id.index;
+  if (what == Change::insert) {
+    bodies.insert(i);
+    return sleep.disturb(i);
+  }
+  if (bodies.detail[i].inserted) sleep.disturb(i);
+  contacts.forget(i);
+  if (what == Change::remove) return bodies.remove(i);
   joints.forget(id);
   forces.forget(id);
-  bodies.destroy(id.index);
+  bodies.destroy(i);
 }
 
 World::State::CallbackScope::~CallbackScope() {

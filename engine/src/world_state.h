@@ -11,6 +11,7 @@
 #include "impulse/world.h"
 #include "integrator.h"
 #include "joint_set.h"
+#include "sleep.h"
 #include "solver.h"
 #include "sweep.h"
 #include "touch_log.h"
@@ -32,6 +33,7 @@ struct World::State {
   Sweep sweep;
   ForceField forces;
   JointSet joints;
+  Sleep sleep{bodies, contacts, joints, forces};
   int callbacks_running = 0;
   std::vector<std::pair<Change, BodyId>> deferred;
 
@@ -42,6 +44,8 @@ struct World::State {
 
   /// The row of a living body. Throws std::out_of_range.
   std::size_t row(BodyId id) const;
+
+  void wake_ends(JointId id);
 
   /// Does it now, or when the running callback has returned.
   void change(Change what, BodyId id);

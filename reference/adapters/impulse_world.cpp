@@ -85,6 +85,7 @@ impulse::Settings settings_of(const Settings& settings) {
   made.substeps = static_cast<int>(std::stod(settings.at("substeps")));
   made.workers = static_cast<int>(std::stod(settings.at("workers")));
   made.continuous = continuous_of(settings.at("continuous"));
+  made.sleeping = settings.at("sleeping") == "on";
   return made;
 }
 
@@ -243,7 +244,12 @@ std::vector<Option> options() {
            .about = "threads; the same bits for any number",
            .min = 1,
            .max = 256,
-           .whole = true}};
+           .whole = true},
+          {.key = "sleeping",
+           .value = standard.sleeping ? "on" : "off",
+           .choices = {{"off", "every body is solved in every step: a sleeping stack has perfect energy"},
+                       {"on", "islands at rest for half a second stop costing time, until something disturbs them"}},
+           .about = "of islands at rest"}};
 }
 
 Stepping stepping(const Settings& settings, double dt) {

@@ -59,8 +59,15 @@ class Body {
   MassData mass() const;                // of all parts, body frame; 0 where immovable
   std::span<const Part> parts() const;  // shapes relative to the centre of mass
   std::uint32_t layers() const;
-  bool awake() const;
+  bool awake() const;  // in the world, and not asleep
   void* user_data() const;
+
+  /// Wakes the body and its island (see World); if they are awake, their time to fall asleep starts over.
+  void wake();
+  /// Puts the body and its island to sleep at once, even in mid-air, until something wakes them. Throws
+  /// std::logic_error where Settings::sleeping is off and std::invalid_argument for a body that is not dynamic. A body
+  /// out of the world stays as it is.
+  void sleep();
 
   void set_pose(Vec2 position, Real angle);
   void set_velocity(Vec2 velocity, Real angular_velocity);
@@ -79,6 +86,7 @@ class Body {
   Body(World& world, BodyId id) : world_(&world), id_(id) {}
   std::size_t row() const;
   BodySet& bodies() const;
+  void disturb();
   World* world_;
   BodyId id_;
 };

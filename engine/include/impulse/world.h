@@ -55,6 +55,19 @@ struct BodyHit {
 
 /// The article's Scene: holds the bodies, steps them, answers queries.
 ///
+/// With Settings::sleeping, an island of bodies falls asleep when all of them have rested for a while. An island is
+/// what contacts, joints, springs and attractions tie together; fixed and kinematic bodies tie nothing to each other.
+/// Bodies asleep cost next to nothing, have no velocity, go on touching what they touch and are found by every query.
+/// An island wakes as one, by
+///
+/// - contact with a body that is awake, or with a kinematic one that moves; likewise a joint, spring or attraction;
+/// - a force, torque or impulse that is not zero, and any set_ call, on one of its bodies; Body::wake;
+/// - a joint or a force being added or taken away at one of its bodies;
+/// - the removal, destruction or shift of what it touches, and whatever immovable is put in its place;
+/// - a change of gravity, of solver or of friction mixing, and the end of sleeping in the settings.
+///
+/// Forces that stay (see force.h) keep nothing awake by themselves: a load that hangs on a spring may sleep.
+///
 /// Bodies may be created, inserted, removed and destroyed at any time; inside a callback the change takes effect when
 /// the call that runs the callback returns. Same calls, same bits, on every machine.
 class World {
@@ -88,6 +101,8 @@ class World {
   /// All inserted bodies, in order of their index.
   std::vector<BodyId> bodies() const;
   std::size_t body_count() const;
+  /// Of dynamic bodies that the next step will move.
+  std::size_t awake_count() const;
 
   /// Acts from the next step on. Throws std::invalid_argument for numbers that make no sense and std::out_of_range for
   /// a stale body. It ends with remove_force or with any body that it names.

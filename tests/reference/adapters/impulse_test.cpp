@@ -82,6 +82,14 @@ TEST(Impulse, TunnelsOnlyIfToldTo) {
   EXPECT_LT(end("on"), 10);
 }
 
+TEST(Impulse, SleepsOnlyWhenAskedTo) {
+  Scene scene = scene_of(Circle{.5});
+  scene.gravity = {};
+  scene.bodies[0].velocity = {1e-5, 0};
+  EXPECT_GT(last(scene, {}, 120).velocity.x, 0);
+  EXPECT_EQ(last(scene, {{"sleeping", "on"}}, 120).velocity.x, 0);
+}
+
 TEST(Impulse, RefusesInTheEnginesOwnWords) {
   std::vector<Vec> nine(9);
   for (std::size_t i = 0; i < nine.size(); ++i) {
