@@ -94,7 +94,8 @@ class RandomScene {
   void add(int i, int row, double largest) {
     const double size = std::max(.01, largest * power_of_ten(static_cast<double>(random_.number(-2, 0))));
     const double cell = 2.2 * std::max(.01, largest);
-    BodyDef def = at(cell * (i % row), cell * (i / row + 1));
+    const int line = i / row + 1;
+    BodyDef def = at(cell * (i % row), cell * line);
     def.angle = random_.number(-3, 3);
     const double fastest = power_of_ten(static_cast<double>(random_.number(-1, 2)));
     def.velocity = random_.point(fastest * .7);
