@@ -36,7 +36,8 @@ auto key(const TouchingParts& pair) {
   return std::tuple(pair.a.index, pair.b.index, pair.part_a, pair.part_b, pair.a.generation, pair.b.generation);
 }
 
-bool before(const TouchingParts& left, const TouchingParts& right) { return key(left) < key(right); }
+// An object, that sorting may inline it.
+constexpr auto before = [](const TouchingParts& left, const TouchingParts& right) { return key(left) < key(right); };
 
 }  // namespace
 
