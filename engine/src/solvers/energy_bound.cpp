@@ -4,8 +4,6 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-namespace {
-
 Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies) {
   Real sum = 0;
   for (const std::uint32_t body : island) {
@@ -17,8 +15,6 @@ Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies
   return sum;
 }
 
-}  // namespace
-
 void EnergyBound::note(std::span<const std::uint32_t> island, const BodySet& bodies,
                        const std::vector<Motion>& motion) {
   kinetic_ = kinetic_energy(island, bodies);
@@ -26,8 +22,8 @@ void EnergyBound::note(std::span<const std::uint32_t> island, const BodySet& bod
   for (const std::uint32_t body : island) start_.push_back(motion[body]);
 }
 
-void EnergyBound::keep(std::span<const std::uint32_t> island, BodySet& bodies, const std::vector<Motion>& motion,
-                       const std::vector<Velocity>& acceleration) const {
+bool EnergyBound::keep(std::span<const std::uint32_t> island, BodySet& bodies, const std::vector<Motion>& motion,
+                       const std::vector<Velocity>& acceleration, Real gain) const {
   Real most = kinetic_;
   for (std::size_t i = 0; i < island.size(); ++i) {
     const std::uint32_t body = island[i];
@@ -36,13 +32,14 @@ void EnergyBound::keep(std::span<const std::uint32_t> island, BodySet& bodies, c
     if (inverse.i > 0) most += acceleration[body].w * (motion[body].turn - start_[i].turn) / inverse.i;
   }
   const Real now = kinetic_energy(island, bodies);
-  if (now <= most) return;
+  if (now <= most + gain * kinetic_) return false;
   const Real share = most > 0 ? std::sqrt(most / now) : Real{0};
   for (const std::uint32_t body : island) {
     if (bodies.inverse_mass[body].m + bodies.inverse_mass[body].i == 0) continue;
     bodies.velocity[body].v *= share;
     bodies.velocity[body].w *= share;
   }
+  return true;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

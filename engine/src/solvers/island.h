@@ -27,6 +27,7 @@ struct Island {
     Softness movable, fixed;  // between movable bodies; against what cannot move
   };
   Softnesses column, web;
+  bool ideal = false;     // its joints are all that could add energy, and they must not
   bool bounces = false;   // some contact has restitution
   bool settling = false;  // begins at rest: its loads are found at once
 

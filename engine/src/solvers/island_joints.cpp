@@ -1,7 +1,10 @@
 #include "solvers/island_joints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "solvers/energy_bound.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -37,6 +40,10 @@ void IslandJoints::halve() {
       row.impulse = 0;
     });
   }
+}
+
+void IslandJoints::forget() {
+  for (ActiveJoint* joint : joints_) forget_impulses(joint->block);
 }
 
 void IslandJoints::kick() {
@@ -79,8 +86,13 @@ void IslandJoints::press(Real h) {
     JointBlock& block = joint->block;
     solve_motor(block, h, bodies_.velocity[block.a], bodies_.velocity[block.b]);
   }
-  fit_ = fit_ && fit_by_present_rows(h);
-  if (!fit_) approach_by_rows_ahead(h);
+  const Real most = most_energy();
+  if (fit_) {
+    remember();
+    fit_ = fit_by_present_rows(h) && kinetic_energy(members_, bodies_) <= most;
+    if (!fit_) take_back();
+  }
+  if (!fit_) approach_by_rows_ahead(h, most);
   for (ActiveJoint* joint : joints_) {
     JointBlock& block = joint->block;
     if (block.stops == 0) continue;
@@ -90,6 +102,37 @@ void IslandJoints::press(Real h) {
     std::array<Real, 2> bias{};
     for (std::size_t i = 0; i < 2; ++i) bias[i] = there.stop[i].error / h - rate(block.stop[i], a, b);
     solve_stops(block, bias, a, b);
+  }
+}
+
+/// J, that the bodies may have after a press. Bringing rates to zero is a projection, which takes energy; only mending
+/// errors and bending paths can add some. More than as much again is no mending but a jump to elsewhere.
+Real IslandJoints::most_energy() const {
+  constexpr Real mending = 1;  // m/s
+  Real sum = 2 * kinetic_energy(members_, bodies_);
+  for (const std::uint32_t body : members_) {
+    const Real m = bodies_.inverse_mass[body].m;
+    if (m > 0) sum += mending * mending / (2 * m);
+  }
+  return sum;
+}
+
+void IslandJoints::remember() {
+  work_.before.clear();
+  for (const ActiveJoint* joint : joints_) {
+    for_each_row(joint->block, [&](const JointRow& row) { work_.before.push_back(row.impulse); });
+  }
+}
+
+void IslandJoints::take_back() {
+  std::size_t next = 0;
+  for (ActiveJoint* joint : joints_) {
+    JointBlock& block = joint->block;
+    for_each_row(block, [&](JointRow& row) {
+      const Real before = work_.before[next++];
+      apply(block, row, before - row.impulse, bodies_.velocity[block.a], bodies_.velocity[block.b]);
+      row.impulse = before;
+    });
   }
 }
 
@@ -128,7 +171,7 @@ bool IslandJoints::fit_by_present_rows(Real h) {
 
 /// One damped step towards error(x + h v) = 0 along the rows of the place ahead, as implicit Euler has them: these pull
 /// back what leaves the joints, and take energy where the present rows would give it.
-void IslandJoints::approach_by_rows_ahead(Real h) {
+void IslandJoints::approach_by_rows_ahead(Real h, Real most) {
   write_rows(h, give_when_unfit);
   work_.bias.clear();
   for (const ActiveJoint* joint : joints_) {
@@ -140,6 +183,8 @@ void IslandJoints::approach_by_rows_ahead(Real h) {
   }
   work_.system.solve(joints_, bodies_, work_.bias);
   work_.system.push(joints_, bodies_, 1, true);
+  const Real energy = kinetic_energy(members_, bodies_);
+  if (energy > most) work_.system.push(joints_, bodies_, std::sqrt(most / energy) - 1, true);
 }
 
 void IslandJoints::write_rows(Real ahead, Real give_way) {

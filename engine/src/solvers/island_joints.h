@@ -14,6 +14,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 struct JointWorkspace {
   JointSystem system;
   std::vector<Real> bias;
+  std::vector<Real> before;  // impulses that can be gone back to
 };
 
 /// The joints of one island through the stages of `accurate`, as RATTLE (Andersen 1983) does it: velocities before the
@@ -21,9 +22,9 @@ struct JointWorkspace {
 /// fitting, with the rows of after. Second order, and it keeps the energy.
 class IslandJoints {
  public:
-  IslandJoints(std::span<ActiveJoint* const> joints, BodySet& bodies, const std::vector<Pose>& start,
-               const std::vector<Motion>& motion, JointWorkspace& work)
-      : joints_(joints), bodies_(bodies), start_(start), motion_(motion), work_(work) {}
+  IslandJoints(std::span<ActiveJoint* const> joints, std::span<const std::uint32_t> members, BodySet& bodies,
+               const std::vector<Pose>& start, const std::vector<Motion>& motion, JointWorkspace& work)
+      : joints_(joints), members_(members), bodies_(bodies), start_(start), motion_(motion), work_(work) {}
 
   std::span<ActiveJoint* const> all() const { return joints_; }
   bool empty() const { return joints_.empty(); }
@@ -39,6 +40,8 @@ class IslandJoints {
   bool fit() const { return fit_; }
   /// Rows as the bodies stand.
   void write();
+  /// What taut joints gave is no guess at what they will give next.
+  void forget();
   /// rate = 0.
   void relax(Real h);
   /// Velocities that fit the joints, from an impact's; nothing is accumulated.
@@ -51,9 +54,13 @@ class IslandJoints {
   Real good_enough() const;
   bool fit_by_present_rows(Real h);
   void write_rows(Real ahead, Real give_way);
-  void approach_by_rows_ahead(Real h);
+  void approach_by_rows_ahead(Real h, Real most);
+  Real most_energy() const;
+  void remember();
+  void take_back();
 
   std::span<ActiveJoint* const> joints_;
+  std::span<const std::uint32_t> members_;
   BodySet& bodies_;
   const std::vector<Pose>& start_;
   const std::vector<Motion>& motion_;
