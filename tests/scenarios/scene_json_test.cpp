@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 std::string file(const char* name) {
   std::ostringstream text;
-  text << std::ifstream(std::string(PLUMB_TEST_DATA "/") + name).rdbuf();
+  text << std::ifstream(std::string(PLUMB_SOURCE_DIR "/tests/scenarios/scene_files/") + name).rdbuf();
   return text.str();
 }
 
