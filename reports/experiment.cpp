@@ -1,10 +1,13 @@
 #include "reports/experiment.h"
 
 #include <algorithm>
+#include <iterator>
+#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "reports/comparator.h"
+#include "reports/jobs.h"
 #include "reports/metric.h"
 #include "reports/truth.h"
 #include "reports/verdict.h"
@@ -36,12 +39,14 @@ RunRecord record_of(const Case& asked, const Entrant& entrant, double dt, const 
 // All runs of one case: the closed form first, where there is one.
 class CaseRun {
  public:
-  CaseRun(const Case& asked, double dt, Spent& spent) : asked_(asked), dt_(dt), spent_(spent) {
-    if (asked.closed_form == nullptr) return;
-    const Entrant closed_form{asked.closed_form, complete(*asked.closed_form, {})};
-    RunRecord record = record_of(asked, closed_form, dt, run(*asked.scene, closed_form, dt));
+  CaseRun(const Case& asked, double dt) : asked_(asked), dt_(dt) {}
+
+  void find_truth() {
+    if (asked_.closed_form == nullptr) return;
+    const Entrant closed_form{asked_.closed_form, complete(*asked_.closed_form, {})};
+    RunRecord record = record_of(asked_, closed_form, dt_, run(*asked_.scene, closed_form, dt_));
     if (record.status == Status::ok) {
-      truth_.emplace(*asked.closed_form, *asked.scene);
+      truth_.emplace(*asked_.closed_form, *asked_.scene);
       truth_trace_ = record.trace;
       record.metrics = measure(evidence(*record.trace));
       record.verdict = Verdict::right;  // by definition; its formula has tests of its own
@@ -65,7 +70,12 @@ class CaseRun {
     records_.push_back(std::move(record));
   }
 
+  void compare_all() { comparisons_ = compare(records_); }
+
+  const Case& asked() const { return asked_; }
+  const Spent& spent() const { return spent_; }
   std::vector<RunRecord>& records() { return records_; }
+  std::vector<Comparison>& comparisons() { return comparisons_; }
   const std::vector<Entrant>& runnable() const { return runnable_; }
 
  private:
@@ -78,10 +88,11 @@ class CaseRun {
 
   const Case& asked_;
   double dt_;
-  Spent& spent_;
+  Spent spent_;
   std::optional<Truth> truth_;
   std::shared_ptr<const Trace> truth_trace_;
   std::vector<RunRecord> records_;
+  std::vector<Comparison> comparisons_;
   std::vector<Entrant> runnable_;
 };
 
@@ -122,23 +133,34 @@ void add_notes(const Plan& plan, Report& report) {
 }  // namespace
 
 Report carry_out(const Plan& plan, const Progress& progress) {
-  Report report;
-  Spent spent;
+  std::mutex telling;
   std::size_t done = 0;
   const std::size_t all = plan.cases.size() * (plan.entrants.size() + 1);
-  for (const Case& asked : plan.cases) {
-    const std::string name = asked.scenario->name + " " + asked.variant + ": ";
-    CaseRun runs(asked, plan.dt, spent);
+  const auto tell = [&](const Case& asked, const std::string& what) {
+    const std::lock_guard alone(telling);
+    progress(asked.scenario->name + " " + asked.variant + ": " + what, done++, all);
+  };
+
+  std::vector<CaseRun> runs;
+  for (const Case& asked : plan.cases) runs.emplace_back(asked, plan.dt);
+  do_all(runs.size(), plan.jobs, [&](std::size_t i) {
+    runs[i].find_truth();
     for (const Entrant& entrant : plan.entrants) {
-      progress(name + label_of(entrant.contender->name, entrant.method()), done++, all);
-      runs.add(entrant);
+      tell(runs[i].asked(), label_of(entrant.contender->name, entrant.method()));
+      runs[i].add(entrant);
     }
-    const auto comparisons = compare(runs.records());
-    report.comparisons.insert(report.comparisons.end(), comparisons.begin(), comparisons.end());
-    progress(name + "cost of a step", done++, all);
-    const auto timings = time_steps(asked, runs.runnable(), plan.dt);
-    report.timings.insert(report.timings.end(), timings.begin(), timings.end());
-    for (RunRecord& record : runs.records()) report.runs.push_back(std::move(record));
+    runs[i].compare_all();
+  });
+
+  Report report;
+  Spent spent;
+  for (CaseRun& one : runs) {
+    tell(one.asked(), "cost of a step");
+    std::ranges::move(time_steps(one.asked(), one.runnable(), plan.dt), std::back_inserter(report.timings));
+    std::ranges::move(one.comparisons(), std::back_inserter(report.comparisons));
+    std::ranges::move(one.records(), std::back_inserter(report.runs));
+    spent.wall += one.spent().wall;
+    spent.stepping += one.spent().stepping;
   }
   add_notes(plan, report);
   report.clock = {{"runs_s", spent.wall},

@@ -13,12 +13,14 @@ struct Plan {
   std::vector<Case> cases;
   std::vector<Entrant> entrants;
   double dt = 1.0 / 60;  // s
+  int jobs = 1;          // cases run at once; their results do not depend on it
 };
 
-/// Told before each run what comes next: "bounce e=0.5: box2d", the how-manieth of how many.
+/// Told before each run what comes next: "bounce e=0.5: box2d", the how-manieth of how many. Never two at a time.
 using Progress = std::function<void(const std::string& what, std::size_t done, std::size_t of)>;
 
-/// Runs every case with its closed form and all entrants, measures, judges and compares; then times those that ran.
+/// Runs every case with its closed form and all entrants, measures, judges and compares; then, with nothing else
+/// running, times those that ran.
 /// `title`, `command` and `environment` are left to the caller.
 Report carry_out(const Plan&, const Progress&);
 

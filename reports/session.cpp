@@ -62,7 +62,7 @@ void must_be_new(const std::string& name, std::set<std::string>& seen) {
 }
 
 Plan plan_of(const Session& session) {
-  Plan plan{.dt = parse_dt(session.dt)};
+  Plan plan{.dt = parse_dt(session.dt), .jobs = session.jobs};
   for (const std::string& word : session.scenarios) {
     for (Case& one : parse_cases(word)) plan.cases.push_back(std::move(one));
   }
@@ -84,6 +84,10 @@ void Session::attach_to(CLI::App& app) {
       ->allow_extra_args(false)
       ->type_name("ENGINE");
   app.add_option("--dt", dt, "Time step in s, a number or a fraction")->capture_default_str()->type_name("STEP");
+  app.add_option("--jobs", jobs, "Scenes run at once; the results are the same for any number")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
   app.add_option("--out", out, "Folder for report.json, report.csv and index.html")
       ->capture_default_str()
       ->type_name("DIR");

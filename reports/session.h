@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/jobs.h"
 #include "reports/report.h"
 
 namespace plumb {
@@ -15,6 +16,7 @@ struct Session {
   std::vector<std::string> engines;
   std::string dt = "1/60";
   std::string out = "out";
+  int jobs = default_jobs();
 
   void attach_to(CLI::App&);
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "reports/cli.h"
 #include "reports/writers/json.h"
 #include "tests/reports/fakes.h"
 
@@ -58,6 +59,18 @@ TEST_F(Throwing, IsTheSameToTheByteTimesAside) {
     return json.dump();
   };
   EXPECT_EQ(text(), text());
+}
+
+TEST(CarryOut, IsTheSameToTheByteForAnyNumberOfJobs) {
+  const auto text = [](int jobs) {
+    const Plan plan{.cases = default_cases(false), .entrants = default_entrants(), .jobs = jobs};
+    auto json = to_json(carry_out(plan, [](const std::string&, std::size_t, std::size_t) {}));
+    json.erase("timings");
+    return json.dump();
+  };
+  const std::string alone = text(1);
+  EXPECT_EQ(alone, text(2));
+  EXPECT_EQ(alone, text(5));
 }
 
 TEST_F(Throwing, SaysWhatTheNamesInItMean) {
