@@ -1,5 +1,6 @@
 #include "reports/observe.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -30,7 +31,51 @@ std::optional<Reading> apex(const Trace& trace, std::size_t body, int index) {
   return std::nullopt;
 }
 
+double speed_spread(const Conserved& conserved, std::span<const BodyState> states) {
+  double squares = 0;
+  double fourths = 0;
+  double bodies = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (conserved.masses()[i].mass == 0) continue;
+    const double square = dot(states[i].velocity, states[i].velocity);
+    squares += square;
+    fourths += square * square;
+    ++bodies;
+  }
+  return bodies * fourths / (squares * squares);
+}
+
+// Impulses of the last step over its length; a body that is not named is any.
+double load(const Trace& trace, std::size_t moment, std::size_t body, std::optional<std::size_t> other) {
+  if (moment == 0) return 0;
+  double impulse = 0;
+  for (const ContactState& contact : trace.contacts(moment)) {
+    const auto of = [&contact](std::size_t one) { return contact.a == one || contact.b == one; };
+    if (of(body) && (!other || of(*other))) impulse += contact.normal_impulse;
+  }
+  return impulse / (trace.time(moment) - trace.time(moment - 1));
+}
+
 }  // namespace
+
+Reading energy_rise(const Conserved& conserved, const Trace& trace, std::size_t last) {
+  double lowest = conserved.energy(trace.states(0)).total();
+  Reading most{trace.time(0), 0};
+  for (std::size_t i = 1; i <= last; ++i) {
+    const double energy = conserved.energy(trace.states(i)).total();
+    if (energy - lowest > most.value) most = {trace.time(i), energy - lowest};
+    lowest = std::min(lowest, energy);
+  }
+  return most;
+}
+
+bool reveals(const Trace& trace, Quantity quantity) {
+  if (quantity != Quantity::load) return true;
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    if (!trace.contacts(i).empty()) return true;
+  }
+  return false;
+}
 
 std::size_t index_of(const Scene& scene, std::string_view name) {
   std::vector<std::string> names;
@@ -65,10 +110,14 @@ double quantity_of(Quantity quantity, std::size_t body, const Conserved& conserv
       return conserved.momentum(states).linear.y;
     case Quantity::angular_momentum:
       return conserved.momentum(states).angular;
+    case Quantity::speed_spread:
+      return speed_spread(conserved, states);
+    case Quantity::load:
+    case Quantity::energy_rise:
     case Quantity::apex:
       break;
   }
-  throw std::invalid_argument("an apex belongs to a trace, not to a moment");
+  throw std::invalid_argument(std::string(name_of(quantity)) + " belongs to a trace, not to a moment");
 }
 
 std::optional<Reading> observe(const Scene& scene, const Trace& trace, const Expectation& expectation, double time) {
@@ -78,11 +127,21 @@ std::optional<Reading> observe(const Scene& scene, const Trace& trace, const Exp
   // The last step ends at the scene's end but for the rounding of steps times dt.
   const double rounding = 1e-9 * std::abs(when);
   if (trace.size() == 0 || when > trace.times().back() + rounding) return std::nullopt;
-  const Conserved conserved(scene);
   const auto [before, after, share] = trace.around(when);
-  const double a = quantity_of(expectation.quantity, body, conserved, trace.states(before));
-  const double b = quantity_of(expectation.quantity, body, conserved, trace.states(after));
-  return Reading{when, a + share * (b - a)};
+  const Conserved conserved(scene);
+  if (expectation.quantity == Quantity::energy_rise) return energy_rise(conserved, trace, after);
+  std::optional<std::size_t> other;
+  if (!expectation.other.empty()) other = index_of(scene, expectation.other);
+  const auto at = [&](std::size_t moment) {
+    if (expectation.quantity == Quantity::load) return load(trace, moment, body, other);
+    return quantity_of(expectation.quantity, body, conserved, trace.states(moment));
+  };
+  if (expectation.over == 0) return Reading{when, at(before) + share * (at(after) - at(before))};
+  // Each moment stands for the step that led to it: all steps of a trace are equally long.
+  double sum = at(after);
+  std::size_t moments = 1;
+  for (std::size_t i = after; i-- > 1 && trace.time(i) > when - expectation.over + rounding; ++moments) sum += at(i);
+  return Reading{when, sum / static_cast<double>(moments)};
 }
 
 }  // namespace plumb

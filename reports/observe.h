@@ -19,12 +19,18 @@ struct Reading {
 /// none.
 std::size_t index_of(const Scene&, std::string_view body);
 
-/// A quantity (any but the apex) at one moment. `body` counts for quantities of a body only.
+/// A quantity that a moment has by itself (not load, energy_rise, apex). `body` counts for quantities of a body only.
 double quantity_of(Quantity, std::size_t body, const Conserved&, std::span<const BodyState>);
 
-/// What a trace says of an expectation's quantity: at its time, linear between steps, or at an apex: the vertex of the
-/// parabola through the highest sample and its neighbours, exact in free flight. `time` counts where the expectation
-/// gives none. Nothing when the trace ends before that or has no such apex.
+/// The most by which the energy comes above that of an earlier moment, J, up to the given moment; and when.
+Reading energy_rise(const Conserved&, const Trace&, std::size_t last);
+
+/// Whether a contender showed what a quantity is read from: loads need contacts, and some engines reveal none.
+bool reveals(const Trace&, Quantity);
+
+/// What a trace says of an expectation's quantity: at its time, linear between steps; or the mean over the time up to
+/// then; or at an apex: the vertex of the parabola through the highest sample and its neighbours, exact in free flight.
+/// `time` counts where the expectation gives none. Nothing when the trace ends before that or has no such apex.
 std::optional<Reading> observe(const Scene&, const Trace&, const Expectation&, double time);
 
 }  // namespace plumb

@@ -27,8 +27,10 @@ struct TruthCheck {
   std::string quantity;
   std::string unit;
   double time = 0;                                              // s
-  double expected = 0, measured = 0, error = 0, tolerance = 0;  // error = |measured - expected|
+  Relation relation = Relation::equal;                          // of measured to expected
+  double expected = 0, measured = 0, error = 0, tolerance = 0;  // error: by how much the relation is missed, >= 0
   bool passed = false;
+  bool revealed = true;  // false where the engine does not show what was asked for: neither passed nor failed
   std::string source;
 };
 

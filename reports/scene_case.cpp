@@ -89,6 +89,12 @@ StatedTruths truths_of(const Case& asked) {
           fmt::format("{} {}: a scene file asks at a time, not at an apex", what, expectation.index));
       continue;
     }
+    const bool of_a_moment = expectation.quantity < Quantity::speed_spread && expectation.over == 0;
+    if (!of_a_moment || expectation.relation != Relation::equal) {
+      stated.left_out.push_back(what +
+                                ": a scene file asks for a body's or the scene's value at a time, not for bounds");
+      continue;
+    }
     const auto value = expected_by(asked, expectation);
     const double tolerance = expectation.within ? *expectation.within : expectation.allowed(reference_stepping());
     if (!value || !std::isfinite(*value)) {

@@ -17,8 +17,9 @@ struct Judgement {
 
 /// Holds a trace against what must come true. Each reading may be off by what the scenario allows for this way of
 /// stepping, and by the round-off of its arithmetic, or by an absolute tolerance where one is stated. What is not
-/// finite, or could not be read, never passes. `truth` answers the expectations that leave the value to the closed
-/// form; without it they cannot pass.
+/// finite, or could not be read, never passes. What the contender does not reveal counts neither way: with nothing else
+/// to judge by it is plausible. `truth` answers the expectations that leave the value to the closed form; without it
+/// they cannot pass.
 Judgement judge(const Scene&, std::span<const Expectation>, const Trace&, const Stepping&, const Truth* truth);
 
 /// How far a quantity may be off at the end of a trace by rounding alone, in its unit.

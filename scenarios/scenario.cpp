@@ -38,6 +38,12 @@ Words words_for(Quantity quantity) {
       return {"momentumY", "kg m/s"};
     case Quantity::angular_momentum:
       return {"angularMomentum", "kg m^2/s"};
+    case Quantity::speed_spread:
+      return {"speedSpread", "1"};
+    case Quantity::load:
+      return {"load", "N"};
+    case Quantity::energy_rise:
+      return {"energyRise", "J"};
     case Quantity::apex:
       return {"apex", "m"};
   }
@@ -63,6 +69,18 @@ void check(const Scenario& scenario, const Parameter& parameter, double value) {
 
 const char* name_of(Quantity quantity) { return words_for(quantity).name; }
 const char* unit_of(Quantity quantity) { return words_for(quantity).unit; }
+
+const char* name_of(Relation relation) {
+  switch (relation) {
+    case Relation::equal:
+      return "equal";
+    case Relation::at_least:
+      return "at least";
+    case Relation::at_most:
+      return "at most";
+  }
+  return "";
+}
 
 Parameters complete(const Scenario& scenario, const Parameters& changes) {
   Parameters values;

@@ -38,7 +38,11 @@ struct Stepping {
 };
 
 /// What can be read off a motion. x, y, vx, vy are of the centre of mass; energy and momenta are of the whole scene
-/// (kinetic + gravity + springs and attractions; about the world's origin; dynamic bodies only).
+/// (kinetic + gravity + springs and attractions; about the world's origin; dynamic bodies only). The last four are of a
+/// run rather than of a moment:
+///     speed_spread  <v^4>/<v^2>^2 over the dynamic bodies: 1 where all are equally fast, 2 for Maxwell's law in a
+///     plane load          N, the normal forces of the contacts on a body energy_rise   J, the most by which the energy
+///     ever came above an earlier moment's apex          m, a local maximum of y
 enum class Quantity {
   x,
   y,
@@ -51,23 +55,35 @@ enum class Quantity {
   momentum_x,
   momentum_y,
   angular_momentum,
+  speed_spread,
+  load,
+  energy_rise,
   apex
 };
+
+/// How the measured value must stand to the expected one, give or take what is allowed.
+enum class Relation { equal, at_least, at_most };
+
+/// "equal", "at least", "at most".
+const char* name_of(Relation);
 
 const char* name_of(Quantity);
 const char* unit_of(Quantity);
 
 /// One thing that must come true in a run.
 struct Expectation {
-  std::string body;  // "" for quantities of the whole scene
+  std::string body;   // "" for quantities of the whole scene
+  std::string other;  // load: of contacts with this body alone; "" for those with any
   Quantity quantity = Quantity::x;
+  Relation relation = Relation::equal;
   std::optional<double> time;      // s; nothing means the end
+  double over = 0;                 // s up to then that the reading is the mean of; 0: that moment's
   int index = 0;                   // apex: the how-manieth local maximum of y, from 1
   std::optional<double> expected;  // nothing: what the scenario's closed form says at that time
   std::function<double(const Stepping&)>
-      allowed;  // largest |error|, in the quantity's unit, from how the contender steps
+      allowed;  // largest error, in the quantity's unit, from how the contender steps
   std::optional<double> within =
-      std::nullopt;    // largest |error| whoever steps, round-off and all, instead of `allowed`
+      std::nullopt;    // largest error whoever steps, round-off and all, instead of `allowed`
   std::string source;  // the formula, and why that much is allowed
 };
 

@@ -25,7 +25,7 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Nothing moves; contact k carries (n-k+1) m g. What an engine may be off by are the k contacts below box k, each of
+// Nothing moves. What an engine may be off by are the k contacts below box k, each of
 // which may stand off by the engine's gap:
 //   y      k gap;
 //   angle  a contact may gape by the gap on one side and sink in by it on the other: 2 gap/size each, so 2 k gap/size;
@@ -43,6 +43,19 @@ std::vector<Expectation> expectations(const Parameters& p) {
                    .quantity = Quantity::y,
                    .allowed = [=](const Stepping& s) { return k * s.gap + round_off(s, end, reach); },
                    .source = "equilibrium: stays where it is, within one gap a contact below"});
+  }
+  // The impulses of a contact add up to the weight above it times the time: what may lack is a lag at the start, in
+  // which it may not push, and the speed of a last step.
+  for (int k = 1; k <= boxes; ++k) {
+    const double above = (boxes - k + p.at("ratio")) * size * size * gravity;  // N
+    all.push_back(
+        {.body = box_name(k),
+         .other = k == 1 ? "ground" : box_name(k - 1),
+         .quantity = Quantity::load,
+         .over = end,
+         .expected = above,
+         .allowed = [=](const Stepping& s) { return above * (lag(s) + s.h) / end + round_off(s, end, above); },
+         .source = "contact k carries (n-k+1) m g, in the mean; a lag at the start and the last step"});
   }
   const int k = boxes;
   const double reach = (k + 1) * size;

@@ -1,5 +1,6 @@
 #include "reference/exact/recognise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -75,6 +76,36 @@ std::optional<Pair> one_on_ground(const Scene& scene) {
     }
   }
   return std::nullopt;
+}
+
+std::optional<OnFloor> one_on_floor(const Scene& scene) {
+  OnFloor found{.body = scene.bodies.size(), .ground = scene.bodies.size()};
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies[i].shapes.empty()) return std::nullopt;
+    const bool moves = scene.bodies[i].type == BodyType::dynamic;
+    std::size_t& place = moves ? found.body : found.ground;
+    if (moves && place != scene.bodies.size()) return std::nullopt;
+    place = i;
+  }
+  if (found.body == scene.bodies.size() || found.ground == scene.bodies.size()) return std::nullopt;
+  const Body& body = scene.bodies[found.body];
+  const Coefficients rub = between(scene, scene.bodies[found.ground], body);
+  std::vector<Floor> tiles;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (i == found.body) continue;
+    const std::optional<Floor> tile = floor_of(scene.bodies[i], gravity_of(scene, body));
+    if (!tile || between(scene, scene.bodies[i], body) != rub) return std::nullopt;
+    tiles.push_back(*tile);
+  }
+  std::sort(tiles.begin(), tiles.end(), [](const Floor& a, const Floor& b) { return a.from < b.from; });
+  found.floor = tiles.front();
+  for (std::size_t i = 1; i < tiles.size(); ++i) {
+    const bool level =
+        length(tiles[i].normal - found.floor.normal) < flat && std::abs(tiles[i].offset - found.floor.offset) < flat;
+    if (!level || std::abs(tiles[i].from - found.floor.to) > flat) return std::nullopt;
+    found.floor.to = tiles[i].to;
+  }
+  return found;
 }
 
 std::optional<Footprint> footprint(const Box& box, double angle, const Floor& floor) {

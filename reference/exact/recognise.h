@@ -45,6 +45,15 @@ struct Pair {
 };
 std::optional<Pair> one_on_ground(const Scene&);
 
+/// One dynamic body over fixed ground with one surface: a single fixed body, or several whose surfaces lie flush, side
+/// by side, and rub alike. Nothing for other scenes.
+struct OnFloor {
+  std::size_t body = 0;
+  std::size_t ground = 0;  // one of the fixed bodies
+  Floor floor;
+};
+std::optional<OnFloor> one_on_floor(const Scene&);
+
 /// How a box at `angle` lies on a floor: its width along and its height off it. Nothing if its sides are not parallel
 /// to the floor within `flat`.
 struct Footprint {
@@ -55,6 +64,7 @@ constexpr double flat = 1e-9;  // rad and m: what a scene written with ten digit
 
 struct Coefficients {
   double static_friction = 0, dynamic_friction = 0, restitution = 0;
+  friend bool operator==(const Coefficients&, const Coefficients&) = default;
 };
 
 /// The mixed ones of the first shapes of two bodies.

@@ -80,33 +80,32 @@ struct SlidingBox {
 
 Recognised<SlidingBox> recognise(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
-  const std::optional<Pair> pair = one_on_ground(scene);
-  if (!pair) return "solves one box on fixed ground";
-  const Body& body = scene.bodies[pair->body];
+  const std::optional<OnFloor> found = one_on_floor(scene);
+  if (!found) return "solves one box on a floor made of one half-space, or of boxes laid flush";
+  const Body& body = scene.bodies[found->body];
+  const Floor& floor = found->floor;
   const Vec gravity = gravity_of(scene, body);
-  const std::optional<Floor> floor = floor_of(scene.bodies[pair->ground], gravity);
-  if (!floor) return "solves a floor made of one half-space or one box";
   const Box* box = lone<Box>(body);
   if (box == nullptr) return "solves a single box";
   const BodyState start = start_of(body);
-  const std::optional<Footprint> foot = footprint(*box, body.angle, *floor);
+  const std::optional<Footprint> foot = footprint(*box, body.angle, floor);
   if (!foot) return "solves a box that lies flat";
-  const double gap = dot(start.position, floor->normal) - floor->offset - foot->height / 2;
+  const double gap = dot(start.position, floor.normal) - floor.offset - foot->height / 2;
   if (std::abs(gap) > flat) return "solves a box that touches the floor";
-  if (std::abs(dot(start.velocity, floor->normal)) > flat || start.angular_velocity != 0) {
+  if (std::abs(dot(start.velocity, floor.normal)) > flat || start.angular_velocity != 0) {
     return "solves a box that moves along the floor without spin";
   }
-  const double load = -dot(gravity, floor->normal);
+  const double load = -dot(gravity, floor.normal);
   if (load <= 0) return "solves a box that gravity presses on";
-  const Coefficients mixed = between(scene, scene.bodies[pair->ground], body);
-  const Slide slide(dot(start.velocity, floor->along()), dot(gravity, floor->along()), load, mixed.static_friction,
+  const Coefficients mixed = between(scene, scene.bodies[found->ground], body);
+  const Slide slide(dot(start.velocity, floor.along()), dot(gravity, floor.along()), load, mixed.static_friction,
                     mixed.dynamic_friction);
   // Friction at the foot turns the box with F h/2; the load can answer with N b/2 at most.
   if (slide.friction() * foot->height > load * foot->width) return "solves a box that does not tip";
-  const double here = dot(start.position, floor->along());
+  const double here = dot(start.position, floor.along());
   const double until =
-      std::min(slide.reaches(floor->to - foot->width / 2 - here), slide.reaches(floor->from + foot->width / 2 - here));
-  return SlidingBox{start_of(scene), pair->body, floor->along(), slide, until};
+      std::min(slide.reaches(floor.to - foot->width / 2 - here), slide.reaches(floor.from + foot->width / 2 - here));
+  return SlidingBox{start_of(scene), found->body, floor.along(), slide, until};
 }
 
 const Catalog<Contender>::Entry entry{closed_form<SlidingBox>(

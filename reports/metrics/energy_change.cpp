@@ -4,6 +4,7 @@
 #include "reports/conserved.h"
 #include "reports/energy_range.h"
 #include "reports/metric.h"
+#include "reports/observe.h"
 #include "reports/vec.h"
 #include "scenarios/catalog.h"
 
@@ -35,14 +36,7 @@ Metric relative(const char* name, const char* definition, Better better, Change 
 }
 
 double largest_rise(const Conserved& conserved, const Trace& trace) {
-  double lowest = conserved.energy(trace.states(0)).total();
-  double rise = 0;
-  for (std::size_t i = 1; i < trace.size(); ++i) {
-    const double energy = conserved.energy(trace.states(i)).total();
-    rise = std::max(rise, energy - lowest);
-    lowest = std::min(lowest, energy);
-  }
-  return rise;
+  return energy_rise(conserved, trace, trace.size() - 1).value;
 }
 
 double drift(const Conserved& conserved, const Trace& trace) {

@@ -74,9 +74,11 @@ std::string step_cost(const Report& report, const RunRecord& run) {
 }
 
 std::string passed(const RunRecord& run) {
-  if (run.truth.empty()) return "-";
+  const auto revealed =
+      std::count_if(run.truth.begin(), run.truth.end(), [](const auto& check) { return check.revealed; });
+  if (revealed == 0) return "-";
   const auto count = std::count_if(run.truth.begin(), run.truth.end(), [](const auto& check) { return check.passed; });
-  return fmt::format("{}/{}", count, run.truth.size());
+  return fmt::format("{}/{}", count, revealed);
 }
 
 std::string table_row(const std::string& engine, const std::string& verdict, const std::string& checks,
@@ -88,8 +90,11 @@ std::string table_row(const std::string& engine, const std::string& verdict, con
 
 std::string in_words(const TruthCheck& check) {
   const std::string of = check.body.empty() ? "" : " of " + check.body;
-  return fmt::format("{}{} at {:.4g} s: {:.6g}, expected {:.6g} +- {:.2g} {}", check.quantity, of, check.time,
-                     check.measured, check.expected, check.tolerance, check.unit);
+  const std::string what = fmt::format("{}{} at {:.4g} s: ", check.quantity, of, check.time);
+  if (!check.revealed) return what + "not revealed";
+  const std::string side = check.relation == Relation::equal ? "" : name_of(check.relation) + std::string(" ");
+  return what + fmt::format("{:.6g}, expected {}{:.6g} +- {:.2g} {}", check.measured, side, check.expected,
+                            check.tolerance, check.unit);
 }
 
 std::string row(const Report& report, const RunRecord& run, bool colour) {

@@ -41,7 +41,10 @@ std::string table(const Report& report) {
     for (const TruthCheck& check : run.truth) {
       text += fmt::format("{},truth,{},{},{},{},{},{},{},{},{}\n", begin, field(check.quantity), field(check.body),
                           field(check.time), field(check.measured), field(check.unit), field(check.expected),
-                          field(check.error), field(check.tolerance), check.passed ? "yes" : "no");
+                          field(check.error), field(check.tolerance),
+                          !check.revealed ? "not revealed"
+                          : check.passed  ? "yes"
+                                          : "no");
     }
   }
   return text;

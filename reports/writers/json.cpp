@@ -24,9 +24,17 @@ Json of(const std::map<std::string, Measured>& metrics) {
 }
 
 Json of(const TruthCheck& check) {
-  return {{"body", check.body},    {"quantity", check.quantity},   {"unit", check.unit},
-          {"time", check.time},    {"expected", check.expected},   {"measured", check.measured},
-          {"error", check.error},  {"tolerance", check.tolerance}, {"passed", check.passed},
+  return {{"body", check.body},
+          {"quantity", check.quantity},
+          {"unit", check.unit},
+          {"time", check.time},
+          {"relation", name_of(check.relation)},
+          {"expected", check.expected},
+          {"measured", check.measured},
+          {"error", check.error},
+          {"tolerance", check.tolerance},
+          {"passed", check.passed},
+          {"revealed", check.revealed},
           {"source", check.source}};
 }
 

@@ -59,6 +59,77 @@ TEST(Observe, ReadsNothingAfterATraceBrokeOff) {
   EXPECT_FALSE(observe(scene, trace, of_box(Quantity::x, 2.5), scene.duration));
 }
 
+// Steps of half a second in which a floor and a wall push the only body with impulses of their own.
+Trace pushed(const std::vector<double>& floor, double wall) {
+  Trace trace(3);
+  const std::vector<BodyState> states(3);
+  trace.record(0, states, {});
+  double time = 0;
+  for (const double impulse : floor) {
+    const ContactState contacts[] = {{.a = 1, .b = 0, .normal_impulse = impulse},
+                                     {.a = 1, .b = 0, .normal_impulse = 1},
+                                     {.a = 0, .b = 2, .normal_impulse = wall}};
+    trace.record(time += 0.5, states, contacts);
+  }
+  return trace;
+}
+
+TEST(Observe, MakesALoadOfTheImpulsesOfAStep) {
+  const Scene scene{.name = "pushed", .duration = 2, .bodies = {{.name = "box"}, {.name = "floor"}, {.name = "wall"}}};
+  const Trace trace = pushed({3, 5, 7, 9}, 4);
+  Expectation load = of_box(Quantity::load);
+  EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 2 * (9 + 1 + 4));
+  load.other = "floor";
+  EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 2 * (9 + 1));
+  load.other = "wall";
+  EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 8);
+  load.body = "floor";
+  EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 0);
+}
+
+TEST(Observe, TakesTheMeanOverTheTimeUpToAMoment) {
+  const Scene scene{.name = "pushed", .duration = 2, .bodies = {{.name = "box"}, {.name = "floor"}, {.name = "wall"}}};
+  const Trace trace = pushed({3, 5, 7, 9}, 0);
+  Expectation load = of_box(Quantity::load);
+  load.over = 1;
+  EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 2 * (8 + 1));
+  load.over = 2;  // all steps, and nothing of the moment before them
+  EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 2 * (6 + 1));
+  load.over = 0.5;
+  EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 2 * (9 + 1));
+}
+
+TEST(Observe, KnowsWhoRevealsNoContacts) {
+  EXPECT_TRUE(reveals(pushed({1}, 0), Quantity::load));
+  EXPECT_FALSE(reveals(fakes::flight_of(fakes::thrown_box(), 0.5), Quantity::load));
+  EXPECT_TRUE(reveals(fakes::flight_of(fakes::thrown_box(), 0.5), Quantity::energy));
+}
+
+TEST(Observe, FindsTheLargestRiseOfTheEnergyAfterAnyFall) {
+  const Scene scene{.name = "line", .gravity = {0, 0}, .bodies = {fakes::thrown_box().bodies[0]}};  // 2 kg
+  Trace trace(1);
+  const double speeds[] = {3, 1, 2, 1, 2.5};  // m v^2/2 = v^2: 9, 1, 4, 1, 6.25
+  for (int i = 0; i < 5; ++i) {
+    const BodyState state{.velocity = {speeds[i], 0}};
+    trace.record(i, std::span(&state, 1), {});
+  }
+  const auto reading = observe(scene, trace, {.quantity = Quantity::energy_rise}, 4);
+  EXPECT_DOUBLE_EQ(reading->value, 5.25);
+  EXPECT_EQ(reading->time, 4);
+  EXPECT_DOUBLE_EQ(observe(scene, trace, {.quantity = Quantity::energy_rise, .time = 3}, 4)->value, 3);
+}
+
+TEST(Observe, MeasuresTheSpreadOfSpeedsWhateverTheirDirections) {
+  Scene scene{.name = "two", .bodies = {fakes::thrown_box().bodies[0], fakes::thrown_box().bodies[0]}};
+  Trace trace(2);
+  const BodyState states[] = {{.velocity = {3, 4}}, {.velocity = {0, -5}}};
+  trace.record(0, states, {});
+  const BodyState later[] = {{.velocity = {0, 0}}, {.velocity = {0, -5}}};
+  trace.record(1, later, {});
+  EXPECT_DOUBLE_EQ(observe(scene, trace, {.quantity = Quantity::speed_spread, .time = 0}, 1)->value, 1);
+  EXPECT_DOUBLE_EQ(observe(scene, trace, {.quantity = Quantity::speed_spread}, 1)->value, 2);
+}
+
 TEST(Observe, SuggestsTheBodyThatWasMeant) {
   const Scene scene = fakes::thrown_box();
   try {

@@ -110,6 +110,44 @@ TEST(Judge, AllowsForTheRoundOffOfTheArithmetic) {
   EXPECT_EQ(judge_end(7 + 1e-3, 0, std::numeric_limits<float>::epsilon()).verdict, Verdict::wrong);
 }
 
+// 7 is measured.
+TEST(Judge, HoldsABoundOnOneSideOnly) {
+  const Scene scene = fakes::thrown_box();
+  const auto judged = [&](Relation relation, double expected, double allowed) {
+    Expectation one = at_end(expected, allowed);
+    one.relation = relation;
+    return judge(scene, std::span(&one, 1), fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5}, nullptr);
+  };
+  EXPECT_EQ(judged(Relation::at_least, 2, 0).verdict, Verdict::right);
+  EXPECT_EQ(judged(Relation::at_least, 7.25, 0.25).verdict, Verdict::right);
+  EXPECT_EQ(judged(Relation::at_least, 7.25, 0.2).verdict, Verdict::wrong);
+  EXPECT_EQ(judged(Relation::at_most, 20, 0).verdict, Verdict::right);
+  EXPECT_EQ(judged(Relation::at_most, 6.75, 0.25).verdict, Verdict::right);
+  EXPECT_EQ(judged(Relation::at_most, 6.75, 0.2).verdict, Verdict::wrong);
+  EXPECT_EQ(judged(Relation::at_least, 2, 0).checks[0].error, 0);
+  EXPECT_EQ(judged(Relation::at_most, 6.75, 0.2).checks[0].error, 0.25);
+  for (const double none : {nan, infinity, -infinity}) {
+    EXPECT_EQ(judged(Relation::at_least, none, 1).verdict, Verdict::wrong);
+    EXPECT_EQ(judged(Relation::at_most, none, 1).verdict, Verdict::wrong);
+  }
+}
+
+TEST(Judge, CountsWhatIsNotRevealedNeitherWay) {
+  const Scene scene = fakes::thrown_box();
+  const Expectation load{.body = "box",
+                         .quantity = Quantity::load,
+                         .over = 2,
+                         .expected = 20,
+                         .allowed = [](const Stepping&) { return 1.0; },
+                         .source = "m g"};
+  const auto verdict = [&](std::vector<Expectation> all) {
+    return judge(scene, all, fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5}, nullptr).verdict;
+  };
+  EXPECT_EQ(verdict({load}), Verdict::plausible);
+  EXPECT_EQ(verdict({load, at_end(7, 0.1)}), Verdict::right);
+  EXPECT_EQ(verdict({load, at_end(8, 0.1)}), Verdict::wrong);
+}
+
 // A float engine that only adds: the bound holds, and is not so wide that it could hide an error of the method.
 TEST(RoundOff, BoundsWhatFloatsLose) {
   const Scene scene = fakes::thrown_box();

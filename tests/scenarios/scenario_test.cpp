@@ -52,5 +52,11 @@ TEST(Quantity, EveryOneHasANameOfItsOwnAndAUnit) {
   }
 }
 
+TEST(Relation, SaysItselfInWords) {
+  EXPECT_STREQ(name_of(Relation::equal), "equal");
+  EXPECT_STREQ(name_of(Relation::at_least), "at least");
+  EXPECT_STREQ(name_of(Relation::at_most), "at most");
+}
+
 }  // namespace
 }  // namespace plumb

@@ -14,7 +14,9 @@ export interface TruthCheck {
   measured: number | null;
   error: number | null;
   tolerance: number | null;
+  relation: "equal" | "at least" | "at most"; // of measured to expected
   passed: boolean;
+  revealed: boolean; // false: the engine does not show it
   source: string;
   unit: string;
 }
@@ -185,7 +187,9 @@ const report_rule = record({
           measured: number,
           error: number,
           tolerance: number,
+          relation: one_of("equal", "at least", "at most"),
           passed: yes_no,
+          revealed: yes_no,
           source: text,
           unit: text,
         }),

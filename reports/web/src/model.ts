@@ -79,7 +79,10 @@ export function ratio(check: TruthCheck): number {
   return check.tolerance > 0 ? check.error / check.tolerance : Infinity;
 }
 
-const worst = (run: Run): number => (run.truth.length ? Math.max(...run.truth.map(ratio)) : NaN);
+function worst(run: Run): number {
+  const shown = run.truth.filter((check) => check.revealed);
+  return shown.length ? Math.max(...shown.map(ratio)) : NaN;
+}
 
 const key = (...parts: string[]): string => JSON.stringify(parts);
 const run_key = (of: { scenario: string; variant: string; engine: string; method: string }): string =>

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -19,8 +20,8 @@ TEST(ClosedForms, AreAllHere) {
   for (const Contender* contender : Catalog<Contender>::all()) {
     if (contender->exact) names.push_back(contender->name);
   }
-  EXPECT_THAT(names, testing::ElementsAre("ballistic", "bounce", "first-impact", "line", "orbit", "pendulum", "rest",
-                                          "roll", "slide", "spring"));
+  EXPECT_THAT(names, testing::ElementsAre("arch", "ballistic", "beam", "bounce", "first-impact", "ladder", "line",
+                                          "orbit", "pendulum", "plank", "rest", "roll", "slide", "spring", "topple"));
 }
 
 TEST(Contenders, NameTheirSource) {
@@ -29,12 +30,19 @@ TEST(Contenders, NameTheirSource) {
   }
 }
 
-TEST(ClosedForms, AcceptEveryVariantOfTheScenariosThatNameThem) {
+// A variant that says all its values itself may be beyond the closed form: what falls is no equilibrium.
+bool asks(const Scenario& scenario, const Variant& variant) {
+  const auto all = scenario.expectations(complete(scenario, variant.changes));
+  return std::any_of(all.begin(), all.end(), [](const Expectation& one) { return !one.expected; });
+}
+
+TEST(ClosedForms, AcceptEveryVariantThatAsksThem) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     if (scenario->closed_form.empty()) continue;
     const Contender* form = Catalog<Contender>::find(scenario->closed_form);
     ASSERT_NE(form, nullptr) << scenario->name;
     for (const Variant& variant : scenario->variants) {
+      if (!asks(*scenario, variant)) continue;
       const Scene scene = scenario->scene(complete(*scenario, variant.changes));
       EXPECT_EQ(form->unsupported(scene, {}), "") << scenario->name << ' ' << variant.label;
     }
@@ -45,6 +53,7 @@ TEST(ClosedForms, StartWhereTheirSceneDoesAndHoldUntilTheLastExpectation) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     if (scenario->closed_form.empty()) continue;
     for (const Variant& variant : scenario->variants) {
+      if (!asks(*scenario, variant)) continue;
       const Parameters parameters = complete(*scenario, variant.changes);
       const Scene scene = scenario->scene(parameters);
       const auto simulation = Catalog<Contender>::find(scenario->closed_form)->build(scene, {});
@@ -57,6 +66,7 @@ TEST(ClosedForms, StartWhereTheirSceneDoesAndHoldUntilTheLastExpectation) {
         EXPECT_NEAR(states[i].velocity.x, scene.bodies[i].velocity.x, 1e-15) << scenario->name;
       }
       for (const Expectation& expectation : scenario->expectations(parameters)) {
+        if (expectation.expected) continue;
         EXPECT_LE(expectation.time.value_or(scene.duration), simulation->valid_until())
             << scenario->name << ' ' << variant.label;
       }

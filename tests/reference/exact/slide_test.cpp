@@ -88,5 +88,40 @@ TEST(Slide, KnowsWhenItPassesAPlace) {
   EXPECT_DOUBLE_EQ(Slide(2, 0, 10, 0, 0).reaches(3), 1.5);
 }
 
+// Tiles of 1 m along y = 0, a box on them.
+Scene tiled(int tiles) {
+  Scene scene{.name = "tiles"};
+  for (int i = 0; i < tiles; ++i) {
+    scene.bodies.push_back(box("tile", {static_cast<double>(i), -0.5}, {1, 1}, surface(0.1, 0)));
+    scene.bodies.back().type = BodyType::fixed;
+  }
+  scene.bodies.push_back(box("box", {1, 0.25}, {1, 0.5}, surface(0.1, 0)));
+  scene.bodies.back().velocity = {3, 0};
+  return scene;
+}
+
+TEST(SlideScene, TakesTilesLaidFlushForOneFloor) {
+  const Contender& slide = *Catalog<Contender>::find("slide");
+  const auto simulation = slide.build(tiled(6), {});
+  simulation->step(1);
+  std::vector<BodyState> states(7);
+  simulation->read(states);
+  EXPECT_NEAR(states[6].position.x, 1 + 3 - 0.5, 1e-14);  // 3 t - 0.1 g t^2/2
+  // Its centre at 5 it would reach over the end at 5.5, after 4 m: 3 t - t^2/2 = 4.
+  EXPECT_NEAR(simulation->valid_until(), 2, 1e-12);
+}
+
+TEST(SlideScene, RefusesTilesThatAreNotFlushOrRubDifferently) {
+  const Contender& slide = *Catalog<Contender>::find("slide");
+  ASSERT_EQ(slide.unsupported(tiled(6), {}), "");
+  Scene step = tiled(6);
+  step.bodies[3].position.y -= 1e-6;
+  Scene gap = tiled(6);
+  gap.bodies[5].position.x += 1e-6;
+  Scene patch = tiled(6);
+  patch.bodies[3].shapes[0].surface.dynamic_friction = 0.2;
+  for (const Scene& scene : {step, gap, patch}) EXPECT_NE(slide.unsupported(scene, {}), "");
+}
+
 }  // namespace
 }  // namespace plumb

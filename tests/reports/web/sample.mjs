@@ -23,7 +23,9 @@ function fall(height, contender) {
     measured: at(2),
     error,
     tolerance: error * 1.25 + 1e-9,
+    relation: "equal",
     passed: true,
+    revealed: true,
     source: "h - g t^2/2; symplectic Euler is off by g t dt/2",
   };
   return {
@@ -88,7 +90,7 @@ export function sample(scenario = "free-fall") {
     });
   }
   const other = { parameters: { boxes: 10 }, exact: false, dt, metrics: {}, truth: [] };
-  const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, passed: false, source: "nothing moves" };
+  const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, relation: "equal", passed: false, revealed: true, source: "nothing moves" };
   report.runs.push(
     { ...other, ...place("stacking", "10 boxes", contenders[0]), status: "ok", reason: "", verdict: "wrong", truth: [wrong] },
     { ...other, ...place("stacking", "10 boxes", contenders[1]), status: "failed", reason: "diverged at t = 0.42 s", verdict: "failed" },

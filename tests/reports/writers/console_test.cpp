@@ -28,6 +28,17 @@ TEST(Console, ShowsVerdictsReasonsAndTheChecksThatFailed) {
   EXPECT_THAT(text, HasSubstr("parted at 0.5 s"));
 }
 
+TEST(Console, SaysOnWhichSideAValueMustBeAndWhatIsNotRevealed) {
+  Report report = sample_report();
+  TruthCheck& check = report.runs[1].truth[0];
+  check.relation = Relation::at_most;
+  EXPECT_THAT(console_text(report, false), HasSubstr("expected at most 0.333333 +- 0.1 m"));
+  check.revealed = false;
+  const std::string text = console_text(report, false);
+  EXPECT_THAT(text, HasSubstr("not revealed"));
+  EXPECT_THAT(text, Not(HasSubstr("0/1")));
+}
+
 TEST(Console, ColoursOnlyWhenAsked) {
   EXPECT_THAT(console_text(sample_report(), false), Not(HasSubstr("\033")));
   const std::string text = console_text(sample_report(), true);

@@ -45,12 +45,12 @@ function cells({ entry, check }: Answer): HTMLElement[] {
   const { unit } = check;
   const difference = Math.max(check.error ?? 0, check.tolerance ?? 0);
   const contents = [
-    to_within(check.expected, difference, unit),
-    to_within(check.measured, difference, unit),
-    number(check.error, unit, 2),
+    (check.relation === "equal" ? "" : `${check.relation} `) + to_within(check.expected, difference, unit),
+    check.revealed ? to_within(check.measured, difference, unit) : "not revealed",
+    check.revealed ? number(check.error, unit, 2) : "",
     number(check.tolerance, unit, 2),
-    h("span", { class: "share" }, gauge(ratio(check)), share(ratio(check))),
-    badge(check.passed ? "right" : "wrong"),
+    check.revealed ? h("span", { class: "share" }, gauge(ratio(check)), share(ratio(check))) : "",
+    check.revealed ? badge(check.passed ? "right" : "wrong") : "",
   ];
   return [
     h("th", { scope: "row" }, entry.contender.label),
@@ -68,7 +68,7 @@ export function checks(place: Case): HTMLElement | null {
   const groups = readings(place);
   const all = groups.flat();
   if (!all.length) return null;
-  const failed = all.filter(({ check }) => !check.passed).length;
+  const failed = all.filter(({ check }) => check.revealed && !check.passed).length;
   const outcome = failed ? `${failed} outside what is allowed` : "all within what is allowed";
   return h(
     "details",

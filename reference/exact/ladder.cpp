@@ -1,0 +1,195 @@
+#include "reference/exact/ladder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reference/exact/closed_form.h"
+#include "reference/exact/recognise.h"
+#include "scenarios/mass.h"
+
+namespace plumb {
+
+// Foot at (2 l cos a, 0), head at (0, 2 l sin a), centre at l (cos a, sin a); the wall pushes out with R, the floor up
+// with N and, while the foot slides, back with mu N. Per mass, k^2 = I/m:
+//   x'' = R - mu N,   y'' = N - g,   -k^2 a'' = N l (cos a - mu sin a) - R l sin a.
+// With x'' = -l (sin a a'' + cos a a'^2) and y'' = l (cos a a'' - sin a a'^2), R and N drop out:
+//   a'' = -(g l (cos a - 2 mu sin a) + 2 mu l^2 sin^2 a a'^2) / (k^2 + l^2 (1 - mu sin 2a)).
+// From rest it moves iff cos a > 2 mu sin a. Without friction it is a pendulum of a + pi/2, and R, that is x'', is zero
+// where sin a is 2/3 of what it was. The denominator stays positive for mu < 1.
+Ladder::Ladder(const Case& given)
+    : given_(given),
+      stands_(std::tan(given.angle) * 2 * given.friction >= 1),
+      until_(std::numeric_limits<double>::infinity()) {
+  if (stands_) return;
+  // The head is held back less and less; the step in which the wall would have to pull is halved down to nothing.
+  double h = 1e-3 * std::sqrt(given.half / given.gravity);
+  State now{given.angle, 0};
+  until_ = 0;
+  while (until_ + h != until_) {
+    const State next = after(now, h);
+    if (push(next).x <= 0) {
+      h /= 2;
+      continue;
+    }
+    now = next;
+    until_ += h;
+  }
+}
+
+double Ladder::turning(const State& now) const {
+  const double l = given_.half;
+  const double s = std::sin(now.angle);
+  const double c = std::cos(now.angle);
+  const double mu = given_.friction;
+  const double drive = given_.gravity * l * (c - 2 * mu * s) + 2 * mu * l * l * s * s * now.speed * now.speed;
+  return -drive / (given_.gyration + l * l * (1 - 2 * mu * s * c));
+}
+
+// Runge and Kutta's fourth order. Steps of a thousandth of sqrt(l/g) leave 1e-13 of the angle.
+Ladder::State Ladder::after(const State& now, double h) const {
+  const auto moved = [&now](const State& rate, double by) {
+    return State{now.angle + by * rate.angle, now.speed + by * rate.speed};
+  };
+  const auto rate = [this](const State& one) { return State{one.speed, turning(one)}; };
+  const State k1 = rate(now);
+  const State k2 = rate(moved(k1, h / 2));
+  const State k3 = rate(moved(k2, h / 2));
+  const State k4 = rate(moved(k3, h));
+  return {now.angle + h / 6 * (k1.angle + 2 * k2.angle + 2 * k3.angle + k4.angle),
+          now.speed + h / 6 * (k1.speed + 2 * k2.speed + 2 * k3.speed + k4.speed)};
+}
+
+Ladder::State Ladder::at(double t) const {
+  State now{given_.angle, 0};
+  if (stands_ || t <= 0) return now;
+  const double steps = std::ceil(t / (1e-3 * std::sqrt(given_.half / given_.gravity)));
+  for (double i = 0; i < steps; ++i) now = after(now, t / steps);
+  return now;
+}
+
+Vec Ladder::push(const State& now) const {
+  const double l = given_.half;
+  const double s = std::sin(now.angle);
+  const double c = std::cos(now.angle);
+  if (stands_) return {given_.gravity * c / (2 * s), given_.gravity};
+  const double turn = turning(now);
+  const double fling = now.speed * now.speed;
+  const double floor = given_.gravity + l * (c * turn - s * fling);
+  return {-l * (s * turn + c * fling) + given_.friction * floor, floor};
+}
+
+namespace {
+
+struct LeaningLadder {
+  std::vector<BodyState> start;
+  std::size_t ladder = 0, floor = 0, wall = 0;
+  Vec corner, out, up;  // of floor and wall; out of the wall, up from the floor
+  double half = 0, mass = 0;
+  Ladder motion;
+
+  Vec from_corner(double angle, double along, double above) const {
+    return corner + along * std::cos(angle) * out + above * std::sin(angle) * up;
+  }
+  void at(double t, std::span<BodyState> out_states) const {
+    for (std::size_t i = 0; i < start.size(); ++i) out_states[i] = start[i];
+    const Ladder::State now = motion.at(t);
+    const double sense = cross(out, up);  // the angle grows towards the wall
+    BodyState& state = out_states[ladder];
+    state.angle -= sense * (now.angle - motion.at(0).angle);
+    state.angular_velocity = -sense * now.speed;
+    state.position = from_corner(now.angle, half, half);
+    state.velocity = half * now.speed * (std::cos(now.angle) * up - std::sin(now.angle) * out);
+  }
+  void contacts(double t, double dt, std::vector<ContactState>& contacts) const {
+    const Ladder::State now = motion.at(t);
+    const Vec push = mass * dt * motion.push(now);
+    contacts.push_back({.a = floor,
+                        .b = ladder,
+                        .point = from_corner(now.angle, 2 * half, 0),
+                        .normal = up,
+                        .normal_impulse = push.y});
+    contacts.push_back({.a = wall,
+                        .b = ladder,
+                        .point = from_corner(now.angle, 0, 2 * half),
+                        .normal = out,
+                        .normal_impulse = push.x});
+  }
+  double valid_until() const { return motion.valid_until(); }
+};
+
+struct Touch {
+  std::size_t body = 0;
+  Floor surface;
+  Vec point;
+};
+
+// The one vertex that touches a fixed surface; nothing if none does, or more.
+std::optional<Vec> touching(const Polygon& polygon, const Body& body, const Floor& surface) {
+  std::optional<Vec> only;
+  for (const Vec& vertex : polygon.vertices) {
+    const Vec point = body.position + turned(vertex, body.angle);
+    const double off = dot(point, surface.normal) - surface.offset;
+    if (off > flat) continue;
+    if (off < -flat || only) return std::nullopt;
+    only = point;
+  }
+  return only;
+}
+
+Recognised<LeaningLadder> recognise(const Scene& scene) {
+  if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
+  std::optional<std::size_t> ladder;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies[i].type == BodyType::dynamic) ladder = i;
+  }
+  if (scene.bodies.size() != 3 || !ladder) return "solves one body between a floor and a wall";
+  const Body& body = scene.bodies[*ladder];
+  const Polygon* polygon = lone<Polygon>(body);
+  if (polygon == nullptr) return "solves a ladder made of one polygon";
+  if (body.velocity != Vec{} || body.angular_velocity != 0) return "solves what starts at rest";
+  const Vec gravity = gravity_of(scene, body);
+  const Mass mass = mass_of(body);
+  if (length(gravity) == 0 || mass.inertia <= 0) return "solves a ladder that gravity pulls at and that may turn";
+  const Vec up = -(1 / length(gravity)) * gravity;
+
+  std::optional<Touch> floor, wall;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i == *ladder) continue;
+    const std::optional<Floor> surface = floor_of(scene.bodies[i], gravity);
+    if (!surface || std::isfinite(surface->to)) return "solves a floor and a wall that are half-spaces";
+    const std::optional<Vec> point = touching(*polygon, body, *surface);
+    if (!point) return "solves a ladder that touches floor and wall with one end each";
+    const double rise = dot(surface->normal, up);
+    if (std::abs(rise - 1) < flat) floor = Touch{i, *surface, *point};
+    if (std::abs(rise) < flat) wall = Touch{i, *surface, *point};
+  }
+  if (!floor || !wall) return "solves a level floor and an upright wall";
+  const Vec center = start_of(body).position;
+  if (length(0.5 * (floor->point + wall->point) - center) > flat) return "solves a ladder with its centre midway";
+  const Vec out = wall->surface.normal;
+  const Vec lie = floor->point - wall->point;
+  const double angle = std::atan2(-dot(lie, up), dot(lie, out));
+  if (between(scene, scene.bodies[wall->body], body).static_friction != 0) return "solves a smooth wall";
+  const Coefficients mixed = between(scene, scene.bodies[floor->body], body);
+  if (mixed.static_friction != mixed.dynamic_friction) return "knows one coefficient of friction";
+  const double half = length(lie) / 2;
+  const Ladder motion({.half = half,
+                       .gyration = mass.inertia / mass.mass,
+                       .angle = angle,
+                       .gravity = length(gravity),
+                       .friction = mixed.static_friction});
+  if (!motion.stands() && mixed.static_friction >= 1) return "solves a sliding foot with less friction than 1";
+  const Vec corner = floor->surface.offset * up + wall->surface.offset * out;
+  return LeaningLadder{start_of(scene), *ladder, floor->body, wall->body, corner, out, up, half, mass.mass, motion};
+}
+
+const Catalog<Contender>::Entry entry{closed_form<LeaningLadder>(
+    {.name = "ladder",
+     .about = "A ladder on a smooth wall: stands iff tan a >= 1/(2 mu), else slides and leaves the wall",
+     .source = "Statics and energy: e.g. Goldstein, Classical Mechanics, ch. 1 and 2; without friction it leaves at "
+               "sin a = (2/3) sin a0"},
+    recognise)};
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,101 @@
+#include "reference/exact/arch.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "scenarios/mass.h"
+#include "scenarios/scenario.h"
+
+namespace plumb {
+namespace {
+
+constexpr double rough = 10;  // so that nothing slides
+
+// A semicircle of radius 1 in n stones, scaled.
+Arch semicircle(int n, double thickness, double friction, double scale = 1) {
+  const auto at = [&](double r, int cut) {
+    const double angle = std::numbers::pi * (1 - static_cast<double>(cut) / n);
+    return Vec{scale * r * std::cos(angle), scale * r * std::sin(angle)};
+  };
+  const double inner = 1 - thickness / 2;
+  const double outer = 1 + thickness / 2;
+  std::vector<Bed> beds;
+  std::vector<Arch::Stone> stones;
+  for (int k = 0; k <= n; ++k) {
+    const Vec out = (1 / scale) * at(1, k);
+    beds.push_back({at(inner, k), at(outer, k), {out.y, -out.x}});
+    if (k == n) break;
+    const Body stone{
+        .shapes = {{.geometry = Polygon{{at(inner, k), at(outer, k), at(outer, k + 1), at(inner, k + 1)}}}}};
+    stones.push_back({mass_of(stone).center, {0, -10 * mass_of(stone).mass}});
+  }
+  return {beds, stones, friction};
+}
+
+// The thinnest that stands, to 1e-5.
+double limit(int n) {
+  double falls = 0.02;
+  double stands = 0.3;
+  while (stands - falls > 1e-5) {
+    const double middle = (falls + stands) / 2;
+    (semicircle(n, middle, rough).stands() ? stands : falls) = middle;
+  }
+  return stands;
+}
+
+// Milankovitch's 0.1075 is for cuts anywhere. A cut more can only find a weaker place: where the cuts of one number are
+// among those of the other.
+TEST(Arch, OfManyStonesStandsFromMilankovitchsThicknessOn) {
+  EXPECT_NEAR(limit(40), 0.1075, 1e-4);
+  EXPECT_LE(limit(10), limit(20));
+  EXPECT_LE(limit(20), limit(40));
+}
+
+TEST(Arch, OfTwentyStonesHasTheLimitThatTheScenarioGoesBy) { EXPECT_NEAR(limit(20), 0.1074, 1e-4); }
+
+TEST(Arch, DoesNotAskHowLargeItIs) {
+  for (const double scale : {1e-3, 1e3}) {
+    EXPECT_TRUE(semicircle(16, 0.11, rough, scale).stands());
+    EXPECT_FALSE(semicircle(16, 0.10, rough, scale).stands());
+  }
+}
+
+// Sliding asks for 0.31 in a semicircle of any thickness at least, so less never holds.
+TEST(Arch, NeedsFriction) {
+  EXPECT_TRUE(semicircle(12, 0.12, 0.4).stands());
+  EXPECT_FALSE(semicircle(12, 0.12, 0.3).stands());
+}
+
+// Two stones that lean on each other at the top, with their feet flat on the ground. The line of thrust goes from foot
+// to ridge with the slope that moments about both give: H = W x/h for the weight W of one at x before the ridge.
+TEST(Arch, OfTwoStonesNeedsTheThrustThatMomentsGive) {
+  const auto gable = [](double friction) {
+    return Arch({{{-2, 0}, {-1.9, 0}, {0, 1}}, {{0, 2}, {0, 2.1}, {1, 0}}, {{1.9, 0}, {2, 0}, {0, -1}}},
+                {{{-1, 1}, {0, -10}}, {{1, 1}, {0, -10}}}, friction);
+  };
+  // Least where the thrust is flattest: from the outer edge of the foot to the upper end of the ridge.
+  const double least = (2 - 1) / 2.1;
+  EXPECT_TRUE(gable(least + 1e-6).stands());
+  // A steeper one takes hold further in: at 1.9 it asks for 0.9/2.1.
+  const double feet = 0.9 / 2.1;
+  EXPECT_TRUE(gable(feet + 1e-6).stands());
+  EXPECT_FALSE(gable(feet - 1e-6).stands());
+}
+
+TEST(ArchScene, IsRefusedWhereItFallsOrHasAGap) {
+  const Scenario& family = *Catalog<Scenario>::find("arch");
+  const Contender& arch = *Catalog<Contender>::find("arch");
+  Scene scene = family.scene(complete(family, {}));
+  EXPECT_EQ(arch.unsupported(scene, {}), "");
+  EXPECT_THAT(arch.unsupported(family.scene(complete(family, {{"thickness", 0.107}})), {}),
+              testing::HasSubstr("no line of thrust"));
+  scene.bodies[7].position.x += 1e-3;
+  EXPECT_THAT(arch.unsupported(scene, {}), testing::HasSubstr("share a side"));
+}
+
+}  // namespace
+}  // namespace plumb
