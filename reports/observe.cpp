@@ -31,6 +31,16 @@ std::optional<Reading> apex(const Trace& trace, std::size_t body, int index) {
   return std::nullopt;
 }
 
+std::optional<Reading> landing(const Trace& trace, std::size_t body, int index) {
+  const auto y = [&](std::size_t moment) { return trace.states(moment)[body].position.y; };
+  int seen = 0;
+  for (std::size_t i = 1; i + 1 < trace.size(); ++i) {
+    const bool lowest = y(i - 1) > y(i) && y(i) <= y(i + 1);
+    if (lowest && ++seen == index) return Reading{trace.time(i), trace.time(i)};
+  }
+  return std::nullopt;
+}
+
 double speed_spread(const Conserved& conserved, std::span<const BodyState> states) {
   double squares = 0;
   double fourths = 0;
@@ -114,6 +124,7 @@ double quantity_of(Quantity quantity, std::size_t body, const Conserved& conserv
       return speed_spread(conserved, states);
     case Quantity::load:
     case Quantity::energy_rise:
+    case Quantity::landing:
     case Quantity::apex:
       break;
   }
@@ -123,6 +134,7 @@ double quantity_of(Quantity quantity, std::size_t body, const Conserved& conserv
 std::optional<Reading> observe(const Scene& scene, const Trace& trace, const Expectation& expectation, double time) {
   const std::size_t body = expectation.body.empty() ? 0 : index_of(scene, expectation.body);
   if (expectation.quantity == Quantity::apex) return apex(trace, body, expectation.index);
+  if (expectation.quantity == Quantity::landing) return landing(trace, body, expectation.index);
   const double when = expectation.time.value_or(time);
   // The last step ends at the scene's end but for the rounding of steps times dt.
   const double rounding = 1e-9 * std::abs(when);

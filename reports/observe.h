@@ -19,7 +19,7 @@ struct Reading {
 /// none.
 std::size_t index_of(const Scene&, std::string_view body);
 
-/// A quantity that a moment has by itself (not load, energy_rise, apex). `body` counts for quantities of a body only.
+/// A quantity that a moment has by itself (those before load). `body` counts for quantities of a body only.
 double quantity_of(Quantity, std::size_t body, const Conserved&, std::span<const BodyState>);
 
 /// The most by which the energy comes above that of an earlier moment, J, up to the given moment; and when.
@@ -30,7 +30,8 @@ bool reveals(const Trace&, Quantity);
 
 /// What a trace says of an expectation's quantity: at its time, linear between steps; or the mean over the time up to
 /// then; or at an apex: the vertex of the parabola through the highest sample and its neighbours, exact in free flight.
-/// `time` counts where the expectation gives none. Nothing when the trace ends before that or has no such apex.
+/// A landing is the lowest sample. `time` counts where the expectation gives none. Nothing when the trace ends before
+/// that or has no such extremum.
 std::optional<Reading> observe(const Scene&, const Trace&, const Expectation&, double time);
 
 }  // namespace plumb

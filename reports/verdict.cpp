@@ -123,6 +123,8 @@ double round_off(Quantity quantity, std::size_t body, const Scene& scene, const 
     case Quantity::speed_spread:
       // A quotient of fourth powers, 2 or so, of speeds that are each off by nu.
       return 16 * nu;
+    case Quantity::landing:
+      return nu * t;
     case Quantity::load:
       return nu * over_all([&](const Mass& m, const Extent&, const Extent&) { return m.mass * length(scene.gravity); });
     case Quantity::energy_rise:

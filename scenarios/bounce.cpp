@@ -13,6 +13,7 @@ namespace {
 constexpr double gravity = 10;   // m/s^2
 constexpr double duration = 10;  // s
 constexpr int apexes = 3;
+constexpr double shortest = 0.1;  // s, of half a flight that moments of 1/60 s show
 
 Scene scene(const Parameters& p) {
   const double radius = p.at("radius");
@@ -61,6 +62,23 @@ double allowed_apex(int n, double height, double e, const Stepping& s) {
          round_off(s, time, height + gravity * time * time);
 }
 
+// Landing n, read off moments dt apart: the lowest of them is at most dt away. Each landing may come a lag late, half a
+// step off by the drift, and a gap early or late; each flight lasts 2 sqrt(2 H/g), whatever H the impacts made of it.
+double allowed_landing(int n, double height, double e, const Stepping& s) {
+  const double fall = std::sqrt(2 * height / gravity);
+  const double each = lag(s) + std::abs(s.drift) * s.h + std::sqrt(2 * s.gap / gravity);
+  double late = each;
+  double early = each;
+  Flight now{height, height};
+  for (int k = 1; k < n; ++k) {
+    now = after_impact(now, e, s);
+    const double exact = 2 * std::pow(e, k) * fall;
+    late += 2 * std::sqrt(2 * now.high / gravity) - exact + each;
+    early += exact - 2 * std::sqrt(2 * std::max(now.low, 0.0) / gravity) + each;
+  }
+  return std::max(late, early) + s.dt + round_off(s, 2 * n * fall, 2 * n * fall);
+}
+
 // At the end the disc rests; a contender may be in as late a flight as its longest possible flights leave time for.
 double allowed_rest(double height, double e, const Stepping& s) {
   constexpr double settled = 1e-15;  // m
@@ -97,6 +115,18 @@ std::vector<Expectation> expectations(const Parameters& p) {
                    .expected = radius + std::pow(e, 2 * n) * height,
                    .allowed = [=](const Stepping& s) { return allowed_apex(n, height, e, s); },
                    .source = "e^(2n) h; impacts noticed late, drift, gap"});
+  }
+  const double fall = std::sqrt(2 * height / gravity);
+  double landed = fall;
+  for (int n = 1; n <= apexes && landed < duration; ++n) {
+    all.push_back({.body = "disc",
+                   .quantity = Quantity::landing,
+                   .index = n,
+                   .expected = landed,
+                   .allowed = [=](const Stepping& s) { return allowed_landing(n, height, e, s); },
+                   .source = "sqrt(2h/g) (1 + 2 sum e^k); impacts noticed late, drift, gap, and a moment's step"});
+    landed += 2 * std::pow(e, n) * fall;
+    if (std::pow(e, n) * fall < shortest) break;
   }
   const double last_impact = std::sqrt(2 * height / gravity) * (1 + e) / (1 - e);
   if (e < 1 && last_impact < duration) {

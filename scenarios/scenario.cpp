@@ -44,6 +44,8 @@ Words words_for(Quantity quantity) {
       return {"load", "N"};
     case Quantity::energy_rise:
       return {"energyRise", "J"};
+    case Quantity::landing:
+      return {"landing", "s"};
     case Quantity::apex:
       return {"apex", "m"};
   }

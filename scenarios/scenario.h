@@ -38,11 +38,8 @@ struct Stepping {
 };
 
 /// What can be read off a motion. x, y, vx, vy are of the centre of mass; energy and momenta are of the whole scene
-/// (kinetic + gravity + springs and attractions; about the world's origin; dynamic bodies only). The last four are of a
-/// run rather than of a moment:
-///     speed_spread  <v^4>/<v^2>^2 over the dynamic bodies: 1 where all are equally fast, 2 for Maxwell's law in a
-///     plane load          N, the normal forces of the contacts on a body energy_rise   J, the most by which the energy
-///     ever came above an earlier moment's apex          m, a local maximum of y
+/// (kinetic + gravity + springs and attractions; about the world's origin; dynamic bodies only). All from `load` on are
+/// of a run rather than of a moment.
 enum class Quantity {
   x,
   y,
@@ -55,10 +52,11 @@ enum class Quantity {
   momentum_x,
   momentum_y,
   angular_momentum,
-  speed_spread,
-  load,
-  energy_rise,
-  apex
+  speed_spread,  // <v^4>/<v^2>^2 over the dynamic bodies: 1 where all are equally fast, 2 for Maxwell's law in a plane
+  load,          // the normal forces of the contacts on a body
+  energy_rise,   // the most by which the energy ever came above an earlier moment's
+  landing,       // when y had a local minimum
+  apex           // a local maximum of y
 };
 
 /// How the measured value must stand to the expected one, give or take what is allowed.
@@ -78,7 +76,7 @@ struct Expectation {
   Relation relation = Relation::equal;
   std::optional<double> time;      // s; nothing means the end
   double over = 0;                 // s up to then that the reading is the mean of; 0: that moment's
-  int index = 0;                   // apex: the how-manieth local maximum of y, from 1
+  int index = 0;                   // apex, landing: the how-manieth, from 1
   std::optional<double> expected;  // nothing: what the scenario's closed form says at that time
   std::function<double(const Stepping&)>
       allowed;  // largest error, in the quantity's unit, from how the contender steps

@@ -39,6 +39,19 @@ TEST(Observe, CountsApexesAndMissesThoseThatNeverCome) {
   EXPECT_FALSE(observe(scene, trace, of_box(Quantity::apex, {}, 4), 10));
 }
 
+TEST(Observe, TellsWhenABodyWasLowest) {
+  const Scene scene = fakes::thrown_box();
+  Trace trace(1);
+  const double heights[] = {5, 3, 1, 2, 4, 3, 3, 3.5};
+  for (int i = 0; i < 8; ++i) {
+    const BodyState state{.position = {0, heights[i]}};
+    trace.record(i * 0.5, std::span(&state, 1), {});
+  }
+  EXPECT_DOUBLE_EQ(observe(scene, trace, of_box(Quantity::landing, {}, 1), 4)->value, 1);
+  EXPECT_DOUBLE_EQ(observe(scene, trace, of_box(Quantity::landing, {}, 2), 4)->value, 2.5);
+  EXPECT_FALSE(observe(scene, trace, of_box(Quantity::landing, {}, 3), 4));
+}
+
 TEST(Observe, ReadsBetweenStepsLinearly) {
   const Scene scene = fakes::thrown_box();
   const Trace trace = fakes::flight_of(scene, 0.5);
