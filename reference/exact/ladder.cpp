@@ -64,7 +64,7 @@ Ladder::State Ladder::at(double t) const {
   State now{given_.angle, 0};
   if (stands_ || t <= 0) return now;
   const double steps = std::ceil(t / (1e-3 * std::sqrt(given_.half / given_.gravity)));
-  for (double i = 0; i < steps; ++i) now = after(now, t / steps);
+  for (auto left = static_cast<std::size_t>(steps); left > 0; --left) now = after(now, t / steps);
   return now;
 }
 
