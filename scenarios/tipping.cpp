@@ -11,6 +11,7 @@ namespace {
 
 constexpr double gravity = 10;  // m/s^2
 constexpr double duration = 1;  // s
+constexpr double turned = 0.6;  // rad: long before any box lands on its side
 const Vec slab{60, 1};          // m
 const double arctan_half = std::atan(0.5) / degree;
 
@@ -50,31 +51,43 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double w = std::sqrt(gravity * d / (mass.inertia / mass.mass + d * d));
   const double lean = angle - std::atan2(b, h);
   const bool stands = lean <= 0;
+  // As s < s(0) cosh(w t), it has turned by no more than `turned` until then.
+  const double early = stands ? duration : std::floor(60 * std::acosh(1 + turned / lean) / w) / 60;
+  const double time = std::min(duration, early);
   const double reach = slab.y + h + gravity * duration * duration;
 
   const auto turn = [=](const Stepping& s) {
-    const double round = round_off(s, duration, reach / b);
+    const double round = round_off(s, time, reach / b);
     if (stands) return 2 * s.gap / b + round;
-    const double fastest = lean * w * std::sinh(w * duration);
-    const double start = (2 / b + 1 / d) * s.gap * std::cosh(w * duration);
-    const double late = gravity * lag(s) / d * std::sinh(w * duration) / w;
+    const double fastest = lean * w * std::sinh(w * time);
+    const double start = (2 / b + 1 / d) * s.gap * std::cosh(w * time);
+    const double late = gravity * lag(s) / d * std::sinh(w * time) / w;
     const double first = 2 * std::abs(s.drift) * s.h * fastest;
-    const double swept = lean * (std::cosh(w * duration) - 1);
-    const double lost = swept * fastest * fastest * s.dt * duration / 2;
-    const double second = w * w * s.h * s.h / 24 * fastest * duration * std::cosh(w * duration);
-    return start + late + first + lost + second + round * std::cosh(w * duration);
+    const double swept = lean * (std::cosh(w * time) - 1);
+    const double lost = swept * fastest * fastest * s.dt * time / 2;
+    const double second = w * w * s.h * s.h / 24 * fastest * time * std::cosh(w * time);
+    return start + late + first + lost + second + round * std::cosh(w * time);
   };
   const auto place = [=](const Stepping& s) {
     const double fallen = gravity * lag(s) * (lag(s) + s.h);
-    return d * turn(s) + s.creep * duration + s.gap + fallen + round_off(s, duration, reach);
+    return d * turn(s) + s.creep * time + s.gap + fallen + round_off(s, time, reach);
   };
   const std::string law = stands ? "stands, as tan a <= b/h" : "tan a > b/h: turns about its edge, s'' = w^2 sin s";
   return {{.body = "box",
            .quantity = Quantity::angle,
+           .time = time,
            .allowed = turn,
            .source = law + (stands ? "; gapes by a gap" : "; a gap and a lag at the start, grown, and drift")},
-          {.body = "box", .quantity = Quantity::x, .allowed = place, .source = law + "; the arm times the turn"},
-          {.body = "box", .quantity = Quantity::y, .allowed = place, .source = law + "; the arm times the turn"}};
+          {.body = "box",
+           .quantity = Quantity::x,
+           .time = time,
+           .allowed = place,
+           .source = law + "; the arm times the turn"},
+          {.body = "box",
+           .quantity = Quantity::y,
+           .time = time,
+           .allowed = place,
+           .source = law + "; the arm times the turn"}};
 }
 
 const Catalog<Scenario>::Entry entry{
