@@ -79,10 +79,9 @@ struct Expectation {
   int index = 0;                   // apex, landing: the how-manieth, from 1
   std::optional<double> expected;  // nothing: what the scenario's closed form says at that time
   std::function<double(const Stepping&)>
-      allowed;  // largest error, in the quantity's unit, from how the contender steps
-  std::optional<double> within =
-      std::nullopt;    // largest error whoever steps, round-off and all, instead of `allowed`
-  std::string source;  // the formula, and why that much is allowed
+      allowed;                                  // largest error, in the quantity's unit, from how the contender steps
+  std::optional<double> within = std::nullopt;  // largest error whoever steps, round-off and all, instead of `allowed`
+  std::string source;                           // the formula, and why that much is allowed
 };
 
 /// One canonical setting of a family, by the parameters that differ from the defaults.
