@@ -35,7 +35,9 @@ Scene scene(const Parameters& p) {
   }
   Random random(20);
   for (int i = 0; i < side(p) * side(p); ++i) {
-    const Vec place{(i % side(p) + 0.5) * spacing - half, (i / side(p) + 0.5) * spacing - half};
+    const int row = i / side(p);
+    const int column = i % side(p);
+    const Vec place{(column + 0.5) * spacing - half, (row + 0.5) * spacing - half};
     Body one = disc("disc " + std::to_string(i + 1), place, radius, elastic);
     const double direction = random.between(0, 2 * std::numbers::pi);
     one.velocity = {speed * std::cos(direction), speed * std::sin(direction)};
