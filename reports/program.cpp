@@ -12,6 +12,7 @@
 
 #include "reports/command.h"
 #include "reports/environment.h"
+#include "reports/joined.h"
 #include "scenarios/catalog.h"
 #include "scenarios/nearest.h"
 
@@ -44,6 +45,7 @@ std::string advice(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 int parse_and_run(std::vector<std::string> arguments) {
+  check_joined(Catalog<Contender>::all());
   CLI::App app{"Plumb tells whether a 2D physics engine is right.", "plumb"};
   app.set_version_flag("--version", std::string("plumb ") + version());
   app.require_subcommand(1);

@@ -8,6 +8,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "reports/readout.h"
 #include "reports/statistics.h"
 #include "reports/vec.h"
 
@@ -44,10 +45,8 @@ std::string divergence(const Scene& scene, std::span<const BodyState> states, do
 }
 
 void record_until_the_end(const Scene& scene, Simulation& simulation, double dt, Outcome& outcome) {
-  std::vector<BodyState> states(scene.bodies.size());
-  std::vector<ContactState> contacts;
-  simulation.read(states);
-  outcome.trace->record(0, states, contacts);
+  Readout readout(scene);
+  outcome.trace->record(0, readout.states(simulation), {});
 
   const double valid = simulation.valid_until();
   const std::size_t steps = steps_in(scene.duration, dt);
@@ -59,15 +58,13 @@ void record_until_the_end(const Scene& scene, Simulation& simulation, double dt,
     simulation.step(dt);
     outcome.stepping += in_step.seconds();
 
-    simulation.read(states);
-    contacts.clear();
-    simulation.read_contacts(contacts);
+    const std::span<const BodyState> states = readout.states(simulation);
     outcome.reason = divergence(scene, states, time);
     if (!outcome.reason.empty()) {
       outcome.status = Status::failed;
       return;
     }
-    outcome.trace->record(time, states, contacts);
+    outcome.trace->record(time, states, readout.contacts(simulation));
   }
 }
 

@@ -1,0 +1,11 @@
+# Chipmunk comes without a CMake package. Defines chipmunk::chipmunk. Installed with Plumb, whose package asks it too.
+include(FindPackageHandleStandardArgs)
+find_path(CHIPMUNK_INCLUDE_DIR chipmunk/chipmunk.h)
+find_library(CHIPMUNK_LIBRARY chipmunk)
+mark_as_advanced(CHIPMUNK_INCLUDE_DIR CHIPMUNK_LIBRARY)
+find_package_handle_standard_args(Chipmunk REQUIRED_VARS CHIPMUNK_LIBRARY CHIPMUNK_INCLUDE_DIR)
+if(Chipmunk_FOUND AND NOT TARGET chipmunk::chipmunk)
+  add_library(chipmunk::chipmunk INTERFACE IMPORTED)
+  target_include_directories(chipmunk::chipmunk SYSTEM INTERFACE ${CHIPMUNK_INCLUDE_DIR})
+  target_link_libraries(chipmunk::chipmunk INTERFACE ${CHIPMUNK_LIBRARY})
+endif()
