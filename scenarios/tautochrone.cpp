@@ -99,6 +99,8 @@ double slid(const Parameters& p, int bead) {
 //   turning  in a step the path turns by v h k, k = 1/(4 c cos a) its curvature, and that share's half of the speed is
 //            lost as at a corner: dv = v (v h k)/2 each k v dt, which shifts the end by dv cos(w t)/w, together by
 //            less than h s0^3 w/(8 (4 c cos a0)^2);
+//   lead     where the path turns within a step, forces and contact act along the new direction for all of it, up to a
+//            step early: s'' = -w^2 s(t + h), a damping of w^2 h, which shifts the end by h w s0/2;
 //   gap      on a parallel curve by so much: the period changes by its share of 4 c cos a0, pi/2 s0 of it, and the gap.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Cycloid cycloid(p);
@@ -116,8 +118,9 @@ std::vector<Expectation> expectations(const Parameters& p) {
                        [=](const Stepping& s) {
                          const double first = 2 * std::abs(s.drift) * s.h * w * s0 + lag(s) * w * s0;
                          const double turning = s.h * s0 * s0 * s0 * w / (8 * curved * curved);
+                         const double lead = s.h * w * s0 / 2;
                          const double off = s.gap * (1 + std::numbers::pi / 2 * s0 / curved);
-                         return first + turning + off + round_off(s, time, s0 * (1 + w * time));
+                         return first + turning + lead + off + round_off(s, time, s0 * (1 + w * time));
                        },
                    .source = "at the bottom after pi sqrt(c/g), less what the corners take"});
   }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <tuple>
 
 #include "closing.h"
 #include "collide.h"
+#include "ghosts.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -56,31 +58,38 @@ void measure_again(Contact& contact, const BodySet& bodies) {
   ++contact.age;
 }
 
+void take_points(Contact& contact, const BodySet& bodies, const Manifold& manifold) {
+  const Vec2 a = bodies.pose[contact.body_a].p;
+  const Vec2 b = bodies.pose[contact.body_b].p;
+  contact.normal = manifold.normal;
+  contact.found_a = bodies.pose[contact.body_a];
+  contact.found_b = bodies.pose[contact.body_b];
+  contact.count = manifold.count;
+  for (std::size_t p = 0; p < static_cast<std::size_t>(manifold.count); ++p) {
+    const ManifoldPoint& found = manifold.points[p];
+    ContactPoint& point = contact.points[p];
+    point = {};
+    point.arm_a = found.point - a;
+    point.arm_b = found.point - b;
+    point.separation = found.separation;
+    point.feature = found.feature;
+    contact.found_separation[p] = found.separation;
+  }
+}
+
 Contact make(const BodySet& bodies, const Proxy& a, const Proxy& b, const Manifold& manifold) {
   Contact contact;
   contact.body_a = a.body;
   contact.body_b = b.body;
   contact.part_a = a.part;
   contact.part_b = b.part;
-  contact.normal = manifold.normal;
-  contact.found_a = bodies.pose[a.body];
-  contact.found_b = bodies.pose[b.body];
   const Shape& shape_a = bodies.detail[a.body].parts[a.part].shape;
   const Shape& shape_b = bodies.detail[b.body].parts[b.part].shape;
   contact.radius_a = shape_a.radius();
   contact.radius_b = shape_b.radius();
   const auto disc = [](const Shape& shape) { return shape.type() == ShapeType::circle && shape.vertex(0) == Vec2{}; };
   contact.discs = disc(shape_a) && disc(shape_b);
-  contact.count = manifold.count;
-  for (std::size_t p = 0; p < static_cast<std::size_t>(manifold.count); ++p) {
-    const ManifoldPoint& found = manifold.points[p];
-    ContactPoint& point = contact.points[p];
-    point.arm_a = found.point - bodies.pose[a.body].p;
-    point.arm_b = found.point - bodies.pose[b.body].p;
-    point.separation = found.separation;
-    point.feature = found.feature;
-    contact.found_separation[p] = found.separation;
-  }
+  take_points(contact, bodies, manifold);
   return contact;
 }
 
@@ -90,9 +99,7 @@ void mix_materials(Contact& contact, const Material& a, const Material& b, const
   contact.restitution = mix(settings.restitution_mixing, a.restitution, b.restitution);
 }
 
-void carry_over(Contact& contact, const Contact& last) {
-  contact.age = last.age + 1;
-  contact.offset = last.offset;
+void carry_impulses(Contact& contact, const Contact& last) {
   for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
     for (std::size_t q = 0; q < static_cast<std::size_t>(last.count); ++q) {
       ContactPoint& point = contact.points[p];
@@ -105,6 +112,12 @@ void carry_over(Contact& contact, const Contact& last) {
   }
 }
 
+void carry_over(Contact& contact, const Contact& last) {
+  contact.age = last.age + 1;
+  contact.offset = last.offset;
+  carry_impulses(contact, last);
+}
+
 }  // namespace
 
 void ContactSet::find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
@@ -113,6 +126,7 @@ void ContactSet::find(const BodySet& bodies, BroadPhase& broad_phase, const Sett
   broad_phase.find_pairs(proxies_, pairs_);
   sort_pairs();
   collide_pairs(bodies, settings, margin, recycle, joints);
+  remove_ghosts(bodies, margin);
 }
 
 void ContactSet::collect_proxies(const BodySet& bodies, const Margin& margin) {
@@ -145,6 +159,7 @@ void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, 
                                const JointSet& joints) {
   std::swap(rows_, last_rows_);
   rows_.clear();
+  on_ground_.clear();
   auto last = last_rows_.cbegin();
   for (const Pair& pair : pairs_) {
     const Proxy& a = proxies_[pair.first];
@@ -154,7 +169,13 @@ void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, 
     const bool known = last != last_rows_.cend() && key(*last) == key(a, b);
     const Part& part_a = bodies.detail[a.body].parts[a.part];
     const Part& part_b = bodies.detail[b.body].parts[b.part];
+    const auto note_ground = [&] {
+      if (a.moves == b.moves || bodies.stirs(a.moves ? b.body : a.body)) return;
+      const Proxy& moving = a.moves ? a : b;
+      on_ground_.push_back({moving.body, moving.part, a.moves, rows_.size()});
+    };
     if (known && recycle && recycled(*last, bodies)) {
+      note_ground();
       rows_.push_back(*last);
       measure_again(rows_.back(), bodies);
       mix_materials(rows_.back(), part_a.material, part_b.material, settings);
@@ -163,9 +184,44 @@ void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, 
     const Manifold manifold = collide(part_a.shape, bodies.pose[a.body], part_b.shape, bodies.pose[b.body],
                                       closing(bodies, a.body, b.body, margin));
     if (manifold.count == 0) continue;
+    note_ground();
     Contact& contact = rows_.emplace_back(make(bodies, a, b, manifold));
     mix_materials(contact, part_a.material, part_b.material, settings);
     if (known) carry_over(contact, *last);
+  }
+}
+
+// Only a part that meets several fixed shapes can meet a join of them.
+void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
+  const auto part = [](const OnGround& meets) { return std::tie(meets.body, meets.part); };
+  std::stable_sort(on_ground_.begin(), on_ground_.end(),
+                   [&](const OnGround& left, const OnGround& right) { return part(left) < part(right); });
+  for (auto first = on_ground_.cbegin(), next = first; first != on_ground_.cend(); first = next) {
+    next = std::find_if(first, on_ground_.cend(), [&](const OnGround& meets) { return part(meets) != part(*first); });
+    if (next - first > 1) remove_ghosts({first, next}, bodies, margin);
+  }
+  std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; });
+}
+
+// A face that has taken the place of a ghost hides others in turn: those two joins ahead.
+void ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin) {
+  supports_.assign(of_part.begin(), of_part.end());
+  for (std::size_t i = 0; i < supports_.size(); ++i) {
+    const OnGround below = supports_[i];
+    if (rows_[below.row].count == 0) continue;
+    const std::optional<Plane> plane = face_under(Meeting(rows_[below.row], bodies, below.dynamic_first), bodies);
+    if (!plane) continue;
+    for (const OnGround& ahead : of_part) {
+      Contact& contact = rows_[ahead.row];
+      if (ahead.row == below.row || contact.count == 0) continue;
+      const std::optional<Manifold> instead =
+          without_ghost(Meeting(contact, bodies, ahead.dynamic_first), *plane, bodies, margin);
+      if (!instead) continue;
+      const Contact was = contact;
+      take_points(contact, bodies, *instead);
+      carry_impulses(contact, was);
+      supports_.push_back(ahead);
+    }
   }
 }
 

@@ -43,13 +43,24 @@ class ContactSet {
  private:
   void collect_proxies(const BodySet& bodies, const Margin& margin);
   void sort_pairs();
+  /// One that has a dynamic body and one that stands still.
+  struct OnGround {
+    std::uint32_t body;  // the dynamic one
+    std::uint16_t part;
+    bool dynamic_first;
+    std::size_t row;
+  };
   void collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle,
                      const JointSet& joints);
+  void remove_ghosts(const BodySet& bodies, const Margin& margin);
+  void remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin);
 
   std::vector<Proxy> proxies_;
   std::vector<Pair> pairs_;
   std::vector<Contact> rows_;
   std::vector<Contact> last_rows_;
+  std::vector<OnGround> on_ground_;
+  std::vector<OnGround> supports_;
   std::vector<Contact> resting_;
 };
 

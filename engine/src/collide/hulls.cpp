@@ -37,7 +37,8 @@ Manifold hull_hull(const Shape& a, const Pose& pose_a, const Shape& b, const Pos
 
 Manifold hull_segment(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {
   if (b.in_chain()) return flipped(chain_hull(b, pose_b, a, pose_a, margin));
-  return hull_hull(a, pose_a, b, pose_b, margin);
+  // The line is what things slide on: its face is the first to be the reference.
+  return flipped(hull_hull(b, pose_b, a, pose_a, margin));
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -270,6 +270,8 @@ Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
   if (!joints.empty() && (!now.rows.empty() || std::any_of(joints.begin(), joints.end(), has_stops))) {
     now.sweeps = data.settings.iterations;
   }
+  // A body that slides from one fixed shape to the next hands its load over at once, not in several sub-steps.
+  if (now.bodies.size() == 1 && now.rows.size() > 1) now.sweeps = data.settings.iterations;
   now.ideal =
       !joints.empty() && !forces_vary_ &&
       std::none_of(joints.begin(), joints.end(), [](const ActiveJoint* joint) { return joint->block.driven; }) &&
