@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scenarios/mass.h"
 
@@ -43,6 +44,15 @@ double reach(const Scene& scene) {
     farthest = std::max(farthest, start + flight);
   }
   return farthest;
+}
+
+double smallest_body(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Body& body : scene.bodies) {
+    const Mass of = mass_of(body);
+    if (of.inertia > 0) smallest = std::min(smallest, 2 * std::sqrt(2 * of.inertia / of.mass));  // a disc has m r^2/2
+  }
+  return std::isfinite(smallest) ? smallest : 1;
 }
 
 std::string needs_two_frictions(const Scene& scene) {

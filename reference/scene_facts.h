@@ -11,6 +11,9 @@ namespace plumb {
 /// at least 100. Engines without half-spaces get an edge that long to either side.
 double reach(const Scene&);
 
+/// m, the diameter of the disc with the radius of gyration of the smallest dynamic body; 1 where none has an extent.
+double smallest_body(const Scene&);
+
 /// Why an engine with a single coefficient of friction cannot run it; "" when it can.
 std::string needs_two_frictions(const Scene&);
 

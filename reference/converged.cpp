@@ -1,0 +1,239 @@
+#include "reference/converged.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "reference/exact/closed_form.h"
+#include "reference/exact/plane.h"
+#include "reference/scene_facts.h"
+#include "scenarios/allowance.h"
+#include "scenarios/scaled.h"
+
+namespace plumb {
+namespace {
+
+const Contender& engine() { return *Catalog<Contender>::find("impulse"); }
+Settings settings() { return complete(engine(), {{"precision", "double"}}); }
+
+BodyState between(const BodyState& a, const BodyState& b, double share) {
+  return {.position = a.position + share * (b.position - a.position),
+          .angle = a.angle + share * (b.angle - a.angle),
+          .velocity = a.velocity + share * (b.velocity - a.velocity),
+          .angular_velocity = a.angular_velocity + share * (b.angular_velocity - a.angular_velocity)};
+}
+
+// The refinement's k-th answer: 2^k times as many steps, lengths 2^k times as long. A power of two, so that enlarging
+// and shrinking round nothing. Read between two steps it is linear: an error that falls with the others.
+std::vector<BodyState> answer(const Scene& scene, std::span<const double> times, double coarsest, int halvings) {
+  const double scale = std::ldexp(1.0, halvings);
+  const double dt = coarsest / scale;
+  const auto simulation = engine().build(scaled(scene, scale), settings());
+  std::vector<BodyState> before(scene.bodies.size());
+  simulation->read(before);
+  std::vector<BodyState> now = before;
+  std::vector<BodyState> read;
+  read.reserve(times.size() * now.size());
+  double steps = 0;
+  for (const double time : times) {
+    while (steps * dt < time * (1 - 1e-12)) {
+      before.swap(now);
+      simulation->step(dt);
+      simulation->read(now);
+      ++steps;
+    }
+    const double share = 1 - std::clamp(steps - time / dt, 0.0, 1.0);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      BodyState state = between(before[i], now[i], share);
+      state.position = (1 / scale) * state.position;
+      state.velocity = (1 / scale) * state.velocity;
+      read.push_back(state);
+    }
+  }
+  return read;
+}
+
+struct Limit {
+  Vec value;
+  double error = 0;
+};
+
+// x(h) = x + c h^p + ... : three successive answers differ in a ratio of 2^p, and so must the three one halving back
+// where that is more than chance; the differences point the same way. Then the limit lies another D/(2^p - 1) on, and
+// that much is the error claimed, although the extrapolation leaves a higher order only. Where the differences follow
+// no order (an impact falls elsewhere in each step, and its error with it) the finest answer stands as it is; the last
+// three differences tell how far it may be off, twice over since each is a difference of two errors.
+Limit limit_of(std::span<const Vec> answers) {
+  constexpr double slowest = 1.5;  // ratio; a first order has 2
+  constexpr double fastest = 5;    // the method is of second order: 4, and what scatters about it
+  constexpr double alike = 1.25;   // one ratio to the next
+  constexpr double aligned = 0.95;
+  const std::size_t n = answers.size();
+  const std::array<Vec, 3> step{answers[n - 3] - answers[n - 4], answers[n - 2] - answers[n - 3],
+                                answers[n - 1] - answers[n - 2]};
+  const std::array<double, 3> size{length(step[0]), length(step[1]), length(step[2])};
+  const double first = size[0] / size[1];
+  const double last = size[1] / size[2];
+  const bool ordered = first > slowest && last > slowest && first < fastest && last < fastest &&
+                       std::max(first, last) < alike * std::min(first, last) &&
+                       dot(step[0], step[1]) > aligned * size[0] * size[1] &&
+                       dot(step[1], step[2]) > aligned * size[1] * size[2];
+  if (!ordered) return {answers[n - 1], 2 * std::max({size[0], size[1], size[2]})};
+  const Vec further = (1 / (std::min(first, last) - 1)) * step[2];
+  return {answers[n - 1] + further, length(further)};
+}
+
+std::string in_words(const Scene& scene, std::size_t body, double time, std::span<const Vec> answers) {
+  const std::size_t n = answers.size();
+  std::ostringstream words;
+  words.precision(3);
+  words << "does not converge: at t = " << time << " s \"" << scene.bodies[body].name << "\" differs by "
+        << length(answers[n - 3] - answers[n - 4]) << ", " << length(answers[n - 2] - answers[n - 3]) << ", "
+        << length(answers[n - 1] - answers[n - 2]) << " m from one halving of the step to the next";
+  return words.str();
+}
+
+// What no halving shows. Round-off grows with the steps; whatever a body does, each of them rounds the g h that gravity
+// adds and a support takes away, and the place x, which contacts and joints turn into a speed within one sub-step. Hops
+// slower than the engine's threshold for bouncing are missing, v^2/(2 g) high.
+class Floor {
+ public:
+  Floor(const Scene& scene, const Refinement& refinement, int halvings)
+      : stepping_(engine().stepping(settings(), refinement.dt / std::ldexp(1.0, halvings))),
+        gravity_(length(scene.gravity)),
+        size_(smallest_body(scene)),
+        fastest_(scene.bodies.size()) {
+    const double bounces = std::ldexp(stepping_.restitution_threshold, -halvings);
+    for (const Body& body : scene.bodies) {
+      for (const Shape& shape : body.shapes) {
+        if (shape.surface.restitution > 0 && gravity_ > 0) slow_ = bounces;
+      }
+    }
+  }
+
+  StateError at(double time, std::size_t body, const BodyState& state) {
+    double& fastest = fastest_[body];
+    fastest = std::max(fastest, length(state.velocity) + size_ * std::abs(state.angular_velocity));
+    const double place = length(state.position) + size_ * std::abs(state.angle);
+    const double position = round_off(stepping_, time, place + fastest * time);
+    const double velocity =
+        round_off(stepping_, time, fastest + gravity_ * stepping_.h) + round_off(stepping_, 0, place) / stepping_.h;
+    const double hop = gravity_ > 0 ? slow_ * slow_ / (2 * gravity_) : 0;
+    return {hop + position, position / size_, slow_ + velocity, velocity / size_};
+  }
+
+ private:
+  Stepping stepping_;
+  double gravity_, size_;
+  double slow_ = 0;
+  std::vector<double> fastest_;  // m/s so far, of each body
+};
+
+class Samples {
+ public:
+  explicit Samples(std::shared_ptr<const Converged> converged) : converged_(std::move(converged)) {}
+
+  void at(double t, std::span<BodyState> out) const {
+    const std::vector<double>& times = converged_->times();
+    const auto after = std::lower_bound(times.begin(), times.end() - 1, t * (1 - 1e-12));
+    const auto last = static_cast<std::size_t>(after - times.begin());
+    const std::size_t first = last == 0 ? 0 : last - 1;
+    const double share = last == 0 ? 0 : std::min((t - times[first]) / (times[last] - times[first]), 1.0);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] = between(converged_->states(first)[i], converged_->states(last)[i], share);
+    }
+  }
+  double valid_until() const { return converged_->valid_until() * (1 + 1e-12); }
+
+ private:
+  std::shared_ptr<const Converged> converged_;
+};
+
+}  // namespace
+
+Converged::Converged(const Scene& scene, std::vector<double> times, const Refinement& refinement)
+    : times_(std::move(times)), bodies_(scene.bodies.size()) {
+  if (times_.empty() || times_.front() < 0 || !std::is_sorted(times_.begin(), times_.end())) {
+    throw std::invalid_argument("a converged reference answers at moments from 0 on, in ascending order");
+  }
+  const std::string unsupported = engine().unsupported(scene, settings());
+  if (!unsupported.empty()) throw std::domain_error(unsupported);
+  const double coarsest = static_cast<double>(bodies_) * std::ceil(times_.back() / refinement.dt);
+  const auto cost = [&](int halvings) { return coarsest * (std::ldexp(1.0, halvings + 1) - 1); };
+  const auto budget = static_cast<double>(refinement.budget);
+  if (cost(fewest_halvings) > budget) {
+    std::ostringstream words;
+    words << "over budget: " << fewest_halvings << " halvings take " << cost(fewest_halvings) << " body-steps of "
+          << budget;
+    throw std::domain_error(words.str());
+  }
+  while (halvings_ < refinement.halvings && cost(halvings_ + 1) <= budget) ++halvings_;
+
+  std::vector<std::vector<BodyState>> answers;
+  for (int k = 0; k <= halvings_; ++k) answers.push_back(answer(scene, times_, refinement.dt, k));
+  conclude(scene, answers, refinement);
+}
+
+void Converged::conclude(const Scene& scene, std::span<const std::vector<BodyState>> answers,
+                         const Refinement& refinement) {
+  Floor floor(scene, refinement, halvings_);
+  const double size = smallest_body(scene);
+  std::vector<Vec> sequence(answers.size());
+  const auto limit = [&](std::size_t index, auto&& read) {
+    for (std::size_t k = 0; k < answers.size(); ++k) sequence[k] = read(answers[k][index]);
+    return limit_of(sequence);
+  };
+  const auto place = [](const BodyState& state) { return state.position; };
+  valid_until_ = times_.back();
+  for (std::size_t moment = 0; moment < times_.size(); ++moment) {
+    for (std::size_t i = 0; i < bodies_; ++i) {
+      const std::size_t index = moment * bodies_ + i;
+      const Limit position = limit(index, place);
+      const Limit angle = limit(index, [](const BodyState& state) { return Vec{state.angle, 0}; });
+      const Limit velocity = limit(index, [](const BodyState& state) { return state.velocity; });
+      const Limit turning = limit(index, [](const BodyState& state) { return Vec{state.angular_velocity, 0}; });
+      states_.push_back({position.value, angle.value.x, velocity.value, turning.value.x});
+      StateError error = floor.at(times_[moment], i, states_.back());
+      error.position += position.error;
+      error.angle += angle.error;
+      error.velocity += velocity.error;
+      error.angular_velocity += turning.error;
+      errors_.push_back(error);
+      // False for what is not finite.
+      if (error.position + size / 2 * error.angle <= refinement.tolerance * size || !reason_.empty()) continue;
+      valid_until_ = moment == 0 ? 0 : times_[moment - 1];
+      limit(index, place);
+      reason_ = in_words(scene, i, times_[moment], sequence);
+    }
+  }
+}
+
+std::span<const BodyState> Converged::states(std::size_t moment) const {
+  return std::span(states_).subspan(moment * bodies_, bodies_);
+}
+
+std::span<const StateError> Converged::errors(std::size_t moment) const {
+  return std::span(errors_).subspan(moment * bodies_, bodies_);
+}
+
+Contender converged_reference(std::shared_ptr<const Converged> converged) {
+  Contender contender;
+  contender.name = "converged";
+  contender.about = "the limit of our engine's answers as its step is halved";
+  contender.source = "this repository, reference/converged.h; L. F. Richardson (1911)";
+  contender.exact = true;
+  contender.stepping = [](const Settings&, double dt) { return Stepping{.dt = dt, .impact_lag = 0, .epsilon = 0x1p-53}; };
+  contender.unsupported = [converged](const Scene&, const Settings&) {
+    return converged->valid_until() > 0 ? std::string() : converged->reason();
+  };
+  contender.build = [converged](const Scene&, const Settings&) -> std::unique_ptr<Simulation> {
+    return std::make_unique<ClosedForm<Samples>>(Samples(converged));
+  };
+  return contender;
+}
+
+}  // namespace plumb

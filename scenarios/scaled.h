@@ -1,0 +1,11 @@
+#pragma once
+
+#include "scenarios/scene.h"
+
+namespace plumb {
+
+/// The same scene with every length `factor` times as long in the same time, masses as they were: every contender's
+/// answer must be `factor` times as large, angles alike, but for what it fixes in metres (slops, skins, thresholds).
+Scene scaled(const Scene&, double factor);
+
+}  // namespace plumb
