@@ -60,31 +60,41 @@ std::vector<BodyState> answer(const Scene& scene, std::span<const double> times,
 struct Limit {
   Vec value;
   double error = 0;
+  bool ordered = false;
 };
 
 // x(h) = x + c h^p + ... : three successive answers differ in a ratio of 2^p, and so must the three one halving back
 // where that is more than chance; the differences point the same way. Then the limit lies another D/(2^p - 1) on, and
-// that much is the error claimed, although the extrapolation leaves a higher order only. Where the differences follow
-// no order (an impact falls elsewhere in each step, and its error with it) the finest answer stands as it is; the last
-// three differences tell how far it may be off, twice over since each is a difference of two errors.
+// as much with Roache's factor of safety is the error claimed, although the extrapolation leaves a higher order only
+// (P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, 1994: 1.25 from three grids
+// on). Where the differences follow no order (an impact falls elsewhere in each step, and its error with it) the finest
+// answer stands as it is; the last three differences tell how far it may be off, twice over since each is a difference
+// of two errors.
 Limit limit_of(std::span<const Vec> answers) {
   constexpr double slowest = 1.5;  // ratio; a first order has 2
   constexpr double fastest = 5;    // the method is of second order: 4, and what scatters about it
-  constexpr double alike = 1.25;   // one ratio to the next
+  constexpr double alike = 1.15;   // one ratio to the next
   constexpr double aligned = 0.95;
+  constexpr double safety = 1.25;
   const std::size_t n = answers.size();
   const std::array<Vec, 3> step{answers[n - 3] - answers[n - 4], answers[n - 2] - answers[n - 3],
                                 answers[n - 1] - answers[n - 2]};
   const std::array<double, 3> size{length(step[0]), length(step[1]), length(step[2])};
   const double first = size[0] / size[1];
   const double last = size[1] / size[2];
-  const bool ordered = first > slowest && last > slowest && first < fastest && last < fastest &&
+  const bool ordered = std::min(first, last) > slowest && std::max(first, last) < fastest &&
                        std::max(first, last) < alike * std::min(first, last) &&
                        dot(step[0], step[1]) > aligned * size[0] * size[1] &&
                        dot(step[1], step[2]) > aligned * size[1] * size[2];
   if (!ordered) return {answers[n - 1], 2 * std::max({size[0], size[1], size[2]})};
   const Vec further = (1 / (std::min(first, last) - 1)) * step[2];
-  return {answers[n - 1] + further, length(further)};
+  return {answers[n - 1] + further, safety * length(further), true};
+}
+
+// Speeds at a support may agree for a while and then begin to change. Without an order a speed is known no better than
+// from the two places, each within its error, at the ends of a coarsest step.
+double error_of_speed(const Limit& speed, const Limit& place, double dt) {
+  return speed.ordered ? speed.error : std::max(speed.error, 2 * place.error / dt);
 }
 
 std::string in_words(const Scene& scene, std::size_t body, double time, std::span<const Vec> answers) {
@@ -200,8 +210,8 @@ void Converged::conclude(const Scene& scene, std::span<const std::vector<BodySta
       StateError error = floor.at(times_[moment], i, states_.back());
       error.position += position.error;
       error.angle += angle.error;
-      error.velocity += velocity.error;
-      error.angular_velocity += turning.error;
+      error.velocity += error_of_speed(velocity, position, refinement.dt);
+      error.angular_velocity += error_of_speed(turning, angle, refinement.dt);
       errors_.push_back(error);
       // False for what is not finite.
       if (error.position + size / 2 * error.angle <= refinement.tolerance * size || !reason_.empty()) continue;
@@ -220,20 +230,36 @@ std::span<const StateError> Converged::errors(std::size_t moment) const {
   return std::span(errors_).subspan(moment * bodies_, bodies_);
 }
 
-Contender converged_reference(std::shared_ptr<const Converged> converged) {
-  Contender contender;
+double Converged::largest_error() const {
+  double largest = 0;
+  for (std::size_t moment = 0; moment < times_.size() && times_[moment] <= valid_until_; ++moment) {
+    for (const StateError& error : errors(moment)) largest = std::max(largest, error.position);
+  }
+  return largest;
+}
+
+ConvergedTruth converged_truth(const Scene& scene, std::vector<double> times, const Refinement& refinement) {
+  ConvergedTruth truth;
+  std::string refused;
+  try {
+    truth.answer = std::make_shared<const Converged>(scene, std::move(times), refinement);
+    if (!(truth.answer->valid_until() > 0)) refused = truth.answer->reason();
+  } catch (const std::domain_error& error) {
+    refused = error.what();
+  }
+  Contender& contender = truth.contender;
   contender.name = "converged";
-  contender.about = "the limit of our engine's answers as its step is halved";
+  contender.about = "what our engine's answers tend to as its step is halved, where they agree";
   contender.source = "this repository, reference/converged.h; L. F. Richardson (1911)";
   contender.exact = true;
-  contender.stepping = [](const Settings&, double dt) { return Stepping{.dt = dt, .impact_lag = 0, .epsilon = 0x1p-53}; };
-  contender.unsupported = [converged](const Scene&, const Settings&) {
-    return converged->valid_until() > 0 ? std::string() : converged->reason();
+  contender.stepping = [](const Settings&, double dt) {
+    return Stepping{.dt = dt, .impact_lag = 0, .epsilon = 0x1p-53};
   };
-  contender.build = [converged](const Scene&, const Settings&) -> std::unique_ptr<Simulation> {
-    return std::make_unique<ClosedForm<Samples>>(Samples(converged));
+  contender.unsupported = [refused](const Scene&, const Settings&) { return refused; };
+  contender.build = [answer = truth.answer](const Scene&, const Settings&) -> std::unique_ptr<Simulation> {
+    return std::make_unique<ClosedForm<Samples>>(Samples(answer));
   };
-  return contender;
+  return truth;
 }
 
 }  // namespace plumb

@@ -30,8 +30,8 @@ constexpr int fewest_halvings = 3;  // two ratios of successive differences
 
 class Converged {
  public:
-  /// Answers at these moments, s, ascending from 0 on. Throws std::domain_error, saying why, where the engine cannot run
-  /// the scene, or the budget does not even pay for the fewest halvings.
+  /// Answers at these moments, s, ascending from 0 on. Throws std::domain_error, saying why, where the engine cannot
+  /// run the scene, or the budget does not even pay for the fewest halvings.
   Converged(const Scene&, std::vector<double> times, const Refinement& = {});
 
   const std::vector<double>& times() const { return times_; }
@@ -44,6 +44,8 @@ class Converged {
   /// Why it goes no further; "" when it reaches the last moment.
   const std::string& reason() const { return reason_; }
   int halvings() const { return halvings_; }
+  /// m, of all places up to `valid_until`.
+  double largest_error() const;
 
  private:
   void conclude(const Scene&, std::span<const std::vector<BodyState>> answers, const Refinement&);
@@ -58,6 +60,10 @@ class Converged {
 };
 
 /// The same as a truth that takes every closed form's road; read between its moments, it is linear.
-Contender converged_reference(std::shared_ptr<const Converged>);
+struct ConvergedTruth {
+  Contender contender;  // supports no scene that was refused, or of which nothing is known beyond the start
+  std::shared_ptr<const Converged> answer;  // null where it was refused
+};
+ConvergedTruth converged_truth(const Scene&, std::vector<double> times, const Refinement&);
 
 }  // namespace plumb

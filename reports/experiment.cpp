@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "reference/converged.h"
 #include "reports/comparator.h"
 #include "reports/jobs.h"
 #include "reports/metric.h"
@@ -36,19 +37,31 @@ RunRecord record_of(const Case& asked, const Entrant& entrant, double dt, const 
   return record;
 }
 
+std::vector<double> moments_in(double duration, double dt) {
+  std::vector<double> moments(steps_in(duration, dt) + 1);
+  for (std::size_t i = 0; i < moments.size(); ++i) moments[i] = static_cast<double>(i) * dt;
+  return moments;
+}
+
 // All runs of one case: the closed form first, where there is one.
 class CaseRun {
  public:
   CaseRun(const Case& asked, double dt) : asked_(asked), dt_(dt) {}
 
-  void find_truth() {
-    if (asked_.closed_form == nullptr) return;
-    const Entrant closed_form{asked_.closed_form, complete(*asked_.closed_form, {})};
+  void find_truth(bool refine) {
+    const Contender* witness = asked_.closed_form;
+    if (witness == nullptr && refine) {
+      refined_ = converged_truth(*asked_.scene, moments_in(asked_.scene->duration, dt_), {.dt = dt_});
+      witness = &refined_->contender;
+    }
+    if (witness == nullptr) return;
+    const Entrant closed_form{witness, complete(*witness, {})};
     RunRecord record = record_of(asked_, closed_form, dt_, run(*asked_.scene, closed_form, dt_));
     if (record.status == Status::ok) {
-      truth_.emplace(*asked_.closed_form, *asked_.scene);
+      truth_.emplace(*witness, *asked_.scene);
       truth_trace_ = record.trace;
       record.metrics = measure(evidence(*record.trace));
+      if (refined_) record.metrics["truth_estimate_max"] = {refined_->answer->largest_error(), "m"};
       record.verdict = Verdict::right;  // by definition; its formula has tests of its own
     }
     records_.push_back(std::move(record));
@@ -73,6 +86,8 @@ class CaseRun {
   void compare_all() { comparisons_ = compare(records_); }
 
   const Case& asked() const { return asked_; }
+  /// Who answers for the truth where no closed form does; null where none was asked.
+  const Contender* refined() const { return refined_ ? &refined_->contender : nullptr; }
   const Spent& spent() const { return spent_; }
   std::vector<RunRecord>& records() { return records_; }
   std::vector<Comparison>& comparisons() { return comparisons_; }
@@ -89,6 +104,7 @@ class CaseRun {
   const Case& asked_;
   double dt_;
   Spent spent_;
+  std::optional<ConvergedTruth> refined_;
   std::optional<Truth> truth_;
   std::shared_ptr<const Trace> truth_trace_;
   std::vector<RunRecord> records_;
@@ -114,19 +130,24 @@ void add_once(std::vector<Note>& notes, Note note) {
   if (!known) notes.push_back(std::move(note));
 }
 
+void add_note(const Contender& one, Report& report) {
+  add_once<EngineNote>(report.engines, {one.name, one.about, one.source, one.exact});
+}
+
 void add_notes(const Plan& plan, Report& report) {
-  const auto add_engine = [&](const Contender& one) {
-    add_once<EngineNote>(report.engines, {one.name, one.about, one.source, one.exact});
-  };
-  for (const Entrant& entrant : plan.entrants) add_engine(*entrant.contender);
+  for (const Entrant& entrant : plan.entrants) add_note(*entrant.contender, report);
   for (const Case& asked : plan.cases) {
     const Scenario& scenario = *asked.scenario;
     add_once<ScenarioNote>(report.scenarios,
                            {scenario.name, scenario.question, scenario.closed_form, scenario.parameters});
-    if (asked.closed_form != nullptr) add_engine(*asked.closed_form);
+    if (asked.closed_form != nullptr) add_note(*asked.closed_form, report);
   }
   for (const Metric* metric : Catalog<Metric>::all()) {
     report.metrics.push_back({metric->name, metric->unit, metric->definition, name_of(metric->better)});
+  }
+  if (plan.refine) {
+    report.metrics.push_back(
+        {"truth_estimate_max", "m", "largest error that a converged reference admits to, while it holds", "lower"});
   }
 }
 
@@ -144,7 +165,7 @@ Report carry_out(const Plan& plan, const Progress& progress) {
   std::vector<CaseRun> runs;
   for (const Case& asked : plan.cases) runs.emplace_back(asked, plan.dt);
   do_all(runs.size(), plan.jobs, [&](std::size_t i) {
-    runs[i].find_truth();
+    runs[i].find_truth(plan.refine);
     for (const Entrant& entrant : plan.entrants) {
       tell(runs[i].asked(), label_of(entrant.contender->name, entrant.method()));
       runs[i].add(entrant);
@@ -155,6 +176,7 @@ Report carry_out(const Plan& plan, const Progress& progress) {
   Report report;
   Spent spent;
   for (CaseRun& one : runs) {
+    if (one.refined() != nullptr) add_note(*one.refined(), report);
     tell(one.asked(), "cost of a step");
     std::ranges::move(time_steps(one.asked(), one.runnable(), plan.dt), std::back_inserter(report.timings));
     std::ranges::move(one.comparisons(), std::back_inserter(report.comparisons));

@@ -62,7 +62,7 @@ void must_be_new(const std::string& name, std::set<std::string>& seen) {
 }
 
 Plan plan_of(const Session& session) {
-  Plan plan{.dt = parse_dt(session.dt), .jobs = session.jobs};
+  Plan plan{.dt = parse_dt(session.dt), .jobs = session.jobs, .refine = session.converged};
   for (const std::string& word : session.scenarios) {
     for (Case& one : parse_cases(word)) plan.cases.push_back(std::move(one));
   }
@@ -80,6 +80,9 @@ Plan plan_of(const Session& session) {
 
 void Session::attach_to(CLI::App& app) {
   app.add_flag("--all", all, "Every scenario, not only the canonical ones");
+  app.add_flag(
+      "--converged", converged,
+      "Where no closed form knows the answer, a truth by refinement, as far as it converges; about 1 s a scene");
   app.add_option("--engine", engines, "NAME[:key=value,...]; may be repeated. Default: every engine")
       ->allow_extra_args(false)
       ->type_name("ENGINE");
@@ -102,6 +105,7 @@ Report Session::conduct(const std::string& command) const {
   report.command = {"plumb", command};
   report.command.insert(report.command.end(), scenarios.begin(), scenarios.end());
   if (all) report.command.emplace_back("--all");
+  if (converged) report.command.emplace_back("--converged");
   for (const std::string& engine : engines) report.command.insert(report.command.end(), {"--engine", engine});
   report.command.insert(report.command.end(), {"--dt", dt});
   report.environment = environment();

@@ -13,6 +13,7 @@ namespace plumb {
 struct Session {
   std::vector<std::string> scenarios;
   bool all = false;
+  bool converged = false;
   std::vector<std::string> engines;
   std::string dt = "1/60";
   std::string out = "out";

@@ -97,11 +97,17 @@ std::string in_words(const TruthCheck& check) {
                             check.tolerance, check.unit);
 }
 
+// A truth by refinement is as exact as it says.
+std::string exactness(const RunRecord& run) {
+  if (!run.exact) return "";
+  const auto estimate = run.metrics.find("truth_estimate_max");
+  return estimate == run.metrics.end() ? " (exact)" : fmt::format(" (+- {:.1g} m)", estimate->second.value);
+}
+
 std::string row(const Report& report, const RunRecord& run, bool colour) {
-  std::string text =
-      table_row(label_of(run.engine, run.method) + (run.exact ? " (exact)" : ""), painted(run.verdict, 14, colour),
-                passed(run), number(run.metrics, "truth_error_end"), number(run.metrics, "energy_rise"),
-                number(run.metrics, "penetration_max"), step_cost(report, run));
+  std::string text = table_row(label_of(run.engine, run.method) + exactness(run), painted(run.verdict, 14, colour),
+                               passed(run), number(run.metrics, "truth_error_end"), number(run.metrics, "energy_rise"),
+                               number(run.metrics, "penetration_max"), step_cost(report, run));
   if (!run.reason.empty()) text += wrapped(run.reason, 8);
   std::size_t failed = 0;
   for (const TruthCheck& check : run.truth) {
