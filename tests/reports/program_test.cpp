@@ -66,7 +66,7 @@ TEST_F(ProgramRun, WantsEachCaseAndEngineOnce) {
 TEST(Program, KnowsTheseCommands) {
   std::vector<std::string> names;
   for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
-  EXPECT_THAT(names, ::testing::IsSupersetOf({"export", "list", "report", "run"}));
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"diff", "export", "list", "report", "run"}));
 }
 
 TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
@@ -79,7 +79,7 @@ TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
 }
 
 TEST(Program, HelpsWithExamples) {
-  for (const char* command : {"run", "report", "list", "export"}) {
+  for (const char* command : {"run", "report", "list", "export", "diff"}) {
     const Said said = say({command, "--help"});
     EXPECT_EQ(said.code, 0);
     EXPECT_THAT(said.out, HasSubstr(std::string("plumb ") + command)) << "an example";
