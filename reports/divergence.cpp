@@ -30,16 +30,11 @@ constexpr StateNumber state_numbers[] = {
     {"angular velocity", "rad/s", [](const BodyState& s) { return s.angular_velocity; }, &SameEnough::spin},
 };
 
-double share_of(const Figure& figure) {
-  if (figure.difference == 0) return 0;
-  return figure.difference / figure.allowed;
-}
-
 // The number in which one body's states differ the most, against what is allowed.
 struct Worst {
   std::size_t body = 0;
   const StateNumber* number = nullptr;
-  Figure figure;
+  double share = -1;  // of what is allowed
 };
 
 class Comparison {
@@ -60,29 +55,33 @@ class Comparison {
     if (moments_ == 0) return compared;
     compared.steps = moments_ - 1;
     compared.until = a_.trace->time(moments_ - 1);
-    double nearest = -1;
+    Worst nearest;
+    std::size_t when = 0;
     for (std::size_t k = 0; k < moments_; ++k) {
       const Worst worst = worst_at(k);
-      const double share = share_of(worst.figure);
-      if (share > 1) {
+      if (worst.share > 1) {
         compared.parted = parted_at(k, worst);
         return compared;
       }
-      if (share > nearest) compared.largest = worst.figure;
-      nearest = std::max(nearest, share);
+      if (worst.share <= nearest.share) continue;
+      nearest = worst;
+      when = k;
     }
+    if (nearest.number != nullptr) compared.largest = figure_of(*nearest.number, nearest.body, when);
     return compared;
   }
 
  private:
+  double difference(const StateNumber& number, std::size_t body, std::size_t k) const {
+    return std::abs(number.of(a_.trace->states(k)[body]) - number.of(b_.trace->states(k)[body]));
+  }
+
   Figure figure_of(const StateNumber& number, std::size_t body, std::size_t k) const {
-    const double a = number.of(a_.trace->states(k)[body]);
-    const double b = number.of(b_.trace->states(k)[body]);
     return {.what = fmt::format("{} of {}", number.name, scene_.bodies[body].name),
             .unit = number.unit,
-            .a = a,
-            .b = b,
-            .difference = std::abs(a - b),
+            .a = number.of(a_.trace->states(k)[body]),
+            .b = number.of(b_.trace->states(k)[body]),
+            .difference = difference(number, body, k),
             .allowed = allowed_[k].*number.allowed};
   }
 
@@ -91,18 +90,19 @@ class Comparison {
     for (std::size_t body = 0; body < scene_.bodies.size(); ++body) {
       if (scene_.bodies[body].type == BodyType::fixed) continue;
       for (const StateNumber& number : state_numbers) {
-        Figure figure = figure_of(number, body, k);
-        if (worst.number == nullptr || share_of(figure) > share_of(worst.figure)) {
-          worst = {body, &number, std::move(figure)};
-        }
+        const double apart = difference(number, body, k);
+        const double share = apart == 0 ? 0 : apart / (allowed_[k].*number.allowed);
+        if (share > worst.share) worst = {body, &number, share};
       }
     }
     return worst;
   }
 
   Divergence parted_at(std::size_t k, const Worst& worst) const {
-    Divergence parted{
-        .step = k, .time = a_.trace->time(k), .body = scene_.bodies[worst.body].name, .first = worst.figure};
+    Divergence parted{.step = k,
+                      .time = a_.trace->time(k),
+                      .body = scene_.bodies[worst.body].name,
+                      .first = figure_of(*worst.number, worst.body, k)};
     for (const StateNumber& number : state_numbers) parted.figures.push_back(figure_of(number, worst.body, k));
     if (k == 0) {
       parted.stage = Stage::start;
@@ -112,10 +112,10 @@ class Comparison {
       parted.stage = contact.stage;
       parted.other = contact.other;
       parted.advice = contact.advice;
-      if (contact.stage == Stage::integration) parted.advice += drift_explains(k, worst);
+      if (contact.stage == Stage::integration) parted.advice += drift_explains(k, worst, parted.first);
       // What was there before did not come about in this step.
-      const double before = figure_of(*worst.number, worst.body, k - 1).difference;
-      if (before > worst.figure.difference / 2) {
+      const double before = difference(*worst.number, worst.body, k - 1);
+      if (before > parted.first.difference / 2) {
         parted.advice += " Most of the difference was there a step before: a smaller tolerance finds where it began.";
       }
       for (Figure& figure : contact.figures) parted.figures.push_back(std::move(figure));
@@ -126,12 +126,12 @@ class Comparison {
 
   // Free fall is off by drift g t h (see Stepping), so two integrators differ by the difference of that; both terms
   // round, as does what they are compared with.
-  std::string drift_explains(std::size_t k, const Worst& worst) const {
+  std::string drift_explains(std::size_t k, const Worst& worst, const Figure& figure) const {
     const double drift = a_.stepping.drift * a_.stepping.h - b_.stepping.drift * b_.stepping.h;
     const Vec g = scene_.bodies[worst.body].gravity_scale * scene_.gravity;
     const double along = worst.number->of({.position = g});  // 0 but for x and y
     const double predicted = std::abs(drift * along) * a_.trace->time(k);
-    if (predicted == 0 || std::abs(worst.figure.difference - predicted) > worst.figure.allowed) return "";
+    if (predicted == 0 || std::abs(figure.difference - predicted) > figure.allowed) return "";
     return fmt::format(" Their integrators explain it: by what they state, free fall differs by {:.3g} m here.",
                        predicted);
   }
@@ -144,8 +144,8 @@ class Comparison {
       double squares = 0;
       for (const StateNumber& kin : state_numbers) {
         if (kin.allowed != number.allowed) continue;
-        const double difference = figure_of(kin, body, k).difference;
-        squares += difference * difference;
+        const double one = difference(kin, body, k);
+        squares += one * one;
       }
       largest = std::max(largest, std::sqrt(squares));
     }

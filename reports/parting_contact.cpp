@@ -143,46 +143,67 @@ class Search {
     return found;
   }
 
-  // What the bodies' own parting in this step explains of a contact's: engines report it before they move or after.
-  double explained(BodyPair pair, Vec point) const {
-    double sum = allowed_.position;
-    for (const std::size_t body : {pair.first, pair.second}) {
-      const BodyState& a = a_.trace->states(step_)[body];
-      const BodyState& b = b_.trace->states(step_)[body];
-      const double dt = a_.stepping.dt;
-      const double turned = std::abs(a.angle - b.angle) + dt * std::abs(a.angular_velocity - b.angular_velocity);
-      sum += length(a.position - b.position) + dt * length(a.velocity - b.velocity);
-      if (scene_.bodies[body].type != BodyType::fixed) sum += turned * length(point - a.position);
+  // Engines report a contact as it was before they moved the bodies, after, or somewhere between. Over the step, in one
+  // run, at one contact:
+  struct Moved {
+    double low = 0, high = 0;  // m, by which its separation may have changed so far; into an impact and out of it again
+    double way = 0;            // m, that its points may have gone
+    double turn = 0;           // rad, that its normal may have turned
+  };
+
+  Moved moved(const Side& side, const ContactState& contact) const {
+    const double dt = side.stepping.dt;
+    Vec went, before, after;  // of b's point against a's: m, m/s, m/s
+    Moved all;
+    for (const auto& [body, sign] : {std::pair{contact.a, -1.0}, std::pair{contact.b, 1.0}}) {
+      const BodyState& from = side.trace->states(step_ - 1)[body];
+      const BodyState& to = side.trace->states(step_)[body];
+      const Vec arm = contact.point - to.position;
+      const Vec aside{-arm.y, arm.x};
+      const Vec by = to.position - from.position + (to.angle - from.angle) * aside;
+      const Vec at_first = from.velocity + from.angular_velocity * aside;
+      const Vec at_last = to.velocity + to.angular_velocity * aside;
+      went = went + sign * by;
+      before = before + sign * at_first;
+      after = after + sign * at_last;
+      if (scene_.bodies[body].type == BodyType::fixed) continue;
+      all.way += std::max({length(by), dt * length(at_first), dt * length(at_last)});
+      all.turn += std::abs(to.angle - from.angle);
     }
-    return sum;
+    all.low = std::min({0.0, dot(went, contact.normal), dt * dot(before, contact.normal)});
+    all.high = std::max({0.0, dot(went, contact.normal), dt * dot(after, contact.normal)});
+    return all;
   }
 
-  // Of points that act, each must have its like: as near, as deep, with the same normal.
-  bool has_likes(BodyPair pair, const Touching& one, const Touching& other) const {
-    return std::all_of(one.points.begin(), one.points.end(), [&](const ContactState& point) {
-      if (point.normal_impulse <= 0 && point.separation >= -allowed_.position) return true;
-      const double slack = explained(pair, point.point);
-      return std::any_of(other.points.begin(), other.points.end(), [&](const ContactState& like) {
-        return length(point.point - like.point) <= slack && std::abs(point.separation - like.separation) <= slack &&
-               length(point.normal - like.normal) <= allowed_.angle + turned(pair);
-      });
-    });
+  bool alike(const ContactState& a, const ContactState& b) const {
+    const Moved in_a = moved(a_, a);
+    const Moved in_b = moved(b_, b);
+    const double deeper = a.separation - b.separation;
+    return length(a.point - b.point) <= allowed_.position + in_a.way + in_b.way &&
+           deeper >= in_a.low - in_b.high - allowed_.position && deeper <= in_a.high - in_b.low + allowed_.position &&
+           length(a.normal - b.normal) <= allowed_.angle + in_a.turn + in_b.turn;
   }
 
-  double turned(BodyPair pair) const {
-    double sum = 0;
-    for (const std::size_t body : {pair.first, pair.second}) {
-      const BodyState& a = a_.trace->states(step_)[body];
-      const BodyState& b = b_.trace->states(step_)[body];
-      sum += std::abs(a.angle - b.angle) + a_.stepping.dt * std::abs(a.angular_velocity - b.angular_velocity);
-    }
-    return sum;
+  // Each point that acts must have its like in the other run.
+  bool alike(const Touching& a, const Touching& b) const {
+    const auto acts = [&](const ContactState& point) {
+      return point.normal_impulse > 0 || point.separation < -allowed_.position;
+    };
+    const auto in_b = [&](const ContactState& one) {
+      const auto like = [&](const ContactState& other) { return alike(one, other); };
+      return !acts(one) || std::any_of(b.points.begin(), b.points.end(), like);
+    };
+    const auto in_a = [&](const ContactState& one) {
+      const auto like = [&](const ContactState& other) { return alike(other, one); };
+      return !acts(one) || std::any_of(a.points.begin(), a.points.end(), like);
+    };
+    return std::all_of(a.points.begin(), a.points.end(), in_b) && std::all_of(b.points.begin(), b.points.end(), in_a);
   }
 
   PartingContact touched_elsewhere(BodyPair pair) const {
     const Touching* a = find(in_a_, pair);
     const Touching* b = find(in_b_, pair);
-    if (a == nullptr || b == nullptr || (has_likes(pair, *a, *b) && has_likes(pair, *b, *a))) return {};
+    if (a == nullptr || b == nullptr || alike(*a, *b)) return {};
     PartingContact found = about(pair, Stage::manifold);
     found.advice = fmt::format(
         "Both have {} touch {}, but not alike: look at points, normals and separations (clipping, skins, slop).",
@@ -204,16 +225,19 @@ class Search {
     return found;
   }
 
-  // A new impact with the same impulse, after which the body is as fast in both runs but elsewhere.
+  // A new impact with the same impulse, after which the body is as fast in both runs but elsewhere. One is an impact if
+  // it closes faster than by what gravity adds in a step, which is what rests.
   PartingContact met_within(BodyPair pair) const {
-    for (const Side* side : {&a_, &b_}) {
+    const double resting = length(scene_.gravity) * a_.stepping.dt + allowed_.velocity;
+    for (const auto& [side, pairs] : {std::pair{&a_, &in_a_}, std::pair{&b_, &in_b_}}) {
       if (acts(touching_pairs(side->trace->contacts(step_ - 1)), pair)) return {};
+      const ContactState& contact = find(*pairs, pair)->points[0];
+      const auto before = side->trace->states(step_ - 1);
+      if (dot(before[pair.second].velocity - before[pair.first].velocity, contact.normal) > -resting) return {};
     }
-    const BodyState& a = a_.trace->states(step_)[body_];
-    const BodyState& b = b_.trace->states(step_)[body_];
-    const bool as_fast = length(a.velocity - b.velocity) <= allowed_.velocity &&
-                         std::abs(a.angular_velocity - b.angular_velocity) <= allowed_.spin;
-    if (!as_fast) return {};
+    const Vec a = a_.trace->states(step_)[body_].velocity;
+    const Vec b = b_.trace->states(step_)[body_].velocity;
+    if (length(a - b) > allowed_.velocity) return {};
     PartingContact found = about(pair, Stage::event_time);
     found.advice = fmt::format(
         "Both have {} meet {} in step {} with the same impulse, but at different moments of the step: look at how each "

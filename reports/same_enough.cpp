@@ -45,7 +45,7 @@ void RoundOff::meet(std::span<const BodyState> states) {
 // Every step rounds speeds and places (see round_off). What rests has its weight's g dt added and taken away again, and
 // contacts turn speed into spin and back over an arm: so large are the numbers that are rounded. A contact also turns
 // the rounding of places, of which its separation is the difference, into a speed by dividing by the step, anew in each
-// step; and an impulse gives at most the whole mass such a speed.
+// step, and over an arm into a turn; and an impulse gives at most the whole mass such a speed.
 SameEnough RoundOff::at(double time, std::span<const BodyState> a, std::span<const BodyState> b) {
   meet(a);
   meet(b);
@@ -55,7 +55,7 @@ SameEnough RoundOff::at(double time, std::span<const BodyState> a, std::span<con
     const double turning = spin_ + moving / short_;
     const double pushed = 4 * s.epsilon * place_ / (s.h > 0 ? s.h : s.dt);
     all.position += round_off(s, time, place_ + moving * time);
-    all.angle += round_off(s, time, turn_ + turning * time);
+    all.angle += round_off(s, time, turn_ + turning * time + place_ / short_);
     all.velocity += round_off(s, time, moving) + pushed;
     all.spin += round_off(s, time, turning) + pushed / short_;
   }

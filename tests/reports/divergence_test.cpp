@@ -143,12 +143,25 @@ TEST(CompareSteps, BlamesTheEventTimeWithinAStepToo) {
   const auto meets_and_is_at = [](double x) -> Meddle {
     return [x](std::size_t step, auto& states, auto& contacts) {
       if (step < 5) contacts.clear();
+      if (step < 5) states[2].velocity.y = -20;
       if (step >= 5) states[2].position.x = x;
     };
   };
   const Divergence found = parted(meets_and_is_at(0), meets_and_is_at(0.25));
   EXPECT_EQ(found.stage, Stage::event_time);
   EXPECT_THAT(found.advice, HasSubstr("at different moments of the step"));
+}
+
+TEST(CompareSteps, KnowsASkinFromAContactThatWasReportedAfterTheMove) {
+  const auto lifted = [](double reported) {
+    return parted(nullptr, [reported](std::size_t step, auto& states, auto& contacts) {
+      if (step < 2) return;
+      contacts[1].separation = reported;
+      states[2].position.y += 0.01;
+    });
+  };
+  EXPECT_EQ(lifted(0.01).stage, Stage::unrevealed) << "as far off as it moved";
+  EXPECT_EQ(lifted(-0.01).stage, Stage::manifold) << "deeper at first, hence the move";
 }
 
 TEST(CompareSteps, BlamesTheManifoldWhereTheSameBodiesTouchOtherwise) {
