@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/converged.h"
+#include "reports/beyond.h"
 #include "reports/comparator.h"
 #include "reports/jobs.h"
 #include "reports/metric.h"
@@ -83,7 +84,10 @@ class CaseRun {
     records_.push_back(std::move(record));
   }
 
-  void compare_all() { comparisons_ = compare(records_); }
+  void compare_all(int ensemble) {
+    comparisons_ = compare(records_);
+    if (ensemble > 0) look_beyond(asked_, runnable_, dt_, ensemble, records_, comparisons_);
+  }
 
   const Case& asked() const { return asked_; }
   /// Who answers for the truth where no closed form does; null where none was asked.
@@ -145,6 +149,7 @@ void add_notes(const Plan& plan, Report& report) {
   for (const Metric* metric : Catalog<Metric>::all()) {
     report.metrics.push_back({metric->name, metric->unit, metric->definition, name_of(metric->better)});
   }
+  if (plan.ensemble > 0) report.metrics.push_back(horizon_note());
   if (plan.refine) {
     report.metrics.push_back(
         {"truth_estimate_max", "m", "largest error that a converged reference admits to, while it holds", "lower"});
@@ -170,7 +175,7 @@ Report carry_out(const Plan& plan, const Progress& progress) {
       tell(runs[i].asked(), label_of(entrant.contender->name, entrant.method()));
       runs[i].add(entrant);
     }
-    runs[i].compare_all();
+    runs[i].compare_all(plan.ensemble);
   });
 
   Report report;

@@ -62,7 +62,8 @@ void must_be_new(const std::string& name, std::set<std::string>& seen) {
 }
 
 Plan plan_of(const Session& session) {
-  Plan plan{.dt = parse_dt(session.dt), .jobs = session.jobs, .refine = session.converged};
+  Plan plan{
+      .dt = parse_dt(session.dt), .jobs = session.jobs, .refine = session.converged, .ensemble = session.ensemble};
   for (const std::string& word : session.scenarios) {
     for (Case& one : parse_cases(word)) plan.cases.push_back(std::move(one));
   }
@@ -83,6 +84,11 @@ void Session::attach_to(CLI::App& app) {
   app.add_flag(
       "--converged", converged,
       "Where no closed form knows the answer, a truth by refinement, as far as it converges; about 1 s a scene");
+  app.add_option("--ensemble", ensemble,
+                 "Runs of each engine that are compared where a scene cannot be told to its end; 0: not looked into")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N");
   app.add_option("--engine", engines, "NAME[:key=value,...]; may be repeated. Default: every engine")
       ->allow_extra_args(false)
       ->type_name("ENGINE");
@@ -106,6 +112,8 @@ Report Session::conduct(const std::string& command) const {
   report.command.insert(report.command.end(), scenarios.begin(), scenarios.end());
   if (all) report.command.emplace_back("--all");
   if (converged) report.command.emplace_back("--converged");
+  if (ensemble != Session().ensemble)
+    report.command.insert(report.command.end(), {"--ensemble", std::to_string(ensemble)});
   for (const std::string& engine : engines) report.command.insert(report.command.end(), {"--engine", engine});
   report.command.insert(report.command.end(), {"--dt", dt});
   report.environment = environment();

@@ -14,6 +14,7 @@ struct Session {
   std::vector<std::string> scenarios;
   bool all = false;
   bool converged = false;
+  int ensemble = 16;
   std::vector<std::string> engines;
   std::string dt = "1/60";
   std::string out = "out";

@@ -123,6 +123,7 @@ std::string in_words(const Comparison& comparison) {
   std::string text =
       fmt::format("{} - {}: up to {} m apart, {} m at the end; energy up to {} J", comparison.a, comparison.b,
                   of("position_difference_max"), of("position_difference_end"), of("energy_difference_max"));
+  if (comparison.metrics.count("horizon") != 0) text += "; " + comparison.reason;
   if (comparison.metrics.count("parted_at") != 0) text += fmt::format("; parted at {} s", of("parted_at"));
   return text;
 }
