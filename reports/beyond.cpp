@@ -41,8 +41,8 @@ void conclude(Comparison& comparison, std::span<const Contrast> contrasts, doubl
     const std::string name = "ensemble_" + one.quantity;
     put(comparison, name + "_a", one.a, one.unit);
     put(comparison, name + "_b", one.b, one.unit);
-    comparison.metrics[name + "_p"] = {one.p, ""};
-    comparison.metrics[name + "_effect"] = {one.effect, ""};
+    comparison.metrics[name + "_p"] = {one.p, "1"};
+    comparison.metrics[name + "_effect"] = {one.effect, "1"};
     if (one.different) different += (different.empty() ? "different: " : "; ") + in_words(one, members);
   }
   if (comparison.verdict != Verdict::right && comparison.verdict != Verdict::plausible) return;
