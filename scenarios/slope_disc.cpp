@@ -23,7 +23,8 @@ Scene scene(const Parameters& p) {
 
 // Rolls with (2/3) g sin a iff mu >= tan(a)/3, else slips with g (sin a - mu cos a) and spins up with 2 mu g cos(a)/r.
 // The contact may be noticed a lag late: friction, at most mu g cos a and never more than the g sin a that it opposes,
-// is missing so long; rolling makes that good, slipping does not.
+// is missing so long; rolling makes that good, slipping does not. While it sinks by the gap at a speed of u, the
+// contact has given m u less, and slipping friction mu of that less: a turn of 2 mu gap/r is missing.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double angle = p.at("angle") * degree;
   const double mu = p.at("friction");
@@ -37,7 +38,9 @@ std::vector<Expectation> expectations(const Parameters& p) {
     return speed(s) * duration + drifted(s, acceleration, duration) + s.gap + gravity * std::sin(angle) * lag(s) * s.h;
   };
   const auto spin = [=](const Stepping& s) { return 2 * speed(s) / radius; };
-  const auto turn = [=](const Stepping& s) { return spin(s) * duration + 2 * drifted(s, friction, duration) / radius; };
+  const auto turn = [=](const Stepping& s) {
+    return spin(s) * duration + 2 * (drifted(s, friction, duration) + (rolls ? 0 : mu * s.gap)) / radius;
+  };
   const std::string law = rolls ? "(2/3) g sin a t" : "g (sin a - mu cos a) t";
   return {
       {.body = "disc", .quantity = Quantity::speed, .allowed = speed, .source = law + "; friction a lag late"},

@@ -26,17 +26,28 @@ Scene scene(const Parameters& p) {
 }
 
 // It stops after v/(mu g) at v^2/(2 mu g). Friction that starts a lag late lets it go on at v for that long; the drift
-// of the decelerated way is drift (mu g) (v/(mu g)) h.
+// of the decelerated way is drift (mu g) (v/(mu g)) h. A method that knows of no moment within a step
+//
+//   takes the step in which it stops whole: with u of it left until the stop, friction of the whole step in the way is
+//   mu g h^2 (1 - u)^2/2 too much, and given again in the next, until it is seen to push what stands, u mu g h^2/2:
+//   together less than mu g h^2/2;
+//   and lets the box sink by the gap: by mu of that friction is late; braked it leans, one end in by the gap, which
+//   moves its centre at half the height by gap (height/length).
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const double end = scene(p).duration;
   const double reach = v * v / (2 * p.at("friction") * gravity) + v * end;
+  const double mu = p.at("friction");
   const auto place = [=](const Stepping& s) {
-    return v * (lag(s) + std::abs(s.drift) * s.h) + s.creep * end + round_off(s, end, reach);
+    return v * (lag(s) + std::abs(s.drift) * s.h) + mu * gravity * s.h * s.h / 2 + (mu + size.y / size.x) * s.gap +
+           s.creep * end + round_off(s, end, reach);
   };
   const auto speed = [=](const Stepping& s) { return s.creep + round_off(s, end, v); };
   return {
-      {.body = "box", .quantity = Quantity::x, .allowed = place, .source = "v^2/(2 mu g); friction a lag late, drift"},
+      {.body = "box",
+       .quantity = Quantity::x,
+       .allowed = place,
+       .source = "v^2/(2 mu g); friction a lag late, drift, the step of the stop, sinking"},
       {.body = "box", .quantity = Quantity::speed, .allowed = speed, .source = "stopped after v/(mu g); may creep"}};
 }
 

@@ -28,9 +28,9 @@ void prepare_rows(const BodySet& bodies, const std::vector<Contact>& contacts, s
       RowPoint& to = row.points[i];
       to.cross_a = cross(from.arm_a, row.normal);
       to.cross_b = cross(from.arm_b, row.normal);
-      // The point lies midway; each arm ends on its own body's surface.
-      to.dot_a = dot(from.arm_a, row.normal) - from.separation / 2;
-      to.dot_b = dot(from.arm_b, row.normal) + from.separation / 2;
+      // The point lay midway when it was found; each arm ends on its own body's surface.
+      to.dot_a = dot(from.arm_a, row.normal) - contact.found_separation[i] / 2;
+      to.dot_b = dot(from.arm_b, row.normal) + contact.found_separation[i] / 2;
       to.turn_a = to.dot_a - contact.radius_a;
       to.turn_b = to.dot_b + contact.radius_b;
       to.separation = from.separation;

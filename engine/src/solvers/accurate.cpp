@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -28,16 +29,6 @@ struct Workspace {
   JointWorkspace joints;
   EnergyBound bound;
 };
-
-/// Impulses of a whole step to those of one of n sub-steps, and back.
-void share_impulses(std::span<ImpactRow> rows, Real by) {
-  for (ImpactRow& row : rows) {
-    for (RowPoint& p : row.points) {
-      p.normal_impulse *= by;
-      p.tangent_impulse *= by;
-    }
-  }
-}
 
 /// Share of its kinetic energy that an island with joints may seem to gain in a sub-step, because RATTLE's energy
 /// swings about the true one; 1e-5 is seen of a pendulum, 1e-2 and more of chains too fast for the sub-step.
@@ -89,7 +80,8 @@ class Accurate : public Solver {
   void kick(BodySet& bodies, Island& island);
   void press(BodySet& bodies, Island& island);
   void drift(StepData& data, const Island& island);
-  void relax(BodySet& bodies, Island& island);
+  void relax(BodySet& bodies, Island& island, int sweeps);
+  void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
   bool solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const;
   void turn_normal(ImpactRow& row) const;
   Real gap(const ImpactRow& row, const RowPoint& p) const {
@@ -137,13 +129,11 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
   Island now = island(data, number, space);
   if (now.rows.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
   const auto substeps = static_cast<Real>(now.substeps);
-  share_impulses(now.rows, 1 / substeps);
-  now.joints.share(1 / substeps);
+  now.share(1 / substeps);
   now.joints.write();
   for (int i = 0; i < now.substeps; ++i) substep(data, now, space);
   settle_offsets(now);
-  share_impulses(now.rows, substeps);
-  now.joints.share(substeps);
+  now.share(substeps);
   for (const ImpactRow& row : now.rows) {
     store_row(row, data.contacts);
     data.contacts[row.contact].offset = row.offset;
@@ -166,14 +156,17 @@ void Accurate::fly(StepData& data, const Island& island) {
 void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   if (island.bounces) find_impacts(data, island, space.impacts);
   halve(island);
-  if (!island.joints.empty()) space.bound.note(island.bodies, data.bodies, motion_);
+  if (!island.joints.empty() || island.more_sweeps > 0) space.bound.note(island.bodies, data.bodies, motion_);
   kick(data.bodies, island);
   press(data.bodies, island);
   drift(data, island);
   const bool joints_fit = island.joints.fit();
   island.joints.write();
   kick(data.bodies, island);
-  relax(data.bodies, island);
+  // An island that begins at rest finds its loads now instead of sinking until it has them.
+  constexpr int settling_sweeps = 30;
+  relax(data.bodies, island, island.settling ? std::max(settling_sweeps, island.sweeps) : island.sweeps);
+  if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
   if (!joints_fit || island.ideal) {
     const bool slowed =
         space.bound.keep(island.bodies, data.bodies, motion_, acceleration_, joints_fit ? ideal_gain : Real{0});
@@ -272,13 +265,14 @@ Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
   }
   // A body that slides from one fixed shape to the next hands its load over at once, not in several sub-steps.
   if (now.bodies.size() == 1 && now.rows.size() > 1) now.sweeps = data.settings.iterations;
-  now.ideal =
-      !joints.empty() && !forces_vary_ &&
-      std::none_of(joints.begin(), joints.end(), [](const ActiveJoint* joint) { return joint->block.driven; }) &&
-      std::all_of(now.bodies.begin(), now.bodies.end(), [&](std::uint32_t body) {
-        return data.bodies.inverse_mass[body].m + data.bodies.inverse_mass[body].i > 0;
-      });
+  // Nothing outside does work on it but the forces.
+  const bool closed = !forces_vary_ && std::all_of(now.bodies.begin(), now.bodies.end(), [&](std::uint32_t body) {
+    return data.bodies.inverse_mass[body].m + data.bodies.inverse_mass[body].i > 0;
+  });
+  now.ideal = !joints.empty() && closed &&
+              std::none_of(joints.begin(), joints.end(), [](const ActiveJoint* joint) { return joint->block.driven; });
   now.bounces = std::any_of(now.rows.begin(), now.rows.end(), [](const ImpactRow& row) { return row.restitution > 0; });
+  if (closed) now.more_sweeps = more_sweeps_for(now, data.bodies);
   const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
   now.settling = !now.rows.empty() &&
                  std::all_of(now.rows.begin(), now.rows.end(), [](const ImpactRow& row) { return row.fresh; }) &&
@@ -366,10 +360,7 @@ void Accurate::press(BodySet& bodies, Island& island) {
 
 /// Rigid contacts with friction, no memory of depth. What has a gap and no load is left alone: it would be braked one
 /// sub-step before it arrives.
-void Accurate::relax(BodySet& bodies, Island& island) {
-  // An island that begins at rest finds its loads now instead of sinking until it has them.
-  constexpr int settling_sweeps = 30;
-  const int sweeps = island.settling ? std::max(settling_sweeps, island.sweeps) : island.sweeps;
+void Accurate::relax(BodySet& bodies, Island& island, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     island.joints.relax(island.h);
     for (ImpactRow& row : island.rows) {
@@ -387,6 +378,16 @@ void Accurate::relax(BodySet& bodies, Island& island) {
       rub(row, frame);
       frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
     }
+  }
+}
+
+/// The impulses of press and relax together are those of an impact without rebound, which takes energy, once relax has
+/// converged: until then some of the speed that only parts the bodies is left in them.
+void Accurate::relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound) {
+  const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+  for (int sweep = 0; sweep < island.more_sweeps; ++sweep) {
+    if (!bound.exceeded(island.bodies, data.bodies, motion_, acceleration_, rounding)) return;
+    relax(data.bodies, island, 1);
   }
 }
 

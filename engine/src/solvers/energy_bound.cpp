@@ -22,8 +22,9 @@ void EnergyBound::note(std::span<const std::uint32_t> island, const BodySet& bod
   for (const std::uint32_t body : island) start_.push_back(motion[body]);
 }
 
-bool EnergyBound::keep(std::span<const std::uint32_t> island, BodySet& bodies, const std::vector<Motion>& motion,
-                       const std::vector<Velocity>& acceleration, Real gain) const {
+/// What the island had and what its forces gave since.
+Real EnergyBound::most(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion,
+                       const std::vector<Velocity>& acceleration) const {
   Real most = kinetic_;
   for (std::size_t i = 0; i < island.size(); ++i) {
     const std::uint32_t body = island[i];
@@ -31,6 +32,18 @@ bool EnergyBound::keep(std::span<const std::uint32_t> island, BodySet& bodies, c
     if (inverse.m > 0) most += dot(acceleration[body].v, motion[body].d - start_[i].d) / inverse.m;
     if (inverse.i > 0) most += acceleration[body].w * (motion[body].turn - start_[i].turn) / inverse.i;
   }
+  return most;
+}
+
+bool EnergyBound::exceeded(std::span<const std::uint32_t> island, const BodySet& bodies,
+                           const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration,
+                           Real gain) const {
+  return kinetic_energy(island, bodies) > most(island, bodies, motion, acceleration) + gain * kinetic_;
+}
+
+bool EnergyBound::keep(std::span<const std::uint32_t> island, BodySet& bodies, const std::vector<Motion>& motion,
+                       const std::vector<Velocity>& acceleration, Real gain) const {
+  const Real most = this->most(island, bodies, motion, acceleration);
   const Real now = kinetic_energy(island, bodies);
   if (now <= most + gain * kinetic_) return false;
   const Real share = most > 0 ? std::sqrt(most / now) : Real{0};

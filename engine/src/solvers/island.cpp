@@ -9,8 +9,19 @@ namespace {
 
 constexpr int most_substeps = 32;
 
-/// Budget of one island and step: large piles keep the base number of sub-steps.
+constexpr int most_more_sweeps = 60;
+
+/// Budget of one island and step: large piles keep the base number of sub-steps, and of sweeps.
 constexpr std::size_t most_body_substeps = 4000;
+
+/// A new contact, or one deeper than loads press in but in the largest piles, at speed.
+bool struck(const ImpactRow& row, const BodySet& bodies) {
+  constexpr Real deep = static_cast<Real>(0.005);  // m
+  const auto& [p, q] = row.points;
+  if (!row.fresh && std::min(p.separation, q.separation) > -deep) return false;
+  const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+  return std::max(std::abs(frame.normal_velocity(p)), std::abs(frame.normal_velocity(q))) > impact_threshold;
+}
 
 }  // namespace
 
@@ -23,6 +34,16 @@ void Island::cut(Real dt, int into) {
   };
   column = at(1 / (8 * h));
   web = at(1 / (12 * h));
+}
+
+void Island::share(Real by) {
+  for (ImpactRow& row : rows) {
+    for (RowPoint& p : row.points) {
+      p.normal_impulse *= by;
+      p.tangent_impulse *= by;
+    }
+  }
+  joints.share(by);
 }
 
 // sink = weight / (points on the ground) * k_max / (2 w^2), k the inverse effective mass; and sink ~ h^2. With w of a
@@ -54,6 +75,14 @@ int substeps_for(const Island& island, const BodySet& bodies, const std::vector<
     n *= 2;
   }
   return n;
+}
+
+int more_sweeps_for(const Island& island, const BodySet& bodies) {
+  if (island.bodies.empty()) return 0;
+  const std::size_t affordable = most_body_substeps / island.bodies.size();
+  const auto is_struck = [&](const ImpactRow& row) { return struck(row, bodies); };
+  if (affordable == 0 || std::none_of(island.rows.begin(), island.rows.end(), is_struck)) return 0;
+  return static_cast<int>(std::min(affordable, static_cast<std::size_t>(most_more_sweeps)));
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -21,7 +21,8 @@ struct Island {
   std::span<ImpactRow> rows;
   IslandJoints joints;
   int substeps = 1;
-  int sweeps = 1;  // joints and contacts, or joints and their stops, are solved in turn
+  int sweeps = 1;       // joints and contacts, or joints and their stops, are solved in turn
+  int more_sweeps = 0;  // that relaxation may take until it gains no energy
   Real h = 0;
   struct Softnesses {
     Softness movable, fixed;  // between movable bodies; against what cannot move
@@ -42,6 +43,8 @@ struct Island {
   /// at 1/(10 h) after 6.6 s, at 1/(12 h) after 3.3 s. A load then rests at a depth of load / (2 m_eff w^2), half of
   /// the usual, because half of each sub-step's impulse is already given when the contact is solved.
   void cut(Real dt, int into);
+  /// Impulses of a whole step to those of one of n sub-steps, and back.
+  void share(Real by);
 };
 
 /// How many sub-steps an island needs so that its own weight presses it no deeper than tolerated, at most 32 and the
@@ -49,5 +52,8 @@ struct Island {
 /// would topple while it is low.
 int substeps_for(const Island& island, const BodySet& bodies, const std::vector<Velocity>& acceleration,
                  const Settings& settings);
+
+/// How often beyond its sweeps an island may be relaxed: not at all without a blow, nor where it would be dear.
+int more_sweeps_for(const Island& island, const BodySet& bodies);
 
 }  // namespace impulse::inline IMPULSE_PRECISION
