@@ -39,9 +39,10 @@ bool sane(const BodyState& state) {
 std::string divergence(const Scene& scene, std::span<const BodyState> states, double time) {
   const auto lost = std::find_if_not(states.begin(), states.end(), sane);
   if (lost == states.end()) return "";
-  return fmt::format("diverged at t = {:.4g} s: body \"{}\" at ({:.3g}, {:.3g}) m, {:.3g} m/s, {:.3g} rad/s", time,
-                     scene.bodies[static_cast<std::size_t>(lost - states.begin())].name, lost->position.x,
-                     lost->position.y, length(lost->velocity), lost->angular_velocity);
+  return fmt::format(
+      "diverged at t = {:.4g} s: body \"{}\" at ({:.3g}, {:.3g}) m, {:.3g} rad, {:.3g} m/s, {:.3g} rad/s", time,
+      scene.bodies[static_cast<std::size_t>(lost - states.begin())].name, lost->position.x, lost->position.y,
+      lost->angle, length(lost->velocity), lost->angular_velocity);
 }
 
 void record_until_the_end(const Scene& scene, Simulation& simulation, double dt, Outcome& outcome) {
@@ -65,6 +66,19 @@ void record_until_the_end(const Scene& scene, Simulation& simulation, double dt,
       return;
     }
     outcome.trace->record(time, states, readout.contacts(simulation));
+  }
+}
+
+double seconds_of_steps(const Scene& scene, const Entrant& entrant, std::size_t steps, double dt) {
+  try {
+    const auto simulation = entrant.contender->build(scene, entrant.settings);
+    const Stopwatch only_steps;
+    for (std::size_t i = 0; i < steps; ++i) simulation->step(dt);
+    return only_steps.seconds();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format(
+        "{} ran {} and then, asked once more to see what it costs, did not: {}. Each simulation must start afresh",
+        entrant.contender->name, scene.name, error.what()));
   }
 }
 
@@ -122,10 +136,7 @@ std::vector<Timing> time_steps(const Case& asked, std::span<const Entrant> entra
   for (int round = 0; round <= most; ++round) {
     if (round > fewest && spent > budget * static_cast<double>(entrants.size())) break;
     for (std::size_t e = 0; e < entrants.size(); ++e) {
-      const auto simulation = entrants[e].contender->build(scene, entrants[e].settings);
-      const Stopwatch only_steps;
-      for (std::size_t i = 0; i < steps; ++i) simulation->step(dt);
-      const double took = only_steps.seconds();
+      const double took = seconds_of_steps(scene, entrants[e], steps, dt);
       spent += took;
       if (round > 0) seconds[e].push_back(took);
     }

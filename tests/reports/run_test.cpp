@@ -93,6 +93,20 @@ TEST(TimeSteps, GivesEveryEntrantAMedianBetweenItsQuartiles) {
   }
 }
 
+TEST(TimeSteps, NamesAnEngineThatRunsOnlyOnce) {
+  const Scenario scenario = fakes::throwing();
+  const Contender once = fakes::engine("once", Stepper::Fault::exception);
+  const std::vector<Entrant> entrants{{&once, {}}};
+  try {
+    time_steps(fakes::case_of(scenario, nullptr), entrants, 1.0 / 60);
+    FAIL() << "it gave up";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "once ran thrown and then, asked once more to see what it costs, did not: the engine gave up. Each "
+                 "simulation must start afresh");
+  }
+}
+
 TEST(Entrant, IsNamedByWhatDiffersFromTheDefaults) {
   Contender contender = fakes::engine("ours");
   contender.options = {{.key = "solver", .value = "a"}, {.key = "steps", .value = "4"}};
