@@ -41,6 +41,9 @@ class ContactSet {
   std::vector<const Contact*> all() const;
 
  private:
+  void search(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
+              bool recycle, const JointSet& joints);
+  bool foresee_knocks(const BodySet& bodies, const Margin& margin);
   void collect_proxies(const BodySet& bodies, const Margin& margin);
   void sort_pairs();
   /// One that has a dynamic body and one that stands still.
@@ -59,6 +62,7 @@ class ContactSet {
   std::vector<Pair> pairs_;
   std::vector<Contact> rows_;
   std::vector<Contact> last_rows_;
+  std::vector<Real> knocks_;  // m/s, by which each body's velocity may change within the step when it is struck
   std::vector<OnGround> on_ground_;
   std::vector<OnGround> supports_;
   std::vector<Contact> resting_;

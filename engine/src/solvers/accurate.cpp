@@ -58,7 +58,7 @@ class Accurate : public Solver {
     errors.gap = tolerated_sink;  // until the offset has taken it up
     errors.creep = 0;
     errors.joints = true;
-    errors.restitution_threshold = impact_threshold;
+    errors.restitution_threshold = slow_impact(length(settings.gravity), errors.h);
   }
   bool recycles() const override { return true; }
   /// Whatever may be hit within the step, gravity's part included.
@@ -284,10 +284,13 @@ Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
 }
 
 void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {
+  Real pressing = 0;  // m/s^2
   for (const std::uint32_t body : island.bodies) {
     flight_[body] = loaded_[body] != 0 ? Velocity{} : acceleration_[body];
+    pressing = std::max(pressing, length(acceleration_[body].v));
   }
-  impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h);
+  impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h,
+                  slow_impact(pressing, island.h));
 }
 
 /// What the contacts bore in the last sub-step is given again, half in each kick.

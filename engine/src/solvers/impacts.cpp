@@ -19,6 +19,7 @@ struct Flight {
   const BodySet& bodies;
   const std::vector<Motion>& motion;
   const std::vector<Velocity>& acceleration;
+  Real slow;  // m/s, approaches below are left to the contact solve
 
   Motion motion_at(std::uint32_t body, Real t) const {
     const Velocity& v = bodies.velocity[body];
@@ -126,7 +127,7 @@ struct Hit {
 /// from a guess good to 1e-3, three rounds are below round-off).
 Hit first_hit(const Encounter& here, const RowPoint& p, const Flight& flight, Real now, Real rest) {
   const Approach start = here.of(p);
-  if (start.separation <= 0) return start.speed < -impact_threshold ? Hit{now, -start.speed} : Hit{};
+  if (start.separation <= 0) return start.speed < -flight.slow ? Hit{now, -start.speed} : Hit{};
 
   const Real c = curvature(here, p, flight);
   const Real discriminant = start.speed * start.speed - 2 * c * start.separation;
@@ -142,7 +143,7 @@ Hit first_hit(const Encounter& here, const RowPoint& p, const Flight& flight, Re
     if (there.speed >= 0) return {};
     x = std::max(x - there.separation / there.speed, Real{0});
   }
-  if (x > rest || there.speed > -impact_threshold) return {};
+  if (x > rest || there.speed > -flight.slow) return {};
   return {now + x, -Encounter(here.row, flight, now + x).of(p).speed};
 }
 
@@ -223,7 +224,7 @@ struct Struck {
 /// still passes through where the bodies are at tau.
 void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
                      std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau) {
-  const Flight flight{bodies, motion, acceleration};
+  const Flight flight{bodies, motion, acceleration, slow_};
   ImpactRow now = Encounter(row, flight, tau).moved();
   before_.clear();
   for (const std::uint32_t body : struck) {
@@ -293,7 +294,7 @@ void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, cons
   Candidate& aimed = candidates_[candidate];
   ++aimed.aims;
   const ImpactRow& row = rows[aimed.row];
-  const Flight flight{bodies, motion, acceleration};
+  const Flight flight{bodies, motion, acceleration, slow_};
   const Encounter here(row, flight, now);
   Hit first;
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
@@ -328,7 +329,9 @@ void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count)
 }
 
 void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members,
-                      BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h) {
+                      BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h,
+                      Real slow) {
+  slow_ = slow;
   list_candidates(rows, bodies.size());
   const auto aim_at = [&](std::uint32_t candidate, Real now) {
     aim(rows, candidate, bodies, motion, acceleration, now, h);
@@ -359,13 +362,17 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     }
   }
 
-  const Flight flight{bodies, motion, acceleration};
+  // What is still on its way in the end, or has passed by, would be braked by the contact solve, which knows straight
+  // approaches only.
+  const Flight flight{bodies, motion, acceleration, slow_};
   for (const Candidate& c : candidates_) {
     ImpactRow& row = rows[c.row];
+    const Encounter start(row, flight, 0);
     const Encounter end(row, flight, h);
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      const Approach approach = end.of(row.points[i]);
-      if (approach.separation > 0 && approach.speed < -impact_threshold) row.active = false;
+      const RowPoint& p = row.points[i];
+      const bool fast = std::min(start.of(p).speed, end.of(p).speed) < -slow_;
+      if (fast && end.of(p).separation > 0) row.active = false;
     }
   }
 }
