@@ -33,8 +33,8 @@ struct Settings {
   /// Whether islands at rest fall asleep (see World); the bits then differ from those of a world that stays awake.
   bool sleeping = false;
   /// A body is at rest once it has been no faster than these for sleep_time, and has stayed where it was up to a
-  /// hundredth of what the linear speed makes in that time: what creeps (as piles under xpbd do) or turns back is not at
-  /// rest. All above 0. As Box2D 2.4 has them, where they have long served games.
+  /// hundredth of what the linear speed makes in that time: what creeps (as piles under xpbd do) or turns back is not
+  /// at rest. All above 0. As Box2D 2.4 has them, where they have long served games.
   Real sleep_linear_speed = static_cast<Real>(0.01);                 // m/s
   Real sleep_angular_speed = static_cast<Real>(2) * pi / Real{180};  // rad/s
   Real sleep_time = static_cast<Real>(0.5);                          // s

@@ -17,10 +17,11 @@ constexpr std::size_t most_body_substeps = 4000;
 /// A new contact, or one deeper than loads press in but in the largest piles, at speed.
 bool struck(const ImpactRow& row, const BodySet& bodies) {
   constexpr Real deep = static_cast<Real>(0.005);  // m
+  constexpr Real fast = static_cast<Real>(0.1);    // m/s
   const auto& [p, q] = row.points;
   if (!row.fresh && std::min(p.separation, q.separation) > -deep) return false;
   const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-  return std::max(std::abs(frame.normal_velocity(p)), std::abs(frame.normal_velocity(q))) > impact_threshold;
+  return std::max(std::abs(frame.normal_velocity(p)), std::abs(frame.normal_velocity(q))) > fast;
 }
 
 }  // namespace

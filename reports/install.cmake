@@ -40,8 +40,8 @@ install(TARGETS plumb RUNTIME COMPONENT plumb)
 install(EXPORT plumb NAMESPACE plumb:: FILE plumbTargets.cmake DESTINATION ${package} COMPONENT plumb)
 get_property(PLUMB_PACKAGES GLOBAL PROPERTY PLUMB_PACKAGES)
 list(APPEND PLUMB_PACKAGES impulse/${PROJECT_VERSION} nlohmann_json CLI11 fmt)
-configure_package_config_file(cmake/plumbConfig.cmake.in plumbConfig.cmake INSTALL_DESTINATION ${package}
+configure_package_config_file(reports/plumbConfig.cmake.in plumbConfig.cmake INSTALL_DESTINATION ${package}
   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(plumbConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/plumbConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/plumbConfigVersion.cmake
-  cmake/FindChipmunk.cmake DESTINATION ${package} COMPONENT plumb)
+  reference/adapters/FindChipmunk.cmake DESTINATION ${package} COMPONENT plumb)
