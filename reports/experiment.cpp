@@ -11,6 +11,7 @@
 #include "reports/comparator.h"
 #include "reports/jobs.h"
 #include "reports/metric.h"
+#include "reports/phases.h"
 #include "reports/truth.h"
 #include "reports/verdict.h"
 
@@ -77,6 +78,7 @@ class CaseRun {
       record.metrics = measure(evidence(*record.trace));
       Judgement judgement = judge(*asked_.scene, asked_.scenario->expectations(asked_.parameters), *record.trace,
                                   entrant.contender->stepping(entrant.settings, dt_), truth_ ? &*truth_ : nullptr);
+      if (asked_.scenario->phased) judge_phases(asked_, entrant, dt_, truth_ ? &*truth_ : nullptr, judgement);
       record.truth = std::move(judgement.checks);
       record.verdict = judgement.verdict;
       runnable_.push_back(entrant);

@@ -22,6 +22,12 @@ struct Measured {
   std::string unit;
 };
 
+/// Errors of one check over runs whose steps fall differently, in its unit.
+struct Spread {
+  double min = 0, median = 0, max = 0;
+  int phases = 0;
+};
+
 struct TruthCheck {
   std::string body;
   std::string quantity;
@@ -32,6 +38,7 @@ struct TruthCheck {
   bool passed = false;
   bool revealed = true;  // false where the engine does not show what was asked for: neither passed nor failed
   std::string source;
+  std::optional<Spread> spread = std::nullopt;  // over the phases, where there are several; the rest is of the worst
 };
 
 struct RunRecord {

@@ -45,18 +45,24 @@ std::string divergence(const Scene& scene, std::span<const BodyState> states, do
       lost->angle, length(lost->velocity), lost->angular_velocity);
 }
 
-void record_until_the_end(const Scene& scene, Simulation& simulation, double dt, Outcome& outcome) {
+void record_until_the_end(const Scene& scene, Simulation& simulation, double dt, double first_step, Outcome& outcome) {
   Readout readout(scene);
   outcome.trace->record(0, readout.states(simulation), {});
 
   const double valid = simulation.valid_until();
-  const std::size_t steps = steps_in(scene.duration, dt);
+  const double missing = 1 - first_step;
+  const bool cut = missing > 0;
+  const std::size_t steps = steps_in(scene.duration + missing * dt, dt);
+  double before = 0;
   for (std::size_t i = 1; i <= steps; ++i) {
     // Not the sum of many dt, which would carry the rounding of each.
-    const double time = static_cast<double>(i) * dt;
+    const double whole = (static_cast<double>(i) - missing) * dt;
+    const double time = cut && i == steps ? scene.duration : whole;
     if (time > valid) return;
+    const double step = cut && (i == 1 || i == steps) ? time - before : dt;
+    before = time;
     const Stopwatch in_step;
-    simulation.step(dt);
+    simulation.step(step);
     outcome.stepping += in_step.seconds();
 
     const std::span<const BodyState> states = readout.states(simulation);
@@ -98,7 +104,7 @@ std::size_t steps_in(double duration, double dt) {
   return static_cast<std::size_t>(std::max(0.0, std::ceil(duration / dt * (1 - 1e-12))));
 }
 
-Outcome run(const Scene& scene, const Entrant& entrant, double dt) {
+Outcome run(const Scene& scene, const Entrant& entrant, double dt, double first_step) {
   const Stopwatch all;
   Outcome outcome;
   try {
@@ -109,7 +115,7 @@ Outcome run(const Scene& scene, const Entrant& entrant, double dt) {
     }
     const auto simulation = entrant.contender->build(scene, entrant.settings);
     outcome.trace = std::make_shared<Trace>(scene.bodies.size());
-    record_until_the_end(scene, *simulation, dt, outcome);
+    record_until_the_end(scene, *simulation, dt, first_step, outcome);
   } catch (const std::domain_error& beyond) {
     // Some methods can only tell under way that a scene is too much for them.
     outcome.status = Status::not_supported;

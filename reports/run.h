@@ -19,6 +19,7 @@ struct Case {
   Parameters parameters;
   std::shared_ptr<const Scene> scene;
   const Contender* closed_form = nullptr;               // null where physics has none
+  double first_step = 1;                                // its length in dt, above 0; see phases.h
   std::shared_ptr<const Scenario> from_file = nullptr;  // what `scenario` points to, where no catalog keeps it
 };
 
@@ -42,7 +43,8 @@ struct Outcome {
 
 /// Builds, steps to the scene's end (or to where the answer ends) and records. Never throws for what the contender
 /// does: what it cannot run is `not_supported`, what diverges or throws is `failed`, with the reason.
-Outcome run(const Scene&, const Entrant&, double dt);
+/// The first step lasts first_step dt; if that is less than one, the last is cut to end with the scene.
+Outcome run(const Scene&, const Entrant&, double dt, double first_step = 1);
 
 /// What a step costs each entrant: the runs take turns, repeated, after one round of warm-up that is not counted;
 /// nothing but `step` is inside the clock. Entrants must be able to run the case: time on a failed run is no result.

@@ -155,7 +155,8 @@ const Catalog<Scenario>::Entry entry{
      .closed_form = "bounce",
      .scene = scene,
      .expectations = expectations,
-     .canonical = true}};
+     .canonical = true,
+     .phased = true}};
 
 }  // namespace
 }  // namespace plumb

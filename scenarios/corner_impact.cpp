@@ -51,7 +51,8 @@ const Catalog<Scenario>::Entry entry{
      .variants = {{"e=0.8", {}}, {"e=1", {{"restitution", 1}}}},
      .closed_form = "first-impact",
      .scene = scene,
-     .expectations = expectations}};
+     .expectations = expectations,
+     .phased = true}};
 
 }  // namespace
 }  // namespace plumb

@@ -60,7 +60,8 @@ const Catalog<Scenario>::Entry entry{
      .variants = {{"five", {}}},
      .closed_form = "line",
      .scene = scene,
-     .expectations = expectations}};
+     .expectations = expectations,
+     .phased = true}};
 
 }  // namespace
 }  // namespace plumb

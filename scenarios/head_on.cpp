@@ -59,7 +59,8 @@ const Catalog<Scenario>::Entry entry{
      .variants = {{"e=0.5", {}}, {"e=1", {{"restitution", 1}}}, {"e=0", {{"restitution", 0}}}},
      .closed_form = "line",
      .scene = scene,
-     .expectations = expectations}};
+     .expectations = expectations,
+     .phased = true}};
 
 }  // namespace
 }  // namespace plumb

@@ -72,7 +72,8 @@ const Catalog<Scenario>::Entry entry{
      .variants = {{"slips", {}}, {"grips", {{"friction", 0.9}}}},
      .closed_form = "first-impact",
      .scene = scene,
-     .expectations = expectations}};
+     .expectations = expectations,
+     .phased = true}};
 
 }  // namespace
 }  // namespace plumb

@@ -54,7 +54,8 @@ const Catalog<Scenario>::Entry entry{
      .variants = {{"3", {{"digits", 0}}}, {"31", {}}, {"314", {{"digits", 2}}}},
      .closed_form = "line",
      .scene = scene,
-     .expectations = expectations}};
+     .expectations = expectations,
+     .phased = true}};
 
 }  // namespace
 }  // namespace plumb

@@ -100,6 +100,7 @@ struct Scenario {
   std::function<Scene(const Parameters&)> scene;
   std::function<std::vector<Expectation>(const Parameters&)> expectations;
   bool canonical = false;  // part of the short report that runs by default
+  bool phased = false;     // its errors depend on where in a step an impact falls
 };
 
 /// All defaults, with the changes laid over. Throws std::invalid_argument for an unknown name, a value out of range or

@@ -203,7 +203,8 @@ const Catalog<Scenario>::Entry entry{
      .closed_form = "first-impact",
      .scene = scene,
      .expectations = expectations,
-     .canonical = true}};
+     .canonical = true,
+     .phased = true}};
 
 }  // namespace
 }  // namespace plumb

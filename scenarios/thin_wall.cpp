@@ -45,7 +45,8 @@ const Catalog<Scenario>::Entry entry{
      .variants = {{"slow", {{"speed", 10}}}, {"fast", {}}},
      .closed_form = "line",
      .scene = scene,
-     .expectations = expectations}};
+     .expectations = expectations,
+     .phased = true}};
 
 }  // namespace
 }  // namespace plumb

@@ -93,8 +93,11 @@ std::string in_words(const TruthCheck& check) {
   const std::string what = fmt::format("{}{} at {:.4g} s: ", check.quantity, of, check.time);
   if (!check.revealed) return what + "not revealed";
   const std::string side = check.relation == Relation::equal ? "" : name_of(check.relation) + std::string(" ");
-  return what + fmt::format("{:.6g}, expected {}{:.6g} +- {:.2g} {}", check.measured, side, check.expected,
-                            check.tolerance, check.unit);
+  const std::string phases = !check.spread ? ""
+                                           : fmt::format(" (worst of {} phases; off by {:.2g} ... {:.2g})",
+                                                         check.spread->phases, check.spread->min, check.spread->max);
+  return what + fmt::format("{:.6g}, expected {}{:.6g} +- {:.2g} {}{}", check.measured, side, check.expected,
+                            check.tolerance, check.unit, phases);
 }
 
 // A truth by refinement is as exact as it says.

@@ -23,6 +23,12 @@ Json of(const std::map<std::string, Measured>& metrics) {
   return all;
 }
 
+Json phases_of(const TruthCheck& check) {
+  if (!check.spread) return nullptr;
+  const Spread& spread = *check.spread;
+  return {{"count", spread.phases}, {"min", spread.min}, {"median", spread.median}, {"max", spread.max}};
+}
+
 Json of(const TruthCheck& check) {
   return {{"body", check.body},
           {"quantity", check.quantity},
@@ -35,6 +41,7 @@ Json of(const TruthCheck& check) {
           {"tolerance", check.tolerance},
           {"passed", check.passed},
           {"revealed", check.revealed},
+          {"phases", phases_of(check)},
           {"source", check.source}};
 }
 
