@@ -32,7 +32,8 @@ Real rate(const JointRow& row, const Velocity& a, const Velocity& b) {
   return dot(row.axis, b.v - a.v) + row.arm_b * b.w - row.arm_a * a.w;
 }
 
-void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b) {
+void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b,
+                     const Softness& soft) {
   const auto n = static_cast<std::size_t>(block.equations);
   std::array<std::array<Real, 3>, 3> k{};
   std::array<Real, 3> x{};
@@ -53,8 +54,9 @@ void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocit
     x[i] = k[i][i] > 0 ? x[i] / k[i][i] : Real{0};
   }
   for (std::size_t i = 0; i < n; ++i) {
-    block.equation[i].impulse += x[i];
-    apply(block, block.equation[i], x[i], a, b);
+    const Real push = soft.strength * x[i] - soft.relief * block.equation[i].impulse;
+    block.equation[i].impulse += push;
+    apply(block, block.equation[i], push, a, b);
   }
 }
 
@@ -84,20 +86,31 @@ void forget_impulses(JointBlock& block) {
   for_each_row(block, [](JointRow& row) { row.impulse = 0; });
 }
 
-void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies) {
+namespace {
+
+/// `correction` (1/s) times an error is the speed out of it.
+void solve(JointBlock& block, Real h, Real correction, const Softness& soft, BodySet& bodies) {
   Velocity& a = bodies.velocity[block.a];
   Velocity& b = bodies.velocity[block.b];
   std::array<Real, 3> bias{};
   std::array<Real, 2> stop_bias{};
-  for (std::size_t i = 0; i < 3; ++i) bias[i] = share * block.equation[i].error / h;
+  for (std::size_t i = 0; i < 3; ++i) bias[i] = correction * block.equation[i].error;
   // A stop that is still away may be reached within h, but not passed.
   for (std::size_t i = 0; i < 2; ++i) {
     const Real error = block.stop[i].error;
-    stop_bias[i] = (error > 0 ? error : share * error) / h;
+    stop_bias[i] = error > 0 ? error / h : correction * error;
   }
   solve_motor(block, h, a, b);
-  solve_equations(block, bias, a, b);
+  solve_equations(block, bias, a, b, soft);
   solve_stops(block, stop_bias, a, b);
+}
+
+}  // namespace
+
+void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies) { solve(block, h, share / h, {}, bodies); }
+
+void solve_soft_joint(JointBlock& block, Real h, const Softness& soft, BodySet& bodies) {
+  solve(block, h, soft.rate, soft, bodies);
 }
 
 void warm_start(const JointBlock& block, Real scale, Velocity& a, Velocity& b) {

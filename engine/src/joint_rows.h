@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "body_set.h"
+#include "solvers/softness.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -38,8 +39,10 @@ void apply(const JointBlock& block, const JointRow& row, Real impulse, Velocity&
 
 Real rate(const JointRow& row, const Velocity& a, const Velocity& b);
 
-/// Brings the rates of the equations to -bias[i]: K d = -(rate + bias), K the matrix of inverse effective masses.
-void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b);
+/// Brings the rates of the equations to -bias[i]: K d = -(rate + bias), K the matrix of inverse effective masses; as
+/// far as `soft` allows, whose own rate is not looked at.
+void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b,
+                     const Softness& soft = {});
 
 /// Keeps each stop's rate at or above -bias[i]; a stop only ever pushes.
 void solve_stops(JointBlock& block, const std::array<Real, 2>& bias, Velocity& a, Velocity& b);
@@ -52,6 +55,9 @@ void forget_impulses(JointBlock& block);
 
 /// One pass over a joint for solvers that correct velocities: rates that take away `share` of the error within h.
 void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies);
+
+/// The same for a joint that gives way like a damped spring. Its stops are rigid, but no faster out of an error.
+void solve_soft_joint(JointBlock& block, Real h, const Softness& soft, BodySet& bodies);
 
 /// Gives both bodies all accumulated impulses, times `scale`.
 void warm_start(const JointBlock& block, Real scale, Velocity& a, Velocity& b);

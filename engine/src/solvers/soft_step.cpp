@@ -16,9 +16,10 @@ namespace {
 constexpr Real speculative = static_cast<Real>(.02);  // m, gap up to which a contact is watched
 constexpr Real highest_frequency = 30;                // 1/s, of contacts; but never beyond a quarter of the sub-steps'
 constexpr Real damping_ratio = 10;
-constexpr Real push_out_speed = 3;                    // m/s, at which overlap is undone at most
-constexpr Real restitution_threshold = 1;             // m/s, of approach
-constexpr Real joint_share = static_cast<Real>(.25);  // of a joint's error, taken away in a sub-step
+constexpr Real push_out_speed = 3;         // m/s, at which overlap is undone at most
+constexpr Real restitution_threshold = 1;  // m/s, of approach
+/// Joints are springs of the frequency of fixed contacts, so much damped that an error creeps away.
+constexpr Real joint_damping_ratio = 5;
 
 /// A step is cut into sub-steps of h, each of them
 ///
@@ -62,6 +63,7 @@ class SoftStep : public Solver {
   Real h_ = 0;
   Real per_h_ = 0;         // 1/h: a product is soon there, a quotient is not
   Softness soft_, stiff_;  // between movable bodies; against what cannot move
+  Softness joint_;         // of joints
   std::vector<ContactRow> rows_;
   std::vector<Approach> approaches_;
   std::vector<Pose> start_;             // of each body
@@ -111,6 +113,7 @@ void SoftStep::prepare(StepData& data) {
   per_h_ = 1 / h_;
   soft_ = Softness::of(frequency(data.settings), damping_ratio, h_);
   stiff_ = Softness::of(2 * frequency(data.settings), damping_ratio, h_);
+  joint_ = Softness::of(2 * frequency(data.settings), joint_damping_ratio, h_);
   start_ = data.bodies.pose;
   motion_.assign(data.bodies.size(), {});
   forces_vary_ = data.forces.vary(data.bodies);
@@ -160,7 +163,7 @@ void SoftStep::warm_start(StepData& data) {
 /// A gap may close within the sub-step, but no further; overlap pushes back as a spring.
 void SoftStep::press(StepData& data) {
   BodySet& bodies = data.bodies;
-  for (ActiveJoint& joint : data.joints) solve_joint(joint.block, h_, joint_share, bodies);
+  for (ActiveJoint& joint : data.joints) solve_soft_joint(joint.block, h_, joint_, bodies);
   for (ContactRow& row : rows_) {
     const Softness& soft = row.mass_a.m == 0 || row.mass_b.m == 0 ? stiff_ : soft_;
     ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
