@@ -26,6 +26,7 @@ export interface Case {
   parameters: Record<string, number>;
   entries: Entry[]; // the truth last
   comparisons: Comparison[];
+  horizon: number | undefined; // s, up to which the scene can be told point by point; undefined: to its end
 }
 
 export interface Chapter {
@@ -108,12 +109,15 @@ export function model_of(page: Page): Model {
     const case_key = key(run.scenario, run.variant);
     let place = cases.get(case_key);
     if (!place) {
+      const comparisons = report.comparisons.filter((c) => c.scenario === run.scenario && c.variant === run.variant);
+      const horizons = comparisons.map(({ metrics }) => metrics["horizon"]?.value);
       place = {
         scenario: run.scenario,
         variant: run.variant,
         parameters: run.parameters,
         entries: [],
-        comparisons: report.comparisons.filter((c) => c.scenario === run.scenario && c.variant === run.variant),
+        comparisons,
+        horizon: horizons.find((value) => typeof value === "number"),
       };
       cases.set(case_key, place);
       chapter.cases.push(place);

@@ -37,8 +37,8 @@ function ends(entries: Entry[], column: Column, unit: string): string {
   return `At the end: ${enumerate(found.map(({ name, value }) => `${name} at ${to_within(value, spread, unit)}`))}.`;
 }
 
-function energy(entries: Entry[]): HTMLElement {
-  const chart: OverTime = { quantity: "energy", unit: "J", entries, column: "energy" };
+function energy({ entries, horizon }: Case): HTMLElement {
+  const chart: OverTime = { quantity: "energy", unit: "J", entries, column: "energy", horizon };
   return figure({
     title: "Energy of the whole scene",
     note: ends(entries, "energy", "J"),
@@ -56,7 +56,7 @@ const components: { column: Column; quantity: string; unit: string }[] = [
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** Components that stay at zero but for round-off are named, not drawn. */
-function momenta(entries: Entry[]): HTMLElement[] {
+function momenta({ entries, horizon }: Case): HTMLElement[] {
   const size = (column: Column) => Math.max(0, ...entries.map(({ series }) => (series ? largest(series[column]) : 0)));
   const most = Math.max(...components.map(({ column }) => size(column)));
   const moving = components.filter(({ column }) => most > 0 && size(column) > 1e-6 * most);
@@ -68,12 +68,12 @@ function momenta(entries: Entry[]): HTMLElement[] {
       title: `${capital(component.quantity)} of the whole scene`,
       note: ends(entries, component.column, component.unit) + (index ? "" : zero),
       height: 220,
-      draw: (width) => [over_time(width, { ...component, entries })],
+      draw: (width) => [over_time(width, { ...component, entries, horizon })],
     }),
   );
 }
 
-function pose(entries: Entry[]): HTMLElement {
+function pose({ entries, horizon }: Case): HTMLElement {
   const engines = entries.filter(({ contender, series }) => !contender.exact && series);
   const parts = engines.map(({ contender, series }) => `${contender.label} ${number(largest(series?.pose_difference ?? []), "m")}`);
   const apart = engines.some(({ series }) => largest(series?.pose_difference ?? []) > 0);
@@ -83,10 +83,10 @@ function pose(entries: Entry[]): HTMLElement {
     note: apart ? `At most: ${enumerate(parts)}.` : "None at any time.",
     height: 220,
     draw: (width) =>
-      apart ? [over_time(width, { quantity: "pose difference", unit: "m", entries, column: "pose_difference", log: true })] : [],
+      apart ? [over_time(width, { quantity: "pose difference", unit: "m", entries, column: "pose_difference", log: true, horizon })] : [],
   });
 }
 
-export function case_charts({ entries }: Case): HTMLElement[] {
-  return entries.some(({ series }) => series) ? [energy(entries), pose(entries), ...momenta(entries)] : [];
+export function case_charts(place: Case): HTMLElement[] {
+  return place.entries.some(({ series }) => series) ? [energy(place), pose(place), ...momenta(place)] : [];
 }

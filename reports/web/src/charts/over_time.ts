@@ -17,6 +17,7 @@ export interface OverTime {
   entries: Entry[];
   column: "energy" | "momentum_x" | "momentum_y" | "angular_momentum" | "pose_difference";
   log?: boolean;
+  horizon: number | undefined; // s
 }
 
 const height = 220; // px
@@ -70,7 +71,7 @@ function linear_domain(points: Point[]): [number, number] {
   return [low - lack, high + lack];
 }
 
-export function over_time(width: number, { quantity, unit, entries, column, log = false }: OverTime): Element {
+export function over_time(width: number, { quantity, unit, entries, column, log = false, horizon }: OverTime): Element {
   const lines = entries
     .filter((entry) => !log || !entry.contender.exact)
     .map((entry) => ({ contender: entry.contender, points: points_of(entry, column, log) }))
@@ -91,6 +92,12 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
       tickFormat: log ? (value: number) => number(value, "", 1) : (value: number) => given(value),
     },
     marks: [
+      ...(horizon === undefined
+        ? []
+        : [
+            Plot.ruleX([horizon], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
+            Plot.text([horizon], { x: (t: number) => t, text: () => "horizon", frameAnchor: "top", textAnchor: "start", dx: 4, fill: "var(--faint)" }),
+          ]),
       ...drawn.map(({ contender, points }) =>
         Plot.line(points, { x: "t", y: "value", ...line_look(contender), className: "line", ariaDescription: contender.label }),
       ),

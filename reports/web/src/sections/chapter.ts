@@ -5,6 +5,7 @@ import { h, slug } from "../dom";
 import { given, words } from "../format";
 import type { Case, Chapter, Entry } from "../model";
 import { checks } from "./checks";
+import { horizon } from "./horizon";
 import { numbers } from "./numbers";
 import { badge } from "./pieces";
 
@@ -30,6 +31,7 @@ function section(place: Case, chapter: Chapter): HTMLElement {
     h("h3", {}, place.variant),
     parameters(place, chapter),
     ...place.entries.filter(({ run }) => run.status !== "ok").map(absence),
+    horizon(place),
     drawn.length ? legend(drawn) : null,
     h("div", { class: "charts" }, ...case_charts(place)),
     checks(place),
