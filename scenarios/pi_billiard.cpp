@@ -30,12 +30,15 @@ Scene scene(const Parameters& p) {
 // In the plane of sqrt(M) V and sqrt(m) v the energy is a circle and an impact turns it by a fixed angle, 2 q for each
 // pair, tan q = sqrt(m/M) = 10^-digits: hence floor(pi 10^digits) impacts (Galperin). However late they are noticed,
 // the state ends in the sector where the light block no longer catches up, 0 <= v <= V: there V lies between V0 cos q
-// and V0. Every impact keeps the energy, whenever it comes.
+// and V0. Every impact keeps the energy, whenever it comes; each
+// sweep over one rounds the speeds.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double q = std::atan(std::pow(10, -p.at("digits")));
   const double impacts = std::pow(10, p.at("digits")) * 4;
   const double energy = mass_of(scene(p).bodies[2]).mass * speed * speed / 2;
-  const auto exact = [=](const Stepping& s) { return round_off(s, duration, 10) + 4 * s.epsilon * impacts * speed; };
+  const auto exact = [=](const Stepping& s) {
+    return round_off(s, duration, 10) + 4 * s.epsilon * impacts * (1 + s.iterations) * speed;
+  };
   return {{.body = "heavy",
            .quantity = Quantity::vx,
            .expected = speed * (1 + std::cos(q)) / 2,

@@ -358,6 +358,7 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.impact_lag = 1;
   stated.gap = 2 * b2_polygonRadius;
   stated.creep = 0;
+  stated.iterations = std::stoi(complete(self(), settings).at("velocity"));
   stated.restitution_threshold = std::stod(complete(self(), settings).at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
   return stated;

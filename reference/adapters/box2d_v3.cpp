@@ -444,6 +444,7 @@ Stepping stepping(const Settings& given, double dt) {
   stated.impact_lag = std::stod(settings.at("substeps"));  // found once a step
   stated.gap = linear_slop;
   stated.creep = 0;
+  stated.iterations = 1;  // of restitution, a step
   stated.restitution_threshold = std::stod(settings.at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
   return stated;

@@ -301,6 +301,7 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.gap = std::stod(complete(self(), settings).at("slop"));
   stated.creep = 0;
   stated.restitution_threshold = 0;
+  stated.iterations = std::stoi(complete(self(), settings).at("iterations"));
   stated.epsilon = std::ldexp(1.0, -53);
   return stated;
 }

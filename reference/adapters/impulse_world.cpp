@@ -263,6 +263,7 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.impact_lag = errors.impact_lag;
   stated.gap = errors.gap;
   stated.creep = errors.creep;
+  stated.iterations = errors.impact_lag > 0 ? with_dt.iterations : 0;
   stated.restitution_threshold = errors.restitution_threshold;
   stated.epsilon = std::numeric_limits<Real>::epsilon() / 2;
   return stated;
