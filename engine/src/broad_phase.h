@@ -38,8 +38,9 @@ class BroadPhase {
   virtual void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) = 0;
 };
 
-/// Whether two proxies whose bounds overlap may collide at all.
-constexpr bool may_collide(const Proxy& a, const Proxy& b) {
+/// Whether two proxies whose bounds overlap may collide at all; for whatever says as much of them as a Proxy.
+template <class One>
+constexpr bool may_collide(const One& a, const One& b) {
   return (a.layers & b.layers) != 0 && (a.moves || b.moves) && a.body != b.body;
 }
 

@@ -30,7 +30,8 @@ inline double typical_extent(std::span<const Proxy> proxies) {
   return *middle;
 }
 
-/// What a grid treats as large: more than twice the typical extent. Also true of bounds that are not numbers.
-inline bool is_large(const Proxy& proxy, double typical) { return !(extent(proxy) <= 2 * typical); }
+/// What is longer than this many typical extents, a grid treats as large; so what is not a number.
+constexpr double largest_ordinary = 2;
+inline bool is_large(const Proxy& proxy, double typical) { return !(extent(proxy) <= largest_ordinary * typical); }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 
+#include "bounds_table.h"
 #include "broad_phase.h"
 #include "method_list.h"
 #include "pair_order.h"
@@ -16,32 +17,30 @@ namespace {
 ///
 /// The endless plane of cells is laid onto `buckets_` many buckets as if on a screw: cell (x, y) goes to x + pitch y,
 /// modulo their number. Neighbours in a row stay neighbours in memory, no distant body can make the grid large, and
-/// cells that share a bucket only cost a few tests more.
+/// cells that share a bucket only cost a few tests more. Behind the last bucket stands a copy of the first two, so that
+/// three neighbours are always one range.
 class Grid : public BroadPhase {
  public:
   void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) override {
     pairs.clear();
     lay_out(proxies);
     fill(proxies);
-    for (std::uint32_t bucket = 0; bucket < buckets_; ++bucket) {
-      for (std::uint32_t q = start_[bucket]; q < start_[bucket + 1]; ++q) meet_around(proxies, bucket, q, pairs);
-    }
+    for (std::uint32_t bucket = 0; bucket < buckets_; ++bucket) meet_around(bucket, pairs);
     for (const std::uint32_t large : large_) meet_all(proxies, large, pairs);
     order_.sort(proxies.size(), pairs);
   }
 
  private:
-  struct Item {
-    Aabb bounds;
-    std::uint32_t proxy = 0;
-  };
-
   // Puts each proxy into its bucket, or among the large.
   void lay_out(std::span<const Proxy> proxies) {
     const double typical = typical_extent(proxies);
+    bucket_of_.resize(proxies.size());
     double largest = 0;
-    for (const Proxy& proxy : proxies) {
-      if (!is_large(proxy, typical)) largest = std::max(largest, extent(proxy));
+    for (std::uint32_t i = 0; i < proxies.size(); ++i) {
+      const double size = extent(proxies[i]);
+      const bool ordinary = !is_large(proxies[i], typical);
+      bucket_of_[i] = ordinary ? 0 : none;
+      if (ordinary && size > largest) largest = size;
     }
     // A little more, so that rounding never puts two that touch two cells apart.
     const double cells_per_meter = largest > 0 ? 1 / (1.001 * largest) : 0;
@@ -49,13 +48,12 @@ class Grid : public BroadPhase {
     // Odd and near the golden section: rows that follow each other land far apart, whatever the width of the scene.
     pitch_ = static_cast<std::uint32_t>(0.6180339887 * buckets_) | 1U;
 
-    bucket_of_.resize(proxies.size());
     large_.clear();
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
       const double x = static_cast<double>(proxies[i].bounds.low.x) * cells_per_meter;
       const double y = static_cast<double>(proxies[i].bounds.low.y) * cells_per_meter;
       const bool countable = std::abs(x) < farthest && std::abs(y) < farthest;
-      if (is_large(proxies[i], typical) || !countable) {
+      if (bucket_of_[i] == none || !countable) {
         bucket_of_[i] = none;
         large_.push_back(i);
       } else {
@@ -65,65 +63,85 @@ class Grid : public BroadPhase {
   }
 
   void fill(std::span<const Proxy> proxies) {
-    start_.assign(buckets_ + 2, 0);
+    start_.assign(buckets_ + repeated + 1, 0);
     for (const std::uint32_t bucket : bucket_of_) {
       if (bucket != none) ++start_[bucket + 2];
     }
     for (std::uint32_t b = 0; b < buckets_; ++b) start_[b + 2] += start_[b + 1];
-    items_.resize(proxies.size() - large_.size());
+    count_ = static_cast<std::uint32_t>(proxies.size() - large_.size());
+    items_.resize(2 * proxies.size());
+    bounds_.resize(2 * proxies.size());
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
       // start_[b + 1] runs from bucket b's begin to its end, which is where b + 1 begins.
-      if (bucket_of_[i] != none) items_[start_[bucket_of_[i] + 1]++] = {proxies[i].bounds, i};
+      if (bucket_of_[i] != none) put(start_[bucket_of_[i] + 1]++, proxies[i], i);
     }
+    for (std::uint32_t b = 1; b <= repeated; ++b) start_[buckets_ + b] = count_ + start_[b];
+    for (std::uint32_t q = 0; q < start_[repeated]; ++q) {
+      items_[count_ + q] = items_[q];
+      bounds_.set(count_ + q, bounds_.at(q));
+    }
+  }
+
+  void put(std::uint32_t at, const Proxy& proxy, std::uint32_t i) {
+    items_[at] = {i, proxy.body, proxy.layers, proxy.moves};
+    bounds_.set(at, proxy.bounds);
   }
 
   // Half of the neighbourhood, for each pair of cells meets once: the rest of the own cell with the one to the right,
   // and the three above.
-  void meet_around(std::span<const Proxy> proxies, std::uint32_t bucket, std::uint32_t q, std::vector<Pair>& pairs) {
-    if (bucket + 1 < buckets_) {
-      meet_range(proxies, q, q + 1, start_[bucket + 2], pairs);
-    } else {
-      meet_range(proxies, q, q + 1, start_[buckets_], pairs);
-      meet_range(proxies, q, start_[0], start_[1], pairs);
-    }
+  void meet_around(std::uint32_t bucket, std::vector<Pair>& pairs) {
     const std::uint32_t above = (bucket + pitch_ - 1) & (buckets_ - 1);
-    const std::uint32_t end = std::min(above + 3, buckets_);
-    meet_range(proxies, q, start_[above], start_[end], pairs);
-    if (above + 3 > buckets_) meet_range(proxies, q, start_[0], start_[above + 3 - buckets_], pairs);
-  }
-
-  void meet_range(std::span<const Proxy> proxies, std::uint32_t q, std::uint32_t begin, std::uint32_t end,
-                  std::vector<Pair>& pairs) {
-    const Item item = items_[q];
-    for (std::uint32_t other = begin; other < end; ++other) {
-      if (!overlap(item.bounds, items_[other].bounds)) continue;
-      report(proxies, item.proxy, items_[other].proxy, pairs);
+    for (std::uint32_t q = start_[bucket]; q < start_[bucket + 1]; ++q) {
+      for (const std::uint32_t other :
+           bounds_.overlapping(bounds_.at(q), {{q + 1, start_[bucket + 2]}, {start_[above], start_[above + 3]}})) {
+        report(items_[q], items_[other], pairs);
+      }
     }
   }
 
+  // The large come in order: of two, the first meets the second.
   void meet_all(std::span<const Proxy> proxies, std::uint32_t large, std::vector<Pair>& pairs) {
-    for (std::uint32_t i = 0; i < proxies.size(); ++i) {
-      const bool met_before = bucket_of_[i] == none && i <= large;
-      if (!met_before && overlap(proxies[large].bounds, proxies[i].bounds)) report(proxies, large, i, pairs);
+    const Proxy& one = proxies[large];
+    const Item item{large, one.body, one.layers, one.moves};
+    for (const std::uint32_t other : bounds_.overlapping(one.bounds, {{0, count_}})) {
+      report(item, items_[other], pairs);
+    }
+    for (const std::uint32_t other : large_) {
+      if (other <= large || !overlap(one.bounds, proxies[other].bounds)) continue;
+      const Proxy& two = proxies[other];
+      report(item, {other, two.body, two.layers, two.moves}, pairs);
     }
   }
 
-  static void report(std::span<const Proxy> proxies, std::uint32_t a, std::uint32_t b, std::vector<Pair>& pairs) {
-    if (may_collide(proxies[a], proxies[b])) pairs.push_back({std::min(a, b), std::max(a, b)});
+  /// What is asked of a proxy whose bounds overlap another's.
+  struct Item {
+    std::uint32_t proxy, body, layers;
+    bool moves;
+  };
+
+  static void report(const Item& a, const Item& b, std::vector<Pair>& pairs) {
+    if (may_collide(a, b)) pairs.push_back({std::min(a.proxy, b.proxy), std::max(a.proxy, b.proxy)});
   }
 
-  static std::uint32_t whole(double x) { return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(x))); }
+  // Rounded down. std::floor may be a call.
+  static std::uint32_t whole(double x) {
+    const auto towards_zero = static_cast<std::int64_t>(x);
+    return static_cast<std::uint32_t>(towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0));
+  }
 
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::uint32_t least_buckets = 64;  // the nine cells around one must be nine buckets
-  static constexpr double farthest = 1e9;             // cells; beyond, doubles no longer tell neighbours apart well
+  static constexpr std::uint32_t repeated = 2;
+  static constexpr double farthest = 1e9;  // cells; beyond, doubles no longer tell neighbours apart well
 
   std::uint32_t buckets_ = 0;  // a power of two
   std::uint32_t pitch_ = 0;
+  std::uint32_t count_ = 0;  // in the buckets, copies aside
   std::vector<std::uint32_t> bucket_of_;
   std::vector<std::uint32_t> large_;
   std::vector<std::uint32_t> start_;  // of each bucket's items; one more at the end
   std::vector<Item> items_;
+  BoundsTable bounds_;
   PairOrder order_;
 };
 

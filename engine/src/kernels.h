@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include "kernels/overlaps.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// The inner loops that are compiled for several instruction sets (see simd.h).
+struct Kernels {
+  FindOverlaps* find_overlaps;
+};
+
+/// All versions that this processor runs, the slowest first. They give the same bits.
+std::span<const Kernels> runnable_kernels();
+
+/// The fastest of them.
+inline const Kernels& kernels() { return runnable_kernels().back(); }
+
+}  // namespace impulse::inline IMPULSE_PRECISION

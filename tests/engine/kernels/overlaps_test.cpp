@@ -1,0 +1,70 @@
+#include "kernels/overlaps.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "../random_shapes.h"
+#include "kernels.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+struct Crowd {
+  std::vector<Aabb> boxes;
+  std::vector<Real> low_x, low_y, high_x, high_y;
+
+  explicit Crowd(std::uint32_t count, RandomShapes& random) {
+    for (std::uint32_t i = 0; i < count + 8; ++i) {
+      const Vec2 low = random.point(5);
+      // Whole numbers, so that some only just touch.
+      const Vec2 corner{static_cast<Real>(static_cast<int>(low.x)), static_cast<Real>(static_cast<int>(low.y))};
+      const Vec2 size{static_cast<Real>(i % 3), static_cast<Real>(i % 4)};
+      boxes.push_back({corner, corner + size});
+      low_x.push_back(corner.x);
+      low_y.push_back(corner.y);
+      high_x.push_back(corner.x + size.x);
+      high_y.push_back(corner.y + size.y);
+    }
+  }
+  BoundsColumns columns() const { return {low_x.data(), low_y.data(), high_x.data(), high_y.data()}; }
+};
+
+TEST(FindOverlaps, FindsWhatOverlapsOneByOneWithEveryInstructionSet) {
+  RandomShapes random(1);
+  std::size_t hits = 0;
+  for (std::uint32_t count = 1; count < 60; ++count) {
+    const Crowd crowd(count, random);
+    const auto some = [&] { return static_cast<std::uint32_t>(random.number(0, count + .999)); };
+    std::vector<Range> ranges{{some(), count}, {some(), count}};
+    ranges[0].begin = std::min(ranges[0].begin, ranges[1].begin);
+    ranges[0].end = ranges[1].begin;
+    const Aabb& box = crowd.boxes[count / 2];
+
+    std::vector<std::uint32_t> expected;
+    std::size_t room = 8;
+    for (const Range& range : ranges) {
+      room += range.end - range.begin;
+      for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        if (overlap(box, crowd.boxes[i])) expected.push_back(i);
+      }
+    }
+    hits += expected.size();
+    for (const Kernels& version : runnable_kernels()) {
+      std::vector<std::uint32_t> found(room + 1, 77);
+      const std::uint32_t* end =
+          version.find_overlaps(crowd.columns(), box, ranges.data(), ranges.data() + ranges.size(), found.data());
+      EXPECT_EQ(found.back(), 77U);
+      found.resize(static_cast<std::size_t>(end - found.data()));
+      EXPECT_EQ(found, expected) << count;
+    }
+  }
+  EXPECT_GT(hits, 100U);
+}
+
+}  // namespace
+
+}  // namespace impulse::inline IMPULSE_PRECISION

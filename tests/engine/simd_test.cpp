@@ -1,0 +1,70 @@
+// Lanes against one number at a time, bit for bit.
+#include "simd.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "random_shapes.h"
+
+namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
+
+namespace {
+
+using Numbers = std::array<Real, lane_count>;
+using Twin = LanesOf<ScalarRegister>;
+
+/// Equal numbers and the odd ones, among others.
+Numbers numbers(RandomShapes& random) {
+  using Limits = std::numeric_limits<Real>;
+  const std::array<Real, 8> odd{0,
+                                -Real{0},
+                                Limits::infinity(),
+                                -Limits::infinity(),
+                                Limits::quiet_NaN(),
+                                1,
+                                Limits::denorm_min(),
+                                Limits::max()};
+  Numbers result{};
+  for (Real& one : result) {
+    const Real chance = random.number(0, 16);
+    one = chance < 8 ? odd[static_cast<std::size_t>(chance)] : random.number(-2, 2);
+  }
+  return result;
+}
+
+TEST(Lanes, CompareAsNumbersDo) {
+  RandomShapes random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const Numbers a = numbers(random);
+    const Numbers b = numbers(random);
+    const Numbers c = numbers(random);
+    const std::uint32_t at_most = (Lanes::load(a.data()) <= Lanes::load(b.data())).bits();
+    EXPECT_EQ(at_most, (Twin::load(a.data()) <= Twin::load(b.data())).bits());
+    const auto between = (Lanes::all(a[0]) <= Lanes::load(b.data())) & (Lanes::load(b.data()) <= Lanes::load(c.data()));
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      EXPECT_EQ(at_most >> lane & 1U, a[lane] <= b[lane] ? 1U : 0U);
+      EXPECT_EQ(between.bits() >> lane & 1U, a[0] <= b[lane] && b[lane] <= c[lane] ? 1U : 0U);
+    }
+  }
+}
+
+TEST(Lanes, WriteTheMembersOfEverySetInOrder) {
+  for (std::uint32_t bits = 0; bits < 256; ++bits) {
+    std::array<std::uint32_t, lane_count + 1> written{};
+    written.back() = 7;
+    const std::uint32_t* end = write_members(bits, 1000, written.data());
+    const std::uint32_t* next = written.data();
+    for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
+      if ((bits >> lane & 1U) == 0) continue;
+      EXPECT_EQ(*next++, 1000 + lane) << bits;
+    }
+    EXPECT_EQ(next, end);
+    EXPECT_EQ(written.back(), 7U);
+  }
+}
+
+}  // namespace
+
+}  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES
