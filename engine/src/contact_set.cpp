@@ -136,7 +136,7 @@ void ContactSet::search(const BodySet& bodies, BroadPhase& broad_phase, const Se
                         bool recycle, const JointSet& joints) {
   collect_proxies(bodies, margin);
   broad_phase.find_pairs(proxies_, pairs_);
-  sort_pairs();
+  sort_pairs(bodies.size());
   collide_pairs(bodies, settings, margin, recycle, joints);
 }
 
@@ -171,9 +171,11 @@ bool ContactSet::foresee_knocks(const BodySet& bodies, const Margin& margin) {
 
 void ContactSet::collect_proxies(const BodySet& bodies, const Margin& margin) {
   proxies_.clear();
+  several_parts_ = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDetail& body = bodies.detail[i];
     if (!body.inserted || bodies.asleep[i] != 0) continue;
+    several_parts_ |= body.parts.size() > 1;
     const Real by = margin.distance / 2 + travel(bodies, i, margin) + margin.time * knocks_[i];
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       proxies_.push_back({grown(body.parts[p].shape.bounds(bodies.pose[i]), by), static_cast<std::uint32_t>(i),
@@ -183,16 +185,10 @@ void ContactSet::collect_proxies(const BodySet& bodies, const Margin& margin) {
 }
 
 // Pairs come in order of (body_a, part_a, body_b, part_b): right already where no body has several parts.
-void ContactSet::sort_pairs() {
-  const auto by_bodies_first = [this](const Pair& left, const Pair& right) {
-    const auto key = [this](const Pair& pair) {
-      return std::tuple(proxies_[pair.first].body, proxies_[pair.second].body, pair.first, pair.second);
-    };
-    return key(left) < key(right);
-  };
-  if (!std::is_sorted(pairs_.begin(), pairs_.end(), by_bodies_first)) {
-    std::sort(pairs_.begin(), pairs_.end(), by_bodies_first);
-  }
+void ContactSet::sort_pairs(std::size_t bodies) {
+  if (!several_parts_) return;
+  order_.stable_sort(bodies, pairs_, [this](const Pair& pair) { return proxies_[pair.second].body; });
+  order_.stable_sort(bodies, pairs_, [this](const Pair& pair) { return proxies_[pair.first].body; });
 }
 
 void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle,

@@ -8,6 +8,7 @@
 #include "contact.h"
 #include "impulse/settings.h"
 #include "joint_set.h"
+#include "pair_order.h"
 #include "solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -45,7 +46,7 @@ class ContactSet {
               bool recycle, const JointSet& joints);
   bool foresee_knocks(const BodySet& bodies, const Margin& margin);
   void collect_proxies(const BodySet& bodies, const Margin& margin);
-  void sort_pairs();
+  void sort_pairs(std::size_t bodies);
   /// One that has a dynamic body and one that stands still.
   struct OnGround {
     std::uint32_t body;  // the dynamic one
@@ -60,6 +61,8 @@ class ContactSet {
 
   std::vector<Proxy> proxies_;
   std::vector<Pair> pairs_;
+  bool several_parts_ = false;  // some body has
+  PairOrder order_;
   std::vector<Contact> rows_;
   std::vector<Contact> last_rows_;
   std::vector<Real> knocks_;  // m/s, by which each body's velocity may change within the step when it is struck

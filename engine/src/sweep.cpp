@@ -130,12 +130,36 @@ bool Sweep::find_fast(const BodySet& bodies, Continuous mode) {
   return any;
 }
 
+void Sweep::find_immovable(const BodySet& bodies) {
+  immovable_.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyDetail& body = bodies.detail[i];
+    if (!body.inserted || body.def.type == BodyType::dynamic) continue;
+    const Path path = this->path(bodies, i);
+    for (const Part& part : body.parts) immovable_.push_back(path.bounds(part.shape, bodies.reach[i]));
+  }
+  immovable_bounds_.resize(immovable_.size());
+  for (std::uint32_t i = 0; i < immovable_.size(); ++i) immovable_bounds_.set(i, immovable_[i]);
+}
+
+/// No bounds of a path stick out of its ends by more than three times the body's reach; a fourth is for rounding.
+bool Sweep::may_meet_immovable(const BodySet& bodies, std::size_t i) {
+  constexpr std::size_t handful = 64;
+  if (immovable_.size() > handful) return true;
+  const Vec2 end = bodies.pose[i].p;
+  const Aabb way = grown(Aabb{min(start_[i].p, end), max(start_[i].p, end)}, 4 * bodies.reach[i]);
+  const auto count = static_cast<std::uint32_t>(immovable_.size());
+  return !immovable_bounds_.overlapping(way, {{0, count}}).empty();
+}
+
 void Sweep::find_pairs(const BodySet& bodies) {
   proxies_.clear();
+  if (!meets_movable_) find_immovable(bodies);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDetail& body = bodies.detail[i];
     const bool fast = pace_[i] != Pace::slow;
-    if (!body.inserted || (!fast && !meets_movable_ && body.def.type == BodyType::dynamic)) continue;
+    if (!body.inserted) continue;
+    if (!meets_movable_ && body.def.type == BodyType::dynamic && !(fast && may_meet_immovable(bodies, i))) continue;
     const Path path = this->path(bodies, i);
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       proxies_.push_back({path.bounds(body.parts[p].shape, bodies.reach[i]), static_cast<std::uint32_t>(i),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "body_set.h"
+#include "bounds_table.h"
 #include "broad_phase.h"
 #include "impulse/settings.h"
 #include "joint_set.h"
@@ -41,6 +42,8 @@ class Sweep {
 
   Path path(const BodySet& bodies, std::size_t i) const;
   bool find_fast(const BodySet& bodies, Continuous mode);
+  void find_immovable(const BodySet& bodies);
+  bool may_meet_immovable(const BodySet& bodies, std::size_t i);
   void find_pairs(const BodySet& bodies);
   void stop_at_immovable(const BodySet& bodies, const JointSet& joints);
   void stop_at_each_other(const BodySet& bodies, const JointSet& joints);
@@ -52,6 +55,8 @@ class Sweep {
   std::vector<Pace> pace_;
   bool meets_movable_ = false;  // something fast stops at movable bodies, or stops them
   std::vector<Stop> stops_;
+  std::vector<Aabb> immovable_;  // of all parts that don't give way, where the step took them
+  BoundsTable immovable_bounds_;
   std::vector<Proxy> proxies_;
   std::vector<Pair> pairs_;
   std::unique_ptr<BroadPhase> broad_phase_;  // its own: the world's keeps what it learnt about the world's proxies

@@ -50,7 +50,6 @@ void TouchLog::note(const BodySet& bodies, std::span<const Contact> contacts) {
     const auto count = std::count_if(contact.points.begin(), contact.points.begin() + contact.count, touches);
     if (count > 0) awake_.push_back(touching_parts(bodies, contact, static_cast<int>(count)));
   }
-  std::sort(awake_.begin(), awake_.end(), before);
   begun_.clear();
   ended_.clear();
   std::set_difference(awake_.begin(), awake_.end(), last_.begin(), last_.end(), std::back_inserter(begun_), before);
