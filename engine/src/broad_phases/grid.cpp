@@ -18,7 +18,7 @@ namespace {
 /// The endless plane of cells is laid onto `buckets_` many buckets as if on a screw: cell (x, y) goes to x + pitch y,
 /// modulo their number. Neighbours in a row stay neighbours in memory, no distant body can make the grid large, and
 /// cells that share a bucket only cost a few tests more. Behind the last bucket stands a copy of the first two, so that
-/// three neighbours are always one range.
+/// three neighbours are always one range; behind that, what is too large for the cells.
 class Grid : public BroadPhase {
  public:
   void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) override {
@@ -26,7 +26,7 @@ class Grid : public BroadPhase {
     lay_out(proxies);
     fill(proxies);
     for (std::uint32_t bucket = 0; bucket < buckets_; ++bucket) meet_around(bucket, pairs);
-    for (const std::uint32_t large : large_) meet_all(proxies, large, pairs);
+    for (std::uint32_t q = first_large_; q < end_; ++q) meet_all(q, pairs);
     order_.sort(proxies.size(), pairs);
   }
 
@@ -80,6 +80,8 @@ class Grid : public BroadPhase {
       items_[count_ + q] = items_[q];
       bounds_.set(count_ + q, bounds_.at(q));
     }
+    first_large_ = end_ = count_ + start_[repeated];
+    for (const std::uint32_t large : large_) put(end_++, proxies[large], large);
   }
 
   void put(std::uint32_t at, const Proxy& proxy, std::uint32_t i) {
@@ -99,17 +101,10 @@ class Grid : public BroadPhase {
     }
   }
 
-  // The large come in order: of two, the first meets the second.
-  void meet_all(std::span<const Proxy> proxies, std::uint32_t large, std::vector<Pair>& pairs) {
-    const Proxy& one = proxies[large];
-    const Item item{large, one.body, one.layers, one.moves};
-    for (const std::uint32_t other : bounds_.overlapping(one.bounds, {{0, count_}})) {
-      report(item, items_[other], pairs);
-    }
-    for (const std::uint32_t other : large_) {
-      if (other <= large || !overlap(one.bounds, proxies[other].bounds)) continue;
-      const Proxy& two = proxies[other];
-      report(item, {other, two.body, two.layers, two.moves}, pairs);
+  // All in the grid and the rest of the large.
+  void meet_all(std::uint32_t q, std::vector<Pair>& pairs) {
+    for (const std::uint32_t other : bounds_.overlapping(bounds_.at(q), {{0, count_}, {q + 1, end_}})) {
+      report(items_[q], items_[other], pairs);
     }
   }
 
@@ -136,7 +131,8 @@ class Grid : public BroadPhase {
 
   std::uint32_t buckets_ = 0;  // a power of two
   std::uint32_t pitch_ = 0;
-  std::uint32_t count_ = 0;  // in the buckets, copies aside
+  std::uint32_t count_ = 0;                  // in the buckets, copies aside
+  std::uint32_t first_large_ = 0, end_ = 0;  // of the items, behind the copies
   std::vector<std::uint32_t> bucket_of_;
   std::vector<std::uint32_t> large_;
   std::vector<std::uint32_t> start_;  // of each bucket's items; one more at the end
