@@ -157,6 +157,7 @@ void strike_one(const ContactRow& row, RowPoint& p, ContactFrame& frame) {
   const Real kt = 1 / effective_mass(row, p.dot_a, p.dot_b);
   const Real knt = row.mass_a.i * p.cross_a * p.dot_a + row.mass_b.i * p.cross_b * p.dot_b;
   const Real wanted = -(1 + row.restitution) * vn;
+  if (wanted <= 0) return;  // rounding: what hits approaches
 
   Vec2 j = Mat22({kn, knt}, {knt, kt}).solve({wanted, -vt});  // sticks
   if (std::abs(j.y) > row.static_friction * j.x) {
@@ -205,7 +206,7 @@ void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& f
   rub(q, j.y);
 }
 
-/// Which of the points hits: the lowest, and the other one too if it is as good as there and approaching.
+/// Which of the points hits: the lower of those that approach, and the other one too if it is as good as there.
 struct Struck {
   RowPoint* first;
   RowPoint* second = nullptr;
@@ -213,8 +214,11 @@ struct Struck {
   Struck(ImpactRow& now, const ContactFrame& frame) : first(&now.points[0]) {
     if (now.count < 2) return;
     second = &now.points[1];
-    if (second->separation < first->separation) std::swap(first, second);
-    if (second->separation >= together || frame.normal_velocity(*second) >= 0) second = nullptr;
+    const auto approaches = [&](const RowPoint& p) { return frame.normal_velocity(p) < 0; };
+    if (!approaches(*first) || (approaches(*second) && second->separation < first->separation)) {
+      std::swap(first, second);
+    }
+    if (second->separation >= together || !approaches(*second)) second = nullptr;
   }
 };
 
