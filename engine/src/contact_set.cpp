@@ -9,6 +9,7 @@
 #include "closing.h"
 #include "collide.h"
 #include "ghosts.h"
+#include "stages.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -124,20 +125,27 @@ void ContactSet::find(const BodySet& bodies, BroadPhase& broad_phase, const Sett
                       bool recycle, const JointSet& joints) {
   knocks_.assign(bodies.size(), 0);
   search(bodies, broad_phase, settings, margin, recycle, joints);
+  const bool knocked = foresee_knocks(bodies, margin);
+  end_stage("foresee knocks");
   // Once: what a third body is handed on within the same step is little.
-  if (foresee_knocks(bodies, margin)) {
+  if (knocked) {
     std::swap(rows_, last_rows_);
     search(bodies, broad_phase, settings, margin, recycle, joints);
   }
   remove_ghosts(bodies, margin);
+  end_stage("remove ghosts");
 }
 
 void ContactSet::search(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
                         bool recycle, const JointSet& joints) {
   collect_proxies(bodies, margin);
+  end_stage("collect proxies");
   broad_phase.find_pairs(proxies_, pairs_);
+  end_stage("find pairs");
   sort_pairs(bodies.size());
+  end_stage("sort pairs");
   collide_pairs(bodies, settings, margin, recycle, joints);
+  end_stage("collide pairs");
 }
 
 /// Two bodies that meet at a speed u change each other's by (1 + e) u mB / (mA + mB) at most. What is struck within the

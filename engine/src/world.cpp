@@ -5,6 +5,7 @@
 #include <string>
 
 #include "method_list.h"
+#include "stages.h"
 #include "world_state.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -17,6 +18,7 @@ World& World::operator=(World&&) noexcept = default;
 void World::step() {
   State& s = *state_;
   if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
+  start_stages();
   s.forces.gravity = s.settings.gravity;
   const bool sweeps = s.settings.continuous != Continuous::off;
   if (sweeps) s.sweep.remember(s.bodies);
@@ -26,16 +28,22 @@ void World::step() {
     s.bodies.clear_forces();
     return;
   }
+  end_stage("begin");
   s.contacts.find(s.bodies, *s.broad_phase, s.settings, margin, s.solver->recycles(), s.joints);
   StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator,
                 s.settings, *s.workers};
+  end_stage("activate joints");
   s.solver->step(data);
   if (sweeps) s.sweep.hold_back(s.bodies, s.joints, s.settings.continuous);
+  end_stage("hold back");
   s.joints.store();
   s.bodies.mark_held(s.contacts.rows(), data.joints);
+  end_stage("mark held");
   s.touches.note(s.bodies, s.contacts.rows());
+  end_stage("note touches");
   s.bodies.clear_forces();
   if (s.settings.sleeping) s.sleep.settle(s.settings, margin);
+  end_stage("settle");
 }
 
 const Settings& World::settings() const { return state_->settings; }

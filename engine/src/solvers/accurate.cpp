@@ -13,6 +13,7 @@
 #include "solvers/energy_bound.h"
 #include "solvers/impacts.h"
 #include "solvers/island.h"
+#include "stages.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -114,6 +115,7 @@ class Accurate : public Solver {
 
 void Accurate::step(StepData& data) {
   prepare(data);
+  end_stage("prepare");
   spaces_.resize(static_cast<std::size_t>(data.workers.count()));
   // Small islands are handed out in batches; an island's bits depend on nothing outside it.
   constexpr std::size_t batch = 32;
@@ -122,7 +124,9 @@ void Accurate::step(StepData& data) {
     const std::size_t end = std::min((piece + 1) * batch, islands_.size());
     for (std::size_t number = piece * batch; number < end; ++number) step_island(data, number, spaces_[worker]);
   });
+  end_stage("islands");
   place(data.bodies, start_, motion_);
+  end_stage("place");
 }
 
 void Accurate::step_island(StepData& data, std::size_t number, Workspace& space) {

@@ -8,6 +8,7 @@
 #include "solver.h"
 #include "solvers/motion.h"
 #include "solvers/softness.h"
+#include "stages.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -74,11 +75,14 @@ class SoftStep : public Solver {
 
 void SoftStep::step(StepData& data) {
   prepare(data);
+  end_stage("prepare");
   for (int i = 0; i < data.settings.substeps; ++i) substep(data);
   restitute(data.bodies);
   place(data.bodies, start_, motion_);
+  end_stage("place");
   share_impulses(data, static_cast<Real>(data.settings.substeps));
   for (const ContactRow& row : rows_) store_row(row, data.contacts);
+  end_stage("store");
 }
 
 /// Impulses are kept per step, since the number of sub-steps may change: of a whole step to those of a sub-step, and
@@ -135,10 +139,15 @@ void SoftStep::notice_approach(const BodySet& bodies) {
 
 void SoftStep::substep(StepData& data) {
   kick(data.bodies);
+  end_stage("kick");
   warm_start(data);
+  end_stage("warm start");
   press(data);
+  end_stage("press");
   drift(data);
+  end_stage("drift");
   relax(data);
+  end_stage("relax");
 }
 
 void SoftStep::kick(BodySet& bodies) const {
