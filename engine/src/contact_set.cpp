@@ -239,8 +239,11 @@ void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, 
 // Only a part that meets several fixed shapes can meet a join of them.
 void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
   const auto part = [](const OnGround& meets) { return std::tie(meets.body, meets.part); };
-  std::stable_sort(on_ground_.begin(), on_ground_.end(),
-                   [&](const OnGround& left, const OnGround& right) { return part(left) < part(right); });
+  const auto before = [&](const OnGround& left, const OnGround& right) { return part(left) < part(right); };
+  // In order already on a single floor, and sorting takes memory.
+  if (!std::is_sorted(on_ground_.begin(), on_ground_.end(), before)) {
+    std::stable_sort(on_ground_.begin(), on_ground_.end(), before);
+  }
   for (auto first = on_ground_.cbegin(), next = first; first != on_ground_.cend(); first = next) {
     next = std::find_if(first, on_ground_.cend(), [&](const OnGround& meets) { return part(meets) != part(*first); });
     if (next - first > 1) remove_ghosts({first, next}, bodies, margin);
