@@ -41,8 +41,8 @@ void Islands::number() {
   }
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
   order_.resize(bodies);
-  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  for (std::uint32_t body = 0; body < bodies; ++body) order_[next[island_[body]]++] = body;
+  next_.assign(start_.begin(), start_.end() - 1);
+  for (std::uint32_t body = 0; body < bodies; ++body) order_[next_[island_[body]]++] = body;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -31,6 +31,7 @@ class Islands {
   std::vector<std::uint32_t> island_;  // of each body
   std::vector<std::uint32_t> order_;   // bodies, island by island
   std::vector<std::uint32_t> start_;   // of each island in order_, and the end
+  std::vector<std::uint32_t> next_;    // place of each island that is free, while they are filled
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

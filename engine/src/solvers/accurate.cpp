@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -70,7 +71,7 @@ class Accurate : public Solver {
  private:
   void prepare(StepData& data);
   template <class Items, class IslandOf>
-  std::vector<std::size_t> starts(std::vector<std::size_t>& start, const Items& items, IslandOf island_of) const;
+  void find_starts(std::vector<std::size_t>& start, const Items& items, IslandOf island_of);
   void tie_islands(const StepData& data);
   Island island(StepData& data, std::size_t number, Workspace& space);
   void step_island(StepData& data, std::size_t number, Workspace& space);
@@ -103,6 +104,7 @@ class Accurate : public Solver {
   std::vector<std::size_t> row_start_;  // of each island in rows_, and the end
   std::vector<ActiveJoint*> joints_;    // island by island
   std::vector<std::size_t> joint_start_;
+  std::vector<std::size_t> next_;       // place of each island that is free, while items are put there
   std::vector<Motion> motion_;          // of each body since the start of the step
   std::vector<Pose> start_;             // of each body
   std::vector<Velocity> acceleration_;  // of each body, by the force field
@@ -120,10 +122,11 @@ void Accurate::step(StepData& data) {
   // Small islands are handed out in batches; an island's bits depend on nothing outside it.
   constexpr std::size_t batch = 32;
   const std::size_t batches = (islands_.size() + batch - 1) / batch;
-  data.workers.share_out(batches, [&](std::size_t piece, std::size_t worker) {
+  const auto step_batch = [&](std::size_t piece, std::size_t worker) {
     const std::size_t end = std::min((piece + 1) * batch, islands_.size());
     for (std::size_t number = piece * batch; number < end; ++number) step_island(data, number, spaces_[worker]);
-  });
+  };
+  data.workers.share_out(batches, std::ref(step_batch));  // a copy would ask for memory
   end_stage("islands");
   place(data.bodies, start_, motion_);
   end_stage("place");
@@ -198,10 +201,10 @@ void Accurate::prepare(StepData& data) {
 
   // Rows and joints keep their order within an island: a stable counting sort.
   const auto island_of = [&](const auto& tie) { return islands_.of(tie.mass_a.m + tie.mass_a.i > 0 ? tie.a : tie.b); };
-  std::vector<std::size_t> next = starts(row_start_, plain_rows_, island_of);
+  find_starts(row_start_, plain_rows_, island_of);
   rows_.resize(plain_rows_.size());
   for (const ContactRow& plain : plain_rows_) {
-    ImpactRow& row = rows_[next[island_of(plain)]++];
+    ImpactRow& row = rows_[next_[island_of(plain)]++];
     static_cast<ContactRow&>(row) = plain;
     const Contact& contact = data.contacts[row.contact];
     row.offset = contact.offset;
@@ -219,22 +222,21 @@ void Accurate::prepare(StepData& data) {
     }
   }
   const auto joint_island = [&](const ActiveJoint& joint) { return island_of(joint.block); };
-  next = starts(joint_start_, data.joints, joint_island);
+  find_starts(joint_start_, data.joints, joint_island);
   joints_.resize(data.joints.size());
   for (ActiveJoint& joint : data.joints) {
-    joints_[next[joint_island(joint)]++] = &joint;
+    joints_[next_[joint_island(joint)]++] = &joint;
   }
   for (const ActiveJoint& joint : data.joints) note_load(joint.block);
 }
 
-/// Where each island's items will start, as the first free places; `start` gets the same and the end.
+/// Where each island's items will start, and the end; `next_` gets the same as the first free places.
 template <class Items, class IslandOf>
-std::vector<std::size_t> Accurate::starts(std::vector<std::size_t>& start, const Items& items,
-                                          IslandOf island_of) const {
+void Accurate::find_starts(std::vector<std::size_t>& start, const Items& items, IslandOf island_of) {
   start.assign(islands_.size() + 1, 0);
   for (const auto& item : items) ++start[island_of(item) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-  return {start.begin(), start.end() - 1};
+  next_.assign(start.begin(), start.end() - 1);
 }
 
 /// Bodies share an island if they touch and both move: such bodies must be stepped together. Where forces depend on
