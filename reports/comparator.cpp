@@ -6,6 +6,7 @@
 
 #include "reports/conserved.h"
 #include "reports/pose_difference.h"
+#include "reports/still.h"
 #include "reports/vec.h"
 
 namespace plumb {
@@ -54,6 +55,7 @@ void compare_conserved(const RunRecord& a, const RunRecord& b, Comparison& compa
   Series energy;
   Series momentum;
   Series angular;
+  Series resting;
   std::vector<BodyState> there(a.trace->bodies());
   const double end = b.trace->times().back() * (1 + 1e-12);
   for (std::size_t moment = 0; moment < a.trace->size() && a.trace->time(moment) <= end; ++moment) {
@@ -64,10 +66,12 @@ void compare_conserved(const RunRecord& a, const RunRecord& b, Comparison& compa
     const Momentum of_b = conserved.momentum(there);
     momentum.add(length(of_a.linear - of_b.linear));
     angular.add(of_a.angular - of_b.angular);
+    resting.add(still_bodies(*a.scene, here) - still_bodies(*a.scene, there));
   }
   energy.put(comparison.metrics, "energy_difference", "J");
   momentum.put(comparison.metrics, "momentum_difference", "kg m/s");
   angular.put(comparison.metrics, "angular_momentum_difference", "kg m^2/s");
+  resting.put(comparison.metrics, "resting_difference", "1");
 }
 
 void compare_rest(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
@@ -123,7 +127,9 @@ std::vector<Comparison> compare(std::span<const RunRecord> runs) {
   for (const RunRecord* engine : engines) {
     if (truth != nullptr) comparisons.push_back(compare(*engine, *truth));
   }
-  for (std::size_t i = 1; i < engines.size(); ++i) comparisons.push_back(compare(*engines[0], *engines[i]));
+  for (std::size_t i = 0; i < engines.size(); ++i) {
+    for (std::size_t j = i + 1; j < engines.size(); ++j) comparisons.push_back(compare(*engines[i], *engines[j]));
+  }
   return comparisons;
 }
 

@@ -9,6 +9,7 @@
 #include "reference/converged.h"
 #include "reports/beyond.h"
 #include "reports/comparator.h"
+#include "reports/invariant.h"
 #include "reports/jobs.h"
 #include "reports/metric.h"
 #include "reports/phases.h"
@@ -64,6 +65,10 @@ class CaseRun {
       truth_trace_ = record.trace;
       record.metrics = measure(evidence(*record.trace));
       if (refined_) record.metrics["truth_estimate_max"] = {refined_->answer->largest_error(), "m"};
+      if (!refined_) {
+        record.invariants =
+            check_invariants({*asked_.scene, *record.trace, witness->stepping(closed_form.settings, dt_)});
+      }
       record.verdict = Verdict::right;  // by definition; its formula has tests of its own
     }
     records_.push_back(std::move(record));
@@ -80,6 +85,7 @@ class CaseRun {
                                   entrant.contender->stepping(entrant.settings, dt_), truth_ ? &*truth_ : nullptr);
       if (asked_.scenario->phased) judge_phases(asked_, entrant, dt_, truth_ ? &*truth_ : nullptr, judgement);
       record.truth = std::move(judgement.checks);
+      record.invariants = std::move(judgement.invariants);
       record.verdict = judgement.verdict;
       runnable_.push_back(entrant);
     }
@@ -155,6 +161,9 @@ void add_notes(const Plan& plan, Report& report) {
   if (plan.refine) {
     report.metrics.push_back(
         {"truth_estimate_max", "m", "largest error that a converged reference admits to, while it holds", "lower"});
+  }
+  for (const Invariant* invariant : Catalog<Invariant>::all()) {
+    report.invariants.push_back({invariant->name, invariant->unit, invariant->definition});
   }
 }
 

@@ -30,7 +30,7 @@ bool Overlap::may_touch(std::size_t a, std::size_t b) const {
   return !std::binary_search(jointed_.begin(), jointed_.end(), pair);
 }
 
-double Overlap::deepest(std::span<const BodyState> states) const {
+std::vector<Overlapping> Overlap::all(std::span<const BodyState> states) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   struct Placed {
     std::size_t body;
@@ -46,14 +46,35 @@ double Overlap::deepest(std::span<const BodyState> states) const {
   }
   // From left to right, each part meets those that begin before it ends.
   std::sort(parts.begin(), parts.end(), [](const Placed& a, const Placed& b) { return a.x.low < b.x.low; });
-  double deepest = 0;
+  std::vector<Overlapping> overlaps;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t j = i + 1; j < parts.size() && parts[j].x.low <= parts[i].x.high; ++j) {
       if (!may_touch(parts[i].body, parts[j].body)) continue;
-      deepest = std::max(deepest, -gap_between(parts[i].outline, parts[j].outline));
+      const double depth = -gap_between(parts[i].outline, parts[j].outline);
+      const auto [a, b] = std::minmax(parts[i].body, parts[j].body);
+      if (depth > 0) overlaps.push_back({a, b, depth});
     }
   }
-  return deepest;
+  return overlaps;
+}
+
+double Overlap::gap(std::size_t a, std::size_t b, std::span<const BodyState> states) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Part& one : parts_) {
+    if (one.body != a) continue;
+    const Outline outline = placed(one.outline, states[a].position, states[a].angle);
+    for (const Part& other : parts_) {
+      if (other.body != b) continue;
+      nearest = std::min(nearest, gap_between(outline, placed(other.outline, states[b].position, states[b].angle)));
+    }
+  }
+  return nearest;
+}
+
+Overlapping Overlap::deepest(std::span<const BodyState> states) const {
+  const std::vector<Overlapping> overlaps = all(states);
+  const auto deeper = [](const Overlapping& one, const Overlapping& other) { return one.depth < other.depth; };
+  return overlaps.empty() ? Overlapping{} : *std::max_element(overlaps.begin(), overlaps.end(), deeper);
 }
 
 }  // namespace plumb

@@ -48,6 +48,10 @@ void judge_phases(const Case& asked, const Entrant& entrant, double dt, const Tr
       errors[i].push_back(other.checks[i].error);
       if (share(other.checks[i]) > share(judgement.checks[i])) judgement.checks[i] = other.checks[i];
     }
+    // Which invariants apply hangs on the scene, and every phase has the same.
+    for (std::size_t i = 0; i < judgement.invariants.size(); ++i) {
+      if (other.invariants[i].ratio > judgement.invariants[i].ratio) judgement.invariants[i] = other.invariants[i];
+    }
     if (other.verdict == Verdict::wrong) judgement.verdict = Verdict::wrong;
   }
   for (std::size_t i = 0; i < errors.size(); ++i) {

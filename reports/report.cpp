@@ -1,5 +1,9 @@
 #include "reports/report.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace plumb {
 
 const char* name_of(Status status) {
@@ -30,6 +34,32 @@ const char* name_of(Verdict verdict) {
       return "failed";
   }
   return "";
+}
+
+const char* name_of(Standing standing) {
+  switch (standing) {
+    case Standing::held:
+      return "held";
+    case Standing::broken:
+      return "broken";
+    case Standing::not_revealed:
+      return "not revealed";
+  }
+  return "";
+}
+
+std::optional<double> times_allowed(const RunRecord& run) {
+  std::optional<double> worst;
+  const auto see = [&](double ratio) { worst = std::max(worst.value_or(0), ratio); };
+  for (const TruthCheck& check : run.truth) {
+    if (!check.revealed) continue;
+    const double ratio = check.error == 0 ? 0 : check.error / check.tolerance;
+    see(std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity());
+  }
+  for (const InvariantCheck& check : run.invariants) {
+    if (check.standing != Standing::not_revealed) see(check.ratio);
+  }
+  return worst;
 }
 
 std::string label_of(const std::string& engine, const std::string& method) {

@@ -14,7 +14,8 @@ namespace plumb {
 
 enum class Status { ok, failed, not_supported };
 
-/// right: within what is allowed of the truth. plausible: nothing to judge it by, and nothing broken. wrong: outside.
+/// right: within what is allowed of the truth, no invariant broken. plausible: no truth to judge it by, and no
+/// invariant broken. wrong: what physics forbids, beyond what the order of the method predicts.
 enum class Verdict { right, plausible, wrong, beyond_horizon, not_supported, failed };
 
 struct Measured {
@@ -41,6 +42,20 @@ struct TruthCheck {
   std::optional<Spread> spread = std::nullopt;  // over the phases, where there are several; the rest is of the worst
 };
 
+/// held: within what is allowed. not_revealed: the contender does not show what would tell; never a pass.
+enum class Standing { held, broken, not_revealed };
+
+/// How an invariant fared over a run: where it was missed most, against what is allowed there.
+struct InvariantCheck {
+  std::string name;
+  std::string unit;
+  Standing standing = Standing::held;
+  double value = 0, allowed = 0;
+  double ratio = 0;   // value / allowed; infinite where nothing is allowed
+  double time = 0;    // s
+  std::string where;  // body, or "a - b"; "" for the whole scene
+};
+
 struct RunRecord {
   std::string scenario;
   std::string variant;
@@ -53,6 +68,7 @@ struct RunRecord {
   std::string reason;
   std::map<std::string, Measured> metrics;
   std::vector<TruthCheck> truth;
+  std::vector<InvariantCheck> invariants;  // those that apply
   Verdict verdict = Verdict::plausible;
   std::shared_ptr<const Scene> scene;  // for pictures; not part of report.json
   std::shared_ptr<const Trace> trace;  // the same
@@ -102,6 +118,12 @@ struct MetricNote {
   std::string better;  // "lower", "higher", "neither"
 };
 
+struct InvariantNote {
+  std::string name;
+  std::string unit;
+  std::string definition;
+};
+
 struct Report {
   std::string title;
   std::vector<std::string> command;                // that made it
@@ -109,6 +131,7 @@ struct Report {
   std::vector<ScenarioNote> scenarios;
   std::vector<EngineNote> engines;
   std::vector<MetricNote> metrics;
+  std::vector<InvariantNote> invariants;
   std::vector<RunRecord> runs;
   std::vector<Comparison> comparisons;
   std::vector<Timing> timings;
@@ -120,6 +143,13 @@ const char* name_of(Status);
 
 /// "right", "plausible", "wrong", "beyond horizon", "not supported", "failed".
 const char* name_of(Verdict);
+
+/// "held", "broken", "not revealed".
+const char* name_of(Standing);
+
+/// How many times what is allowed a run is off where it is worst, by truth or invariant; nothing where nothing judged
+/// it.
+std::optional<double> times_allowed(const RunRecord&);
 
 /// "engine" or "engine:key=value,...", as --engine takes it.
 std::string label_of(const std::string& engine, const std::string& method);

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "reports/conserved.h"
+#include "reports/invariant.h"
 #include "reports/observe.h"
+#include "reports/roundings.h"
 #include "reports/vec.h"
 
 namespace plumb {
@@ -81,17 +83,15 @@ TruthCheck check(const Scene& scene, const Expectation& expectation, const Trace
 
 }  // namespace
 
-// In n sub-steps of h each stored value is rounded n times, by at most its largest magnitude times the unit round-off u
-// (and its increments together by one or two u more):
-//   velocity  dv <= (n + 2) u v_max
-//   position  dx <= (n + 2) u x_max + t dv/2    (its own sum, and the velocity's error, growing evenly, carried along)
+// With nu the share that roundings take (see roundings.h):
+//   velocity  dv <= nu v_max
+//   position  dx <= nu x_max + t dv/2    (its own sum, and the velocity's error, growing evenly, carried along)
 // and the same for spin and angle. Energy m v^2/2 + m g y and the momenta follow to first order.
 double round_off(Quantity quantity, std::size_t body, const Scene& scene, const Trace& trace,
                  const Stepping& stepping) {
   if (trace.size() == 0) return 0;
   const double t = trace.times().back();
-  const auto steps = static_cast<double>(trace.size() - 1);
-  const double nu = ((stepping.h > 0 ? std::max(steps, t / stepping.h) : steps) + 2) * stepping.epsilon;
+  const double nu = roundings(trace, stepping);
   const auto off = [&](std::size_t i) {
     const Extent of = extent_of(trace, i);
     const double dv = nu * of.speed;
@@ -144,19 +144,25 @@ double round_off(Quantity quantity, std::size_t body, const Scene& scene, const 
   return 0;
 }
 
+// What is broken is wrong whatever the truth says. Where motions can no longer be predicted, that comes between the
+// two.
+Verdict concluded(std::span<const TruthCheck> readings, std::span<const InvariantCheck> invariants) {
+  const auto broken = [](const InvariantCheck& one) { return one.standing == Standing::broken; };
+  const auto failed = [](const TruthCheck& one) { return one.revealed && !one.passed; };
+  const auto passed = [](const TruthCheck& one) { return one.passed; };
+  if (std::any_of(invariants.begin(), invariants.end(), broken)) return Verdict::wrong;
+  if (std::any_of(readings.begin(), readings.end(), failed)) return Verdict::wrong;
+  return std::any_of(readings.begin(), readings.end(), passed) ? Verdict::right : Verdict::plausible;
+}
+
 Judgement judge(const Scene& scene, std::span<const Expectation> expectations, const Trace& trace,
                 const Stepping& stepping, const Truth* truth) {
   Judgement judgement;
   for (const Expectation& expectation : expectations) {
     judgement.checks.push_back(check(scene, expectation, trace, stepping, truth));
   }
-  const auto& checks = judgement.checks;
-  const auto failed = [](const TruthCheck& one) { return one.revealed && !one.passed; };
-  if (std::any_of(checks.begin(), checks.end(), failed)) {
-    judgement.verdict = Verdict::wrong;
-  } else if (std::any_of(checks.begin(), checks.end(), [](const TruthCheck& one) { return one.passed; })) {
-    judgement.verdict = Verdict::right;
-  }
+  judgement.invariants = check_invariants({scene, trace, stepping});
+  judgement.verdict = concluded(judgement.checks, judgement.invariants);
   return judgement;
 }
 

@@ -34,8 +34,9 @@ struct Stepping {
   double gap = 0;    // m, by which a resting contact may stand off from touching, either way (skin, slop, compliance)
   double creep = 0;  // m/s, at which a sticking contact may slide by the method's nature
   double restitution_threshold = 0;  // m/s, slower impacts are treated as inelastic
-  int iterations = 0;  // sweeps over impacts that fall together; 0 where these are taken one by one, or exactly
-  double epsilon = 0;  // unit round-off of its arithmetic
+  int iterations = 0;          // sweeps over impacts that fall together; 0 where these are taken one by one, or exactly
+  double epsilon = 0;          // unit round-off of its arithmetic
+  bool whole_impulses = true;  // the contact impulses that it shows, if any, are the sums over the step
 };
 
 /// What can be read off a motion. x, y, vx, vy are of the centre of mass; energy and momenta are of the whole scene

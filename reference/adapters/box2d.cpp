@@ -25,6 +25,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <variant>
@@ -87,13 +88,11 @@ class Contacts : public b2ContactListener {
     for (const Solved& solved : solved_) {
       const b2Fixture* a = solved.contact->GetFixtureA();
       const b2Fixture* b = solved.contact->GetFixtureB();
-      b2WorldManifold world;
-      world.Initialize(&solved.manifold, a->GetBody()->GetTransform(), a->GetShape()->m_radius,
-                       b->GetBody()->GetTransform(), b->GetShape()->m_radius);
+      const b2WorldManifold left = placed(solved.contact, solved.manifold);
       for (int i = 0; i < solved.impulse.count; ++i) {
         // Box2D's tangent is the normal turned by -90 degrees.
-        out.push_back({tags_.of(a).body, tags_.of(b).body, from_b2(world.points[i]), from_b2(world.normal),
-                       solved.impulse.normalImpulses[i], -solved.impulse.tangentImpulses[i], world.separations[i]});
+        out.push_back({tags_.of(a).body, tags_.of(b).body, from_b2(solved.met.points[i]), from_b2(solved.met.normal),
+                       solved.impulse.normalImpulses[i], -solved.impulse.tangentImpulses[i], left.separations[i]});
       }
     }
   }
@@ -102,8 +101,18 @@ class Contacts : public b2ContactListener {
   struct Solved {
     const b2Contact* contact;
     b2Manifold manifold;  // a copy: a later sub-step may replace the contact's own
+    b2WorldManifold met;  // where the impulses acted: before the bodies moved
     b2ContactImpulse impulse;
   };
+
+  static b2WorldManifold placed(const b2Contact* contact, const b2Manifold& manifold) {
+    const b2Fixture* a = contact->GetFixtureA();
+    const b2Fixture* b = contact->GetFixtureB();
+    b2WorldManifold world;
+    world.Initialize(&manifold, a->GetBody()->GetTransform(), a->GetShape()->m_radius, b->GetBody()->GetTransform(),
+                     b->GetShape()->m_radius);
+    return world;
+  }
 
   void BeginContact(b2Contact* contact) override {
     const Surface& a = tags_.of(contact->GetFixtureA()).surface;
@@ -113,14 +122,19 @@ class Contacts : public b2ContactListener {
     contact->SetRestitutionThreshold(threshold_);
   }
 
+  void PreSolve(b2Contact* contact, const b2Manifold*) override {
+    met_[contact] = placed(contact, *contact->GetManifold());
+  }
+
   void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
-    solved_.push_back({contact, *contact->GetManifold(), *impulse});
+    solved_.push_back({contact, *contact->GetManifold(), met_.at(contact), *impulse});
   }
 
   const Tags& tags_;
   Mixing mixing_;
   float threshold_;
   std::vector<Solved> solved_;
+  std::map<const b2Contact*, b2WorldManifold> met_;  // only looked up: its order never shows
 };
 
 // Hangs a scene's shapes on a Box2D body.

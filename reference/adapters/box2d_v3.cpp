@@ -447,6 +447,7 @@ Stepping stepping(const Settings& given, double dt) {
   stated.iterations = 1;  // of restitution, a step
   stated.restitution_threshold = std::stod(settings.at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
+  stated.whole_impulses = false;
   return stated;
 }
 

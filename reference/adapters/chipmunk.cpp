@@ -16,6 +16,8 @@
 //   stand on its polygons.
 // - A sliding joint is a groove, far longer than the scene, and a gear.
 // - As Debian ships it, its assertions are compiled in, which cost time.
+// - Contacts' impulses count what a pair carried when it last touched, though at its first touch anew none of that is
+//   given: they are no sums over the step.
 // - Sleeping is off unless asked for; sleepers keep stale velocities.
 // Every body's frame is moved to its centre of mass; mass and inertia are those of plumb::mass_of.
 
@@ -303,6 +305,7 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.restitution_threshold = 0;
   stated.iterations = std::stoi(complete(self(), settings).at("iterations"));
   stated.epsilon = std::ldexp(1.0, -53);
+  stated.whole_impulses = false;
   return stated;
 }
 

@@ -91,6 +91,18 @@ struct LeaningLadder {
   Vec from_corner(double angle, double along, double above) const {
     return corner + along * std::cos(angle) * out + above * std::sin(angle) * up;
   }
+  // Per mass, x out of the wall and y up: what changed the momentum, less gravity's part; and friction against x.
+  Vec impulse(double from, double to) const {
+    const Vec by = velocity(motion.at(to)) - velocity(motion.at(from));
+    const double lifted = dot(by, up) + motion.given().gravity * (to - from);
+    return {dot(by, out) + drag(lifted, to - from), lifted};
+  }
+  double drag(double lifted, double dt) const {
+    return motion.stands() ? dt * motion.push(motion.at(0)).x : motion.given().friction * lifted;
+  }
+  Vec velocity(const Ladder::State& now) const {
+    return half * now.speed * (std::cos(now.angle) * up - std::sin(now.angle) * out);
+  }
   void at(double t, std::span<BodyState> out_states) const {
     for (std::size_t i = 0; i < start.size(); ++i) out_states[i] = start[i];
     const Ladder::State now = motion.at(t);
@@ -99,16 +111,17 @@ struct LeaningLadder {
     state.angle -= sense * (now.angle - motion.at(0).angle);
     state.angular_velocity = -sense * now.speed;
     state.position = from_corner(now.angle, half, half);
-    state.velocity = half * now.speed * (std::cos(now.angle) * up - std::sin(now.angle) * out);
+    state.velocity = velocity(now);
   }
   void contacts(double t, double dt, std::vector<ContactState>& contacts) const {
     const Ladder::State now = motion.at(t);
-    const Vec push = mass * dt * motion.push(now);
+    const Vec push = mass * impulse(t - dt, t);
     contacts.push_back({.a = floor,
                         .b = ladder,
                         .point = from_corner(now.angle, 2 * half, 0),
                         .normal = up,
-                        .normal_impulse = push.y});
+                        .normal_impulse = push.y,
+                        .tangent_impulse = -mass * drag(push.y / mass, dt) * cross(up, out)});
     contacts.push_back({.a = wall,
                         .b = ladder,
                         .point = from_corner(now.angle, 0, 2 * half),

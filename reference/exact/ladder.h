@@ -23,6 +23,7 @@ class Ladder {
   };
   State at(double t) const;
 
+  const Case& given() const { return given_; }
   bool stands() const { return stands_; }
   double valid_until() const { return until_; }  // s, when the head leaves the wall
 

@@ -14,14 +14,14 @@ std::optional<double> largest(const Evidence& evidence) {
   const Overlap overlap(evidence.scene);
   double deepest = 0;
   for (std::size_t i = 0; i < evidence.trace.size(); ++i) {
-    deepest = std::max(deepest, overlap.deepest(evidence.trace.states(i)));
+    deepest = std::max(deepest, overlap.deepest(evidence.trace.states(i)).depth);
   }
   return deepest;
 }
 
 std::optional<double> at_the_end(const Evidence& evidence) {
   if (!can_overlap(evidence.scene)) return std::nullopt;
-  return Overlap(evidence.scene).deepest(evidence.trace.states(evidence.trace.size() - 1));
+  return Overlap(evidence.scene).deepest(evidence.trace.states(evidence.trace.size() - 1)).depth;
 }
 
 const Catalog<Metric>::Entry ever{

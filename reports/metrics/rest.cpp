@@ -2,15 +2,12 @@
 #include <cmath>
 
 #include "reports/metric.h"
+#include "reports/still.h"
 #include "reports/vec.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
 namespace {
-
-// Slower than this a body looks still: it needs a second for a centimetre.
-constexpr double still_speed = 0.01;  // m/s
-constexpr double still_spin = 0.01;   // rad/s
 
 // The share of the run, at its end, over which what is left of motion is averaged.
 constexpr double final_part = 0.1;
@@ -20,10 +17,9 @@ bool has_something_to_rest_on(const Scene& scene) {
                      [](const Body& body) { return body.type == BodyType::fixed && !body.shapes.empty(); });
 }
 
-bool is_still(const Scene& scene, std::span<const BodyState> states) {
+bool all_still(const Scene& scene, std::span<const BodyState> states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (scene.bodies[i].type != BodyType::dynamic) continue;
-    if (length(states[i].velocity) > still_speed || std::abs(states[i].angular_velocity) > still_spin) return false;
+    if (scene.bodies[i].type == BodyType::dynamic && !is_still(states[i])) return false;
   }
   return true;
 }
@@ -31,7 +27,7 @@ bool is_still(const Scene& scene, std::span<const BodyState> states) {
 std::optional<double> time_to_rest(const Evidence& evidence) {
   if (!has_something_to_rest_on(evidence.scene)) return std::nullopt;
   std::size_t first = evidence.trace.size();
-  while (first > 0 && is_still(evidence.scene, evidence.trace.states(first - 1))) --first;
+  while (first > 0 && all_still(evidence.scene, evidence.trace.states(first - 1))) --first;
   if (first == evidence.trace.size()) return std::nullopt;
   return evidence.trace.time(first);
 }

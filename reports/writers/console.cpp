@@ -81,10 +81,16 @@ std::string passed(const RunRecord& run) {
   return fmt::format("{}/{}", count, revealed);
 }
 
+// Times what is allowed.
+std::string worst(const RunRecord& run) {
+  const auto ratio = times_allowed(run);
+  return ratio ? fmt::format("{:.3g}", *ratio) : "-";
+}
+
 std::string table_row(const std::string& engine, const std::string& verdict, const std::string& checks,
-                      const std::string& error, const std::string& rise, const std::string& overlap,
+                      const std::string& worst, const std::string& error, const std::string& overlap,
                       const std::string& cost) {
-  return fmt::format("    {:<28}{}{:>8}{:>11}{:>11}{:>11}{:>11}\n", cut(engine, 27), verdict, checks, error, rise,
+  return fmt::format("    {:<28}{}{:>8}{:>11}{:>11}{:>11}{:>11}\n", cut(engine, 27), verdict, checks, worst, error,
                      overlap, cost);
 }
 
@@ -100,6 +106,12 @@ std::string in_words(const TruthCheck& check) {
                             check.tolerance, check.unit, phases);
 }
 
+std::string in_words(const InvariantCheck& check) {
+  const std::string where = check.where.empty() ? "" : " of " + check.where;
+  return fmt::format("breaks {}{} at {:.4g} s: {:.3g}, allowed {:.2g} {} ({:.3g} times)", check.name, where, check.time,
+                     check.value, check.allowed, check.unit, check.ratio);
+}
+
 // A truth by refinement is as exact as it says.
 std::string exactness(const RunRecord& run) {
   if (!run.exact) return "";
@@ -109,7 +121,7 @@ std::string exactness(const RunRecord& run) {
 
 std::string row(const Report& report, const RunRecord& run, bool colour) {
   std::string text = table_row(label_of(run.engine, run.method) + exactness(run), painted(run.verdict, 14, colour),
-                               passed(run), number(run.metrics, "truth_error_end"), number(run.metrics, "energy_rise"),
+                               passed(run), worst(run), number(run.metrics, "truth_error_end"),
                                number(run.metrics, "penetration_max"), step_cost(report, run));
   if (!run.reason.empty()) text += wrapped(run.reason, 8);
   std::size_t failed = 0;
@@ -117,6 +129,9 @@ std::string row(const Report& report, const RunRecord& run, bool colour) {
     if (!check.passed && ++failed <= shown) text += wrapped(in_words(check), 8);
   }
   if (failed > shown) text += wrapped(fmt::format("and {} more", failed - shown), 8);
+  for (const InvariantCheck& check : run.invariants) {
+    if (check.standing == Standing::broken) text += wrapped(in_words(check), 8);
+  }
   return text;
 }
 
@@ -134,8 +149,7 @@ std::string in_words(const Comparison& comparison) {
 // The runs of one case stand together; so do the comparisons.
 std::string case_text(const Report& report, const RunRecord& first, bool colour) {
   std::string text = wrapped(first.variant, 2);
-  text +=
-      table_row("engine", fmt::format("{:<14}", "verdict"), "checks", "error, m", "E rise", "overlap, m", "us/step");
+  text += table_row("engine", fmt::format("{:<14}", "verdict"), "checks", "worst", "error, m", "overlap, m", "us/step");
   const auto same = [&](const auto& one) { return one.scenario == first.scenario && one.variant == first.variant; };
   for (const RunRecord& run : report.runs) {
     if (same(run)) text += row(report, run, colour);

@@ -46,6 +46,15 @@ std::string table(const Report& report) {
                           : check.passed  ? "yes"
                                           : "no");
     }
+    for (const InvariantCheck& check : run.invariants) {
+      const bool shown = check.standing != Standing::not_revealed;
+      text += fmt::format("{},invariant,{},{},{},{},{},,,{},{}\n", begin, field(check.name), field(check.where),
+                          field(check.time), shown ? field(check.value) : "", field(check.unit),
+                          shown ? field(check.allowed) : "",
+                          check.standing == Standing::held     ? "yes"
+                          : check.standing == Standing::broken ? "no"
+                                                               : name_of(check.standing));
+    }
   }
   return text;
 }

@@ -45,6 +45,12 @@ Json of(const TruthCheck& check) {
           {"source", check.source}};
 }
 
+Json of(const InvariantCheck& check) {
+  return {{"name", check.name},   {"unit", check.unit},       {"standing", name_of(check.standing)},
+          {"value", check.value}, {"allowed", check.allowed}, {"ratio", check.ratio},
+          {"time", check.time},   {"where", check.where}};
+}
+
 Json final_pose_of(const RunRecord& run) {
   Json all = Json::array();
   if (run.status != Status::ok || !run.trace || !run.scene) return all;
@@ -71,7 +77,8 @@ Json of(const RunRecord& run) {
           {"verdict", name_of(run.verdict)},
           {"metrics", of(run.metrics)},
           {"final_pose", final_pose_of(run)},
-          {"truth", list(run.truth, [](const TruthCheck& check) { return of(check); })}};
+          {"truth", list(run.truth, [](const TruthCheck& check) { return of(check); })},
+          {"invariants", list(run.invariants, [](const InvariantCheck& check) { return of(check); })}};
 }
 
 Json of(const Comparison& comparison) {
@@ -113,6 +120,10 @@ Json of(const MetricNote& note) {
   return {{"name", note.name}, {"unit", note.unit}, {"definition", note.definition}, {"better", note.better}};
 }
 
+Json of(const InvariantNote& note) {
+  return {{"name", note.name}, {"unit", note.unit}, {"definition", note.definition}};
+}
+
 const auto as_json = [](const auto& item) { return of(item); };
 
 const Catalog<Writer>::Entry entry{{.name = "json",
@@ -131,6 +142,7 @@ Json to_json(const Report& report) {
           {"scenarios", list(report.scenarios, as_json)},
           {"engines", list(report.engines, as_json)},
           {"metrics", list(report.metrics, as_json)},
+          {"invariants", list(report.invariants, as_json)},
           {"runs", list(report.runs, as_json)},
           {"comparisons", list(report.comparisons, as_json)},
           {"timings", {{"steps", list(report.timings, as_json)}, {"clock", Json(report.clock)}}}};

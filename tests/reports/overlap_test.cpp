@@ -14,7 +14,7 @@ Body box_at(double x, double y) {
 
 Body ground() { return {.name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}}}}; }
 
-double deepest(const Scene& scene) { return Overlap(scene).deepest(initial_states(scene)); }
+double deepest(const Scene& scene) { return Overlap(scene).deepest(initial_states(scene)).depth; }
 
 TEST(Overlap, FindsTheDeepestPair) {
   EXPECT_NEAR(deepest({.bodies = {ground(), box_at(0, 0.49), box_at(0, 1.46), box_at(8, 4)}}), 0.03, 1e-12);

@@ -21,6 +21,21 @@ export interface TruthCheck {
   unit: string;
 }
 
+export const standings = ["held", "broken", "not revealed"] as const;
+export type Standing = (typeof standings)[number];
+
+/** How an invariant fared over a run, where it was missed most. */
+export interface InvariantCheck {
+  name: string;
+  unit: string;
+  standing: Standing;
+  value: number | null;
+  allowed: number | null;
+  ratio: number | null; // null: nothing is allowed
+  time: number;
+  where: string;
+}
+
 export const verdicts = ["right", "plausible", "wrong", "beyond horizon", "not supported", "failed"] as const;
 export type Verdict = (typeof verdicts)[number];
 
@@ -36,6 +51,7 @@ export interface Run {
   reason: string;
   metrics: Record<string, Measured>;
   truth: TruthCheck[];
+  invariants: InvariantCheck[];
   verdict: Verdict;
 }
 
@@ -81,6 +97,12 @@ export interface MetricNote {
   definition: string;
 }
 
+export interface InvariantNote {
+  name: string;
+  unit: string;
+  definition: string;
+}
+
 export interface Report {
   plumb: number;
   title: string;
@@ -89,6 +111,7 @@ export interface Report {
   scenarios: ScenarioNote[];
   engines: EngineNote[];
   metrics: MetricNote[];
+  invariants: InvariantNote[];
   runs: Run[];
   comparisons: Comparison[];
   timings: { steps: Timing[]; clock: Record<string, number | null> };
@@ -169,6 +192,7 @@ const report_rule = record({
   scenarios: list(record({ name: text, question: text, parameters: list(record({ name: text, unit: text, about: text })) })),
   engines: list(record({ name: text, about: text, source: text, exact: yes_no })),
   metrics: list(record({ name: text, unit: text, definition: text })),
+  invariants: list(record({ name: text, unit: text, definition: text })),
   runs: list(
     record({
       ...contender,
@@ -192,6 +216,18 @@ const report_rule = record({
           revealed: yes_no,
           source: text,
           unit: text,
+        }),
+      ),
+      invariants: list(
+        record({
+          name: text,
+          unit: text,
+          standing: one_of(...standings),
+          value: number,
+          allowed: number,
+          ratio: number,
+          time: finite,
+          where: text,
         }),
       ),
       verdict: one_of(...verdicts),

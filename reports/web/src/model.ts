@@ -1,6 +1,6 @@
 // The report as the page thinks of it: contenders with a look of their own, and cases (a scenario in one variant) with
 // everything that is known about them.
-import type { Comparison, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
+import type { Comparison, InvariantCheck, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
 
 export interface Contender {
   label: string; // as --engine takes it; "truth" for the closed forms
@@ -17,7 +17,7 @@ export interface Entry {
   run: Run;
   series: Series | undefined;
   timing: Timing | undefined;
-  worst: number; // largest error as a share of what is allowed; NaN where nothing is judged
+  worst: number; // largest miss, of a truth or an invariant, as a share of what is allowed; NaN where nothing is judged
 }
 
 export interface Case {
@@ -80,9 +80,13 @@ export function ratio(check: TruthCheck): number {
   return check.tolerance > 0 ? check.error / check.tolerance : Infinity;
 }
 
+export const law_ratio = (check: InvariantCheck): number => check.ratio ?? Infinity;
+
 function worst(run: Run): number {
-  const shown = run.truth.filter((check) => check.revealed);
-  return shown.length ? Math.max(...shown.map(ratio)) : NaN;
+  const readings = run.truth.filter((check) => check.revealed).map(ratio);
+  const laws = run.invariants.filter(({ standing }) => standing !== "not revealed").map(law_ratio);
+  const all = [...readings, ...laws];
+  return all.length ? Math.max(...all) : NaN;
 }
 
 const key = (...parts: string[]): string => JSON.stringify(parts);

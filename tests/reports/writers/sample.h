@@ -41,6 +41,16 @@ inline Report sample_report() {
                   .error = std::numeric_limits<double>::quiet_NaN(),
                   .tolerance = 0.1,
                   .source = "</script><script>alert(1)</script>"}};
+  wrong.invariants = {{.name = "energy", .unit = "J", .value = 1},
+                      {.name = "push",
+                       .unit = "N s",
+                       .standing = Standing::broken,
+                       .value = 0.5,
+                       .allowed = 0,
+                       .ratio = std::numeric_limits<double>::infinity(),
+                       .time = 1.5,
+                       .where = "box, \"the\" first - ground"},
+                      {.name = "cone", .unit = "N s", .standing = Standing::not_revealed}};
   RunRecord failed = exact;
   failed.engine = "lost";
   failed.exact = false;
@@ -56,6 +66,7 @@ inline Report sample_report() {
           .scenarios = {{.name = "slide", .question = "Does it slide?", .parameters = {{.name = "speed"}}}},
           .engines = {{.name = "lost"}},
           .metrics = {{"energy_rise", "1", "largest rise", "lower"}},
+          .invariants = {{"push", "N s", "contacts push"}},
           .runs = {exact, wrong, failed},
           .comparisons = {{.scenario = "slide",
                            .variant = "on ice",

@@ -6,6 +6,7 @@ import { given, words } from "../format";
 import type { Case, Chapter, Entry } from "../model";
 import { checks } from "./checks";
 import { horizon } from "./horizon";
+import { invariants } from "./invariants";
 import { numbers } from "./numbers";
 import { badge } from "./pieces";
 
@@ -35,6 +36,7 @@ function section(place: Case, chapter: Chapter): HTMLElement {
     drawn.length ? legend(drawn) : null,
     h("div", { class: "charts" }, ...case_charts(place)),
     checks(place),
+    invariants(place),
     numbers(place),
   );
 }

@@ -5,9 +5,9 @@ import { number, pretty_unit, shell, words } from "../format";
 import type { Model } from "../model";
 
 const definitions: [string, string][] = [
-  ["right", "every reading is within what is allowed of the truth"],
-  ["plausible", "there is nothing to judge by, and nothing is broken"],
-  ["wrong", "at least one reading is outside what is allowed"],
+  ["right", "every reading is within what is allowed of the truth, and no invariant is broken"],
+  ["plausible", "there is no truth to judge by, and no invariant is broken: engines may differ and all be plausible"],
+  ["wrong", "wrong physics: a reading is off, or an invariant broken, by more than the order of the method predicts"],
   ["beyond horizon", "past the time for which motions can be predicted; not judged point by point"],
   ["not supported", "the engine cannot be asked this; the reason stands beside it"],
   ["failed", "the run diverged or broke off; the reason stands beside it"],
@@ -48,6 +48,11 @@ export function method(model: Model): HTMLElement {
     h("h3", {}, "Metrics"),
     entries(
       report.metrics.map(({ name, unit, definition }) => [`${words(name)}${unit ? ` (${pretty_unit(unit)})` : ""}`, definition]),
+      "definitions",
+    ),
+    h("h3", {}, "What holds in any case"),
+    entries(
+      report.invariants.map(({ name, unit, definition }) => [`${words(name)} (${pretty_unit(unit)})`, definition]),
       "definitions",
     ),
     h("h3", {}, "Engines"),

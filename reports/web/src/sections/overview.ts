@@ -38,7 +38,7 @@ export function overview(model: Model): HTMLElement {
     h(
       "p",
       { class: "lede" },
-      "Each number is the largest error of a run as a share of what is allowed there; the tick on the bar is the limit. A cell leads to its evidence.",
+      "Each number is the largest miss of a run, of the truth or of what holds in any case, as a share of what is allowed there; the tick on the bar is the limit. A cell leads to its evidence.",
     ),
     h("div", { class: "pair" }, h("div", {}, matrix(model, engines), legend(engines)), cost_chart(model)),
   );

@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "reports/coefficients.h"
+#include "reports/invariant.h"
+#include "reports/pushed.h"
+#include "reports/roundings.h"
+#include "scenarios/catalog.h"
+
+// |t| <= mu n holds for every impulse and so for their sums over a step. A method of first order (drift) may hold
+// friction to the push that it knew: that of a step before, where what a pair carries has changed since.
+namespace plumb {
+namespace {
+
+std::optional<InvariantCheck> check(const Ground& ground) {
+  if (!reveals_contacts(ground.trace)) return not_revealed();
+  if (!ground.stepping.whole_impulses) return not_revealed();
+  const Coefficients coefficients(ground.scene);
+  Worst worst;
+  Pushed before;
+  for (std::size_t moment = 0; moment < ground.trace.size(); ++moment) {
+    double largest = 0;
+    for (const ContactState& contact : ground.trace.contacts(moment)) {
+      largest = std::max({largest, std::abs(contact.normal_impulse), std::abs(contact.tangent_impulse)});
+    }
+    Pushed pushed = pushed_in(ground.trace.contacts(moment));
+    for (const ContactState& contact : ground.trace.contacts(moment)) {
+      const double mu = coefficients.sticking(contact.a, contact.b);
+      const double late = ground.stepping.drift == 0 ? 0 : mu * changed(before, pushed, contact);
+      const double most = mu * std::max(0.0, contact.normal_impulse);
+      worst.see(std::abs(contact.tangent_impulse) - most, late + roundings_of_solver(ground.stepping) * largest,
+                ground.trace.time(moment), [&] { return pair_name(ground.scene, contact.a, contact.b); });
+    }
+    before = std::move(pushed);
+  }
+  return worst.result();
+}
+
+const Catalog<Invariant>::Entry entry{
+    {.name = "cone",
+     .unit = "N s",
+     .definition = "friction stays in its cone: no tangential impulse exceeds the normal one times the coefficient",
+     .check = check}};
+
+}  // namespace
+}  // namespace plumb
