@@ -146,7 +146,7 @@ std::string in_words(const Comparison& comparison) {
   return text;
 }
 
-// The runs of one case stand together; so do the comparisons.
+// The runs of one case stand together; so do the comparisons, of the first engine with the others: the files have all.
 std::string case_text(const Report& report, const RunRecord& first, bool colour) {
   std::string text = wrapped(first.variant, 2);
   text += table_row("engine", fmt::format("{:<14}", "verdict"), "checks", "worst", "error, m", "overlap, m", "us/step");
@@ -154,11 +154,14 @@ std::string case_text(const Report& report, const RunRecord& first, bool colour)
   for (const RunRecord& run : report.runs) {
     if (same(run)) text += row(report, run, colour);
   }
+  const auto lead = std::find_if(report.runs.begin(), report.runs.end(),
+                                 [&](const RunRecord& run) { return !run.exact && same(run); });
   for (const Comparison& comparison : report.comparisons) {
     const bool with_truth = std::any_of(report.runs.begin(), report.runs.end(), [&](const RunRecord& run) {
       return run.exact && same(run) && run.engine == comparison.b;
     });
-    if (same(comparison) && !with_truth) text += wrapped(in_words(comparison), 4);
+    const bool leads = lead != report.runs.end() && comparison.a == label_of(lead->engine, lead->method);
+    if (same(comparison) && leads && !with_truth) text += wrapped(in_words(comparison), 4);
   }
   return text;
 }

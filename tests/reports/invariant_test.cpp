@@ -9,6 +9,7 @@
 #include "reports/run.h"
 #include "reports/verdict.h"
 #include "tests/reports/fakes.h"
+#include "tests/reports/invariants/holding.h"
 
 namespace plumb {
 namespace {
@@ -50,6 +51,21 @@ TEST(Concluded, IsWrongWhereAnInvariantIsBrokenWhateverTheTruthSays) {
   EXPECT_EQ(concluded(passed, broken), Verdict::wrong);
   EXPECT_EQ(concluded({}, held), Verdict::plausible);
   EXPECT_EQ(concluded({}, broken), Verdict::wrong);
+}
+
+Trace shown(const std::vector<ContactState>& contacts) {
+  return forged(0.01, {{box_at({0, 0.5}), contacts}, {box_at({0, 0.5}), contacts}});
+}
+
+TEST(Invariants, NeverPassWhatIsNotRevealed) {
+  const Scene scene = box_on_ground();
+  for (const char* name : {"push", "cone", "complementarity", "sticking", "momentum_of_bodies"}) {
+    EXPECT_EQ(standing(name, scene, shown({}), {.dt = 0.01}), Standing::not_revealed) << name;
+  }
+  const Stepping parts{.dt = 0.01, .whole_impulses = false};
+  for (const char* name : {"cone", "sticking", "momentum_of_bodies"}) {
+    EXPECT_EQ(standing(name, scene, shown({pushing(1)}), parts), Standing::not_revealed) << name;
+  }
 }
 
 // The exact motion breaks nothing, whatever the step; at least it would show in all the ways there are.

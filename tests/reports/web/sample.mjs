@@ -31,6 +31,10 @@ function fall(height, contender) {
   return {
     metrics: { truth_error_rms: { value: error / 1.7, unit: "m" }, energy_rise: { value: 0, unit: "J" } },
     truth: contender.exact ? [] : [check],
+    invariants: [
+      { name: "energy", unit: "J", standing: "held", value: 0.1, allowed: 0.4, ratio: 0.25, time: 1.5, where: "" },
+      { name: "push", unit: "N s", standing: "not revealed", value: 0, allowed: 0, ratio: 0, time: 0, where: "" },
+    ],
     series: {
       t: times,
       energy: times.map((t) => g * height + contender.off * g * t),
@@ -61,6 +65,7 @@ export function sample(scenario = "free-fall") {
       ],
       engines: [{ name: "impulse", about: "our own engine", source: "engine/", exact: false }],
       metrics: [{ name: "truth_error_rms", unit: "m", definition: "RMS distance of the bodies from the closed form" }],
+      invariants: [{ name: "energy", unit: "J", definition: "never rises without work" }],
       runs: [],
       comparisons: [],
       timings: { steps: [], clock: { runs_s: 3.2, outside_step: 0.31 } },
@@ -89,7 +94,7 @@ export function sample(scenario = "free-fall") {
       reason: "",
     });
   }
-  const other = { parameters: { boxes: 10 }, exact: false, dt, metrics: {}, truth: [] };
+  const other = { parameters: { boxes: 10 }, exact: false, dt, metrics: {}, truth: [], invariants: [] };
   const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, relation: "equal", passed: false, revealed: true, source: "nothing moves" };
   report.runs.push(
     { ...other, ...place("stacking", "10 boxes", contenders[0]), status: "ok", reason: "", verdict: "wrong", truth: [wrong] },

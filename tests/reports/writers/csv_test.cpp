@@ -28,8 +28,9 @@ std::size_t commas(const std::string& line) {
   return count;
 }
 
-TEST(Csv, HasARowForEachMetricAndTruthOfEachRun) {
-  EXPECT_EQ(lines().size(), 1u + 1 + 2 + 1) << "head; exact: a metric; wrong: a metric and a truth; failed: itself";
+TEST(Csv, HasARowForEachMetricTruthAndInvariantOfEachRun) {
+  EXPECT_EQ(lines().size(), 1u + 1 + 5 + 1)
+      << "head; exact: a metric; wrong: a metric, a truth and three invariants; failed: itself";
 }
 
 TEST(Csv, HasTheSameColumnsInEveryRow) {
