@@ -8,6 +8,7 @@
 
 #include "reference/simulation.h"
 #include "reports/command.h"
+#include "reports/invariant.h"
 #include "reports/metric.h"
 #include "scenarios/catalog.h"
 #include "scenarios/nearest.h"
@@ -45,9 +46,17 @@ void list_metrics() {
   }
 }
 
+void list_invariants() {
+  for (const Invariant* invariant : Catalog<Invariant>::all()) {
+    fmt::print("  {:<24} {:<9} {}\n", invariant->name, invariant->unit, invariant->definition);
+  }
+}
+
 int list(const std::string& asked) {
-  const std::vector<std::pair<std::string, std::function<void()>>> lists{
-      {"scenarios", list_scenarios}, {"engines", list_engines}, {"metrics", list_metrics}};
+  const std::vector<std::pair<std::string, std::function<void()>>> lists{{"scenarios", list_scenarios},
+                                                                         {"engines", list_engines},
+                                                                         {"metrics", list_metrics},
+                                                                         {"invariants", list_invariants}};
   std::vector<std::string> names;
   bool found = false;
   for (const auto& [name, print] : lists) {
@@ -63,12 +72,12 @@ int list(const std::string& asked) {
 
 const Catalog<Command>::Entry entry{
     {.name = "list",
-     .about = "Show scenarios, engines and metrics",
+     .about = "Show scenarios, engines, metrics and invariants",
      .examples = "  plumb list\n"
                  "  plumb list engines    with their options and where they come from\n",
      .attach = [](CLI::App& app) {
        const auto what = std::make_shared<std::string>();
-       app.add_option("what", *what, "scenarios, engines or metrics; default: all")->type_name("WHAT");
+       app.add_option("what", *what, "scenarios, engines, metrics or invariants; default: all")->type_name("WHAT");
        return [what] { return list(*what); };
      }}};
 

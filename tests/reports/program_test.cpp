@@ -75,6 +75,7 @@ TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
   for (const char* word : {"bounce", "restitution", "impulse", "integrator", "box2d", "energy_rise"}) {
     EXPECT_THAT(said.out, HasSubstr(word));
   }
+  EXPECT_THAT(say({"list", "invariants"}).out, HasSubstr("momentum_of_bodies"));
   EXPECT_THAT(say({"list", "metrics"}).out, ::testing::Not(HasSubstr("integrator")));
 }
 

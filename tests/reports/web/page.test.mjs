@@ -88,6 +88,19 @@ test("a cell leads to its evidence, and an address opens at its place", async ()
   await again.page.close();
 });
 
+test("what holds in any case has a row for each run, and what is broken says where", async () => {
+  const data = sample();
+  const run = data.report.runs.find(({ scenario, engine }) => scenario === "stacking" && engine === "impulse");
+  run.invariants = [{ name: "push", unit: "N s", standing: "broken", value: 0.5, allowed: 0.1, ratio: 5, time: 1.5, where: "floor - box 1" }];
+  const { page, trouble } = await open(await write(data));
+  const table = page.locator('[aria-label="What holds in any case"]');
+  assert.match(await table.first().textContent(), /impulse[^]*0\.25[^]*not revealed/);
+  assert.match(await table.last().innerText(), /5\.00[^]*of floor - box 1 at/);
+  assert.match(await page.locator("h1").innerText(), /impulse is furthest off, in stacking \(10 boxes\): 5\.00 times/);
+  assert.deepEqual(trouble, []);
+  await page.close();
+});
+
 test("names are text, never markup", async () => {
   const name = "<img src=x onerror=document.title='bad'></script><b>";
   const { page, trouble } = await open(await write(sample(name)));
