@@ -46,7 +46,7 @@ std::optional<InvariantCheck> check(const Ground& ground) {
       const double way = dt * (slip(contact, trace.states(moment - 1)) + slip(contact, states) + given);
       const double rounded = nu * (length(contact.point) + trace.times().back() * slip(contact, states));
       worst.see(contact.normal_impulse * gap, contact.normal_impulse * (2 * stepping.gap + way + rounded),
-                trace.time(moment), [&] { return pair_name(scene, contact.a, contact.b); });
+                trace.time(moment), [&] { return pair_name(ground.scene, contact.a, contact.b); });
     }
   }
   return worst.result();

@@ -110,7 +110,7 @@ std::optional<InvariantCheck> check(const Ground& ground) {
       const double allowed = dt * length(after[i].force - before[i].force) + unsure[i] +
                              roundings_of_solver(stepping) * (1 + contacts[i]) * largest[i] +
                              2 * 0x1p-53 * trace.time(moment) * length(force);
-      worst.see(length(missing), allowed, trace.time(moment), [&] { return scene.bodies[i].name; });
+      worst.see(length(missing), allowed, trace.time(moment), [&] { return ground.scene.bodies[i].name; });
     }
     before = after;
   }

@@ -46,7 +46,7 @@ std::optional<InvariantCheck> check(const Ground& ground) {
           farthest[pair.a] + farthest[pair.b] + trace.times().back() / 2 * (fastest[pair.a] + fastest[pair.b]);
       const double late = stepping.impact_lag * stepping.h * (fastest[pair.a] + fastest[pair.b]);
       worst.see(pair.depth, stepping.gap + begun + late + nu * rounded, trace.time(moment),
-                [&] { return pair_name(scene, pair.a, pair.b); });
+                [&] { return pair_name(ground.scene, pair.a, pair.b); });
     }
   }
   return worst.result();

@@ -50,7 +50,7 @@ std::optional<InvariantCheck> check(const Ground& ground) {
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Vec way = states[i].position - there[i].position;
       const double slack = stepping.creep * time + nu * length(states[i].position);
-      const auto where = [&] { return scene.bodies[i].name; };
+      const auto where = [&] { return ground.scene.bodies[i].name; };
       worst.see(std::abs(cross(down, way)), stepping.gap + slack, trace.time(moment), where);
       worst.see(std::abs(dot(down, way)), bodies * stepping.gap + slack, trace.time(moment), where);
     }

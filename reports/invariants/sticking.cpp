@@ -69,7 +69,7 @@ std::optional<InvariantCheck> check(const Ground& ground) {
       const double late = stepping.drift == 0 ? 0 : mu * changed(before_push, pushed, contact);
       const double left = std::max(0.0, unused - late - roundings_of_solver(stepping) * mu * contact.normal_impulse);
       worst.see(left * std::min(std::abs(before), std::abs(after)), left * allowed, trace.time(moment),
-                [&] { return pair_name(scene, contact.a, contact.b); });
+                [&] { return pair_name(ground.scene, contact.a, contact.b); });
     }
     before_push = std::move(pushed);
   }

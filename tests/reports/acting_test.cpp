@@ -35,7 +35,7 @@ TEST(Acting, IsWhatThePotentialFallsBy) {
   const Acting acting(scene);
   const std::vector<BodyState> states = initial_states(scene);
   const std::vector<Push> pushes = acting.on(states);
-  for (const std::size_t body : {0, 1}) {
+  for (const std::size_t body : {std::size_t{0}, std::size_t{1}}) {
     const auto falls_by = [&](auto&& move) {
       std::vector<BodyState> ahead = states;
       std::vector<BodyState> behind = states;
@@ -71,7 +71,7 @@ TEST(Acting, AgreesWithTheLoadsThatAdaptersFeedTheirEngines) {
   Loads loads(scene);
   const auto fed = loads.at(states);
   const std::vector<Push> pushes = Acting(scene).on(states);
-  for (const std::size_t body : {0, 1}) {
+  for (const std::size_t body : {std::size_t{0}, std::size_t{1}}) {
     const Vec gravity = mass_of(scene.bodies[body]).mass * scene.bodies[body].gravity_scale * scene.gravity;
     EXPECT_NEAR(length(pushes[body].force - gravity - fed[body].force), 0, 1e-12);
     EXPECT_NEAR(pushes[body].torque, fed[body].torque, 1e-12);
