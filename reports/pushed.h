@@ -1,19 +1,20 @@
 #pragma once
 
-#include <cstddef>
-#include <map>
 #include <span>
-#include <utility>
+#include <vector>
 
 #include "reference/simulation.h"
+#include "scenarios/scenario.h"
 
 namespace plumb {
 
-/// N s, the normal impulses of all contacts of a pair.
-using Pushed = std::map<std::pair<std::size_t, std::size_t>, double>;
-Pushed pushed_in(std::span<const ContactState>);
+/// N s, by how much more or less a contact pushes than a step before: than the nearest of its pair's contacts then, or
+/// nothing.
+double changed(std::span<const ContactState> before, const ContactState& now);
 
-/// How much more or less a contact's pair carries than a step before.
-double changed(const Pushed& before, const Pushed& now, const ContactState&);
+/// N s, by how much the push of a contact may differ from the one that friction was held to, which is that of an
+/// earlier step or sweep; by contact. Nothing for a method of second order.
+std::vector<double> known_late(std::span<const ContactState> before, std::span<const ContactState> now,
+                               const Stepping&);
 
 }  // namespace plumb

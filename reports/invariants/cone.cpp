@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <span>
+#include <vector>
 
 #include "reports/coefficients.h"
 #include "reports/invariant.h"
@@ -8,8 +9,8 @@
 #include "reports/roundings.h"
 #include "scenarios/catalog.h"
 
-// |t| <= mu n holds for every impulse and so for their sums over a step. A method of first order (drift) may hold
-// friction to the push that it knew: that of a step before, where what a pair carries has changed since.
+// |t| <= mu n holds for every impulse and so for their sums over a step. A method of first order, or one that
+// sweeps over the contacts, may hold friction to the push that it knew (see pushed.cpp).
 namespace plumb {
 namespace {
 
@@ -18,21 +19,21 @@ std::optional<InvariantCheck> check(const Ground& ground) {
   if (!ground.stepping.whole_impulses) return not_revealed();
   const Coefficients coefficients(ground.scene);
   Worst worst;
-  Pushed before;
   for (std::size_t moment = 0; moment < ground.trace.size(); ++moment) {
     double largest = 0;
     for (const ContactState& contact : ground.trace.contacts(moment)) {
       largest = std::max({largest, std::abs(contact.normal_impulse), std::abs(contact.tangent_impulse)});
     }
-    Pushed pushed = pushed_in(ground.trace.contacts(moment));
-    for (const ContactState& contact : ground.trace.contacts(moment)) {
+    const auto before = moment > 0 ? ground.trace.contacts(moment - 1) : std::span<const ContactState>{};
+    const auto contacts = ground.trace.contacts(moment);
+    const std::vector<double> late = known_late(before, contacts, ground.stepping);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const ContactState& contact = contacts[i];
       const double mu = coefficients.sticking(contact.a, contact.b);
-      const double late = ground.stepping.drift == 0 ? 0 : mu * changed(before, pushed, contact);
       const double most = mu * std::max(0.0, contact.normal_impulse);
-      worst.see(std::abs(contact.tangent_impulse) - most, late + roundings_of_solver(ground.stepping) * largest,
+      worst.see(std::abs(contact.tangent_impulse) - most, mu * late[i] + roundings_of_solver(ground.stepping) * largest,
                 ground.trace.time(moment), [&] { return pair_name(ground.scene, contact.a, contact.b); });
     }
-    before = std::move(pushed);
   }
   return worst.result();
 }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "reports/coefficients.h"
@@ -40,13 +39,11 @@ std::optional<InvariantCheck> check(const Ground& ground) {
   const Coefficients coefficients(scene);
   std::vector<Mass> masses;
   for (const Body& body : scene.bodies) masses.push_back(mass_of(body));
-  Pushed before_push = pushed_in(trace.contacts(0));
   Worst worst;
   for (std::size_t moment = 1; moment < trace.size(); ++moment) {
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);
-    Pushed pushed = pushed_in(trace.contacts(moment));
     std::vector<double> given(scene.bodies.size());  // m/s, at the contacts
     for (const ContactState& contact : trace.contacts(moment)) {
       for (const std::size_t body : {contact.a, contact.b}) {
@@ -54,7 +51,12 @@ std::optional<InvariantCheck> check(const Ground& ground) {
                        lightness_at(masses[body], length(contact.point - now[body].position));
       }
     }
-    for (const ContactState& contact : trace.contacts(moment)) {
+    const auto contacts = trace.contacts(moment);
+    double largest = 0;
+    for (const ContactState& contact : contacts) largest = std::max(largest, std::abs(contact.normal_impulse));
+    const std::vector<double> late = known_late(trace.contacts(moment - 1), contacts, stepping);
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const ContactState& contact = contacts[c];
       const double mu = coefficients.sliding(contact.a, contact.b);
       const double unused = mu * contact.normal_impulse - std::abs(contact.tangent_impulse);
       const double before = along(contact, then);
@@ -66,12 +68,10 @@ std::optional<InvariantCheck> check(const Ground& ground) {
       const double speeds = length(now[contact.a].velocity) + length(now[contact.b].velocity);
       const double allowed = stepping.creep + dt * length(scene.gravity) + carried + given[contact.a] +
                              given[contact.b] + roundings_of_solver(stepping) * speeds;
-      const double late = stepping.drift == 0 ? 0 : mu * changed(before_push, pushed, contact);
-      const double left = std::max(0.0, unused - late - roundings_of_solver(stepping) * mu * contact.normal_impulse);
+      const double left = std::max(0.0, unused - mu * late[c] - roundings_of_solver(stepping) * mu * largest);
       worst.see(left * std::min(std::abs(before), std::abs(after)), left * allowed, trace.time(moment),
                 [&] { return pair_name(ground.scene, contact.a, contact.b); });
     }
-    before_push = std::move(pushed);
   }
   return worst.result();
 }
