@@ -17,8 +17,9 @@ class RunFile : public SceneFiles {
   // What a run said, by engine: final poses and verdict.
   Json answers(const std::string& scenario, const char* out) const {
     say({"run", scenario, "--out", at(out)});
+    const Json report = json(at(out) + "/report.json");
     Json all;
-    for (const Json& run : json(at(out) + "/report.json")["runs"]) {
+    for (const Json& run : report["runs"]) {
       if (!run["exact"].get<bool>())
         all[run["engine"].get<std::string>() + run["method"].get<std::string>()] = {run["final_pose"], run["verdict"]};
     }
