@@ -50,7 +50,8 @@ TEST_F(RunFile, FindsTheReadmesExampleRight) {
   const Said said = say({"run", put("slope.json", scene), "--out", at("out")});
   EXPECT_EQ(said.code, 0) << said.out << said.err;
   EXPECT_THAT(said.out, HasSubstr("slide (exact)"));
-  for (const Json& run : json(at("out/report.json"))["runs"]) EXPECT_EQ(run["verdict"], "right") << run["engine"];
+  const Json report = json(at("out/report.json"));
+  for (const Json& run : report["runs"]) EXPECT_EQ(run["verdict"], "right") << run["engine"];
 }
 
 TEST_F(RunFile, ExitsWith2ForAFileItDoesNotTake) {
