@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 #include "impulse/real.h"
 
@@ -28,78 +29,154 @@ struct ScalarRegister {
   static constexpr std::uint32_t width = 1;
   struct Mask {
     bool m;
+    friend Mask operator&(Mask a, Mask b) { return {a.m && b.m}; }
+    friend Mask operator|(Mask a, Mask b) { return {a.m || b.m}; }
+    friend Mask operator!(Mask a) { return {!a.m}; }
   };
   Real v;
 
   static ScalarRegister load(const Real* from) { return {*from}; }
   static ScalarRegister all(Real value) { return {value}; }
-  static Mask at_most(ScalarRegister a, ScalarRegister b) { return {a.v <= b.v}; }
-  static Mask both(Mask a, Mask b) { return {a.m && b.m}; }
+  void store(Real* to) const { *to = v; }
+  friend ScalarRegister operator+(ScalarRegister a, ScalarRegister b) { return {a.v + b.v}; }
+  friend ScalarRegister operator-(ScalarRegister a, ScalarRegister b) { return {a.v - b.v}; }
+  friend ScalarRegister operator*(ScalarRegister a, ScalarRegister b) { return {a.v * b.v}; }
+  friend ScalarRegister operator/(ScalarRegister a, ScalarRegister b) { return {a.v / b.v}; }
+  friend ScalarRegister operator-(ScalarRegister a) { return {-a.v}; }
+  friend Mask operator<(ScalarRegister a, ScalarRegister b) { return {a.v < b.v}; }
+  friend Mask operator<=(ScalarRegister a, ScalarRegister b) { return {a.v <= b.v}; }
+  friend Mask operator==(ScalarRegister a, ScalarRegister b) { return {a.v == b.v}; }
+  static ScalarRegister select(Mask mask, ScalarRegister yes, ScalarRegister no) { return mask.m ? yes : no; }
+  static ScalarRegister root(ScalarRegister a) { return {static_cast<Real>(__builtin_sqrt(a.v))}; }
   static std::uint32_t bits(Mask mask) { return mask.m ? 1 : 0; }
+  static void transpose(const Real* const* rows, ScalarRegister columns[4]) {
+    for (std::uint32_t column = 0; column < 4; ++column) columns[column].v = rows[0][column];
+  }
+  static void transpose_back(const ScalarRegister columns[4], Real* const* rows) {
+    for (std::uint32_t column = 0; column < 4; ++column) rows[0][column] = columns[column].v;
+  }
 };
 
+#ifdef __SSE2__
+
+/// As many numbers as one register of the processor holds.
+struct Register {
+#ifdef __AVX2__
+  static constexpr std::uint32_t bytes = 32;
+#else
+  static constexpr std::uint32_t bytes = 16;
+#endif
+  static constexpr std::uint32_t width = bytes / sizeof(Real);
+  typedef Real Vector __attribute__((vector_size(bytes)));
+  struct Mask {
+    decltype(Vector{} < Vector{}) m;
+    friend Mask operator&(Mask a, Mask b) { return {a.m & b.m}; }
+    friend Mask operator|(Mask a, Mask b) { return {a.m | b.m}; }
+    friend Mask operator!(Mask a) { return {~a.m}; }
+  };
+  Vector v;
+
+  static Register load(const Real* from) {
+    Register result;
+    std::memcpy(&result.v, from, bytes);
+    return result;
+  }
+  static Register all(Real value) { return {value - Vector{}}; }
+  void store(Real* to) const { std::memcpy(to, &v, bytes); }
+  friend Register operator+(Register a, Register b) { return {a.v + b.v}; }
+  friend Register operator-(Register a, Register b) { return {a.v - b.v}; }
+  friend Register operator*(Register a, Register b) { return {a.v * b.v}; }
+  friend Register operator/(Register a, Register b) { return {a.v / b.v}; }
+  friend Register operator-(Register a) { return {-a.v}; }
+  friend Mask operator<(Register a, Register b) { return {a.v < b.v}; }
+  friend Mask operator<=(Register a, Register b) { return {a.v <= b.v}; }
+  friend Mask operator==(Register a, Register b) { return {a.v == b.v}; }
+  static Register select(Mask mask, Register yes, Register no) { return {mask.m ? yes.v : no.v}; }
 #if defined(__AVX2__) && defined(IMPULSE_DOUBLE)
-
-struct Register {
-  static constexpr std::uint32_t width = 4;
-  struct Mask {
-    __m256d m;
-  };
-  __m256d v;
-
-  static Register load(const Real* from) { return {_mm256_loadu_pd(from)}; }
-  static Register all(Real value) { return {_mm256_set1_pd(value)}; }
-  static Mask at_most(Register a, Register b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_LE_OQ)}; }
-  static Mask both(Mask a, Mask b) { return {_mm256_and_pd(a.m, b.m)}; }
-  static std::uint32_t bits(Mask mask) { return static_cast<std::uint32_t>(_mm256_movemask_pd(mask.m)); }
-};
-
+  static Register root(Register a) { return {_mm256_sqrt_pd(a.v)}; }
+  static std::uint32_t bits(Mask mask) {
+    return static_cast<std::uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask.m)));
+  }
 #elif defined(__AVX2__)
+  static Register root(Register a) { return {_mm256_sqrt_ps(a.v)}; }
+  static std::uint32_t bits(Mask mask) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask.m)));
+  }
+#elif defined(IMPULSE_DOUBLE)
+  static Register root(Register a) { return {_mm_sqrt_pd(a.v)}; }
+  static std::uint32_t bits(Mask mask) {
+    return static_cast<std::uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask.m)));
+  }
+#else
+  static Register root(Register a) { return {_mm_sqrt_ps(a.v)}; }
+  static std::uint32_t bits(Mask mask) {
+    return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask.m)));
+  }
+#endif
 
-struct Register {
-  static constexpr std::uint32_t width = 8;
-  struct Mask {
-    __m256 m;
-  };
-  __m256 v;
-
-  static Register load(const Real* from) { return {_mm256_loadu_ps(from)}; }
-  static Register all(Real value) { return {_mm256_set1_ps(value)}; }
-  static Mask at_most(Register a, Register b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)}; }
-  static Mask both(Mask a, Mask b) { return {_mm256_and_ps(a.m, b.m)}; }
-  static std::uint32_t bits(Mask mask) { return static_cast<std::uint32_t>(_mm256_movemask_ps(mask.m)); }
-};
-
-#elif defined(__SSE2__) && defined(IMPULSE_DOUBLE)
-
-struct Register {
-  static constexpr std::uint32_t width = 2;
-  struct Mask {
-    __m128d m;
-  };
-  __m128d v;
-
-  static Register load(const Real* from) { return {_mm_loadu_pd(from)}; }
-  static Register all(Real value) { return {_mm_set1_pd(value)}; }
-  static Mask at_most(Register a, Register b) { return {_mm_cmple_pd(a.v, b.v)}; }
-  static Mask both(Mask a, Mask b) { return {_mm_and_pd(a.m, b.m)}; }
-  static std::uint32_t bits(Mask mask) { return static_cast<std::uint32_t>(_mm_movemask_pd(mask.m)); }
-};
-
-#elif defined(__SSE2__)
-
-struct Register {
-  static constexpr std::uint32_t width = 4;
-  struct Mask {
-    __m128 m;
-  };
-  __m128 v;
-
-  static Register load(const Real* from) { return {_mm_loadu_ps(from)}; }
-  static Register all(Real value) { return {_mm_set1_ps(value)}; }
-  static Mask at_most(Register a, Register b) { return {_mm_cmple_ps(a.v, b.v)}; }
-  static Mask both(Mask a, Mask b) { return {_mm_and_ps(a.m, b.m)}; }
-  static std::uint32_t bits(Mask mask) { return static_cast<std::uint32_t>(_mm_movemask_ps(mask.m)); }
+  /// Of rows of four numbers, one for each lane, the four columns; and back.
+#if defined(__AVX2__) && !defined(IMPULSE_DOUBLE)
+  static void transpose(const Real* const* rows, Register columns[4]) {
+    Vector pair[4];  // row i beside row i + 4
+    for (std::uint32_t i = 0; i < 4; ++i) pair[i] = _mm256_set_m128(_mm_loadu_ps(rows[i + 4]), _mm_loadu_ps(rows[i]));
+    transpose_fours(pair[0], pair[1], pair[2], pair[3], columns);
+  }
+  static void transpose_back(const Register columns[4], Real* const* rows) {
+    Register pair[4];
+    transpose_fours(columns[0].v, columns[1].v, columns[2].v, columns[3].v, pair);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      _mm_storeu_ps(rows[i], _mm256_castps256_ps128(pair[i].v));
+      _mm_storeu_ps(rows[i + 4], _mm256_extractf128_ps(pair[i].v, 1));
+    }
+  }
+  /// In each half of the registers.
+  static void transpose_fours(Vector a, Vector b, Vector c, Vector d, Register to[4]) {
+    const Vector low_ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Vector high_ab = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Vector low_cd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Vector high_cd = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+    to[0].v = __builtin_shufflevector(low_ab, low_cd, 0, 1, 8, 9, 4, 5, 12, 13);
+    to[1].v = __builtin_shufflevector(low_ab, low_cd, 2, 3, 10, 11, 6, 7, 14, 15);
+    to[2].v = __builtin_shufflevector(high_ab, high_cd, 0, 1, 8, 9, 4, 5, 12, 13);
+    to[3].v = __builtin_shufflevector(high_ab, high_cd, 2, 3, 10, 11, 6, 7, 14, 15);
+  }
+#elif defined(__AVX2__) || !defined(IMPULSE_DOUBLE)
+  static void transpose(const Real* const* rows, Register columns[4]) {
+    transpose_fours(load(rows[0]).v, load(rows[1]).v, load(rows[2]).v, load(rows[3]).v, columns);
+  }
+  static void transpose_back(const Register columns[4], Real* const* rows) {
+    Register row[4];
+    transpose_fours(columns[0].v, columns[1].v, columns[2].v, columns[3].v, row);
+    for (std::uint32_t i = 0; i < 4; ++i) row[i].store(rows[i]);
+  }
+  static void transpose_fours(Vector a, Vector b, Vector c, Vector d, Register to[4]) {
+    const Vector low_ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+    const Vector high_ab = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const Vector low_cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+    const Vector high_cd = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    to[0].v = __builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5);
+    to[1].v = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
+    to[2].v = __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5);
+    to[3].v = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
+  }
+#else
+  static void transpose(const Real* const* rows, Register columns[4]) {
+    for (std::uint32_t half = 0; half < 2; ++half) {
+      const Vector a = load(rows[0] + 2 * half).v;
+      const Vector b = load(rows[1] + 2 * half).v;
+      columns[2 * half].v = __builtin_shufflevector(a, b, 0, 2);
+      columns[2 * half + 1].v = __builtin_shufflevector(a, b, 1, 3);
+    }
+  }
+  static void transpose_back(const Register columns[4], Real* const* rows) {
+    for (std::uint32_t half = 0; half < 2; ++half) {
+      const Vector a = columns[2 * half].v;
+      const Vector b = columns[2 * half + 1].v;
+      Register{__builtin_shufflevector(a, b, 0, 2)}.store(rows[0] + 2 * half);
+      Register{__builtin_shufflevector(a, b, 1, 3)}.store(rows[1] + 2 * half);
+    }
+  }
+#endif
 };
 
 #else
@@ -116,9 +193,13 @@ struct MaskOf {
   typename R::Mask part[lane_count / R::width];
 
   friend MaskOf operator&(const MaskOf& a, const MaskOf& b) {
-    MaskOf result;
-    for (std::uint32_t i = 0; i < lane_count / R::width; ++i) result.part[i] = R::both(a.part[i], b.part[i]);
-    return result;
+    return each([&](std::uint32_t i) { return a.part[i] & b.part[i]; });
+  }
+  friend MaskOf operator|(const MaskOf& a, const MaskOf& b) {
+    return each([&](std::uint32_t i) { return a.part[i] | b.part[i]; });
+  }
+  friend MaskOf operator!(const MaskOf& a) {
+    return each([&](std::uint32_t i) { return !a.part[i]; });
   }
   /// Bit i tells of lane i.
   std::uint32_t bits() const {
@@ -126,27 +207,83 @@ struct MaskOf {
     for (std::uint32_t i = 0; i < lane_count / R::width; ++i) all |= R::bits(part[i]) << (i * R::width);
     return all;
   }
+  template <class PartOf>
+  static MaskOf each(PartOf part_of) {
+    MaskOf result;
+    for (std::uint32_t i = 0; i < lane_count / R::width; ++i) result.part[i] = part_of(i);
+    return result;
+  }
 };
 
-/// Eight numbers.
+/// Eight numbers. Comparisons are no where either is not a number.
 template <class R>
 struct LanesOf {
+  using Mask = MaskOf<R>;
   R part[lane_count / R::width];
 
   static LanesOf load(const Real* from) {
-    LanesOf result;
-    for (std::uint32_t i = 0; i < lane_count / R::width; ++i) result.part[i] = R::load(from + i * R::width);
-    return result;
+    return each([&](std::uint32_t i) { return R::load(from + i * R::width); });
   }
   static LanesOf all(Real value) {
-    LanesOf result;
-    for (R& one : result.part) one = R::all(value);
-    return result;
+    return each([&](std::uint32_t) { return R::all(value); });
   }
-  /// No where either is not a number.
-  friend MaskOf<R> operator<=(const LanesOf& a, const LanesOf& b) {
-    MaskOf<R> result;
-    for (std::uint32_t i = 0; i < lane_count / R::width; ++i) result.part[i] = R::at_most(a.part[i], b.part[i]);
+  void store(Real* to) const {
+    for (std::uint32_t i = 0; i < lane_count / R::width; ++i) part[i].store(to + i * R::width);
+  }
+  friend LanesOf operator+(const LanesOf& a, const LanesOf& b) {
+    return each([&](std::uint32_t i) { return a.part[i] + b.part[i]; });
+  }
+  friend LanesOf operator-(const LanesOf& a, const LanesOf& b) {
+    return each([&](std::uint32_t i) { return a.part[i] - b.part[i]; });
+  }
+  friend LanesOf operator*(const LanesOf& a, const LanesOf& b) {
+    return each([&](std::uint32_t i) { return a.part[i] * b.part[i]; });
+  }
+  friend LanesOf operator/(const LanesOf& a, const LanesOf& b) {
+    return each([&](std::uint32_t i) { return a.part[i] / b.part[i]; });
+  }
+  friend LanesOf operator-(const LanesOf& a) {
+    return each([&](std::uint32_t i) { return -a.part[i]; });
+  }
+  friend Mask operator<(const LanesOf& a, const LanesOf& b) {
+    return Mask::each([&](std::uint32_t i) { return a.part[i] < b.part[i]; });
+  }
+  friend Mask operator<=(const LanesOf& a, const LanesOf& b) {
+    return Mask::each([&](std::uint32_t i) { return a.part[i] <= b.part[i]; });
+  }
+  friend Mask operator==(const LanesOf& a, const LanesOf& b) {
+    return Mask::each([&](std::uint32_t i) { return a.part[i] == b.part[i]; });
+  }
+  /// yes where the mask is set, no elsewhere.
+  friend LanesOf select(const Mask& mask, const LanesOf& yes, const LanesOf& no) {
+    return each([&](std::uint32_t i) { return R::select(mask.part[i], yes.part[i], no.part[i]); });
+  }
+  /// As std::max and std::min: the first where the two compare equal, or do not compare.
+  friend LanesOf max(const LanesOf& a, const LanesOf& b) { return select(a < b, b, a); }
+  friend LanesOf min(const LanesOf& a, const LanesOf& b) { return select(b < a, b, a); }
+  friend LanesOf sqrt(const LanesOf& a) {
+    return each([&](std::uint32_t i) { return R::root(a.part[i]); });
+  }
+
+  /// rows[i] is where lane i's four numbers are; the k-th of them go to columns[k].
+  static void gather(const Real* const* rows, LanesOf columns[4]) {
+    for (std::uint32_t i = 0; i < lane_count / R::width; ++i) {
+      R part[4];
+      R::transpose(rows + i * R::width, part);
+      for (std::uint32_t k = 0; k < 4; ++k) columns[k].part[i] = part[k];
+    }
+  }
+  static void scatter(const LanesOf columns[4], Real* const* rows) {
+    for (std::uint32_t i = 0; i < lane_count / R::width; ++i) {
+      R part[4];
+      for (std::uint32_t k = 0; k < 4; ++k) part[k] = columns[k].part[i];
+      R::transpose_back(part, rows + i * R::width);
+    }
+  }
+  template <class PartOf>
+  static LanesOf each(PartOf part_of) {
+    LanesOf result;
+    for (std::uint32_t i = 0; i < lane_count / R::width; ++i) result.part[i] = part_of(i);
     return result;
   }
 };

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "random_shapes.h"
@@ -47,6 +49,65 @@ TEST(Lanes, CompareAsNumbersDo) {
       EXPECT_EQ(at_most >> lane & 1U, a[lane] <= b[lane] ? 1U : 0U);
       EXPECT_EQ(between.bits() >> lane & 1U, a[0] <= b[lane] && b[lane] <= c[lane] ? 1U : 0U);
     }
+  }
+}
+
+/// Equal, of the same sign if zero, or neither a number.
+void expect_same(const Lanes& lanes, const Twin& twin) {
+  Numbers a{};
+  Numbers b{};
+  lanes.store(a.data());
+  twin.store(b.data());
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    if (std::isnan(b[lane])) {
+      EXPECT_TRUE(std::isnan(a[lane]));
+    } else {
+      EXPECT_EQ(a[lane], b[lane]);
+      EXPECT_EQ(std::signbit(a[lane]), std::signbit(b[lane]));
+    }
+  }
+}
+
+TEST(Lanes, CalculateAsNumbersDo) {
+  RandomShapes random(2);
+  for (int i = 0; i < 1000; ++i) {
+    const Numbers numbers_a = numbers(random);
+    const Numbers numbers_b = numbers(random);
+    const Lanes a = Lanes::load(numbers_a.data());
+    const Lanes b = Lanes::load(numbers_b.data());
+    const Twin twin_a = Twin::load(numbers_a.data());
+    const Twin twin_b = Twin::load(numbers_b.data());
+    expect_same(a + b, twin_a + twin_b);
+    expect_same(a - b, twin_a - twin_b);
+    expect_same(a * b, twin_a * twin_b);
+    expect_same(a / b, twin_a / twin_b);
+    expect_same(-a, -twin_a);
+    expect_same(sqrt(a), sqrt(twin_a));
+    expect_same(max(a, b), max(twin_a, twin_b));
+    expect_same(min(a, b), min(twin_a, twin_b));
+    expect_same(select((a < b) | !(a == b), a, b), select((twin_a < twin_b) | !(twin_a == twin_b), twin_a, twin_b));
+    EXPECT_EQ((a < b).bits(), (twin_a < twin_b).bits());
+  }
+}
+
+TEST(Lanes, GatherRowsAndScatterThem) {
+  std::array<std::array<Real, 4>, lane_count> rows{};
+  std::array<Real*, lane_count> to{};
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    for (std::size_t k = 0; k < 4; ++k) rows[lane][k] = static_cast<Real>(10 * lane + k);
+    to[lane] = rows[lane].data();
+  }
+  std::array<Lanes, 4> columns{};
+  Lanes::gather(to.data(), columns.data());
+  for (std::size_t k = 0; k < 4; ++k) {
+    Numbers column{};
+    columns[k].store(column.data());
+    for (std::size_t lane = 0; lane < lane_count; ++lane) EXPECT_EQ(column[lane], static_cast<Real>(10 * lane + k));
+  }
+  std::reverse(to.begin(), to.end());
+  Lanes::scatter(columns.data(), to.data());
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(rows[lane][k], static_cast<Real>(10 * (lane_count - 1 - lane) + k));
   }
 }
 
