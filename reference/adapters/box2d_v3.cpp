@@ -167,7 +167,7 @@ b2WorldDef world_of(const Scene& scene, const Settings& settings) {
   def.restitutionCallback = callback_of(scene.mixing.restitution);
   def.enableSleep = settings.at("sleep") == "on";
   def.enableContinuous = settings.at("continuous") == "on";
-  def.workerCount = 1;
+  def.workerCount = static_cast<int>(std::stod(settings.at("workers")));
   return def;
 }
 
@@ -480,6 +480,12 @@ const Catalog<Contender>::Entry entry{{
              .value = "off",
              .choices = on_or_off("stops bodies that hardly move", "bodies never sleep"),
              .about = "sleeping"},
+            {.key = "workers",
+             .value = "1",
+             .about = "threads; before 3.2 there is one, whatever is said",
+             .min = 1,
+             .max = 64,
+             .whole = true},
             {.key = "warm",
              .value = "on",
              .choices = on_or_off("starts from the last step's impulses", "starts from nothing"),

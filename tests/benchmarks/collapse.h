@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "reference/simulation.h"
+#include "tests/benchmarks/course.h"
+
+namespace plumb::benchmarks {
+
+/// How deep bodies overlap, m; zeros where none do.
+struct Depth {
+  double mean = 0;  // over all overlaps
+  double most = 0;
+};
+
+/// How far a scene has been kept.
+struct Condition {
+  std::string broken;  // what became of it, that its time is no result; "" where it holds
+  Depth overlap;
+};
+
+/// `states` are in the order of the scene's bodies. A scene is broken where a number is not finite, a dynamic body has
+/// left the circle that it may not leave, a body no longer lies on what it was put upon, a hinge gapes by more than a
+/// quarter of the smallest body, or overlaps are that deep on the mean: one pair may be deeper, in the midst of an
+/// impact.
+Condition condition(const Start&, std::span<const BodyState> states);
+
+}  // namespace plumb::benchmarks
