@@ -81,7 +81,7 @@ void Body::set_gravity_scale(Real scale) {
 
 void Body::set_layers(std::uint32_t mask) {
   disturb();
-  bodies().detail[row()].def.layers = mask;
+  bodies().set_layers(row(), mask);
 }
 
 void Body::apply_force(Vec2 force) {

@@ -143,6 +143,7 @@ void BodySet::insert(std::size_t i) {
   BodyDetail& body = detail[i];
   if (body.inserted) return;
   body.inserted = true;
+  ++part_changes;
   velocity[i] = body.removed_with;
   inverse_mass[i] = inverse(body.mass);
 }
@@ -151,6 +152,7 @@ void BodySet::remove(std::size_t i) {
   BodyDetail& body = detail[i];
   if (!body.inserted) return;
   body.inserted = false;
+  ++part_changes;
   body.removed_with = velocity[i];
   velocity[i] = {};
   inverse_mass[i] = {};
@@ -178,6 +180,11 @@ void BodySet::destroy(std::size_t i) {
   gone.generation = detail[i].generation + 1;
   detail[i] = std::move(gone);
   free_rows.push_back(static_cast<std::uint32_t>(i));
+}
+
+void BodySet::set_layers(std::size_t i, std::uint32_t mask) {
+  detail[i].def.layers = mask;
+  ++part_changes;
 }
 
 void BodySet::advance(std::size_t i, const Velocity& at, Real h) {

@@ -60,6 +60,7 @@ struct BodySet {
   std::vector<std::uint32_t> free_rows;  // the last freed is reused first
   std::size_t sleepers = 0;              // how many are asleep
   std::uint64_t sleep_changes = 0;       // how often one fell asleep or woke
+  std::uint64_t part_changes = 0;        // how often one came or went, or changed its layers
 
   std::size_t size() const { return pose.size(); }
 
@@ -72,6 +73,8 @@ struct BodySet {
   void put_to_sleep(std::size_t i);
   /// Of a body asleep; it must be awake before it is removed.
   void wake(std::size_t i);
+
+  void set_layers(std::size_t i, std::uint32_t mask);
 
   bool contains(BodyId id) const {
     return id.index < size() && detail[id.index].alive && detail[id.index].generation == id.generation;

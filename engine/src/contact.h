@@ -36,7 +36,8 @@ struct ContactPoint {
 struct Contact {
   std::uint32_t body_a = 0, body_b = 0;
   std::uint16_t part_a = 0, part_b = 0;
-  Vec2 normal;  // unit, from a to b
+  Vec2 normal;                             // unit, from a to b
+  std::array<Real, 2> found_separation{};  // m, of each point when it was found
   Real static_friction = 0, dynamic_friction = 0, restitution = 0;
   int count = 0;
   int age = 0;                      // steps since it began
@@ -44,7 +45,6 @@ struct Contact {
   bool discs = false;               // both are circles about their centres of mass
   Real offset = 0;                  // m, for solvers that keep a standing correction of the separation
   Pose found_a, found_b;            // of the bodies when points and separations were found
-  std::array<Real, 2> found_separation{};
   std::array<ContactPoint, 2> points;
 };
 

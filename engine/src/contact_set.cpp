@@ -16,7 +16,21 @@ namespace impulse::inline IMPULSE_PRECISION {
 namespace {
 
 auto key(const Contact& c) { return std::tie(c.body_a, c.body_b, c.part_a, c.part_b); }
-auto key(const Proxy& a, const Proxy& b) { return std::tie(a.body, b.body, a.part, b.part); }
+
+/// The order of contacts as two numbers.
+struct Key {
+  std::uint64_t bodies;
+  std::uint32_t parts;
+
+  explicit Key(const Contact& c) : Key(c.body_a, c.body_b, c.part_a, c.part_b) {}
+  Key(const Proxy& a, const Proxy& b) : Key(a.body, b.body, a.part, b.part) {}
+  Key(std::uint32_t a, std::uint32_t b, std::uint16_t part_a, std::uint16_t part_b)
+      : bodies(std::uint64_t{a} << 32U | b), parts(std::uint32_t{part_a} << 16U | part_b) {}
+  bool operator<(const Key& other) const {
+    return bodies != other.bodies ? bodies < other.bodies : parts < other.parts;
+  }
+  bool operator==(const Key&) const = default;
+};
 
 bool in_order(const Contact& left, const Contact& right) { return key(left) < key(right); }
 
@@ -28,69 +42,53 @@ bool of_sleepers(const Contact& c, const BodySet& bodies) {
 constexpr Real recycled_motion = static_cast<Real>(0.01);
 constexpr Real recycled_gap = static_cast<Real>(0.005);
 
-/// How far any point of the body can have come since it was at `then`.
-Real motion_since(const Pose& then, const BodySet& bodies, std::size_t i) {
-  const Rotation turn = bodies.pose[i].q * then.q.inverse();
-  return length(bodies.pose[i].p - then.p) + std::abs(turn.s) * bodies.reach[i];
-}
+/// Instead of a count of points found: those of the contact's last step stay, with separations measured again.
+constexpr std::int32_t kept = -1;
 
-bool recycled(const Contact& contact, const BodySet& bodies) {
+bool may_keep(const Contact& contact) {
   if (contact.discs) return false;
   for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
     if (contact.points[p].separation > recycled_gap) return false;
   }
-  return motion_since(contact.found_a, bodies, contact.body_a) + motion_since(contact.found_b, bodies, contact.body_b) <
-         recycled_motion;
+  return true;
 }
 
-/// The same points on the same bodies, which have moved a little.
-void measure_again(Contact& contact, const BodySet& bodies) {
-  const Pose& a = bodies.pose[contact.body_a];
-  const Pose& b = bodies.pose[contact.body_b];
-  const Rotation turn_a = a.q * contact.found_a.q.inverse();
-  const Rotation turn_b = b.q * contact.found_b.q.inverse();
-  const Vec2 apart = (b.p - contact.found_b.p) - (a.p - contact.found_a.p);
+void keep_points(Contact& contact, const PairPoints& again) {
   for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
-    ContactPoint& point = contact.points[p];
-    const Vec2 arms = (turn_b * point.arm_b - point.arm_b) - (turn_a * point.arm_a - point.arm_a);
-    point.separation = contact.found_separation[p] + dot(contact.normal, apart + arms);
-    point.fresh = false;
+    contact.points[p].separation = again.separation[p];
+    contact.points[p].fresh = false;
   }
-  ++contact.age;
 }
 
-void take_points(Contact& contact, const BodySet& bodies, const Manifold& manifold) {
-  const Vec2 a = bodies.pose[contact.body_a].p;
-  const Vec2 b = bodies.pose[contact.body_b].p;
-  contact.normal = manifold.normal;
+void take_points(Contact& contact, const BodySet& bodies, const PairPoints& found) {
+  contact.normal = {found.normal[0], found.normal[1]};
   contact.found_a = bodies.pose[contact.body_a];
   contact.found_b = bodies.pose[contact.body_b];
-  contact.count = manifold.count;
-  for (std::size_t p = 0; p < static_cast<std::size_t>(manifold.count); ++p) {
-    const ManifoldPoint& found = manifold.points[p];
+  contact.found_separation = {};
+  contact.count = found.count;
+  contact.points = {};
+  for (std::size_t p = 0; p < static_cast<std::size_t>(found.count); ++p) {
     ContactPoint& point = contact.points[p];
-    point = {};
-    point.arm_a = found.point - a;
-    point.arm_b = found.point - b;
-    point.separation = found.separation;
-    point.feature = found.feature;
-    contact.found_separation[p] = found.separation;
+    const Real* arms = found.arms[p];
+    point.arm_a = {arms[0], arms[1]};
+    point.arm_b = {arms[2], arms[3]};
+    point.separation = found.separation[p];
+    point.feature = found.feature[p];
+    contact.found_separation[p] = found.separation[p];
   }
 }
 
-Contact make(const BodySet& bodies, const Proxy& a, const Proxy& b, const Manifold& manifold) {
+/// One without points.
+Contact begin(const Proxy& a, const Proxy& b, const Shape& shape_a, const Shape& shape_b) {
   Contact contact;
   contact.body_a = a.body;
   contact.body_b = b.body;
   contact.part_a = a.part;
   contact.part_b = b.part;
-  const Shape& shape_a = bodies.detail[a.body].parts[a.part].shape;
-  const Shape& shape_b = bodies.detail[b.body].parts[b.part].shape;
   contact.radius_a = shape_a.radius();
   contact.radius_b = shape_b.radius();
   const auto disc = [](const Shape& shape) { return shape.type() == ShapeType::circle && shape.vertex(0) == Vec2{}; };
   contact.discs = disc(shape_a) && disc(shape_b);
-  take_points(contact, bodies, manifold);
   return contact;
 }
 
@@ -113,45 +111,106 @@ void carry_impulses(Contact& contact, const Contact& last) {
   }
 }
 
-void carry_over(Contact& contact, const Contact& last) {
-  contact.age = last.age + 1;
-  contact.offset = last.offset;
-  carry_impulses(contact, last);
-}
-
 }  // namespace
 
 void ContactSet::find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
                       bool recycle, const JointSet& joints) {
+  const Step step{bodies, broad_phase, settings, margin, recycle, joints};
+  const bool same_rules = mixed_by_ && mixed_by_->friction == settings.friction_mixing &&
+                          mixed_by_->restitution == settings.restitution_mixing;
+  if (!same_rules) mix_again(bodies, settings);
   knocks_.assign(bodies.size(), 0);
-  search(bodies, broad_phase, settings, margin, recycle, joints);
-  const bool knocked = foresee_knocks(bodies, margin);
-  end_stage("foresee knocks");
+  search(step);
   // Once: what a third body is handed on within the same step is little.
-  if (knocked) {
-    std::swap(rows_, last_rows_);
-    search(bodies, broad_phase, settings, margin, recycle, joints);
-  }
+  if (margin.time > 0 && foresee_knocks(step)) search(step);
+  end_stage("foresee knocks");
+  write_rows(step);
+  end_stage("write rows");
   remove_ghosts(bodies, margin);
   end_stage("remove ghosts");
 }
 
-void ContactSet::search(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
-                        bool recycle, const JointSet& joints) {
-  collect_proxies(bodies, margin);
+void ContactSet::search(const Step& step) {
+  shapes_.update(step.bodies, step.margin, knocks_);
   end_stage("collect proxies");
-  broad_phase.find_pairs(proxies_, pairs_);
+  step.broad_phase.find_pairs(shapes_.proxies(), pairs_);
   end_stage("find pairs");
-  sort_pairs(bodies.size());
+  sort_pairs(step.bodies.size());
+  leave_out_tied(step.joints);
   end_stage("sort pairs");
-  collide_pairs(bodies, settings, margin, recycle, joints);
+  match();
+  end_stage("match");
+  found_.resize(pairs_.size());
+  keep_points_of_resting(step);
+  end_stage("recycle");
+  narrow_phase_.collide(step.bodies, shapes_, step.margin, pairs_, to_collide_, found_.data());
   end_stage("collide pairs");
+}
+
+// Pairs come in order of (body_a, part_a, body_b, part_b): right already where no body has several parts.
+void ContactSet::sort_pairs(std::size_t bodies) {
+  if (!shapes_.several_parts()) return;
+  const std::span<const Proxy> proxies = shapes_.proxies();
+  order_.stable_sort(bodies, pairs_, [proxies](const Pair& pair) { return proxies[pair.second].body; });
+  order_.stable_sort(bodies, pairs_, [proxies](const Pair& pair) { return proxies[pair.first].body; });
+}
+
+void ContactSet::leave_out_tied(const JointSet& joints) {
+  if (joints.tied().empty()) return;
+  const std::span<const Proxy> proxies = shapes_.proxies();
+  std::erase_if(pairs_,
+                [&](const Pair& pair) { return joints.ties(proxies[pair.first].body, proxies[pair.second].body); });
+}
+
+/// Both lists are in one order: one walk along both.
+void ContactSet::match() {
+  const std::span<const Proxy> proxies = shapes_.proxies();
+  last_of_.resize(pairs_.size());
+  std::uint32_t last = 0;
+  const auto end = static_cast<std::uint32_t>(rows_.size());
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const Key wanted(proxies[pairs_[i].first], proxies[pairs_[i].second]);
+    while (last < end && Key(rows_[last]) < wanted) ++last;
+    const bool known = last < end && Key(rows_[last]) == wanted;
+    last_of_[i] = known ? last : none;
+    last += known ? 1 : 0;
+  }
+}
+
+void ContactSet::keep_points_of_resting(const Step& step) {
+  to_keep_.clear();
+  to_collide_.clear();
+  again_of_.clear();
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    if (step.recycle && last_of_[i] != none && may_keep(rows_[last_of_[i]])) {
+      to_keep_.push_back(i);
+      again_of_.push_back(last_of_[i]);
+    } else {
+      to_collide_.push_back(i);
+    }
+  }
+  if (to_keep_.empty()) return;
+  again_.resize(to_keep_.size());
+  kernels().measure_again(rows_.data(), again_of_.data(), static_cast<std::uint32_t>(again_of_.size()),
+                          step.bodies.pose.data(), step.bodies.reach.data(), again_.data());
+  for (std::size_t i = 0; i < to_keep_.size(); ++i) {
+    if (again_[i].motion < recycled_motion) {
+      PairPoints& found = found_[to_keep_[i]];
+      found.count = kept;
+      found.separation[0] = again_[i].separation[0];
+      found.separation[1] = again_[i].separation[1];
+    } else {
+      to_collide_.push_back(to_keep_[i]);
+    }
+  }
 }
 
 /// Two bodies that meet at a speed u change each other's by (1 + e) u mB / (mA + mB) at most. What is struck within the
 /// step may then meet others than those it was on its way to: a disc thrown back into its followers, the next in a
 /// stack that lands. Whether that takes any farther than the margin already allows for.
-bool ContactSet::foresee_knocks(const BodySet& bodies, const Margin& margin) {
+bool ContactSet::foresee_knocks(const Step& step) {
+  const BodySet& bodies = step.bodies;
+  const Margin& margin = step.margin;
   const Real felt = margin.distance / 2;
   bool farther = false;
   const auto knock = [&](std::size_t i, Real change) {
@@ -159,80 +218,74 @@ bool ContactSet::foresee_knocks(const BodySet& bodies, const Margin& margin) {
     knocks_[i] = std::max(knocks_[i], change);
     farther = true;
   };
-  for (const Contact& contact : rows_) {
-    const std::size_t a = contact.body_a;
-    const std::size_t b = contact.body_b;
-    Real gap = contact.points[0].separation;
-    if (contact.count == 2) gap = std::min(gap, contact.points[1].separation);
-    const Real apart = dot(contact.normal, bodies.velocity[b].v - bodies.velocity[a].v);
-    const Real turning = rim_speed(bodies, a) + rim_speed(bodies, b);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const PairPoints& found = found_[i];
+    if (found.count == 0) continue;
+    const ShapeRecord& record_a = shapes_.records()[pairs_[i].first];
+    const ShapeRecord& record_b = shapes_.records()[pairs_[i].second];
+    const bool stays = found.count == kept;
+    const Vec2 normal = stays ? rows_[last_of_[i]].normal : Vec2{found.normal[0], found.normal[1]};
+    Real gap = found.separation[0];
+    if ((stays ? rows_[last_of_[i]].count : found.count) == 2) gap = std::min(gap, found.separation[1]);
+    const Real apart = dot(normal, record_b.velocity - record_a.velocity);
+    const Real turning = record_a.rim + record_b.rim;
     const Real speed = turning - apart;
     if (margin.time * speed <= std::max(gap, felt)) continue;
+    const std::size_t a = shapes_.proxies()[pairs_[i].first].body;
+    const std::size_t b = shapes_.proxies()[pairs_[i].second].body;
     const Real mass_a = bodies.inverse_mass[a].m;
     const Real mass_b = bodies.inverse_mass[b].m;
-    const Real change = (1 + contact.restitution) * speed / (mass_a + mass_b);
+    const Real restitution = mix(step.settings.restitution_mixing, shapes_.part(pairs_[i].first).material.restitution,
+                                 shapes_.part(pairs_[i].second).material.restitution);
+    const Real change = (1 + restitution) * speed / (mass_a + mass_b);
     knock(a, change * mass_a);
     knock(b, change * mass_b);
   }
   return farther;
 }
 
-void ContactSet::collect_proxies(const BodySet& bodies, const Margin& margin) {
-  proxies_.clear();
-  several_parts_ = false;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const BodyDetail& body = bodies.detail[i];
-    if (!body.inserted || bodies.asleep[i] != 0) continue;
-    several_parts_ |= body.parts.size() > 1;
-    const Real by = margin.distance / 2 + travel(bodies, i, margin) + margin.time * knocks_[i];
-    for (std::size_t p = 0; p < body.parts.size(); ++p) {
-      proxies_.push_back({grown(body.parts[p].shape.bounds(bodies.pose[i]), by), static_cast<std::uint32_t>(i),
-                          static_cast<std::uint16_t>(p), body.def.type == BodyType::dynamic, body.def.layers});
+void ContactSet::write_rows(const Step& step) {
+  std::swap(rows_, last_rows_);
+  rows_.resize(static_cast<std::size_t>(
+      std::count_if(found_.begin(), found_.end(), [](const PairPoints& found) { return found.count != 0; })));
+  on_ground_.clear();
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const PairPoints& found = found_[i];
+    if (found.count == 0) continue;
+    const Proxy& a = shapes_.proxies()[pairs_[i].first];
+    const Proxy& b = shapes_.proxies()[pairs_[i].second];
+    if (a.moves != b.moves && !step.bodies.stirs(a.moves ? b.body : a.body)) {
+      const Proxy& moving = a.moves ? a : b;
+      on_ground_.push_back({moving.body, moving.part, a.moves, next});
+    }
+    Contact& row = rows_[next++];
+    if (last_of_[i] == none) {
+      const Part& part_a = shapes_.part(pairs_[i].first);
+      const Part& part_b = shapes_.part(pairs_[i].second);
+      row = begin(a, b, part_a.shape, part_b.shape);
+      mix_materials(row, part_a.material, part_b.material, step.settings);
+      take_points(row, step.bodies, found);
+      continue;
+    }
+    const Contact& last = last_rows_[last_of_[i]];
+    row = last;
+    ++row.age;
+    if (found.count == kept) {
+      keep_points(row, found);
+    } else {
+      take_points(row, step.bodies, found);
+      carry_impulses(row, last);
     }
   }
 }
 
-// Pairs come in order of (body_a, part_a, body_b, part_b): right already where no body has several parts.
-void ContactSet::sort_pairs(std::size_t bodies) {
-  if (!several_parts_) return;
-  order_.stable_sort(bodies, pairs_, [this](const Pair& pair) { return proxies_[pair.second].body; });
-  order_.stable_sort(bodies, pairs_, [this](const Pair& pair) { return proxies_[pair.first].body; });
-}
-
-void ContactSet::collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle,
-                               const JointSet& joints) {
-  std::swap(rows_, last_rows_);
-  rows_.clear();
-  on_ground_.clear();
-  auto last = last_rows_.cbegin();
-  for (const Pair& pair : pairs_) {
-    const Proxy& a = proxies_[pair.first];
-    const Proxy& b = proxies_[pair.second];
-    if (joints.ties(a.body, b.body)) continue;
-    while (last != last_rows_.cend() && key(*last) < key(a, b)) ++last;
-    const bool known = last != last_rows_.cend() && key(*last) == key(a, b);
-    const Part& part_a = bodies.detail[a.body].parts[a.part];
-    const Part& part_b = bodies.detail[b.body].parts[b.part];
-    const auto note_ground = [&] {
-      if (a.moves == b.moves || bodies.stirs(a.moves ? b.body : a.body)) return;
-      const Proxy& moving = a.moves ? a : b;
-      on_ground_.push_back({moving.body, moving.part, a.moves, rows_.size()});
-    };
-    if (known && recycle && recycled(*last, bodies)) {
-      note_ground();
-      rows_.push_back(*last);
-      measure_again(rows_.back(), bodies);
-      mix_materials(rows_.back(), part_a.material, part_b.material, settings);
-      continue;
-    }
-    const Manifold manifold =
-        collide(part_a.shape, bodies.pose[a.body], part_b.shape, bodies.pose[b.body],
-                closing(bodies, a.body, b.body, margin) + margin.time * (knocks_[a.body] + knocks_[b.body]));
-    if (manifold.count == 0) continue;
-    note_ground();
-    Contact& contact = rows_.emplace_back(make(bodies, a, b, manifold));
-    mix_materials(contact, part_a.material, part_b.material, settings);
-    if (known) carry_over(contact, *last);
+/// The rules of mixing have changed.
+void ContactSet::mix_again(const BodySet& bodies, const Settings& settings) {
+  mixed_by_ = {settings.friction_mixing, settings.restitution_mixing};
+  for (Contact& contact : rows_) {
+    mix_materials(contact, bodies.detail[contact.body_a].parts[contact.part_a].material,
+                  bodies.detail[contact.body_b].parts[contact.part_b].material, settings);
   }
 }
 
@@ -266,7 +319,7 @@ void ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet&
           without_ghost(Meeting(contact, bodies, ahead.dynamic_first), *plane, bodies, margin);
       if (!instead) continue;
       const Contact was = contact;
-      take_points(contact, bodies, *instead);
+      take_points(contact, bodies, points_of(*instead, bodies.pose[contact.body_a].p, bodies.pose[contact.body_b].p));
       carry_impulses(contact, was);
       supports_.push_back(ahead);
     }
@@ -294,6 +347,7 @@ void ContactSet::take_back(const BodySet& bodies) {
   const auto awake = static_cast<std::ptrdiff_t>(rows_.size());
   rows_.insert(rows_.end(), woken, resting_.end());
   resting_.erase(woken, resting_.end());
+  mixed_by_.reset();  // they may be from before a change
   std::inplace_merge(rows_.begin(), rows_.begin() + awake, rows_.end(), in_order);
 }
 

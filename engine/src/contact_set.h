@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,7 +9,10 @@
 #include "contact.h"
 #include "impulse/settings.h"
 #include "joint_set.h"
+#include "kernels.h"
+#include "narrow_phase.h"
 #include "pair_order.h"
+#include "shape_table.h"
 #include "solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -42,11 +46,24 @@ class ContactSet {
   std::vector<const Contact*> all() const;
 
  private:
-  void search(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
-              bool recycle, const JointSet& joints);
-  bool foresee_knocks(const BodySet& bodies, const Margin& margin);
-  void collect_proxies(const BodySet& bodies, const Margin& margin);
+  /// What a search is given.
+  struct Step {
+    const BodySet& bodies;
+    BroadPhase& broad_phase;
+    const Settings& settings;
+    const Margin& margin;
+    bool recycle;
+    const JointSet& joints;
+  };
+  void search(const Step& step);
   void sort_pairs(std::size_t bodies);
+  void leave_out_tied(const JointSet& joints);
+  void match();
+  void keep_points_of_resting(const Step& step);
+  bool foresee_knocks(const Step& step);
+  void write_rows(const Step& step);
+  void mix_again(const BodySet& bodies, const Settings& settings);
+
   /// One that has a dynamic body and one that stands still.
   struct OnGround {
     std::uint32_t body;  // the dynamic one
@@ -54,17 +71,29 @@ class ContactSet {
     bool dynamic_first;
     std::size_t row;
   };
-  void collide_pairs(const BodySet& bodies, const Settings& settings, const Margin& margin, bool recycle,
-                     const JointSet& joints);
   void remove_ghosts(const BodySet& bodies, const Margin& margin);
   void remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin);
 
-  std::vector<Proxy> proxies_;
+  /// The rules by which materials were mixed last.
+  struct Mixing {
+    FrictionMixing friction;
+    RestitutionMixing restitution;
+  };
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  ShapeTable shapes_;
   std::vector<Pair> pairs_;
-  bool several_parts_ = false;  // some body has
   PairOrder order_;
+  std::vector<std::uint32_t> last_of_;     // row of each pair in the last step, or none
+  std::vector<std::uint32_t> to_keep_;     // pairs whose points may stay
+  std::vector<std::uint32_t> again_of_;    // their rows
+  std::vector<PointsAgain> again_;         // and points
+  std::vector<std::uint32_t> to_collide_;  // other pairs
+  NarrowPhase narrow_phase_;
+  std::vector<PairPoints> found_;  // of each pair
   std::vector<Contact> rows_;
   std::vector<Contact> last_rows_;
+  std::optional<Mixing> mixed_by_;
   std::vector<Real> knocks_;  // m/s, by which each body's velocity may change within the step when it is struck
   std::vector<OnGround> on_ground_;
   std::vector<OnGround> supports_;

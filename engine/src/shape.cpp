@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "box_bounds.h"
 #include "convex_hull.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -148,12 +149,7 @@ std::vector<Shape> Shape::chain(std::span<const Vec2> points, bool loop) {
 
 Aabb Shape::bounds(const Pose& pose) const {
   if (type_ == ShapeType::box) {
-    const Vec2 center = to_world(pose, centroid_);
-    const Rotation q = pose.q * Rotation(normals_[1].x, normals_[1].y);
-    const Real c = std::abs(q.c);
-    const Real s = std::abs(q.s);
-    const Vec2 reach{c * half_extents_.x + s * half_extents_.y, s * half_extents_.x + c * half_extents_.y};
-    return {center - reach, center + reach};
+    return box_bounds(to_world(pose, centroid_), pose.q * Rotation(normals_[1].x, normals_[1].y), half_extents_);
   }
   if (type_ == ShapeType::half_space) {
     const Vec2 n = pose.q * normals_[0];

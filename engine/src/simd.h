@@ -48,6 +48,7 @@ struct ScalarRegister {
   friend Mask operator==(ScalarRegister a, ScalarRegister b) { return {a.v == b.v}; }
   static ScalarRegister select(Mask mask, ScalarRegister yes, ScalarRegister no) { return mask.m ? yes : no; }
   static ScalarRegister root(ScalarRegister a) { return {static_cast<Real>(__builtin_sqrt(a.v))}; }
+  static ScalarRegister magnitude(ScalarRegister a) { return {static_cast<Real>(__builtin_fabs(a.v))}; }
   static std::uint32_t bits(Mask mask) { return mask.m ? 1 : 0; }
   static void transpose(const Real* const* rows, ScalarRegister columns[4]) {
     for (std::uint32_t column = 0; column < 4; ++column) columns[column].v = rows[0][column];
@@ -92,6 +93,10 @@ struct Register {
   friend Mask operator<=(Register a, Register b) { return {a.v <= b.v}; }
   friend Mask operator==(Register a, Register b) { return {a.v == b.v}; }
   static Register select(Mask mask, Register yes, Register no) { return {mask.m ? yes.v : no.v}; }
+  static Register magnitude(Register a) {
+    using Bits = decltype(Mask::m);
+    return {reinterpret_cast<Vector>(reinterpret_cast<Bits>(a.v) & ~reinterpret_cast<Bits>(all(-Real{0}).v))};
+  }
 #if defined(__AVX2__) && defined(IMPULSE_DOUBLE)
   static Register root(Register a) { return {_mm256_sqrt_pd(a.v)}; }
   static std::uint32_t bits(Mask mask) {
@@ -263,6 +268,9 @@ struct LanesOf {
   friend LanesOf min(const LanesOf& a, const LanesOf& b) { return select(b < a, b, a); }
   friend LanesOf sqrt(const LanesOf& a) {
     return each([&](std::uint32_t i) { return R::root(a.part[i]); });
+  }
+  friend LanesOf abs(const LanesOf& a) {
+    return each([&](std::uint32_t i) { return R::magnitude(a.part[i]); });
   }
 
   /// rows[i] is where lane i's four numbers are; the k-th of them go to columns[k].

@@ -83,6 +83,7 @@ TEST(Lanes, CalculateAsNumbersDo) {
     expect_same(a / b, twin_a / twin_b);
     expect_same(-a, -twin_a);
     expect_same(sqrt(a), sqrt(twin_a));
+    expect_same(abs(a), abs(twin_a));
     expect_same(max(a, b), max(twin_a, twin_b));
     expect_same(min(a, b), min(twin_a, twin_b));
     expect_same(select((a < b) | !(a == b), a, b), select((twin_a < twin_b) | !(twin_a == twin_b), twin_a, twin_b));

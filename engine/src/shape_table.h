@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "body_set.h"
+#include "broad_phase.h"
+#include "kernels/manifolds.h"
+#include "solver.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// What a part is to those who collide it.
+enum class ShapeKind : std::uint8_t { box, disc, other };
+
+/// The parts of all bodies that are in the world and awake, sorted by (body, part): what the search of contacts asks of
+/// them, put together once a step, so that it need not visit the bodies for every pair.
+class ShapeTable {
+ public:
+  /// As the bodies stand and move now, each changed in its velocity by up to `knocks` (m/s) within the step. Bounds are
+  /// grown by what the margin then lets a body reach.
+  void update(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks);
+
+  std::span<const Proxy> proxies() const { return proxies_; }
+  std::span<const ShapeRecord> records() const { return records_; }
+  ShapeKind kind(std::size_t i) const { return still_[i].kind; }
+  const Part& part(std::size_t i) const { return *still_[i].part; }
+  bool several_parts() const { return several_parts_; }  // some body has
+
+ private:
+  /// What does not change while the part is in the world.
+  struct Still {
+    const Part* part;
+    Vec2 centroid;
+    Rotation turn;  // of a box in its body
+    Vec2 size;      // as in ShapeRecord
+    ShapeKind kind;
+  };
+  void list(const BodySet& bodies);
+
+  std::vector<Still> still_;
+  std::vector<Proxy> proxies_;
+  std::vector<ShapeRecord> records_;
+  bool several_parts_ = false;
+  std::uint64_t part_changes_ = ~std::uint64_t{0};  // of the bodies, when they were last listed
+  std::uint64_t sleep_changes_ = ~std::uint64_t{0};
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION
