@@ -14,10 +14,14 @@ namespace {
 
 // Half of a body deep, the shortest way out is through the other side. Where all are half-way there on the mean,
 // nothing is held any more.
-constexpr double share = 0.25;
+constexpr double sunk = 0.25;
+
+// Large nets stretch under any engine that does not solve them exactly. Whoever leaves hinged bodies farther apart than
+// one of them is wide has no net any more.
+constexpr double torn = 1;
 
 // A body that has moved by half of itself against what bears it lies over the next one, or on the row below.
-constexpr double displaced = 0.5;
+constexpr double fell = 0.5;
 
 std::string not_finite(std::span<const BodyState> states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -42,7 +46,7 @@ std::string fallen(const Start& start, std::span<const BodyState> states) {
   for (const auto [above, below] : start.rests) {
     const Vec was = bodies[above].position - bodies[below].position;
     const Vec is = states[above].position - states[below].position;
-    if (length(is - was) > displaced * start.size) return fmt::format("body {} has fallen from {}", above, below);
+    if (length(is - was) > fell * start.size) return fmt::format("body {} has fallen from {}", above, below);
   }
   return "";
 }
@@ -53,17 +57,20 @@ Vec carried(const Body& body, const BodyState& state, Vec anchor) {
 
 std::string gaping(const Start& start, std::span<const BodyState> states) {
   const auto& bodies = start.scene.bodies;
+  double widest = torn * start.size;
+  std::string reason;
   for (const Joint& joint : start.scene.joints) {
     const auto* hinge = std::get_if<Revolute>(&joint);
     if (hinge == nullptr) continue;
     const Vec on_a = carried(bodies[hinge->a], states[hinge->a], hinge->anchor);
     const Vec on_b = carried(bodies[hinge->b], states[hinge->b], hinge->anchor);
     const double gap = length(on_b - on_a);
-    if (gap > share * start.size) {
-      return fmt::format("the hinge of {} and {} gapes by {:.3g} m", hinge->a, hinge->b, gap);
+    if (gap > widest) {
+      widest = gap;
+      reason = fmt::format("the hinge of {} and {} gapes by {:.3g} m", hinge->a, hinge->b, gap);
     }
   }
-  return "";
+  return reason;
 }
 
 Depth depth_of(const std::vector<Overlapping>& overlaps) {
@@ -85,7 +92,7 @@ Condition condition(const Start& start, std::span<const BodyState> states) {
     found.broken = look(start, states);
     if (!found.broken.empty()) return found;
   }
-  if (found.overlap.mean > share * start.size) {
+  if (found.overlap.mean > sunk * start.size) {
     found.broken = fmt::format("bodies overlap by {:.3g} m on the mean", found.overlap.mean);
   }
   return found;

@@ -21,9 +21,8 @@ struct Condition {
 };
 
 /// `states` are in the order of the scene's bodies. A scene is broken where a number is not finite, a dynamic body has
-/// left the circle that it may not leave, a body no longer lies on what it was put upon, a hinge gapes by more than a
-/// quarter of the smallest body, or overlaps are that deep on the mean: one pair may be deeper, in the midst of an
-/// impact.
+/// left the circle that it may not leave, a body no longer lies on what it was put upon, a hinge gapes by the width
+/// of the smallest body, or overlaps are a quarter of it deep on the mean: one pair may be deeper, amid an impact.
 Condition condition(const Start&, std::span<const BodyState> states);
 
 }  // namespace plumb::benchmarks

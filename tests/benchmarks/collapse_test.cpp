@@ -79,8 +79,10 @@ TEST(Condition, NoticesAHingeThatGapesAndNoneThatTurns) {
   std::vector<BodyState> states = initial_states(start.scene);
   states[1] = {.position = {0.5, 0.5}, .angle = 90 * degree};
   EXPECT_EQ(condition(start, states).broken, "");
-  states[1].position.y = 0.71;
-  EXPECT_EQ(condition(start, states).broken, "the hinge of 0 and 1 gapes by 0.21 m");
+  states[1].position.y = 1.29;
+  EXPECT_EQ(condition(start, states).broken, "");
+  states[1].position.y = 1.31;
+  EXPECT_EQ(condition(start, states).broken, "the hinge of 0 and 1 gapes by 0.81 m");
 }
 
 }  // namespace
