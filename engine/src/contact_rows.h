@@ -17,11 +17,29 @@ namespace impulse::inline IMPULSE_PRECISION {
 ///   along t:  t.(vB - vA) + wB (rB . n) - wA (rA . n)        because r x t = r . n
 ///
 /// so four numbers a point say all about where it is.
-struct RowPoint {
-  Real cross_a = 0, cross_b = 0;                 // r x n, m
-  Real dot_a = 0, dot_b = 0;                     // r . n, m
-  Real turn_a = 0, turn_b = 0;                   // the part of r . n that turns with the body: a disc's rim does not
-  Real separation = 0;                           // m, at the start of the step
+struct PointPlace {
+  Real cross_a = 0, cross_b = 0;  // r x n, m
+  Real dot_a = 0, dot_b = 0;      // r . n, m
+  Real turn_a = 0, turn_b = 0;    // the part of r . n that turns with the body: a disc's rim does not
+  Real separation = 0;            // m, at the start of the step
+};
+
+/// Where the i-th point of a contact is.
+inline PointPlace place_of(const Contact& contact, std::size_t i) {
+  const ContactPoint& from = contact.points[i];
+  PointPlace to;
+  to.cross_a = cross(from.arm_a, contact.normal);
+  to.cross_b = cross(from.arm_b, contact.normal);
+  // The point lay midway when it was found; each arm ends on its own body's surface.
+  to.dot_a = dot(from.arm_a, contact.normal) - contact.found_separation[i] / 2;
+  to.dot_b = dot(from.arm_b, contact.normal) + contact.found_separation[i] / 2;
+  to.turn_a = to.dot_a - contact.radius_a;
+  to.turn_b = to.dot_b + contact.radius_b;
+  to.separation = from.separation;
+  return to;
+}
+
+struct RowPoint : PointPlace {
   Real normal_mass = 0, tangent_mass = 0;        // effective, kg
   Real normal_impulse = 0, tangent_impulse = 0;  // N s, of one sub-step
   Real total_normal = 0, total_tangent = 0;      // N s, of the whole step
@@ -80,7 +98,13 @@ struct ContactFrame {
 /// neither body can move.
 Real effective_mass(const ContactRow& row, Real arm_a, Real arm_b);
 
-/// Rows of all contacts that have points and a body that can be moved. Impulses are those of the last step.
+/// Whether a contact has points and a body that can be pushed.
+bool solvable(const BodySet& bodies, const Contact& contact);
+
+/// The row of a solvable contact; impulses are those of the last step.
+ContactRow make_row(const BodySet& bodies, const std::vector<Contact>& contacts, std::uint32_t index);
+
+/// Rows of all solvable contacts.
 void prepare_rows(const BodySet& bodies, const std::vector<Contact>& contacts, std::vector<ContactRow>& rows);
 
 /// Hands a row's impulses back for the next warm start, and the totals of the step.

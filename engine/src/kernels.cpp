@@ -4,35 +4,35 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-namespace {
-
-constexpr Kernels in_baseline() {
-  using namespace baseline;
-  return {find_overlaps, collide_boxes, collide_discs, collide_disc_with_box, collide_box_with_disc, measure_again};
+namespace scalar {
+extern const Kernels table;
 }
+namespace baseline {
+extern const Kernels table;
+}
+namespace avx2 {
+extern const Kernels table;
+}
+
+namespace {
 
 #ifdef IMPULSE_AVX2
 
-constexpr Kernels in_avx2() {
-  using namespace avx2;
-  return {find_overlaps, collide_boxes, collide_discs, collide_disc_with_box, collide_box_with_disc, measure_again};
-}
+constexpr std::array versions{&scalar::table, &baseline::table, &avx2::table};
 
-constexpr std::array versions{in_baseline(), in_avx2()};
-
-std::size_t runnable() { return __builtin_cpu_supports("avx2") != 0 ? 2 : 1; }
+std::size_t runnable() { return __builtin_cpu_supports("avx2") != 0 ? 3 : 2; }
 
 #else
 
-constexpr std::array versions{in_baseline()};
+constexpr std::array versions{&scalar::table, &baseline::table};
 
-std::size_t runnable() { return 1; }
+std::size_t runnable() { return 2; }
 
 #endif
 
 }  // namespace
 
-std::span<const Kernels> runnable_kernels() {
+std::span<const Kernels* const> runnable_kernels() {
   static const std::size_t count = runnable();
   return std::span(versions).first(count);
 }

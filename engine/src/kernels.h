@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "kernels/contact_lanes.h"
 #include "kernels/manifolds.h"
 #include "kernels/overlaps.h"
 #include "kernels/recycle.h"
@@ -13,15 +14,24 @@ struct Kernels {
   FindOverlaps* find_overlaps;
   CollidePairs* collide_boxes;
   CollidePairs* collide_discs;
-  CollidePairs* collide_disc_with_box;
+  CollidePairs* collide_disc_with_box;  // the disc is the first of each pair
   CollidePairs* collide_box_with_disc;
   MeasureAgain* measure_again;
+  WeighContacts* weigh_contacts;
+  KickByContacts* kick_by_contacts;
+  PressContacts* press_contacts;
+  RelaxContacts* relax_contacts;
+  SettleOffsets* settle_offsets;
+  KickByForces* kick_by_forces;
+  KickBodies* kick_bodies;
+  DriftBodies* drift_bodies;
 };
 
-/// All versions that this processor runs, the slowest first. They give the same bits.
-std::span<const Kernels> runnable_kernels();
+/// All versions that this processor runs, the slowest first: one number at a time, then by ever larger registers. They
+/// give the same bits.
+std::span<const Kernels* const> runnable_kernels();
 
 /// The fastest of them.
-inline const Kernels& kernels() { return runnable_kernels().back(); }
+inline const Kernels& kernels() { return *runnable_kernels().back(); }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -11,8 +11,9 @@
 
 /// The only place that knows instruction sets.
 ///
-/// Every file in kernels/ is compiled for what all processors of the target have (`baseline`) and, on x86-64, once more
-/// with AVX2 (`avx2`); the namespace IMPULSE_LANES keeps the two apart. Which one runs is asked once, see kernels.h. No
+/// Every file in kernels/ is compiled for what all processors of the target have (`baseline`), once more with one
+/// number at a time (`scalar`, the oracle) and, on x86-64, with AVX2 (`avx2`); the namespace IMPULSE_LANES keeps them
+/// apart. Which one runs is asked once, see kernels.h. No
 /// kernel may call an inline function from outside this namespace: a linker that keeps one copy might keep the AVX2
 /// one.
 ///
@@ -58,7 +59,7 @@ struct ScalarRegister {
   }
 };
 
-#ifdef __SSE2__
+#if defined(__SSE2__) && !defined(IMPULSE_LANES_scalar)
 
 /// As many numbers as one register of the processor holds.
 struct Register {

@@ -43,17 +43,4 @@ struct PairBatch {
 /// returned; there must be room for all.
 using CollidePairs = std::uint32_t*(const PairBatch& batch, PairPoints* found, std::uint32_t* left);
 
-namespace baseline {
-CollidePairs collide_boxes;
-CollidePairs collide_discs;
-CollidePairs collide_disc_with_box;  // the disc is the first of each pair
-CollidePairs collide_box_with_disc;
-}  // namespace baseline
-namespace avx2 {
-CollidePairs collide_boxes;
-CollidePairs collide_discs;
-CollidePairs collide_disc_with_box;
-CollidePairs collide_box_with_disc;
-}  // namespace avx2
-
 }  // namespace impulse::inline IMPULSE_PRECISION

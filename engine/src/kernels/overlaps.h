@@ -24,11 +24,4 @@ struct Range {
 using FindOverlaps = std::uint32_t*(const BoundsColumns& among, const Aabb& box, const Range* ranges,
                                     const Range* ranges_end, std::uint32_t* to);
 
-namespace baseline {
-FindOverlaps find_overlaps;
-}
-namespace avx2 {
-FindOverlaps find_overlaps;
-}
-
 }  // namespace impulse::inline IMPULSE_PRECISION

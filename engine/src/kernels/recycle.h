@@ -17,11 +17,4 @@ struct PointsAgain {
 using MeasureAgain = void(const Contact* contacts, const std::uint32_t* items, std::uint32_t count, const Pose* poses,
                           const Real* reach, PointsAgain* again);
 
-namespace baseline {
-MeasureAgain measure_again;
-}
-namespace avx2 {
-MeasureAgain measure_again;
-}
-
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -3,40 +3,51 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <vector>
 
 #include "contact_rows.h"
-#include "islands.h"
 #include "method_list.h"
 #include "solver.h"
+#include "solvers/colouring.h"
 #include "solvers/energy_bound.h"
 #include "solvers/impacts.h"
 #include "solvers/island.h"
+#include "solvers/partition.h"
+#include "solvers/pile.h"
 #include "stages.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// 1/s, at which the offset takes up a standing depth; 1 ... 4 are all stable, 2 settles soonest.
-constexpr Real offset_rate = 2;
-/// A contact's first steps are no standing load yet.
-constexpr int offset_from_age = 2;
-
 /// What one worker needs to itself.
 struct Workspace {
   Impacts impacts;
   JointWorkspace joints;
   EnergyBound bound;
+  Pile pile;
+  Colouring colouring;
 };
 
 /// Share of its kinetic energy that an island with joints may seem to gain in a sub-step, because RATTLE's energy
 /// swings about the true one; 1e-5 is seen of a pendulum, 1e-2 and more of chains too fast for the sub-step.
 constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
-bool has_stops(const ActiveJoint* joint) { return joint->block.stops > 0 || joint->block.driven; }
+/// An island that begins at rest finds its loads in so many sweeps instead of sinking until it has them.
+constexpr int settling_sweeps = 30;
+
+/// Contacts, from which laying them out in lanes pays.
+constexpr std::size_t least_pile = 64;
+
+bool driven(const IslandJoints& joints) {
+  return std::any_of(joints.all().begin(), joints.all().end(),
+                     [](const ActiveJoint* joint) { return joint->block.driven; });
+}
+bool has_stops(const IslandJoints& joints) {
+  return driven(joints) || std::any_of(joints.all().begin(), joints.all().end(),
+                                       [](const ActiveJoint* joint) { return joint->block.stops > 0; });
+}
 
 /// The sub-step that makes flight and impacts exact to rounding. A step of dt is cut into N sub-steps of h, each
 /// kick, press, drift, kick, relax:
@@ -52,6 +63,7 @@ bool has_stops(const ActiveJoint* joint) { return joint->block.stops > 0 || join
 /// give half their impulse before the drift and half after keeps a resting body where it is.
 class Accurate : public Solver {
  public:
+  explicit Accurate(bool lanes) : lanes_(lanes) {}
   void step(StepData& data) override;
   void state(const Settings& settings, StatedErrors& errors) const override {
     errors.h = settings.dt / static_cast<Real>(settings.substeps);
@@ -70,10 +82,12 @@ class Accurate : public Solver {
 
  private:
   void prepare(StepData& data);
-  template <class Items, class IslandOf>
-  void find_starts(std::vector<std::size_t>& start, const Items& items, IslandOf island_of);
-  void tie_islands(const StepData& data);
   Island island(StepData& data, std::size_t number, Workspace& space);
+  void make_rows(StepData& data, Island& island, std::size_t number);
+  void solve_as_pile(StepData& data, Island& island, Pile& pile);
+  bool settles(const StepData& data, const Island& island) const;
+  bool closed(const StepData& data, const Island& island) const;
+  bool is_pile(const StepData& data, const Island& island) const;
   void step_island(StepData& data, std::size_t number, Workspace& space);
   void fly(StepData& data, const Island& island);
   void substep(StepData& data, Island& island, Workspace& space);
@@ -98,19 +112,14 @@ class Accurate : public Solver {
   }
   void settle_offsets(const Island& island);
 
-  Islands islands_;
-  std::vector<ContactRow> plain_rows_;
+  bool lanes_;  // large islands are solved eight contacts at a time
+  Partition parts_;
   std::vector<ImpactRow> rows_;         // island by island
-  std::vector<std::size_t> row_start_;  // of each island in rows_, and the end
-  std::vector<ActiveJoint*> joints_;    // island by island
-  std::vector<std::size_t> joint_start_;
-  std::vector<std::size_t> next_;       // place of each island that is free, while items are put there
   std::vector<Motion> motion_;          // of each body since the start of the step
   std::vector<Pose> start_;             // of each body
   std::vector<Velocity> acceleration_;  // of each body, by the force field
   std::vector<Velocity> flight_;        // the same, but 0 for a body that rests on a contact
   std::vector<std::uint8_t> loaded_;    // a contact pushed the body in the last sub-step
-  std::vector<std::uint8_t> crowd_;     // contacts of each movable body, up to 3
   bool forces_vary_ = false;            // within a step
   std::vector<Workspace> spaces_;       // of each worker
 };
@@ -121,9 +130,9 @@ void Accurate::step(StepData& data) {
   spaces_.resize(static_cast<std::size_t>(data.workers.count()));
   // Small islands are handed out in batches; an island's bits depend on nothing outside it.
   constexpr std::size_t batch = 32;
-  const std::size_t batches = (islands_.size() + batch - 1) / batch;
+  const std::size_t batches = (parts_.size() + batch - 1) / batch;
   const auto step_batch = [&](std::size_t piece, std::size_t worker) {
-    const std::size_t end = std::min((piece + 1) * batch, islands_.size());
+    const std::size_t end = std::min((piece + 1) * batch, parts_.size());
     for (std::size_t number = piece * batch; number < end; ++number) step_island(data, number, spaces_[worker]);
   };
   data.workers.share_out(batches, std::ref(step_batch));  // a copy would ask for memory
@@ -134,7 +143,13 @@ void Accurate::step(StepData& data) {
 
 void Accurate::step_island(StepData& data, std::size_t number, Workspace& space) {
   Island now = island(data, number, space);
-  if (now.rows.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
+  if (now.contacts.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
+  if (is_pile(data, now)) {
+    if (lanes_) return solve_as_pile(data, now, space.pile);
+    space.colouring.assign(data, parts_, now);
+    now.contacts = space.colouring.order();
+  }
+  make_rows(data, now, number);
   const auto substeps = static_cast<Real>(now.substeps);
   now.share(1 / substeps);
   now.joints.write();
@@ -145,6 +160,33 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
     store_row(row, data.contacts);
     data.contacts[row.contact].offset = row.offset;
   }
+}
+
+/// Whether an island is worth the laying out, and needs nothing that lanes cannot do.
+bool Accurate::is_pile(const StepData& data, const Island& island) const {
+  return island.contacts.size() >= least_pile && island.joints.empty() && !forces_vary_ &&
+         std::none_of(island.contacts.begin(), island.contacts.end(),
+                      [&](std::uint32_t c) { return data.contacts[c].restitution > 0; });
+}
+
+void Accurate::solve_as_pile(StepData& data, Island& island, Pile& pile) {
+  const auto any_contact = [&](auto test) { return std::any_of(island.contacts.begin(), island.contacts.end(), test); };
+  Bearing bearing;
+  if (may_need_substeps(island.bodies.size(), data.settings)) {
+    for (const std::uint32_t c : island.contacts) bearing.add(make_row(data.bodies, data.contacts, c));
+  }
+  island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
+  end_stage("pile: bearing");
+  island.settling = settles(data, island);
+  if (island.settling) island.sweeps = settling_sweeps;
+  const int more_sweeps = closed(data, island) ? more_sweeps_for(island.bodies.size()) : 0;
+  if (more_sweeps > 0 && any_contact([&](std::uint32_t c) {
+        return new_or_deep(data.contacts[c]) && at_speed(make_row(data.bodies, data.contacts, c), data.bodies);
+      })) {
+    island.more_sweeps = more_sweeps;
+  }
+  end_stage("pile: struck");
+  pile.step(data, parts_, island, acceleration_, motion_);
 }
 
 /// Bodies that meet nothing under forces that stay the same: x += v t + a t^2/2 is exact, whatever the step.
@@ -170,8 +212,6 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   const bool joints_fit = island.joints.fit();
   island.joints.write();
   kick(data.bodies, island);
-  // An island that begins at rest finds its loads now instead of sinking until it has them.
-  constexpr int settling_sweeps = 30;
   relax(data.bodies, island, island.settling ? std::max(settling_sweeps, island.sweeps) : island.sweeps);
   if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
   if (!joints_fit || island.ideal) {
@@ -187,106 +227,73 @@ void Accurate::prepare(StepData& data) {
   start_ = bodies.pose;
   motion_.assign(bodies.size(), {});
   loaded_.assign(bodies.size(), 0);
-  crowd_.assign(bodies.size(), 0);
   forces_vary_ = data.forces.vary(bodies);
   data.forces.accelerations(bodies, data.settings.dt / static_cast<Real>(2 * data.settings.substeps), acceleration_);
   flight_ = acceleration_;
 
-  prepare_rows(bodies, data.contacts, plain_rows_);
-  for (const ContactRow& row : plain_rows_) {
-    for (const std::uint32_t body : {row.a, row.b})
-      crowd_[body] = static_cast<std::uint8_t>(std::min(crowd_[body] + 1, 3));
-  }
-  tie_islands(data);
+  parts_.split(data, forces_vary_);
+  rows_.resize(parts_.contact_count());
+}
 
-  // Rows and joints keep their order within an island: a stable counting sort.
-  const auto island_of = [&](const auto& tie) { return islands_.of(tie.mass_a.m + tie.mass_a.i > 0 ? tie.a : tie.b); };
-  find_starts(row_start_, plain_rows_, island_of);
-  rows_.resize(plain_rows_.size());
-  for (const ContactRow& plain : plain_rows_) {
-    ImpactRow& row = rows_[next_[island_of(plain)]++];
-    static_cast<ContactRow&>(row) = plain;
-    const Contact& contact = data.contacts[row.contact];
+void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
+  island.rows = std::span(rows_).subspan(parts_.first_contact(number), island.contacts.size());
+  Bearing bearing;
+  bool struck = false;
+  for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+    const Contact& contact = data.contacts[island.contacts[i]];
+    ImpactRow row;
+    static_cast<ContactRow&>(row) = make_row(data.bodies, data.contacts, island.contacts[i]);
     row.offset = contact.offset;
     row.disc_distance = contact.discs ? contact.radius_a + contact.radius_b : Real{0};
     row.between = start_[row.b].p - start_[row.a].p;
     row.age = contact.age;
     row.fresh = contact.age == 0;
-    row.active = true;
     // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
-    const bool column = (row.mass_a.m == 0 || crowd_[row.a] <= 2) && (row.mass_b.m == 0 || crowd_[row.b] <= 2);
-    row.web = !column;
-    row.block = column && row.count == 2;
-    for (const RowPoint& p : row.points) {
-      if (p.normal_impulse > 0) note_load(row);
-    }
+    row.web = parts_.in_web(row.a) || parts_.in_web(row.b);
+    row.block = !row.web && row.count == 2;
+    if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
+    island.bounces |= row.restitution > 0;
+    bearing.add(row);
+    struck = struck || (new_or_deep(contact) && at_speed(row, data.bodies));
+    island.rows[i] = row;
   }
-  const auto joint_island = [&](const ActiveJoint& joint) { return island_of(joint.block); };
-  find_starts(joint_start_, data.joints, joint_island);
-  joints_.resize(data.joints.size());
-  for (ActiveJoint& joint : data.joints) {
-    joints_[next_[joint_island(joint)]++] = &joint;
-  }
-  for (const ActiveJoint& joint : data.joints) note_load(joint.block);
-}
+  for (const ActiveJoint* joint : island.joints.all()) note_load(joint->block);
 
-/// Where each island's items will start, and the end; `next_` gets the same as the first free places.
-template <class Items, class IslandOf>
-void Accurate::find_starts(std::vector<std::size_t>& start, const Items& items, IslandOf island_of) {
-  start.assign(islands_.size() + 1, 0);
-  for (const auto& item : items) ++start[island_of(item) + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  next_.assign(start.begin(), start.end() - 1);
-}
-
-/// Bodies share an island if they touch and both move: such bodies must be stepped together. Where forces depend on
-/// where bodies are, one island holds them all.
-void Accurate::tie_islands(const StepData& data) {
-  const BodySet& bodies = data.bodies;
-  const auto moves = [&](std::uint32_t body) {
-    const Velocity& v = bodies.velocity[body];
-    return bodies.inverse_mass[body].m + bodies.inverse_mass[body].i > 0 || !(v.v == Vec2{} && v.w == 0);
-  };
-  islands_.clear(bodies.size());
-  for (const ContactRow& row : plain_rows_) {
-    if (moves(row.a) && moves(row.b)) islands_.tie(row.a, row.b);
-  }
-  for (const ActiveJoint& joint : data.joints) {
-    if (moves(joint.block.a) && moves(joint.block.b)) islands_.tie(joint.block.a, joint.block.b);
-  }
-  if (forces_vary_) {
-    for (std::uint32_t body = 1; body < bodies.size(); ++body) islands_.tie(0, body);
-  }
-  islands_.number();
+  island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
+  const bool takes_turns = !island.joints.empty() && (!island.rows.empty() || has_stops(island.joints));
+  // A body that slides from one fixed shape to the next hands its load over at once, not in several sub-steps.
+  const bool on_several = island.bodies.size() == 1 && island.rows.size() > 1;
+  if (takes_turns || on_several) island.sweeps = data.settings.iterations;
+  island.settling = settles(data, island);
+  const bool is_closed = closed(data, island);
+  island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
+  if (is_closed && struck) island.more_sweeps = more_sweeps_for(island.bodies.size());
 }
 
 Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
-  const auto joints = std::span(joints_).subspan(joint_start_[number], joint_start_[number + 1] - joint_start_[number]);
-  Island now{.bodies = islands_.bodies(number),
-             .rows = std::span(rows_).subspan(row_start_[number], row_start_[number + 1] - row_start_[number]),
-             .joints = IslandJoints(joints, islands_.bodies(number), data.bodies, start_, motion_, space.joints)};
-  now.cut(data.settings.dt, substeps_for(now, data.bodies, acceleration_, data.settings));
-  if (!joints.empty() && (!now.rows.empty() || std::any_of(joints.begin(), joints.end(), has_stops))) {
-    now.sweeps = data.settings.iterations;
-  }
-  // A body that slides from one fixed shape to the next hands its load over at once, not in several sub-steps.
-  if (now.bodies.size() == 1 && now.rows.size() > 1) now.sweeps = data.settings.iterations;
-  // Nothing outside does work on it but the forces.
-  const bool closed = !forces_vary_ && std::all_of(now.bodies.begin(), now.bodies.end(), [&](std::uint32_t body) {
+  return {
+      .bodies = parts_.bodies(number),
+      .contacts = parts_.contacts(number),
+      .rows = {},
+      .joints = IslandJoints(parts_.joints(number), parts_.bodies(number), data.bodies, start_, motion_, space.joints)};
+}
+
+/// Whether nothing outside does work on an island but the forces.
+bool Accurate::closed(const StepData& data, const Island& island) const {
+  return !forces_vary_ && std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
     return data.bodies.inverse_mass[body].m + data.bodies.inverse_mass[body].i > 0;
   });
-  now.ideal = !joints.empty() && closed &&
-              std::none_of(joints.begin(), joints.end(), [](const ActiveJoint* joint) { return joint->block.driven; });
-  now.bounces = std::any_of(now.rows.begin(), now.rows.end(), [](const ImpactRow& row) { return row.restitution > 0; });
-  if (closed) now.more_sweeps = more_sweeps_for(now, data.bodies);
+}
+
+/// Whether an island begins at rest: nothing touched before, and all are slow.
+bool Accurate::settles(const StepData& data, const Island& island) const {
   const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
-  now.settling = !now.rows.empty() &&
-                 std::all_of(now.rows.begin(), now.rows.end(), [](const ImpactRow& row) { return row.fresh; }) &&
-                 std::all_of(now.bodies.begin(), now.bodies.end(), [&](std::uint32_t body) {
-                   const Velocity& v = data.bodies.velocity[body];
-                   return length(v.v) + std::abs(v.w) * data.bodies.reach[body] <= slow;
-                 });
-  return now;
+  return !island.contacts.empty() && std::all_of(island.contacts.begin(), island.contacts.end(), [&](std::uint32_t c) {
+    return data.contacts[c].age == 0;
+  }) && std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
+    const Velocity& v = data.bodies.velocity[body];
+    return length(v.v) + std::abs(v.w) * data.bodies.reach[body] <= slow;
+  });
 }
 
 void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {
@@ -477,19 +484,26 @@ void Accurate::settle_offsets(const Island& island) {
     const Real explained = speed / points / (2 * island.h * omega * omega);
     if (island.settling) {
       row.offset = explained;
-    } else if (row.age >= offset_from_age) {
+    } else if (const Real rate = island.offset_rate(row.age); rate > 0) {
       constexpr Real headroom = static_cast<Real>(1.05);
-      row.offset = clamp(row.offset + offset_rate * island.h * static_cast<Real>(island.substeps) * depth / points, 0,
-                         headroom * explained);
+      row.offset = clamp(row.offset + rate * depth / points, 0, headroom * explained);
     }
   }
 }
 
+constexpr const char* source =
+    "soft contacts and relaxation after E. Catto, Soft Constraints (GDC 2011) and Solver2D (2024); velocity Verlet; "
+    "time-of-impact events";
+
 const MethodList<Solver>::Entry entry{
     {"accurate", "sub-steps by kick, press, drift, kick, relax; impacts at their own times; loads without sinking",
-     "soft contacts and relaxation after E. Catto, Soft Constraints (GDC 2011) and Solver2D (2024); velocity Verlet; "
-     "time-of-impact events"},
-    [] { return std::make_unique<Accurate>(); }};
+     source},
+    [] { return std::make_unique<Accurate>(true); }};
+
+const MethodList<Solver>::Entry scalar_entry{
+    {"accurate-scalar", "the same one contact at a time in piles, too: what the lanes of `accurate` are tested against",
+     source},
+    [] { return std::make_unique<Accurate>(false); }};
 
 }  // namespace
 

@@ -14,16 +14,6 @@ constexpr int most_more_sweeps = 60;
 /// Budget of one island and step: large piles keep the base number of sub-steps, and of sweeps.
 constexpr std::size_t most_body_substeps = 4000;
 
-/// A new contact, or one deeper than loads press in but in the largest piles, at speed.
-bool struck(const ImpactRow& row, const BodySet& bodies) {
-  constexpr Real deep = static_cast<Real>(0.005);  // m
-  constexpr Real fast = static_cast<Real>(0.1);    // m/s
-  const auto& [p, q] = row.points;
-  if (!row.fresh && std::min(p.separation, q.separation) > -deep) return false;
-  const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-  return std::max(std::abs(frame.normal_velocity(p)), std::abs(frame.normal_velocity(q))) > fast;
-}
-
 }  // namespace
 
 void Island::cut(Real dt, int into) {
@@ -47,43 +37,55 @@ void Island::share(Real by) {
   joints.share(by);
 }
 
+void Bearing::add(const ContactRow& row) {
+  if (row.mass_a.m == 0 || row.mass_b.m == 0) points += row.count;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    softest = std::max(softest, 1 / row.points[i].normal_mass);
+  }
+}
+
+bool may_need_substeps(std::size_t bodies, const Settings& settings) {
+  return static_cast<std::size_t>(2 * settings.substeps) * bodies <= most_body_substeps;
+}
+
 // sink = weight / (points on the ground) * k_max / (2 w^2), k the inverse effective mass; and sink ~ h^2. With w of a
 // column: a web may sink (12/8)^2 times as far until its offsets lift it, and still settles soonest with these.
-int substeps_for(const Island& island, const BodySet& bodies, const std::vector<Velocity>& acceleration,
-                 const Settings& settings) {
+int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, const BodySet& bodies,
+                 const std::vector<Velocity>& acceleration, const Settings& settings) {
   const int base = settings.substeps;
+  if (bearing.points == 0) return base;
   Real weight = 0;
-  for (const std::uint32_t body : island.bodies) {
+  for (const std::uint32_t body : island) {
     const Real m = bodies.inverse_mass[body].m;
     if (m > 0) weight += length(acceleration[body].v) / m;
   }
-  int points = 0;
-  Real softest = 0;  // 1/kg
-  for (const ImpactRow& row : island.rows) {
-    if (row.mass_a.m == 0 || row.mass_b.m == 0) points += row.count;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      softest = std::max(softest, 1 / row.points[i].normal_mass);
-    }
-  }
-  if (points == 0) return base;
   const Real omega = 2 * pi * static_cast<Real>(base) / (8 * settings.dt);
-  const Real sink = weight / static_cast<Real>(points) * softest / (2 * omega * omega);
+  const Real sink = weight / static_cast<Real>(bearing.points) * bearing.softest / (2 * omega * omega);
   const Real wanted = static_cast<Real>(base) * std::sqrt(sink / tolerated_sink);
   // Powers of two, the nearest by ratio.
   int n = base;
   while (2 * n <= most_substeps && static_cast<Real>(2 * n * n) < wanted * wanted &&
-         static_cast<std::size_t>(2 * n) * island.bodies.size() <= most_body_substeps) {
+         static_cast<std::size_t>(2 * n) * island.size() <= most_body_substeps) {
     n *= 2;
   }
   return n;
 }
 
-int more_sweeps_for(const Island& island, const BodySet& bodies) {
-  if (island.bodies.empty()) return 0;
-  const std::size_t affordable = most_body_substeps / island.bodies.size();
-  const auto is_struck = [&](const ImpactRow& row) { return struck(row, bodies); };
-  if (affordable == 0 || std::none_of(island.rows.begin(), island.rows.end(), is_struck)) return 0;
-  return static_cast<int>(std::min(affordable, static_cast<std::size_t>(most_more_sweeps)));
+int more_sweeps_for(std::size_t bodies) {
+  if (bodies == 0) return 0;
+  return static_cast<int>(std::min(most_body_substeps / bodies, static_cast<std::size_t>(most_more_sweeps)));
+}
+
+bool new_or_deep(const Contact& contact) {
+  constexpr Real deep = static_cast<Real>(0.005);  // m
+  return contact.age == 0 || std::min(contact.points[0].separation, contact.points[1].separation) <= -deep;
+}
+
+bool at_speed(const ContactRow& row, const BodySet& bodies) {
+  constexpr Real fast = static_cast<Real>(0.1);  // m/s
+  const auto& [p, q] = row.points;
+  const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+  return std::max(std::abs(frame.normal_velocity(p)), std::abs(frame.normal_velocity(q))) > fast;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -18,7 +18,8 @@ constexpr Real tolerated_sink = static_cast<Real>(0.0005);
 /// One island of `accurate` for the length of a step.
 struct Island {
   std::span<const std::uint32_t> bodies;
-  std::span<ImpactRow> rows;
+  std::span<const std::uint32_t> contacts;  // indices
+  std::span<ImpactRow> rows;                // of the contacts, unless they are solved as a pile (pile.h)
   IslandJoints joints;
   int substeps = 1;
   int sweeps = 1;       // joints and contacts, or joints and their stops, are solved in turn
@@ -32,9 +33,18 @@ struct Island {
   bool bounces = false;   // some contact has restitution
   bool settling = false;  // begins at rest: its loads are found at once
 
-  const Softness& softness(const ImpactRow& row) const {
-    const Softnesses& of = row.web ? web : column;
-    return row.mass_a.m == 0 || row.mass_b.m == 0 ? of.fixed : of.movable;
+  const Softness& softness(bool in_web, const InverseMass& a, const InverseMass& b) const {
+    const Softnesses& of = in_web ? web : column;
+    return a.m == 0 || b.m == 0 ? of.fixed : of.movable;
+  }
+  const Softness& softness(const ImpactRow& row) const { return softness(row.web, row.mass_a, row.mass_b); }
+
+  /// Share of a standing depth that the offset of a contact takes up in this step: its first steps are no standing load
+  /// yet.
+  Real offset_rate(int age) const {
+    constexpr int from_age = 2;
+    constexpr Real rate = 2;  // 1/s; 1 ... 4 are all stable, 2 settles soonest
+    return age >= from_age ? rate * h * static_cast<Real>(substeps) : Real{0};
   }
 
   /// Sets h and the softness that goes with it: the highest frequency that does not jitter, 1/(8 h) in a column, and
@@ -47,13 +57,28 @@ struct Island {
   void share(Real by);
 };
 
+/// What carries an island's weight.
+struct Bearing {
+  int points = 0;    // on what cannot move
+  Real softest = 0;  // 1/kg, the largest inverse effective mass
+
+  void add(const ContactRow& row);
+};
+
 /// How many sub-steps an island needs so that its own weight presses it no deeper than tolerated, at most 32 and the
 /// settings' number at least. From masses alone: an estimate from the impulses would flicker with them, and a stack
 /// would topple while it is low.
-int substeps_for(const Island& island, const BodySet& bodies, const std::vector<Velocity>& acceleration,
-                 const Settings& settings);
+int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, const BodySet& bodies,
+                 const std::vector<Velocity>& acceleration, const Settings& settings);
+/// Whether substeps_for may exceed the settings' number for an island of so many bodies.
+bool may_need_substeps(std::size_t bodies, const Settings& settings);
 
-/// How often beyond its sweeps an island may be relaxed: not at all without a blow, nor where it would be dear.
-int more_sweeps_for(const Island& island, const BodySet& bodies);
+/// How often an island of so many bodies that was struck may be relaxed beyond its sweeps: not where it would be dear.
+int more_sweeps_for(std::size_t bodies);
+
+/// New, or deeper than loads press in but in the largest piles.
+bool new_or_deep(const Contact& contact);
+/// Whether the points move along the normal as only a blow makes them.
+bool at_speed(const ContactRow& row, const BodySet& bodies);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -53,13 +53,13 @@ struct Pairs {
     std::vector<std::uint32_t> items(pairs.size());
     std::iota(items.rbegin(), items.rend(), 0U);
     std::size_t touching = 0;
-    for (const Kernels& version : runnable_kernels()) {
+    for (const Kernels* version : runnable_kernels()) {
       std::vector<PairPoints> found(pairs.size());
       std::vector<std::uint32_t> left(pairs.size());
       const PairBatch batch{
           shapes.records().data(), pairs.data(), items.data(), static_cast<std::uint32_t>(items.size()),
           margin.distance,         margin.time};
-      left.resize(static_cast<std::size_t>((version.*kernel)(batch, found.data(), left.data()) - left.data()));
+      left.resize(static_cast<std::size_t>((version->*kernel)(batch, found.data(), left.data()) - left.data()));
       EXPECT_LE(left.size(), most_left);
       for (const std::uint32_t item : left) found[item] = right[item];
       touching = 0;

@@ -53,10 +53,10 @@ TEST(FindOverlaps, FindsWhatOverlapsOneByOneWithEveryInstructionSet) {
       }
     }
     hits += expected.size();
-    for (const Kernels& version : runnable_kernels()) {
+    for (const Kernels* version : runnable_kernels()) {
       std::vector<std::uint32_t> found(room + 1, 77);
       const std::uint32_t* end =
-          version.find_overlaps(crowd.columns(), box, ranges.data(), ranges.data() + ranges.size(), found.data());
+          version->find_overlaps(crowd.columns(), box, ranges.data(), ranges.data() + ranges.size(), found.data());
       EXPECT_EQ(found.back(), 77U);
       found.resize(static_cast<std::size_t>(end - found.data()));
       EXPECT_EQ(found, expected) << count;

@@ -44,9 +44,9 @@ TEST(MeasureAgain, AgreesWithOneAtATime) {
   for (std::uint32_t count = 0; count < 20; ++count) {
     std::vector<std::uint32_t> items;
     for (std::uint32_t i = 0; i < count; ++i) items.push_back((37 * i + count) % 100);
-    for (const Kernels& version : runnable_kernels()) {
+    for (const Kernels* version : runnable_kernels()) {
       std::vector<PointsAgain> again(count);
-      version.measure_again(contacts.data(), items.data(), count, poses.data(), reach.data(), again.data());
+      version->measure_again(contacts.data(), items.data(), count, poses.data(), reach.data(), again.data());
       for (std::uint32_t i = 0; i < count; ++i) {
         const Contact& contact = contacts[items[i]];
         const Moved a(poses[contact.body_a], contact.found_a);

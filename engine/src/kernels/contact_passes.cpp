@@ -1,0 +1,308 @@
+#include "kernels/contact_frame.h"
+
+namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
+
+namespace {
+
+Lanes inverse(const Lanes& effective) {
+  const Lanes nothing = Lanes::all(0);
+  return select(nothing < effective, Lanes::all(1) / effective, nothing);
+}
+
+Lanes held_by_cone(const Lanes& wanted, const Lanes& load_now, const Lanes& static_friction,
+                   const Lanes& dynamic_friction) {
+  const Lanes most = dynamic_friction * load_now;
+  const Lanes sliding = max(-most, min(most, wanted));
+  return select(max(wanted, -wanted) <= static_friction * load_now, wanted, sliding);
+}
+
+/// Friction at a point, where `who` says.
+template <class Contacts>
+void rub(const Contacts& contacts, PointLanes& p, LanesFrame& frame, const Lanes& normal_impulse,
+         Lanes& tangent_impulse) {
+  const Lanes wanted = tangent_impulse - load(p.tangent_mass) * frame.tangent_velocity(p);
+  const Lanes held =
+      held_by_cone(wanted, normal_impulse, load(contacts.static_friction), load(contacts.dynamic_friction));
+  frame.push_tangent(p, held - tangent_impulse);
+  tangent_impulse = held;
+}
+
+/// How far both bodies have come since the start of the step.
+struct LanesMotion {
+  Lanes a[4], b[4];
+
+  template <class Contacts>
+  LanesMotion(const Contacts& contacts, Real* motion) {
+    Lanes::gather(NamedRows(motion, contacts.a).row, a);
+    Lanes::gather(NamedRows(motion, contacts.b).row, b);
+  }
+  Lanes gap(const PointLanes& p, const Lanes& normal_x, const Lanes& normal_y) const {
+    return load(p.separation) + (normal_x * (b[0] - a[0]) + normal_y * (b[1] - a[1])) +
+           (b[2] * load(p.cross_b) + b[3] * load(p.turn_b)) - (a[2] * load(p.cross_a) + a[3] * load(p.turn_a));
+  }
+};
+
+/// (K + G) d = -(v + bias + G lambda), see Accurate::solve_pair. Lanes where that fails keep what they have.
+struct Pair {
+  Lanes impulse[2];
+  Lanes::Mask holds;
+};
+Pair solve_pair(const ContactLanes<2>& contacts, const LanesFrame& frame, const Lanes impulse[2], const Lanes give[2],
+                const Lanes bias[2]) {
+  const PointLanes& p = contacts.point[0];
+  const PointLanes& q = contacts.point[1];
+  const Lanes one = Lanes::all(1);
+  const Lanes k11 = one / load(p.normal_mass) + give[0];
+  const Lanes k22 = one / load(q.normal_mass) + give[1];
+  const Lanes k12 = frame.mass + frame.inertia_a * load(p.cross_a) * load(q.cross_a) +
+                    frame.inertia_b * load(p.cross_b) * load(q.cross_b);
+  const Lanes determinant = k11 * k22 - k12 * k12;
+  const Lanes wanted_p = -(frame.normal_velocity(p) + bias[0] + give[0] * impulse[0]);
+  const Lanes wanted_q = -(frame.normal_velocity(q) + bias[1] + give[1] * impulse[1]);
+  Pair pair;
+  pair.impulse[0] = impulse[0] + (wanted_p * k22 - k12 * wanted_q) / determinant;
+  pair.impulse[1] = impulse[1] + (k11 * wanted_q - wanted_p * k12) / determinant;
+  // Two points almost in one place: the matrix says nothing about the difference of their loads.
+  const Lanes worst_condition = Lanes::all(1000);
+  const Lanes nothing = Lanes::all(0);
+  pair.holds =
+      (k11 * k22 <= worst_condition * determinant) & (nothing <= pair.impulse[0]) & (nothing <= pair.impulse[1]);
+  return pair;
+}
+
+/// Points one after the other, but for lanes whose pair of points was solved at once.
+template <class Each>
+void push_points(ContactLanes<2>& contacts, LanesFrame& frame, Lanes impulse[2], const Pair& pair, Each wanted) {
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    const Lanes next = select(pair.holds, pair.impulse[i], wanted(i));
+    frame.push_normal(contacts.point[i], next - impulse[i]);
+    impulse[i] = next;
+  }
+}
+
+template <bool block, class Contacts>
+void press(Contacts& contacts, LanesFrame& frame, const Lanes& per_h) {
+  const Lanes nothing = Lanes::all(0);
+  const Lanes strength = load(contacts.strength);
+  const Lanes rate = load(contacts.rate);
+  const Lanes relief = load(contacts.relief);
+  const std::uint32_t points = count_points(contacts);
+  Lanes half[2];
+  Lanes impulse[2];
+  for (std::uint32_t i = 0; i < points; ++i) {
+    half[i] = Lanes::all(Real{1} / 2) * load(contacts.point[i].normal_impulse);
+    impulse[i] = half[i];
+  }
+  const auto spring = [&](std::uint32_t i) {
+    const PointLanes& p = contacts.point[i];
+    const Lanes s = load(p.gap);
+    const Lanes v = frame.normal_velocity(p);
+    const Lanes mass = load(p.normal_mass);
+    const Lanes closing = impulse[i] - mass * (v + s * per_h);
+    const Lanes giving = impulse[i] - (mass * strength * (v + rate * s) + relief * impulse[i]);
+    return max(select(nothing < s, closing, giving), nothing);
+  };
+  if constexpr (block) {
+    Lanes give[2];
+    Lanes bias[2];
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      const PointLanes& p = contacts.point[i];
+      const Lanes s = load(p.gap);
+      give[i] = select(nothing < s, nothing, (Lanes::all(1) / strength - Lanes::all(1)) / load(p.normal_mass));
+      bias[i] = select(nothing < s, s * per_h, rate * s);
+    }
+    push_points(contacts, frame, impulse, solve_pair(contacts, frame, impulse, give, bias), spring);
+  } else {
+    for (std::uint32_t i = 0; i < points; ++i) {
+      const Lanes next = spring(i);
+      frame.push_normal(contacts.point[i], next - impulse[i]);
+      impulse[i] = next;
+    }
+  }
+  if (contacts.any_fresh) {
+    const auto fresh = nothing < load(contacts.fresh);
+    for (std::uint32_t i = 0; i < points; ++i) {
+      PointLanes& p = contacts.point[i];
+      const Lanes half_tangent = Lanes::all(Real{1} / 2) * load(p.tangent_impulse);
+      const Lanes wanted = half_tangent - load(p.tangent_mass) * frame.tangent_velocity(p);
+      const Lanes held =
+          held_by_cone(wanted, impulse[i], load(contacts.static_friction), load(contacts.dynamic_friction));
+      const Lanes next = select(fresh, held, half_tangent);
+      frame.push_tangent(p, next - half_tangent);
+      store(next + half_tangent, p.tangent_impulse);
+    }
+  }
+  // The second half, which the bodies get with the kick after the drift.
+  for (std::uint32_t i = 0; i < points; ++i) store(impulse[i] + half[i], contacts.point[i].normal_impulse);
+}
+
+template <bool block, class Contacts>
+void relax(Contacts& contacts, LanesFrame& frame, const LanesMotion& motion, bool again) {
+  const Lanes nothing = Lanes::all(0);
+  const std::uint32_t points = count_points(contacts);
+  Lanes impulse[2];
+  Lanes before[2];
+  Lanes::Mask idle[2];
+  for (std::uint32_t i = 0; i < points; ++i) {
+    PointLanes& p = contacts.point[i];
+    impulse[i] = load(p.normal_impulse);
+    before[i] = select(again ? nothing <= nothing : nothing < nothing, impulse[i], nothing);
+    const Lanes gap = motion.gap(p, frame.normal_x, frame.normal_y);
+    store(gap, p.gap);
+    idle[i] = (impulse[i] == nothing) & (nothing < gap);
+  }
+  const auto rigid = [&](std::uint32_t i) {
+    const PointLanes& p = contacts.point[i];
+    const Lanes next = max(impulse[i] - load(p.normal_mass) * frame.normal_velocity(p), nothing);
+    return select(idle[i], impulse[i], next);
+  };
+  if constexpr (block) {
+    const Lanes none[2] = {nothing, nothing};
+    Pair pair = solve_pair(contacts, frame, impulse, none, none);
+    pair.holds = pair.holds & !(idle[0] | idle[1]);
+    push_points(contacts, frame, impulse, pair, rigid);
+  } else {
+    for (std::uint32_t i = 0; i < points; ++i) {
+      const Lanes next = rigid(i);
+      frame.push_normal(contacts.point[i], next - impulse[i]);
+      impulse[i] = next;
+    }
+  }
+  for (std::uint32_t i = 0; i < points; ++i) {
+    PointLanes& p = contacts.point[i];
+    const Lanes tangent_before = load(p.tangent_impulse);
+    Lanes tangent_impulse = tangent_before;
+    rub(contacts, p, frame, impulse[i], tangent_impulse);
+    store(impulse[i], p.normal_impulse);
+    store(tangent_impulse, p.tangent_impulse);
+    store(load(p.total_normal) + (impulse[i] - before[i]), p.total_normal);
+    store(load(p.total_tangent) + (again ? tangent_impulse - tangent_before : tangent_impulse), p.total_tangent);
+  }
+}
+
+/// What is to be given again along the normal of now, less what bodies give by themselves.
+void press_discs(DiscLanes& discs, LanesFrame& frame, const Lanes& per_h) {
+  const PointLanes& p = discs.point[0];
+  const Lanes again_x = frame.world_x(load(p.normal_impulse), load(p.tangent_impulse));
+  const Lanes again_y = frame.world_y(load(p.normal_impulse), load(p.tangent_impulse));
+  const Lanes half = Lanes::all(Real{1} / 2);
+  const Lanes lack_x = half * (again_x - load(discs.given_x));
+  const Lanes lack_y = half * (again_y - load(discs.given_y));
+  store(lack_x, discs.lack_x);
+  store(lack_y, discs.lack_y);
+  frame.push_centres(discs, lack_x, lack_y);
+  press<false>(discs, frame, per_h);
+  store(again_x + frame.world_x(frame.normal_sum, frame.tangent_sum), discs.given_x);
+  store(again_y + frame.world_y(frame.normal_sum, frame.tangent_sum), discs.given_y);
+}
+
+/// The normal as the centres are now; the gap is measured along it from the centres.
+void turn_normal(DiscLanes& contacts, const LanesMotion& motion) {
+  const Lanes x = load(contacts.between_x) + (motion.b[0] - motion.a[0]);
+  const Lanes y = load(contacts.between_y) + (motion.b[1] - motion.a[1]);
+  const Lanes length = sqrt(x * x + y * y);
+  const auto apart = Lanes::all(0) < length;
+  const Lanes normal_x = select(apart, x / length, load(contacts.normal_x));
+  const Lanes normal_y = select(apart, y / length, load(contacts.normal_y));
+  store(normal_x, contacts.normal_x);
+  store(normal_y, contacts.normal_y);
+  const Lanes between = normal_x * load(contacts.between_x) + normal_y * load(contacts.between_y);
+  store(between - load(contacts.distance) - load(contacts.offset), contacts.point[0].separation);
+}
+
+LanesFrame relax_discs(DiscLanes& discs, const LanesMotion& motion, Real* velocity, bool again) {
+  turn_normal(discs, motion);
+  LanesFrame frame(discs, velocity);
+  if (!again) frame.push_centres(discs, load(discs.lack_x), load(discs.lack_y));
+  relax<false>(discs, frame, motion, again);
+  store(load(discs.given_x) + frame.world_x(frame.normal_sum, frame.tangent_sum), discs.given_x);
+  store(load(discs.given_y) + frame.world_y(frame.normal_sum, frame.tangent_sum), discs.given_y);
+  return frame;
+}
+
+}  // namespace
+
+void weigh_contacts(const ContactTable& table) {
+  for_all_lanes(table, [](auto& contacts, auto) {
+    const Lanes mass = load(contacts.mass_a) + load(contacts.mass_b);
+    const Lanes inertia_a = load(contacts.inertia_a);
+    const Lanes inertia_b = load(contacts.inertia_b);
+    for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
+      PointLanes& p = contacts.point[i];
+      const auto weigh = [&](const Eight& arm_a, const Eight& arm_b) {
+        return inverse(mass + inertia_a * load(arm_a) * load(arm_a) + inertia_b * load(arm_b) * load(arm_b));
+      };
+      store(weigh(p.cross_a, p.cross_b), p.normal_mass);
+      store(weigh(p.dot_a, p.dot_b), p.tangent_mass);
+    }
+  });
+}
+
+void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
+  const Lanes half = Lanes::all(Real{1} / 2);
+  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
+    LanesFrame frame(contacts, bodies.kick);
+    for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
+      const PointLanes& p = contacts.point[i];
+      frame.push_normal(p, half * load(p.normal_impulse));
+      frame.push_tangent(p, half * load(p.tangent_impulse));
+    }
+    frame.leave(contacts);
+    if constexpr (is_discs<Contacts>) {
+      const Lanes twice = Lanes::all(2);
+      store(twice * frame.world_x(frame.normal_sum, frame.tangent_sum), contacts.given_x);
+      store(twice * frame.world_y(frame.normal_sum, frame.tangent_sum), contacts.given_y);
+    }
+  });
+}
+
+void press_contacts(const ContactTable& table, const BodyRows& bodies, Real h) {
+  const Lanes per_h = Lanes::all(1 / h);
+  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto block) {
+    LanesFrame frame(contacts, bodies.velocity);
+    if constexpr (is_discs<Contacts>) {
+      press_discs(contacts, frame, per_h);
+    } else {
+      press<block>(contacts, frame, per_h);
+    }
+    frame.leave(contacts);
+  });
+}
+
+void relax_contacts(const ContactTable& table, const BodyRows& bodies, bool again) {
+  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto block) {
+    const LanesMotion motion(contacts, bodies.motion);
+    if constexpr (is_discs<Contacts>) {
+      LanesFrame frame = relax_discs(contacts, motion, bodies.velocity, again);
+      frame.leave(contacts);
+    } else {
+      LanesFrame frame(contacts, bodies.velocity);
+      relax<block>(contacts, frame, motion, again);
+      frame.leave(contacts);
+    }
+  });
+}
+
+// See Accurate::settle_offsets.
+void settle_offsets(const ContactTable& table, bool settling) {
+  for_all_lanes(table, [&](auto& contacts, auto) {
+    const Lanes nothing = Lanes::all(0);
+    const Lanes offset = load(contacts.offset);
+    Lanes speed = nothing;
+    Lanes depth = nothing;
+    for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
+      const PointLanes& p = contacts.point[i];
+      const Lanes mass = load(p.normal_mass);
+      speed = speed + select(nothing < mass, load(p.normal_impulse) / mass, nothing);
+      depth = depth - (load(p.gap) + offset);
+    }
+    const Lanes share = Lanes::all(Real{1} / static_cast<Real>(count_points(contacts)));
+    const Lanes explained = speed * share * load(contacts.give);
+    const Lanes rate = load(contacts.offset_rate);
+    const Lanes headroom = Lanes::all(static_cast<Real>(1.05));
+    const Lanes next = max(nothing, min(headroom * explained, offset + rate * depth * share));
+    store(settling ? explained : select(nothing < rate, next, offset), contacts.offset);
+  });
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -1,0 +1,90 @@
+#include "solvers/colouring.h"
+
+#include <algorithm>
+#include <bit>
+#include <tuple>
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+constexpr std::uint32_t width = 8;
+
+/// One bit each. A body with more contacts than there are colours (a drum, a floor that can move) leaves some without:
+/// each of those gets lanes of its own, after all others.
+constexpr std::uint16_t colours = 64;
+constexpr std::uint64_t fixed_colours = ~std::uint64_t{0} << 16;
+
+LanesKind kind_of(const Contact& contact, bool web) {
+  if (contact.discs) return LanesKind::discs;
+  if (contact.count == 1) return LanesKind::one;
+  // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
+  return web ? LanesKind::two : LanesKind::block;
+}
+
+}  // namespace
+
+void Colouring::assign(const StepData& data, const Partition& parts, const Island& island) {
+  choose(data, parts, island);
+  place();
+}
+
+void Colouring::choose(const StepData& data, const Partition& parts, const Island& island) {
+  const BodySet& bodies = data.bodies;
+  const auto pushable = [&](std::uint32_t i) { return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0; };
+  // Only what the island names is touched.
+  taken_.resize(bodies.size());
+  for (const std::uint32_t body : island.bodies) taken_[body] = 0;
+  slots_.clear();
+  for (const std::uint32_t c : island.contacts) {
+    const Contact& contact = data.contacts[c];
+    const bool pushes_a = pushable(contact.body_a);
+    const bool pushes_b = pushable(contact.body_b);
+    std::uint64_t free = pushes_a && pushes_b ? ~std::uint64_t{0} : fixed_colours;
+    if (pushes_a) free &= ~taken_[contact.body_a];
+    if (pushes_b) free &= ~taken_[contact.body_b];
+    const auto colour = static_cast<std::uint16_t>(std::countr_zero(free));
+    const std::uint64_t bit = free & (~free + 1);
+    if (pushes_a) taken_[contact.body_a] |= bit;
+    if (pushes_b) taken_[contact.body_b] |= bit;
+    const bool web = parts.in_web(contact.body_a) || parts.in_web(contact.body_b);
+    slots_.push_back({c, colour, kind_of(contact, web), web, 0});
+  }
+}
+
+void Colouring::place() {
+  const auto group = [](const Slot& slot) { return slot.colour * kinds + static_cast<std::size_t>(slot.kind); };
+  next_.assign((colours + 1) * kinds, 0);
+  for (const Slot& slot : slots_) ++next_[group(slot)];
+  runs_.clear();
+  std::fill_n(count_, kinds, 0);
+  for (std::size_t g = 0; g < next_.size(); ++g) {
+    const auto kind = static_cast<LanesKind>(g % kinds);
+    std::uint32_t& end = count_[g % kinds];
+    const std::uint32_t begin = end;
+    const bool alone = g / kinds == colours;
+    end += alone ? next_[g] : (next_[g] + width - 1) / width;
+    next_[g] = begin * width;
+    if (alone) {
+      for (std::uint32_t i = begin; i < end; ++i) runs_.push_back({kind, i, i + 1});
+    } else if (begin < end) {
+      runs_.push_back({kind, begin, end});
+    }
+  }
+  for (Slot& slot : slots_) {
+    std::uint32_t& next = next_[group(slot)];
+    slot.at = next;
+    next += slot.colour == colours ? width : 1;
+  }
+}
+
+std::span<const std::uint32_t> Colouring::order() {
+  order_.clear();
+  std::stable_sort(slots_.begin(), slots_.end(), [](const Slot& left, const Slot& right) {
+    return std::tie(left.colour, left.kind) < std::tie(right.colour, right.kind);
+  });
+  for (const Slot& slot : slots_) order_.push_back(slot.contact);
+  return order_;
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION
