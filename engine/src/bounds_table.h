@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -9,7 +10,7 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Bounds to be searched, eight at a time.
+/// Bounds to be searched, eight at a time, with the ways of what they hold (see Proxy).
 class BoundsTable {
  public:
   BoundsTable() = default;
@@ -17,27 +18,32 @@ class BoundsTable {
   BoundsTable& operator=(const BoundsTable&) = delete;
 
   void resize(std::size_t count) {
-    for (std::vector<Real>* column : {&low_x_, &low_y_, &high_x_, &high_y_}) column->resize(count + 8);
-    columns_ = {low_x_.data(), low_y_.data(), high_x_.data(), high_y_.data()};
+    for (std::vector<Real>& column : held_) column.resize(count + 8);
+    columns_ = {held_[0].data(), held_[1].data(), held_[2].data(), held_[3].data(),
+                held_[4].data(), held_[5].data(), held_[6].data()};
   }
-  void set(std::uint32_t i, const Aabb& bounds) {
-    low_x_[i] = bounds.low.x;
-    low_y_[i] = bounds.low.y;
-    high_x_[i] = bounds.high.x;
-    high_y_[i] = bounds.high.y;
+  void set(std::uint32_t i, const Aabb& bounds, const Way& way) {
+    held_[0][i] = bounds.low.x;
+    held_[1][i] = bounds.low.y;
+    held_[2][i] = bounds.high.x;
+    held_[3][i] = bounds.high.y;
+    held_[4][i] = way.by.x;
+    held_[5][i] = way.by.y;
+    held_[6][i] = way.length;
   }
-  Aabb at(std::uint32_t i) const { return {{low_x_[i], low_y_[i]}, {high_x_[i], high_y_[i]}}; }
+  Aabb bounds(std::uint32_t i) const { return {{held_[0][i], held_[1][i]}, {held_[2][i], held_[3][i]}}; }
+  Way way(std::uint32_t i) const { return {{held_[4][i], held_[5][i]}, held_[6][i]}; }
 
-  /// Which of those in some ranges overlap the box, range by range. Valid until the next search.
-  std::span<const std::uint32_t> overlapping(const Aabb& box, std::initializer_list<Range> ranges) {
+  /// Which of those in some ranges are within reach of the box, range by range. Valid until the next search.
+  std::span<const std::uint32_t> within_reach(const Aabb& box, const Way& way, std::initializer_list<Range> ranges) {
     std::size_t room = 8;
     for (const Range& range : ranges) room += range.end - range.begin;
     if (found_.size() < room) found_.resize(2 * room);
-    return {found_.data(), find_overlaps_(columns_, box, ranges.begin(), ranges.end(), found_.data())};
+    return {found_.data(), find_overlaps_(columns_, box, way, ranges.begin(), ranges.end(), found_.data())};
   }
 
  private:
-  std::vector<Real> low_x_, low_y_, high_x_, high_y_;
+  std::array<std::vector<Real>, 7> held_;
   BoundsColumns columns_{};
   std::vector<std::uint32_t> found_;
   FindOverlaps* find_overlaps_ = kernels().find_overlaps;

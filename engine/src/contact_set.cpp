@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "closing.h"
-#include "collide.h"
+#include "contact_order.h"
 #include "ghosts.h"
 #include "stages.h"
 
@@ -15,42 +15,10 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-auto key(const Contact& c) { return std::tie(c.body_a, c.body_b, c.part_a, c.part_b); }
-
-/// The order of contacts as two numbers.
-struct Key {
-  std::uint64_t bodies;
-  std::uint32_t parts;
-
-  explicit Key(const Contact& c) : Key(c.body_a, c.body_b, c.part_a, c.part_b) {}
-  Key(const Proxy& a, const Proxy& b) : Key(a.body, b.body, a.part, b.part) {}
-  Key(std::uint32_t a, std::uint32_t b, std::uint16_t part_a, std::uint16_t part_b)
-      : bodies(std::uint64_t{a} << 32U | b), parts(std::uint32_t{part_a} << 16U | part_b) {}
-  bool operator<(const Key& other) const {
-    return bodies != other.bodies ? bodies < other.bodies : parts < other.parts;
-  }
-  bool operator==(const Key&) const = default;
-};
-
-bool in_order(const Contact& left, const Contact& right) { return key(left) < key(right); }
+bool in_order(const Contact& left, const Contact& right) { return ContactOrder(left) < ContactOrder(right); }
 
 bool of_sleepers(const Contact& c, const BodySet& bodies) {
   return bodies.asleep[c.body_a] != 0 || bodies.asleep[c.body_b] != 0;
-}
-
-/// m, of both bodies' motion together since the points were found; and the points count as touching (m) up to here.
-constexpr Real recycled_motion = static_cast<Real>(0.01);
-constexpr Real recycled_gap = static_cast<Real>(0.005);
-
-/// Instead of a count of points found: those of the contact's last step stay, with separations measured again.
-constexpr std::int32_t kept = -1;
-
-bool may_keep(const Contact& contact) {
-  if (contact.discs) return false;
-  for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
-    if (contact.points[p].separation > recycled_gap) return false;
-  }
-  return true;
 }
 
 void keep_points(Contact& contact, const PairPoints& again) {
@@ -113,168 +81,45 @@ void carry_impulses(Contact& contact, const Contact& last) {
 
 }  // namespace
 
-void ContactSet::find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
-                      bool recycle, const JointSet& joints) {
-  const Step step{bodies, broad_phase, settings, margin, recycle, joints};
-  const bool same_rules = mixed_by_ && mixed_by_->friction == settings.friction_mixing &&
-                          mixed_by_->restitution == settings.restitution_mixing;
-  if (!same_rules) mix_again(bodies, settings);
-  knocks_.assign(bodies.size(), 0);
-  search(step);
-  // Once: what a third body is handed on within the same step is little.
-  if (margin.time > 0 && foresee_knocks(step)) search(step);
-  end_stage("foresee knocks");
-  write_rows(step);
+void ContactSet::find(const SearchInput& input) {
+  const bool same_rules = mixed_by_ && mixed_by_->friction == input.settings.friction_mixing &&
+                          mixed_by_->restitution == input.settings.restitution_mixing;
+  if (!same_rules) mix_again(input.bodies, input.settings);
+  search_.search(input, rows_);
+  write_rows(input);
   end_stage("write rows");
-  remove_ghosts(bodies, margin);
+  remove_ghosts(input.bodies, input.margin);
   end_stage("remove ghosts");
 }
 
-void ContactSet::search(const Step& step) {
-  shapes_.update(step.bodies, step.margin, knocks_);
-  end_stage("collect proxies");
-  step.broad_phase.find_pairs(shapes_.proxies(), pairs_);
-  end_stage("find pairs");
-  sort_pairs(step.bodies.size());
-  leave_out_tied(step.joints);
-  end_stage("sort pairs");
-  match();
-  end_stage("match");
-  found_.resize(pairs_.size());
-  keep_points_of_resting(step);
-  end_stage("recycle");
-  narrow_phase_.collide(step.bodies, shapes_, step.margin, pairs_, to_collide_, found_.data());
-  end_stage("collide pairs");
-}
-
-// Pairs come in order of (body_a, part_a, body_b, part_b): right already where no body has several parts.
-void ContactSet::sort_pairs(std::size_t bodies) {
-  if (!shapes_.several_parts()) return;
-  const std::span<const Proxy> proxies = shapes_.proxies();
-  order_.stable_sort(bodies, pairs_, [proxies](const Pair& pair) { return proxies[pair.second].body; });
-  order_.stable_sort(bodies, pairs_, [proxies](const Pair& pair) { return proxies[pair.first].body; });
-}
-
-void ContactSet::leave_out_tied(const JointSet& joints) {
-  if (joints.tied().empty()) return;
-  const std::span<const Proxy> proxies = shapes_.proxies();
-  std::erase_if(pairs_,
-                [&](const Pair& pair) { return joints.ties(proxies[pair.first].body, proxies[pair.second].body); });
-}
-
-/// Both lists are in one order: one walk along both.
-void ContactSet::match() {
-  const std::span<const Proxy> proxies = shapes_.proxies();
-  last_of_.resize(pairs_.size());
-  std::uint32_t last = 0;
-  const auto end = static_cast<std::uint32_t>(rows_.size());
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const Key wanted(proxies[pairs_[i].first], proxies[pairs_[i].second]);
-    while (last < end && Key(rows_[last]) < wanted) ++last;
-    const bool known = last < end && Key(rows_[last]) == wanted;
-    last_of_[i] = known ? last : none;
-    last += known ? 1 : 0;
-  }
-}
-
-void ContactSet::keep_points_of_resting(const Step& step) {
-  to_keep_.clear();
-  to_collide_.clear();
-  again_of_.clear();
-  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
-    if (step.recycle && last_of_[i] != none && may_keep(rows_[last_of_[i]])) {
-      to_keep_.push_back(i);
-      again_of_.push_back(last_of_[i]);
-    } else {
-      to_collide_.push_back(i);
-    }
-  }
-  if (to_keep_.empty()) return;
-  again_.resize(to_keep_.size());
-  kernels().measure_again(rows_.data(), again_of_.data(), static_cast<std::uint32_t>(again_of_.size()),
-                          step.bodies.pose.data(), step.bodies.reach.data(), again_.data());
-  for (std::size_t i = 0; i < to_keep_.size(); ++i) {
-    if (again_[i].motion < recycled_motion) {
-      PairPoints& found = found_[to_keep_[i]];
-      found.count = kept;
-      found.separation[0] = again_[i].separation[0];
-      found.separation[1] = again_[i].separation[1];
-    } else {
-      to_collide_.push_back(to_keep_[i]);
-    }
-  }
-}
-
-/// Two bodies that meet at a speed u change each other's by (1 + e) u mB / (mA + mB) at most. What is struck within the
-/// step may then meet others than those it was on its way to: a disc thrown back into its followers, the next in a
-/// stack that lands. Whether that takes any farther than the margin already allows for.
-bool ContactSet::foresee_knocks(const Step& step) {
-  const BodySet& bodies = step.bodies;
-  const Margin& margin = step.margin;
-  const Real felt = margin.distance / 2;
-  bool farther = false;
-  const auto knock = [&](std::size_t i, Real change) {
-    if (margin.time * change <= felt) return;
-    knocks_[i] = std::max(knocks_[i], change);
-    farther = true;
-  };
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const PairPoints& found = found_[i];
-    if (found.count == 0) continue;
-    const ShapeRecord& record_a = shapes_.records()[pairs_[i].first];
-    const ShapeRecord& record_b = shapes_.records()[pairs_[i].second];
-    const bool stays = found.count == kept;
-    const Vec2 normal = stays ? rows_[last_of_[i]].normal : Vec2{found.normal[0], found.normal[1]};
-    Real gap = found.separation[0];
-    if ((stays ? rows_[last_of_[i]].count : found.count) == 2) gap = std::min(gap, found.separation[1]);
-    const Real apart = dot(normal, record_b.velocity - record_a.velocity);
-    const Real turning = record_a.rim + record_b.rim;
-    const Real speed = turning - apart;
-    if (margin.time * speed <= std::max(gap, felt)) continue;
-    const std::size_t a = shapes_.proxies()[pairs_[i].first].body;
-    const std::size_t b = shapes_.proxies()[pairs_[i].second].body;
-    const Real mass_a = bodies.inverse_mass[a].m;
-    const Real mass_b = bodies.inverse_mass[b].m;
-    const Real restitution = mix(step.settings.restitution_mixing, shapes_.part(pairs_[i].first).material.restitution,
-                                 shapes_.part(pairs_[i].second).material.restitution);
-    const Real change = (1 + restitution) * speed / (mass_a + mass_b);
-    knock(a, change * mass_a);
-    knock(b, change * mass_b);
-  }
-  return farther;
-}
-
-void ContactSet::write_rows(const Step& step) {
+void ContactSet::write_rows(const SearchInput& input) {
   std::swap(rows_, last_rows_);
-  rows_.resize(static_cast<std::size_t>(
-      std::count_if(found_.begin(), found_.end(), [](const PairPoints& found) { return found.count != 0; })));
+  rows_.resize(search_.touching().size());
   on_ground_.clear();
   std::size_t next = 0;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const PairPoints& found = found_[i];
-    if (found.count == 0) continue;
-    const Proxy& a = shapes_.proxies()[pairs_[i].first];
-    const Proxy& b = shapes_.proxies()[pairs_[i].second];
-    if (a.moves != b.moves && !step.bodies.stirs(a.moves ? b.body : a.body)) {
+  for (const std::uint32_t pair : search_.touching()) {
+    const Proxy& a = search_.first(pair);
+    const Proxy& b = search_.second(pair);
+    if (a.moves != b.moves && !input.bodies.stirs(a.moves ? b.body : a.body)) {
       const Proxy& moving = a.moves ? a : b;
       on_ground_.push_back({moving.body, moving.part, a.moves, next});
     }
     Contact& row = rows_[next++];
-    if (last_of_[i] == none) {
-      const Part& part_a = shapes_.part(pairs_[i].first);
-      const Part& part_b = shapes_.part(pairs_[i].second);
+    if (search_.last_of(pair) == ContactSearch::none) {
+      const Part& part_a = search_.first_part(pair);
+      const Part& part_b = search_.second_part(pair);
       row = begin(a, b, part_a.shape, part_b.shape);
-      mix_materials(row, part_a.material, part_b.material, step.settings);
-      take_points(row, step.bodies, found);
+      mix_materials(row, part_a.material, part_b.material, input.settings);
+      take_points(row, input.bodies, search_.points(pair));
       continue;
     }
-    const Contact& last = last_rows_[last_of_[i]];
+    const Contact& last = last_rows_[search_.last_of(pair)];
     row = last;
     ++row.age;
-    if (found.count == kept) {
-      keep_points(row, found);
+    if (search_.keeps(pair)) {
+      keep_points(row, search_.points(pair));
     } else {
-      take_points(row, step.bodies, found);
+      take_points(row, input.bodies, search_.points(pair));
       carry_impulses(row, last);
     }
   }

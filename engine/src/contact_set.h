@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "body_set.h"
-#include "broad_phase.h"
 #include "contact.h"
+#include "contact_search.h"
 #include "impulse/settings.h"
-#include "joint_set.h"
-#include "kernels.h"
-#include "narrow_phase.h"
-#include "pair_order.h"
-#include "shape_table.h"
 #include "solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -25,8 +20,7 @@ class ContactSet {
   /// With `recycle`, a contact whose bodies hardly moved since its points were found keeps normal and arms as they were
   /// and only measures its separations anew. That is stability, not thrift: arms that turn with every tremor make the
   /// stiffness of a stack depend on its lean, and a tall one buckles.
-  void find(const BodySet& bodies, BroadPhase& broad_phase, const Settings& settings, const Margin& margin,
-            bool recycle, const JointSet& joints);
+  void find(const SearchInput& input);
 
   /// Forgets the contacts of a body.
   void forget(std::size_t body);
@@ -46,22 +40,7 @@ class ContactSet {
   std::vector<const Contact*> all() const;
 
  private:
-  /// What a search is given.
-  struct Step {
-    const BodySet& bodies;
-    BroadPhase& broad_phase;
-    const Settings& settings;
-    const Margin& margin;
-    bool recycle;
-    const JointSet& joints;
-  };
-  void search(const Step& step);
-  void sort_pairs(std::size_t bodies);
-  void leave_out_tied(const JointSet& joints);
-  void match();
-  void keep_points_of_resting(const Step& step);
-  bool foresee_knocks(const Step& step);
-  void write_rows(const Step& step);
+  void write_rows(const SearchInput& input);
   void mix_again(const BodySet& bodies, const Settings& settings);
 
   /// One that has a dynamic body and one that stands still.
@@ -79,22 +58,11 @@ class ContactSet {
     FrictionMixing friction;
     RestitutionMixing restitution;
   };
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  ShapeTable shapes_;
-  std::vector<Pair> pairs_;
-  PairOrder order_;
-  std::vector<std::uint32_t> last_of_;     // row of each pair in the last step, or none
-  std::vector<std::uint32_t> to_keep_;     // pairs whose points may stay
-  std::vector<std::uint32_t> again_of_;    // their rows
-  std::vector<PointsAgain> again_;         // and points
-  std::vector<std::uint32_t> to_collide_;  // other pairs
-  NarrowPhase narrow_phase_;
-  std::vector<PairPoints> found_;  // of each pair
+  ContactSearch search_;
   std::vector<Contact> rows_;
   std::vector<Contact> last_rows_;
   std::optional<Mixing> mixed_by_;
-  std::vector<Real> knocks_;  // m/s, by which each body's velocity may change within the step when it is struck
   std::vector<OnGround> on_ground_;
   std::vector<OnGround> supports_;
   std::vector<Contact> resting_;

@@ -14,38 +14,50 @@ ShapeKind kind_of(const Shape& shape) {
 
 }  // namespace
 
-void ShapeTable::update(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks) {
+void ShapeTable::update(const BodySet& bodies, const Margin& margin) {
   if (part_changes_ != bodies.part_changes || sleep_changes_ != bodies.sleep_changes) list(bodies);
+  for (std::size_t i = 0; i < proxies_.size(); ++i) place(i, bodies, margin, 0);
+}
+
+void ShapeTable::grow(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks) {
   for (std::size_t i = 0; i < proxies_.size(); ++i) {
-    const Still& still = still_[i];
-    const std::size_t body = proxies_[i].body;
-    const Pose& pose = bodies.pose[body];
-    ShapeRecord& record = records_[i];
-    record.position = pose.p;
-    record.velocity = bodies.velocity[body].v;
-    record.rim = rim_speed(bodies, body);
-    record.knock = knocks[body];
-    record.size = still.size;
-    Aabb bounds;
-    switch (still.kind) {
-      case ShapeKind::box:
-        record.offset = pose.q * still.centroid;
-        record.turn = pose.q * still.turn;
-        bounds = box_bounds(record.position + record.offset, record.turn, still.size);
-        break;
-      case ShapeKind::disc: {
-        record.offset = still.centroid;
-        record.turn = pose.q;
-        const Vec2 center = to_world(pose, still.centroid);
-        bounds = grown(Aabb{center, center}, still.size.x);
-        break;
-      }
-      case ShapeKind::other:
-        bounds = still.part->shape.bounds(pose);
-        break;
-    }
-    proxies_[i].bounds = grown(bounds, margin.distance / 2 + travel(bodies, body, margin) + margin.time * record.knock);
+    const Real knock = knocks[proxies_[i].body];
+    if (knock > 0) place(i, bodies, margin, knock);
   }
+}
+
+void ShapeTable::place(std::size_t i, const BodySet& bodies, const Margin& margin, Real knock) {
+  const Still& still = still_[i];
+  const std::size_t body = proxies_[i].body;
+  const Pose& pose = bodies.pose[body];
+  ShapeRecord& record = records_[i];
+  record.position = pose.p;
+  record.velocity = bodies.velocity[body].v;
+  record.rim = rim_speed(bodies, body);
+  record.knock = knock;
+  record.size = still.size;
+  Aabb bounds;
+  switch (still.kind) {
+    case ShapeKind::box:
+      record.offset = pose.q * still.centroid;
+      record.turn = pose.q * still.turn;
+      bounds = box_bounds(record.position + record.offset, record.turn, still.size);
+      break;
+    case ShapeKind::disc: {
+      record.offset = still.centroid;
+      record.turn = pose.q;
+      const Vec2 center = to_world(pose, still.centroid);
+      bounds = grown(Aabb{center, center}, still.size.x);
+      break;
+    }
+    case ShapeKind::other:
+      bounds = still.part->shape.bounds(pose);
+      break;
+  }
+  const Real speed = length(record.velocity);
+  const Real by = margin.distance / 2 + margin.time * (speed + record.rim);
+  proxies_[i].bounds = grown(bounds, by + margin.time * knock);
+  proxies_[i].way = {margin.time * record.velocity, margin.time * speed};
 }
 
 void ShapeTable::list(const BodySet& bodies) {
@@ -68,7 +80,8 @@ void ShapeTable::list(const BodySet& bodies) {
                           static_cast<std::uint32_t>(i),
                           static_cast<std::uint16_t>(p),
                           body.def.type == BodyType::dynamic,
-                          body.def.layers});
+                          body.def.layers,
+                          {}});
     }
   }
   records_.resize(proxies_.size());

@@ -18,9 +18,10 @@ enum class ShapeKind : std::uint8_t { box, disc, other };
 /// them, put together once a step, so that it need not visit the bodies for every pair.
 class ShapeTable {
  public:
-  /// As the bodies stand and move now, each changed in its velocity by up to `knocks` (m/s) within the step. Bounds are
-  /// grown by what the margin then lets a body reach.
-  void update(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks);
+  /// As the bodies stand and move now. Bounds are grown by what the margin lets a body reach.
+  void update(const BodySet& bodies, const Margin& margin);
+  /// Bodies may change their velocities within the step by these (m/s, of each body): those above 0 reach farther.
+  void grow(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks);
 
   std::span<const Proxy> proxies() const { return proxies_; }
   std::span<const ShapeRecord> records() const { return records_; }
@@ -38,6 +39,7 @@ class ShapeTable {
     ShapeKind kind;
   };
   void list(const BodySet& bodies);
+  void place(std::size_t i, const BodySet& bodies, const Margin& margin, Real knock);
 
   std::vector<Still> still_;
   std::vector<Proxy> proxies_;

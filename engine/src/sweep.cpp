@@ -139,7 +139,7 @@ void Sweep::find_immovable(const BodySet& bodies) {
     for (const Part& part : body.parts) immovable_.push_back(path.bounds(part.shape, bodies.reach[i]));
   }
   immovable_bounds_.resize(immovable_.size());
-  for (std::uint32_t i = 0; i < immovable_.size(); ++i) immovable_bounds_.set(i, immovable_[i]);
+  for (std::uint32_t i = 0; i < immovable_.size(); ++i) immovable_bounds_.set(i, immovable_[i], {});
 }
 
 /// No bounds of a path stick out of its ends by more than three times the body's reach; a fourth is for rounding.
@@ -149,7 +149,7 @@ bool Sweep::may_meet_immovable(const BodySet& bodies, std::size_t i) {
   const Vec2 end = bodies.pose[i].p;
   const Aabb way = grown(Aabb{min(start_[i].p, end), max(start_[i].p, end)}, 4 * bodies.reach[i]);
   const auto count = static_cast<std::uint32_t>(immovable_.size());
-  return !immovable_bounds_.overlapping(way, {{0, count}}).empty();
+  return !immovable_bounds_.within_reach(way, {}, {{0, count}}).empty();
 }
 
 void Sweep::find_pairs(const BodySet& bodies) {
@@ -162,8 +162,12 @@ void Sweep::find_pairs(const BodySet& bodies) {
     if (!meets_movable_ && body.def.type == BodyType::dynamic && !(fast && may_meet_immovable(bodies, i))) continue;
     const Path path = this->path(bodies, i);
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
-      proxies_.push_back({path.bounds(body.parts[p].shape, bodies.reach[i]), static_cast<std::uint32_t>(i),
-                          static_cast<std::uint16_t>(p), fast, body.def.layers});
+      proxies_.push_back({path.bounds(body.parts[p].shape, bodies.reach[i]),
+                          static_cast<std::uint32_t>(i),
+                          static_cast<std::uint16_t>(p),
+                          fast,
+                          body.def.layers,
+                          {}});
     }
   }
   broad_phase_->find_pairs(proxies_, pairs_);

@@ -29,7 +29,7 @@ void World::step() {
     return;
   }
   end_stage("begin");
-  s.contacts.find(s.bodies, *s.broad_phase, s.settings, margin, s.solver->recycles(), s.joints);
+  s.contacts.find({s.bodies, *s.broad_phase, s.settings, margin, s.solver->recycles(), s.joints});
   StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator,
                 s.settings, *s.workers};
   end_stage("activate joints");

@@ -29,7 +29,7 @@ std::vector<Pair> expected_of(const Proxies& proxies) {
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < proxies.size(); ++i) {
     for (std::uint32_t j = i + 1; j < proxies.size(); ++j) {
-      if (overlap(proxies[i].bounds, proxies[j].bounds) && may_collide(proxies[i], proxies[j])) pairs.push_back({i, j});
+      if (within_reach(proxies[i], proxies[j]) && may_collide(proxies[i], proxies[j])) pairs.push_back({i, j});
     }
   }
   return pairs;
@@ -49,12 +49,14 @@ Proxies make_proxies(const Crowd& crowd, unsigned seed) {
     const bool moves = random.number(0, 1) < 0.8_r;
     const std::uint32_t layers = random.number(0, 1) < 0.7_r ? ~0U : 1U << static_cast<unsigned>(random.number(0, 3.9));
     const int parts = random.number(0, 1) < 0.8_r ? 1 : 3;
+    const Vec2 by = random.number(0, 1) < 0.5_r ? Vec2{} : random.point(crowd.smallest);
+    const Way way{by, length(by)};
     for (int part = 0; part < parts; ++part) {
       const Real half = static_cast<Real>(
           crowd.smallest * std::pow(crowd.largest / crowd.smallest, static_cast<double>(random.number(0, 1))));
       const Vec2 at = center + random.point(static_cast<double>(half));
       proxies.push_back(
-          {{at - Vec2{half, half}, at + Vec2{half, half}}, body, static_cast<std::uint16_t>(part), moves, layers});
+          {{at - Vec2{half, half}, at + Vec2{half, half}}, body, static_cast<std::uint16_t>(part), moves, layers, way});
     }
   }
   return proxies;
@@ -108,12 +110,44 @@ TEST_P(EveryBroadPhase, FollowsBodiesThatMoveComeAndGo) {
   }
 }
 
+TEST_P(EveryBroadPhase, FindsThePairsOfThoseThatAreChosen) {
+  RandomShapes random(6);
+  for (const Crowd& crowd : crowds) {
+    const Proxies proxies = make_proxies(crowd, 1);
+    std::vector<std::uint8_t> chosen(proxies.size());
+    for (std::uint8_t& one : chosen) one = random.number(0, 1) < 0.2_r ? 1 : 0;
+    std::vector<Pair> expected = expected_of(proxies);
+    std::erase_if(expected, [&](const Pair& pair) { return (chosen[pair.first] | chosen[pair.second]) == 0; });
+    std::vector<Pair> pairs{{7, 3}};
+    MethodList<BroadPhase>::make(GetParam())->find_pairs_of(proxies, chosen, pairs);
+    ASSERT_EQ(pairs, expected) << crowd.bodies << " bodies";
+  }
+}
+
+/// What goes the same way needs to be near already.
+TEST_P(EveryBroadPhase, LeavesOutWhatGoesTheSameWay) {
+  const auto going = [](Real x, std::uint32_t body, Vec2 by) {
+    const Way way{by, length(by)};
+    return Proxy{grown({{x, 0}, {x + 1, 1}}, way.length), body, 0, true, 1, way};
+  };
+  const auto meet = [&](Real x, Vec2 by) {
+    return pairs_of(GetParam(), {going(0, 0, {2, 0}), going(x, 1, by)}).size();
+  };
+  EXPECT_EQ(meet(0.9_r, {2, 0}), 1U);
+  EXPECT_EQ(meet(1.1_r, {2, 0}), 0U);
+  EXPECT_EQ(meet(4.9_r, {-2, 0}), 1U);
+  EXPECT_EQ(meet(5.1_r, {-2, 0}), 0U);
+  EXPECT_EQ(meet(2.9_r, {}), 1U);
+  EXPECT_EQ(meet(3.1_r, {}), 0U);
+}
+
 TEST_P(EveryBroadPhase, PairsOnlyWhatMayCollide) {
   const Aabb place{{0, 0}, {1, 1}};
-  EXPECT_THAT(pairs_of(GetParam(), {{place, 0, 0, true, 1}, {place, 1, 0, true, 3}}), testing::ElementsAre(Pair{0, 1}));
-  EXPECT_THAT(pairs_of(GetParam(), {{place, 0, 0, true, 1}, {place, 1, 0, true, 2}}), testing::IsEmpty());
-  EXPECT_THAT(pairs_of(GetParam(), {{place, 0, 0, false, 1}, {place, 1, 0, false, 1}}), testing::IsEmpty());
-  EXPECT_THAT(pairs_of(GetParam(), {{place, 0, 0, true, 1}, {place, 0, 1, true, 1}}), testing::IsEmpty());
+  EXPECT_THAT(pairs_of(GetParam(), {{place, 0, 0, true, 1, {}}, {place, 1, 0, true, 3, {}}}),
+              testing::ElementsAre(Pair{0, 1}));
+  EXPECT_THAT(pairs_of(GetParam(), {{place, 0, 0, true, 1, {}}, {place, 1, 0, true, 2, {}}}), testing::IsEmpty());
+  EXPECT_THAT(pairs_of(GetParam(), {{place, 0, 0, false, 1, {}}, {place, 1, 0, false, 1, {}}}), testing::IsEmpty());
+  EXPECT_THAT(pairs_of(GetParam(), {{place, 0, 0, true, 1, {}}, {place, 0, 1, true, 1, {}}}), testing::IsEmpty());
 }
 
 TEST_P(EveryBroadPhase, SurvivesBoundsThatAreEndlessOrNotNumbers) {

@@ -32,7 +32,7 @@ struct Heap {
     return add(def, std::span(&part, 1));
   }
   std::vector<Contact>& find() {
-    contacts.find(bodies, *broad_phase, settings, margin, recycle, joints);
+    contacts.find({bodies, *broad_phase, settings, margin, recycle, joints});
     return contacts.rows();
   }
 };

@@ -16,6 +16,10 @@ class Auto : public BroadPhase {
   void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) override {
     choose(proxies).find_pairs(proxies, pairs);
   }
+  void find_pairs_of(std::span<const Proxy> proxies, std::span<const std::uint8_t> chosen,
+                     std::vector<Pair>& pairs) override {
+    choose(proxies).find_pairs_of(proxies, chosen, pairs);
+  }
 
  private:
   BroadPhase& choose(std::span<const Proxy> proxies) {

@@ -14,9 +14,9 @@ class Brute : public BroadPhase {
     pairs.clear();
     const auto count = static_cast<std::uint32_t>(proxies.size());
     bounds_.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) bounds_.set(i, proxies[i].bounds);
+    for (std::uint32_t i = 0; i < count; ++i) bounds_.set(i, proxies[i].bounds, proxies[i].way);
     for (std::uint32_t i = 0; i < count; ++i) {
-      for (const std::uint32_t j : bounds_.overlapping(proxies[i].bounds, {{i + 1, count}})) {
+      for (const std::uint32_t j : bounds_.within_reach(proxies[i].bounds, proxies[i].way, {{i + 1, count}})) {
         if (may_collide(proxies[i], proxies[j])) pairs.push_back({i, j});
       }
     }

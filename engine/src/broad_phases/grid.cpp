@@ -30,6 +30,17 @@ class Grid : public BroadPhase {
     order_.sort(proxies.size(), pairs);
   }
 
+  void find_pairs_of(std::span<const Proxy> proxies, std::span<const std::uint8_t> chosen,
+                     std::vector<Pair>& pairs) override {
+    pairs.clear();
+    lay_out(proxies);
+    fill(proxies);
+    for (std::uint32_t i = 0; i < proxies.size(); ++i) {
+      if (chosen[i] != 0) meet_others(i, proxies[i], chosen, pairs);
+    }
+    order_.sort(proxies.size(), pairs);
+  }
+
  private:
   // Puts each proxy into its bucket, or among the large.
   void lay_out(std::span<const Proxy> proxies) {
@@ -78,7 +89,7 @@ class Grid : public BroadPhase {
     for (std::uint32_t b = 1; b <= repeated; ++b) start_[buckets_ + b] = count_ + start_[b];
     for (std::uint32_t q = 0; q < start_[repeated]; ++q) {
       items_[count_ + q] = items_[q];
-      bounds_.set(count_ + q, bounds_.at(q));
+      bounds_.set(count_ + q, bounds_.bounds(q), bounds_.way(q));
     }
     first_large_ = end_ = count_ + start_[repeated];
     for (const std::uint32_t large : large_) put(end_++, proxies[large], large);
@@ -86,7 +97,7 @@ class Grid : public BroadPhase {
 
   void put(std::uint32_t at, const Proxy& proxy, std::uint32_t i) {
     items_[at] = {i, proxy.body, proxy.layers, proxy.moves};
-    bounds_.set(at, proxy.bounds);
+    bounds_.set(at, proxy.bounds, proxy.way);
   }
 
   // Half of the neighbourhood, for each pair of cells meets once: the rest of the own cell with the one to the right,
@@ -94,18 +105,40 @@ class Grid : public BroadPhase {
   void meet_around(std::uint32_t bucket, std::vector<Pair>& pairs) {
     const std::uint32_t above = (bucket + pitch_ - 1) & (buckets_ - 1);
     for (std::uint32_t q = start_[bucket]; q < start_[bucket + 1]; ++q) {
-      for (const std::uint32_t other :
-           bounds_.overlapping(bounds_.at(q), {{q + 1, start_[bucket + 2]}, {start_[above], start_[above + 3]}})) {
+      for (const std::uint32_t other : around(q, {{q + 1, start_[bucket + 2]}, {start_[above], start_[above + 3]}})) {
         report(items_[q], items_[other], pairs);
       }
     }
   }
 
+  // All around, or all. Of two that are chosen the first reports.
+  void meet_others(std::uint32_t i, const Proxy& proxy, std::span<const std::uint8_t> chosen,
+                   std::vector<Pair>& pairs) {
+    const auto row = [this](std::uint32_t middle) {
+      const std::uint32_t left = (middle - 1) & (buckets_ - 1);
+      return Range{start_[left], start_[left + 3]};
+    };
+    const Item own{i, proxy.body, proxy.layers, proxy.moves};
+    const std::uint32_t bucket = bucket_of_[i];
+    const Range large{first_large_, end_};
+    const auto others = bucket == none ? bounds_.within_reach(proxy.bounds, proxy.way, {{0, count_}, large})
+                                       : bounds_.within_reach(proxy.bounds, proxy.way,
+                                                              {row(bucket), row((bucket + pitch_) & (buckets_ - 1)),
+                                                               row((bucket - pitch_) & (buckets_ - 1)), large});
+    for (const std::uint32_t other : others) {
+      if (chosen[items_[other].proxy] == 0 || i < items_[other].proxy) report(own, items_[other], pairs);
+    }
+  }
+
   // All in the grid and the rest of the large.
   void meet_all(std::uint32_t q, std::vector<Pair>& pairs) {
-    for (const std::uint32_t other : bounds_.overlapping(bounds_.at(q), {{0, count_}, {q + 1, end_}})) {
+    for (const std::uint32_t other : around(q, {{0, count_}, {q + 1, end_}})) {
       report(items_[q], items_[other], pairs);
     }
+  }
+
+  std::span<const std::uint32_t> around(std::uint32_t q, std::initializer_list<Range> ranges) {
+    return bounds_.within_reach(bounds_.bounds(q), bounds_.way(q), ranges);
   }
 
   /// What is asked of a proxy whose bounds overlap another's.

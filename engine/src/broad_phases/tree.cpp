@@ -25,7 +25,7 @@ class Tree : public BroadPhase {
     pairs.clear();
     follow(proxies);
     tree_.visit_pairs([&](std::uint32_t a, std::uint32_t b) {
-      if (overlap(proxies[a].bounds, proxies[b].bounds) && may_collide(proxies[a], proxies[b])) {
+      if (within_reach(proxies[a], proxies[b]) && may_collide(proxies[a], proxies[b])) {
         pairs.push_back({std::min(a, b), std::max(a, b)});
       }
     });

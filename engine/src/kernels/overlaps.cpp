@@ -9,21 +9,53 @@ namespace {
 /// The first n lanes.
 std::uint32_t first_lanes(std::uint32_t n) { return n < lane_count ? ~(~0U << n) : 0xffU; }
 
+/// within_reach() of eight and one; the depth is 0 where the one stands still.
+struct Reach {
+  Lanes low_x, low_y, high_x, high_y;
+  Lanes way_x, way_y, way_length;
+  bool still;
+
+  Reach(const Aabb& box, const Way& way)
+      : low_x(Lanes::all(box.low.x)),
+        low_y(Lanes::all(box.low.y)),
+        high_x(Lanes::all(box.high.x)),
+        high_y(Lanes::all(box.high.y)),
+        way_x(Lanes::all(way.by.x)),
+        way_y(Lanes::all(way.by.y)),
+        way_length(Lanes::all(way.length)),
+        still(way.length == 0) {}
+
+  Lanes depth(const BoundsColumns& among, std::uint32_t i) const {
+    const Lanes x = way_x - Lanes::load(among.way_x + i);
+    const Lanes y = way_y - Lanes::load(among.way_y + i);
+    const Lanes both = way_length + Lanes::load(among.way_length + i);
+    return max(both - both / Lanes::all(64) - sqrt(x * x + y * y), Lanes::all(0));
+  }
+  std::uint32_t met(const BoundsColumns& among, std::uint32_t i) const {
+    const Lanes low_x_i = Lanes::load(among.low_x + i);
+    const Lanes low_y_i = Lanes::load(among.low_y + i);
+    const Lanes high_x_i = Lanes::load(among.high_x + i);
+    const Lanes high_y_i = Lanes::load(among.high_y + i);
+    if (still) {
+      return ((low_x_i <= high_x) & (low_x <= high_x_i) & (low_y_i <= high_y) & (low_y <= high_y_i)).bits();
+    }
+    const Lanes deep = depth(among, i);
+    return ((low_x_i + deep <= high_x) & (low_x + deep <= high_x_i) & (low_y_i + deep <= high_y) &
+            (low_y + deep <= high_y_i))
+        .bits();
+  }
+};
+
 }  // namespace
 
 // Most ranges hold a few: the first eight are tested without asking whether there are any.
-std::uint32_t* find_overlaps(const BoundsColumns& among, const Aabb& box, const Range* ranges, const Range* ranges_end,
-                             std::uint32_t* to) {
-  const Lanes low_x = Lanes::all(box.low.x);
-  const Lanes low_y = Lanes::all(box.low.y);
-  const Lanes high_x = Lanes::all(box.high.x);
-  const Lanes high_y = Lanes::all(box.high.y);
+std::uint32_t* find_overlaps(const BoundsColumns& among, const Aabb& box, const Way& way, const Range* ranges,
+                             const Range* ranges_end, std::uint32_t* to) {
+  const Reach reach(box, way);
   for (const Range* range = ranges; range != ranges_end; ++range) {
     std::uint32_t i = range->begin;
     do {
-      const auto overlap = (Lanes::load(among.low_x + i) <= high_x) & (low_x <= Lanes::load(among.high_x + i)) &
-                           (Lanes::load(among.low_y + i) <= high_y) & (low_y <= Lanes::load(among.high_y + i));
-      to = write_members(overlap.bits() & first_lanes(range->end - i), i, to);
+      to = write_members(reach.met(among, i) & first_lanes(range->end - i), i, to);
       i += lane_count;
     } while (i < range->end);
   }

@@ -48,7 +48,8 @@ struct Pairs {
 
   /// With each version of a kernel; returns how many pairs it found to touch.
   std::size_t compare(CollidePairs* Kernels::*kernel, std::size_t most_left) {
-    shapes.update(bodies, margin, knocks);
+    shapes.update(bodies, margin);
+    shapes.grow(bodies, margin, knocks);
     const std::vector<PairPoints> right = expected();
     std::vector<std::uint32_t> items(pairs.size());
     std::iota(items.rbegin(), items.rend(), 0U);

@@ -15,7 +15,8 @@ namespace {
 
 struct Crowd {
   std::vector<Aabb> boxes;
-  std::vector<Real> low_x, low_y, high_x, high_y;
+  std::vector<Way> ways;
+  std::vector<Real> low_x, low_y, high_x, high_y, way_x, way_y, way_length;
 
   explicit Crowd(std::uint32_t count, RandomShapes& random) {
     for (std::uint32_t i = 0; i < count + 8; ++i) {
@@ -28,9 +29,17 @@ struct Crowd {
       low_y.push_back(corner.y);
       high_x.push_back(corner.x + size.x);
       high_y.push_back(corner.y + size.y);
+      const Vec2 way = i % 2 == 0 ? Vec2{} : random.point(1);
+      ways.push_back({way, length(way)});
+      way_x.push_back(way.x);
+      way_y.push_back(way.y);
+      way_length.push_back(ways.back().length);
     }
   }
-  BoundsColumns columns() const { return {low_x.data(), low_y.data(), high_x.data(), high_y.data()}; }
+  BoundsColumns columns() const {
+    return {low_x.data(), low_y.data(), high_x.data(), high_y.data(), way_x.data(), way_y.data(), way_length.data()};
+  }
+  Proxy proxy(std::uint32_t i) const { return {boxes[i], i, 0, true, 1, ways[i]}; }
 };
 
 TEST(FindOverlaps, FindsWhatOverlapsOneByOneWithEveryInstructionSet) {
@@ -42,21 +51,21 @@ TEST(FindOverlaps, FindsWhatOverlapsOneByOneWithEveryInstructionSet) {
     std::vector<Range> ranges{{some(), count}, {some(), count}};
     ranges[0].begin = std::min(ranges[0].begin, ranges[1].begin);
     ranges[0].end = ranges[1].begin;
-    const Aabb& box = crowd.boxes[count / 2];
+    const Proxy one = crowd.proxy(count / 2);
 
     std::vector<std::uint32_t> expected;
     std::size_t room = 8;
     for (const Range& range : ranges) {
       room += range.end - range.begin;
       for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        if (overlap(box, crowd.boxes[i])) expected.push_back(i);
+        if (within_reach(one, crowd.proxy(i))) expected.push_back(i);
       }
     }
     hits += expected.size();
     for (const Kernels* version : runnable_kernels()) {
       std::vector<std::uint32_t> found(room + 1, 77);
-      const std::uint32_t* end =
-          version->find_overlaps(crowd.columns(), box, ranges.data(), ranges.data() + ranges.size(), found.data());
+      const std::uint32_t* end = version->find_overlaps(crowd.columns(), one.bounds, one.way, ranges.data(),
+                                                        ranges.data() + ranges.size(), found.data());
       EXPECT_EQ(found.back(), 77U);
       found.resize(static_cast<std::size_t>(end - found.data()));
       EXPECT_EQ(found, expected) << count;

@@ -1,0 +1,205 @@
+#include "contact_search.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "impulse/material.h"
+#include "stages.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// m, of both bodies' motion together since the points were found; and the points count as touching (m) up to here.
+constexpr Real recycled_motion = static_cast<Real>(0.01);
+constexpr Real recycled_gap = static_cast<Real>(0.005);
+
+bool may_keep(const Contact& contact) {
+  if (contact.discs) return false;
+  for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+    if (contact.points[p].separation > recycled_gap) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void ContactSearch::search(const SearchInput& input, std::span<const Contact> last) {
+  last_ = last;
+  shapes_.update(input.bodies, input.margin);
+  end_stage("collect proxies");
+  input.broad_phase.find_pairs(shapes_.proxies(), pairs_);
+  end_stage("find pairs");
+  put_in_order(input, pairs_);
+  end_stage("sort pairs");
+  match();
+  end_stage("match");
+  found_.resize(pairs_.size());
+  undecided_.resize(pairs_.size());
+  std::iota(undecided_.begin(), undecided_.end(), 0U);
+  in_order_ = undecided_;
+  keep_points(input);
+  end_stage("recycle");
+  narrow_phase_.collide(input.bodies, shapes_, input.margin, pairs_, to_collide_, found_.data());
+  list_touching();
+  end_stage("collide pairs");
+  // Once: what a third body is handed on within the same step is little.
+  if (input.margin.time > 0 && foresee_knocks(input)) reach_farther(input);
+  end_stage("foresee knocks");
+}
+
+/// Pairs come in order of (body_a, part_a, body_b, part_b): right already where no body has several parts.
+void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pairs) {
+  const std::span<const Proxy> proxies = shapes_.proxies();
+  if (shapes_.several_parts()) {
+    const std::size_t bodies = input.bodies.size();
+    pair_order_.stable_sort(bodies, pairs, [proxies](const Pair& pair) { return proxies[pair.second].body; });
+    pair_order_.stable_sort(bodies, pairs, [proxies](const Pair& pair) { return proxies[pair.first].body; });
+  }
+  const JointSet& joints = input.joints;
+  if (joints.tied().empty()) return;
+  std::erase_if(pairs,
+                [&](const Pair& pair) { return joints.ties(proxies[pair.first].body, proxies[pair.second].body); });
+}
+
+/// Pairs and contacts are in one order: one walk along both.
+void ContactSearch::match() {
+  last_of_.resize(pairs_.size());
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) last_of_[i] = find_last(order_of(pairs_[i]), last);
+}
+
+/// Goes on in `last_` from a place to where the contact must be, and past it if it is there.
+std::uint32_t ContactSearch::find_last(const ContactOrder& wanted, std::uint32_t& place) const {
+  while (place < last_.size() && ContactOrder(last_[place]) < wanted) ++place;
+  const bool known = place < last_.size() && ContactOrder(last_[place]) == wanted;
+  return known ? place++ : none;
+}
+
+/// Of the undecided, those whose bodies hardly moved since their points were found (see ContactSet::find).
+void ContactSearch::keep_points(const SearchInput& input) {
+  to_keep_.clear();
+  again_of_.clear();
+  to_collide_.clear();
+  for (const std::uint32_t pair : undecided_) {
+    const std::uint32_t last = last_of_[pair];
+    if (input.recycle && last != none && may_keep(last_[last])) {
+      to_keep_.push_back(pair);
+      again_of_.push_back(last);
+    } else {
+      to_collide_.push_back(pair);
+    }
+  }
+  again_.resize(to_keep_.size());
+  kernels().measure_again(last_.data(), again_of_.data(), static_cast<std::uint32_t>(again_of_.size()),
+                          input.bodies.pose.data(), input.bodies.reach.data(), again_.data());
+  for (std::size_t i = 0; i < to_keep_.size(); ++i) {
+    if (again_[i].motion < recycled_motion) {
+      PairPoints& found = found_[to_keep_[i]];
+      found.count = kept;
+      found.separation[0] = again_[i].separation[0];
+      found.separation[1] = again_[i].separation[1];
+    } else {
+      to_collide_.push_back(to_keep_[i]);
+    }
+  }
+}
+
+void ContactSearch::list_touching() {
+  touching_.resize(in_order_.size());
+  std::size_t next = 0;
+  for (const std::uint32_t pair : in_order_) {
+    touching_[next] = pair;
+    next += found_[pair].count != 0 ? 1 : 0;
+  }
+  touching_.resize(next);
+}
+
+/// Two bodies that meet at a speed u change each other's by (1 + e) u mB / (mA + mB) at most. What is struck within the
+/// step may then meet others than those it was on its way to: a disc thrown back into its followers, the next in a
+/// stack that lands. Whether that takes any farther than the margin already allows for.
+bool ContactSearch::foresee_knocks(const SearchInput& input) {
+  const BodySet& bodies = input.bodies;
+  const Margin& margin = input.margin;
+  const Real felt = margin.distance / 2;
+  knocks_.assign(bodies.size(), 0);
+  bool farther = false;
+  const auto knock = [&](std::size_t i, Real change) {
+    if (margin.time * change <= felt) return;
+    knocks_[i] = std::max(knocks_[i], change);
+    farther = true;
+  };
+  for (const std::uint32_t pair : touching_) {
+    const PairPoints& found = found_[pair];
+    const ShapeRecord& record_a = shapes_.records()[pairs_[pair].first];
+    const ShapeRecord& record_b = shapes_.records()[pairs_[pair].second];
+    const bool stays = keeps(pair);
+    const Vec2 normal = stays ? last_[last_of_[pair]].normal : Vec2{found.normal[0], found.normal[1]};
+    Real gap = found.separation[0];
+    if ((stays ? last_[last_of_[pair]].count : found.count) == 2) gap = std::min(gap, found.separation[1]);
+    const Real apart = dot(normal, record_b.velocity - record_a.velocity);
+    const Real speed = record_a.rim + record_b.rim - apart;
+    if (margin.time * speed <= std::max(gap, felt)) continue;
+    const std::size_t a = first(pair).body;
+    const std::size_t b = second(pair).body;
+    const Real mass_a = bodies.inverse_mass[a].m;
+    const Real mass_b = bodies.inverse_mass[b].m;
+    const Real restitution = mix(input.settings.restitution_mixing, first_part(pair).material.restitution,
+                                 second_part(pair).material.restitution);
+    const Real change = (1 + restitution) * speed / (mass_a + mass_b);
+    knock(a, change * mass_a);
+    knock(b, change * mass_b);
+  }
+  return farther;
+}
+
+/// Searches once more, but only around what is knocked: bounds have grown there, so that pairs are added, and points
+/// count from farther away.
+void ContactSearch::reach_farther(const SearchInput& input) {
+  shapes_.grow(input.bodies, input.margin, knocks_);
+  const std::span<const Proxy> proxies = shapes_.proxies();
+  knocked_.resize(proxies.size());
+  for (std::size_t i = 0; i < proxies.size(); ++i) knocked_[i] = knocks_[proxies[i].body] > 0 ? 1 : 0;
+  input.broad_phase.find_pairs_of(proxies, knocked_, farther_pairs_);
+  put_in_order(input, farther_pairs_);
+
+  in_order_.clear();
+  undecided_.clear();
+  std::uint32_t next = 0;
+  std::uint32_t last = 0;
+  const auto end = static_cast<std::uint32_t>(pairs_.size());
+  const auto take_next = [&] {
+    if (last_of_[next] != none) last = last_of_[next] + 1;
+    in_order_.push_back(next++);
+  };
+  for (const Pair& pair : farther_pairs_) {
+    const ContactOrder wanted = order_of(pair);
+    while (next < end && order_of(pairs_[next]) < wanted) take_next();
+    if (next < end && pairs_[next] == pair) {
+      if (may_gain_points(next)) undecided_.push_back(next);
+      take_next();
+    } else {
+      in_order_.push_back(static_cast<std::uint32_t>(pairs_.size()));
+      undecided_.push_back(in_order_.back());
+      pairs_.push_back(pair);
+      last_of_.push_back(find_last(wanted, last));
+    }
+  }
+  while (next < end) in_order_.push_back(next++);
+  found_.resize(pairs_.size());
+  keep_points(input);
+  narrow_phase_.collide(input.bodies, shapes_, input.margin, pairs_, to_collide_, found_.data());
+  list_touching();
+}
+
+/// A greater gap gives no more points to pairs that stay as they were, to a full set, or to a disc that has its one.
+bool ContactSearch::may_gain_points(std::uint32_t pair) const {
+  const auto kind = [this](std::uint32_t i) { return shapes_.kind(i); };
+  const Pair& of = pairs_[pair];
+  if (kind(of.first) == ShapeKind::other || kind(of.second) == ShapeKind::other) return !keeps(pair);
+  const bool disc = kind(of.first) == ShapeKind::disc || kind(of.second) == ShapeKind::disc;
+  const std::int32_t count = found_[pair].count;
+  return count != kept && count < (disc ? 1 : 2);
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "body_set.h"
+#include "broad_phase.h"
+#include "contact.h"
+#include "contact_order.h"
+#include "impulse/settings.h"
+#include "joint_set.h"
+#include "kernels.h"
+#include "narrow_phase.h"
+#include "pair_order.h"
+#include "shape_table.h"
+#include "solver.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// What a search for contacts is given (see ContactSet::find).
+struct SearchInput {
+  const BodySet& bodies;
+  BroadPhase& broad_phase;
+  const Settings& settings;
+  const Margin& margin;
+  bool recycle;
+  const JointSet& joints;
+};
+
+/// Finds the pairs of parts that touch, or will within the margin, and their points.
+class ContactSearch {
+ public:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  /// `last` are the contacts that the last search ended in; the span must hold while results are read.
+  void search(const SearchInput& input, std::span<const Contact> last);
+
+  /// Numbers of the pairs that have points, in order of contacts.
+  std::span<const std::uint32_t> touching() const { return touching_; }
+  const Proxy& first(std::uint32_t pair) const { return shapes_.proxies()[pairs_[pair].first]; }
+  const Proxy& second(std::uint32_t pair) const { return shapes_.proxies()[pairs_[pair].second]; }
+  const Part& first_part(std::uint32_t pair) const { return shapes_.part(pairs_[pair].first); }
+  const Part& second_part(std::uint32_t pair) const { return shapes_.part(pairs_[pair].second); }
+  /// The place of the pair's contact in `last`, or none.
+  std::uint32_t last_of(std::uint32_t pair) const { return last_of_[pair]; }
+  /// Whether that contact's points stay; then points() has new separations for them and nothing else.
+  bool keeps(std::uint32_t pair) const { return found_[pair].count == kept; }
+  const PairPoints& points(std::uint32_t pair) const { return found_[pair]; }
+
+ private:
+  static constexpr std::int32_t kept = -1;  // instead of a count of points
+
+  void put_in_order(const SearchInput& input, std::vector<Pair>& pairs);
+  void match();
+  std::uint32_t find_last(const ContactOrder& wanted, std::uint32_t& place) const;
+  void keep_points(const SearchInput& input);
+  bool foresee_knocks(const SearchInput& input);
+  void reach_farther(const SearchInput& input);
+  bool may_gain_points(std::uint32_t pair) const;
+  void list_touching();
+  ContactOrder order_of(const Pair& pair) const {
+    return {shapes_.proxies()[pair.first], shapes_.proxies()[pair.second]};
+  }
+
+  ShapeTable shapes_;
+  PairOrder pair_order_;
+  NarrowPhase narrow_phase_;
+  std::span<const Contact> last_;
+  std::vector<Pair> pairs_;                // in order of contacts, but for those that come late
+  std::vector<std::uint32_t> in_order_;    // numbers of all pairs, in order of contacts
+  std::vector<std::uint32_t> last_of_;     // of each pair
+  std::vector<PairPoints> found_;          // of each pair
+  std::vector<std::uint32_t> undecided_;   // pairs that have no points yet
+  std::vector<std::uint32_t> to_collide_;  // those of them that do not keep what they had
+  std::vector<std::uint32_t> again_of_;    // contacts to be measured again
+  std::vector<std::uint32_t> to_keep_;     // their pairs
+  std::vector<PointsAgain> again_;         // and results
+  std::vector<Real> knocks_;  // m/s, by which each body's velocity may change within the step when it is struck
+  std::vector<std::uint8_t> knocked_;  // whether each proxy's body has such a knock
+  std::vector<Pair> farther_pairs_;    // of those proxies
+  std::vector<std::uint32_t> touching_;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION
