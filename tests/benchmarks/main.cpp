@@ -151,10 +151,10 @@ void list() {
   for (const Course* course : Catalog<Course>::all()) fmt::print("  {:<14} {}\n", course->name, course->about);
 }
 
-void write(const std::string& path, const std::string& text) {
+NewFile written(const std::string& path, const std::string& text) {
   NewFile file(path);
   if (!file.write(text)) throw std::invalid_argument("--json: \"" + path + "\" cannot be written");
-  file.put_in_place();
+  return file;
 }
 
 void carry_out(Asked asked) {
@@ -163,8 +163,10 @@ void carry_out(Asked asked) {
   if (all.empty()) throw std::invalid_argument("nobody is left to be timed");
   if (asked.against.empty()) asked.against = usual_reference(all);
   reference_of(all, asked.against);
+  const std::vector<const Course*> chosen_courses = courses(asked);
+  if (!asked.json.empty()) written(asked.json, "");  // tried before anything is run
   std::vector<Contest> contests;
-  for (const Course* course : courses(asked)) {
+  for (const Course* course : chosen_courses) {
     const auto chosen = windows(*course, asked);
     if (chosen.empty()) continue;
     const Start start = course->start();
@@ -172,7 +174,7 @@ void carry_out(Asked asked) {
       contests.push_back(contest_of(scene, *course, start, window, all, asked));
       fmt::print("{}\n", table(contests.back()));
       std::fflush(stdout);
-      if (!asked.json.empty()) write(asked.json, google_json(contests));
+      if (!asked.json.empty()) written(asked.json, google_json(contests)).put_in_place();
     }
   }
 }
