@@ -18,7 +18,7 @@ struct NamedRows {
 };
 
 /// The two bodies of each of eight contacts seen along its normal and tangent; see ContactFrame (contact_rows.h), which
-/// this follows line by line.
+/// this follows line by line. All of it is inlined: what it holds lives in registers.
 struct LanesFrame {
   NamedRows rows_a, rows_b;
   Lanes a[4], b[4];  // velocities: x, y, angular, 0
@@ -33,7 +33,7 @@ struct LanesFrame {
       : LanesFrame(contacts, velocity, load(contacts.normal_x), load(contacts.normal_y)) {}
 
   template <class Contacts>
-  LanesFrame(const Contacts& contacts, Real* velocity, const Lanes& x, const Lanes& y)
+  [[gnu::always_inline]] LanesFrame(const Contacts& contacts, Real* velocity, const Lanes& x, const Lanes& y)
       : rows_a(velocity, contacts.a),
         rows_b(velocity, contacts.b),
         normal_x(x),
@@ -53,16 +53,16 @@ struct LanesFrame {
     wb = b[2];
   }
 
-  Lanes normal_velocity(const PointLanes& p) const { return normal + wb * load(p.cross_b) - wa * load(p.cross_a); }
-  Lanes tangent_velocity(const PointLanes& p) const { return tangent + wb * load(p.dot_b) - wa * load(p.dot_a); }
+  [[gnu::always_inline]] Lanes normal_velocity(const PointLanes& p) const { return normal + wb * load(p.cross_b) - wa * load(p.cross_a); }
+  [[gnu::always_inline]] Lanes tangent_velocity(const PointLanes& p) const { return tangent + wb * load(p.dot_b) - wa * load(p.dot_a); }
 
-  void push_normal(const PointLanes& p, const Lanes& impulse) {
+  [[gnu::always_inline]] void push_normal(const PointLanes& p, const Lanes& impulse) {
     normal = normal + impulse * mass;
     wa = wa - impulse * inertia_a * load(p.cross_a);
     wb = wb + impulse * inertia_b * load(p.cross_b);
     normal_sum = normal_sum + impulse;
   }
-  void push_tangent(const PointLanes& p, const Lanes& impulse) {
+  [[gnu::always_inline]] void push_tangent(const PointLanes& p, const Lanes& impulse) {
     tangent = tangent + impulse * mass;
     wa = wa - impulse * inertia_a * load(p.dot_a);
     wb = wb + impulse * inertia_b * load(p.dot_b);
@@ -88,7 +88,7 @@ struct LanesFrame {
     tangent = tangent + mass * (normal_x * y - normal_y * x);
   }
   template <class Contacts>
-  void leave(const Contacts& contacts) {
+  [[gnu::always_inline]] void leave(const Contacts& contacts) {
     const Lanes x = world_x(normal_sum, tangent_sum);
     const Lanes y = world_y(normal_sum, tangent_sum);
     const Lanes mass_a = load(contacts.mass_a);
