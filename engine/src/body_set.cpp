@@ -120,6 +120,7 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
     thickness.emplace_back();
     held.emplace_back();
     asleep.emplace_back();
+    generation.emplace_back();
     detail.emplace_back();
     free_rows.push_back(static_cast<std::uint32_t>(size() - 1));
   }
@@ -134,7 +135,6 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
   torque[i] = 0;
   reach[i] = farthest;
   thickness[i] = thinnest;
-  made.generation = detail[i].generation;
   detail[i] = std::move(made);
   return id(i);
 }
@@ -176,9 +176,8 @@ void BodySet::wake(std::size_t i) {
 
 void BodySet::destroy(std::size_t i) {
   remove(i);
-  BodyDetail gone;
-  gone.generation = detail[i].generation + 1;
-  detail[i] = std::move(gone);
+  detail[i] = {};
+  ++generation[i];
   free_rows.push_back(static_cast<std::uint32_t>(i));
 }
 

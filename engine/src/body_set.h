@@ -29,7 +29,6 @@ struct Response {
 
 /// What a step seldom touches.
 struct BodyDetail {
-  std::uint32_t generation = 0;
   bool alive = false;
   bool inserted = false;
   BodyDef def;              // as it was created, but for the layers, which are as they are now
@@ -56,6 +55,7 @@ struct BodySet {
   std::vector<Real> thickness;     // m, the least distance between two parallel lines that hold its thinnest part
   std::vector<std::uint8_t> held;  // 1 if a contact or joint pushed it in the last step
   std::vector<std::uint8_t> asleep;
+  std::vector<std::uint32_t> generation;  // of the body in the row, or of the next one
   std::vector<BodyDetail> detail;
   std::vector<std::uint32_t> free_rows;  // the last freed is reused first
   std::size_t sleepers = 0;              // how many are asleep
@@ -77,11 +77,11 @@ struct BodySet {
   void set_layers(std::size_t i, std::uint32_t mask);
 
   bool contains(BodyId id) const {
-    return id.index < size() && detail[id.index].alive && detail[id.index].generation == id.generation;
+    return id.index < size() && detail[id.index].alive && generation[id.index] == id.generation;
   }
   /// The velocity of a body, inserted or not.
   Velocity& motion(std::size_t i) { return detail[i].inserted ? velocity[i] : detail[i].removed_with; }
-  BodyId id(std::size_t i) const { return {static_cast<std::uint32_t>(i), detail[i].generation}; }
+  BodyId id(std::size_t i) const { return {static_cast<std::uint32_t>(i), generation[i]}; }
 
   bool dynamic(std::size_t i) const { return detail[i].def.type == BodyType::dynamic; }
   /// Whether a step may move it: an awake dynamic body, or a kinematic one on its way.

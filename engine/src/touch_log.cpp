@@ -33,7 +33,9 @@ TouchingParts touching_parts(const BodySet& bodies, const Contact& contact, int 
 
 /// Order of the contacts; a body that came into the row of another is another body.
 auto key(const TouchingParts& pair) {
-  return std::tuple(pair.a.index, pair.b.index, pair.part_a, pair.part_b, pair.a.generation, pair.b.generation);
+  const auto joined = [](std::uint64_t high, std::uint64_t low) { return high << 32 | low; };
+  return std::tuple(joined(pair.a.index, pair.b.index), joined(pair.part_a, pair.part_b),
+                    joined(pair.a.generation, pair.b.generation));
 }
 
 // An object, that sorting may inline it.
@@ -46,14 +48,22 @@ void TouchLog::note(const BodySet& bodies, std::span<const Contact> contacts) {
   const bool changed = sleep_changes_ != bodies.sleep_changes;
   if (changed) follow_sleep(bodies);
   awake_.clear();
-  for (const Contact& contact : contacts) {
-    const auto count = std::count_if(contact.points.begin(), contact.points.begin() + contact.count, touches);
-    if (count > 0) awake_.push_back(touching_parts(bodies, contact, static_cast<int>(count)));
-  }
   begun_.clear();
   ended_.clear();
-  std::set_difference(awake_.begin(), awake_.end(), last_.begin(), last_.end(), std::back_inserter(begun_), before);
-  std::set_difference(last_.begin(), last_.end(), awake_.begin(), awake_.end(), std::back_inserter(ended_), before);
+  // Most pairs go on touching: both lists are walked through once.
+  auto old = last_.cbegin();
+  for (const Contact& contact : contacts) {
+    const auto count = std::count_if(contact.points.begin(), contact.points.begin() + contact.count, touches);
+    if (count == 0) continue;
+    const TouchingParts& now = awake_.emplace_back(touching_parts(bodies, contact, static_cast<int>(count)));
+    while (old != last_.cend() && before(*old, now)) ended_.push_back(*old++);
+    if (old != last_.cend() && key(*old) == key(now)) {
+      ++old;
+    } else {
+      begun_.push_back(now);
+    }
+  }
+  ended_.insert(ended_.end(), old, last_.cend());
   if (asleep_.empty() || (!changed && awake_.empty() && last_.empty())) return;
   all_.clear();
   std::merge(awake_.begin(), awake_.end(), asleep_.begin(), asleep_.end(), std::back_inserter(all_), before);

@@ -146,7 +146,7 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
   if (now.contacts.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
   if (is_pile(data, now)) {
     if (lanes_) return solve_as_pile(data, now, space.pile);
-    space.colouring.assign(data, parts_, now);
+    space.colouring.assign(parts_, now);
     now.contacts = space.colouring.order();
   }
   make_rows(data, now, number);
@@ -166,22 +166,23 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
 bool Accurate::is_pile(const StepData& data, const Island& island) const {
   return island.contacts.size() >= least_pile && island.joints.empty() && !forces_vary_ &&
          std::none_of(island.contacts.begin(), island.contacts.end(),
-                      [&](std::uint32_t c) { return data.contacts[c].restitution > 0; });
+                      [&](const Tie& tie) { return data.contacts[tie.contact].restitution > 0; });
 }
 
 void Accurate::solve_as_pile(StepData& data, Island& island, Pile& pile) {
   const auto any_contact = [&](auto test) { return std::any_of(island.contacts.begin(), island.contacts.end(), test); };
   Bearing bearing;
   if (may_need_substeps(island.bodies.size(), data.settings)) {
-    for (const std::uint32_t c : island.contacts) bearing.add(make_row(data.bodies, data.contacts, c));
+    for (const Tie& tie : island.contacts) bearing.add(make_row(data.bodies, data.contacts, tie.contact));
   }
   island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   end_stage("pile: bearing");
   island.settling = settles(data, island);
   if (island.settling) island.sweeps = settling_sweeps;
   const int more_sweeps = closed(data, island) ? more_sweeps_for(island.bodies.size()) : 0;
-  if (more_sweeps > 0 && any_contact([&](std::uint32_t c) {
-        return new_or_deep(data.contacts[c]) && at_speed(make_row(data.bodies, data.contacts, c), data.bodies);
+  if (more_sweeps > 0 && any_contact([&](const Tie& tie) {
+        return new_or_deep(data.contacts[tie.contact]) &&
+               at_speed(make_row(data.bodies, data.contacts, tie.contact), data.bodies);
       })) {
     island.more_sweeps = more_sweeps;
   }
@@ -240,16 +241,16 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   Bearing bearing;
   bool struck = false;
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
-    const Contact& contact = data.contacts[island.contacts[i]];
+    const Contact& contact = data.contacts[island.contacts[i].contact];
     ImpactRow row;
-    static_cast<ContactRow&>(row) = make_row(data.bodies, data.contacts, island.contacts[i]);
+    static_cast<ContactRow&>(row) = make_row(data.bodies, data.contacts, island.contacts[i].contact);
     row.offset = contact.offset;
     row.disc_distance = contact.discs ? contact.radius_a + contact.radius_b : Real{0};
     row.between = start_[row.b].p - start_[row.a].p;
     row.age = contact.age;
     row.fresh = contact.age == 0;
     // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
-    row.web = parts_.in_web(row.a) || parts_.in_web(row.b);
+    row.web = parts_.in_web(island.contacts[i]);
     row.block = !row.web && row.count == 2;
     if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
     island.bounces |= row.restitution > 0;
@@ -288,8 +289,8 @@ bool Accurate::closed(const StepData& data, const Island& island) const {
 /// Whether an island begins at rest: nothing touched before, and all are slow.
 bool Accurate::settles(const StepData& data, const Island& island) const {
   const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
-  return !island.contacts.empty() && std::all_of(island.contacts.begin(), island.contacts.end(), [&](std::uint32_t c) {
-    return data.contacts[c].age == 0;
+  return !island.contacts.empty() && std::all_of(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
+    return data.contacts[tie.contact].age == 0;
   }) && std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
     const Velocity& v = data.bodies.velocity[body];
     return length(v.v) + std::abs(v.w) * data.bodies.reach[body] <= slow;

@@ -15,40 +15,35 @@ constexpr std::uint32_t width = 8;
 constexpr std::uint16_t colours = 64;
 constexpr std::uint64_t fixed_colours = ~std::uint64_t{0} << 16;
 
-LanesKind kind_of(const Contact& contact, bool web) {
-  if (contact.discs) return LanesKind::discs;
-  if (contact.count == 1) return LanesKind::one;
+LanesKind kind_of(const Tie& tie, bool web) {
+  if (tie.discs) return LanesKind::discs;
+  if (tie.points == 1) return LanesKind::one;
   // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
   return web ? LanesKind::two : LanesKind::block;
 }
 
 }  // namespace
 
-void Colouring::assign(const StepData& data, const Partition& parts, const Island& island) {
-  choose(data, parts, island);
+void Colouring::assign(const Partition& parts, const Island& island) {
+  choose(parts, island);
   place();
 }
 
-void Colouring::choose(const StepData& data, const Partition& parts, const Island& island) {
-  const BodySet& bodies = data.bodies;
-  const auto pushable = [&](std::uint32_t i) { return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0; };
+void Colouring::choose(const Partition& parts, const Island& island) {
   // Only what the island names is touched.
-  taken_.resize(bodies.size());
+  taken_.resize(parts.body_count());
   for (const std::uint32_t body : island.bodies) taken_[body] = 0;
   slots_.clear();
-  for (const std::uint32_t c : island.contacts) {
-    const Contact& contact = data.contacts[c];
-    const bool pushes_a = pushable(contact.body_a);
-    const bool pushes_b = pushable(contact.body_b);
-    std::uint64_t free = pushes_a && pushes_b ? ~std::uint64_t{0} : fixed_colours;
-    if (pushes_a) free &= ~taken_[contact.body_a];
-    if (pushes_b) free &= ~taken_[contact.body_b];
+  for (const Tie& tie : island.contacts) {
+    std::uint64_t free = tie.pushes_a && tie.pushes_b ? ~std::uint64_t{0} : fixed_colours;
+    if (tie.pushes_a) free &= ~taken_[tie.a];
+    if (tie.pushes_b) free &= ~taken_[tie.b];
     const auto colour = static_cast<std::uint16_t>(std::countr_zero(free));
     const std::uint64_t bit = free & (~free + 1);
-    if (pushes_a) taken_[contact.body_a] |= bit;
-    if (pushes_b) taken_[contact.body_b] |= bit;
-    const bool web = parts.in_web(contact.body_a) || parts.in_web(contact.body_b);
-    slots_.push_back({c, colour, kind_of(contact, web), web, 0});
+    if (tie.pushes_a) taken_[tie.a] |= bit;
+    if (tie.pushes_b) taken_[tie.b] |= bit;
+    const bool web = parts.in_web(tie);
+    slots_.push_back({tie, colour, kind_of(tie, web), web, 0});
   }
 }
 
@@ -78,12 +73,12 @@ void Colouring::place() {
   }
 }
 
-std::span<const std::uint32_t> Colouring::order() {
+std::span<const Tie> Colouring::order() {
   order_.clear();
   std::stable_sort(slots_.begin(), slots_.end(), [](const Slot& left, const Slot& right) {
     return std::tie(left.colour, left.kind) < std::tie(right.colour, right.kind);
   });
-  for (const Slot& slot : slots_) order_.push_back(slot.contact);
+  for (const Slot& slot : slots_) order_.push_back(slot.tie);
   return order_;
 }
 

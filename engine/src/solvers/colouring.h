@@ -14,7 +14,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 /// Where a contact is solved in a pile.
 struct Slot {
-  std::uint32_t contact = 0;  // index
+  Tie tie;
   std::uint16_t colour = 0;
   LanesKind kind = LanesKind::one;
   bool web = false;      // see ImpactRow
@@ -26,7 +26,7 @@ struct Slot {
 /// rests on fixed shapes comes last, so that nothing pushes it into them afterwards.
 class Colouring {
  public:
-  void assign(const StepData& data, const Partition& parts, const Island& island);
+  void assign(const Partition& parts, const Island& island);
 
   /// In the order of the contacts.
   std::span<const Slot> slots() const { return slots_; }
@@ -35,12 +35,12 @@ class Colouring {
   /// How many times eight lanes of a kind the runs take.
   std::uint32_t count(LanesKind kind) const { return count_[static_cast<std::size_t>(kind)]; }
   /// The contacts of the island in the order in which the runs solve them.
-  std::span<const std::uint32_t> order();
+  std::span<const Tie> order();
 
  private:
   static constexpr std::size_t kinds = 4;
 
-  void choose(const StepData& data, const Partition& parts, const Island& island);
+  void choose(const Partition& parts, const Island& island);
   void place();
 
   std::vector<std::uint64_t> taken_;  // colours that each body's contacts have
@@ -48,7 +48,7 @@ class Colouring {
   std::vector<LanesRun> runs_;
   std::uint32_t count_[kinds] = {};
   std::vector<std::uint32_t> next_;  // how many of each colour and kind; then its next free lane
-  std::vector<std::uint32_t> order_;
+  std::vector<Tie> order_;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

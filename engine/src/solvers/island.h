@@ -8,6 +8,7 @@
 #include "impulse/settings.h"
 #include "solvers/impacts.h"
 #include "solvers/island_joints.h"
+#include "solvers/partition.h"
 #include "solvers/softness.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -18,8 +19,8 @@ constexpr Real tolerated_sink = static_cast<Real>(0.0005);
 /// One island of `accurate` for the length of a step.
 struct Island {
   std::span<const std::uint32_t> bodies;
-  std::span<const std::uint32_t> contacts;  // indices
-  std::span<ImpactRow> rows;                // of the contacts, unless they are solved as a pile (pile.h)
+  std::span<const Tie> contacts;
+  std::span<ImpactRow> rows;  // of the contacts, unless they are solved as a pile (pile.h)
   IslandJoints joints;
   int substeps = 1;
   int sweeps = 1;       // joints and contacts, or joints and their stops, are solved in turn

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "contact_rows.h"
-
 namespace impulse::inline IMPULSE_PRECISION {
 
 template <class Item>
@@ -31,12 +29,15 @@ void Partition::split(const StepData& data, bool together) {
   tied_.clear();
   for (std::uint32_t c = 0; c < data.contacts.size(); ++c) {
     const Contact& contact = data.contacts[c];
-    if (!solvable(bodies, contact)) continue;
-    tied_.push_back(c);
-    tie(contact.body_a, contact.body_b);
-    for (const std::uint32_t body : {contact.body_a, contact.body_b}) {
-      if (pushable(body)) crowd_[body] = static_cast<std::uint8_t>(std::min(crowd_[body] + 1, 3));
-    }
+    const std::uint32_t a = contact.body_a;
+    const std::uint32_t b = contact.body_b;
+    const bool pushes_a = pushable(a);
+    const bool pushes_b = pushable(b);
+    if (contact.count == 0 || !(pushes_a || pushes_b)) continue;
+    tied_.push_back({c, a, b, pushes_a, pushes_b, static_cast<std::uint8_t>(contact.count), contact.discs});
+    tie(a, b);
+    if (pushes_a) crowd_[a] = static_cast<std::uint8_t>(std::min(crowd_[a] + 1, 3));
+    if (pushes_b) crowd_[b] = static_cast<std::uint8_t>(std::min(crowd_[b] + 1, 3));
   }
   all_joints_.clear();
   for (ActiveJoint& joint : data.joints) {
@@ -48,11 +49,10 @@ void Partition::split(const StepData& data, bool together) {
   }
   islands_.number();
 
-  const auto island_of = [&](std::uint32_t a, std::uint32_t b) { return islands_.of(pushable(a) ? a : b); };
-  contacts_.sort(tied_, islands_.size(),
-                 [&](std::uint32_t c) { return island_of(data.contacts[c].body_a, data.contacts[c].body_b); });
-  joints_.sort(all_joints_, islands_.size(),
-               [&](const ActiveJoint* joint) { return island_of(joint->block.a, joint->block.b); });
+  contacts_.sort(tied_, islands_.size(), [&](const Tie& tied) { return islands_.of(tied.pushes_a ? tied.a : tied.b); });
+  joints_.sort(all_joints_, islands_.size(), [&](const ActiveJoint* joint) {
+    return islands_.of(pushable(joint->block.a) ? joint->block.a : joint->block.b);
+  });
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

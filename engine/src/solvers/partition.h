@@ -9,6 +9,15 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+/// What ties two bodies: the least that must be known of a contact to sort it.
+struct Tie {
+  std::uint32_t contact = 0;  // index
+  std::uint32_t a = 0, b = 0;
+  bool pushes_a = false, pushes_b = false;  // whether the body can be pushed
+  std::uint8_t points = 0;
+  bool discs = false;
+};
+
 /// Bodies that must be stepped together, with the contacts and joints among them. Contacts without points, or between
 /// bodies that nothing can push, belong to no island.
 class Partition {
@@ -17,15 +26,16 @@ class Partition {
   void split(const StepData& data, bool together);
 
   std::size_t size() const { return islands_.size(); }
+  std::size_t body_count() const { return crowd_.size(); }
   std::span<const std::uint32_t> bodies(std::size_t island) const { return islands_.bodies(island); }
-  /// Indices into the contacts of the step, in their order.
-  std::span<const std::uint32_t> contacts(std::size_t island) const { return contacts_.of(island); }
+  /// In the order of the step's contacts.
+  std::span<const Tie> contacts(std::size_t island) const { return contacts_.of(island); }
   /// Where the island's contacts begin among those of all islands.
   std::size_t first_contact(std::size_t island) const { return contacts_.start[island]; }
   std::size_t contact_count() const { return contacts_.items.size(); }
   std::span<ActiveJoint* const> joints(std::size_t island) const { return joints_.of(island); }
-  /// Whether a body that can be pushed has more than two contacts, as in a pyramid and not in a column.
-  bool in_web(std::uint32_t body) const { return crowd_[body] > 2; }
+  /// Whether one of the bodies can be pushed and has more than two contacts, as in a pyramid and not in a column.
+  bool in_web(const Tie& tie) const { return crowd_[tie.a] > 2 || crowd_[tie.b] > 2; }
 
  private:
   /// Items sorted by island, in their own order within each.
@@ -43,9 +53,9 @@ class Partition {
   };
 
   Islands islands_;
-  std::vector<std::uint32_t> tied_;  // contacts that belong to an island
+  std::vector<Tie> tied_;            // contacts that belong to an island
   std::vector<std::uint8_t> crowd_;  // contacts of each body that can be pushed, up to 3
-  ByIsland<std::uint32_t> contacts_;
+  ByIsland<Tie> contacts_;
   ByIsland<ActiveJoint*> joints_;
   std::vector<ActiveJoint*> all_joints_;
 };

@@ -11,7 +11,7 @@ void Pile::step(const StepData& data, const Partition& parts, const Island& isla
   kernels_ = &kernels();
   take_bodies(data, island, acceleration);
   end_stage("pile: bodies");
-  colouring_.assign(data, parts, island);
+  colouring_.assign(parts, island);
   end_stage("pile: colour");
   lay_out(data, island);
   end_stage("pile: lay out");

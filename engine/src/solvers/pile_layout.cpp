@@ -29,9 +29,9 @@ void Pile::take_bodies(const StepData& data, const Island& island, const std::ve
   row_.resize(bodies.size(), nowhere);
   present_.clear();
   for (const std::uint32_t body : island.bodies) give_row(body);
-  for (const std::uint32_t c : island.contacts) {
-    give_row(data.contacts[c].body_a);
-    give_row(data.contacts[c].body_b);
+  for (const Tie& tie : island.contacts) {
+    if (!tie.pushes_a) give_row(tie.a);
+    if (!tie.pushes_b) give_row(tie.b);
   }
   const std::size_t count = rounded_up(present_.size() + 1);
   for (auto* rows : {&velocity_, &before_, &kick_, &motion_, &acceleration_}) rows->assign(4 * count, 0);
@@ -53,17 +53,32 @@ void Pile::take_bodies(const StepData& data, const Island& island, const std::ve
 }
 
 void Pile::lay_out(const StepData& data, const Island& island) {
-  const auto nobody = static_cast<std::uint32_t>(present_.size());
-  const auto clear = [nobody]<class Lanes>(std::vector<Lanes>& all, std::size_t count) {
-    Lanes empty;
-    std::fill_n(empty.a, width, nobody);
-    std::fill_n(empty.b, width, nobody);
-    all.assign(count, empty);
+  one_.resize(std::max(one_.size(), std::size_t{colouring_.count(LanesKind::one)}));
+  discs_.resize(std::max(discs_.size(), std::size_t{colouring_.count(LanesKind::discs)}));
+  two_.resize(std::max(two_.size(), std::size_t{colouring_.count(LanesKind::two)}));
+  block_.resize(std::max(block_.size(), std::size_t{colouring_.count(LanesKind::block)}));
+  // Only the last of a run may have lanes without a contact.
+  const auto clear = [nobody = static_cast<std::uint32_t>(present_.size())](auto& lanes) {
+    lanes = {};
+    std::fill_n(lanes.a, width, nobody);
+    std::fill_n(lanes.b, width, nobody);
   };
-  clear(one_, colouring_.count(LanesKind::one));
-  clear(discs_, colouring_.count(LanesKind::discs));
-  clear(two_, colouring_.count(LanesKind::two));
-  clear(block_, colouring_.count(LanesKind::block));
+  for (const LanesRun& run : colouring_.runs()) {
+    switch (run.kind) {
+      case LanesKind::one:
+        clear(one_[run.end - 1]);
+        break;
+      case LanesKind::discs:
+        clear(discs_[run.end - 1]);
+        break;
+      case LanesKind::two:
+        clear(two_[run.end - 1]);
+        break;
+      case LanesKind::block:
+        clear(block_[run.end - 1]);
+        break;
+    }
+  }
   for (const Slot& slot : colouring_.slots()) {
     const std::size_t lane = slot.at % width;
     switch (slot.kind) {
@@ -73,7 +88,7 @@ void Pile::lay_out(const StepData& data, const Island& island) {
       case LanesKind::discs: {
         DiscLanes& discs = discs_[slot.at / width];
         fill(data, island, slot, lane, discs);
-        const Contact& contact = data.contacts[slot.contact];
+        const Contact& contact = data.contacts[slot.tie.contact];
         const Vec2 between = data.bodies.pose[contact.body_b].p - data.bodies.pose[contact.body_a].p;
         discs.between_x.lane[lane] = between.x;
         discs.between_y.lane[lane] = between.y;
@@ -94,7 +109,7 @@ void Pile::lay_out(const StepData& data, const Island& island) {
 
 template <class Lanes>
 void Pile::fill(const StepData& data, const Island& island, const Slot& slot, std::size_t lane, Lanes& lanes) {
-  const Contact& contact = data.contacts[slot.contact];
+  const Contact& contact = data.contacts[slot.tie.contact];
   const InverseMass& mass_a = data.bodies.inverse_mass[contact.body_a];
   const InverseMass& mass_b = data.bodies.inverse_mass[contact.body_b];
   const Softness& soft = island.softness(slot.web, mass_a, mass_b);
@@ -117,7 +132,8 @@ void Pile::fill(const StepData& data, const Island& island, const Slot& slot, st
   put(lanes.offset_rate, island.offset_rate(contact.age));
   const bool fresh = contact.age == 0;
   put(lanes.fresh, fresh ? Real{1} : Real{0});
-  lanes.any_fresh |= fresh;
+  // Lanes are filled in order.
+  lanes.any_fresh = fresh || (lane > 0 && lanes.any_fresh);
   const Real share = 1 / static_cast<Real>(island.substeps);
   for (std::size_t i = 0; i < std::size(lanes.point); ++i) {
     PointLanes& to = lanes.point[i];
@@ -132,12 +148,14 @@ void Pile::fill(const StepData& data, const Island& island, const Slot& slot, st
     put(to.gap, place.separation - contact.offset);
     put(to.normal_impulse, contact.points[i].normal_impulse * share);
     put(to.tangent_impulse, contact.points[i].tangent_impulse * share);
+    put(to.total_normal, 0);
+    put(to.total_tangent, 0);
   }
 }
 
 void Pile::leave(const StepData& data, const Island& island, std::vector<Motion>& motion) {
   for (const Slot& slot : colouring_.slots()) {
-    Contact& contact = data.contacts[slot.contact];
+    Contact& contact = data.contacts[slot.tie.contact];
     const std::size_t lane = slot.at % width;
     switch (slot.kind) {
       case LanesKind::one:
