@@ -66,6 +66,13 @@ struct Option {
 /// Values by option key; what is missing has its default.
 using Settings = std::map<std::string, std::string>;
 
+/// A method of a contender, and the option by which it can be made to work harder.
+struct WorkLadder {
+  Settings method;                  // what tells it from the default
+  std::string option;               // "" where there is none
+  std::vector<std::string> values;  // of the option, from cheap to dear
+};
+
 /// Something that can answer a scene: our engine, a rival, a closed form.
 struct Contender {
   std::string name;
@@ -75,6 +82,8 @@ struct Contender {
   std::vector<Option> options;
   /// Settings worth showing beside the default ones; a report without a choice of engines runs these too.
   std::vector<Settings> also = {};
+  /// Its methods, as a study of speed against accuracy tries them. Of none: its default, and `also`.
+  std::vector<WorkLadder> ladders = {};
   std::function<Stepping(const Settings&, double dt)> stepping;
 
   /// Why it cannot run this scene; "" when it can.

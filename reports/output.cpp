@@ -28,20 +28,30 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
 
 OutputFolder::Written OutputFolder::write(const Report& report) const {
   Written written;
-  std::vector<NewFile> ready;
+  std::vector<std::pair<std::string, std::string>> files;
   for (const Writer* writer : Catalog<Writer>::all()) {
     std::string why_not;
-    const auto text = writer->text(report, why_not);
-    if (!text) {
+    auto text = writer->text(report, why_not);
+    if (text) {
+      files.emplace_back(writer->file, std::move(*text));
+    } else {
       written.skipped.push_back({writer->file, why_not});
-      continue;
     }
-    const fs::path place = folder_ / writer->file;
-    ready.emplace_back(place);
-    if (!ready.back().write(*text)) throw std::runtime_error("cannot write \"" + place.string() + "\"");
   }
-  for (NewFile& file : ready) written.files.push_back(file.put_in_place());
+  written.files = put(files);
   return written;
+}
+
+std::vector<fs::path> OutputFolder::put(const std::vector<std::pair<std::string, std::string>>& files) const {
+  std::vector<NewFile> ready;
+  for (const auto& [name, text] : files) {
+    const fs::path place = folder_ / name;
+    ready.emplace_back(place);
+    if (!ready.back().write(text)) throw std::runtime_error("cannot write \"" + place.string() + "\"");
+  }
+  std::vector<fs::path> placed;
+  for (NewFile& file : ready) placed.push_back(file.put_in_place());
+  return placed;
 }
 
 }  // namespace plumb

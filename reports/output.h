@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/report.h"
@@ -27,6 +28,11 @@ class OutputFolder {
   /// Every writer's file, each under a temporary name first; only when all are there do they take their places.
   /// Throws std::runtime_error when that fails, and leaves what was there before.
   Written write(const Report&) const;
+
+  /// The same for files of one's own: names and what they hold.
+  std::vector<std::filesystem::path> put(const std::vector<std::pair<std::string, std::string>>& files) const;
+
+  const std::filesystem::path& path() const { return folder_; }
 
  private:
   std::filesystem::path folder_;

@@ -75,19 +75,6 @@ void record_until_the_end(const Scene& scene, Simulation& simulation, double dt,
   }
 }
 
-double seconds_of_steps(const Scene& scene, const Entrant& entrant, std::size_t steps, double dt) {
-  try {
-    const auto simulation = entrant.contender->build(scene, entrant.settings);
-    const Stopwatch only_steps;
-    for (std::size_t i = 0; i < steps; ++i) simulation->step(dt);
-    return only_steps.seconds();
-  } catch (const std::exception& error) {
-    throw std::runtime_error(fmt::format(
-        "{} ran {} and then, asked once more to see what it costs, did not: {}. Each simulation must start afresh",
-        entrant.contender->name, scene.name, error.what()));
-  }
-}
-
 }  // namespace
 
 std::string Entrant::method() const {
@@ -129,6 +116,20 @@ Outcome run(const Scene& scene, const Entrant& entrant, double dt, double first_
   return outcome;
 }
 
+double time_of_steps(const Scene& scene, const Entrant& entrant, double dt) {
+  const std::size_t steps = steps_in(scene.duration, dt);
+  try {
+    const auto simulation = entrant.contender->build(scene, entrant.settings);
+    const Stopwatch only_steps;
+    for (std::size_t i = 0; i < steps; ++i) simulation->step(dt);
+    return only_steps.seconds();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format(
+        "{} ran {} and then, asked once more to see what it costs, did not: {}. Each simulation must start afresh",
+        entrant.contender->name, scene.name, error.what()));
+  }
+}
+
 std::vector<Timing> time_steps(const Case& asked, std::span<const Entrant> entrants, double dt) {
   // Enough for a median and quartiles; more for scenes so short that a single interruption would show.
   constexpr int fewest = 5;
@@ -142,7 +143,7 @@ std::vector<Timing> time_steps(const Case& asked, std::span<const Entrant> entra
   for (int round = 0; round <= most; ++round) {
     if (round > fewest && spent > budget * static_cast<double>(entrants.size())) break;
     for (std::size_t e = 0; e < entrants.size(); ++e) {
-      const double took = seconds_of_steps(scene, entrants[e], steps, dt);
+      const double took = time_of_steps(scene, entrants[e], dt);
       spent += took;
       if (round > 0) seconds[e].push_back(took);
     }

@@ -50,6 +50,9 @@ Outcome run(const Scene&, const Entrant&, double dt, double first_step = 1);
 /// nothing but `step` is inside the clock. Entrants must be able to run the case: time on a failed run is no result.
 std::vector<Timing> time_steps(const Case&, std::span<const Entrant>, double dt);
 
+/// s, that all steps of a scene take together: of one run from a fresh start, nothing but `step` inside the clock.
+double time_of_steps(const Scene&, const Entrant&, double dt);
+
 /// Steps of dt that cover a duration, both in s.
 std::size_t steps_in(double duration, double dt);
 

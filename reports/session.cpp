@@ -13,6 +13,7 @@
 #include "reports/environment.h"
 #include "reports/experiment.h"
 #include "reports/output.h"
+#include "reports/progress_line.h"
 #include "reports/writers/console.h"
 
 namespace plumb {
@@ -24,33 +25,12 @@ bool wants_colour() {
   return (no == nullptr || *no == '\0') && isatty(STDOUT_FILENO) != 0;
 }
 
-// One line that is written over and over, on a terminal only, and gone in the end.
-class ProgressLine {
- public:
-  ~ProgressLine() { clear(); }
-  ProgressLine() = default;
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  void show(const std::string& what, std::size_t done, std::size_t of) const {
-    if (!terminal_) return;
-    clear();
-    fmt::print(stderr, "[{}/{}] {:.80}", done + 1, of, what);
-    std::fflush(stderr);
-  }
-
- private:
-  void clear() const {
-    if (terminal_) std::fputs("\r\033[K", stderr);
-  }
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-};
-
 Report carry_out_with_progress(const Plan& plan) {
   const ProgressLine line;
   try {
-    return carry_out(plan,
-                     [&](const std::string& what, std::size_t done, std::size_t of) { line.show(what, done, of); });
+    return carry_out(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
+      line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
+    });
   } catch (const std::invalid_argument& error) {
     // Everything the user said was checked before: this is a mistake of ours.
     throw std::runtime_error(error.what());

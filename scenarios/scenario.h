@@ -30,7 +30,9 @@ struct Stepping {
   double h = 0;   // s, of one integration sub-step
   double drift =
       0;  // free fall is off by drift * gravity * t * h: +1/2 for symplectic Euler, -1/2 for explicit, 0 where exact
-  double impact_lag = 1;  // how late an impact may be noticed, in units of h; 0 where its time is solved for
+  int order = 0;             // smooth free motion is off by a multiple of h^order; 0: not stated
+  int order_in_contact = 0;  // and sliding along what is touched, by one of h^order_in_contact; 0: not stated
+  double impact_lag = 1;     // how late an impact may be noticed, in units of h; 0 where its time is solved for
   double gap = 0;    // m, by which a resting contact may stand off from touching, either way (skin, slop, compliance)
   double creep = 0;  // m/s, at which a sticking contact may slide by the method's nature
   double restitution_threshold = 0;  // m/s, slower impacts are treated as inelastic
@@ -92,6 +94,10 @@ struct Variant {
   Parameters changes;
 };
 
+/// Whether a motion is smooth, so that a method shows its order: nothing happens in an instant, no impact and no change
+/// between sticking and sliding. `free`: nothing touches. `sliding`: along what it touches from the beginning.
+enum class Smoothness { none, free, sliding };
+
 /// A family of scenes that asks one question.
 struct Scenario {
   std::string name;
@@ -101,8 +107,9 @@ struct Scenario {
   std::string closed_form;        // entry of reference/exact that knows the answer; "" where physics has none
   std::function<Scene(const Parameters&)> scene;
   std::function<std::vector<Expectation>(const Parameters&)> expectations;
-  bool canonical = false;  // part of the short report that runs by default
-  bool phased = false;     // its errors depend on where in a step an impact falls
+  bool canonical = false;                                             // part of the short report that runs by default
+  std::function<Smoothness(const Parameters&)> smoothness = nullptr;  // null: none
+  bool phased = false;  // its errors depend on where in a step an impact falls
 };
 
 /// All defaults, with the changes laid over. Throws std::invalid_argument for an unknown name, a value out of range or

@@ -72,6 +72,10 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .source = "lies flat; a gap in at one corner, out at the other"}};
 }
 
+Smoothness smoothness(const Parameters& p) {
+  return std::tan(p.at("angle") * degree) > p.at("friction") ? Smoothness::sliding : Smoothness::none;
+}
+
 const Catalog<Scenario>::Entry entry{
     {.name = "slope",
      .question = "Does a box stick below arctan(mu) and slide as Coulomb says above?",
@@ -85,7 +89,8 @@ const Catalog<Scenario>::Entry entry{
      .closed_form = "slide",
      .scene = scene,
      .expectations = expectations,
-     .canonical = true}};
+     .canonical = true,
+     .smoothness = smoothness}};
 
 }  // namespace
 }  // namespace plumb

@@ -184,6 +184,11 @@ std::vector<Expectation> expectations(const Parameters& p) {
   return b.end < b.down_at(b.radius) ? in_flight(b) : after_landing(b);
 }
 
+Smoothness smoothness(const Parameters& p) {
+  const Throw thrown = throw_of(p);
+  return thrown.end < thrown.down_at(thrown.radius) ? Smoothness::free : Smoothness::none;
+}
+
 const Catalog<Scenario>::Entry entry{
     {.name = "spinning-obb",
      .question = "Does a thrown box fly as Galileo says, keep its spin, and leave the ground as the impact laws say?",
@@ -204,6 +209,7 @@ const Catalog<Scenario>::Entry entry{
      .scene = scene,
      .expectations = expectations,
      .canonical = true,
+     .smoothness = smoothness,
      .phased = true}};
 
 }  // namespace

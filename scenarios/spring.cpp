@@ -66,7 +66,8 @@ const Catalog<Scenario>::Entry entry{
      .variants = {{"w=4", {}}, {"w=15", {{"frequency", 15}}}},
      .closed_form = "spring",
      .scene = scene,
-     .expectations = expectations}};
+     .expectations = expectations,
+     .smoothness = [](const Parameters&) { return Smoothness::free; }}};
 
 }  // namespace
 }  // namespace plumb

@@ -19,6 +19,11 @@ class Integrator {
   virtual void finish(BodySet& bodies, const ForceField& forces, Real h) = 0;
   /// Free fall is off by drift * gravity * t * h.
   virtual Real drift() const = 0;
+  /// Smooth free motion is off by a multiple of h^order.
+  virtual int order() const = 0;
+  /// So is sliding along what is touched, if contacts are solved exactly: what they give in a step moves the pose for
+  /// the whole of it, as in symplectic Euler, whatever the order of the free motion.
+  virtual int order_in_contact() const { return 1; }
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -74,7 +74,10 @@ StatedErrors stated_errors(const Settings& settings) {
   validate(settings);
   StatedErrors errors;
   errors.h = settings.dt;
-  errors.drift = MethodList<Integrator>::make(settings.integrator)->drift();
+  const auto integrator = MethodList<Integrator>::make(settings.integrator);
+  errors.drift = integrator->drift();
+  errors.order = integrator->order();
+  errors.order_in_contact = integrator->order_in_contact();
   MethodList<Solver>::make(settings.solver)->state(settings, errors);
   return errors;
 }

@@ -369,6 +369,7 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.dt = dt;
   stated.h = dt;
   stated.drift = 0.5;
+  stated.order = 1;
   stated.impact_lag = 1;
   stated.gap = 2 * b2_polygonRadius;
   stated.creep = 0;
@@ -423,6 +424,7 @@ const Catalog<Contender>::Entry entry{{
              .choices = on_or_off("starts from the last step's impulses", "starts from nothing"),
              .about = "warm starting"},
         },
+    .ladders = {{.option = "velocity", .values = {"4", "8", "16", "32"}}},
     .stepping = stepping,
     .unsupported = unsupported,
     .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {

@@ -441,6 +441,7 @@ Stepping stepping(const Settings& given, double dt) {
   stated.dt = dt;
   stated.h = dt / std::stod(settings.at("substeps"));
   stated.drift = 0.5;
+  stated.order = 1;
   stated.impact_lag = std::stod(settings.at("substeps"));  // found once a step
   stated.gap = linear_slop;
   stated.creep = 0;
@@ -491,6 +492,7 @@ const Catalog<Contender>::Entry entry{{
              .choices = on_or_off("starts from the last step's impulses", "starts from nothing"),
              .about = "warm starting"},
         },
+    .ladders = {{.option = "substeps", .values = {"1", "2", "4", "8"}}},
     .stepping = stepping,
     .unsupported = unsupported,
     .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {

@@ -299,6 +299,8 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.dt = dt;
   stated.h = dt;
   stated.drift = -0.5;
+  stated.order = 1;
+  stated.order_in_contact = 1;
   stated.impact_lag = 1;
   stated.gap = std::stod(complete(self(), settings).at("slop"));
   stated.creep = 0;
@@ -339,6 +341,7 @@ Contender chipmunk() {
                .choices = {{"on", "stops groups of bodies that hardly move"}, {"off", "bodies never sleep"}},
                .about = "sleeping"},
           },
+      .ladders = {{.option = "iterations", .values = {"5", "10", "20", "40"}}},
       .stepping = stepping,
       .unsupported = unsupported,
       .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {

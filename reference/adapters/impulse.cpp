@@ -14,6 +14,30 @@ ImpulseEngine in_precision_of(const Settings& settings) {
   return settings.at("precision") == "float" ? single_precision::impulse_engine() : double_precision::impulse_engine();
 }
 
+// Every solver with what makes it work harder, sub-steps where it cuts the step up and iterations where it does not;
+// and every integrator, with contacts solved exactly, so that what is seen is its own error.
+std::vector<WorkLadder> ladders_of(const Contender& contender) {
+  const std::string integrated = "exact";
+  const auto stepping_with = [&](const Settings& settings) {
+    return double_precision::impulse_engine().stepping(complete(contender, settings), 1);
+  };
+  std::vector<WorkLadder> ladders;
+  for (const Option& option : contender.options) {
+    for (const auto& [choice, about] : option.choices) {
+      const Settings method = choice == option.value ? Settings{} : Settings{{option.key, choice}};
+      if (option.key == "solver") {
+        const bool cuts = stepping_with({{"solver", choice}, {"substeps", "2"}}).h < 1;
+        ladders.push_back(
+            {method, cuts ? "substeps" : "iterations",
+             cuts ? std::vector<std::string>{"1", "2", "4", "8"} : std::vector<std::string>{"5", "10", "20", "40"}});
+      } else if (option.key == "integrator" && choice != option.value) {
+        ladders.push_back({{{"solver", integrated}, {"integrator", choice}}, "", {}});
+      }
+    }
+  }
+  return ladders;
+}
+
 Contender impulse() {
   Contender contender;
   contender.name = "impulse";
@@ -26,6 +50,7 @@ Contender impulse() {
        .choices = {{"float", "single precision, as games run it"}, {"double", "double precision"}},
        .about = "arithmetic"});
   contender.also = {{{"solver", "article"}}};
+  contender.ladders = ladders_of(contender);
   contender.stepping = [](const Settings& given, double dt) {
     const Settings settings = complete(self(), given);
     return in_precision_of(settings).stepping(settings, dt);

@@ -260,6 +260,8 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.dt = dt;
   stated.h = errors.h;
   stated.drift = errors.drift;
+  stated.order = errors.order;
+  stated.order_in_contact = errors.order_in_contact;
   stated.impact_lag = errors.impact_lag;
   stated.gap = errors.gap;
   stated.creep = errors.creep;

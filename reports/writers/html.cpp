@@ -76,7 +76,7 @@ Json series_of(const Report& report, std::size_t most) {
   return all;
 }
 
-std::optional<std::string> fill_page(std::string_view page, const Report& report, std::string& why_not) {
+std::optional<std::string> fill_page(std::string_view page, const Json& data, std::string& why_not) {
   if (page.empty()) {
     why_not = "built without Node.js: no page";
     return std::nullopt;
@@ -86,11 +86,10 @@ std::optional<std::string> fill_page(std::string_view page, const Report& report
     why_not = "the built page has no mark " + std::string(mark);
     return std::nullopt;
   }
-  const std::string data = Json{{"report", to_json(report)}, {"series", series_of(report)}}.dump();
   std::string filled(page.substr(0, place));
   filled += R"(<script type="application/json" id="plumb-data">)";
   // No tag can begin inside the data: a name in it must not end the script early.
-  for (const char letter : data) {
+  for (const char letter : data.dump()) {
     if (letter == '<') {
       filled += "\\u003c";
     } else {
@@ -100,6 +99,10 @@ std::optional<std::string> fill_page(std::string_view page, const Report& report
   filled += "</script>";
   filled += page.substr(place + mark.size());
   return filled;
+}
+
+std::optional<std::string> fill_page(std::string_view page, const Report& report, std::string& why_not) {
+  return fill_page(page, Json{{"report", to_json(report)}, {"series", series_of(report)}}, why_not);
 }
 
 }  // namespace plumb

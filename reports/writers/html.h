@@ -9,7 +9,10 @@
 
 namespace plumb {
 
-/// The page with the report's data in place of its mark, or nothing and why.
+/// The page with the data in place of its mark, or nothing and why.
+std::optional<std::string> fill_page(std::string_view page, const nlohmann::ordered_json& data, std::string& why_not);
+
+/// The same with a report's.
 std::optional<std::string> fill_page(std::string_view page, const Report&, std::string& why_not);
 
 /// What the charts are drawn from: per run that has a trace the energy, momenta and distance from the closed form

@@ -60,6 +60,8 @@ std::vector<MethodInfo> broad_phases();
 struct StatedErrors {
   Real h = 0;                      // s, of one integration sub-step
   Real drift = 0;                  // free fall is off by drift * gravity * t * h
+  int order = 1;                   // smooth free motion is off by a multiple of h^order
+  int order_in_contact = 1;        // and sliding along what is touched, by one of h^order_in_contact
   Real impact_lag = 1;             // how late an impact may be noticed, in units of h; 0 where its time is solved for
   Real gap = 0;                    // m, by which a resting contact may stand off from touching, either way
   Real creep = 0;                  // m/s, at which a sticking contact may slide

@@ -23,6 +23,7 @@ class SymplecticEuler : public Integrator {
 
   // x = g (t^2 + t h)/2: every step moves with the velocity it ends with.
   Real drift() const override { return static_cast<Real>(.5); }
+  int order() const override { return 1; }
 
  private:
   std::vector<Velocity> acceleration_;

@@ -30,6 +30,7 @@ class VelocityVerlet : public Integrator {
   }
 
   Real drift() const override { return 0; }
+  int order() const override { return 2; }
 
  private:
   void kick(BodySet& bodies, std::size_t i, Real h) const {

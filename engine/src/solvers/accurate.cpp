@@ -68,6 +68,8 @@ class Accurate : public Solver {
   void state(const Settings& settings, StatedErrors& errors) const override {
     errors.h = settings.dt / static_cast<Real>(settings.substeps);
     errors.drift = 0;
+    errors.order = 2;
+    errors.order_in_contact = 2;
     errors.impact_lag = 0;
     errors.gap = tolerated_sink;  // until the offset has taken it up
     errors.creep = 0;

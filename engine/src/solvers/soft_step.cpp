@@ -106,6 +106,8 @@ void SoftStep::state(const Settings& settings, StatedErrors& errors) const {
   errors.joints = true;
   errors.h = settings.dt / static_cast<Real>(settings.substeps);
   errors.drift = static_cast<Real>(.5);  // symplectic Euler
+  errors.order = 1;
+  errors.order_in_contact = 1;
   errors.impact_lag = static_cast<Real>(settings.substeps);
   errors.gap = static_cast<Real>(2.5) * length(settings.gravity) / (omega * omega);
   errors.creep = 0;

@@ -82,6 +82,8 @@ void Xpbd::step(StepData& data) {
 void Xpbd::state(const Settings& settings, StatedErrors& errors) const {
   errors.h = settings.dt / static_cast<Real>(settings.substeps);
   errors.drift = static_cast<Real>(.5);  // symplectic Euler
+  errors.order = 1;
+  errors.order_in_contact = 1;
   errors.gap = static_cast<Real>(2.5) * length(settings.gravity) * errors.h * errors.h;
   // A point that static friction cannot hold alone slides for the sub-step with what gravity gives it there.
   errors.creep = length(settings.gravity) * errors.h;

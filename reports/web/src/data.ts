@@ -1,6 +1,9 @@
 // What the C++ side hands to the page, and the check that it is that. The page trusts nothing else: a report that does
 // not fit is refused whole, with the places named.
 
+import { finite, is_object, list, map, number, one_of, record, text, yes_no, type Rule } from "./rules";
+import { study_rule, type Study } from "./study";
+
 export interface Measured {
   value: number | null; // null: not finite
   unit: string;
@@ -139,48 +142,6 @@ export interface Page {
 /** The format of report.json this page reads. */
 export const format = 1;
 
-type Rule = (value: unknown, path: string, problems: string[]) => void;
-
-const kind = (value: unknown): string =>
-  value === null ? "null" : value === undefined ? "nothing" : Array.isArray(value) ? "a list" : `a ${typeof value}`;
-
-const expect =
-  (fits: (value: unknown) => boolean, what: string): Rule =>
-  (value, path, problems) => {
-    if (!fits(value)) problems.push(`${path}: expected ${what}, found ${kind(value)}`);
-  };
-
-const text = expect((value) => typeof value === "string", "a text");
-const yes_no = expect((value) => typeof value === "boolean", "true or false");
-const finite = expect((value) => typeof value === "number", "a number");
-const number = expect((value) => typeof value === "number" || value === null, "a number or null");
-const one_of = (...words: readonly string[]): Rule =>
-  expect((value) => words.includes(value as string), `one of ${words.join(", ")}`);
-
-const list =
-  (rule: Rule): Rule =>
-  (value, path, problems) => {
-    if (!Array.isArray(value)) problems.push(`${path}: expected a list, found ${kind(value)}`);
-    else value.forEach((item, index) => rule(item, `${path}[${index}]`, problems));
-  };
-
-const is_object = (value: unknown): value is Record<string, unknown> =>
-  typeof value === "object" && value !== null && !Array.isArray(value);
-
-const map =
-  (rule: Rule): Rule =>
-  (value, path, problems) => {
-    if (!is_object(value)) problems.push(`${path}: expected names with values, found ${kind(value)}`);
-    else for (const [name, item] of Object.entries(value)) rule(item, `${path}["${name}"]`, problems);
-  };
-
-const record =
-  (rules: Record<string, Rule>): Rule =>
-  (value, path, problems) => {
-    if (!is_object(value)) problems.push(`${path}: expected an object, found ${kind(value)}`);
-    else for (const [name, rule] of Object.entries(rules)) rule(value[name], `${path}.${name}`, problems);
-  };
-
 const measured = record({ value: number, unit: text });
 const place = { scenario: text, variant: text };
 const contender = { ...place, engine: text, method: text };
@@ -272,7 +233,13 @@ const page_rule = record({
   series: list(series_rule),
 });
 
-export type Outcome = { page: Page } | { problems: string[] };
+export type Outcome = { page: Page } | { study: Study } | { problems: string[] };
+
+/** Where in the data its kind keeps the number of its format. */
+const kinds = [
+  { name: "report", rule: page_rule, format },
+  { name: "study", rule: record({ study: study_rule }), format: 1 },
+] as const;
 
 /** Reads the text of the data element; says all that is wrong with it, place by place. */
 export function read(json: string | null | undefined): Outcome {
@@ -283,12 +250,17 @@ export function read(json: string | null | undefined): Outcome {
   } catch (error) {
     return { problems: [`the report is not JSON: ${(error as Error).message}`] };
   }
-  const version = is_object(value) && is_object(value["report"]) ? value["report"]["plumb"] : undefined;
-  if (version !== undefined && version !== format) {
-    return { problems: [`report.plumb: the report is of format ${String(version)}, this page reads format ${format}`] };
+  const kind = kinds.find(({ name }) => is_object(value) && name in value) ?? kinds[0];
+  const inner = is_object(value) ? value[kind.name] : undefined;
+  const version = is_object(inner) ? inner["plumb"] : undefined;
+  if (version !== undefined && version !== kind.format) {
+    return {
+      problems: [`${kind.name}.plumb: the ${kind.name} is of format ${String(version)}, this page reads format ${kind.format}`],
+    };
   }
   const problems: string[] = [];
-  if (version === undefined) problems.push(`report.plumb: expected ${format}, the number of the format, found nothing`);
-  page_rule(value, "", problems);
-  return problems.length ? { problems: problems.map((problem) => problem.replace(/^\./, "")) } : { page: value as Page };
+  if (version === undefined) problems.push(`${kind.name}.plumb: expected ${kind.format}, the number of the format, found nothing`);
+  kind.rule(value, "", problems);
+  if (problems.length) return { problems: problems.map((problem) => problem.replace(/^\./, "")) };
+  return kind.name === "study" ? { study: (value as { study: Study }).study } : { page: value as Page };
 }

@@ -6,6 +6,8 @@ import { method } from "./sections/method";
 import { opening } from "./sections/opening";
 import { overview } from "./sections/overview";
 import { problems } from "./sections/problems";
+import { study_page } from "./sections/study";
+import { view_of } from "./studies/views";
 import { sentence } from "./verdict";
 
 const page = document.getElementById("page");
@@ -13,6 +15,10 @@ const outcome = read(document.getElementById("plumb-data")?.textContent);
 
 if ("problems" in outcome) {
   page?.replaceChildren(problems(outcome.problems));
+} else if ("study" in outcome) {
+  const { sentence, sections } = view_of(outcome.study);
+  document.title = `Plumb study: ${outcome.study.study}: ${sentence}`;
+  page?.replaceChildren(...study_page(outcome.study, sentence, sections));
 } else {
   const model = model_of(outcome.page);
   const places = [
@@ -27,9 +33,9 @@ if ("problems" in outcome) {
     h("nav", { "aria-label": "Sections" }, ...links),
     h("main", {}, overview(model), ...model.chapters.map(chapter_section), method(model)),
   );
-  // The sections were not there when the browser looked for the address's place.
-  if (location.hash) document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
 }
+// The sections were not there when the browser looked for the address's place.
+if (location.hash) document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
 
 addEventListener("beforeprint", () => {
   for (const closed of document.querySelectorAll("details")) closed.open = true;

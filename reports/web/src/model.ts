@@ -48,16 +48,18 @@ const symbols = ["circle", "square", "triangle", "diamond", "wye", "star"];
 const dashes = ["", "7 3", "2 3", "9 3 2 3", "12 4", "4 2"];
 const colors = 6;
 
+/** Of the index-th contender; the first 36 differ. */
+export function look(index: number): Pick<Contender, "color" | "symbol" | "dash"> {
+  const turn = index + Math.floor(index / colors);
+  return {
+    color: `var(--engine-${(index % colors) + 1})`,
+    symbol: symbols[turn % symbols.length] ?? "circle",
+    dash: dashes[turn % dashes.length] ?? "",
+  };
+}
+
 function contenders_of(runs: Run[]): Contender[] {
   const found = new Map<string, Contender>();
-  const looks = (index: number, exact: boolean) =>
-    exact
-      ? { color: "var(--truth)", symbol: "times", dash: "1 4" }
-      : {
-          color: `var(--engine-${(index % colors) + 1})`,
-          symbol: symbols[index % symbols.length] ?? "circle",
-          dash: dashes[index % dashes.length] ?? "",
-        };
   const first_ours = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
   let index = 0;
   for (const run of first_ours) {
@@ -68,7 +70,7 @@ function contenders_of(runs: Run[]): Contender[] {
       engine: run.engine,
       method: run.method,
       exact: run.exact,
-      ...looks(run.exact ? 0 : index++, run.exact),
+      ...(run.exact ? { color: "var(--truth)", symbol: "times", dash: "1 4" } : look(index++)),
     });
   }
   return [...found.values()].sort((a, b) => Number(a.exact) - Number(b.exact));

@@ -5,7 +5,7 @@ import type { Model } from "../model";
 import { sentence } from "../verdict";
 
 /** A plumb line. */
-function mark(): SVGElement {
+export function mark(): SVGElement {
   return svg(
     "svg",
     { viewBox: "0 0 24 72", width: 24, height: 72, class: "bob", "aria-hidden": "true" },

@@ -1,0 +1,279 @@
+// Speed against accuracy: every engine and method over a ladder of steps and of what makes it work harder.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "reports/answer.h"
+#include "reports/cli.h"
+#include "reports/phases.h"
+#include "reports/report.h"
+#include "reports/speed_findings.h"
+#include "reports/study.h"
+#include "reports/study/results_file.h"
+#include "scenarios/catalog.h"
+#include "scenarios/scene_json.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double least_time = 1.5e-3;  // s of stepping in one repetition: a clock's grain and an interrupt drown in it
+
+struct Asked {
+  std::vector<std::string> scenarios;
+  bool all = false;
+  std::vector<std::string> engines;
+  std::vector<std::string> steps{"1/30", "1/60", "1/120", "1/240", "1/480", "1/960"};
+};
+
+// An engine's method at one rung of what makes it work harder.
+struct Rung {
+  Entrant entrant;
+  std::string method;  // without the rung
+  std::string option, value;
+  bool standard = false;  // the value is the default
+};
+
+std::vector<Rung> rungs_of(const Entrant& entrant, const WorkLadder& ladder) {
+  const Contender& contender = *entrant.contender;
+  if (ladder.option.empty()) return {{entrant, entrant.method(), "", "", true}};
+  std::vector<Rung> rungs;
+  for (const std::string& value : ladder.values) {
+    Settings settings = entrant.settings;
+    settings[ladder.option] = value;
+    const Settings defaults = complete(contender, {});
+    rungs.push_back({{&contender, complete(contender, settings)},
+                     entrant.method(),
+                     ladder.option,
+                     value,
+                     value == defaults.at(ladder.option)});
+  }
+  return rungs;
+}
+
+std::vector<Rung> all_rungs() {
+  std::vector<Rung> all;
+  for (const Entrant& entrant : default_entrants()) {
+    const Contender& contender = *entrant.contender;
+    std::vector<WorkLadder> ladders = contender.ladders;
+    if (ladders.empty()) ladders.push_back({.method = entrant.settings});
+    // What is shown beside the default is among the ladders' methods.
+    if (!contender.ladders.empty() && !entrant.method().empty()) continue;
+    for (const WorkLadder& ladder : ladders) {
+      for (Rung& rung : rungs_of({&contender, complete(contender, ladder.method)}, ladder))
+        all.push_back(std::move(rung));
+    }
+  }
+  return all;
+}
+
+// An engine asked for by name is climbed by the ladder of its method, where it has one and the asker has not set that
+// option.
+std::vector<Rung> rungs_asked(const std::string& word) {
+  const Entrant entrant = parse_entrant(word);
+  for (const WorkLadder& ladder : entrant.contender->ladders) {
+    const Settings own = complete(*entrant.contender, ladder.method);
+    const auto same = [&](const auto& setting) { return entrant.settings.at(setting.first) == setting.second; };
+    if (std::all_of(own.begin(), own.end(), same)) return rungs_of(entrant, ladder);
+  }
+  return rungs_of(entrant, {});
+}
+
+std::vector<Rung> rungs_of(const Json& configuration) {
+  if (configuration.at("engines").empty()) return all_rungs();
+  std::vector<Rung> all;
+  for (const std::string word : configuration.at("engines")) {
+    for (Rung& rung : rungs_asked(word)) all.push_back(std::move(rung));
+  }
+  return all;
+}
+
+std::vector<Case> cases_of(const std::vector<std::string>& words, bool all) {
+  std::vector<Case> cases;
+  if (words.empty()) cases = default_cases(all);
+  std::vector<std::string> asked = words;
+  if (words.empty() && !all) asked.emplace_back("pyramid");
+  for (const std::string& word : asked) {
+    for (Case& one : parse_cases(word)) cases.push_back(std::move(one));
+  }
+  return cases;
+}
+
+// Tells a scene that has changed since from the one that was run.
+std::string hash_of(const std::vector<Case>& cases) {
+  std::vector<Point> scenes;
+  for (const Case& one : cases) scenes.push_back({.key = write_scene({*one.scene, {}})});
+  return plan_hash(scenes);
+}
+
+std::vector<double> steps_of(const Json& configuration) {
+  std::vector<double> steps;
+  for (const std::string text : configuration.at("dt")) steps.push_back(parse_dt(text));
+  return steps;
+}
+
+// 0 where none is.
+int order_stated(const Case& asked, const Stepping& stepping) {
+  const auto& smoothness = asked.scenario->smoothness;
+  switch (smoothness ? smoothness(asked.parameters) : Smoothness::none) {
+    case Smoothness::none:
+      return 0;
+    case Smoothness::free:
+      return stepping.order;
+    case Smoothness::sliding:
+      return stepping.order_in_contact;
+  }
+  return 0;
+}
+
+// How far a method is off at one step: over all phases of a step where impacts fall somewhere in it, so that none is
+// lucky.
+class Measurement {
+ public:
+  Measurement(std::shared_ptr<const Case> asked, std::shared_ptr<const Answer> answer, Rung rung, double dt)
+      : asked_(std::move(asked)), answer_(std::move(answer)), rung_(std::move(rung)), dt_(dt) {}
+
+  Row row() const {
+    Row row;
+    Json& values = row.values;
+    const Entrant& entrant = rung_.entrant;
+    const Stepping stepping = entrant.contender->stepping(entrant.settings, dt_);
+    values = {{"scenario", asked_->scenario->name},
+              {"variant", asked_->variant},
+              {"engine", entrant.contender->name},
+              {"method", rung_.method},
+              {"option", rung_.option},
+              {"setting", rung_.value},
+              {"standard", rung_.standard},
+              {"dt", dt_},
+              {"steps", steps_in(asked_->scene->duration, dt_)},
+              {"order", order_stated(*asked_, stepping)},
+              {"truth", answer_->witness() == nullptr ? "" : answer_->witness()->name},
+              {"truth_until", 0.0},
+              {"truth_error", 0.0}};
+    if (answer_->witness() == nullptr) {
+      values["status"] = "no truth";
+      values["why"] = answer_->reason();
+      return row;
+    }
+    values["truth_until"] = std::min(answer_->until(), asked_->scene->duration);
+    values["truth_error"] = answer_->error();
+    measure_into(values, stepping);
+    return row;
+  }
+
+  // s per simulated second.
+  double time() const {
+    double spent = 0;
+    double runs = 0;
+    while (spent < least_time) {
+      spent += time_of_steps(*asked_->scene, rung_.entrant, dt_);
+      ++runs;
+    }
+    return spent / (runs * static_cast<double>(steps_in(asked_->scene->duration, dt_)) * dt_);
+  }
+
+ private:
+  void measure_into(Json& values, const Stepping& stepping) const {
+    double squares = 0;
+    double least = std::numeric_limits<double>::infinity();
+    double largest = 0;
+    const std::vector<Case> all = phases(*asked_, asked_->scenario->phased ? judged_phases : 1);
+    for (const Case& phase : all) {
+      const Outcome outcome = run(*phase.scene, rung_.entrant, dt_, phase.first_step);
+      values["status"] = name_of(outcome.status);
+      values["why"] = outcome.reason;
+      if (outcome.status != Status::ok) return;
+      const double error = answer_->error_of(*outcome.trace, dt_, phase.first_step);
+      squares += error * error;
+      least = std::min(least, error);
+      largest = std::max(largest, error);
+    }
+    values["phases"] = all.size();
+    values["error"] = std::sqrt(squares / static_cast<double>(all.size()));
+    values["error_least"] = least;
+    values["error_largest"] = largest;
+    values["round_off"] = answer_->round_off(stepping);
+  }
+
+  std::shared_ptr<const Case> asked_;
+  std::shared_ptr<const Answer> answer_;
+  Rung rung_;
+  double dt_;
+};
+
+std::vector<Point> points_of(const Json& configuration) {
+  const std::vector<double> steps = steps_of(configuration);
+  const std::vector<Rung> rungs = rungs_of(configuration);
+  const double finest = *std::min_element(steps.begin(), steps.end());
+  std::vector<Point> points;
+  for (Case& one : cases_of(configuration.at("scenarios"), configuration.at("all"))) {
+    const auto asked = std::make_shared<const Case>(std::move(one));
+    const auto answer = std::make_shared<Answer>(*asked, finest);
+    const std::string place = asked->scenario->name + "/" + asked->variant;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const std::string dt = configuration.at("dt")[i];
+      for (const Rung& rung : rungs) {
+        const auto measurement = std::make_shared<const Measurement>(asked, answer, rung, steps[i]);
+        const std::string setting = rung.option.empty() ? "" : "|" + rung.option + "=" + rung.value;
+        points.push_back({.key = fmt::format("speed|{}|{}{}|dt={}", place,
+                                             label_of(rung.entrant.contender->name, rung.method), setting, dt),
+                          .run = [measurement] { return measurement->row(); },
+                          .turn = [measurement] { return measurement->time(); },
+                          .group = place + "|" + dt,
+                          .prepare = [answer] { answer->find(); }});
+      }
+    }
+  }
+  return points;
+}
+
+Json configuration_of(const Asked& asked) {
+  std::vector<std::string> steps = asked.steps;
+  std::stable_sort(steps.begin(), steps.end(), [](const auto& a, const auto& b) { return parse_dt(a) > parse_dt(b); });
+  Json configuration{{"scenarios", asked.scenarios},
+                     {"all", asked.all},
+                     {"engines", asked.engines},
+                     {"dt", steps},
+                     {"scenes", hash_of(cases_of(asked.scenarios, asked.all))}};
+  std::set<std::string> seen;
+  for (const Point& point : points_of(configuration)) {
+    if (!seen.insert(point.key).second) throw std::invalid_argument("\"" + point.key + "\" is asked for twice");
+  }
+  return configuration;
+}
+
+const Catalog<Study>::Entry entry{
+    {.name = "speed",
+     .about = "Speed against accuracy: what each method costs for an error, and what error it gives for a time",
+     .examples =
+         "  plumb study speed                              the canonical scenarios and the pyramid, every engine\n"
+         "  plumb study speed --scenarios spring orbit     some scenarios\n"
+         "  plumb study speed --engine impulse --engine box2d --dt 1/60 1/240\n",
+     .attach = [](CLI::App& app) -> std::function<Json()> {
+       const auto asked = std::make_shared<Asked>();
+       app.add_option("--scenarios", asked->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...")
+           ->type_name("NAME");
+       app.add_flag("--all", asked->all, "Every scenario");
+       app.add_option("--engine", asked->engines,
+                      "NAME[:key=value,...]; may be repeated. Default: every engine and method")
+           ->allow_extra_args(false)
+           ->type_name("ENGINE");
+       app.add_option("--dt", asked->steps, "The ladder of time steps in s, numbers or fractions")
+           ->capture_default_str()
+           ->type_name("STEP");
+       return [asked] { return configuration_of(*asked); };
+     },
+     .plan = [](const Json& configuration) -> StudyPlan {
+       return {points_of(configuration), speed_findings};
+     }}};
+
+}  // namespace
+}  // namespace plumb

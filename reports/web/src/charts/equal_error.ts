@@ -1,0 +1,49 @@
+// Each method's factor of time at equal error: median and middle half over all cases.
+import * as Plot from "@observablehq/plot";
+import { number } from "../format";
+import type { Factor, SpeedModel } from "../studies/speed_model";
+import { decades } from "./decades";
+import { figure } from "./figure";
+import { dot_look, plot_look, scale, tip_look } from "./look";
+
+const row_height = 26;
+
+const described = ({ contender, median, low, high, reached, cases }: Factor): string =>
+  [
+    contender.label,
+    `${number(median, "", 2)} times, middle half ${number(low, "", 2)} to ${number(high, "", 2)}`,
+    `gets there in ${reached} of ${cases} cases`,
+  ].join("\n");
+
+export function equal_error_chart(model: SpeedModel): HTMLElement {
+  const found = model.factors.filter(({ median }) => median !== null).sort((a, b) => (a.median ?? 0) - (b.median ?? 0));
+  const never = model.factors.filter(({ median }) => median === null).map(({ contender }) => contender.label);
+  const height = 70 + row_height * found.length;
+  const name = ({ contender, reached, cases }: Factor) => `${contender.label}  ${reached}/${cases}`;
+  const longest = Math.max(0, ...found.map((factor) => name(factor).length));
+  const draw = (width: number) => {
+    const values = found.flatMap(({ low, high }) => [low ?? 1, high ?? 1]);
+    const { domain, ticks } = decades([1, ...values]);
+    return Plot.plot({
+      ...plot_look(width, height),
+      marginLeft: Math.min(width / 2, 24 + longest * 6.6) * scale(),
+      ariaLabel: `Time at equal error, ${model.standard} = 1`,
+      x: { type: "log", domain, ticks, label: `time at equal error, ${model.standard} = 1`, labelAnchor: "right", grid: true, tickFormat: (value: number) => number(value, "", 1) },
+      y: { label: null, domain: found.map(name) },
+      marks: [
+        Plot.ruleX([1], { stroke: "var(--faint)" }),
+        Plot.link(found, { x1: "low", x2: "high", y1: name, y2: name, stroke: ({ contender }: Factor) => contender.color, strokeWidth: 3, strokeOpacity: 0.5 }),
+        ...found.map((factor) =>
+          Plot.dot([factor], { x: "median", y: name, r: 5, ...dot_look(factor.contender), className: "factor", ariaDescription: factor.contender.label }),
+        ),
+        Plot.tip(found, Plot.pointerY({ x: "median", y: name, title: described, ...tip_look })),
+      ],
+    });
+  };
+  return figure({
+    title: "Time at equal error, over all cases",
+    note: `Left of 1 is faster. Marks are medians over the cases, bars the middle half; the numbers say in how many cases the method gets as accurate.${never.length ? ` Never: ${never.join(", ")}.` : ""}`,
+    height,
+    draw: (width) => (found.length ? [draw(width)] : []),
+  });
+}

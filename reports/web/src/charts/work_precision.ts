@@ -1,0 +1,79 @@
+// Error against time per simulated second, one curve a method: the best that it gives for each time.
+import * as Plot from "@observablehq/plot";
+import { number, time_step } from "../format";
+import type { SpeedCase, SpeedMark } from "../studies/speed_model";
+import { decades } from "./decades";
+import { figure } from "./figure";
+import { dot_look, line_look, plot_look, tip_look } from "./look";
+
+/** Smaller errors are round-off; they stand at the foot of the chart. */
+const least_floor = 1e-12; // m
+
+const height = 460;
+
+const described = ({ contender, setting, dt, time, error, wide }: SpeedMark): string =>
+  [
+    contender.label,
+    [setting, `step ${time_step(dt)}`].filter(Boolean).join(", "),
+    `${number(error, "m")} from the truth`,
+    `${number(time * 1e6, "\u00b5s")} for a simulated second${wide ? ", unsteady" : ""}`,
+  ].join("\n");
+
+export function work_precision(place: SpeedCase): HTMLElement {
+  const { marks, curves, front, truth_error } = place;
+  const positive = marks.map(({ error }) => error).filter((error) => error > least_floor);
+  const floor = positive.length ? 10 ** Math.floor(Math.log10(Math.min(...positive))) : least_floor;
+  const foot = marks.some(({ error }) => error < floor);
+  const x = decades(marks.map(({ time }) => time * 1e6));
+  const y = decades([floor, ...positive, ...(truth_error > floor ? [truth_error] : [])]);
+  const at = { x: ({ time }: SpeedMark) => time * 1e6, y: ({ error }: SpeedMark) => Math.max(error, floor) };
+  const draw = (width: number) =>
+    Plot.plot({
+      ...plot_look(width, height),
+      ariaLabel: "Error against time per simulated second",
+      x: {
+        type: "log",
+        label: "time per simulated second (\u00b5s), median",
+        labelAnchor: "right",
+        grid: true,
+        ...x,
+        tickFormat: (value: number) => number(value, "", 1),
+      },
+      y: {
+        type: "log",
+        label: "distance from the truth, RMS (m)",
+        grid: true,
+        ...y,
+        tickFormat: (value: number) => (value === floor && foot ? `\u2264 ${number(value, "", 1)}` : number(value, "", 1)),
+      },
+      marks: [
+        Plot.line(front, { ...at, stroke: "var(--truth)", strokeWidth: 9, strokeLinecap: "round", strokeLinejoin: "round", className: "front" }),
+        truth_error > floor
+          ? [
+              Plot.ruleY([truth_error], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
+              Plot.text([truth_error], { y: (error: number) => error, text: () => "the reference's own error", frameAnchor: "right", dy: -6, fill: "var(--faint)" }),
+            ]
+          : null,
+        Plot.dot(
+          marks.filter(({ on_front }) => !on_front),
+          { ...at, r: 1.5, fill: ({ contender }: SpeedMark) => contender.color, fillOpacity: 0.45, ariaHidden: "true" },
+        ),
+        ...curves.map(({ contender, front: own }) =>
+          Plot.line(own, { ...at, ...line_look(contender), className: "line", ariaDescription: contender.label }),
+        ),
+        ...curves.map(({ contender, front: own }) => Plot.dot(own, { ...at, r: 4, ...dot_look(contender), ariaHidden: "true" })),
+        Plot.dot(
+          marks.filter(({ wide, on_front }) => wide && on_front),
+          { ...at, r: 7, stroke: "var(--faint)", strokeDasharray: "2 2", className: "unsteady", ariaDescription: "time not steady" },
+        ),
+        Plot.tip(marks, Plot.pointer({ ...at, title: described, ...tip_look })),
+      ],
+    });
+  const unsteady = marks.filter(({ wide }) => wide).length;
+  return figure({
+    title: "Error against time",
+    note: `Lower is more accurate, further left is faster. A curve joins a method\u2019s best runs; small dots are its others. The broad band is the front of all.${unsteady ? " A broken ring: repetitions did not agree on the time." : ""}`,
+    height,
+    draw: (width) => [draw(width)],
+  });
+}

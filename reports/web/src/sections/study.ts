@@ -1,0 +1,56 @@
+// The frame of every study's page: what it found in a sentence, its sections, how points ended that did not, and what
+// it was made with.
+import { h, table } from "../dom";
+import { count, words } from "../format";
+import type { Study, StudyView } from "../study";
+import { mark } from "./opening";
+
+const most_shown = 200;
+
+/** Points that no contender finished: outcomes as well. */
+function endings(study: Study): HTMLElement | null {
+  const broken = study.points.filter(({ ending }) => ending !== "done");
+  if (!broken.length) return null;
+  const rows = broken
+    .slice(0, most_shown)
+    .map(({ key, ending, reason }) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, ending), h("td", {}, reason)));
+  return h(
+    "section",
+    { id: "endings" },
+    h("h2", {}, "What did not come to an end"),
+    h("p", { class: "lede" }, `${count(broken.length, "point")} crashed, failed or went beyond their limits of time or memory.`),
+    table("Points that were not finished", ["point", "ending", "why"], rows),
+  );
+}
+
+function made_with(study: Study): HTMLElement {
+  const given = Object.entries(study.configuration).map(([name, value]): [string, string] => [name, typeof value === "string" ? value : JSON.stringify(value)]);
+  const pairs = [...given, ...Object.entries(study.environment)];
+  return h(
+    "section",
+    { id: "made-with" },
+    h("h2", {}, "Made with"),
+    h("dl", { class: "environment" }, ...pairs.map(([name, value]) => h("div", {}, h("dt", {}, words(name)), h("dd", {}, value)))),
+  );
+}
+
+export function study_page(study: Study, sentence: string, sections: StudyView["sections"]): HTMLElement[] {
+  const broken = endings(study);
+  const places = [...sections, ...(broken ? [{ id: "endings", name: "Not finished" }] : []), { id: "made-with", name: "Made with" }];
+  return [
+    h(
+      "header",
+      { class: "opening" },
+      mark(),
+      h(
+        "div",
+        {},
+        h("p", { class: "title" }, `Plumb study: ${study.study}`),
+        h("h1", {}, sentence),
+        h("p", { class: "basis" }, `${study.about} \u00b7 ${count(study.points.length, "point")}`),
+      ),
+    ),
+    h("nav", { "aria-label": "Sections" }, ...places.map(({ id, name }) => h("a", { href: `#${id}` }, name))),
+    h("main", {}, ...sections.map(({ content }) => content), broken, made_with(study)),
+  ];
+}

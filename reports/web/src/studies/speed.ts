@@ -1,0 +1,157 @@
+// Speed against accuracy: who is how fast at equal error, over all cases and in each.
+import { equal_error_chart } from "../charts/equal_error";
+import { legend } from "../charts/look";
+import { work_precision } from "../charts/work_precision";
+import { h, slug, table } from "../dom";
+import { count, enumerate, number, time_step } from "../format";
+import type { Study, StudyView } from "../study";
+import { speed_model, type OrderRow, type Reading, type SpeedCase, type SpeedModel } from "./speed_model";
+
+const duration = (value: number): string => (value < 1e-3 ? number(value * 1e6, "\u00b5s") : value < 1 ? number(value * 1e3, "ms") : number(value, "s"));
+
+function reading(found: Reading | null, unit: (value: number) => string, best: boolean, head: string): HTMLElement {
+  if (!found) return h("td", { class: "none", "data-label": head }, "not reached");
+  const text = (found.bound ? "\u2264 " : "") + unit(found.value);
+  return h("td", { "data-label": head }, best ? h("strong", {}, text) : text);
+}
+
+interface Column {
+  head: string;
+  readings: (Reading | null)[];
+}
+
+/** Columns that say nothing, because nobody gets there, are left out. */
+function readings(caption: string, place: SpeedCase, columns: Column[], unit: (value: number) => string): HTMLElement | null {
+  const shown = columns.filter((column) => column.readings.some((one) => one !== null));
+  if (!shown.length) return null;
+  const least = shown.map((column) => Math.min(...column.readings.map((one) => one?.value ?? Infinity)));
+  const rows = place.curves.map(({ contender }, row) =>
+    h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, contender.label),
+      ...shown.map((column, index) => {
+        const found = column.readings[row] ?? null;
+        return reading(found, unit, found?.value === least[index], column.head);
+      }),
+    ),
+  );
+  return table(caption, ["", ...shown.map(({ head }) => head)], rows, "numbers");
+}
+
+function case_section(model: SpeedModel, place: SpeedCase): HTMLElement {
+  const times = model.error_targets.map((target, index) => ({
+    head: `to ${number(target, "m", 1)}`,
+    readings: place.curves.map(({ time_for_error }) => time_for_error[index] ?? null),
+  }));
+  const errors = model.time_targets.map((target, index) => ({
+    head: `in ${duration(target)}`,
+    readings: place.curves.map(({ error_for_time }) => error_for_time[index] ?? null),
+  }));
+  const truth = place.truth === "converged" ? `a converged reference, itself known to ${number(place.truth_error, "m", 2)}` : `the closed form \u201c${place.truth}\u201d`;
+  return h(
+    "article",
+    { id: slug(place.scenario, place.variant), class: "case" },
+    h("h3", {}, place.variant ? `${place.scenario}, ${place.variant}` : place.scenario),
+    h("p", {}, `Weighed against ${truth}${place.phases > 1 ? `; each error is the RMS over ${place.phases} phases of a step, since impacts fall anywhere in it` : ""}.`),
+    legend(place.curves.map(({ contender }) => contender)),
+    work_precision(place),
+    h(
+      "details",
+      { class: "more" },
+      h("summary", {}, "Time for a given error, and error for a given time"),
+      readings("Time for a simulated second, to be no farther from the truth than", place, times, duration),
+      readings("Distance from the truth, RMS, when a simulated second may take", place, errors, (value) => number(value, "m", 2)),
+    ),
+  );
+}
+
+const interval = ({ order, half_width }: OrderRow): string =>
+  order === null ? "\u2013" : `${order.toFixed(2)} \u00b1 ${(half_width ?? 0).toFixed(2)}`;
+
+function order_table(caption: string, rows: OrderRow[]): HTMLElement {
+  return table(
+    caption,
+    ["case", "method", "stated", "measured", "steps", "finding"],
+    rows.map((row) =>
+      h(
+        "tr",
+        { "data-finding": row.finding },
+        h("th", { scope: "row" }, `${row.scenario}, ${row.variant}`),
+        h("td", { "data-label": "method" }, row.contender + (row.option && !row.standard ? `, ${row.option}=${row.setting}` : "")),
+        h("td", { "data-label": "stated" }, row.stated === null ? "\u2013" : String(row.stated)),
+        h("td", { "data-label": "measured" }, interval(row)),
+        h("td", { "data-label": "steps" }, String(row.points)),
+        h("td", { "data-label": "finding" }, row.finding === "exact" ? "exact to round-off" : row.finding),
+      ),
+    ),
+    "numbers",
+  );
+}
+
+function orders(model: SpeedModel): HTMLElement {
+  const known = model.orders.filter(({ stated, standard }) => stated !== null && standard);
+  const rest = model.orders.filter((row) => !known.includes(row) && row.order !== null);
+  return h(
+    "section",
+    { id: "orders" },
+    h("h2", {}, "Orders of convergence"),
+    h(
+      "p",
+      { class: "lede" },
+      `The slope of log error over log step, with the 95 % interval of the fit. Where the motion is smooth the method states its order; \u201cas stated\u201d is within ${model.order_tolerance}.`,
+    ),
+    known.length ? order_table("Where the order is known", known) : null,
+    rest.length ? h("details", { class: "more" }, h("summary", {}, "Where it is not, and at other settings"), order_table("Measured orders", rest)) : null,
+  );
+}
+
+function overall(model: SpeedModel): HTMLElement {
+  return h(
+    "section",
+    { id: "overall" },
+    h("h2", {}, "At equal error"),
+    h(
+      "p",
+      { class: "lede" },
+      `How many times as long as ${model.standard} a method takes to be as accurate, at the errors that ${model.standard} itself has. Between measured runs it is read off the front; beyond them nothing is made up, and a case counts only where the method gets there.`,
+    ),
+    equal_error_chart(model),
+  );
+}
+
+function sentence(model: SpeedModel): string {
+  const ranked = model.factors.filter(({ median, contender }) => median !== null && contender.label !== model.standard);
+  const best = [...ranked].sort((a, b) => b.reached - a.reached || (a.median ?? 0) - (b.median ?? 0))[0];
+  const steps = [...new Set(model.cases.flatMap(({ marks }) => marks.map(({ dt }) => dt)))];
+  const range = steps.length ? `, steps from ${time_step(Math.max(...steps))} to ${time_step(Math.min(...steps))}` : "";
+  if (!best || best.median === null) return `${count(model.cases.length, "case")} measured${range}.`;
+  const factor = best.median <= 1 ? `${number(1 / best.median, "", 2)} times as fast as` : `${number(best.median, "", 2)} times as slow as`;
+  return `At equal error ${best.contender.label} is ${factor} ${model.standard} (median of the ${best.reached} of ${best.cases} cases where it gets there)${range}.`;
+}
+
+export function speed(study: Study): StudyView {
+  const model = speed_model(study);
+  const scenarios = [...new Set(model.cases.map(({ scenario }) => scenario))];
+  const absent = model.without_truth.length
+    ? h("p", { class: "absence" }, `Without a truth to weigh by: ${enumerate(model.without_truth)}.`)
+    : null;
+  return {
+    sentence: sentence(model),
+    sections: [
+      { id: "overall", name: "At equal error", content: overall(model) },
+      { id: "orders", name: "Orders", content: orders(model) },
+      ...scenarios.map((name) => ({
+        id: slug(name),
+        name,
+        content: h(
+          "section",
+          { id: slug(name), class: "chapter" },
+          h("h2", {}, name),
+          ...model.cases.filter(({ scenario }) => scenario === name).map((place) => case_section(model, place)),
+        ),
+      })),
+      ...(absent ? [{ id: "absent", name: "Without truth", content: h("section", { id: "absent" }, h("h2", {}, "Without a truth"), absent) }] : []),
+    ],
+  };
+}

@@ -1,0 +1,174 @@
+// The speed study as its page thinks of it.
+import { look, type Contender } from "../model";
+import type { Study } from "../study";
+
+export interface Reading {
+  value: number;
+  bound: boolean; // it may be less: the front does not reach further
+}
+
+export interface SpeedMark {
+  key: string;
+  contender: Contender;
+  setting: string;
+  dt: number;
+  time: number; // s per simulated second
+  low: number;
+  high: number;
+  wide: boolean; // its time is not to be relied on
+  error: number; // m
+  on_front: boolean; // of its own contender
+}
+
+export interface SpeedCurve {
+  contender: Contender;
+  front: SpeedMark[];
+  time_for_error: (Reading | null)[];
+  error_for_time: (Reading | null)[];
+}
+
+export interface SpeedCase {
+  scenario: string;
+  variant: string;
+  truth: string;
+  truth_error: number; // m
+  phases: number;
+  marks: SpeedMark[];
+  curves: SpeedCurve[];
+  front: SpeedMark[]; // of all
+}
+
+export interface OrderRow {
+  scenario: string;
+  variant: string;
+  contender: string;
+  option: string;
+  setting: string;
+  standard: boolean;
+  stated: number | null;
+  order: number | null;
+  half_width: number | null;
+  points: number;
+  finding: string;
+}
+
+export interface Factor {
+  contender: Contender;
+  median: number | null;
+  low: number | null;
+  high: number | null;
+  cases: number;
+  reached: number;
+}
+
+export interface SpeedModel {
+  standard: string;
+  order_tolerance: number;
+  error_targets: number[];
+  time_targets: number[];
+  cases: SpeedCase[];
+  orders: OrderRow[];
+  factors: Factor[];
+  without_truth: string[];
+}
+
+interface Values {
+  scenario: string;
+  variant: string;
+  engine: string;
+  method: string;
+  option: string;
+  setting: string;
+  dt: number;
+  status: string;
+  truth: string;
+  truth_error: number;
+  phases: number;
+  error: number | null;
+}
+
+interface Told {
+  standard: string;
+  error_targets: number[];
+  time_targets: number[];
+  cases: {
+    scenario: string;
+    variant: string;
+    front: string[];
+    contenders: { contender: string; front: string[]; time_for_error: (Reading | null)[]; error_for_time: (Reading | null)[] }[];
+  }[];
+  factors: (Omit<Factor, "contender"> & { contender: string })[];
+}
+
+interface Time {
+  median: number;
+  low: number;
+  high: number;
+  wide: boolean;
+}
+
+const label_of = ({ engine, method }: Values): string => (method ? `${engine}:${method}` : engine);
+
+export function speed_model(study: Study): SpeedModel {
+  const told = study.timings as unknown as Told;
+  const findings = study.findings as unknown as { order_tolerance: number; orders: OrderRow[] };
+  const contenders = new Map<string, Contender>();
+  const contender_of = (label: string, engine: string, method: string): Contender => {
+    const known = contenders.get(label);
+    if (known) return known;
+    const made = { label, engine, method, exact: false, ...look(contenders.size) };
+    contenders.set(label, made);
+    return made;
+  };
+  const all = new Map<string, { values: Values; mark: SpeedMark }>();
+  const without_truth = new Set<string>();
+  for (const { key, values: raw } of study.points) {
+    const values = raw as unknown as Values;
+    if (values.status === "no truth") without_truth.add(`${values.scenario} (${values.variant})`);
+    const time = study.timings.points[key] as unknown as Time | undefined;
+    if (typeof values.error !== "number" || !time?.median) continue;
+    const mark: SpeedMark = {
+      key,
+      contender: contender_of(label_of(values), values.engine, values.method),
+      setting: values.option ? `${values.option}=${values.setting}` : "",
+      dt: values.dt,
+      time: time.median,
+      low: time.low,
+      high: time.high,
+      wide: time.wide,
+      error: values.error,
+      on_front: false,
+    };
+    all.set(key, { values, mark });
+  }
+  const marks_at = (keys: string[]): SpeedMark[] => keys.flatMap((key) => all.get(key)?.mark ?? []);
+  const cases = told.cases.map(({ scenario, variant, front, contenders: curves }): SpeedCase => {
+    const here = [...all.values()].filter(({ values }) => values.scenario === scenario && values.variant === variant);
+    const first = here[0]?.values;
+    const made = curves.map(({ contender, front: own, time_for_error, error_for_time }): SpeedCurve => {
+      const marks = marks_at(own);
+      for (const mark of marks) mark.on_front = true;
+      return { contender: contender_of(contender, contender, ""), front: marks, time_for_error, error_for_time };
+    });
+    return {
+      scenario,
+      variant,
+      truth: first?.truth ?? "",
+      truth_error: first?.truth_error ?? 0,
+      phases: first?.phases ?? 1,
+      marks: here.map(({ mark }) => mark),
+      curves: made,
+      front: marks_at(front),
+    };
+  });
+  return {
+    standard: told.standard,
+    order_tolerance: findings.order_tolerance,
+    error_targets: told.error_targets,
+    time_targets: told.time_targets,
+    cases,
+    orders: findings.orders,
+    factors: told.factors.map((factor) => ({ ...factor, contender: contender_of(factor.contender, factor.contender, "") })),
+    without_truth: [...without_truth],
+  };
+}

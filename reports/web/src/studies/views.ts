@@ -1,0 +1,8 @@
+// The view of each study, by its name.
+import type { Study, StudyView } from "../study";
+import { speed } from "./speed";
+
+const views: Record<string, (study: Study) => StudyView> = { speed };
+
+/** A study without a view of its own still shows how its points ended. */
+export const view_of = (study: Study): StudyView => (views[study.study] ?? (() => ({ sentence: study.about, sections: [] })))(study);
