@@ -30,16 +30,26 @@ std::vector<std::string> flags_of(const CLI::App& app) {
   return flags;
 }
 
+std::vector<std::string> words_of(const CLI::App& app) {
+  std::vector<std::string> words;
+  for (const CLI::App* word : app.get_subcommands([](const CLI::App*) { return true; }))
+    words.push_back(word->get_name());
+  return words;
+}
+
 // What CLI11 says, with the nearest name where a word is unknown.
 std::string advice(const CLI::App& app, const CLI::ParseError& error) {
   for (const CLI::App* command : app.get_subcommands()) {
-    for (const std::string& word : command->remaining()) return unknown("option", word, flags_of(*command));
+    while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+    const auto words = words_of(*command);
+    for (const std::string& word : command->remaining()) {
+      return words.empty() || word.rfind('-', 0) == 0 ? unknown("option", word, flags_of(*command))
+                                                      : unknown(command->get_name(), word, words);
+    }
   }
   for (const std::string& word : app.remaining()) {
     if (word.rfind('-', 0) == 0) return unknown("option", word, flags_of(app));
-    std::vector<std::string> names;
-    for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
-    return unknown("command", word, names);
+    return unknown("command", word, words_of(app));
   }
   return error.what();
 }
@@ -57,7 +67,9 @@ int parse_and_run(std::vector<std::string> arguments) {
   }
   app.footer(
       "Examples:\n  plumb report\n  plumb run bounce --engine impulse\n  plumb list engines\n\n"
-      "Exit codes: 0 fine; 1 a run is wrong or failed (run), two runs part (diff); 2 bad usage; 3 a mistake of ours.");
+      "Exit codes: 0 fine; 1 a run is wrong or failed (run), two runs part (diff); 2 bad usage; 3 a mistake of ours; "
+      "130 "
+      "interrupted (study).");
 
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
   try {

@@ -66,7 +66,7 @@ TEST_F(ProgramRun, WantsEachCaseAndEngineOnce) {
 TEST(Program, KnowsTheseCommands) {
   std::vector<std::string> names;
   for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
-  EXPECT_THAT(names, ::testing::IsSupersetOf({"diff", "export", "list", "report", "run"}));
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"diff", "export", "list", "merge", "report", "run", "study"}));
 }
 
 TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
@@ -80,7 +80,7 @@ TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
 }
 
 TEST(Program, HelpsWithExamples) {
-  for (const char* command : {"run", "report", "list", "export", "diff"}) {
+  for (const char* command : {"run", "report", "list", "export", "diff", "study", "merge"}) {
     const Said said = say({command, "--help"});
     EXPECT_EQ(said.code, 0);
     EXPECT_THAT(said.out, HasSubstr(std::string("plumb ") + command)) << "an example";
@@ -100,6 +100,8 @@ TEST(Program, SuggestsTheNearestNameAndExitsWith2) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> slips{
       {{"reprot"}, "unknown command \"reprot\", did you mean \"report\"?"},
       {{"run", "--engin", "impulse"}, "unknown option \"--engin\", did you mean \"--engine\"?"},
+      {{"study", "spede"}, "unknown study \"spede\", did you mean \"speed\"?"},
+      {{"study", "speed", "--scenario", "x"}, "unknown option \"--scenario\", did you mean \"--scenarios\"?"},
       {{"list", "engine"}, "unknown list \"engine\", did you mean \"engines\"?"}};
   for (const auto& [words, advice] : slips) {
     const Said said = say(words);

@@ -1,0 +1,148 @@
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, draw_all, open, write } from "./browser.mjs";
+
+after(close);
+
+const steps = [1 / 30, 1 / 60, 1 / 120];
+
+/** Two engines in two cases; one of them is never accurate in the second, and crashes once. */
+function sample() {
+  const points = [];
+  const times = {};
+  const add = (scenario, engine, dt, error, time) => {
+    const key = `speed|${scenario}/plain|${engine}|dt=${dt}`;
+    const truth = scenario === "heap" ? "converged" : "fall";
+    const common = { scenario, variant: "plain", engine, method: "", option: "substeps", setting: "4", standard: true, dt, order: 1 };
+    points.push({ key, ending: "done", reason: "", values: { ...common, truth, truth_error: scenario === "heap" ? 1e-3 : 0, phases: 1, status: "ok", error } });
+    times[key] = { median: time, low: time * 0.98, high: time * 1.02, repetitions: 5, wide: dt === steps[2] };
+    return key;
+  };
+  const cases = ["fall", "heap"].map((scenario) => {
+    const fronts = ["box2d", "impulse"].map((engine) =>
+      steps.map((dt) => add(scenario, engine, dt, dt * (engine === "impulse" ? 0.1 : 1), (1e-5 / dt) * (engine === "impulse" ? 2 : 1))),
+    );
+    return {
+      scenario,
+      variant: "plain",
+      front: fronts[1],
+      contenders: ["box2d", "impulse"].map((contender, index) => ({
+        contender,
+        front: fronts[index],
+        time_for_error: [{ value: 3e-4, bound: true }, { value: 4e-4 * (index + 1), bound: false }, null],
+        error_for_time: [null, { value: 2e-2, bound: false }],
+        factor: index ? 0.2 : 1,
+        reached: 1,
+      })),
+    };
+  });
+  points.push({ key: "speed|heap/plain|<b>wild</b>|dt=1", ending: "crashed", reason: "ended by signal 11", values: {} });
+  const order = { scenario: "fall", variant: "plain", option: "", setting: "", standard: true, points: 3 };
+  return {
+    study: {
+      plumb: 1,
+      study: "speed",
+      about: "Speed against accuracy",
+      configuration: { dt: ["1/30"], all: false },
+      environment: { processor: "one" },
+      points,
+      findings: {
+        order_tolerance: 0.2,
+        orders: [
+          { ...order, contender: "box2d", stated: 1, order: 1.01, half_width: 0.02, finding: "as stated" },
+          { ...order, contender: "impulse", stated: 2, order: null, half_width: null, finding: "exact" },
+          { ...order, contender: "impulse", scenario: "heap", stated: null, order: 0.5, half_width: 0.3, finding: "measured" },
+        ],
+      },
+      timings: {
+        points: times,
+        standard: "box2d",
+        error_targets: [1e-1, 1e-2, 1e-3],
+        time_targets: [1e-5, 1e-3],
+        cases,
+        factors: [
+          { contender: "box2d", median: 1, low: 1, high: 1, cases: 2, reached: 2 },
+          { contender: "impulse", median: 0.2, low: 0.1, high: 0.3, cases: 2, reached: 2 },
+          { contender: "never", median: null, low: null, high: null, cases: 2, reached: 0 },
+        ],
+      },
+    },
+  };
+}
+
+const pages = { "the sample": await write(sample()) };
+if (process.env.PLUMB_STUDY) pages["the real study"] = process.env.PLUMB_STUDY;
+
+for (const [name, file] of Object.entries(pages)) {
+  for (const colorScheme of ["light", "dark"]) {
+    for (const width of [360, 1280]) {
+      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and asks for nothing`, async () => {
+        const { page, trouble } = await open(file, { width, colorScheme });
+        await draw_all(page);
+        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+        assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
+        const empty = await page.evaluate(() => [...document.querySelectorAll(".canvas")].filter((canvas) => !canvas.querySelector("svg")).length);
+        assert.equal(empty, 0);
+        assert.deepEqual(trouble, []);
+        await page.close();
+      });
+    }
+  }
+}
+
+test("what was found stands first, in a sentence", async () => {
+  const { page } = await open(pages["the sample"]);
+  const said = await page.locator("h1").innerText();
+  assert.match(said, /^At equal error impulse is 5\.0 times as fast as box2d \(median of the 2 of 2 cases where it gets there\)/);
+  await page.close();
+});
+
+test("every method has its curve in each case, and its mark at equal error", async () => {
+  const { page } = await open(pages["the sample"]);
+  await draw_all(page);
+  const labels = (locator) => locator.evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort());
+  assert.deepEqual(await labels(page.locator("article").first().locator("g.line")), ["box2d", "impulse"]);
+  assert.deepEqual(await labels(page.locator("#overall g.factor")), ["box2d", "impulse"]);
+  assert.match(await page.locator("#overall figcaption").innerText(), /Never: never/);
+  assert.equal(await page.locator("article").first().locator("g.front path").count(), 1);
+  assert.match(await page.locator("article").nth(1).locator("svg").last().innerHTML(), /the reference's own error/);
+  await page.close();
+});
+
+test("what was not reached is said, and bounds are told from readings", async () => {
+  const { page } = await open(pages["the sample"]);
+  const details = page.locator("article").first().locator("details");
+  await details.evaluate((element) => (element.open = true));
+  const said = await details.innerText();
+  assert.match(said, /\u2264 300/);
+  assert.match(said, /to 0\.01/);
+  assert.doesNotMatch(said, /to 10\u207b\u00b3/, "a column that nobody reaches is left out");
+  await page.close();
+});
+
+test("points that did not end are listed as text", async () => {
+  const { page } = await open(pages["the sample"]);
+  assert.match(await page.locator("#endings").innerText(), /<b>wild<\/b>.*crashed.*signal 11/s);
+  await page.close();
+});
+
+test("orders are told with their interval, and exactness in words", async () => {
+  const { page } = await open(pages["the sample"]);
+  const said = await page.locator("#orders").innerText();
+  assert.match(said, /1\.01 \u00b1 0\.02/);
+  assert.match(said, /exact to round-off/);
+  await page.close();
+});
+
+test("a study that does not fit is refused with its place", async () => {
+  const broken = sample();
+  broken.study.points[0].values = 3;
+  const { page } = await open(await write(broken));
+  assert.match(await page.locator("body").innerText(), /study\.points\[0\]\.values: expected names with values/);
+  const later = sample();
+  later.study.plumb = 2;
+  const other = await open(await write(later));
+  assert.match(await other.page.locator("body").innerText(), /the study is of format 2, this page reads format 1/);
+  await page.close();
+  await other.page.close();
+});
