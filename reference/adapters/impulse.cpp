@@ -24,6 +24,7 @@ std::vector<WorkLadder> ladders_of(const Contender& contender) {
   std::vector<WorkLadder> ladders;
   for (const Option& option : contender.options) {
     for (const auto& [choice, about] : option.choices) {
+      if (choice == "accurate-scalar") continue;  // the oracle of another, and no method of its own
       const Settings method = choice == option.value ? Settings{} : Settings{{option.key, choice}};
       if (option.key == "solver") {
         const bool cuts = stepping_with({{"solver", choice}, {"substeps", "2"}}).h < 1;

@@ -108,7 +108,7 @@ TEST(Runner, MeasuresAnUnsteadyPointAgainAndMarksItIfThatDoesNotHelp) {
   };
   const std::vector<Point> points{
       {.key = "always", .run = [] { return number(1); }, .turn = unsteady(1000), .group = "g"},
-      {.key = "at first", .run = [] { return number(1); }, .turn = unsteady(4), .group = "g"}};
+      {.key = "at first", .run = [] { return number(1); }, .turn = unsteady(6), .group = "g"}};
   auto all = found(points, {});
   EXPECT_EQ(all["always"].row.times["wide"], true);
   EXPECT_EQ(all["at first"].row.times["wide"], false);
