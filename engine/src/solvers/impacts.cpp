@@ -373,11 +373,15 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     ImpactRow& row = rows[c.row];
     const Encounter start(row, flight, 0);
     const Encounter end(row, flight, h);
+    bool under_way = false;
+    bool touches = false;  // and must be held whatever the other point does
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       const RowPoint& p = row.points[i];
-      const bool fast = std::min(start.of(p).speed, end.of(p).speed) < -slow_;
-      if (fast && end.of(p).separation > 0) row.active = false;
+      const Approach there = end.of(p);
+      touches |= there.separation <= row.offset;
+      under_way |= there.separation > 0 && std::min(start.of(p).speed, there.speed) < -slow_;
     }
+    row.active = touches || !under_way;
   }
 }
 
