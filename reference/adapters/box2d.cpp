@@ -424,7 +424,7 @@ const Catalog<Contender>::Entry entry{{
              .choices = on_or_off("starts from the last step's impulses", "starts from nothing"),
              .about = "warm starting"},
         },
-    .ladders = {{.option = "velocity", .values = {"4", "8", "16", "32"}}},
+    .ladders = {{.option = "velocity", .values = {"4", "8", "16"}}},
     .stepping = stepping,
     .unsupported = unsupported,
     .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {

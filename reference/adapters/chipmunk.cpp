@@ -341,7 +341,7 @@ Contender chipmunk() {
                .choices = {{"on", "stops groups of bodies that hardly move"}, {"off", "bodies never sleep"}},
                .about = "sleeping"},
           },
-      .ladders = {{.option = "iterations", .values = {"5", "10", "20", "40"}}},
+      .ladders = {{.option = "iterations", .values = {"5", "10", "20"}}},
       .stepping = stepping,
       .unsupported = unsupported,
       .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {

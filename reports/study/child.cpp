@@ -178,6 +178,7 @@ void Child::hear(const std::string& line) {
   } else {
     turns_.push_back(std::stod(line));
     spent_ += waited();
+    if (turns_.size() == 1) first_ = spent_;
   }
   said_.clear();
 }

@@ -11,40 +11,44 @@ namespace {
 
 using Children = std::vector<std::unique_ptr<Child>>;
 
-// Repetitions of what is timed. The first is a warm-up and not counted. Where the middle half of them spreads over more
+// Repetitions of what is timed. The first is a warm-up and not counted, unless it took so long that the warming up did
+// not matter. Where the middle half of them spreads over more
 // than `wide` of the median, more are asked for, and the point is marked if that does not help.
 constexpr std::size_t fewest = 5;
 constexpr std::size_t fewest_of_slow = 3;
 constexpr std::size_t most = 15;
-constexpr double slow = 0.3;    // s of turns of one point, after which few will do
+constexpr double slow = 0.1;    // s of turns of one point, after which few will do
 constexpr double costly = 1.5;  // s, after which a wide one is left as it is
 constexpr double wide = 0.1;
 
 struct Interrupted {};
 
-Quartiles counted(const Child& child) {
-  const std::vector<double>& turns = child.turns();
-  return turns.empty() ? Quartiles{} : quartiles({turns.begin() + 1, turns.end()});
+std::span<const double> counted(const Child& child) {
+  const std::span<const double> turns = child.turns();
+  return turns.subspan(turns.empty() || child.first_turn() > slow ? 0 : 1);
 }
+
+Quartiles spread(std::span<const double> times) { return quartiles({times.begin(), times.end()}); }
 
 bool is_wide(const Quartiles& of) { return of.high - of.low > wide * of.median; }
 
 bool wants_turn(const Child& child) {
   if (!child.ready()) return false;
-  const std::size_t count = std::max<std::size_t>(child.turns().size(), 1) - 1;
-  if (count < fewest_of_slow) return true;
-  if (count < fewest && child.spent_on_turns() < slow) return true;
-  return count < most && child.spent_on_turns() < costly && is_wide(counted(child));
+  const std::span<const double> times = counted(child);
+  if (times.size() < fewest_of_slow) return true;
+  if (times.size() < fewest && child.spent_on_turns() < slow) return true;
+  return times.size() < most && child.spent_on_turns() < costly && is_wide(spread(times));
 }
 
 PointResult result_of(const Child& child) {
   PointResult result = child.result();
-  if (child.turns().size() < 2) return result;
-  const Quartiles of = counted(child);
+  const std::span<const double> times = counted(child);
+  if (times.empty()) return result;
+  const Quartiles of = spread(times);
   result.row.times["median"] = of.median;
   result.row.times["low"] = of.low;
   result.row.times["high"] = of.high;
-  result.row.times["repetitions"] = child.turns().size() - 1;
+  result.row.times["repetitions"] = times.size();
   result.row.times["wide"] = is_wide(of);
   return result;
 }

@@ -36,7 +36,7 @@ class Conduct : public StudyFiles {
   }
 };
 
-constexpr int points = 32;
+constexpr int points = 28;
 
 TEST_F(Conduct, GoesOnAfterKill9AsIfNothingHadHappened) {
   ASSERT_TRUE(WIFSIGNALED(interrupted_by(SIGKILL, "killed")));

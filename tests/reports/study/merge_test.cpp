@@ -59,7 +59,7 @@ TEST_F(MergeShards, NamesWhatIsMissingOverlappingOrForeign) {
   EXPECT_THAT(refusal({shard(1, 2)}), HasSubstr("shard 2/2 is missing"));
   EXPECT_THAT(refusal({shard(1, 2), shard(1, 2)}), HasSubstr("are both shard 1/2"));
   EXPECT_THAT(refusal({shard(1, 2), shard(1, 3)}), AllOf(HasSubstr("1-of-3"), HasSubstr("they overlap")));
-  EXPECT_THAT(refusal({shard(1, 2), at("cut")}), AllOf(HasSubstr("cut: 1 of 16 points are missing"), HasSubstr("dt=")));
+  EXPECT_THAT(refusal({shard(1, 2), at("cut")}), AllOf(HasSubstr("cut: 1 of 14 points are missing"), HasSubstr("dt=")));
   EXPECT_THAT(refusal({shard(1, 2), at("foreign")}), HasSubstr("foreign does not belong to"));
   EXPECT_THAT(refusal({shard(1, 2), at("strange")}), HasSubstr("\"stranger\" is not of shard 2/2"));
   EXPECT_THAT(refusal({shard(1, 2), at("none")}), HasSubstr("none: cannot be read"));

@@ -29,9 +29,9 @@ class StudyFiles : public ::testing::Test {
 
   static void put(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-  /// 32 points in 4 groups.
+  /// 28 points in 4 groups.
   std::vector<std::string> words(const std::string& out, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> all{"study",    "speed", "--scenarios", "spring:w=4", "--engine", "impulse:solver=exact",
+    std::vector<std::string> all{"study",    "speed", "--scenarios", "spring:w=4", "--engine", "impulse:solver=xpbd",
                                  "--engine", "box2d", "--dt",        "1/30",       "1/60",     "1/120",
                                  "1/240",    "--out", at(out)};
     all.insert(all.end(), more.begin(), more.end());

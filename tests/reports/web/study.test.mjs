@@ -14,7 +14,7 @@ function sample() {
     const key = `speed|${scenario}/plain|${engine}|dt=${dt}`;
     const truth = scenario === "heap" ? "converged" : "fall";
     const common = { scenario, variant: "plain", engine, method: "", option: "substeps", setting: "4", standard: true, dt, order: 1 };
-    points.push({ key, ending: "done", reason: "", values: { ...common, truth, truth_error: scenario === "heap" ? 1e-3 : 0, phases: 1, status: "ok", error } });
+    points.push({ key, ending: "done", reason: "", values: { ...common, truth, truth_error: scenario === "heap" ? 1e-3 : 0, phases: 1, timed: 2, status: "ok", error } });
     times[key] = { median: time, low: time * 0.98, high: time * 1.02, repetitions: 5, wide: dt === steps[2] };
     return key;
   };

@@ -53,7 +53,7 @@ function case_section(model: SpeedModel, place: SpeedCase): HTMLElement {
     "article",
     { id: slug(place.scenario, place.variant), class: "case" },
     h("h3", {}, place.variant ? `${place.scenario}, ${place.variant}` : place.scenario),
-    h("p", {}, `Weighed against ${truth}${place.phases > 1 ? `; each error is the RMS over ${place.phases} phases of a step, since impacts fall anywhere in it` : ""}.`),
+    h("p", {}, `Weighed against ${truth}${place.phases > 1 ? `; each error is the RMS over ${place.phases} phases of a step, since impacts fall anywhere in it` : ""}. Timed: the first ${number(place.timed, "s")}.`),
     legend(place.curves.map(({ contender }) => contender)),
     work_precision(place),
     h(

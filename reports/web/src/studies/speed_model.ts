@@ -33,6 +33,7 @@ export interface SpeedCase {
   truth: string;
   truth_error: number; // m
   phases: number;
+  timed: number; // s of the scene
   marks: SpeedMark[];
   curves: SpeedCurve[];
   front: SpeedMark[]; // of all
@@ -84,6 +85,7 @@ interface Values {
   truth: string;
   truth_error: number;
   phases: number;
+  timed: number;
   error: number | null;
 }
 
@@ -156,6 +158,7 @@ export function speed_model(study: Study): SpeedModel {
       truth: first?.truth ?? "",
       truth_error: first?.truth_error ?? 0,
       phases: first?.phases ?? 1,
+      timed: first?.timed ?? 0,
       marks: here.map(({ mark }) => mark),
       curves: made,
       front: marks_at(front),
