@@ -6,6 +6,7 @@
 
 #include "contact.h"
 #include "impulse/body.h"
+#include "impulse/world.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -94,7 +95,7 @@ struct BodySet {
   /// Moves row i by h seconds at a velocity other than its own.
   void advance(std::size_t i, const Velocity& at, Real h);
 
-  void mark_held(std::span<const Contact> contacts, std::span<const ActiveJoint> joints);
+  void mark_held(std::span<const TouchingParts> touching, std::span<const ActiveJoint> joints);
   void clear_forces();
 };
 

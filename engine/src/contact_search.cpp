@@ -15,11 +15,9 @@ constexpr Real recycled_motion = static_cast<Real>(0.01);
 constexpr Real recycled_gap = static_cast<Real>(0.005);
 
 bool may_keep(const Contact& contact) {
-  if (contact.discs) return false;
-  for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
-    if (contact.points[p].separation > recycled_gap) return false;
-  }
-  return true;
+  const bool first = contact.points[0].separation > recycled_gap;
+  const bool second = (contact.count > 1) & (contact.points[1].separation > recycled_gap);
+  return !(contact.discs | first | second);
 }
 
 }  // namespace
@@ -78,18 +76,24 @@ std::uint32_t ContactSearch::find_last(const ContactOrder& wanted, std::uint32_t
 
 /// Of the undecided, those whose bodies hardly moved since their points were found (see ContactSet::find).
 void ContactSearch::keep_points(const SearchInput& input) {
-  to_keep_.clear();
-  again_of_.clear();
-  to_collide_.clear();
+  // Both lists are written at every turn, and go on where the pair belongs: which that is, no processor foresees.
+  to_collide_.resize(undecided_.size());
+  to_keep_.resize(undecided_.size());
+  again_of_.resize(undecided_.size());
+  std::size_t collided = 0;
+  std::size_t asked = 0;
   for (const std::uint32_t pair : undecided_) {
     const std::uint32_t last = last_of_[pair];
-    if (input.recycle && last != none && may_keep(last_[last])) {
-      to_keep_.push_back(pair);
-      again_of_.push_back(last);
-    } else {
-      to_collide_.push_back(pair);
-    }
+    const std::size_t ask = input.recycle && last != none && may_keep(last_[last]) ? 1 : 0;
+    to_collide_[collided] = pair;
+    to_keep_[asked] = pair;
+    again_of_[asked] = last;
+    collided += 1 - ask;
+    asked += ask;
   }
+  to_collide_.resize(collided);
+  to_keep_.resize(asked);
+  again_of_.resize(asked);
   again_.resize(to_keep_.size());
   kernels().measure_again(last_.data(), again_of_.data(), static_cast<std::uint32_t>(again_of_.size()),
                           input.bodies.pose.data(), input.bodies.reach.data(), again_.data());

@@ -66,6 +66,22 @@ void mix_materials(Contact& contact, const Material& a, const Material& b, const
   contact.restitution = mix(settings.restitution_mixing, a.restitution, b.restitution);
 }
 
+/// All but the points.
+void go_on(Contact& contact, const Contact& last) {
+  contact.body_a = last.body_a;
+  contact.body_b = last.body_b;
+  contact.part_a = last.part_a;
+  contact.part_b = last.part_b;
+  contact.static_friction = last.static_friction;
+  contact.dynamic_friction = last.dynamic_friction;
+  contact.restitution = last.restitution;
+  contact.radius_a = last.radius_a;
+  contact.radius_b = last.radius_b;
+  contact.discs = last.discs;
+  contact.offset = last.offset;
+  contact.age = last.age + 1;
+}
+
 void carry_impulses(Contact& contact, const Contact& last) {
   for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
     for (std::size_t q = 0; q < static_cast<std::size_t>(last.count); ++q) {
@@ -114,11 +130,12 @@ void ContactSet::write_rows(const SearchInput& input) {
       continue;
     }
     const Contact& last = last_rows_[search_.last_of(pair)];
-    row = last;
-    ++row.age;
     if (search_.keeps(pair)) {
+      row = last;
+      ++row.age;
       keep_points(row, search_.points(pair));
     } else {
+      go_on(row, last);
       take_points(row, input.bodies, search_.points(pair));
       carry_impulses(row, last);
     }

@@ -37,10 +37,10 @@ void World::step() {
   if (sweeps) s.sweep.hold_back(s.bodies, s.joints, s.settings.continuous);
   end_stage("hold back");
   s.joints.store();
-  s.bodies.mark_held(s.contacts.rows(), data.joints);
-  end_stage("mark held");
   s.touches.note(s.bodies, s.contacts.rows());
   end_stage("note touches");
+  s.bodies.mark_held(s.touches.awake(), data.joints);
+  end_stage("mark held");
   s.bodies.clear_forces();
   if (s.settings.sleeping) s.sleep.settle(s.settings, margin);
   end_stage("settle");

@@ -46,6 +46,7 @@ class Grid : public BroadPhase {
   void lay_out(std::span<const Proxy> proxies) {
     const double typical = typical_extent(proxies);
     bucket_of_.resize(proxies.size());
+    reach_.resize(proxies.size());
     double largest = 0;
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
       const double size = extent(proxies[i]);
@@ -69,6 +70,9 @@ class Grid : public BroadPhase {
         large_.push_back(i);
       } else {
         bucket_of_[i] = (whole(x) + pitch_ * whole(y)) & (buckets_ - 1);
+        const double high_x = static_cast<double>(proxies[i].bounds.high.x) * cells_per_meter;
+        const double high_y = static_cast<double>(proxies[i].bounds.high.y) * cells_per_meter;
+        reach_[i] = {whole(high_x) != whole(x), whole(high_y) != whole(y)};
       }
     }
   }
@@ -101,33 +105,39 @@ class Grid : public BroadPhase {
   }
 
   // Half of the neighbourhood, for each pair of cells meets once: the rest of the own cell with the one to the right,
-  // and the three above.
+  // and the three above; of these, as many as it reaches.
   void meet_around(std::uint32_t bucket, std::vector<Pair>& pairs) {
     const std::uint32_t above = (bucket + pitch_ - 1) & (buckets_ - 1);
     for (std::uint32_t q = start_[bucket]; q < start_[bucket + 1]; ++q) {
-      for (const std::uint32_t other : around(q, {{q + 1, start_[bucket + 2]}, {start_[above], start_[above + 3]}})) {
-        report(items_[q], items_[other], pairs);
-      }
+      const Reach reach = reach_[items_[q].proxy];
+      const std::uint32_t right = reach.right ? 1 : 0;
+      const Range own{q + 1, start_[bucket + 1 + right]};
+      const auto others = reach.above ? around(q, {own, {start_[above], start_[above + 2 + right]}}) : around(q, {own});
+      for (const std::uint32_t other : others) report(items_[q], items_[other], pairs);
     }
   }
 
   // All around, or all. Of two that are chosen the first reports.
   void meet_others(std::uint32_t i, const Proxy& proxy, std::span<const std::uint8_t> chosen,
                    std::vector<Pair>& pairs) {
-    const auto row = [this](std::uint32_t middle) {
-      const std::uint32_t left = (middle - 1) & (buckets_ - 1);
-      return Range{start_[left], start_[left + 3]};
-    };
     const Item own{i, proxy.body, proxy.layers, proxy.moves};
     const std::uint32_t bucket = bucket_of_[i];
     const Range large{first_large_, end_};
-    const auto others = bucket == none ? bounds_.within_reach(proxy.bounds, proxy.way, {{0, count_}, large})
-                                       : bounds_.within_reach(proxy.bounds, proxy.way,
-                                                              {row(bucket), row((bucket + pitch_) & (buckets_ - 1)),
-                                                               row((bucket - pitch_) & (buckets_ - 1)), large});
+    const auto others =
+        bucket == none
+            ? bounds_.within_reach(proxy.bounds, proxy.way, {{0, count_}, large})
+            : bounds_.within_reach(proxy.bounds, proxy.way,
+                                   {row(bucket - pitch_, reach_[i].right), row(bucket, reach_[i].right),
+                                    reach_[i].above ? row(bucket + pitch_, reach_[i].right) : Range{}, large});
     for (const std::uint32_t other : others) {
       if (chosen[items_[other].proxy] == 0 || i < items_[other].proxy) report(own, items_[other], pairs);
     }
+  }
+
+  // The cell's left neighbour, itself, and its right neighbour if that is reached.
+  Range row(std::uint32_t cell, bool right) const {
+    const std::uint32_t left = (cell - 1) & (buckets_ - 1);
+    return {start_[left], start_[left + (right ? 3 : 2)]};
   }
 
   // All in the grid and the rest of the large.
@@ -157,6 +167,11 @@ class Grid : public BroadPhase {
     return static_cast<std::uint32_t>(towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0));
   }
 
+  /// Whether bounds end in another cell than they begin in.
+  struct Reach {
+    bool right, above;
+  };
+
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::uint32_t least_buckets = 64;  // the nine cells around one must be nine buckets
   static constexpr std::uint32_t repeated = 2;
@@ -167,6 +182,7 @@ class Grid : public BroadPhase {
   std::uint32_t count_ = 0;                  // in the buckets, copies aside
   std::uint32_t first_large_ = 0, end_ = 0;  // of the items, behind the copies
   std::vector<std::uint32_t> bucket_of_;
+  std::vector<Reach> reach_;  // of each proxy in the grid
   std::vector<std::uint32_t> large_;
   std::vector<std::uint32_t> start_;  // of each bucket's items; one more at the end
   std::vector<Item> items_;
