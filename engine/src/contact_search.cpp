@@ -42,29 +42,42 @@ void ContactSearch::search(const SearchInput& input, std::span<const Contact> la
   list_touching();
   end_stage("collide pairs");
   // Once: what a third body is handed on within the same step is little.
-  if (input.margin.time > 0 && foresee_knocks(input)) reach_farther(input);
+  const bool knocked = input.margin.time > 0 && foresee_knocks(input);
   end_stage("foresee knocks");
+  if (knocked) reach_farther(input);
 }
 
-/// Pairs come in order of (body_a, part_a, body_b, part_b): right already where no body has several parts.
+/// Leaves out pairs that are none, and puts the others in order of contacts.
 void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pairs) {
   const std::span<const Proxy> proxies = shapes_.proxies();
-  if (shapes_.several_parts()) {
-    const std::size_t bodies = input.bodies.size();
-    pair_order_.stable_sort(bodies, pairs, [proxies](const Pair& pair) { return proxies[pair.second].body; });
-    pair_order_.stable_sort(bodies, pairs, [proxies](const Pair& pair) { return proxies[pair.first].body; });
-  }
   const JointSet& joints = input.joints;
-  if (joints.tied().empty()) return;
-  std::erase_if(pairs,
-                [&](const Pair& pair) { return joints.ties(proxies[pair.first].body, proxies[pair.second].body); });
+  const bool tied = !joints.tied().empty();
+  if (tied || shapes_.some_slanted()) {
+    std::erase_if(pairs, [&](const Pair& pair) {
+      return shapes_.apart(pair.first, pair.second) ||
+             (tied && joints.ties(proxies[pair.first].body, proxies[pair.second].body));
+    });
+  }
+  if (!shapes_.several_parts()) return;
+  // They come in order of (body_a, part_a, body_b, part_b): right already where the first body has one part.
+  const auto body_a = [proxies](const Pair& pair) { return proxies[pair.first].body; };
+  const auto in_order = [this](const Pair& left, const Pair& right) { return order_of(left) < order_of(right); };
+  for (auto first = pairs.begin(); first != pairs.end();) {
+    const auto end = std::find_if(first, pairs.end(), [&](const Pair& pair) { return body_a(pair) != body_a(*first); });
+    if (first->first != std::prev(end)->first) std::sort(first, end, in_order);
+    first = end;
+  }
 }
 
 /// Pairs and contacts are in one order: one walk along both.
 void ContactSearch::match() {
   last_of_.resize(pairs_.size());
+  orders_.clear();
+  orders_.reserve(pairs_.size());
   std::uint32_t last = 0;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) last_of_[i] = find_last(order_of(pairs_[i]), last);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    last_of_[i] = find_last(orders_.emplace_back(order_of(pairs_[i])), last);
+  }
 }
 
 /// Goes on in `last_` from a place to where the contact must be, and past it if it is there.
@@ -137,12 +150,15 @@ bool ContactSearch::foresee_knocks(const SearchInput& input) {
     const PairPoints& found = found_[pair];
     const ShapeRecord& record_a = shapes_.records()[pairs_[pair].first];
     const ShapeRecord& record_b = shapes_.records()[pairs_[pair].second];
+    const Vec2 between = record_b.velocity - record_a.velocity;
+    const Real turning = record_a.rim + record_b.rim;
+    // As fast as that would be too slow; most are.
+    if (margin.time * (std::abs(between.x) + std::abs(between.y) + turning) <= felt * (Real{63} / 64)) continue;
     const bool stays = keeps(pair);
     const Vec2 normal = stays ? last_[last_of_[pair]].normal : Vec2{found.normal[0], found.normal[1]};
     Real gap = found.separation[0];
     if ((stays ? last_[last_of_[pair]].count : found.count) == 2) gap = std::min(gap, found.separation[1]);
-    const Real apart = dot(normal, record_b.velocity - record_a.velocity);
-    const Real speed = record_a.rim + record_b.rim - apart;
+    const Real speed = turning - dot(normal, between);
     if (margin.time * speed <= std::max(gap, felt)) continue;
     const std::size_t a = first(pair).body;
     const std::size_t b = second(pair).body;
@@ -164,7 +180,9 @@ void ContactSearch::reach_farther(const SearchInput& input) {
   const std::span<const Proxy> proxies = shapes_.proxies();
   knocked_.resize(proxies.size());
   for (std::size_t i = 0; i < proxies.size(); ++i) knocked_[i] = knocks_[proxies[i].body] > 0 ? 1 : 0;
+  end_stage("farther: grow");
   input.broad_phase.find_pairs_of(proxies, knocked_, farther_pairs_);
+  end_stage("farther: find pairs");
   put_in_order(input, farther_pairs_);
 
   in_order_.clear();
@@ -178,7 +196,7 @@ void ContactSearch::reach_farther(const SearchInput& input) {
   };
   for (const Pair& pair : farther_pairs_) {
     const ContactOrder wanted = order_of(pair);
-    while (next < end && order_of(pairs_[next]) < wanted) take_next();
+    while (next < end && orders_[next] < wanted) take_next();
     if (next < end && pairs_[next] == pair) {
       if (may_gain_points(next)) undecided_.push_back(next);
       take_next();
@@ -190,10 +208,12 @@ void ContactSearch::reach_farther(const SearchInput& input) {
     }
   }
   while (next < end) in_order_.push_back(next++);
+  end_stage("farther: match");
   found_.resize(pairs_.size());
   keep_points(input);
   narrow_phase_.collide(input.bodies, shapes_, input.margin, pairs_, to_collide_, found_.data());
   list_touching();
+  end_stage("farther: collide pairs");
 }
 
 /// A greater gap gives no more points to pairs that stay as they were, to a full set, or to a disc that has its one.

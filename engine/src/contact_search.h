@@ -12,7 +12,6 @@
 #include "joint_set.h"
 #include "kernels.h"
 #include "narrow_phase.h"
-#include "pair_order.h"
 #include "shape_table.h"
 #include "solver.h"
 
@@ -64,10 +63,10 @@ class ContactSearch {
   }
 
   ShapeTable shapes_;
-  PairOrder pair_order_;
   NarrowPhase narrow_phase_;
   std::span<const Contact> last_;
   std::vector<Pair> pairs_;                // in order of contacts, but for those that come late
+  std::vector<ContactOrder> orders_;       // of those that do not
   std::vector<std::uint32_t> in_order_;    // numbers of all pairs, in order of contacts
   std::vector<std::uint32_t> last_of_;     // of each pair
   std::vector<PairPoints> found_;          // of each pair

@@ -1,5 +1,8 @@
 #include "shape_table.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "box_bounds.h"
 #include "closing.h"
 
@@ -12,11 +15,17 @@ ShapeKind kind_of(const Shape& shape) {
   return shape.type() == ShapeType::circle ? ShapeKind::disc : ShapeKind::other;
 }
 
+bool fills_little(const Aabb& bounds, Vec2 half_extents) {
+  const Vec2 size = bounds.high - bounds.low;
+  return size.x * size.y > 16 * half_extents.x * half_extents.y;
+}
+
 }  // namespace
 
 void ShapeTable::update(const BodySet& bodies, const Margin& margin) {
   if (part_changes_ != bodies.part_changes || sleep_changes_ != bodies.sleep_changes) list(bodies);
   for (std::size_t i = 0; i < proxies_.size(); ++i) place(i, bodies, margin, 0);
+  some_slanted_ = std::find(slanted_.begin(), slanted_.end(), 1) != slanted_.end();
 }
 
 void ShapeTable::grow(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks) {
@@ -42,6 +51,7 @@ void ShapeTable::place(std::size_t i, const BodySet& bodies, const Margin& margi
       record.offset = pose.q * still.centroid;
       record.turn = pose.q * still.turn;
       bounds = box_bounds(record.position + record.offset, record.turn, still.size);
+      slanted_[i] = fills_little(bounds, still.size) ? 1 : 0;
       break;
     case ShapeKind::disc: {
       record.offset = still.centroid;
@@ -55,9 +65,24 @@ void ShapeTable::place(std::size_t i, const BodySet& bodies, const Margin& margi
       break;
   }
   const Real speed = length(record.velocity);
-  const Real by = margin.distance / 2 + margin.time * (speed + record.rim);
-  proxies_[i].bounds = grown(bounds, by + margin.time * knock);
+  const Real by = margin.distance / 2 + margin.time * (speed + record.rim) + margin.time * knock;
+  proxies_[i].bounds = grown(bounds, by);
+  grown_by_[i] = by;
   proxies_[i].way = {margin.time * record.velocity, margin.time * speed};
+}
+
+/// The other's bounds, seen in the box's frame.
+bool ShapeTable::beside(std::size_t box, std::size_t other) const {
+  const ShapeRecord& record = records_[box];
+  const Aabb& bounds = proxies_[other].bounds;
+  const Vec2 half = Real{0.5} * (bounds.high - bounds.low);
+  const Vec2 center = bounds.low + half;
+  const Vec2 there = record.turn.inverse() * (center - (record.position + record.offset));
+  const Real c = std::abs(record.turn.c);
+  const Real s = std::abs(record.turn.s);
+  const Real by = grown_by_[box];
+  return std::abs(there.x) > record.size.x + by + (c * half.x + s * half.y) ||
+         std::abs(there.y) > record.size.y + by + (s * half.x + c * half.y);
 }
 
 void ShapeTable::list(const BodySet& bodies) {
@@ -85,6 +110,8 @@ void ShapeTable::list(const BodySet& bodies) {
     }
   }
   records_.resize(proxies_.size());
+  slanted_.assign(proxies_.size(), 0);
+  grown_by_.resize(proxies_.size());
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -27,6 +27,12 @@ class ShapeTable {
   std::span<const ShapeRecord> records() const { return records_; }
   ShapeKind kind(std::size_t i) const { return still_[i].kind; }
   const Part& part(std::size_t i) const { return *still_[i].part; }
+  /// Whether the bounds of two overlap only because one of them is a slanted box that fills little of its own: they are
+  /// apart along one of its sides by more than both may grow.
+  bool apart(std::size_t i, std::size_t j) const {
+    return (slanted_[i] != 0 && beside(i, j)) || (slanted_[j] != 0 && beside(j, i));
+  }
+  bool some_slanted() const { return some_slanted_; }    // some box is
   bool several_parts() const { return several_parts_; }  // some body has
 
  private:
@@ -39,11 +45,15 @@ class ShapeTable {
     ShapeKind kind;
   };
   void list(const BodySet& bodies);
+  bool beside(std::size_t box, std::size_t other) const;
   void place(std::size_t i, const BodySet& bodies, const Margin& margin, Real knock);
 
   std::vector<Still> still_;
   std::vector<Proxy> proxies_;
   std::vector<ShapeRecord> records_;
+  std::vector<std::uint8_t> slanted_;  // whether each is a box that fills little of its bounds
+  std::vector<Real> grown_by_;         // m, each one's bounds
+  bool some_slanted_ = false;
   bool several_parts_ = false;
   std::uint64_t part_changes_ = ~std::uint64_t{0};  // of the bodies, when they were last listed
   std::uint64_t sleep_changes_ = ~std::uint64_t{0};
