@@ -6,7 +6,6 @@
 #include <optional>
 #include <tuple>
 
-#include "closing.h"
 #include "contact_order.h"
 #include "ghosts.h"
 #include "stages.h"
