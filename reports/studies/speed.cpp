@@ -151,7 +151,7 @@ class Measurement {
   Measurement(std::shared_ptr<const Case> asked, std::shared_ptr<const Answer> answer, Rung rung, double dt)
       : asked_(std::move(asked)), answer_(std::move(answer)), rung_(std::move(rung)), dt_(dt) {}
 
-  Row row() const {
+  Row row() {
     Row row;
     Json& values = row.values;
     const Entrant& entrant = rung_.entrant;
@@ -178,11 +178,13 @@ class Measurement {
     values["truth_until"] = std::min(answer_->until(), asked_->scene->duration);
     values["truth_error"] = answer_->error();
     measure_into(values, stepping);
+    able_ = values.contains("error");
     return row;
   }
 
-  // s per simulated second.
+  // s per simulated second; of what does not run to its end, no number.
   double time() const {
+    if (!able_) return std::numeric_limits<double>::quiet_NaN();
     Scene scene = *asked_->scene;
     scene.duration = timed_seconds(scene);
     double spent = 0;
@@ -221,6 +223,7 @@ class Measurement {
   std::shared_ptr<const Answer> answer_;
   Rung rung_;
   double dt_;
+  bool able_ = false;
 };
 
 std::vector<Point> points_of(const Json& configuration) {
@@ -235,7 +238,7 @@ std::vector<Point> points_of(const Json& configuration) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
       const std::string dt = configuration.at("dt")[i];
       for (const Rung& rung : rungs) {
-        const auto measurement = std::make_shared<const Measurement>(asked, answer, rung, steps[i]);
+        const auto measurement = std::make_shared<Measurement>(asked, answer, rung, steps[i]);
         const std::string setting = rung.option.empty() ? "" : "|" + rung.option + "=" + rung.value;
         points.push_back({.key = fmt::format("speed|{}|{}{}|dt={}", place,
                                              label_of(rung.entrant.contender->name, rung.method), setting, dt),

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -176,9 +177,14 @@ void Child::hear(const std::string& line) {
     result_ = from_line(line);
     if (!point_.turn || result_.ending != Ending::done) bury();
   } else {
-    turns_.push_back(std::stod(line));
-    spent_ += waited();
-    if (turns_.size() == 1) first_ = spent_;
+    const double seconds = std::stod(line);
+    if (std::isfinite(seconds)) {
+      turns_.push_back(seconds);
+      spent_ += waited();
+      if (turns_.size() == 1) first_ = spent_;
+    } else {
+      bury();
+    }
   }
   said_.clear();
 }

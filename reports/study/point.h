@@ -17,7 +17,8 @@ struct Row {
 struct Point {
   std::string key;           // unique in its study, and the same wherever that is run: "speed|bounce/e=0.8|box2d|..."
   std::function<Row()> run;  // what it throws is the point's outcome
-  /// One repetition of what is timed, after `run` and in the same process; returns seconds. Null where nothing is.
+  /// One repetition of what is timed, after `run` and in the same process; returns seconds, or what is not finite where
+  /// `run` left nothing to time. Null where nothing ever is.
   std::function<double()> turn = nullptr;
   /// Points that follow each other and share a group that is not "" belong together: they stay in one shard, and those
   /// that are timed take turns, with nothing beside.

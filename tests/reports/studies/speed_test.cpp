@@ -90,6 +90,18 @@ TEST(SpeedStudy, SaysWhatIsNotSupported) {
   for (const PointResult& result : results) {
     EXPECT_NE(result.row.values.at("status"), "ok") << result.key;
     EXPECT_FALSE(result.row.values.at("why").get<std::string>().empty());
+    EXPECT_FALSE(result.row.values.contains("error"));
+  }
+}
+
+TEST(SpeedStudy, TimesOnlyWhatRanToItsEnd) {
+  for (const auto& [engine, timed] :
+       {std::pair("impulse:solver=exact", false), std::pair("impulse:solver=xpbd", true)}) {
+    const StudyPlan plan = Catalog<Study>::find("speed")->plan(configuration({"hanging-chain"}, {engine}, {"1/60"}));
+    const Point& point = plan.points.front();
+    point.prepare();
+    const bool ran = point.run().values.contains("error");
+    EXPECT_EQ(std::isfinite(point.turn()), ran && timed) << engine;
   }
 }
 

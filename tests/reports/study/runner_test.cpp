@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <new>
@@ -114,6 +115,16 @@ TEST(Runner, MeasuresAnUnsteadyPointAgainAndMarksItIfThatDoesNotHelp) {
   EXPECT_EQ(all["at first"].row.times["wide"], false);
   EXPECT_GT(all["at first"].row.times["repetitions"], 5);
   EXPECT_GT(all["always"].row.times["repetitions"], all["at first"].row.times["repetitions"]);
+}
+
+TEST(Runner, TimesNothingWhereThereIsNothingToTime) {
+  const std::vector<Point> points{
+      {.key = "none", .run = [] { return number(7); }, .turn = [] { return std::nan(""); }, .group = "g"},
+      {.key = "fine", .run = [] { return number(8); }, .turn = [] { return 1.0; }, .group = "g"}};
+  auto all = found(points, {});
+  EXPECT_EQ(all["none"].ending, Ending::done);
+  EXPECT_TRUE(all["none"].row.times.empty());
+  EXPECT_EQ(all["fine"].row.times["median"], 1.0);
 }
 
 TEST(Runner, KeepsWhatAPointFoundThoughItCrashesWhenTimed) {

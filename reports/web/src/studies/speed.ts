@@ -3,7 +3,7 @@ import { equal_error_chart } from "../charts/equal_error";
 import { legend } from "../charts/look";
 import { work_precision } from "../charts/work_precision";
 import { h, slug, table } from "../dom";
-import { count, enumerate, number, time_step } from "../format";
+import { count, enumerate, given, number, time_step } from "../format";
 import type { Study, StudyView } from "../study";
 import { speed_model, type OrderRow, type Reading, type SpeedCase, type SpeedModel } from "./speed_model";
 
@@ -53,7 +53,7 @@ function case_section(model: SpeedModel, place: SpeedCase): HTMLElement {
     "article",
     { id: slug(place.scenario, place.variant), class: "case" },
     h("h3", {}, place.variant ? `${place.scenario}, ${place.variant}` : place.scenario),
-    h("p", {}, `Weighed against ${truth}${place.phases > 1 ? `; each error is the RMS over ${place.phases} phases of a step, since impacts fall anywhere in it` : ""}. Timed: the first ${number(place.timed, "s")}.`),
+    h("p", {}, `Weighed against ${truth}${place.phases > 1 ? `; each error is the RMS over ${place.phases} phases of a step, since impacts fall anywhere in it` : ""}. Timed: its first ${given(place.timed, "s", 3)}.`),
     legend(place.curves.map(({ contender }) => contender)),
     work_precision(place),
     h(
