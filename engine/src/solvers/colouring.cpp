@@ -1,8 +1,6 @@
 #include "solvers/colouring.h"
 
-#include <algorithm>
 #include <bit>
-#include <tuple>
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -33,7 +31,7 @@ void Colouring::choose(const Partition& parts, const Island& island) {
   // Only what the island names is touched.
   taken_.resize(parts.body_count());
   for (const std::uint32_t body : island.bodies) taken_[body] = 0;
-  slots_.clear();
+  choices_.clear();
   for (const Tie& tie : island.contacts) {
     std::uint64_t free = tie.pushes_a && tie.pushes_b ? ~std::uint64_t{0} : fixed_colours;
     if (tie.pushes_a) free &= ~taken_[tie.a];
@@ -43,19 +41,19 @@ void Colouring::choose(const Partition& parts, const Island& island) {
     if (tie.pushes_a) taken_[tie.a] |= bit;
     if (tie.pushes_b) taken_[tie.b] |= bit;
     const bool web = parts.in_web(tie);
-    slots_.push_back({tie, colour, kind_of(tie, web), web, 0});
+    choices_.push_back({{tie, web}, colour, kind_of(tie, web)});
   }
 }
 
 void Colouring::place() {
-  const auto group = [](const Slot& slot) { return slot.colour * kinds + static_cast<std::size_t>(slot.kind); };
+  const auto group = [](const Choice& choice) { return choice.colour * kinds + static_cast<std::size_t>(choice.kind); };
   next_.assign((colours + 1) * kinds, 0);
-  for (const Slot& slot : slots_) ++next_[group(slot)];
+  for (const Choice& choice : choices_) ++next_[group(choice)];
   runs_.clear();
-  std::fill_n(count_, kinds, 0);
+  std::array<std::uint32_t, kinds> used{};
   for (std::size_t g = 0; g < next_.size(); ++g) {
     const auto kind = static_cast<LanesKind>(g % kinds);
-    std::uint32_t& end = count_[g % kinds];
+    std::uint32_t& end = used[g % kinds];
     const std::uint32_t begin = end;
     const bool alone = g / kinds == colours;
     end += alone ? next_[g] : (next_[g] + width - 1) / width;
@@ -66,19 +64,22 @@ void Colouring::place() {
       runs_.push_back({kind, begin, end});
     }
   }
-  for (Slot& slot : slots_) {
-    std::uint32_t& next = next_[group(slot)];
-    slot.at = next;
-    next += slot.colour == colours ? width : 1;
+  for (std::size_t kind = 0; kind < kinds; ++kind) lanes_[kind].assign(std::size_t{width} * used[kind], {});
+  for (const Choice& choice : choices_) {
+    std::uint32_t& next = next_[group(choice)];
+    lanes_[static_cast<std::size_t>(choice.kind)][next] = choice.slot;
+    next += choice.colour == colours ? width : 1;
   }
 }
 
 std::span<const Tie> Colouring::order() {
   order_.clear();
-  std::stable_sort(slots_.begin(), slots_.end(), [](const Slot& left, const Slot& right) {
-    return std::tie(left.colour, left.kind) < std::tie(right.colour, right.kind);
-  });
-  for (const Slot& slot : slots_) order_.push_back(slot.tie);
+  for (const LanesRun& run : runs_) {
+    for (const Slot& slot :
+         lanes(run.kind).subspan(std::size_t{width} * run.begin, std::size_t{width} * (run.end - run.begin))) {
+      if (slot.tie.contact != Slot::empty) order_.push_back(slot.tie);
+    }
+  }
   return order_;
 }
 

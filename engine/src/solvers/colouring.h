@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,13 +13,11 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Where a contact is solved in a pile.
+/// One lane of a pile.
 struct Slot {
-  Tie tie;
-  std::uint16_t colour = 0;
-  LanesKind kind = LanesKind::one;
-  bool web = false;      // see ImpactRow
-  std::uint32_t at = 0;  // lane among all those of its kind
+  static constexpr std::uint32_t empty = ~std::uint32_t{0};
+  Tie tie{.contact = empty};
+  bool web = false;  // see ImpactRow
 };
 
 /// Sorts the contacts of an island into colours, so that no two of a colour share a body that can be pushed, and into
@@ -28,25 +27,28 @@ class Colouring {
  public:
   void assign(const Partition& parts, const Island& island);
 
-  /// In the order of the contacts.
-  std::span<const Slot> slots() const { return slots_; }
+  /// All lanes of a kind, eight by eight.
+  std::span<const Slot> lanes(LanesKind kind) const { return lanes_[static_cast<std::size_t>(kind)]; }
   /// In the order in which they are solved.
   std::span<const LanesRun> runs() const { return runs_; }
-  /// How many times eight lanes of a kind the runs take.
-  std::uint32_t count(LanesKind kind) const { return count_[static_cast<std::size_t>(kind)]; }
   /// The contacts of the island in the order in which the runs solve them.
   std::span<const Tie> order();
 
  private:
   static constexpr std::size_t kinds = 4;
 
+  struct Choice {
+    Slot slot;
+    std::uint16_t colour = 0;
+    LanesKind kind = LanesKind::one;
+  };
   void choose(const Partition& parts, const Island& island);
   void place();
 
   std::vector<std::uint64_t> taken_;  // colours that each body's contacts have
-  std::vector<Slot> slots_;
+  std::vector<Choice> choices_;       // in the order of the contacts
+  std::array<std::vector<Slot>, kinds> lanes_;
   std::vector<LanesRun> runs_;
-  std::uint32_t count_[kinds] = {};
   std::vector<std::uint32_t> next_;  // how many of each colour and kind; then its next free lane
   std::vector<Tie> order_;
 };

@@ -27,6 +27,11 @@ class Pile {
   void give_row(std::uint32_t body);
   void lay_out(const StepData& data, const Island& island);
   template <class Lanes>
+  void fill_all(const StepData& data, const Island& island, LanesKind kind, std::vector<Lanes>& all);
+  static void fetch(const std::vector<Contact>& contacts, const Slot& slot);
+  template <class Lanes>
+  void clear(Lanes& lanes) const;
+  template <class Lanes>
   void fill(const StepData& data, const Island& island, const Slot& slot, std::size_t lane, Lanes& lanes);
   void substep(const StepData& data, const Island& island, bool first);
   void turn_far();
@@ -34,6 +39,8 @@ class Pile {
   Real kinetic_energy(const StepData& data, const Island& island) const;
   Real work(const StepData& data, const Island& island) const;
   void leave(const StepData& data, const Island& island, std::vector<Motion>& motion);
+  template <class Lanes>
+  void store_all(const StepData& data, const Island& island, LanesKind kind, const std::vector<Lanes>& all);
   template <class Lanes>
   void store(const Island& island, const Lanes& lanes, std::size_t lane, Contact& contact);
 

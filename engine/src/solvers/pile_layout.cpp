@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <type_traits>
 
 #include "solvers/pile.h"
 
@@ -53,69 +54,55 @@ void Pile::take_bodies(const StepData& data, const Island& island, const std::ve
 }
 
 void Pile::lay_out(const StepData& data, const Island& island) {
-  one_.resize(std::max(one_.size(), std::size_t{colouring_.count(LanesKind::one)}));
-  discs_.resize(std::max(discs_.size(), std::size_t{colouring_.count(LanesKind::discs)}));
-  two_.resize(std::max(two_.size(), std::size_t{colouring_.count(LanesKind::two)}));
-  block_.resize(std::max(block_.size(), std::size_t{colouring_.count(LanesKind::block)}));
-  // Only the last of a run may have lanes without a contact.
-  const auto clear = [nobody = static_cast<std::uint32_t>(present_.size())](auto& lanes) {
-    lanes = {};
-    std::fill_n(lanes.a, width, nobody);
-    std::fill_n(lanes.b, width, nobody);
-  };
-  for (const LanesRun& run : colouring_.runs()) {
-    switch (run.kind) {
-      case LanesKind::one:
-        clear(one_[run.end - 1]);
-        break;
-      case LanesKind::discs:
-        clear(discs_[run.end - 1]);
-        break;
-      case LanesKind::two:
-        clear(two_[run.end - 1]);
-        break;
-      case LanesKind::block:
-        clear(block_[run.end - 1]);
-        break;
-    }
-  }
-  for (const Slot& slot : colouring_.slots()) {
-    const std::size_t lane = slot.at % width;
-    switch (slot.kind) {
-      case LanesKind::one:
-        fill(data, island, slot, lane, one_[slot.at / width]);
-        break;
-      case LanesKind::discs: {
-        DiscLanes& discs = discs_[slot.at / width];
-        fill(data, island, slot, lane, discs);
-        const Contact& contact = data.contacts[slot.tie.contact];
-        const Vec2 between = data.bodies.pose[contact.body_b].p - data.bodies.pose[contact.body_a].p;
-        discs.between_x.lane[lane] = between.x;
-        discs.between_y.lane[lane] = between.y;
-        discs.distance.lane[lane] = contact.radius_a + contact.radius_b;
-        break;
-      }
-      case LanesKind::two:
-        fill(data, island, slot, lane, two_[slot.at / width]);
-        break;
-      case LanesKind::block:
-        fill(data, island, slot, lane, block_[slot.at / width]);
-        break;
-    }
-  }
+  fill_all(data, island, LanesKind::one, one_);
+  fill_all(data, island, LanesKind::discs, discs_);
+  fill_all(data, island, LanesKind::two, two_);
+  fill_all(data, island, LanesKind::block, block_);
   const std::span<const LanesRun> runs = colouring_.runs();
   table_ = {one_.data(), discs_.data(), two_.data(), block_.data(), runs.data(), runs.data() + runs.size()};
+}
+
+// Lane by lane: what is written stays in the first cache, and what is read ahead is asked for in time.
+template <class Lanes>
+void Pile::fill_all(const StepData& data, const Island& island, LanesKind kind, std::vector<Lanes>& all) {
+  const std::span<const Slot> slots = colouring_.lanes(kind);
+  all.resize(slots.size() / width);
+  for (std::size_t at = 0; at < slots.size(); ++at) {
+    Lanes& lanes = all[at / width];
+    const std::size_t lane = at % width;
+    if (lane == 0) {
+      lanes.any_fresh = false;
+      if (slots[at + width - 1].tie.contact == Slot::empty) clear(lanes);
+    }
+    if (at + width < slots.size()) fetch(data.contacts, slots[at + width]);
+    if (slots[at].tie.contact != Slot::empty) fill(data, island, slots[at], lane, lanes);
+  }
+}
+
+void Pile::fetch(const std::vector<Contact>& contacts, const Slot& slot) {
+  if (slot.tie.contact == Slot::empty) return;
+  constexpr std::size_t cache_line = 64;
+  const char* begin = reinterpret_cast<const char*>(&contacts[slot.tie.contact]);
+  for (std::size_t i = 0; i < sizeof(Contact); i += cache_line) __builtin_prefetch(begin + i);
+}
+
+template <class Lanes>
+void Pile::clear(Lanes& lanes) const {
+  lanes = {};
+  const auto nobody = static_cast<std::uint32_t>(present_.size());
+  std::fill_n(lanes.a, width, nobody);
+  std::fill_n(lanes.b, width, nobody);
 }
 
 template <class Lanes>
 void Pile::fill(const StepData& data, const Island& island, const Slot& slot, std::size_t lane, Lanes& lanes) {
   const Contact& contact = data.contacts[slot.tie.contact];
-  const InverseMass& mass_a = data.bodies.inverse_mass[contact.body_a];
-  const InverseMass& mass_b = data.bodies.inverse_mass[contact.body_b];
+  const InverseMass& mass_a = data.bodies.inverse_mass[slot.tie.a];
+  const InverseMass& mass_b = data.bodies.inverse_mass[slot.tie.b];
   const Softness& soft = island.softness(slot.web, mass_a, mass_b);
   const auto put = [lane](Eight& to, Real value) { to.lane[lane] = value; };
-  lanes.a[lane] = row_[contact.body_a];
-  lanes.b[lane] = row_[contact.body_b];
+  lanes.a[lane] = row_[slot.tie.a];
+  lanes.b[lane] = row_[slot.tie.b];
   put(lanes.normal_x, contact.normal.x);
   put(lanes.normal_y, contact.normal.y);
   put(lanes.mass_a, mass_a.m);
@@ -132,8 +119,13 @@ void Pile::fill(const StepData& data, const Island& island, const Slot& slot, st
   put(lanes.offset_rate, island.offset_rate(contact.age));
   const bool fresh = contact.age == 0;
   put(lanes.fresh, fresh ? Real{1} : Real{0});
-  // Lanes are filled in order.
-  lanes.any_fresh = fresh || (lane > 0 && lanes.any_fresh);
+  lanes.any_fresh |= fresh;
+  if constexpr (std::is_same_v<Lanes, DiscLanes>) {
+    const Vec2 between = data.bodies.pose[slot.tie.b].p - data.bodies.pose[slot.tie.a].p;
+    put(lanes.between_x, between.x);
+    put(lanes.between_y, between.y);
+    put(lanes.distance, contact.radius_a + contact.radius_b);
+  }
   const Real share = 1 / static_cast<Real>(island.substeps);
   for (std::size_t i = 0; i < std::size(lanes.point); ++i) {
     PointLanes& to = lanes.point[i];
@@ -154,24 +146,10 @@ void Pile::fill(const StepData& data, const Island& island, const Slot& slot, st
 }
 
 void Pile::leave(const StepData& data, const Island& island, std::vector<Motion>& motion) {
-  for (const Slot& slot : colouring_.slots()) {
-    Contact& contact = data.contacts[slot.tie.contact];
-    const std::size_t lane = slot.at % width;
-    switch (slot.kind) {
-      case LanesKind::one:
-        store(island, one_[slot.at / width], lane, contact);
-        break;
-      case LanesKind::discs:
-        store(island, discs_[slot.at / width], lane, contact);
-        break;
-      case LanesKind::two:
-        store(island, two_[slot.at / width], lane, contact);
-        break;
-      case LanesKind::block:
-        store(island, block_[slot.at / width], lane, contact);
-        break;
-    }
-  }
+  store_all(data, island, LanesKind::one, one_);
+  store_all(data, island, LanesKind::discs, discs_);
+  store_all(data, island, LanesKind::two, two_);
+  store_all(data, island, LanesKind::block, block_);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const std::uint32_t body = island.bodies[i];
     motion[body] = {{motion_[4 * i], motion_[4 * i + 1]}, turn_[i], motion_[4 * i + 2], motion_[4 * i + 3]};
@@ -180,6 +158,16 @@ void Pile::leave(const StepData& data, const Island& island, std::vector<Motion>
     }
   }
   for (const std::uint32_t body : present_) row_[body] = nowhere;
+}
+
+template <class Lanes>
+void Pile::store_all(const StepData& data, const Island& island, LanesKind kind, const std::vector<Lanes>& all) {
+  const std::span<const Slot> slots = colouring_.lanes(kind);
+  for (std::size_t at = 0; at < slots.size(); ++at) {
+    if (at + width < slots.size()) fetch(data.contacts, slots[at + width]);
+    if (slots[at].tie.contact == Slot::empty) continue;
+    store(island, all[at / width], at % width, data.contacts[slots[at].tie.contact]);
+  }
 }
 
 template <class Lanes>
