@@ -193,13 +193,15 @@ void BodySet::advance(std::size_t i, const Velocity& at, Real h) {
   pose[i].q = Rotation(angle[i]);
 }
 
-void BodySet::mark_held(std::span<const TouchingParts> touching, std::span<const ActiveJoint> joints) {
+void BodySet::mark_held(std::span<const Contact> contacts, std::span<const ActiveJoint> joints) {
   // What sleeps stays held as it was: its contacts are not among these.
   for (std::size_t i = 0; i < size(); ++i) held[i] &= asleep[i];
-  for (const TouchingParts& pair : touching) {
-    if (pair.normal_impulse == 0) continue;
-    held[pair.a.index] = 1;
-    held[pair.b.index] = 1;
+  for (const Contact& contact : contacts) {
+    for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+      if (contact.points[p].total_normal_impulse == 0) continue;
+      held[contact.body_a] = 1;
+      held[contact.body_b] = 1;
+    }
   }
   for (const ActiveJoint& joint : joints) {
     if (joint.block.equations == 0) continue;

@@ -54,7 +54,7 @@ struct BodySet {
   std::vector<Real> torque;        // N m
   std::vector<Real> reach;         // m, of the farthest point of its shapes from the centre of mass; half-spaces aside
   std::vector<Real> thickness;     // m, the least distance between two parallel lines that hold its thinnest part
-  std::vector<std::uint8_t> held;  // 1 if a contact or joint pushed it in the last step
+  std::vector<std::uint8_t> held;  // 1 if a contact or joint pushed it in the last step; for integrators that ask
   std::vector<std::uint8_t> asleep;
   std::vector<std::uint32_t> generation;  // of the body in the row, or of the next one
   std::vector<BodyDetail> detail;
@@ -95,7 +95,7 @@ struct BodySet {
   /// Moves row i by h seconds at a velocity other than its own.
   void advance(std::size_t i, const Velocity& at, Real h);
 
-  void mark_held(std::span<const TouchingParts> touching, std::span<const ActiveJoint> joints);
+  void mark_held(std::span<const Contact> contacts, std::span<const ActiveJoint> joints);
   void clear_forces();
 };
 

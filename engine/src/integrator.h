@@ -24,6 +24,8 @@ class Integrator {
   /// So is sliding along what is touched, if contacts are solved exactly: what they give in a step moves the pose for
   /// the whole of it, as in symplectic Euler, whatever the order of the free motion.
   virtual int order_in_contact() const { return 1; }
+  /// Whether it wants to know in the next step which bodies something held in this one (BodySet::held).
+  virtual bool asks_what_is_held() const { return false; }
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

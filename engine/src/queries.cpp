@@ -90,6 +90,11 @@ std::vector<ContactInfo> World::contacts() const {
   return infos;
 }
 
-ContactEvents World::contact_events() const { return state_->touches.events(); }
+ContactEvents World::contact_events() const {
+  if (!state_->settings.contact_events) {
+    throw std::logic_error("World::contact_events: turn on Settings::contact_events first");
+  }
+  return state_->touches.events();
+}
 
 }  // namespace impulse::inline IMPULSE_PRECISION

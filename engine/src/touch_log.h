@@ -15,8 +15,6 @@ class TouchLog {
  public:
   /// Takes down a step that has been solved. The contacts are sorted, and of bodies that are awake.
   void note(const BodySet& bodies, std::span<const Contact> contacts);
-  /// Those of the last step between bodies that are awake.
-  std::span<const TouchingParts> awake() const { return awake_; }
   ContactEvents events() const { return {begun_, asleep_.empty() ? awake_ : all_, ended_}; }
 
  private:

@@ -24,7 +24,7 @@ void World::step() {
   if (sweeps) s.sweep.remember(s.bodies);
   const Margin margin = s.solver->margin(s.settings);
   if (s.settings.sleeping && !s.sleep.rouse(margin)) {
-    s.touches.note(s.bodies, {});
+    if (s.settings.contact_events) s.touches.note(s.bodies, {});
     s.bodies.clear_forces();
     return;
   }
@@ -37,10 +37,9 @@ void World::step() {
   if (sweeps) s.sweep.hold_back(s.bodies, s.joints, s.settings.continuous);
   end_stage("hold back");
   s.joints.store();
-  s.touches.note(s.bodies, s.contacts.rows());
+  if (s.integrator->asks_what_is_held()) s.bodies.mark_held(s.contacts.rows(), data.joints);
+  if (s.settings.contact_events) s.touches.note(s.bodies, s.contacts.rows());
   end_stage("note touches");
-  s.bodies.mark_held(s.touches.awake(), data.joints);
-  end_stage("mark held");
   s.bodies.clear_forces();
   if (s.settings.sleeping) s.sleep.settle(s.settings, margin);
   end_stage("settle");
@@ -142,6 +141,7 @@ void World::State::adopt(const Settings& chosen) {
   if (first || chosen.integrator != settings.integrator) integrator = MethodList<Integrator>::make(chosen.integrator);
   if (first || chosen.broad_phase != settings.broad_phase)
     broad_phase = MethodList<BroadPhase>::make(chosen.broad_phase);
+  if (!chosen.contact_events) touches = {};
   if (first || chosen.workers != settings.workers) workers = std::make_unique<Workers>(chosen.workers);
   settings = chosen;
 }

@@ -11,6 +11,7 @@ inline Settings drowsy(const char* solver = "accurate") {
   Settings settings;
   settings.solver = solver;
   settings.sleeping = true;
+  settings.contact_events = true;
   return settings;
 }
 

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <stdexcept>
+
 #include "support.h"
 
 namespace {
@@ -13,6 +15,7 @@ class Touching : public testing::TestWithParam<const char*> {
   static Settings settings() {
     Settings chosen;
     chosen.solver = GetParam();
+    chosen.contact_events = true;
     return chosen;
   }
 };
@@ -94,6 +97,11 @@ TEST_P(Touching, LetsBodiesBeDestroyedWhileItIsRead) {
   EXPECT_EQ(world.body_count(), 1U);
   world.step();
   EXPECT_THAT(world.contact_events().ended, SizeIs(5));
+}
+
+TEST(TouchingNotAskedFor, IsNotReported) {
+  World world((Settings()));
+  EXPECT_THROW(world.contact_events(), std::logic_error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, Touching, testing::Values("accurate", "article", "soft-step"),

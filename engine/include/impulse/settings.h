@@ -30,6 +30,7 @@ struct Settings {
   int substeps = 4;                             // for solvers that cut a step into sub-steps
   int workers = 1;                              // threads to share islands among; the bits are the same for any number
   Continuous continuous = Continuous::automatic;
+  bool contact_events = false;  // whether World::contact_events() is kept up; else it costs nothing
   /// Whether islands at rest fall asleep (see World); the bits then differ from those of a world that stays awake.
   bool sleeping = false;
   /// A body is at rest once it has been no faster than these for sleep_time, and has stayed where it was up to a

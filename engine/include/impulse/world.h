@@ -136,6 +136,7 @@ class World {
   std::optional<BodyHit> ray_cast(Vec2 from, Vec2 to, std::uint32_t layers = ~std::uint32_t{0}) const;
 
   std::vector<ContactInfo> contacts() const;
+  /// Of the last step. Throws std::logic_error unless Settings::contact_events is on.
   ContactEvents contact_events() const;
 
   /// Draws the parts whose bounds meet `view` (world frame), the contacts, and a line between the centres of mass of

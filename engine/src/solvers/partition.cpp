@@ -5,6 +5,14 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+namespace {
+
+bool pushable(const BodySet& bodies, std::uint32_t i) {
+  return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0;
+}
+
+}  // namespace
+
 template <class Item>
 template <class Source, class IslandOf>
 void Partition::ByIsland<Item>::sort(const Source& source, std::size_t islands, IslandOf island_of) {
@@ -17,32 +25,47 @@ void Partition::ByIsland<Item>::sort(const Source& source, std::size_t islands, 
 }
 
 void Partition::split(const StepData& data, bool together) {
+  std::swap(tied_, last_tied_);
+  list_ties(data);
+  const bool only_contacts = data.joints.empty() && !together;
+  const bool same_bodies = crowd_.size() == data.bodies.size();
+  if (same_bodies && only_contacts && only_contacts_ && tied_ == last_tied_) return;
+  only_contacts_ = only_contacts;
+  ++version_;
+  find_islands(data, together);
+}
+
+void Partition::list_ties(const StepData& data) {
   const BodySet& bodies = data.bodies;
-  const auto pushable = [&](std::uint32_t body) {
-    return bodies.inverse_mass[body].m + bodies.inverse_mass[body].i > 0;
-  };
-  const auto tie = [&](std::uint32_t a, std::uint32_t b) {
-    if (bodies.stirs(a) && bodies.stirs(b)) islands_.tie(a, b);
-  };
-  islands_.clear(bodies.size());
-  crowd_.assign(bodies.size(), 0);
   tied_.clear();
   for (std::uint32_t c = 0; c < data.contacts.size(); ++c) {
     const Contact& contact = data.contacts[c];
     const std::uint32_t a = contact.body_a;
     const std::uint32_t b = contact.body_b;
-    const bool pushes_a = pushable(a);
-    const bool pushes_b = pushable(b);
+    const bool pushes_a = pushable(bodies, a);
+    const bool pushes_b = pushable(bodies, b);
     if (contact.count == 0 || !(pushes_a || pushes_b)) continue;
-    tied_.push_back({c, a, b, pushes_a, pushes_b, static_cast<std::uint8_t>(contact.count), contact.discs});
-    tie(a, b);
-    if (pushes_a) crowd_[a] = static_cast<std::uint8_t>(std::min(crowd_[a] + 1, 3));
-    if (pushes_b) crowd_[b] = static_cast<std::uint8_t>(std::min(crowd_[b] + 1, 3));
+    tied_.push_back({c, a, b, pushes_a, pushes_b, bodies.stirs(a) && bodies.stirs(b),
+                     static_cast<std::uint8_t>(contact.count), contact.discs});
+  }
+}
+
+void Partition::find_islands(const StepData& data, bool together) {
+  const BodySet& bodies = data.bodies;
+  islands_.clear(bodies.size());
+  crowd_.assign(bodies.size(), 0);
+  const auto add = [this](std::uint32_t body) {
+    crowd_[body] = static_cast<std::uint8_t>(std::min(crowd_[body] + 1, 3));
+  };
+  for (const Tie& tie : tied_) {
+    if (tie.moves_both) islands_.tie(tie.a, tie.b);
+    if (tie.pushes_a) add(tie.a);
+    if (tie.pushes_b) add(tie.b);
   }
   all_joints_.clear();
   for (ActiveJoint& joint : data.joints) {
     all_joints_.push_back(&joint);
-    tie(joint.block.a, joint.block.b);
+    if (bodies.stirs(joint.block.a) && bodies.stirs(joint.block.b)) islands_.tie(joint.block.a, joint.block.b);
   }
   if (together) {
     for (std::uint32_t body = 1; body < bodies.size(); ++body) islands_.tie(0, body);
@@ -51,7 +74,7 @@ void Partition::split(const StepData& data, bool together) {
 
   contacts_.sort(tied_, islands_.size(), [&](const Tie& tied) { return islands_.of(tied.pushes_a ? tied.a : tied.b); });
   joints_.sort(all_joints_, islands_.size(), [&](const ActiveJoint* joint) {
-    return islands_.of(pushable(joint->block.a) ? joint->block.a : joint->block.b);
+    return islands_.of(pushable(bodies, joint->block.a) ? joint->block.a : joint->block.b);
   });
 }
 

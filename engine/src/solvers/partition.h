@@ -14,16 +14,24 @@ struct Tie {
   std::uint32_t contact = 0;  // index
   std::uint32_t a = 0, b = 0;
   bool pushes_a = false, pushes_b = false;  // whether the body can be pushed
+  bool moves_both = false;                  // whether both stir, so that they share an island
   std::uint8_t points = 0;
   bool discs = false;
+  friend bool operator==(const Tie&, const Tie&) = default;
 };
 
 /// Bodies that must be stepped together, with the contacts and joints among them. Contacts without points, or between
 /// bodies that nothing can push, belong to no island.
 class Partition {
  public:
+  /// Finds the islands of a step. Where nothing but contacts ties bodies, and the same ones as in the last step (as in
+  /// whatever rests), they are those of the last step.
+  ///
   /// Bodies share an island if something ties them and both move; `together` puts them all into one.
   void split(const StepData& data, bool together);
+
+  /// Changes whenever the islands may be others than before.
+  std::uint64_t version() const { return version_; }
 
   std::size_t size() const { return islands_.size(); }
   std::size_t body_count() const { return crowd_.size(); }
@@ -52,8 +60,14 @@ class Partition {
     void sort(const Source& source, std::size_t islands, IslandOf island_of);
   };
 
+  void list_ties(const StepData& data);
+  void find_islands(const StepData& data, bool together);
+
+  std::uint64_t version_ = 0;
+  bool only_contacts_ = false;  // tied bodies in the last step
   Islands islands_;
-  std::vector<Tie> tied_;            // contacts that belong to an island
+  std::vector<Tie> tied_;       // contacts that belong to an island
+  std::vector<Tie> last_tied_;  // the same of the step before
   std::vector<std::uint8_t> crowd_;  // contacts of each body that can be pushed, up to 3
   ByIsland<Tie> contacts_;
   ByIsland<ActiveJoint*> joints_;

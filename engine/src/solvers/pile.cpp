@@ -11,7 +11,12 @@ void Pile::step(const StepData& data, const Partition& parts, const Island& isla
   kernels_ = &kernels();
   take_bodies(data, island, acceleration);
   end_stage("pile: bodies");
-  colouring_.assign(parts, island);
+  const std::uint32_t first = island.bodies.front();
+  if (version_ != parts.version() || first_body_ != first) {
+    colouring_.assign(parts, island);
+    version_ = parts.version();
+    first_body_ = first;
+  }
   end_stage("pile: colour");
   lay_out(data, island);
   end_stage("pile: lay out");

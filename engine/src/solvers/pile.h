@@ -48,6 +48,8 @@ class Pile {
   std::vector<std::uint32_t> row_;      // of each body of the world, where it has one
   std::vector<std::uint32_t> present_;  // bodies that have a row, in order of their rows
   Colouring colouring_;
+  std::uint64_t version_ = 0;     // of the partition that was coloured last
+  std::uint32_t first_body_ = 0;  // of its island
   std::vector<ContactLanes<1>> one_;
   std::vector<DiscLanes> discs_;
   std::vector<ContactLanes<2>> two_;
