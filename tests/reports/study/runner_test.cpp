@@ -43,7 +43,7 @@ TEST(Runner, FindsOutEachPointOnceInAProcessOfItsOwn) {
   }
 }
 
-TEST(Runner, TakesACrashAHangAndAHogAsOutcomes) {
+TEST(Runner, TakesACrashAndAHangAsOutcomes) {
   const std::vector<Point> points{point("fine", [] { return number(1); }),
                                   point("crash", []() -> Row { std::abort(); }),
                                   point("exit", []() -> Row { _exit(3); }),
@@ -52,13 +52,8 @@ TEST(Runner, TakesACrashAHangAndAHogAsOutcomes) {
                                         []() -> Row {
                                           for (;;) usleep(1000);
                                         }),
-                                  point("hog",
-                                        []() -> Row {
-                                          std::vector<std::vector<char>> all;
-                                          for (;;) all.emplace_back(1 << 20, '1');
-                                        }),
                                   point("refused", []() -> Row { throw std::bad_alloc(); })};
-  auto all = found(points, {.jobs = 2, .limits = {.seconds = 1, .mebibytes = 600}});
+  auto all = found(points, {.jobs = 2, .limits = {.seconds = 1}});
   EXPECT_EQ(all["fine"].ending, Ending::done);
   EXPECT_EQ(all["crash"].ending, Ending::crashed);
   EXPECT_THAT(all["crash"].reason, HasSubstr("signal 6"));
@@ -67,8 +62,17 @@ TEST(Runner, TakesACrashAHangAndAHogAsOutcomes) {
   EXPECT_EQ(all["throw"].ending, Ending::failed);
   EXPECT_EQ(all["throw"].reason, "no such thing");
   EXPECT_EQ(all["hang"].ending, Ending::timed_out);
-  EXPECT_EQ(all["hog"].ending, Ending::out_of_memory);
   EXPECT_EQ(all["refused"].ending, Ending::out_of_memory);
+}
+
+TEST(Runner, EndsAHogAtItsLimitOfMemory) {
+  const std::vector<Point> points{point("hog", []() -> Row {
+    std::vector<std::vector<char>> all;
+    for (;;) all.emplace_back(1 << 20, '1');
+  })};
+  const PointResult hog = found(points, {.limits = {.mebibytes = 600}})["hog"];
+  EXPECT_EQ(hog.ending, Ending::out_of_memory);
+  EXPECT_THAT(hog.reason, HasSubstr("600 MiB"));
 }
 
 TEST(Runner, HearsLongRowsWhole) {
