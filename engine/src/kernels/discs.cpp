@@ -19,13 +19,11 @@ struct RoundContact {
 };
 
 void write(const PairLanes& pairs, const RoundContact& contact, const Vec2Lanes& center, const RotationLanes& frame,
-           const Mask& turned, const Vec2Lanes& center_a, const Vec2Lanes& center_b, const Lanes& margin,
+           const Vec2Lanes& normal, const Vec2Lanes& center_a, const Vec2Lanes& center_b, const Lanes& margin,
            PairPoints* found) {
-  const Vec2Lanes normal = frame * contact.normal;
   const Vec2Lanes point = center + frame * contact.point;
   const Lanes count = select(contact.separation <= margin, Lanes::all(1), Lanes::all(0));
-  const PointsLanes points{
-      select(turned, -normal, normal), {contact.separation, contact.separation}, {point, point}, count};
+  const PointsLanes points{normal, {contact.separation, contact.separation}, {point, point}, count};
   points.write(pairs, center_a, center_b, found);
 }
 
@@ -63,8 +61,9 @@ std::uint32_t* collide_mixed(const PairBatch& batch, PairPoints* found, std::uin
     const Lanes gap = select(inside, max(out_x, out_y) - disc.size.x, distance - disc.size.x - zero);
 
     const RoundContact contact(center, disc.size.x, outward, gap);
-    const Mask turned = disc_first ? zero < zero : zero <= zero;
-    write(pairs, contact, box.position + box.offset, box.turn, turned, a.position, b.position, pairs.margin(), found);
+    const Vec2Lanes normal = box.turn * contact.normal;
+    write(pairs, contact, box.position + box.offset, box.turn, disc_first ? normal : -normal, a.position, b.position,
+          pairs.margin(), found);
   }
   return left;
 }
@@ -96,7 +95,9 @@ std::uint32_t* collide_discs(const PairBatch& batch, PairPoints* found, std::uin
     const Vec2Lanes outward =
         select(Lanes::all(0) < distance, apart / distance, Vec2Lanes{Lanes::all(0), Lanes::all(-1)});
     const RoundContact contact(center, one.size.x, outward, distance - one.size.x - two.size.x);
-    write(pairs, contact, two.position, two.turn, order.swapped, a.position, b.position, pairs.margin(), found);
+    const Vec2Lanes normal = two.turn * contact.normal;
+    write(pairs, contact, two.position, two.turn, select(order.swapped, -normal, normal), a.position, b.position,
+          pairs.margin(), found);
     left = pairs.leave((!order.known).bits(), left);
   }
   return left;
