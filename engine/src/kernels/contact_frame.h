@@ -53,8 +53,12 @@ struct LanesFrame {
     wb = b[2];
   }
 
-  [[gnu::always_inline]] Lanes normal_velocity(const PointLanes& p) const { return normal + wb * load(p.cross_b) - wa * load(p.cross_a); }
-  [[gnu::always_inline]] Lanes tangent_velocity(const PointLanes& p) const { return tangent + wb * load(p.dot_b) - wa * load(p.dot_a); }
+  [[gnu::always_inline]] Lanes normal_velocity(const PointLanes& p) const {
+    return normal + wb * load(p.cross_b) - wa * load(p.cross_a);
+  }
+  [[gnu::always_inline]] Lanes tangent_velocity(const PointLanes& p) const {
+    return tangent + wb * load(p.dot_b) - wa * load(p.dot_a);
+  }
 
   [[gnu::always_inline]] void push_normal(const PointLanes& p, const Lanes& impulse) {
     normal = normal + impulse * mass;

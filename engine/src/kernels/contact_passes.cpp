@@ -18,8 +18,8 @@ Lanes held_by_cone(const Lanes& wanted, const Lanes& load_now, const Lanes& stat
 
 /// Friction at a point, where `who` says.
 template <class Contacts>
-[[gnu::always_inline]] inline void rub(const Contacts& contacts, PointLanes& p, LanesFrame& frame, const Lanes& normal_impulse,
-         Lanes& tangent_impulse) {
+[[gnu::always_inline]] inline void rub(const Contacts& contacts, PointLanes& p, LanesFrame& frame,
+                                       const Lanes& normal_impulse, Lanes& tangent_impulse) {
   const Lanes wanted = tangent_impulse - load(p.tangent_mass) * frame.tangent_velocity(p);
   const Lanes held =
       held_by_cone(wanted, normal_impulse, load(contacts.static_friction), load(contacts.dynamic_friction));

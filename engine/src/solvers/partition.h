@@ -66,8 +66,8 @@ class Partition {
   std::uint64_t version_ = 0;
   bool only_contacts_ = false;  // tied bodies in the last step
   Islands islands_;
-  std::vector<Tie> tied_;       // contacts that belong to an island
-  std::vector<Tie> last_tied_;  // the same of the step before
+  std::vector<Tie> tied_;            // contacts that belong to an island
+  std::vector<Tie> last_tied_;       // the same of the step before
   std::vector<std::uint8_t> crowd_;  // contacts of each body that can be pushed, up to 3
   ByIsland<Tie> contacts_;
   ByIsland<ActiveJoint*> joints_;
