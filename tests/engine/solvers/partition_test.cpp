@@ -1,0 +1,38 @@
+#include "solvers/partition.h"
+
+#include <gtest/gtest.h>
+
+#include "contact_graph.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+TEST(Partition, KeepsItsIslandsWhileTheSameContactsLast) {
+  Graph graph(6);
+  graph.touch(0, 1, 1);
+  graph.touch(1, 2, 1);
+  graph.touch(3, 4, 2);
+  const std::uint64_t version = graph.split(false).version();
+  EXPECT_EQ(graph.split(false).version(), version);
+  EXPECT_EQ(graph.split(false).contacts(1).size(), 2U);  // of bodies 1 and 2
+
+  graph.touch(4, 5, 1);
+  const Partition& parts = graph.split(false);
+  EXPECT_NE(parts.version(), version);
+  EXPECT_EQ(parts.bodies(2).size(), 3U);
+}
+
+// The floor gets going: now it ties what stands on it.
+TEST(Partition, FindsItsIslandsAnewWhenABodySetsOut) {
+  Graph graph(3);
+  graph.touch(0, 1, 1);
+  graph.touch(0, 2, 1);
+  EXPECT_EQ(graph.split(false).size(), 3U);
+  graph.bodies().velocity[0].v = {1, 0};
+  EXPECT_EQ(graph.split(false).size(), 1U);
+}
+
+}  // namespace
+
+}  // namespace impulse::inline IMPULSE_PRECISION
