@@ -132,6 +132,14 @@ void ContactSearch::list_touching() {
   touching_.resize(next);
 }
 
+bool ContactSearch::found_the_same() const {
+  if (touching_.size() != last_.size()) return false;
+  for (std::uint32_t i = 0; i < touching_.size(); ++i) {
+    if (last_of_[touching_[i]] != i) return false;
+  }
+  return true;
+}
+
 /// Two bodies that meet at a speed u change each other's by (1 + e) u mB / (mA + mB) at most. What is struck within the
 /// step may then meet others than those it was on its way to: a disc thrown back into its followers, the next in a
 /// stack that lands. Whether that takes any farther than the margin already allows for.

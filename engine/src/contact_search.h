@@ -37,6 +37,8 @@ class ContactSearch {
 
   /// Numbers of the pairs that have points, in order of contacts.
   std::span<const std::uint32_t> touching() const { return touching_; }
+  /// Whether these are the contacts of `last`, no more and no less.
+  bool found_the_same() const;
   const Proxy& first(std::uint32_t pair) const { return shapes_.proxies()[pairs_[pair].first]; }
   const Proxy& second(std::uint32_t pair) const { return shapes_.proxies()[pairs_[pair].second]; }
   const Part& first_part(std::uint32_t pair) const { return shapes_.part(pairs_[pair].first); }

@@ -1,9 +1,11 @@
 #include "contact_set.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "contact_order.h"
@@ -65,33 +67,26 @@ void mix_materials(Contact& contact, const Material& a, const Material& b, const
   contact.restitution = mix(settings.restitution_mixing, a.restitution, b.restitution);
 }
 
-/// All but the points.
-void go_on(Contact& contact, const Contact& last) {
-  contact.body_a = last.body_a;
-  contact.body_b = last.body_b;
-  contact.part_a = last.part_a;
-  contact.part_b = last.part_b;
-  contact.static_friction = last.static_friction;
-  contact.dynamic_friction = last.dynamic_friction;
-  contact.restitution = last.restitution;
-  contact.radius_a = last.radius_a;
-  contact.radius_b = last.radius_b;
-  contact.discs = last.discs;
-  contact.offset = last.offset;
-  contact.age = last.age + 1;
-}
-
-void carry_impulses(Contact& contact, const Contact& last) {
+void carry_impulses(Contact& contact, std::span<const ContactPoint> last) {
   for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
-    for (std::size_t q = 0; q < static_cast<std::size_t>(last.count); ++q) {
-      ContactPoint& point = contact.points[p];
-      const ContactPoint& before = last.points[q];
+    ContactPoint& point = contact.points[p];
+    for (const ContactPoint& before : last) {
       if (point.feature != before.feature) continue;
       point.normal_impulse = before.normal_impulse;
       point.tangent_impulse = before.tangent_impulse;
       point.fresh = false;
     }
   }
+}
+
+/// A contact that was there before, with what the search found of it now.
+void go_on(Contact& contact, const BodySet& bodies, const PairPoints& found, bool keeps) {
+  ++contact.age;
+  if (keeps) return keep_points(contact, found);
+  const std::array<ContactPoint, 2> last = contact.points;
+  const int last_count = contact.count;
+  take_points(contact, bodies, found);
+  carry_impulses(contact, std::span(last).first(static_cast<std::size_t>(last_count)));
 }
 
 }  // namespace
@@ -108,36 +103,36 @@ void ContactSet::find(const SearchInput& input) {
 }
 
 void ContactSet::write_rows(const SearchInput& input) {
+  const auto go_on_with = [&](Contact& row, std::uint32_t pair) {
+    go_on(row, input.bodies, search_.points(pair), search_.keeps(pair));
+  };
+  if (!disturbed_ && search_.found_the_same()) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) go_on_with(rows_[i], search_.touching()[i]);
+    return;
+  }
   std::swap(rows_, last_rows_);
   rows_.resize(search_.touching().size());
   on_ground_.clear();
+  disturbed_ = false;
   std::size_t next = 0;
   for (const std::uint32_t pair : search_.touching()) {
     const Proxy& a = search_.first(pair);
     const Proxy& b = search_.second(pair);
-    if (a.moves != b.moves && !input.bodies.stirs(a.moves ? b.body : a.body)) {
+    if (a.moves != b.moves) {
       const Proxy& moving = a.moves ? a : b;
-      on_ground_.push_back({moving.body, moving.part, a.moves, next});
+      on_ground_.push_back({moving.body, moving.part, a.moves, (a.moves ? b : a).body, next});
     }
     Contact& row = rows_[next++];
-    if (search_.last_of(pair) == ContactSearch::none) {
-      const Part& part_a = search_.first_part(pair);
-      const Part& part_b = search_.second_part(pair);
-      row = begin(a, b, part_a.shape, part_b.shape);
-      mix_materials(row, part_a.material, part_b.material, input.settings);
-      take_points(row, input.bodies, search_.points(pair));
+    if (search_.last_of(pair) != ContactSearch::none) {
+      row = last_rows_[search_.last_of(pair)];
+      go_on_with(row, pair);
       continue;
     }
-    const Contact& last = last_rows_[search_.last_of(pair)];
-    if (search_.keeps(pair)) {
-      row = last;
-      ++row.age;
-      keep_points(row, search_.points(pair));
-    } else {
-      go_on(row, last);
-      take_points(row, input.bodies, search_.points(pair));
-      carry_impulses(row, last);
-    }
+    const Part& part_a = search_.first_part(pair);
+    const Part& part_b = search_.second_part(pair);
+    row = begin(a, b, part_a.shape, part_b.shape);
+    mix_materials(row, part_a.material, part_b.material, input.settings);
+    take_points(row, input.bodies, search_.points(pair));
   }
 }
 
@@ -162,12 +157,16 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
     next = std::find_if(first, on_ground_.cend(), [&](const OnGround& meets) { return part(meets) != part(*first); });
     if (next - first > 1) remove_ghosts({first, next}, bodies, margin);
   }
-  std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; });
+  if (std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; }) > 0) disturbed_ = true;
 }
 
 // A face that has taken the place of a ghost hides others in turn: those two joins ahead.
 void ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin) {
-  supports_.assign(of_part.begin(), of_part.end());
+  // Only ground that stands still has joins.
+  const auto stands = [&](const OnGround& meets) { return !bodies.stirs(meets.ground); };
+  supports_.clear();
+  std::copy_if(of_part.begin(), of_part.end(), std::back_inserter(supports_), stands);
+  if (supports_.size() < 2) return;
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     const OnGround below = supports_[i];
     if (rows_[below.row].count == 0) continue;
@@ -175,25 +174,27 @@ void ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet&
     if (!plane) continue;
     for (const OnGround& ahead : of_part) {
       Contact& contact = rows_[ahead.row];
-      if (ahead.row == below.row || contact.count == 0) continue;
+      if (ahead.row == below.row || contact.count == 0 || !stands(ahead)) continue;
       const std::optional<Manifold> instead =
           without_ghost(Meeting(contact, bodies, ahead.dynamic_first), *plane, bodies, margin);
       if (!instead) continue;
       const Contact was = contact;
       take_points(contact, bodies, points_of(*instead, bodies.pose[contact.body_a].p, bodies.pose[contact.body_b].p));
-      carry_impulses(contact, was);
+      carry_impulses(contact, std::span(was.points).first(static_cast<std::size_t>(was.count)));
       supports_.push_back(ahead);
     }
   }
 }
 
 void ContactSet::forget(std::size_t body) {
+  disturbed_ = true;
   const auto of_it = [body](const Contact& c) { return c.body_a == body || c.body_b == body; };
   std::erase_if(rows_, of_it);
   std::erase_if(resting_, of_it);
 }
 
 void ContactSet::lay_to_rest(const BodySet& bodies) {
+  disturbed_ = true;
   const auto passed_by = [&](std::uint32_t body) { return bodies.dynamic(body) && bodies.asleep[body] == 0; };
   std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(resting_), [&](const Contact& c) {
     return of_sleepers(c, bodies) && !passed_by(c.body_a) && !passed_by(c.body_b);
@@ -203,6 +204,7 @@ void ContactSet::lay_to_rest(const BodySet& bodies) {
 }
 
 void ContactSet::take_back(const BodySet& bodies) {
+  disturbed_ = true;
   const auto woken =
       std::stable_partition(resting_.begin(), resting_.end(), [&](const Contact& c) { return of_sleepers(c, bodies); });
   const auto awake = static_cast<std::ptrdiff_t>(rows_.size());

@@ -43,11 +43,12 @@ class ContactSet {
   void write_rows(const SearchInput& input);
   void mix_again(const BodySet& bodies, const Settings& settings);
 
-  /// One that has a dynamic body and one that stands still.
+  /// One that has a dynamic body and one that is not.
   struct OnGround {
     std::uint32_t body;  // the dynamic one
     std::uint16_t part;
     bool dynamic_first;
+    std::uint32_t ground;  // the other one
     std::size_t row;
   };
   void remove_ghosts(const BodySet& bodies, const Margin& margin);
@@ -63,6 +64,7 @@ class ContactSet {
   std::vector<Contact> rows_;
   std::vector<Contact> last_rows_;
   std::optional<Mixing> mixed_by_;
+  bool disturbed_ = true;  // whether rows were taken out or put in since they were written
   std::vector<OnGround> on_ground_;
   std::vector<OnGround> supports_;
   std::vector<Contact> resting_;
