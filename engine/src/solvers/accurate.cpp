@@ -87,8 +87,6 @@ class Accurate : public Solver {
   Island island(StepData& data, std::size_t number, Workspace& space);
   void make_rows(StepData& data, Island& island, std::size_t number);
   void solve_as_pile(StepData& data, Island& island, Pile& pile);
-  bool settles(const StepData& data, const Island& island) const;
-  bool closed(const StepData& data, const Island& island) const;
   bool is_pile(const StepData& data, const Island& island) const;
   void step_island(StepData& data, std::size_t number, Workspace& space);
   void fly(StepData& data, const Island& island);
@@ -181,7 +179,7 @@ void Accurate::solve_as_pile(StepData& data, Island& island, Pile& pile) {
   end_stage("pile: bearing");
   island.settling = settles(data, island);
   if (island.settling) island.sweeps = settling_sweeps;
-  const int more_sweeps = closed(data, island) ? more_sweeps_for(island.bodies.size()) : 0;
+  const int more_sweeps = closed(data.bodies, island.bodies) ? more_sweeps_for(island.bodies.size()) : 0;
   if (more_sweeps > 0 && any_contact([&](const Tie& tie) {
         return new_or_deep(data.contacts[tie.contact]) &&
                at_speed(make_row(data.bodies, data.contacts, tie.contact), data.bodies);
@@ -268,7 +266,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   const bool on_several = island.bodies.size() == 1 && island.rows.size() > 1;
   if (takes_turns || on_several) island.sweeps = data.settings.iterations;
   island.settling = settles(data, island);
-  const bool is_closed = closed(data, island);
+  const bool is_closed = !forces_vary_ && closed(data.bodies, island.bodies);
   island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
   if (is_closed && struck) island.more_sweeps = more_sweeps_for(island.bodies.size());
 }
@@ -279,24 +277,6 @@ Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
       .contacts = parts_.contacts(number),
       .rows = {},
       .joints = IslandJoints(parts_.joints(number), parts_.bodies(number), data.bodies, start_, motion_, space.joints)};
-}
-
-/// Whether nothing outside does work on an island but the forces.
-bool Accurate::closed(const StepData& data, const Island& island) const {
-  return !forces_vary_ && std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
-    return data.bodies.inverse_mass[body].m + data.bodies.inverse_mass[body].i > 0;
-  });
-}
-
-/// Whether an island begins at rest: nothing touched before, and all are slow.
-bool Accurate::settles(const StepData& data, const Island& island) const {
-  const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
-  return !island.contacts.empty() && std::all_of(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
-    return data.contacts[tie.contact].age == 0;
-  }) && std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
-    const Velocity& v = data.bodies.velocity[body];
-    return length(v.v) + std::abs(v.w) * data.bodies.reach[body] <= slow;
-  });
 }
 
 void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {

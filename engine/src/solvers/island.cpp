@@ -37,6 +37,23 @@ void Island::share(Real by) {
   joints.share(by);
 }
 
+bool closed(const BodySet& bodies, std::span<const std::uint32_t> island) {
+  return std::all_of(island.begin(), island.end(),
+                     [&](std::uint32_t body) { return bodies.inverse_mass[body].m + bodies.inverse_mass[body].i > 0; });
+}
+
+bool settles(const StepData& data, const Island& island) {
+  const BodySet& bodies = data.bodies;
+  const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
+  const auto is_new = [&](const Tie& tie) { return data.contacts[tie.contact].age == 0; };
+  const auto is_slow = [&](std::uint32_t body) {
+    const Velocity& v = bodies.velocity[body];
+    return length(v.v) + std::abs(v.w) * bodies.reach[body] <= slow;
+  };
+  return !island.contacts.empty() && std::all_of(island.contacts.begin(), island.contacts.end(), is_new) &&
+         std::all_of(island.bodies.begin(), island.bodies.end(), is_slow);
+}
+
 void Bearing::add(const ContactRow& row) {
   if (row.mass_a.m == 0 || row.mass_b.m == 0) points += row.count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {

@@ -6,6 +6,7 @@
 
 #include "body_set.h"
 #include "impulse/settings.h"
+#include "solver.h"
 #include "solvers/impacts.h"
 #include "solvers/island_joints.h"
 #include "solvers/partition.h"
@@ -57,6 +58,11 @@ struct Island {
   /// Impulses of a whole step to those of one of n sub-steps, and back.
   void share(Real by);
 };
+
+/// Whether nothing outside does work on an island but the forces: all its bodies can be pushed.
+bool closed(const BodySet& bodies, std::span<const std::uint32_t> island);
+/// Whether an island begins at rest: nothing touched before, and all are slow.
+bool settles(const StepData& data, const Island& island);
 
 /// What carries an island's weight.
 struct Bearing {
