@@ -2,12 +2,9 @@
 import * as Plot from "@observablehq/plot";
 import { number, time_step } from "../format";
 import type { Entry, Model } from "../model";
-import { decades } from "./decades";
+import { error_axes } from "./error_axes";
 import { figure } from "./figure";
 import { dot_look, plot_look, tip_look } from "./look";
-
-/** Smaller errors are round-off; they stand at the foot of the chart. */
-const least_floor = 1e-12; // m
 
 const metric = "truth_error_rms";
 
@@ -53,32 +50,19 @@ const described = ({ entry, place, cost, error }: Mark): string =>
 export function cost_chart(model: Model): HTMLElement | null {
   const marks = marks_of(model);
   if (!marks.length) return null;
-  const positive = marks.map(({ error }) => error).filter((error) => error > least_floor);
-  const floor = positive.length ? 10 ** Math.floor(Math.log10(Math.min(...positive))) : least_floor;
-  const foot = marks.some(({ error }) => error < floor);
-  const x = decades(marks.flatMap(({ low, high }) => [low, high]));
-  const y = decades([floor, ...positive]);
+  const { x, y, floor } = error_axes(
+    marks.map(({ error }) => error),
+    marks.flatMap(({ low, high }) => [low, high]),
+    "time per step (\u00b5s), median",
+  );
   const height_of = ({ error }: Mark) => Math.max(floor, error);
   const by_contender = model.contenders.map((contender) => marks.filter(({ entry }) => entry.contender === contender));
   const draw = (width: number) =>
     Plot.plot({
       ...plot_look(width, 400),
       ariaLabel: "Error against cost of every run",
-      x: {
-        type: "log",
-        label: "time per step (\u00b5s), median",
-        labelAnchor: "right",
-        grid: true,
-        ...x,
-        tickFormat: (value: number) => number(value, "", 1),
-      },
-      y: {
-        type: "log",
-        label: "distance from the truth, RMS (m)",
-        grid: true,
-        ...y,
-        tickFormat: (value: number) => (value === floor && foot ? `\u2264 ${number(value, "", 1)}` : number(value, "", 1)),
-      },
+      x,
+      y,
       marks: [
         Plot.line(marks, { x: "cost", y: height_of, z: "place", stroke: "var(--faint)", strokeOpacity: 0.35 }),
         Plot.link(marks, {

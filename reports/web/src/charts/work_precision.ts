@@ -2,12 +2,9 @@
 import * as Plot from "@observablehq/plot";
 import { number, time_step } from "../format";
 import type { SpeedCase, SpeedMark } from "../studies/speed_model";
-import { decades } from "./decades";
+import { error_axes } from "./error_axes";
 import { figure } from "./figure";
 import { dot_look, line_look, plot_look, tip_look } from "./look";
-
-/** Smaller errors are round-off; they stand at the foot of the chart. */
-const least_floor = 1e-12; // m
 
 const height = 460;
 
@@ -21,31 +18,19 @@ const described = ({ contender, setting, dt, time, error, wide }: SpeedMark): st
 
 export function work_precision(place: SpeedCase): HTMLElement {
   const { marks, curves, front, truth_error } = place;
-  const positive = marks.map(({ error }) => error).filter((error) => error > least_floor);
-  const floor = positive.length ? 10 ** Math.floor(Math.log10(Math.min(...positive))) : least_floor;
-  const foot = marks.some(({ error }) => error < floor);
-  const x = decades(marks.map(({ time }) => time * 1e6));
-  const y = decades([floor, ...positive, ...(truth_error > floor ? [truth_error] : [])]);
+  const { x, y, floor } = error_axes(
+    marks.map(({ error }) => error),
+    marks.map(({ time }) => time * 1e6),
+    "time per simulated second (\u00b5s), median",
+    [truth_error],
+  );
   const at = { x: ({ time }: SpeedMark) => time * 1e6, y: ({ error }: SpeedMark) => Math.max(error, floor) };
   const draw = (width: number) =>
     Plot.plot({
       ...plot_look(width, height),
       ariaLabel: "Error against time per simulated second",
-      x: {
-        type: "log",
-        label: "time per simulated second (\u00b5s), median",
-        labelAnchor: "right",
-        grid: true,
-        ...x,
-        tickFormat: (value: number) => number(value, "", 1),
-      },
-      y: {
-        type: "log",
-        label: "distance from the truth, RMS (m)",
-        grid: true,
-        ...y,
-        tickFormat: (value: number) => (value === floor && foot ? `\u2264 ${number(value, "", 1)}` : number(value, "", 1)),
-      },
+      x,
+      y,
       marks: [
         Plot.line(front, { ...at, stroke: "var(--truth)", strokeWidth: 9, strokeLinecap: "round", strokeLinejoin: "round", className: "front" }),
         truth_error > floor
