@@ -13,9 +13,8 @@
 ///
 /// Every file in kernels/ is compiled for what all processors of the target have (`baseline`), once more with one
 /// number at a time (`scalar`, the oracle) and, on x86-64, with AVX2 (`avx2`); the namespace IMPULSE_LANES keeps them
-/// apart. Which one runs is asked once, see kernels.h. No
-/// kernel may call an inline function from outside this namespace: a linker that keeps one copy might keep the AVX2
-/// one.
+/// apart. Which one runs is asked once, see kernels.h. No kernel may call an inline function from outside this
+/// namespace: a linker that keeps one copy might keep the AVX2 one.
 ///
 /// Lanes are always eight, in as many registers as that takes, and each lane computes what a Real would: no fused
 /// multiply-add, no approximation, no sum across lanes. So results never depend on the instruction set.

@@ -16,15 +16,12 @@ Lanes held_by_cone(const Lanes& wanted, const Lanes& load_now, const Lanes& stat
   return select(max(wanted, -wanted) <= static_friction * load_now, wanted, sliding);
 }
 
-/// Friction at a point, where `who` says.
+/// The friction impulse that stops the sliding at a point, as far as the cone of the normal impulse allows.
 template <class Contacts>
-[[gnu::always_inline]] inline void rub(const Contacts& contacts, PointLanes& p, LanesFrame& frame,
-                                       const Lanes& normal_impulse, Lanes& tangent_impulse) {
+[[gnu::always_inline]] inline Lanes rub(const Contacts& contacts, const PointLanes& p, const LanesFrame& frame,
+                                        const Lanes& normal_impulse, const Lanes& tangent_impulse) {
   const Lanes wanted = tangent_impulse - load(p.tangent_mass) * frame.tangent_velocity(p);
-  const Lanes held =
-      held_by_cone(wanted, normal_impulse, load(contacts.static_friction), load(contacts.dynamic_friction));
-  frame.push_tangent(p, held - tangent_impulse);
-  tangent_impulse = held;
+  return held_by_cone(wanted, normal_impulse, load(contacts.static_friction), load(contacts.dynamic_friction));
 }
 
 /// How far both bodies have come since the start of the step.
@@ -124,9 +121,7 @@ void press(Contacts& contacts, LanesFrame& frame, const Lanes& per_h) {
     for (std::uint32_t i = 0; i < points; ++i) {
       PointLanes& p = contacts.point[i];
       const Lanes half_tangent = Lanes::all(Real{1} / 2) * load(p.tangent_impulse);
-      const Lanes wanted = half_tangent - load(p.tangent_mass) * frame.tangent_velocity(p);
-      const Lanes held =
-          held_by_cone(wanted, impulse[i], load(contacts.static_friction), load(contacts.dynamic_friction));
+      const Lanes held = rub(contacts, p, frame, impulse[i], half_tangent);
       const Lanes next = select(fresh, held, half_tangent);
       frame.push_tangent(p, next - half_tangent);
       store(next + half_tangent, p.tangent_impulse);
@@ -171,8 +166,8 @@ void relax(Contacts& contacts, LanesFrame& frame, const LanesMotion& motion, boo
   for (std::uint32_t i = 0; i < points; ++i) {
     PointLanes& p = contacts.point[i];
     const Lanes tangent_before = load(p.tangent_impulse);
-    Lanes tangent_impulse = tangent_before;
-    rub(contacts, p, frame, impulse[i], tangent_impulse);
+    const Lanes tangent_impulse = rub(contacts, p, frame, impulse[i], tangent_before);
+    frame.push_tangent(p, tangent_impulse - tangent_before);
     store(impulse[i], p.normal_impulse);
     store(tangent_impulse, p.tangent_impulse);
     store(load(p.total_normal) + (impulse[i] - before[i]), p.total_normal);
