@@ -6,6 +6,7 @@
 #include "kernels/manifolds.h"
 #include "kernels/overlaps.h"
 #include "kernels/recycle.h"
+#include "kernels/rotations.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -25,6 +26,7 @@ struct Kernels {
   KickByForces* kick_by_forces;
   KickBodies* kick_bodies;
   DriftBodies* drift_bodies;
+  TurnToAngles* turn_to_angles;
 };
 
 /// All versions that this processor runs, the slowest first: one number at a time, then by ever larger registers. They

@@ -17,10 +17,11 @@ SettleOffsets settle_offsets;
 KickByForces kick_by_forces;
 KickBodies kick_bodies;
 DriftBodies drift_bodies;
+TurnToAngles turn_to_angles;
 
 extern const Kernels table;
 const Kernels table{find_overlaps,  collide_boxes,  collide_discs,    collide_disc_with_box, collide_box_with_disc,
                     measure_again,  weigh_contacts, kick_by_contacts, press_contacts,        relax_contacts,
-                    settle_offsets, kick_by_forces, kick_bodies,      drift_bodies};
+                    settle_offsets, kick_by_forces, kick_bodies,      drift_bodies,          turn_to_angles};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -1,6 +1,10 @@
 #include "solvers/motion.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "kernels.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -40,19 +44,30 @@ void Motion::turn_by(Real angle) {
 }
 
 void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Motion>& motion) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Motion& by = motion[i];
-    if (by.d == Vec2{} && by.turn == 0) {
-      bodies.pose[i] = start[i];
-      continue;
+  constexpr std::size_t handful = 64;
+  std::array<Real, handful> angles{}, cosines{}, sines{};
+  std::array<std::size_t, handful> turned{};
+  const Kernels& by_lanes = kernels();
+  for (std::size_t first = 0; first < bodies.size(); first += handful) {
+    const std::size_t end = std::min(first + handful, bodies.size());
+    std::uint32_t count = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      const Motion& by = motion[i];
+      if (by.d == Vec2{} && by.turn == 0) {
+        bodies.pose[i] = start[i];
+        continue;
+      }
+      const Vec2 wanted = by.d + bodies.remainder[i];
+      const Vec2 p = start[i].p + wanted;
+      bodies.remainder[i] = wanted - (p - start[i].p);
+      bodies.pose[i].p = p;
+      if (by.turn == 0) continue;
+      bodies.angle[i] += by.turn;
+      angles[count] = bodies.angle[i];
+      turned[count++] = i;
     }
-    const Vec2 wanted = by.d + bodies.remainder[i];
-    const Vec2 p = start[i].p + wanted;
-    bodies.remainder[i] = wanted - (p - start[i].p);
-    bodies.pose[i].p = p;
-    if (by.turn == 0) continue;
-    bodies.angle[i] += by.turn;
-    bodies.pose[i].q = Rotation(bodies.angle[i]);
+    by_lanes.turn_to_angles(angles.data(), count, cosines.data(), sines.data());
+    for (std::uint32_t k = 0; k < count; ++k) bodies.pose[turned[k]].q = {cosines[k], sines[k]};
   }
 }
 
