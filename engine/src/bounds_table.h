@@ -10,7 +10,7 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Bounds to be searched, eight at a time, with the ways of what they hold (see Proxy).
+/// Bounds to be searched, many at a time, with the ways of what they hold (see Proxy).
 class BoundsTable {
  public:
   BoundsTable() = default;
@@ -18,7 +18,7 @@ class BoundsTable {
   BoundsTable& operator=(const BoundsTable&) = delete;
 
   void resize(std::size_t count) {
-    for (std::vector<Real>& column : held_) column.resize(count + 8);
+    for (std::vector<Real>& column : held_) column.resize(count + most_lanes);
     columns_ = {held_[0].data(), held_[1].data(), held_[2].data(), held_[3].data(),
                 held_[4].data(), held_[5].data(), held_[6].data()};
   }
@@ -36,7 +36,7 @@ class BoundsTable {
 
   /// Which of those in some ranges are within reach of the box, range by range. Valid until the next search.
   std::span<const std::uint32_t> within_reach(const Aabb& box, const Way& way, std::initializer_list<Range> ranges) {
-    std::size_t room = 8;
+    std::size_t room = most_lanes;
     for (const Range& range : ranges) room += range.end - range.begin;
     if (found_.size() < room) found_.resize(2 * room);
     return {found_.data(), find_overlaps_(columns_, box, way, ranges.begin(), ranges.end(), found_.data())};

@@ -18,11 +18,9 @@ struct Kernels {
   CollidePairs* collide_disc_with_box;  // the disc is the first of each pair
   CollidePairs* collide_box_with_disc;
   MeasureAgain* measure_again;
-  WeighContacts* weigh_contacts;
-  KickByContacts* kick_by_contacts;
-  PressContacts* press_contacts;
-  RelaxContacts* relax_contacts;
-  SettleOffsets* settle_offsets;
+  // One of the two.
+  const ContactPasses<8>* contacts_by_eight;
+  const ContactPasses<16>* contacts_by_sixteen;
   KickByForces* kick_by_forces;
   KickBodies* kick_bodies;
   DriftBodies* drift_bodies;

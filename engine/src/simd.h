@@ -12,12 +12,13 @@
 /// The only place that knows instruction sets.
 ///
 /// Every file in kernels/ is compiled for what all processors of the target have (`baseline`), once more with one
-/// number at a time (`scalar`, the oracle) and, on x86-64, with AVX2 (`avx2`); the namespace IMPULSE_LANES keeps them
-/// apart. Which one runs is asked once, see kernels.h. No kernel may call an inline function from outside this
-/// namespace: a linker that keeps one copy might keep the AVX2 one.
+/// number at a time (`scalar`, the oracle) and, on x86-64, with AVX2 (`avx2`) and with AVX-512 (`avx512`); the
+/// namespace IMPULSE_LANES keeps them apart. Which one runs is asked once, see kernels.h. No kernel may call an inline
+/// function from outside this namespace: a linker that keeps one copy might keep the AVX-512 one.
 ///
-/// Lanes are always eight, in as many registers as that takes, and each lane computes what a Real would: no fused
-/// multiply-add, no approximation, no sum across lanes. So results never depend on the instruction set.
+/// Lanes are eight, in as many registers as that takes, or sixteen where one register holds so many, and each lane
+/// computes what a Real would: no fused multiply-add, no approximation, no sum across lanes. So results never depend on
+/// the instruction set.
 #ifndef IMPULSE_LANES
 #define IMPULSE_LANES baseline
 #endif
@@ -62,19 +63,31 @@ struct ScalarRegister {
 
 /// As many numbers as one register of the processor holds.
 struct Register {
-#ifdef __AVX2__
+#ifdef __AVX512F__
+  static constexpr std::uint32_t bytes = 64;
+#elif defined(__AVX2__)
   static constexpr std::uint32_t bytes = 32;
 #else
   static constexpr std::uint32_t bytes = 16;
 #endif
   static constexpr std::uint32_t width = bytes / sizeof(Real);
   typedef Real Vector __attribute__((vector_size(bytes)));
+  using Bits = decltype(Vector{} < Vector{});
+#ifdef __AVX512F__
   struct Mask {
-    decltype(Vector{} < Vector{}) m;
+    std::uint16_t m;
+    friend Mask operator&(Mask a, Mask b) { return {static_cast<std::uint16_t>(a.m & b.m)}; }
+    friend Mask operator|(Mask a, Mask b) { return {static_cast<std::uint16_t>(a.m | b.m)}; }
+    friend Mask operator!(Mask a) { return {static_cast<std::uint16_t>(~a.m & ((1U << width) - 1))}; }
+  };
+#else
+  struct Mask {
+    Bits m;
     friend Mask operator&(Mask a, Mask b) { return {a.m & b.m}; }
     friend Mask operator|(Mask a, Mask b) { return {a.m | b.m}; }
     friend Mask operator!(Mask a) { return {~a.m}; }
   };
+#endif
   Vector v;
 
   static Register load(const Real* from) {
@@ -89,15 +102,35 @@ struct Register {
   friend Register operator*(Register a, Register b) { return {a.v * b.v}; }
   friend Register operator/(Register a, Register b) { return {a.v / b.v}; }
   friend Register operator-(Register a) { return {-a.v}; }
+  static Register magnitude(Register a) {
+    return {reinterpret_cast<Vector>(reinterpret_cast<Bits>(a.v) & ~reinterpret_cast<Bits>(all(-Real{0}).v))};
+  }
+#if defined(__AVX512F__) && defined(IMPULSE_DOUBLE)
+  friend Mask operator<(Register a, Register b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OS)}; }
+  friend Mask operator<=(Register a, Register b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LE_OS)}; }
+  friend Mask operator==(Register a, Register b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ)}; }
+  static Register select(Mask mask, Register yes, Register no) {
+    return {_mm512_mask_blend_pd(static_cast<__mmask8>(mask.m), no.v, yes.v)};
+  }
+#elif defined(__AVX512F__)
+  friend Mask operator<(Register a, Register b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OS)}; }
+  friend Mask operator<=(Register a, Register b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OS)}; }
+  friend Mask operator==(Register a, Register b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_EQ_OQ)}; }
+  static Register select(Mask mask, Register yes, Register no) { return {_mm512_mask_blend_ps(mask.m, no.v, yes.v)}; }
+#else
   friend Mask operator<(Register a, Register b) { return {a.v < b.v}; }
   friend Mask operator<=(Register a, Register b) { return {a.v <= b.v}; }
   friend Mask operator==(Register a, Register b) { return {a.v == b.v}; }
   static Register select(Mask mask, Register yes, Register no) { return {mask.m ? yes.v : no.v}; }
-  static Register magnitude(Register a) {
-    using Bits = decltype(Mask::m);
-    return {reinterpret_cast<Vector>(reinterpret_cast<Bits>(a.v) & ~reinterpret_cast<Bits>(all(-Real{0}).v))};
-  }
-#if defined(__AVX2__) && defined(IMPULSE_DOUBLE)
+#endif
+#ifdef __AVX512F__
+  static std::uint32_t bits(Mask mask) { return mask.m; }
+#endif
+#if defined(__AVX512F__) && defined(IMPULSE_DOUBLE)
+  static Register root(Register a) { return {_mm512_maskz_sqrt_pd(0xff, a.v)}; }
+#elif defined(__AVX512F__)
+  static Register root(Register a) { return {_mm512_maskz_sqrt_ps(0xffff, a.v)}; }
+#elif defined(__AVX2__) && defined(IMPULSE_DOUBLE)
   static Register root(Register a) { return {_mm256_sqrt_pd(a.v)}; }
   static std::uint32_t bits(Mask mask) {
     return static_cast<std::uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask.m)));
@@ -120,7 +153,74 @@ struct Register {
 #endif
 
   /// Of rows of four numbers, one for each lane, the four columns; and back.
-#if defined(__AVX2__) && !defined(IMPULSE_DOUBLE)
+#if defined(__AVX512F__) && !defined(IMPULSE_DOUBLE)
+  static void transpose(const Real* const* rows, Register columns[4]) {
+    Vector four[4];  // rows i, i + 4, i + 8, i + 12
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const __m256 low = _mm256_set_m128(_mm_loadu_ps(rows[i + 4]), _mm_loadu_ps(rows[i]));
+      const __m256 high = _mm256_set_m128(_mm_loadu_ps(rows[i + 12]), _mm_loadu_ps(rows[i + 8]));
+      four[i] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    }
+    transpose_fours(four[0], four[1], four[2], four[3], columns);
+  }
+  static void transpose_back(const Register columns[4], Real* const* rows) {
+    Register four[4];
+    transpose_fours(columns[0].v, columns[1].v, columns[2].v, columns[3].v, four);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const Vector& v = four[i].v;
+      _mm_storeu_ps(rows[i], __builtin_shufflevector(v, v, 0, 1, 2, 3));
+      _mm_storeu_ps(rows[i + 4], __builtin_shufflevector(v, v, 4, 5, 6, 7));
+      _mm_storeu_ps(rows[i + 8], __builtin_shufflevector(v, v, 8, 9, 10, 11));
+      _mm_storeu_ps(rows[i + 12], __builtin_shufflevector(v, v, 12, 13, 14, 15));
+    }
+  }
+  /// In each quarter of the registers.
+  static void transpose_fours(Vector a, Vector b, Vector c, Vector d, Register to[4]) {
+    const Vector low_ab = low_halves(a, b);
+    const Vector high_ab = high_halves(a, b);
+    const Vector low_cd = low_halves(c, d);
+    const Vector high_cd = high_halves(c, d);
+    to[0].v = __builtin_shufflevector(low_ab, low_cd, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
+    to[1].v = __builtin_shufflevector(low_ab, low_cd, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
+    to[2].v = __builtin_shufflevector(high_ab, high_cd, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
+    to[3].v = __builtin_shufflevector(high_ab, high_cd, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
+  }
+  /// Of each quarter of a and of b one half, a number of each in turn.
+  static Vector low_halves(Vector a, Vector b) {
+    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
+  }
+  static Vector high_halves(Vector a, Vector b) {
+    return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
+  }
+#elif defined(__AVX512F__)
+  static void transpose(const Real* const* rows, Register columns[4]) {
+    Vector pair[4];  // row i beside row i + 4
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      pair[i] = __builtin_shufflevector(_mm256_loadu_pd(rows[i]), _mm256_loadu_pd(rows[i + 4]), 0, 1, 2, 3, 4, 5, 6, 7);
+    }
+    transpose_fours(pair[0], pair[1], pair[2], pair[3], columns);
+  }
+  static void transpose_back(const Register columns[4], Real* const* rows) {
+    Register pair[4];
+    transpose_fours(columns[0].v, columns[1].v, columns[2].v, columns[3].v, pair);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const Vector& v = pair[i].v;
+      _mm256_storeu_pd(rows[i], __builtin_shufflevector(v, v, 0, 1, 2, 3));
+      _mm256_storeu_pd(rows[i + 4], __builtin_shufflevector(v, v, 4, 5, 6, 7));
+    }
+  }
+  /// In each half of the registers.
+  static void transpose_fours(Vector a, Vector b, Vector c, Vector d, Register to[4]) {
+    const Vector even_ab = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Vector odd_ab = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Vector even_cd = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Vector odd_cd = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+    to[0].v = __builtin_shufflevector(even_ab, even_cd, 0, 1, 8, 9, 4, 5, 12, 13);
+    to[1].v = __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 8, 9, 4, 5, 12, 13);
+    to[2].v = __builtin_shufflevector(even_ab, even_cd, 2, 3, 10, 11, 6, 7, 14, 15);
+    to[3].v = __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 10, 11, 6, 7, 14, 15);
+  }
+#elif defined(__AVX2__) && !defined(IMPULSE_DOUBLE)
   static void transpose(const Real* const* rows, Register columns[4]) {
     Vector pair[4];  // row i beside row i + 4
     for (std::uint32_t i = 0; i < 4; ++i) pair[i] = _mm256_set_m128(_mm_loadu_ps(rows[i + 4]), _mm_loadu_ps(rows[i]));
@@ -190,9 +290,12 @@ using Register = ScalarRegister;
 
 #endif
 
-constexpr std::uint32_t lane_count = 8;
+constexpr std::uint32_t lane_count = Register::width > 8 ? Register::width : 8;
+constexpr std::uint32_t all_lanes = (1U << lane_count) - 1;
+/// The first n lanes, or all.
+inline std::uint32_t first_lanes(std::uint32_t n) { return n < lane_count ? (1U << n) - 1 : all_lanes; }
 
-/// Eight yes or no.
+/// A yes or no for each lane.
 template <class R>
 struct MaskOf {
   typename R::Mask part[lane_count / R::width];
@@ -220,7 +323,7 @@ struct MaskOf {
   }
 };
 
-/// Eight numbers. Comparisons are no where either is not a number.
+/// A number for each lane. Comparisons are no where either is not a number.
 template <class R>
 struct LanesOf {
   using Mask = MaskOf<R>;
@@ -298,18 +401,18 @@ struct LanesOf {
 
 using Lanes = LanesOf<Register>;
 
-/// Of every set of lanes its members in order, then zeros, and how many they are.
+/// Of every set of eight lanes its members in order, then zeros, and how many they are.
 struct SetOfLanes {
-  std::uint8_t members[lane_count];
+  std::uint8_t members[8];
   std::uint8_t count;
 };
 struct SetsOfLanes {
-  SetOfLanes of[1U << lane_count];
+  SetOfLanes of[1U << 8U];
 };
 constexpr SetsOfLanes list_sets() {
   SetsOfLanes sets{};
-  for (std::uint32_t bits = 0; bits < 1U << lane_count; ++bits) {
-    for (std::uint8_t lane = 0; lane < lane_count; ++lane) {
+  for (std::uint32_t bits = 0; bits < 1U << 8U; ++bits) {
+    for (std::uint8_t lane = 0; lane < 8; ++lane) {
       if ((bits >> lane & 1U) != 0) sets.of[bits].members[sets.of[bits].count++] = lane;
     }
   }
@@ -317,8 +420,8 @@ constexpr SetsOfLanes list_sets() {
 }
 inline constexpr SetsOfLanes sets_of_lanes = list_sets();
 
-/// Writes base + i for every lane i in the set and returns the end of what counts; there must be room for all eight.
-inline std::uint32_t* write_members(std::uint32_t bits, std::uint32_t base, std::uint32_t* to) {
+/// Writes base + i for every lane i in a set of eight and returns the end of what counts; there must be room for all.
+inline std::uint32_t* write_eight(std::uint32_t bits, std::uint32_t base, std::uint32_t* to) {
   const SetOfLanes& set = sets_of_lanes.of[bits];
 #ifdef __SSE2__
   const __m128i lanes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(set.members));
@@ -333,9 +436,15 @@ inline std::uint32_t* write_members(std::uint32_t bits, std::uint32_t base, std:
                    _mm_add_epi32(first, _mm_unpackhi_epi16(wide, _mm_setzero_si128())));
 #endif
 #else
-  for (std::uint32_t i = 0; i < lane_count; ++i) to[i] = base + set.members[i];
+  for (std::uint32_t i = 0; i < 8; ++i) to[i] = base + set.members[i];
 #endif
   return to + set.count;
+}
+
+/// The same for all lanes.
+inline std::uint32_t* write_members(std::uint32_t bits, std::uint32_t base, std::uint32_t* to) {
+  for (std::uint32_t i = 0; i < lane_count; i += 8) to = write_eight(bits >> i & 0xffU, base + i, to);
+  return to;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -6,7 +6,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// Every proxy against every later one, eight at a time: nothing to keep, nothing to build, and the pairs come out
+// Every proxy against every later one, many at a time: nothing to keep, nothing to build, and the pairs come out
 // sorted.
 class Brute : public BroadPhase {
  public:

@@ -5,10 +5,16 @@
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
-inline Lanes load(const Eight& eight) { return Lanes::load(eight.lane); }
-inline void store(const Lanes& lanes, Eight& to) { lanes.store(to.lane); }
+using PointLanes = impulse::PointLanes<lane_count>;
+using DiscLanes = impulse::DiscLanes<lane_count>;
+template <std::size_t points>
+using ContactLanes = impulse::ContactLanes<points, lane_count>;
+using ContactTable = impulse::ContactTable<lane_count>;
 
-/// Rows of four numbers of the bodies that eight contacts name.
+inline Lanes load(const Row<lane_count>& row) { return Lanes::load(row.lane); }
+inline void store(const Lanes& lanes, Row<lane_count>& to) { lanes.store(to.lane); }
+
+/// Rows of four numbers of the bodies that contacts name, one for each lane.
 struct NamedRows {
   Real* row[lane_count];
 
@@ -17,7 +23,7 @@ struct NamedRows {
   }
 };
 
-/// The two bodies of each of eight contacts seen along its normal and tangent; see ContactFrame (contact_rows.h), which
+/// The two bodies of each lane's contact seen along its normal and tangent; see ContactFrame (contact_rows.h), which
 /// this follows line by line. All of it is inlined: what it holds lives in registers.
 struct LanesFrame {
   NamedRows rows_a, rows_b;

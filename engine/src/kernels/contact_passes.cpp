@@ -215,8 +215,6 @@ LanesFrame relax_discs(DiscLanes& discs, const LanesMotion& motion, Real* veloci
   return frame;
 }
 
-}  // namespace
-
 void weigh_contacts(const ContactTable& table) {
   for_all_lanes(table, [](auto& contacts, auto) {
     const Lanes mass = load(contacts.mass_a) + load(contacts.mass_b);
@@ -224,7 +222,7 @@ void weigh_contacts(const ContactTable& table) {
     const Lanes inertia_b = load(contacts.inertia_b);
     for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
       PointLanes& p = contacts.point[i];
-      const auto weigh = [&](const Eight& arm_a, const Eight& arm_b) {
+      const auto weigh = [&](const Row<lane_count>& arm_a, const Row<lane_count>& arm_b) {
         return inverse(mass + inertia_a * load(arm_a) * load(arm_a) + inertia_b * load(arm_b) * load(arm_b));
       };
       store(weigh(p.cross_a, p.cross_b), p.normal_mass);
@@ -299,5 +297,11 @@ void settle_offsets(const ContactTable& table, bool settling) {
     store(settling ? explained : select(nothing < rate, next, offset), contacts.offset);
   });
 }
+
+}  // namespace
+
+extern const ContactPasses<lane_count> contact_passes;
+const ContactPasses<lane_count> contact_passes{weigh_contacts, kick_by_contacts, press_contacts, relax_contacts,
+                                               settle_offsets};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -6,10 +6,7 @@ namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 namespace {
 
-/// The first n lanes.
-std::uint32_t first_lanes(std::uint32_t n) { return n < lane_count ? ~(~0U << n) : 0xffU; }
-
-/// within_reach() of eight and one; the depth is 0 where the one stands still.
+/// within_reach() of each lane and one; the depth is 0 where the one stands still.
 struct Reach {
   Lanes low_x, low_y, high_x, high_y;
   Lanes way_x, way_y, way_length;
@@ -48,7 +45,7 @@ struct Reach {
 
 }  // namespace
 
-// Most ranges hold a few: the first eight are tested without asking whether there are any.
+// Most ranges hold a few: the first lanes are tested without asking whether there are any.
 std::uint32_t* find_overlaps(const BoundsColumns& among, const Aabb& box, const Way& way, const Range* ranges,
                              const Range* ranges_end, std::uint32_t* to) {
   const Reach reach(box, way);

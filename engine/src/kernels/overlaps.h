@@ -6,7 +6,10 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Bounds and ways (see Proxy) as columns. Eight more entries than are meant must be readable after the last.
+/// Lanes of the widest kernels.
+constexpr std::uint32_t most_lanes = 16;
+
+/// Bounds and ways (see Proxy) as columns. Most_lanes more entries than are meant must be readable after the last.
 struct BoundsColumns {
   const Real* low_x;
   const Real* low_y;
@@ -23,7 +26,7 @@ struct Range {
 };
 
 /// Writes the numbers of all bounds in the ranges that are within reach of a box that goes its way, range by range, and
-/// returns the end of the list. There must be room for all that are in the ranges and eight more.
+/// returns the end of the list. There must be room for all that are in the ranges and most_lanes more.
 using FindOverlaps = std::uint32_t*(const BoundsColumns& among, const Aabb& box, const Way& way, const Range* ranges,
                                     const Range* ranges_end, std::uint32_t* to);
 

@@ -3,7 +3,7 @@
 #include "kernels/manifolds.h"
 #include "simd.h"
 
-/// Eight pairs of shapes at a time, for the kernels that collide them.
+/// As many pairs of shapes at a time as there are lanes, for the kernels that collide them.
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 inline Lanes::Mask select(const Lanes::Mask& mask, const Lanes::Mask& yes, const Lanes::Mask& no) {
@@ -44,7 +44,7 @@ inline RotationLanes select(const Lanes::Mask& mask, const RotationLanes& yes, c
   return {select(mask, yes.c, no.c), select(mask, yes.s, no.s)};
 }
 
-/// The eight lanes' numbers beside each other, four rows from each record.
+/// The lanes' numbers beside each other, four rows from each record.
 struct ShapeLanes {
   Vec2Lanes position, offset;
   RotationLanes turn;
@@ -56,12 +56,12 @@ inline ShapeLanes select(const Lanes::Mask& mask, const ShapeLanes& yes, const S
           select(mask, yes.size, no.size)};
 }
 
-/// Eight pairs of a batch, the last one repeated where there are fewer.
+/// A pair of a batch for each lane, the last one repeated where there are fewer.
 class PairLanes {
  public:
   PairLanes(const PairBatch& batch, std::uint32_t from) : batch_(batch), from_(from) {
     const std::uint32_t count = batch.count - from;
-    present_ = count < lane_count ? ~(~0U << count) : 0xffU;
+    present_ = first_lanes(count);
     for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
       const Pair& pair = batch.pairs[batch.items[from + (lane < count ? lane : count - 1)]];
       rows_a_[lane] = &batch.shapes[pair.first].position.x;
@@ -88,13 +88,14 @@ class PairLanes {
 
   /// No points for any.
   void clear(PairPoints* found) const {
-    const SetOfLanes& set = sets_of_lanes.of[present_];
-    for (std::uint32_t i = 0; i < set.count; ++i) found[item(i)].count = 0;
+    const std::uint32_t count = batch_.count - from_;
+    for (std::uint32_t lane = 0; lane < lane_count && lane < count; ++lane) found[item(lane)].count = 0;
   }
   /// Adds the items of some lanes to a list.
   std::uint32_t* leave(std::uint32_t lanes, std::uint32_t* to) const {
-    const SetOfLanes& set = sets_of_lanes.of[lanes & present_];
-    for (std::uint32_t i = 0; i < set.count; ++i) *to++ = item(set.members[i]);
+    for (std::uint32_t left = lanes & present_; left != 0; left &= left - 1) {
+      *to++ = item(static_cast<std::uint32_t>(__builtin_ctz(left)));
+    }
     return to;
   }
 
@@ -142,7 +143,7 @@ struct OrderLanes {
   }
 };
 
-/// Eight results.
+/// A result for each lane.
 struct PointsLanes {
   Vec2Lanes normal;
   Lanes separation[2];

@@ -1,27 +1,47 @@
 #include "kernels.h"
 #include "simd.h"
 
+#ifdef IMPULSE_LANES_avx512
+namespace impulse::inline IMPULSE_PRECISION::avx2 {
+FindOverlaps find_overlaps;
+}
+#endif
+
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
+#ifdef IMPULSE_LANES_avx512
+// Its ranges hold a few: eight at a time suit them better than sixteen.
+using avx2::find_overlaps;
+#else
 FindOverlaps find_overlaps;
+#endif
 CollidePairs collide_boxes;
 CollidePairs collide_discs;
 CollidePairs collide_disc_with_box;
 CollidePairs collide_box_with_disc;
 MeasureAgain measure_again;
-WeighContacts weigh_contacts;
-KickByContacts kick_by_contacts;
-PressContacts press_contacts;
-RelaxContacts relax_contacts;
-SettleOffsets settle_offsets;
+extern const ContactPasses<lane_count> contact_passes;
 KickByForces kick_by_forces;
 KickBodies kick_bodies;
 DriftBodies drift_bodies;
 TurnToAngles turn_to_angles;
 
+namespace {
+
+template <std::size_t width>
+constexpr const ContactPasses<width>* passes_of() {
+  if constexpr (width == lane_count) {
+    return &contact_passes;
+  } else {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
 extern const Kernels table;
-const Kernels table{find_overlaps,  collide_boxes,  collide_discs,    collide_disc_with_box, collide_box_with_disc,
-                    measure_again,  weigh_contacts, kick_by_contacts, press_contacts,        relax_contacts,
-                    settle_offsets, kick_by_forces, kick_bodies,      drift_bodies,          turn_to_angles};
+const Kernels table{find_overlaps,         collide_boxes, collide_discs,  collide_disc_with_box,
+                    collide_box_with_disc, measure_again, passes_of<8>(), passes_of<16>(),
+                    kick_by_forces,        kick_bodies,   drift_bodies,   turn_to_angles};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -146,7 +146,7 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
   if (now.contacts.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
   if (is_pile(data, now)) {
     if (lanes_) return solve_as_pile(data, now, space.pile);
-    space.colouring.assign(parts_, now);
+    space.colouring.assign(parts_, now, 1);
     now.contacts = space.colouring.order();
   }
   make_rows(data, now, number);

@@ -6,8 +6,6 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr std::uint32_t width = 8;
-
 /// One bit each. A body with more contacts than there are colours (a drum, a floor that can move) leaves some without:
 /// each of those gets lanes of its own, after all others.
 constexpr std::uint16_t colours = 64;
@@ -22,7 +20,8 @@ LanesKind kind_of(const Tie& tie, bool web) {
 
 }  // namespace
 
-void Colouring::assign(const Partition& parts, const Island& island) {
+void Colouring::assign(const Partition& parts, const Island& island, std::uint32_t width) {
+  width_ = width;
   choose(parts, island);
   place();
 }
@@ -56,19 +55,19 @@ void Colouring::place() {
     std::uint32_t& end = used[g % kinds];
     const std::uint32_t begin = end;
     const bool alone = g / kinds == colours;
-    end += alone ? next_[g] : (next_[g] + width - 1) / width;
-    next_[g] = begin * width;
+    end += alone ? next_[g] : (next_[g] + width_ - 1) / width_;
+    next_[g] = begin * width_;
     if (alone) {
       for (std::uint32_t i = begin; i < end; ++i) runs_.push_back({kind, i, i + 1});
     } else if (begin < end) {
       runs_.push_back({kind, begin, end});
     }
   }
-  for (std::size_t kind = 0; kind < kinds; ++kind) lanes_[kind].assign(std::size_t{width} * used[kind], {});
+  for (std::size_t kind = 0; kind < kinds; ++kind) lanes_[kind].assign(std::size_t{width_} * used[kind], {});
   for (const Choice& choice : choices_) {
     std::uint32_t& next = next_[group(choice)];
     lanes_[static_cast<std::size_t>(choice.kind)][next] = choice.slot;
-    next += choice.colour == colours ? width : 1;
+    next += choice.colour == colours ? width_ : 1;
   }
 }
 
@@ -76,7 +75,7 @@ std::span<const Tie> Colouring::order() {
   order_.clear();
   for (const LanesRun& run : runs_) {
     for (const Slot& slot :
-         lanes(run.kind).subspan(std::size_t{width} * run.begin, std::size_t{width} * (run.end - run.begin))) {
+         lanes(run.kind).subspan(std::size_t{width_} * run.begin, std::size_t{width_} * (run.end - run.begin))) {
       if (slot.tie.contact != Slot::empty) order_.push_back(slot.tie);
     }
   }

@@ -25,9 +25,10 @@ struct Slot {
 /// rests on fixed shapes comes last, so that nothing pushes it into them afterwards.
 class Colouring {
  public:
-  void assign(const Partition& parts, const Island& island);
+  /// `width` contacts are taken at a time; the order of contacts does not hang on it.
+  void assign(const Partition& parts, const Island& island, std::uint32_t width);
 
-  /// All lanes of a kind, eight by eight.
+  /// All lanes of a kind, `width` by `width`.
   std::span<const Slot> lanes(LanesKind kind) const { return lanes_[static_cast<std::size_t>(kind)]; }
   /// In the order in which they are solved.
   std::span<const LanesRun> runs() const { return runs_; }
@@ -45,6 +46,7 @@ class Colouring {
   void choose(const Partition& parts, const Island& island);
   void place();
 
+  std::uint32_t width_ = 0;
   std::vector<std::uint64_t> taken_;  // colours that each body's contacts have
   std::vector<Choice> choices_;       // in the order of the contacts
   std::array<std::vector<Slot>, kinds> lanes_;

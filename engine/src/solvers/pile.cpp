@@ -1,33 +1,80 @@
 #include "solvers/pile.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "stages.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+namespace {
+
+constexpr std::uint32_t nowhere = ~std::uint32_t{0};
+constexpr std::size_t block = 16;  // rows that kernels take at a time at most
+
+std::size_t rounded_up(std::size_t count) { return (count + block - 1) / block * block; }
+
+bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
+
+}  // namespace
+
 void Pile::step(const StepData& data, const Partition& parts, const Island& island,
                 const std::vector<Velocity>& acceleration, std::vector<Motion>& motion) {
-  kernels_ = &kernels();
   take_bodies(data, island, acceleration);
   end_stage("pile: bodies");
   const std::uint32_t first = island.bodies.front();
   if (version_ != parts.version() || first_body_ != first) {
-    colouring_.assign(parts, island);
+    colouring_.assign(parts, island, lanes_->at_a_time());
     version_ = parts.version();
     first_body_ = first;
   }
   end_stage("pile: colour");
-  lay_out(data, island);
+  lanes_->lay_out(data, island, colouring_, row_, static_cast<std::uint32_t>(present_.size()));
   end_stage("pile: lay out");
-  kernels_->weigh_contacts(table_);
+  lanes_->weigh();
   kernels_->kick_by_forces(rows_, island.h);
-  kernels_->kick_by_contacts(table_, rows_);
+  lanes_->kick(rows_);
   for (int i = 0; i < island.substeps; ++i) substep(data, island, i == 0);
   end_stage("pile: sub-steps");
-  kernels_->settle_offsets(table_, island.settling);
+  lanes_->settle(island.settling);
   leave(data, island, motion);
   end_stage("pile: leave");
+}
+
+void Pile::give_row(std::uint32_t body) {
+  if (row_[body] != nowhere) return;
+  row_[body] = static_cast<std::uint32_t>(present_.size());
+  present_.push_back(body);
+}
+
+/// Bodies of the island, then those that it touches and does not move, then at least one row of no body.
+void Pile::take_bodies(const StepData& data, const Island& island, const std::vector<Velocity>& acceleration) {
+  const BodySet& bodies = data.bodies;
+  row_.resize(bodies.size(), nowhere);
+  present_.clear();
+  for (const std::uint32_t body : island.bodies) give_row(body);
+  for (const Tie& tie : island.contacts) {
+    if (!tie.pushes_a) give_row(tie.a);
+    if (!tie.pushes_b) give_row(tie.b);
+  }
+  const std::size_t count = rounded_up(present_.size() + 1);
+  for (auto* rows : {&velocity_, &before_, &kick_, &motion_, &acceleration_}) rows->assign(4 * count, 0);
+  turn_.assign(count, 0);
+  for (std::size_t i = 0; i < present_.size(); ++i) {
+    const std::uint32_t body = present_[i];
+    const Velocity& v = bodies.velocity[body];
+    std::copy_n(std::array{v.v.x, v.v.y, v.w}.begin(), 3, &velocity_[4 * i]);
+    const Velocity& a = acceleration[body];
+    std::copy_n(std::array{a.v.x, a.v.y, a.w}.begin(), 3, &acceleration_[4 * i]);
+  }
+  rows_ = {static_cast<std::uint32_t>(count),
+           velocity_.data(),
+           before_.data(),
+           kick_.data(),
+           motion_.data(),
+           turn_.data(),
+           acceleration_.data()};
 }
 
 void Pile::substep(const StepData& data, const Island& island, bool first) {
@@ -37,9 +84,9 @@ void Pile::substep(const StepData& data, const Island& island, bool first) {
     start_turn_ = turn_;
   }
   kernels_->kick_bodies(rows_, first);
-  kernels_->press_contacts(table_, rows_, island.h);
+  lanes_->press(rows_, island.h);
   if (kernels_->drift_bodies(rows_, island.h)) turn_far();
-  for (int sweep = 0; sweep < island.sweeps; ++sweep) kernels_->relax_contacts(table_, rows_, sweep > 0);
+  for (int sweep = 0; sweep < island.sweeps; ++sweep) lanes_->relax(rows_, sweep > 0);
   if (island.more_sweeps > 0) relax_until_bounded(data, island);
 }
 
@@ -48,8 +95,56 @@ void Pile::relax_until_bounded(const StepData& data, const Island& island) {
   const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   const Real most = start_energy_ + work(data, island) + rounding * start_energy_;
   for (int sweep = 0; sweep < island.more_sweeps && kinetic_energy(data, island) > most; ++sweep) {
-    kernels_->relax_contacts(table_, rows_, true);
+    lanes_->relax(rows_, true);
   }
+}
+
+void Pile::leave(const StepData& data, const Island& island, std::vector<Motion>& motion) {
+  lanes_->store(data, island, colouring_);
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const std::uint32_t body = island.bodies[i];
+    motion[body] = {{motion_[4 * i], motion_[4 * i + 1]}, turn_[i], motion_[4 * i + 2], motion_[4 * i + 3]};
+    if (pushable(data.bodies.inverse_mass[body])) {
+      data.bodies.velocity[body] = {{velocity_[4 * i], velocity_[4 * i + 1]}, velocity_[4 * i + 2]};
+    }
+  }
+  for (const std::uint32_t body : present_) row_[body] = nowhere;
+}
+
+/// Sine and cosine of bodies that have turned too far for the series of the kernel.
+void Pile::turn_far() {
+  for (std::size_t i = 0; i < turn_.size(); ++i) {
+    Motion turned;
+    turned.turn_by(turn_[i]);
+    motion_[4 * i + 2] = turned.sine;
+    motion_[4 * i + 3] = turned.drop;
+  }
+}
+
+/// J, of the bodies that can be pushed.
+Real Pile::kinetic_energy(const StepData& data, const Island& island) const {
+  Real sum = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const InverseMass& inverse = data.bodies.inverse_mass[island.bodies[i]];
+    const Real* v = &velocity_[4 * i];
+    if (inverse.m > 0) sum += (v[0] * v[0] + v[1] * v[1]) / (2 * inverse.m);
+    if (inverse.i > 0) sum += v[2] * v[2] / (2 * inverse.i);
+  }
+  return sum;
+}
+
+/// J, that the forces gave in this sub-step.
+Real Pile::work(const StepData& data, const Island& island) const {
+  Real sum = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const InverseMass& inverse = data.bodies.inverse_mass[island.bodies[i]];
+    const Real* a = &acceleration_[4 * i];
+    const Real* now = &motion_[4 * i];
+    const Real* then = &start_motion_[4 * i];
+    if (inverse.m > 0) sum += (a[0] * (now[0] - then[0]) + a[1] * (now[1] - then[1])) / inverse.m;
+    if (inverse.i > 0) sum += a[2] * (turn_[i] - start_turn_[i]) / inverse.i;
+  }
+  return sum;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

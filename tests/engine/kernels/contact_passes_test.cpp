@@ -12,15 +12,19 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr std::uint32_t body_count = 40;
+constexpr std::uint32_t body_count = 64;
 
-/// Contacts of all kinds between bodies, no body twice in a run; the numbers mean nothing.
+/// Contacts of all kinds between bodies, no body twice in a run; the numbers mean nothing, but are the same for every
+/// width: sixteen contacts of each kind and run, the last of eight is none.
+template <std::size_t width>
 struct Tangle {
+  static constexpr std::uint32_t run_lanes = 16;
+  static constexpr std::uint32_t groups = run_lanes / width;  // of a run
   std::vector<Real> velocity, before, kick, motion, turn, acceleration;
-  std::vector<ContactLanes<1>> one{2};
-  std::vector<DiscLanes> discs{2};
-  std::vector<ContactLanes<2>> two{2};
-  std::vector<ContactLanes<2>> block{2};
+  std::vector<ContactLanes<1, width>> one{2 * groups};
+  std::vector<DiscLanes<width>> discs{2 * groups};
+  std::vector<ContactLanes<2, width>> two{2 * groups};
+  std::vector<ContactLanes<2, width>> block{2 * groups};
   std::vector<LanesRun> runs;
 
   explicit Tangle(unsigned seed) {
@@ -36,39 +40,36 @@ struct Tangle {
     motion = numbers(std::size_t{4} * body_count, .1);
     turn = numbers(body_count, .1);
     acceleration = numbers(std::size_t{4} * body_count, 10);
-    for (std::uint32_t i = 0; i < 2; ++i) {
-      fill(one[i], random, i);
-      fill(discs[i], random, i);
-      for (std::size_t lane = 0; lane < 8; ++lane) {
-        discs[i].between_x.lane[lane] = random.number(-1, 1);
-        discs[i].between_y.lane[lane] = random.number(-1, 1);
-        discs[i].distance.lane[lane] = random.number(.5, 1.5);
-      }
-      fill(two[i], random, i);
-      fill(block[i], random, i);
+    for (std::uint32_t run = 0; run < 2; ++run) {
+      fill(one, random, run);
+      fill(discs, random, run);
+      fill(two, random, run);
+      fill(block, random, run);
       for (const LanesKind kind : {LanesKind::one, LanesKind::discs, LanesKind::two, LanesKind::block}) {
-        runs.push_back({kind, i, i + 1});
+        runs.push_back({kind, run * groups, (run + 1) * groups});
       }
     }
   }
 
   template <class Lanes>
-  static void fill(Lanes& lanes, RandomShapes& random, std::uint32_t shift) {
-    for (std::uint32_t lane = 0; lane < 8; ++lane) {
-      // The last lane holds no contact.
-      if (lane == 7) {
+  static void fill(std::vector<Lanes>& all, RandomShapes& random, std::uint32_t run) {
+    for (std::uint32_t i = 0; i < run_lanes; ++i) {
+      Lanes& lanes = all[run * groups + i / width];
+      lanes.any_fresh = true;
+      const std::uint32_t lane = i % width;
+      if (i % 8 == 7) {
         lanes.a[lane] = lanes.b[lane] = body_count - 1;
         continue;
       }
-      lanes.a[lane] = 2 * lane + shift;
-      lanes.b[lane] = 2 * lane + 16 + 2 * shift;
+      lanes.a[lane] = i + run;
+      lanes.b[lane] = i + 2 * run + 20;
       const Rotation q(random.number(-3, 3));
       lanes.normal_x.lane[lane] = q.c;
       lanes.normal_y.lane[lane] = q.s;
       lanes.mass_a.lane[lane] = random.number(.1, 2);
       lanes.inertia_a.lane[lane] = random.number(.1, 2);
-      lanes.mass_b.lane[lane] = lane == 3 ? 0 : random.number(.1, 2);
-      lanes.inertia_b.lane[lane] = lane == 3 ? 0 : random.number(.1, 2);
+      lanes.mass_b.lane[lane] = i % 8 == 3 ? 0 : random.number(.1, 2);
+      lanes.inertia_b.lane[lane] = i % 8 == 3 ? 0 : random.number(.1, 2);
       lanes.static_friction.lane[lane] = random.number(.3, 1);
       lanes.dynamic_friction.lane[lane] = random.number(.1, .3);
       lanes.strength.lane[lane] = random.number(.5, 1);
@@ -76,38 +77,42 @@ struct Tangle {
       lanes.relief.lane[lane] = 1 - lanes.strength.lane[lane];
       lanes.give.lane[lane] = random.number(.001, .01);
       lanes.offset.lane[lane] = random.number(0, .001);
-      lanes.offset_rate.lane[lane] = lane % 2 == 0 ? 0 : random.number(.01, .1);
-      lanes.fresh.lane[lane] = lane % 3 == 0 ? 1 : 0;
-      for (PointLanes& p : lanes.point) {
-        for (Eight* eight : {&p.cross_a, &p.cross_b, &p.dot_a, &p.dot_b, &p.turn_a, &p.turn_b}) {
-          eight->lane[lane] = random.number(-1, 1);
+      lanes.offset_rate.lane[lane] = i % 2 == 0 ? 0 : random.number(.01, .1);
+      lanes.fresh.lane[lane] = i % 3 == 0 ? 1 : 0;
+      for (PointLanes<width>& p : lanes.point) {
+        for (Row<width>* row : {&p.cross_a, &p.cross_b, &p.dot_a, &p.dot_b, &p.turn_a, &p.turn_b}) {
+          row->lane[lane] = random.number(-1, 1);
         }
         p.separation.lane[lane] = p.gap.lane[lane] = random.number(-.01, .01);
-        p.normal_impulse.lane[lane] = lane % 4 == 0 ? 0 : random.number(0, 1);
+        p.normal_impulse.lane[lane] = i % 4 == 0 ? 0 : random.number(0, 1);
         p.tangent_impulse.lane[lane] = random.number(-.3, .3);
       }
+      if constexpr (std::is_same_v<Lanes, DiscLanes<width>>) {
+        lanes.between_x.lane[lane] = random.number(-1, 1);
+        lanes.between_y.lane[lane] = random.number(-1, 1);
+        lanes.distance.lane[lane] = random.number(.5, 1.5);
+      }
     }
-    lanes.any_fresh = true;
   }
 
   /// A whole step of two sub-steps.
-  void step(const Kernels& by) {
+  void step(const Kernels& by, const ContactPasses<width>& passes) {
     const BodyRows rows{body_count,    velocity.data(), before.data(),      kick.data(),
                         motion.data(), turn.data(),     acceleration.data()};
-    const ContactTable table{one.data(),   discs.data(), two.data(),
-                             block.data(), runs.data(),  runs.data() + runs.size()};
+    const ContactTable<width> table{one.data(),   discs.data(), two.data(),
+                                    block.data(), runs.data(),  runs.data() + runs.size()};
     const Real h = Real{1} / 240;
-    by.weigh_contacts(table);
+    passes.weigh(table);
     by.kick_by_forces(rows, h);
-    by.kick_by_contacts(table, rows);
+    passes.kick(table, rows);
     for (int i = 0; i < 2; ++i) {
       by.kick_bodies(rows, i == 0);
-      by.press_contacts(table, rows, h);
+      passes.press(table, rows, h);
       far |= by.drift_bodies(rows, h);
-      by.relax_contacts(table, rows, false);
-      by.relax_contacts(table, rows, true);
+      passes.relax(table, rows, false);
+      passes.relax(table, rows, true);
     }
-    by.settle_offsets(table, false);
+    passes.settle(table, false);
   }
   bool far = false;
 };
@@ -117,40 +122,61 @@ bool same_bits(const std::vector<Item>& a, const std::vector<Item>& b) {
   return std::memcmp(a.data(), b.data(), a.size() * sizeof(Item)) == 0;
 }
 
-bool same_bits(const PointLanes& a, const PointLanes& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+/// Of all lanes, whatever their width.
+template <std::size_t width, class Lanes>
+std::vector<Real> numbers_of(const std::vector<Lanes>& all) {
+  std::vector<Real> numbers;
+  for (std::size_t i = 0; i < all.size() * width; ++i) {
+    const Lanes& lanes = all[i / width];
+    numbers.push_back(lanes.offset.lane[i % width]);
+    for (const PointLanes<width>& p : lanes.point) {
+      for (const Row<width>* row : {&p.separation, &p.gap, &p.normal_mass, &p.tangent_mass, &p.normal_impulse,
+                                    &p.tangent_impulse, &p.total_normal, &p.total_tangent}) {
+        numbers.push_back(row->lane[i % width]);
+      }
+    }
+  }
+  return numbers;
+}
+
+template <std::size_t width>
+void expect_same_bits(const Tangle<8>& oracle, const Kernels& by, const ContactPasses<width>& passes, unsigned seed) {
+  Tangle<width> tangle(seed);
+  tangle.step(by, passes);
+  EXPECT_TRUE(same_bits(tangle.velocity, oracle.velocity)) << seed;
+  EXPECT_TRUE(same_bits(tangle.motion, oracle.motion)) << seed;
+  EXPECT_TRUE(same_bits(tangle.turn, oracle.turn)) << seed;
+  EXPECT_EQ(tangle.far, oracle.far);
+  EXPECT_TRUE(same_bits(numbers_of<width>(tangle.one), numbers_of<8>(oracle.one))) << seed;
+  EXPECT_TRUE(same_bits(numbers_of<width>(tangle.discs), numbers_of<8>(oracle.discs))) << seed;
+  EXPECT_TRUE(same_bits(numbers_of<width>(tangle.two), numbers_of<8>(oracle.two))) << seed;
+  EXPECT_TRUE(same_bits(numbers_of<width>(tangle.block), numbers_of<8>(oracle.block))) << seed;
+}
 
 TEST(ContactPasses, GiveTheSameBitsWithEveryInstructionSet) {
   for (unsigned seed = 0; seed < 200; ++seed) {
-    Tangle oracle(seed);
-    oracle.step(*runnable_kernels().front());
+    const Kernels& scalar = *runnable_kernels().front();
+    Tangle<8> oracle(seed);
+    oracle.step(scalar, *scalar.contacts_by_eight);
     for (const Kernels* version : runnable_kernels()) {
-      Tangle tangle(seed);
-      tangle.step(*version);
-      EXPECT_TRUE(same_bits(tangle.velocity, oracle.velocity)) << seed;
-      EXPECT_TRUE(same_bits(tangle.motion, oracle.motion)) << seed;
-      EXPECT_TRUE(same_bits(tangle.turn, oracle.turn)) << seed;
-      EXPECT_EQ(tangle.far, oracle.far);
-      for (std::size_t i = 0; i < 2; ++i) {
-        EXPECT_TRUE(same_bits(tangle.one[i].point[0], oracle.one[i].point[0])) << seed;
-        EXPECT_TRUE(same_bits(tangle.discs[i].point[0], oracle.discs[i].point[0])) << seed;
-        for (std::size_t p = 0; p < 2; ++p) {
-          EXPECT_TRUE(same_bits(tangle.two[i].point[p], oracle.two[i].point[p])) << seed;
-          EXPECT_TRUE(same_bits(tangle.block[i].point[p], oracle.block[i].point[p])) << seed;
-        }
-        EXPECT_EQ(std::memcmp(&tangle.block[i].offset, &oracle.block[i].offset, sizeof(Eight)), 0) << seed;
+      if (version->contacts_by_eight != nullptr) {
+        expect_same_bits(oracle, *version, *version->contacts_by_eight, seed);
+      } else {
+        expect_same_bits(oracle, *version, *version->contacts_by_sixteen, seed);
       }
     }
   }
 }
 
 TEST(ContactPasses, LeaveLanesWithoutContactAlone) {
-  Tangle tangle(1);
+  Tangle<8> tangle(1);
   const std::size_t nobody = std::size_t{4} * (body_count - 1);
   for (auto* rows : {&tangle.velocity, &tangle.before, &tangle.kick, &tangle.motion, &tangle.acceleration}) {
     std::fill_n(rows->begin() + static_cast<std::ptrdiff_t>(nobody), 4, Real{0});
   }
   tangle.turn.back() = 0;
-  tangle.step(kernels());
+  const Kernels& scalar = *runnable_kernels().front();
+  tangle.step(scalar, *scalar.contacts_by_eight);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(tangle.velocity[nobody + k], 0);
 }
 

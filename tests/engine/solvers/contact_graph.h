@@ -30,10 +30,12 @@ class Graph {
   const Colouring& colour() {
     split(true);
     JointWorkspace work;
-    colouring_.assign(parts_, {.bodies = parts_.bodies(0),
-                               .contacts = parts_.contacts(0),
-                               .rows = {},
-                               .joints = IslandJoints({}, parts_.bodies(0), bodies_, start_, motion_, work)});
+    colouring_.assign(parts_,
+                      {.bodies = parts_.bodies(0),
+                       .contacts = parts_.contacts(0),
+                       .rows = {},
+                       .joints = IslandJoints({}, parts_.bodies(0), bodies_, start_, motion_, work)},
+                      8);
     return colouring_;
   }
   const Partition& split(bool together) {
