@@ -272,11 +272,13 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
 }
 
 Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
+  const std::span<const Tie> contacts = parts_.contacts(number);
   return {
       .bodies = parts_.bodies(number),
-      .contacts = parts_.contacts(number),
+      .contacts = contacts,
       .rows = {},
-      .joints = IslandJoints(parts_.joints(number), parts_.bodies(number), data.bodies, start_, motion_, space.joints)};
+      .joints = IslandJoints(parts_.joints(number), parts_.bodies(number), data.bodies, start_, motion_, space.joints),
+      .webbed = std::any_of(contacts.begin(), contacts.end(), [&](const Tie& tie) { return parts_.in_web(tie); })};
 }
 
 void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {
