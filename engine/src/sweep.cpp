@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -30,6 +31,16 @@ Real core_reach(const Shape& shape) {
   return farthest;
 }
 
+/// m, from a point to the farthest of the faces that it is before: no part of the shape is nearer.
+Real height_over(const Shape& shape, Vec2 local) {
+  if (shape.type() == ShapeType::half_space) return dot(shape.normal(0), local) - shape.offset();
+  Real highest = 0;
+  for (int i = 0; i < shape.count(); ++i) {
+    highest = std::max(highest, dot(shape.normal(i), local - shape.vertex(i)) - shape.radius());
+  }
+  return highest;
+}
+
 }  // namespace
 
 /// How a body went through a step: straight on, turning evenly, as far as its stop.
@@ -51,6 +62,8 @@ struct Sweep::Path {
     return turn == 0 ? ends : grown(ends, std::min(std::abs(turn), Real{2}) * reach);
   }
   bool moves() const { return !(run == Vec2{} && turn == 0); }
+  /// m, no point comes farther that is so near to the middle.
+  Real way(Real reach) const { return length(run) + std::abs(turn) * reach; }
 };
 
 struct Sweep::Mover {
@@ -103,20 +116,26 @@ Sweep::Path Sweep::path(const BodySet& bodies, std::size_t i) const {
 
 void Sweep::hold_back(BodySet& bodies, const JointSet& joints, Continuous mode) {
   if (!find_fast(bodies, mode)) return;
-  stops_.assign(bodies.size(), Stop{});
+  if (meets_movable_) {
+    concerned_.resize(bodies.size());
+    std::iota(concerned_.begin(), concerned_.end(), 0U);
+  }
+  stops_.resize(bodies.size());
+  for (const std::uint32_t i : concerned_) stops_[i] = {};
   find_pairs(bodies);
   stop_at_immovable(bodies, joints);
   if (meets_movable_) stop_at_each_other(bodies, joints);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (const std::uint32_t i : concerned_) {
     if (stops_[i].after < 1) put_back(bodies, i);
   }
 }
 
 bool Sweep::find_fast(const BodySet& bodies, Continuous mode) {
+  list_concerned(bodies);
   pace_.assign(bodies.size(), Pace::slow);
   meets_movable_ = false;
   bool any = false;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (const std::uint32_t i : concerned_) {
     const Real way = length(bodies.pose[i].p - start_[i].p);
     const Real farthest = way + std::abs(bodies.angle[i] - start_angle_[i]) * bodies.reach[i];
     if (farthest <= bodies.thickness[i] / 2) continue;
@@ -130,32 +149,57 @@ bool Sweep::find_fast(const BodySet& bodies, Continuous mode) {
   return any;
 }
 
+/// What may be fast or is not pushed.
+void Sweep::list_concerned(const BodySet& bodies) {
+  concerned_.resize(bodies.size());
+  std::uint32_t* next = concerned_.data();
+  for (std::uint32_t i = 0; i < concerned_.size(); ++i) {
+    // In two legs a way is no shorter; most are too short even so. 1/64 is for rounding.
+    const Vec2 run = bodies.pose[i].p - start_[i].p;
+    const Real turned = std::abs(bodies.angle[i] - start_angle_[i]) * bodies.reach[i];
+    const bool slow = std::abs(run.x) + std::abs(run.y) + turned <= bodies.thickness[i] * (Real{63} / 128);
+    *next = i;
+    next += static_cast<int>(!slow) | static_cast<int>(bodies.inverse_mass[i].m == 0);
+  }
+  concerned_.resize(static_cast<std::size_t>(next - concerned_.data()));
+}
+
 void Sweep::find_immovable(const BodySet& bodies) {
   immovable_.clear();
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (const std::uint32_t i : concerned_) {
     const BodyDetail& body = bodies.detail[i];
     if (!body.inserted || body.def.type == BodyType::dynamic) continue;
     const Path path = this->path(bodies, i);
-    for (const Part& part : body.parts) immovable_.push_back(path.bounds(part.shape, bodies.reach[i]));
+    for (const Part& part : body.parts) {
+      immovable_.push_back({path.bounds(part.shape, bodies.reach[i]), &part.shape, path.start,
+                            path.moves() ? path.way(core_reach(part.shape)) : Real{0}});
+    }
   }
   immovable_bounds_.resize(immovable_.size());
-  for (std::uint32_t i = 0; i < immovable_.size(); ++i) immovable_bounds_.set(i, immovable_[i], {});
+  for (std::uint32_t i = 0; i < immovable_.size(); ++i) immovable_bounds_.set(i, immovable_[i].bounds, {});
 }
 
-/// No bounds of a path stick out of its ends by more than three times the body's reach; a fourth is for rounding.
+/// No bounds of a path stick out of its ends by more than three times the body's reach; a fourth is for rounding. Nor
+/// does the body come nearer to a shape than the ways of both allow.
 bool Sweep::may_meet_immovable(const BodySet& bodies, std::size_t i) {
   constexpr std::size_t handful = 64;
   if (immovable_.size() > handful) return true;
   const Vec2 end = bodies.pose[i].p;
-  const Aabb way = grown(Aabb{min(start_[i].p, end), max(start_[i].p, end)}, 4 * bodies.reach[i]);
+  const Real around = 4 * bodies.reach[i];
+  const Aabb way = grown(Aabb{min(start_[i].p, end), max(start_[i].p, end)}, around);
   const auto count = static_cast<std::uint32_t>(immovable_.size());
-  return !immovable_bounds_.within_reach(way, {}, {{0, count}}).empty();
+  const Real farthest = around + path(bodies, i).way(bodies.reach[i]);
+  const auto candidates = immovable_bounds_.within_reach(way, {}, {{0, count}});
+  return std::any_of(candidates.begin(), candidates.end(), [&](std::uint32_t candidate) {
+    const Immovable& part = immovable_[candidate];
+    return height_over(*part.shape, to_local(part.start, start_[i].p)) <= farthest + part.way;
+  });
 }
 
 void Sweep::find_pairs(const BodySet& bodies) {
   proxies_.clear();
   if (!meets_movable_) find_immovable(bodies);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (const std::uint32_t i : concerned_) {
     const BodyDetail& body = bodies.detail[i];
     const bool fast = pace_[i] != Pace::slow;
     if (!body.inserted) continue;
@@ -163,7 +207,7 @@ void Sweep::find_pairs(const BodySet& bodies) {
     const Path path = this->path(bodies, i);
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       proxies_.push_back({path.bounds(body.parts[p].shape, bodies.reach[i]),
-                          static_cast<std::uint32_t>(i),
+                          i,
                           static_cast<std::uint16_t>(p),
                           fast,
                           body.def.layers,

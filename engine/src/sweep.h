@@ -37,11 +37,18 @@ class Sweep {
     bool turns_on = false;      // only the way is cut short
     std::uint32_t with = none;  // what it met there, if that is immovable: it carries the body through the rest
   };
+  struct Immovable {
+    Aabb bounds;  // of all its way through the step
+    const Shape* shape;
+    Pose start;
+    Real way;  // m, no point of it goes farther
+  };
   struct Path;
   struct Mover;
 
   Path path(const BodySet& bodies, std::size_t i) const;
   bool find_fast(const BodySet& bodies, Continuous mode);
+  void list_concerned(const BodySet& bodies);
   void find_immovable(const BodySet& bodies);
   bool may_meet_immovable(const BodySet& bodies, std::size_t i);
   void find_pairs(const BodySet& bodies);
@@ -53,9 +60,10 @@ class Sweep {
   std::vector<Pose> start_;
   std::vector<Real> start_angle_;
   std::vector<Pace> pace_;
-  bool meets_movable_ = false;  // something fast stops at movable bodies, or stops them
+  std::vector<std::uint32_t> concerned_;  // bodies that may stop or be met, in order
+  bool meets_movable_ = false;            // something fast stops at movable bodies, or stops them
   std::vector<Stop> stops_;
-  std::vector<Aabb> immovable_;  // of all parts that don't give way, where the step took them
+  std::vector<Immovable> immovable_;  // all parts that don't give way
   BoundsTable immovable_bounds_;
   std::vector<Proxy> proxies_;
   std::vector<Pair> pairs_;
