@@ -19,11 +19,11 @@ struct Way {
 /// One part of one body, for the search of pairs.
 struct Proxy {
   Aabb bounds;  // already grown by the margin, and by its own way to all sides
+  Way way;      // that it may go within the margin
   std::uint32_t body = 0;
   std::uint16_t part = 0;
   bool moves = false;        // fixed and kinematic bodies don't collide with each other
   std::uint32_t layers = 0;  // two proxies may meet only if a bit is shared
-  Way way;                   // that it may go within the margin
 };
 
 /// Indices into the proxies, first < second.

@@ -22,15 +22,16 @@ bool may_keep(const Contact& contact) {
 
 }  // namespace
 
-void ContactSearch::search(const SearchInput& input, std::span<const Contact> last) {
+void ContactSearch::search(const SearchInput& input, std::span<const Contact> last, bool undisturbed) {
   last_ = last;
   shapes_.update(input.bodies, input.margin);
   end_stage("collect proxies");
-  input.broad_phase.find_pairs(shapes_.proxies(), pairs_);
+  last_pairs_.swap(pairs_);
+  neighbours_.find(input.broad_phase, shapes_.proxies(), shapes_.version(), pairs_);
   end_stage("find pairs");
   put_in_order(input, pairs_);
   end_stage("sort pairs");
-  match();
+  match(undisturbed && pairs_ == last_pairs_);
   end_stage("match");
   found_.resize(pairs_.size());
   undecided_.resize(pairs_.size());
@@ -69,15 +70,17 @@ void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pa
   }
 }
 
-/// Pairs and contacts are in one order: one walk along both.
-void ContactSearch::match() {
-  last_of_.resize(pairs_.size());
-  orders_.clear();
-  orders_.reserve(pairs_.size());
-  std::uint32_t last = 0;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    last_of_[i] = find_last(orders_.emplace_back(order_of(pairs_[i])), last);
+/// Pairs and contacts are in one order: one walk along both. Where pairs and contacts are still those of the last
+/// search, which is which is known.
+void ContactSearch::match(bool still_the_same) {
+  if (still_the_same) {
+    last_of_.assign(pairs_.size(), none);
+    for (std::uint32_t i = 0; i < touching_.size(); ++i) last_of_[touching_[i]] = i;
+    return;
   }
+  last_of_.resize(pairs_.size());
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) last_of_[i] = find_last(order_of(pairs_[i]), last);
 }
 
 /// Goes on in `last_` from a place to where the contact must be, and past it if it is there.
@@ -195,6 +198,8 @@ void ContactSearch::reach_farther(const SearchInput& input) {
 
   in_order_.clear();
   undecided_.clear();
+  orders_.clear();
+  for (const Pair& pair : pairs_) orders_.push_back(order_of(pair));
   std::uint32_t next = 0;
   std::uint32_t last = 0;
   const auto end = static_cast<std::uint32_t>(pairs_.size());

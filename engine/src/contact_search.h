@@ -12,6 +12,7 @@
 #include "joint_set.h"
 #include "kernels.h"
 #include "narrow_phase.h"
+#include "neighbours.h"
 #include "shape_table.h"
 #include "solver.h"
 
@@ -32,8 +33,9 @@ class ContactSearch {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  /// `last` are the contacts that the last search ended in; the span must hold while results are read.
-  void search(const SearchInput& input, std::span<const Contact> last);
+  /// `last` are the contacts that the last search ended in; the span must hold while results are read. `undisturbed`:
+  /// none was taken out or put in since.
+  void search(const SearchInput& input, std::span<const Contact> last, bool undisturbed);
 
   /// Numbers of the pairs that have points, in order of contacts.
   std::span<const std::uint32_t> touching() const { return touching_; }
@@ -53,7 +55,7 @@ class ContactSearch {
   static constexpr std::int32_t kept = -1;  // instead of a count of points
 
   void put_in_order(const SearchInput& input, std::vector<Pair>& pairs);
-  void match();
+  void match(bool still_the_same);
   std::uint32_t find_last(const ContactOrder& wanted, std::uint32_t& place) const;
   void keep_points(const SearchInput& input);
   bool foresee_knocks(const SearchInput& input);
@@ -67,8 +69,10 @@ class ContactSearch {
   ShapeTable shapes_;
   NarrowPhase narrow_phase_;
   std::span<const Contact> last_;
+  Neighbours neighbours_;
   std::vector<Pair> pairs_;                // in order of contacts, but for those that come late
-  std::vector<ContactOrder> orders_;       // of those that do not
+  std::vector<Pair> last_pairs_;           // of the search before
+  std::vector<ContactOrder> orders_;       // of those that do not, for the search of late ones
   std::vector<std::uint32_t> in_order_;    // numbers of all pairs, in order of contacts
   std::vector<std::uint32_t> last_of_;     // of each pair
   std::vector<PairPoints> found_;          // of each pair

@@ -95,7 +95,7 @@ void ContactSet::find(const SearchInput& input) {
   const bool same_rules = mixed_by_ && mixed_by_->friction == input.settings.friction_mixing &&
                           mixed_by_->restitution == input.settings.restitution_mixing;
   if (!same_rules) mix_again(input.bodies, input.settings);
-  search_.search(input, rows_);
+  search_.search(input, rows_, !disturbed_);
   write_rows(input);
   end_stage("write rows");
   remove_ghosts(input.bodies, input.margin);

@@ -13,6 +13,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// The inner loops that are compiled for several instruction sets (see simd.h).
 struct Kernels {
   FindOverlaps* find_overlaps;
+  FilterPairs* filter_pairs;
   CollidePairs* collide_boxes;
   CollidePairs* collide_discs;
   CollidePairs* collide_disc_with_box;  // the disc is the first of each pair

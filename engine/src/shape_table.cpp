@@ -86,6 +86,7 @@ bool ShapeTable::beside(std::size_t box, std::size_t other) const {
 }
 
 void ShapeTable::list(const BodySet& bodies) {
+  ++version_;
   part_changes_ = bodies.part_changes;
   sleep_changes_ = bodies.sleep_changes;
   still_.clear();
@@ -102,11 +103,11 @@ void ShapeTable::list(const BodySet& bodies) {
       still_.push_back({&body.parts[p], shape.centroid(), Rotation(x.x, x.y),
                         kind == ShapeKind::box ? shape.half_extents() : Vec2{shape.radius(), 0}, kind});
       proxies_.push_back({{},
+                          {},
                           static_cast<std::uint32_t>(i),
                           static_cast<std::uint16_t>(p),
                           body.def.type == BodyType::dynamic,
-                          body.def.layers,
-                          {}});
+                          body.def.layers});
     }
   }
   records_.resize(proxies_.size());

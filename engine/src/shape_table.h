@@ -24,6 +24,8 @@ class ShapeTable {
   void grow(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks);
 
   std::span<const Proxy> proxies() const { return proxies_; }
+  /// Changes whenever these are others than before.
+  std::uint64_t version() const { return version_; }
   std::span<const ShapeRecord> records() const { return records_; }
   ShapeKind kind(std::size_t i) const { return still_[i].kind; }
   const Part& part(std::size_t i) const { return *still_[i].part; }
@@ -55,6 +57,7 @@ class ShapeTable {
   std::vector<Real> grown_by_;         // m, each one's bounds
   bool some_slanted_ = false;
   bool several_parts_ = false;
+  std::uint64_t version_ = 0;
   std::uint64_t part_changes_ = ~std::uint64_t{0};  // of the bodies, when they were last listed
   std::uint64_t sleep_changes_ = ~std::uint64_t{0};
 };

@@ -207,11 +207,11 @@ void Sweep::find_pairs(const BodySet& bodies) {
     const Path path = this->path(bodies, i);
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       proxies_.push_back({path.bounds(body.parts[p].shape, bodies.reach[i]),
+                          {},
                           i,
                           static_cast<std::uint16_t>(p),
                           fast,
-                          body.def.layers,
-                          {}});
+                          body.def.layers});
     }
   }
   broad_phase_->find_pairs(proxies_, pairs_);

@@ -59,4 +59,41 @@ std::uint32_t* find_overlaps(const BoundsColumns& among, const Aabb& box, const 
   return to;
 }
 
+std::uint32_t filter_pairs(const Proxy* proxies, const Pair* pairs, std::uint32_t count, Pair* to) {
+  std::uint32_t kept = 0;
+  for (std::uint32_t from = 0; from < count; from += lane_count) {
+    const std::uint32_t present = count - from;
+    const Real* bounds_a[lane_count];
+    const Real* bounds_b[lane_count];
+    const Real* ways_a[lane_count];
+    const Real* ways_b[lane_count];
+    for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
+      const Pair& pair = pairs[lane < present ? from + lane : from];
+      bounds_a[lane] = &proxies[pair.first].bounds.low.x;
+      bounds_b[lane] = &proxies[pair.second].bounds.low.x;
+      ways_a[lane] = &proxies[pair.first].way.by.x;
+      ways_b[lane] = &proxies[pair.second].way.by.x;
+    }
+    Lanes a[4];
+    Lanes b[4];
+    Lanes::gather(bounds_a, a);
+    Lanes::gather(bounds_b, b);
+    Lanes way_a[4];  // the last of four is not asked for
+    Lanes way_b[4];
+    Lanes::gather(ways_a, way_a);
+    Lanes::gather(ways_b, way_b);
+    const Lanes x = way_a[0] - way_b[0];
+    const Lanes y = way_a[1] - way_b[1];
+    const Lanes both = way_a[2] + way_b[2];
+    const Lanes deep = max(both - both / Lanes::all(64) - sqrt(x * x + y * y), Lanes::all(0));
+    const auto met = (a[0] + deep <= b[2]) & (b[0] + deep <= a[2]) & (a[1] + deep <= b[3]) & (b[1] + deep <= a[3]);
+    const std::uint32_t bits = met.bits();
+    for (std::uint32_t lane = 0; lane < lane_count && lane < present; ++lane) {
+      to[kept] = pairs[from + lane];
+      kept += bits >> lane & 1U;
+    }
+  }
+  return kept;
+}
+
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

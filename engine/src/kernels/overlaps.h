@@ -30,4 +30,8 @@ struct Range {
 using FindOverlaps = std::uint32_t*(const BoundsColumns& among, const Aabb& box, const Way& way, const Range* ranges,
                                     const Range* ranges_end, std::uint32_t* to);
 
+/// Writes those of some pairs that are within reach of each other, in their order, and returns how many. There must be
+/// room for all.
+using FilterPairs = std::uint32_t(const Proxy* proxies, const Pair* pairs, std::uint32_t count, Pair* to);
+
 }  // namespace impulse::inline IMPULSE_PRECISION

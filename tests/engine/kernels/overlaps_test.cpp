@@ -39,7 +39,7 @@ struct Crowd {
   BoundsColumns columns() const {
     return {low_x.data(), low_y.data(), high_x.data(), high_y.data(), way_x.data(), way_y.data(), way_length.data()};
   }
-  Proxy proxy(std::uint32_t i) const { return {boxes[i], i, 0, true, 1, ways[i]}; }
+  Proxy proxy(std::uint32_t i) const { return {boxes[i], ways[i], i, 0, true, 1}; }
 };
 
 TEST(FindOverlaps, FindsWhatOverlapsOneByOneWithEveryInstructionSet) {
