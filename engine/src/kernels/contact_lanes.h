@@ -3,7 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "impulse/real.h"
+#include "body_set.h"
+#include "contact.h"
+#include "impulse/math.h"
+#include "solvers/tie.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -92,11 +95,27 @@ struct BodyRows {
   const Real* acceleration;  // x, y, angular, 0
 };
 
+/// What contacts are laid out by.
+struct LayoutInput {
+  const Slot* slots[4];     // of each LanesKind, a multiple of the width
+  std::uint32_t groups[4];  // how many widths
+  Contact* contacts;
+  const Contact* no_contact;
+  const InverseMass* masses;  // of the bodies of the world
+  const Pose* poses;
+  const std::uint32_t* row_of;  // where in BodyRows
+  std::uint32_t nobody;         // a row of no body
+  Real soft[2][2][4];           // by [web][against what cannot move]: strength, rate, relief, give
+  Real offset_rate;             // of contacts from this age on
+  int offset_from_age;
+  Real substeps;
+};
+
 /// What is done with all contacts of an island.
 template <std::size_t width>
 struct ContactPasses {
-  /// Effective masses from arms and inverse masses.
-  void (*weigh)(const ContactTable<width>&);
+  /// Contacts into lanes, with their effective masses.
+  void (*lay_out)(const ContactTable<width>&, const LayoutInput&);
   /// Adds to each body's kick half of what its contacts gave in the last sub-step.
   void (*kick)(const ContactTable<width>&, const BodyRows&);
   /// Contacts as damped springs on their depth; `h` s is the sub-step.
@@ -105,6 +124,8 @@ struct ContactPasses {
   void (*relax)(const ContactTable<width>&, const BodyRows&, bool again);
   /// What part of the depth the standing load explains becomes the offset; all of it at once where `settling`.
   void (*settle)(const ContactTable<width>&, bool settling);
+  /// Impulses and offsets back into the contacts.
+  void (*store)(const ContactTable<width>&, const LayoutInput&);
 };
 
 /// Before the first sub-step: the kick of the forces alone.

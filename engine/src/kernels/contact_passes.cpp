@@ -1,13 +1,9 @@
 #include "kernels/contact_frame.h"
+#include "kernels/contact_layout.h"
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 namespace {
-
-Lanes inverse(const Lanes& effective) {
-  const Lanes nothing = Lanes::all(0);
-  return select(nothing < effective, Lanes::all(1) / effective, nothing);
-}
 
 Lanes held_by_cone(const Lanes& wanted, const Lanes& load_now, const Lanes& static_friction,
                    const Lanes& dynamic_friction) {
@@ -215,22 +211,6 @@ LanesFrame relax_discs(DiscLanes& discs, const LanesMotion& motion, Real* veloci
   return frame;
 }
 
-void weigh_contacts(const ContactTable& table) {
-  for_all_lanes(table, [](auto& contacts, auto) {
-    const Lanes mass = load(contacts.mass_a) + load(contacts.mass_b);
-    const Lanes inertia_a = load(contacts.inertia_a);
-    const Lanes inertia_b = load(contacts.inertia_b);
-    for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
-      PointLanes& p = contacts.point[i];
-      const auto weigh = [&](const Row<lane_count>& arm_a, const Row<lane_count>& arm_b) {
-        return inverse(mass + inertia_a * load(arm_a) * load(arm_a) + inertia_b * load(arm_b) * load(arm_b));
-      };
-      store(weigh(p.cross_a, p.cross_b), p.normal_mass);
-      store(weigh(p.dot_a, p.dot_b), p.tangent_mass);
-    }
-  });
-}
-
 void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
   const Lanes half = Lanes::all(Real{1} / 2);
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
@@ -301,7 +281,7 @@ void settle_offsets(const ContactTable& table, bool settling) {
 }  // namespace
 
 extern const ContactPasses<lane_count> contact_passes;
-const ContactPasses<lane_count> contact_passes{weigh_contacts, kick_by_contacts, press_contacts, relax_contacts,
-                                               settle_offsets};
+const ContactPasses<lane_count> contact_passes{lay_out_contacts, kick_by_contacts, press_contacts,
+                                               relax_contacts,   settle_offsets,   store_contacts};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -10,15 +10,9 @@
 #include "solver.h"
 #include "solvers/island.h"
 #include "solvers/partition.h"
+#include "solvers/tie.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
-
-/// One lane of a pile.
-struct Slot {
-  static constexpr std::uint32_t empty = ~std::uint32_t{0};
-  Tie tie{.contact = empty};
-  bool web = false;  // see ImpactRow
-};
 
 /// Sorts the contacts of an island into colours, so that no two of a colour share a body that can be pushed, and into
 /// kinds within each. A contact takes the first colour that is free at both bodies, in the order of the contacts. What

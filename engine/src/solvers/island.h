@@ -43,11 +43,11 @@ struct Island {
   }
   const Softness& softness(const ImpactRow& row) const { return softness(row.web, row.mass_a, row.mass_b); }
 
+  static constexpr int offset_from_age = 2;
   /// Share of a standing depth that the offset of a contact takes up in this step: its first steps are no standing load
   /// yet.
   Real offset_rate(int age) const {
-    constexpr int from_age = 2;
-    return age >= from_age ? offset_speed * h * static_cast<Real>(substeps) : Real{0};
+    return age >= offset_from_age ? offset_speed * h * static_cast<Real>(substeps) : Real{0};
   }
 
   /// Sets h and the softness that goes with it: the highest frequency that does not jitter, 1/(8 h) in a column, and

@@ -6,19 +6,9 @@
 
 #include "islands.h"
 #include "solver.h"
+#include "solvers/tie.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
-
-/// What ties two bodies: the least that must be known of a contact to sort it.
-struct Tie {
-  std::uint32_t contact = 0;  // index
-  std::uint32_t a = 0, b = 0;
-  bool pushes_a = false, pushes_b = false;  // whether the body can be pushed
-  bool moves_both = false;                  // whether both stir, so that they share an island
-  std::uint8_t points = 0;
-  bool discs = false;
-  friend bool operator==(const Tie&, const Tie&) = default;
-};
 
 /// Bodies that must be stepped together, with the contacts and joints among them. Contacts without points, or between
 /// bodies that nothing can push, belong to no island.

@@ -32,7 +32,6 @@ void Pile::step(const StepData& data, const Partition& parts, const Island& isla
   end_stage("pile: colour");
   lanes_->lay_out(data, island, colouring_, row_, static_cast<std::uint32_t>(present_.size()));
   end_stage("pile: lay out");
-  lanes_->weigh();
   kernels_->kick_by_forces(rows_, island.h);
   lanes_->kick(rows_);
   for (int i = 0; i < island.substeps; ++i) substep(data, island, i == 0);
@@ -100,7 +99,7 @@ void Pile::relax_until_bounded(const StepData& data, const Island& island) {
 }
 
 void Pile::leave(const StepData& data, const Island& island, std::vector<Motion>& motion) {
-  lanes_->store(data, island, colouring_);
+  lanes_->store();
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const std::uint32_t body = island.bodies[i];
     motion[body] = {{motion_[4 * i], motion_[4 * i + 1]}, turn_[i], motion_[4 * i + 2], motion_[4 * i + 3]};

@@ -26,13 +26,12 @@ class PileLanes {
   virtual void lay_out(const StepData& data, const Island& island, const Colouring& colouring,
                        const std::vector<std::uint32_t>& row_of, std::uint32_t nobody) = 0;
   // See ContactPasses.
-  virtual void weigh() = 0;
   virtual void kick(const BodyRows& bodies) = 0;
   virtual void press(const BodyRows& bodies, Real h) = 0;
   virtual void relax(const BodyRows& bodies, bool again) = 0;
   virtual void settle(bool settling) = 0;
   /// Hands impulses and offsets back to the contacts that were laid out.
-  virtual void store(const StepData& data, const Island& island, const Colouring& colouring) = 0;
+  virtual void store() = 0;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -86,6 +86,8 @@ struct Tangle {
         p.separation.lane[lane] = p.gap.lane[lane] = random.number(-.01, .01);
         p.normal_impulse.lane[lane] = i % 4 == 0 ? 0 : random.number(0, 1);
         p.tangent_impulse.lane[lane] = random.number(-.3, .3);
+        p.normal_mass.lane[lane] = random.number(.1, 2);
+        p.tangent_mass.lane[lane] = random.number(.1, 2);
       }
       if constexpr (std::is_same_v<Lanes, DiscLanes<width>>) {
         lanes.between_x.lane[lane] = random.number(-1, 1);
@@ -102,7 +104,6 @@ struct Tangle {
     const ContactTable<width> table{one.data(),   discs.data(), two.data(),
                                     block.data(), runs.data(),  runs.data() + runs.size()};
     const Real h = Real{1} / 240;
-    passes.weigh(table);
     by.kick_by_forces(rows, h);
     passes.kick(table, rows);
     for (int i = 0; i < 2; ++i) {
