@@ -67,7 +67,9 @@ struct StatedErrors {
   Real gap = 0;                    // m, by which a resting contact may stand off from touching, either way
   Real creep = 0;                  // m/s, at which a sticking contact may slide
   Real restitution_threshold = 0;  // m/s, slower impacts are inelastic
-  bool joints = false;             // whether the solver holds them; else they are not there
+  Real joint_omega = 0;  // rad/s of the springs that joints are in islands too large to be solved at once: such
+                         // a joint stretches by its load / (2 m_eff joint_omega^2); 0: all are solved alike
+  bool joints = false;   // whether the solver holds them; else they are not there
 };
 
 /// Throws std::invalid_argument for settings that validate() refuses.

@@ -74,6 +74,7 @@ class Accurate : public Solver {
     errors.gap = tolerated_sink;  // until the offset has taken it up
     errors.creep = 0;
     errors.joints = true;
+    errors.joint_omega = softness_of_swept(errors.h).omega;
     errors.restitution_threshold = slow_impact(length(settings.gravity), errors.h);
   }
   bool recycles() const override { return true; }
@@ -216,8 +217,9 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   relax(data.bodies, island, island.settling ? std::max(settling_sweeps, island.sweeps) : island.sweeps);
   if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
   if (!joints_fit || island.ideal) {
-    const bool slowed =
-        space.bound.keep(island.bodies, data.bodies, motion_, acceleration_, joints_fit ? ideal_gain : Real{0});
+    // Springs that let go give back what stretched them as height, not as speed.
+    const Real gain = joints_fit && !island.joints.swept() ? ideal_gain : Real{0};
+    const bool slowed = space.bound.keep(island.bodies, data.bodies, motion_, acceleration_, gain);
     if (slowed && !joints_fit) island.joints.forget();
   }
   note_loads(island);
@@ -261,7 +263,9 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   for (const ActiveJoint* joint : island.joints.all()) note_load(joint->block);
 
   island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
-  const bool takes_turns = !island.joints.empty() && (!island.rows.empty() || has_stops(island.joints));
+  // What is swept is spread over the sub-steps instead.
+  const bool takes_turns =
+      !island.joints.empty() && !island.joints.swept() && (!island.rows.empty() || has_stops(island.joints));
   // A body that slides from one fixed shape to the next hands its load over at once, not in several sub-steps.
   const bool on_several = island.bodies.size() == 1 && island.rows.size() > 1;
   if (takes_turns || on_several) island.sweeps = data.settings.iterations;

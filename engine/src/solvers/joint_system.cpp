@@ -29,17 +29,28 @@ Real coupling(const JointBlock& of_p, const JointRow& p, const JointBlock& of_q,
 
 }  // namespace
 
-void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodies, Real give) {
+std::uint64_t factoring_cost(std::span<const std::size_t> first, std::uint64_t most) {
+  std::uint64_t cost = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t j = first[i]; j <= i; ++j) {
+      cost += 1 + j - std::max(first[i], first[j]);
+      if (cost > most) return cost;
+    }
+  }
+  return cost;
+}
+
+std::uint64_t JointSystem::cost(std::span<ActiveJoint* const> joints, std::size_t bodies, std::uint64_t most) {
+  lay_out(joints, bodies);
+  return factoring_cost(first_, most);
+}
+
+void JointSystem::lay_out(std::span<ActiveJoint* const> joints, std::size_t bodies) {
   lowest_.resize(bodies, none);
-  values_.clear();
-  start_.clear();
   first_.clear();
-  give_.clear();
-  // Each equation, and which joint it is of.
-  std::vector<std::pair<const JointBlock*, const JointRow*>> rows;
   for (const ActiveJoint* joint : joints) {
     const JointBlock& block = joint->block;
-    const std::size_t here = rows.size();
+    const std::size_t here = first_.size();
     std::size_t first = here;
     const std::array<std::pair<std::uint32_t, InverseMass>, 2> ends{{{block.a, block.mass_a}, {block.b, block.mass_b}}};
     for (const auto& [body, mass] : ends) {
@@ -47,18 +58,30 @@ void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodie
       if (lowest_[body] == none) lowest_[body] = here;
       first = std::min(first, lowest_[body]);
     }
+    first_.insert(first_.end(), static_cast<std::size_t>(block.equations), first);
+  }
+  for (const ActiveJoint* joint : joints) lowest_[joint->block.a] = lowest_[joint->block.b] = none;
+}
+
+void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodies, Real give) {
+  lay_out(joints, bodies);
+  values_.clear();
+  start_.clear();
+  give_.clear();
+  // Each equation, and which joint it is of.
+  std::vector<std::pair<const JointBlock*, const JointRow*>> rows;
+  for (const ActiveJoint* joint : joints) {
+    const JointBlock& block = joint->block;
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.equations); ++i) {
       rows.emplace_back(&block, &block.equation[i]);
-      first_.push_back(first);
       start_.push_back(values_.size());
-      for (std::size_t j = first; j < rows.size(); ++j) {
+      for (std::size_t j = first_[rows.size() - 1]; j < rows.size(); ++j) {
         values_.push_back(coupling(block, block.equation[i], *rows[j].first, *rows[j].second));
       }
       give_.push_back(give * values_.back());
       values_.back() += give_.back();
     }
   }
-  for (const ActiveJoint* joint : joints) lowest_[joint->block.a] = lowest_[joint->block.b] = none;
   solution_.resize(rows.size());
 
   // Row by row: g = L D of the row, then L and the pivot D.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -8,11 +9,19 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+/// Multiplications that it takes to factor a matrix in skyline storage: entry (i, j) takes those that the rows i and j
+/// share before column j, and one. `first` has the column of each row's first entry. Counts no further than beyond
+/// `most`.
+std::uint64_t factoring_cost(std::span<const std::size_t> first, std::uint64_t most);
+
 /// All joint equations of an island as one linear system, K d = -(rate + bias), K the inverse effective masses between
 /// every two equations. Solved directly, so that a chain with a heavy end needs no sweeps: K = L D L^T in skyline
 /// storage (each row from its first entry on), whose cost for a chain of n joints is proportional to n.
 class JointSystem {
  public:
+  /// What factoring will take, as factoring_cost says.
+  std::uint64_t cost(std::span<ActiveJoint* const> joints, std::size_t bodies, std::uint64_t most);
+
   /// Of the rows as they stand. Each equation gives way by a share `give` of its own inverse effective mass, as if its
   /// joint were a spring: what many joints cannot all have exactly then stays finite.
   void factor(std::span<ActiveJoint* const> joints, std::size_t bodies, Real give);
@@ -29,6 +38,7 @@ class JointSystem {
   std::size_t equations() const { return first_.size(); }
 
  private:
+  void lay_out(std::span<ActiveJoint* const> joints, std::size_t bodies);
   Real& entry(std::size_t row, std::size_t column) { return values_[start_[row] + column - first_[row]]; }
   Real entry(std::size_t row, std::size_t column) const { return values_[start_[row] + column - first_[row]]; }
 
