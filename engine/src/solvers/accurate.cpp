@@ -40,6 +40,8 @@ constexpr int settling_sweeps = 30;
 /// Contacts, from which laying them out in lanes pays.
 constexpr std::size_t least_pile = 64;
 
+bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
+
 bool driven(const IslandJoints& joints) {
   return std::any_of(joints.all().begin(), joints.all().end(),
                      [](const ActiveJoint* joint) { return joint->block.driven; });
@@ -108,8 +110,8 @@ class Accurate : public Solver {
   /// Only bodies that can be pushed: the others are shared among islands.
   template <class Tie>
   void note_load(const Tie& tie) {
-    if (tie.mass_a.m + tie.mass_a.i > 0) loaded_[tie.a] = 1;
-    if (tie.mass_b.m + tie.mass_b.i > 0) loaded_[tie.b] = 1;
+    if (pushable(tie.mass_a)) loaded_[tie.a] = 1;
+    if (pushable(tie.mass_b)) loaded_[tie.b] = 1;
   }
   void settle_offsets(const Island& island);
 
@@ -219,7 +221,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   if (!joints_fit || island.ideal) {
     // Springs that let go give back what stretched them as height, not as speed.
     const Real gain = joints_fit && !island.joints.swept() ? ideal_gain : Real{0};
-    const bool slowed = space.bound.keep(island.bodies, data.bodies, motion_, acceleration_, gain);
+    const bool slowed = space.bound.keep(island.bodies, island.held, data.bodies, motion_, acceleration_, gain);
     if (slowed && !joints_fit) island.joints.forget();
   }
   note_loads(island);
@@ -256,11 +258,15 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     row.block = !row.web && row.count == 2;
     if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
     island.bounces |= row.restitution > 0;
+    island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
     bearing.add(row);
     struck = struck || (new_or_deep(contact) && at_speed(row, data.bodies));
     island.rows[i] = row;
   }
-  for (const ActiveJoint* joint : island.joints.all()) note_load(joint->block);
+  for (const ActiveJoint* joint : island.joints.all()) {
+    note_load(joint->block);
+    island.held = island.held || !pushable(joint->block.mass_a) || !pushable(joint->block.mass_b);
+  }
 
   island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   // What is swept is spread over the sub-steps instead.

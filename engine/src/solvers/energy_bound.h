@@ -13,8 +13,9 @@ namespace impulse::inline IMPULSE_PRECISION {
 Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies);
 
 /// Ideal joints and contacts do no work, or take it. Where joints could not be made to fit, an island's kinetic energy
-/// after a sub-step is held to what it had and what its forces gave, by slowing all its bodies alike; a motor's work in
-/// such a sub-step is lost.
+/// after a sub-step is held to what it had and what its forces gave, by slowing all its bodies alike: where nothing
+/// holds the island, as seen from what they would be moving as one rigid body, so that momentum stays. A motor's work
+/// in such a sub-step is lost.
 class EnergyBound {
  public:
   /// Remembers how the bodies are at the start of a sub-step.
@@ -24,8 +25,9 @@ class EnergyBound {
   bool exceeded(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion,
                 const std::vector<Velocity>& acceleration, Real gain) const;
 
-  /// Whether anything had to be slowed. `acceleration` is the force field's, m/s^2 and rad/s^2.
-  bool keep(std::span<const std::uint32_t> island, BodySet& bodies, const std::vector<Motion>& motion,
+  /// Whether anything had to be slowed. `held`: something that cannot be pushed holds the island. `acceleration` is the
+  /// force field's, m/s^2 and rad/s^2.
+  bool keep(std::span<const std::uint32_t> island, bool held, BodySet& bodies, const std::vector<Motion>& motion,
             const std::vector<Velocity>& acceleration, Real gain) const;
 
  private:

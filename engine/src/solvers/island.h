@@ -33,6 +33,7 @@ struct Island {
   Softnesses column, web;
   Real offset_speed = 0;  // 1/s, see cut()
   bool webbed = false;    // some contact is in a web, see Partition::in_web
+  bool held = false;      // something that cannot be pushed holds it; not asked of a pile
   bool ideal = false;     // its joints are all that could add energy, and they must not
   bool bounces = false;   // some contact has restitution
   bool settling = false;  // begins at rest: its loads are found at once

@@ -20,8 +20,7 @@ struct JointWorkspace {
 
 /// Of the springs that swept joints are: 1/(6 h). At 1/(4 h) joints shake: a net of 20 x 20 that falls and spins freely
 /// loses 16 kJ in 200 steps, at 1/(6 h) .6 and at 1/(8 h) .5 kJ in 300. At 1/(8 h) a net of 100 x 100 stretches by half
-/// as much again. Where the energy bound slows what it then seems to gain, it slows the island's fall too: the centre
-/// of a spinning net of 20 x 20 falls .13 m short of 5.95 m in its first second.
+/// as much again.
 Softness softness_of_swept(Real h);
 
 /// The joints of one island through the stages of `accurate`, as RATTLE (Andersen 1983) does it: velocities before the
