@@ -22,7 +22,7 @@ bool may_keep(const Contact& contact) {
 
 }  // namespace
 
-void ContactSearch::search(const SearchInput& input, std::span<const Contact> last, bool undisturbed) {
+void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bool undisturbed) {
   last_ = last;
   shapes_.update(input.bodies, input.margin);
   end_stage("collect proxies");
@@ -95,7 +95,7 @@ void ContactSearch::keep_points(const SearchInput& input) {
   // Both lists are written at every turn, and go on where the pair belongs: which that is, no processor foresees.
   to_collide_.resize(undecided_.size());
   to_keep_.resize(undecided_.size());
-  again_of_.resize(undecided_.size());
+  may_keep_.resize(undecided_.size());
   std::size_t collided = 0;
   std::size_t asked = 0;
   for (const std::uint32_t pair : undecided_) {
@@ -103,22 +103,19 @@ void ContactSearch::keep_points(const SearchInput& input) {
     const std::size_t ask = input.recycle && last != none && may_keep(last_[last]) ? 1 : 0;
     to_collide_[collided] = pair;
     to_keep_[asked] = pair;
-    again_of_[asked] = last;
+    may_keep_[asked] = last;
     collided += 1 - ask;
     asked += ask;
   }
   to_collide_.resize(collided);
   to_keep_.resize(asked);
-  again_of_.resize(asked);
-  again_.resize(to_keep_.size());
-  kernels().measure_again(last_.data(), again_of_.data(), static_cast<std::uint32_t>(again_of_.size()),
-                          input.bodies.pose.data(), input.bodies.reach.data(), again_.data());
+  may_keep_.resize(asked);
+  kept_.resize(to_keep_.size());
+  kernels().keep_points(last_.data(), may_keep_.data(), static_cast<std::uint32_t>(may_keep_.size()),
+                        input.bodies.pose.data(), input.bodies.reach.data(), recycled_motion, kept_.data());
   for (std::size_t i = 0; i < to_keep_.size(); ++i) {
-    if (again_[i].motion < recycled_motion) {
-      PairPoints& found = found_[to_keep_[i]];
-      found.count = kept;
-      found.separation[0] = again_[i].separation[0];
-      found.separation[1] = again_[i].separation[1];
+    if (kept_[i] != 0) {
+      found_[to_keep_[i]].count = kept;
     } else {
       to_collide_.push_back(to_keep_[i]);
     }
@@ -165,10 +162,14 @@ bool ContactSearch::foresee_knocks(const SearchInput& input) {
     const Real turning = record_a.rim + record_b.rim;
     // As fast as that would be too slow; most are.
     if (margin.time * (std::abs(between.x) + std::abs(between.y) + turning) <= felt * (Real{63} / 64)) continue;
-    const bool stays = keeps(pair);
-    const Vec2 normal = stays ? last_[last_of_[pair]].normal : Vec2{found.normal[0], found.normal[1]};
-    Real gap = found.separation[0];
-    if ((stays ? last_[last_of_[pair]].count : found.count) == 2) gap = std::min(gap, found.separation[1]);
+    Vec2 normal{found.normal[0], found.normal[1]};
+    Real gap = found.count == 2 ? std::min(found.separation[0], found.separation[1]) : found.separation[0];
+    if (keeps(pair)) {
+      const Contact& contact = last_[last_of_[pair]];
+      normal = contact.normal;
+      gap = contact.points[0].separation;
+      if (contact.count == 2) gap = std::min(gap, contact.points[1].separation);
+    }
     const Real speed = turning - dot(normal, between);
     if (margin.time * speed <= std::max(gap, felt)) continue;
     const std::size_t a = first(pair).body;

@@ -33,9 +33,9 @@ class ContactSearch {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  /// `last` are the contacts that the last search ended in; the span must hold while results are read. `undisturbed`:
-  /// none was taken out or put in since.
-  void search(const SearchInput& input, std::span<const Contact> last, bool undisturbed);
+  /// `last` are the contacts that the last search ended in; the span must hold while results are read. Those that keep
+  /// their points are brought up to date. `undisturbed`: none was taken out or put in since.
+  void search(const SearchInput& input, std::span<Contact> last, bool undisturbed);
 
   /// Numbers of the pairs that have points, in order of contacts.
   std::span<const std::uint32_t> touching() const { return touching_; }
@@ -47,7 +47,7 @@ class ContactSearch {
   const Part& second_part(std::uint32_t pair) const { return shapes_.part(pairs_[pair].second); }
   /// The place of the pair's contact in `last`, or none.
   std::uint32_t last_of(std::uint32_t pair) const { return last_of_[pair]; }
-  /// Whether that contact's points stay; then points() has new separations for them and nothing else.
+  /// Whether that contact's points stay; then points() says nothing.
   bool keeps(std::uint32_t pair) const { return found_[pair].count == kept; }
   const PairPoints& points(std::uint32_t pair) const { return found_[pair]; }
 
@@ -68,7 +68,7 @@ class ContactSearch {
 
   ShapeTable shapes_;
   NarrowPhase narrow_phase_;
-  std::span<const Contact> last_;
+  std::span<Contact> last_;
   Neighbours neighbours_;
   std::vector<Pair> pairs_;                // in order of contacts, but for those that come late
   std::vector<Pair> last_pairs_;           // of the search before
@@ -78,9 +78,9 @@ class ContactSearch {
   std::vector<PairPoints> found_;          // of each pair
   std::vector<std::uint32_t> undecided_;   // pairs that have no points yet
   std::vector<std::uint32_t> to_collide_;  // those of them that do not keep what they had
-  std::vector<std::uint32_t> again_of_;    // contacts to be measured again
-  std::vector<std::uint32_t> to_keep_;     // their pairs
-  std::vector<PointsAgain> again_;         // and results
+  std::vector<std::uint32_t> to_keep_;     // and those that may
+  std::vector<std::uint32_t> may_keep_;    // their contacts
+  std::vector<std::uint8_t> kept_;         // and whether they do
   std::vector<Real> knocks_;  // m/s, by which each body's velocity may change within the step when it is struck
   std::vector<std::uint8_t> knocked_;  // whether each proxy's body has such a knock
   std::vector<Pair> farther_pairs_;    // of those proxies

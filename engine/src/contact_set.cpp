@@ -22,13 +22,6 @@ bool of_sleepers(const Contact& c, const BodySet& bodies) {
   return bodies.asleep[c.body_a] != 0 || bodies.asleep[c.body_b] != 0;
 }
 
-void keep_points(Contact& contact, const PairPoints& again) {
-  for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
-    contact.points[p].separation = again.separation[p];
-    contact.points[p].fresh = false;
-  }
-}
-
 void take_points(Contact& contact, const BodySet& bodies, const PairPoints& found) {
   contact.normal = {found.normal[0], found.normal[1]};
   contact.found_a = bodies.pose[contact.body_a];
@@ -79,10 +72,9 @@ void carry_impulses(Contact& contact, std::span<const ContactPoint> last) {
   }
 }
 
-/// A contact that was there before, with what the search found of it now.
-void go_on(Contact& contact, const BodySet& bodies, const PairPoints& found, bool keeps) {
+/// A contact that was there before, with the points that the search found of it now.
+void go_on(Contact& contact, const BodySet& bodies, const PairPoints& found) {
   ++contact.age;
-  if (keeps) return keep_points(contact, found);
   const std::array<ContactPoint, 2> last = contact.points;
   const int last_count = contact.count;
   take_points(contact, bodies, found);
@@ -104,12 +96,17 @@ void ContactSet::find(const SearchInput& input) {
 
 void ContactSet::write_rows(const SearchInput& input) {
   const auto go_on_with = [&](Contact& row, std::uint32_t pair) {
-    go_on(row, input.bodies, search_.points(pair), search_.keeps(pair));
+    if (!search_.keeps(pair)) go_on(row, input.bodies, search_.points(pair));
   };
   if (!disturbed_ && search_.found_the_same()) {
-    for (std::size_t i = 0; i < rows_.size(); ++i) go_on_with(rows_[i], search_.touching()[i]);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const int before = rows_[i].count;
+      go_on_with(rows_[i], search_.touching()[i]);
+      if (rows_[i].count != before) ++changes_;
+    }
     return;
   }
+  ++changes_;
   std::swap(rows_, last_rows_);
   rows_.resize(search_.touching().size());
   on_ground_.clear();
@@ -157,7 +154,7 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
     next = std::find_if(first, on_ground_.cend(), [&](const OnGround& meets) { return part(meets) != part(*first); });
     if (next - first > 1) remove_ghosts({first, next}, bodies, margin);
   }
-  if (std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; }) > 0) disturbed_ = true;
+  if (std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; }) > 0) disturb();
 }
 
 // A face that has taken the place of a ghost hides others in turn: those two joins ahead.
@@ -187,14 +184,14 @@ void ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet&
 }
 
 void ContactSet::forget(std::size_t body) {
-  disturbed_ = true;
+  disturb();
   const auto of_it = [body](const Contact& c) { return c.body_a == body || c.body_b == body; };
   std::erase_if(rows_, of_it);
   std::erase_if(resting_, of_it);
 }
 
 void ContactSet::lay_to_rest(const BodySet& bodies) {
-  disturbed_ = true;
+  disturb();
   const auto passed_by = [&](std::uint32_t body) { return bodies.dynamic(body) && bodies.asleep[body] == 0; };
   std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(resting_), [&](const Contact& c) {
     return of_sleepers(c, bodies) && !passed_by(c.body_a) && !passed_by(c.body_b);
@@ -204,7 +201,7 @@ void ContactSet::lay_to_rest(const BodySet& bodies) {
 }
 
 void ContactSet::take_back(const BodySet& bodies) {
-  disturbed_ = true;
+  disturb();
   const auto woken =
       std::stable_partition(resting_.begin(), resting_.end(), [&](const Contact& c) { return of_sleepers(c, bodies); });
   const auto awake = static_cast<std::ptrdiff_t>(rows_.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,6 +30,9 @@ class ContactSet {
   std::vector<Contact>& rows() { return rows_; }
   const std::vector<Contact>& rows() const { return rows_; }
 
+  /// Not 0, and another number whenever rows came or went or have other numbers of points.
+  std::uint64_t changes() const { return changes_; }
+
   /// Of bodies asleep, as their last step left them; sorted likewise. Solvers don't see them.
   std::span<const Contact> resting() const { return resting_; }
   /// Lays aside the contacts of bodies that have fallen asleep.
@@ -40,6 +44,10 @@ class ContactSet {
   std::vector<const Contact*> all() const;
 
  private:
+  void disturb() {
+    disturbed_ = true;
+    ++changes_;
+  }
   void write_rows(const SearchInput& input);
   void mix_again(const BodySet& bodies, const Settings& settings);
 
@@ -64,6 +72,7 @@ class ContactSet {
   std::vector<Contact> rows_;
   std::vector<Contact> last_rows_;
   std::optional<Mixing> mixed_by_;
+  std::uint64_t changes_ = 1;
   bool disturbed_ = true;  // whether rows were taken out or put in since they were written
   std::vector<OnGround> on_ground_;
   std::vector<OnGround> supports_;

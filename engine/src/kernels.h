@@ -18,7 +18,7 @@ struct Kernels {
   CollidePairs* collide_discs;
   CollidePairs* collide_disc_with_box;  // the disc is the first of each pair
   CollidePairs* collide_box_with_disc;
-  MeasureAgain* measure_again;
+  KeepPoints* keep_points;
   // One of the two.
   const ContactPasses<8>* contacts_by_eight;
   const ContactPasses<16>* contacts_by_sixteen;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "body_set.h"
@@ -21,6 +22,7 @@ struct StepData {
   Integrator& integrator;
   const Settings& settings;
   Workers& workers;
+  std::uint64_t contact_changes = 0;  // see ContactSet::changes(); 0: nobody knows
 };
 
 /// How far apart two shapes may be and still make a contact ("speculative" contacts, which let a solver see what it is

@@ -31,7 +31,7 @@ void World::step() {
   end_stage("begin");
   s.contacts.find({s.bodies, *s.broad_phase, s.settings, margin, s.solver->recycles(), s.joints});
   StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator,
-                s.settings, *s.workers};
+                s.settings, *s.workers,        s.contacts.changes()};
   end_stage("activate joints");
   s.solver->step(data);
   if (sweeps) s.sweep.hold_back(s.bodies, s.joints, s.settings.continuous);

@@ -29,8 +29,9 @@ struct MovedLanes {
 
 }  // namespace
 
-void measure_again(const Contact* contacts, const std::uint32_t* items, std::uint32_t count, const Pose* poses,
-                   const Real* reach, PointsAgain* again) {
+void keep_points(Contact* contacts, const std::uint32_t* items, std::uint32_t count, const Pose* poses,
+                 const Real* reach, Real most_motion, std::uint8_t* kept) {
+  const Lanes most = Lanes::all(most_motion);
   for (std::uint32_t from = 0; from < count; from += lane_count) {
     const Real* normals[lane_count];
     const Real* poses_a[lane_count];
@@ -40,8 +41,6 @@ void measure_again(const Contact* contacts, const std::uint32_t* items, std::uin
     const Real* arms[2][lane_count];
     Real reach_a[lane_count];
     Real reach_b[lane_count];
-    Real* to[lane_count];
-    PointsAgain nobody;
     for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
       const bool present = from + lane < count;
       const Contact& contact = contacts[items[present ? from + lane : from]];
@@ -55,7 +54,6 @@ void measure_again(const Contact* contacts, const std::uint32_t* items, std::uin
       arms[1][lane] = &points[1].arm_a.x;
       reach_a[lane] = reach[contact.body_a];
       reach_b[lane] = reach[contact.body_b];
-      to[lane] = present ? again[from + lane].separation : nobody.separation;
     }
     const MovedLanes a(gather_poses(poses_a), gather_poses(found_a));
     const MovedLanes b(gather_poses(poses_b), gather_poses(found_b));
@@ -63,18 +61,28 @@ void measure_again(const Contact* contacts, const std::uint32_t* items, std::uin
     Lanes::gather(normals, head);
     const Vec2Lanes normal{head[0], head[1]};
     const Vec2Lanes apart = b.by - a.by;
-    Lanes result[4];
+    Real separation[2][lane_count];
     for (std::uint32_t p = 0; p < 2; ++p) {
       Lanes arm[4];
       Lanes::gather(arms[p], arm);
       const Vec2Lanes arm_a{arm[0], arm[1]};
       const Vec2Lanes arm_b{arm[2], arm[3]};
       const Vec2Lanes turned = (b.turn * arm_b - arm_b) - (a.turn * arm_a - arm_a);
-      result[p] = head[2 + p] + dot(normal, apart + turned);
+      (head[2 + p] + dot(normal, apart + turned)).store(separation[p]);
     }
-    result[2] = a.way(Lanes::load(reach_a)) + b.way(Lanes::load(reach_b));
-    result[3] = Lanes::all(0);
-    Lanes::scatter(result, to);
+    const Lanes motion = a.way(Lanes::load(reach_a)) + b.way(Lanes::load(reach_b));
+    const std::uint32_t stay = (motion < most).bits();
+    for (std::uint32_t lane = 0; lane < lane_count && from + lane < count; ++lane) {
+      kept[from + lane] = stay >> lane & 1U;
+      if (kept[from + lane] == 0) continue;
+      Contact& contact = contacts[items[from + lane]];
+      ++contact.age;
+      auto* points = reinterpret_cast<ContactPoint*>(&contact.points);
+      for (std::int32_t p = 0; p < contact.count; ++p) {
+        points[p].separation = separation[p][lane];
+        points[p].fresh = false;
+      }
+    }
   }
 }
 

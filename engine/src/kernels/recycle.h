@@ -6,15 +6,10 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// A contact's points on bodies that have moved since they were found.
-struct PointsAgain {
-  Real separation[2];  // m
-  Real motion;         // m, no point of the two bodies has come farther, added up
-  Real unused;         // four lanes
-};
-
-/// Measures contacts[items[i]] again into again[i], for i below count.
-using MeasureAgain = void(const Contact* contacts, const std::uint32_t* items, std::uint32_t count, const Pose* poses,
-                          const Real* reach, PointsAgain* again);
+/// Keeps the points of contacts[items[i]], for i below count, where no point of the two bodies has come farther, added
+/// up, than `most_motion` (m) since they were found: measures their separations again and counts the step. Says of each
+/// whether.
+using KeepPoints = void(Contact* contacts, const std::uint32_t* items, std::uint32_t count, const Pose* poses,
+                        const Real* reach, Real most_motion, std::uint8_t* kept);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -20,7 +20,7 @@ CollidePairs collide_boxes;
 CollidePairs collide_discs;
 CollidePairs collide_disc_with_box;
 CollidePairs collide_box_with_disc;
-MeasureAgain measure_again;
+KeepPoints keep_points;
 extern const ContactPasses<lane_count> contact_passes;
 KickByForces kick_by_forces;
 KickBodies kick_bodies;
@@ -41,8 +41,8 @@ constexpr const ContactPasses<width>* passes_of() {
 }  // namespace
 
 extern const Kernels table;
-const Kernels table{find_overlaps,         filter_pairs,  collide_boxes,  collide_discs,   collide_disc_with_box,
-                    collide_box_with_disc, measure_again, passes_of<8>(), passes_of<16>(), kick_by_forces,
-                    kick_bodies,           drift_bodies,  turn_to_angles};
+const Kernels table{find_overlaps,         filter_pairs, collide_boxes,  collide_discs,   collide_disc_with_box,
+                    collide_box_with_disc, keep_points,  passes_of<8>(), passes_of<16>(), kick_by_forces,
+                    kick_bodies,           drift_bodies, turn_to_angles};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-bool pushable(const BodySet& bodies, std::uint32_t i) {
-  return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0;
-}
+bool pushable(const BodySet& bodies, std::size_t i) { return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0; }
 
 }  // namespace
 
@@ -25,14 +24,26 @@ void Partition::ByIsland<Item>::sort(const Source& source, std::size_t islands, 
 }
 
 void Partition::split(const StepData& data, bool together) {
+  const bool only_contacts = data.joints.empty() && !together;
+  if (nothing_changed(data) && only_contacts && only_contacts_) return;
   std::swap(tied_, last_tied_);
   list_ties(data);
-  const bool only_contacts = data.joints.empty() && !together;
   const bool same_bodies = crowd_.size() == data.bodies.size();
   if (same_bodies && only_contacts && only_contacts_ && tied_ == last_tied_) return;
   only_contacts_ = only_contacts;
   ++version_;
   find_islands(data, together);
+}
+
+/// Whether ties listed now would be those of the last step.
+bool Partition::nothing_changed(const StepData& data) {
+  std::swap(kinds_, last_kinds_);
+  kinds_.resize(data.bodies.size());
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    kinds_[i] = static_cast<std::uint8_t>((data.bodies.stirs(i) ? 1 : 0) | (pushable(data.bodies, i) ? 2 : 0));
+  }
+  const std::uint64_t before = std::exchange(contact_changes_, data.contact_changes);
+  return before != 0 && before == contact_changes_ && kinds_ == last_kinds_;
 }
 
 void Partition::list_ties(const StepData& data) {

@@ -50,15 +50,19 @@ class Partition {
     void sort(const Source& source, std::size_t islands, IslandOf island_of);
   };
 
+  bool nothing_changed(const StepData& data);
   void list_ties(const StepData& data);
   void find_islands(const StepData& data, bool together);
 
   std::uint64_t version_ = 0;
   bool only_contacts_ = false;  // tied bodies in the last step
   Islands islands_;
-  std::vector<Tie> tied_;            // contacts that belong to an island
-  std::vector<Tie> last_tied_;       // the same of the step before
-  std::vector<std::uint8_t> crowd_;  // contacts of each body that can be pushed, up to 3
+  std::uint64_t contact_changes_ = 0;     // when ties were listed
+  std::vector<std::uint8_t> kinds_;       // of bodies: whether they can be pushed, and stir
+  std::vector<std::uint8_t> last_kinds_;  // the same of the step before
+  std::vector<Tie> tied_;                 // contacts that belong to an island
+  std::vector<Tie> last_tied_;            // the same of the step before
+  std::vector<std::uint8_t> crowd_;       // contacts of each body that can be pushed, up to 3
   ByIsland<Tie> contacts_;
   ByIsland<ActiveJoint*> joints_;
   std::vector<ActiveJoint*> all_joints_;
