@@ -62,7 +62,7 @@ void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pa
   if (!shapes_.several_parts()) return;
   // They come in order of (body_a, part_a, body_b, part_b): right already where the first body has one part.
   const auto body_a = [proxies](const Pair& pair) { return proxies[pair.first].body; };
-  const auto in_order = [this](const Pair& left, const Pair& right) { return order_of(left) < order_of(right); };
+  const auto in_order = [this](const Pair& left, const Pair& right) { return before(left, right); };
   for (auto first = pairs.begin(); first != pairs.end();) {
     const auto end = std::find_if(first, pairs.end(), [&](const Pair& pair) { return body_a(pair) != body_a(*first); });
     if (first->first != std::prev(end)->first) std::sort(first, end, in_order);
@@ -197,31 +197,31 @@ void ContactSearch::reach_farther(const SearchInput& input) {
   end_stage("farther: find pairs");
   put_in_order(input, farther_pairs_);
 
-  in_order_.clear();
-  undecided_.clear();
-  orders_.clear();
-  for (const Pair& pair : pairs_) orders_.push_back(order_of(pair));
-  std::uint32_t next = 0;
-  std::uint32_t last = 0;
   const auto end = static_cast<std::uint32_t>(pairs_.size());
-  const auto take_next = [&] {
-    if (last_of_[next] != none) last = last_of_[next] + 1;
-    in_order_.push_back(next++);
-  };
+  in_order_.resize(pairs_.size() + farther_pairs_.size());
+  undecided_.clear();
+  std::uint32_t next = 0;
+  std::uint32_t placed = 0;
+  std::uint32_t last = 0;
   for (const Pair& pair : farther_pairs_) {
-    const ContactOrder wanted = order_of(pair);
-    while (next < end && orders_[next] < wanted) take_next();
+    while (next < end && before(pairs_[next], pair)) in_order_[placed++] = next++;
     if (next < end && pairs_[next] == pair) {
       if (may_gain_points(next)) undecided_.push_back(next);
-      take_next();
+      in_order_[placed++] = next++;
     } else {
-      in_order_.push_back(static_cast<std::uint32_t>(pairs_.size()));
-      undecided_.push_back(in_order_.back());
+      const auto late = static_cast<std::uint32_t>(pairs_.size());
+      in_order_[placed++] = late;
+      undecided_.push_back(late);
       pairs_.push_back(pair);
-      last_of_.push_back(find_last(wanted, last));
+      // Its contact comes after that of the nearest pair before it that has one.
+      std::uint32_t known = next;
+      while (known > 0 && last_of_[known - 1] == none) --known;
+      if (known > 0) last = std::max(last, last_of_[known - 1] + 1);
+      last_of_.push_back(find_last(order_of(pair), last));
     }
   }
-  while (next < end) in_order_.push_back(next++);
+  while (next < end) in_order_[placed++] = next++;
+  in_order_.resize(placed);
   end_stage("farther: match");
   found_.resize(pairs_.size());
   keep_points(input);

@@ -66,13 +66,17 @@ class ContactSearch {
     return {shapes_.proxies()[pair.first], shapes_.proxies()[pair.second]};
   }
 
+  /// In order of contacts. Proxies are in order of (body, part) themselves.
+  bool before(const Pair& left, const Pair& right) const {
+    return shapes_.several_parts() ? order_of(left) < order_of(right) : left < right;
+  }
+
   ShapeTable shapes_;
   NarrowPhase narrow_phase_;
   std::span<Contact> last_;
   Neighbours neighbours_;
   std::vector<Pair> pairs_;                // in order of contacts, but for those that come late
   std::vector<Pair> last_pairs_;           // of the search before
-  std::vector<ContactOrder> orders_;       // of those that do not, for the search of late ones
   std::vector<std::uint32_t> in_order_;    // numbers of all pairs, in order of contacts
   std::vector<std::uint32_t> last_of_;     // of each pair
   std::vector<PairPoints> found_;          // of each pair
