@@ -26,6 +26,7 @@ PairPoints points_of(const Manifold& manifold, Vec2 center_a, Vec2 center_b) {
 
 void NarrowPhase::collide(const BodySet& bodies, const ShapeTable& shapes, const Margin& margin,
                           std::span<const Pair> pairs, std::span<const std::uint32_t> items, PairPoints* found) {
+  if (items.empty()) return;
   // By the kinds of both shapes: box, disc, other.
   enum Bin : std::uint8_t { boxes, box_with_disc, disc_with_box, discs, others };
   constexpr Bin bin_of[3][3] = {

@@ -4,6 +4,7 @@
 #ifdef IMPULSE_LANES_avx512
 namespace impulse::inline IMPULSE_PRECISION::avx2 {
 FindOverlaps find_overlaps;
+KeepPoints keep_points;
 }
 #endif
 
@@ -12,15 +13,17 @@ namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 #ifdef IMPULSE_LANES_avx512
 // Its ranges hold a few: eight at a time suit them better than sixteen.
 using avx2::find_overlaps;
+// Gathers more than it computes.
+using avx2::keep_points;
 #else
 FindOverlaps find_overlaps;
+KeepPoints keep_points;
 #endif
 FilterPairs filter_pairs;
 CollidePairs collide_boxes;
 CollidePairs collide_discs;
 CollidePairs collide_disc_with_box;
 CollidePairs collide_box_with_disc;
-KeepPoints keep_points;
 extern const ContactPasses<lane_count> contact_passes;
 KickByForces kick_by_forces;
 KickBodies kick_bodies;

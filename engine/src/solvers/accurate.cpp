@@ -101,6 +101,7 @@ class Accurate : public Solver {
   void drift(StepData& data, const Island& island);
   void relax(BodySet& bodies, Island& island, int sweeps);
   void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
+  PointPair pair_of(const Island& island, const ImpactRow& row) const;
   bool solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const;
   void turn_normal(ImpactRow& row) const;
   Real gap(const ImpactRow& row, const RowPoint& p) const {
@@ -155,7 +156,7 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
   make_rows(data, now, number);
   const auto substeps = static_cast<Real>(now.substeps);
   now.share(1 / substeps);
-  now.joints.write();
+  if (!now.joints.empty()) now.joints.write();
   for (int i = 0; i < now.substeps; ++i) substep(data, now, space);
   settle_offsets(now);
   now.share(substeps);
@@ -214,7 +215,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   press(data.bodies, island);
   drift(data, island);
   const bool joints_fit = island.joints.fit();
-  island.joints.write();
+  if (!island.joints.empty()) island.joints.write();
   kick(data.bodies, island);
   relax(data.bodies, island, island.settling ? std::max(settling_sweeps, island.sweeps) : island.sweeps);
   if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
@@ -269,6 +270,9 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   }
 
   island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
+  for (ImpactRow& row : island.rows) {
+    if (row.block) row.pair = pair_of(island, row);
+  }
   // What is swept is spread over the sub-steps instead.
   const bool takes_turns =
       !island.joints.empty() && !island.joints.swept() && (!island.rows.empty() || has_stops(island.joints));
@@ -303,7 +307,7 @@ void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {
 
 /// What the contacts bore in the last sub-step is given again, half in each kick.
 void Accurate::halve(Island& island) const {
-  island.joints.halve();
+  if (!island.joints.empty()) island.joints.halve();
   for (ImpactRow& row : island.rows) {
     for (std::size_t i = 0; i < 2; ++i) {
       RowPoint& p = row.points[i];
@@ -332,7 +336,7 @@ void Accurate::kick(BodySet& bodies, Island& island) {
     }
     frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
-  island.joints.kick();
+  if (!island.joints.empty()) island.joints.kick();
 }
 
 void Accurate::turn_normal(ImpactRow& row) const {
@@ -346,7 +350,7 @@ void Accurate::turn_normal(ImpactRow& row) const {
 /// waits for the rigid pass, except in a contact's first step (else a box set down on a slope slips before it is held).
 void Accurate::press(BodySet& bodies, Island& island) {
   for (int sweep = 0; sweep < island.sweeps; ++sweep) {
-    island.joints.press(island.h);
+    if (!island.joints.empty()) island.joints.press(island.h);
     for (ImpactRow& row : island.rows) {
       if (!row.active) continue;
       turn_normal(row);
@@ -373,7 +377,7 @@ void Accurate::press(BodySet& bodies, Island& island) {
 /// sub-step before it arrives.
 void Accurate::relax(BodySet& bodies, Island& island, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    island.joints.relax(island.h);
+    if (!island.joints.empty()) island.joints.relax(island.h);
     for (ImpactRow& row : island.rows) {
       if (!row.active) continue;
       turn_normal(row);
@@ -402,6 +406,16 @@ void Accurate::relax_until_bounded(StepData& data, Island& island, const EnergyB
   }
 }
 
+/// What stays through a step.
+PointPair Accurate::pair_of(const Island& island, const ImpactRow& row) const {
+  const auto& [p, q] = row.points;
+  const Real weakness = 1 / island.softness(row).strength - 1;
+  return {.inverse_mass = {1 / p.normal_mass, 1 / q.normal_mass},
+          .coupling =
+              row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a + row.mass_b.i * p.cross_b * q.cross_b,
+          .give = {weakness / p.normal_mass, weakness / q.normal_mass}};
+}
+
 /// Both points at once: (K + G) d = -(v + bias + G lambda) with G the springs' give; nothing if a point would pull.
 bool Accurate::solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const {
   const Softness& soft = island.softness(row);
@@ -411,7 +425,7 @@ bool Accurate::solve_pair(const Island& island, ImpactRow& row, ContactFrame& fr
     const RowPoint& p = row.points[i];
     const Real s = gap(row, p);
     if (pressing) {
-      give[i] = s > 0 ? Real{0} : (1 / soft.strength - 1) / p.normal_mass;
+      give[i] = s > 0 ? Real{0} : row.pair.give[i];
       bias[i] = s > 0 ? s / island.h : soft.rate * s;
     } else if (p.normal_impulse == 0 && s > 0) {
       return false;
@@ -419,11 +433,9 @@ bool Accurate::solve_pair(const Island& island, ImpactRow& row, ContactFrame& fr
   }
   RowPoint& p = row.points[0];
   RowPoint& q = row.points[1];
-  const Real k11 = 1 / p.normal_mass + give[0];
-  const Real k22 = 1 / q.normal_mass + give[1];
-  const Real k12 =
-      row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a + row.mass_b.i * p.cross_b * q.cross_b;
-  const Mat22 k({k11, k12}, {k12, k22});
+  const Real k11 = row.pair.inverse_mass[0] + give[0];
+  const Real k22 = row.pair.inverse_mass[1] + give[1];
+  const Mat22 k({k11, row.pair.coupling}, {row.pair.coupling, k22});
   // Two points almost in one place: the matrix says nothing about the difference of their loads.
   constexpr Real worst_condition = 1000;
   if (k11 * k22 > worst_condition * k.determinant()) return false;
@@ -451,14 +463,17 @@ void Accurate::drift(StepData& data, const Island& island) {
 }
 
 void Accurate::note_loads(const Island& island) {
-  for (const std::uint32_t body : island.bodies) loaded_[body] = 0;
-  for (const ActiveJoint* joint : island.joints.all()) note_load(joint->block);
   for (ImpactRow& row : island.rows) {
     for (RowPoint& p : row.points) {
       p.total_normal += p.normal_impulse;
       p.total_tangent += p.tangent_impulse;
-      if (p.normal_impulse > 0) note_load(row);
     }
+  }
+  if (!island.bounces) return;  // nobody asks who is loaded
+  for (const std::uint32_t body : island.bodies) loaded_[body] = 0;
+  for (const ActiveJoint* joint : island.joints.all()) note_load(joint->block);
+  for (const ImpactRow& row : island.rows) {
+    if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
   }
 }
 

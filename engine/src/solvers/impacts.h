@@ -12,6 +12,13 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+/// Two points that are solved together.
+struct PointPair {
+  std::array<Real, 2> inverse_mass{};  // 1/kg, effective, of each alone
+  Real coupling = 0;                   // 1/kg, what the impulse of one does to the other
+  std::array<Real, 2> give{};          // 1/kg, that their springs add
+};
+
 /// A row, and what the sub-step of `accurate` needs to know beside it.
 struct ImpactRow : ContactRow {
   Real offset = 0;           // m, standing correction of the separation (see accurate.cpp)
@@ -22,7 +29,8 @@ struct ImpactRow : ContactRow {
   bool active = true;        // takes part in this sub-step's solve
   bool fresh = false;        // first step of the contact
   bool web = false;          // a body of it touches more than two others, as in a pyramid and not in a column
-  bool block = false;        // its two points are solved together
+  bool block = false;        // its two points are solved together:
+  PointPair pair;
 };
 
 /// m/s; slower approaches are left to the contact solve, which ends the infinite sequence of ever smaller bounces

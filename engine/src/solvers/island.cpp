@@ -24,7 +24,7 @@ void Island::cut(Real dt, int into) {
     return Softnesses{Softness::of(frequency, damping_ratio, h), Softness::of(2 * frequency, damping_ratio, h)};
   };
   column = at(1 / (8 * h));
-  web = at(1 / (12 * h));
+  if (webbed) web = at(1 / (12 * h));
   // A pyramid's layers, and those of most piles; a column has one for each body.
   const auto count = static_cast<Real>(bodies.size());
   const Real layers = webbed ? std::sqrt(2 * count) : count;
@@ -85,6 +85,7 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
   }
   const Real omega = 2 * pi * static_cast<Real>(base) / (8 * settings.dt);
   const Real sink = weight / static_cast<Real>(bearing.points) * bearing.softest / (2 * omega * omega);
+  if (sink < tolerated_sink) return base;
   const Real wanted = static_cast<Real>(base) * std::sqrt(sink / tolerated_sink);
   // Powers of two, the nearest by ratio.
   int n = base;

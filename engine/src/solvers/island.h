@@ -30,7 +30,8 @@ struct Island {
   struct Softnesses {
     Softness movable, fixed;  // between movable bodies; against what cannot move
   };
-  Softnesses column, web;
+  Softnesses column;
+  Softnesses web;         // only of islands that are webbed
   Real offset_speed = 0;  // 1/s, see cut()
   bool webbed = false;    // some contact is in a web, see Partition::in_web
   bool held = false;      // something that cannot be pushed holds it; not asked of a pile

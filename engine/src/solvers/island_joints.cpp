@@ -102,7 +102,6 @@ Real IslandJoints::miss(Real h) {
 }
 
 void IslandJoints::press(Real h) {
-  if (joints_.empty()) return;
   if (swept_) return press_by_sweep(h);
   for (ActiveJoint* joint : joints_) {
     JointBlock& block = joint->block;
@@ -217,7 +216,6 @@ void IslandJoints::write_rows(Real ahead, Real give_way) {
 }
 
 void IslandJoints::write() {
-  if (joints_.empty()) return;
   fit_ = true;
   write_rows(0, give);
 }
@@ -233,7 +231,6 @@ void IslandJoints::relax_by_sweep(Real h) {
 }
 
 void IslandJoints::relax(Real h) {
-  if (joints_.empty()) return;
   if (swept_) return relax_by_sweep(h);
   for (ActiveJoint* joint : joints_) {
     JointBlock& block = joint->block;

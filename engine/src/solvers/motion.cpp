@@ -44,9 +44,9 @@ void Motion::turn_by(Real angle) {
 }
 
 void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Motion>& motion) {
-  constexpr std::size_t handful = 64;
-  std::array<Real, handful> angles{}, cosines{}, sines{};
-  std::array<std::size_t, handful> turned{};
+  constexpr std::size_t handful = 32;
+  std::array<Real, handful> angles{}, cosines, sines;
+  std::array<std::size_t, handful> turned;
   const Kernels& by_lanes = kernels();
   for (std::size_t first = 0; first < bodies.size(); first += handful) {
     const std::size_t end = std::min(first + handful, bodies.size());
