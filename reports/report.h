@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -135,6 +136,7 @@ struct Report {
   std::vector<RunRecord> runs;
   std::vector<Comparison> comparisons;
   std::vector<Timing> timings;
+  std::vector<nlohmann::ordered_json> studies;  // short forms, each a study's document; for the page alone
   std::map<std::string, double> clock;  // wall seconds of the parts, share outside step: with the timings, apart
 };
 

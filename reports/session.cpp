@@ -82,7 +82,7 @@ void Session::attach_to(CLI::App& app) {
       ->type_name("DIR");
 }
 
-Report Session::conduct(const std::string& command) const {
+Report Session::conduct(const std::string& command, const std::function<void(Report&)>& complete) const {
   const Plan plan = plan_of(*this);
   const OutputFolder folder(out);
 
@@ -97,6 +97,7 @@ Report Session::conduct(const std::string& command) const {
   for (const std::string& engine : engines) report.command.insert(report.command.end(), {"--engine", engine});
   report.command.insert(report.command.end(), {"--dt", dt});
   report.environment = environment();
+  complete(report);
 
   const auto [files, skipped] = folder.write(report);
   fmt::print("{}", console_text(report, wants_colour()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,10 @@ struct Session {
   void attach_to(CLI::App&);
 
   /// Runs what is asked for, writes the files and prints the table and where the files are. `command` is the word that
-  /// began it. Throws std::invalid_argument for what the user should put right, before anything is run.
-  Report conduct(const std::string& command) const;
+  /// began it; `complete` may add to the report before it is written. Throws std::invalid_argument for what the user
+  /// should put right, before anything is run.
+  Report conduct(
+      const std::string& command, const std::function<void(Report&)>& complete = [](Report&) {}) const;
 };
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct Study {
   std::function<std::function<nlohmann::ordered_json()>(CLI::App&)> attach;
   /// The same plan for the same configuration, wherever it is asked for.
   std::function<StudyPlan(const nlohmann::ordered_json& configuration)> plan;
+  /// Options of its short form, which a report shows; none: reports leave it out.
+  std::optional<std::vector<std::string>> brief = std::nullopt;
 };
 
 }  // namespace plumb

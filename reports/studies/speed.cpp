@@ -290,7 +290,9 @@ const Catalog<Study>::Entry entry{
      },
      .plan = [](const Json& configuration) -> StudyPlan {
        return {points_of(configuration), speed_findings};
-     }}};
+     },
+     .brief = {{"--scenarios", "bounce:e=0.8", "slope:steep", "spring", "stacking:ten", "--dt", "1/30", "1/60",
+                "1/120"}}}};
 
 }  // namespace
 }  // namespace plumb

@@ -102,7 +102,8 @@ std::optional<std::string> fill_page(std::string_view page, const Json& data, st
 }
 
 std::optional<std::string> fill_page(std::string_view page, const Report& report, std::string& why_not) {
-  return fill_page(page, Json{{"report", to_json(report)}, {"series", series_of(report)}}, why_not);
+  return fill_page(page, Json{{"report", to_json(report)}, {"series", series_of(report)}, {"studies", report.studies}},
+                   why_not);
 }
 
 }  // namespace plumb

@@ -137,6 +137,7 @@ export interface Series {
 export interface Page {
   report: Report;
   series: Series[];
+  studies: Study[]; // short forms
 }
 
 /** The format of report.json this page reads. */
@@ -231,6 +232,7 @@ const series_rule: Rule = (value, path, problems) => {
 const page_rule = record({
   report: report_rule,
   series: list(series_rule),
+  studies: list(study_rule),
 });
 
 export type Outcome = { page: Page } | { study: Study } | { problems: string[] };

@@ -36,6 +36,20 @@ export function table(caption: string, heads: (string | Node)[], rows: HTMLTable
   );
 }
 
+/** Puts a prefix before every id in an element, and wherever one is named, so that it can stand beside others. */
+export function prefixed<E extends Element>(prefix: string, element: E): E {
+  for (const one of [element, ...element.querySelectorAll("*")]) {
+    if (one.id) one.id = prefix + one.id;
+    const href = one.getAttribute("href");
+    if (href?.startsWith("#")) one.setAttribute("href", `#${prefix}${href.slice(1)}`);
+    for (const name of ["aria-labelledby", "aria-describedby", "aria-controls", "for"]) {
+      const ids = one.getAttribute(name);
+      if (ids) one.setAttribute(name, ids.split(" ").map((id) => prefix + id).join(" "));
+    }
+  }
+  return element;
+}
+
 /** An id that any text may become. */
 export function slug(...parts: string[]): string {
   return parts.map((part) => encodeURIComponent(part.trim().toLowerCase().replace(/\s+/g, "-"))).join("--");

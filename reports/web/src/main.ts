@@ -6,6 +6,7 @@ import { method } from "./sections/method";
 import { opening } from "./sections/opening";
 import { overview } from "./sections/overview";
 import { problems } from "./sections/problems";
+import { study_id, study_section } from "./sections/studies";
 import { study_page } from "./sections/study";
 import { view_of } from "./studies/views";
 import { sentence } from "./verdict";
@@ -21,9 +22,11 @@ if ("problems" in outcome) {
   page?.replaceChildren(...study_page(outcome.study, sentence, sections));
 } else {
   const model = model_of(outcome.page);
+  const { studies } = outcome.page;
   const places = [
     ["overview", "Overview"],
     ...model.chapters.map(({ name }) => [slug(name), name]),
+    ...studies.map((study) => [study_id(study), `Study: ${study.study}`] as const),
     ["method", "Method"],
   ] as const;
   const links = places.map(([id, name]) => h("a", { href: `#${id ?? ""}` }, name ?? ""));
@@ -31,7 +34,7 @@ if ("problems" in outcome) {
   page?.replaceChildren(
     opening(model),
     h("nav", { "aria-label": "Sections" }, ...links),
-    h("main", {}, overview(model), ...model.chapters.map(chapter_section), method(model)),
+    h("main", {}, overview(model), ...model.chapters.map(chapter_section), ...studies.map(study_section), method(model)),
   );
 }
 // The sections were not there when the browser looked for the address's place.

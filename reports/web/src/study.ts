@@ -13,6 +13,7 @@ export interface Study {
   study: string;
   about: string;
   configuration: Record<string, unknown>;
+  command?: string; // that makes it: of a short form inside a report
   environment: Record<string, string>;
   points: StudyPoint[];
   findings: Record<string, unknown>;

@@ -44,8 +44,11 @@ export async function open(file, { width = 1280, height = 900, colorScheme = "li
   return { page, trouble };
 }
 
-/** Charts are drawn when they come near the screen: goes through the whole page. */
+/** Charts are drawn when they come near the screen: goes through the whole page, folded parts too. */
 export async function draw_all(page) {
+  await page.evaluate(() => {
+    for (const folded of document.querySelectorAll("details")) folded.open ||= folded.querySelector(".canvas") !== null;
+  });
   const canvases = page.locator(".canvas");
   for (let i = 0; i < (await canvases.count()); ++i) {
     await canvases.nth(i).scrollIntoViewIfNeeded();

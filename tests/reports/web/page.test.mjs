@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, draw_all, open, write } from "./browser.mjs";
 import { sample } from "./sample.mjs";
+import { study_sample } from "./study_sample.mjs";
 
 after(close);
 
@@ -146,3 +147,23 @@ for (const [name, [data, words]] of Object.entries(damages)) {
     await page.close();
   });
 }
+
+test("short forms of studies stand beside the scenarios: no name twice, and every link leads somewhere", async () => {
+  const data = sample("fall");
+  data.studies = [{ ...study_sample().study, command: "plumb study speed --dt 1/30" }];
+  const { page, trouble } = await open(await write(data));
+  await draw_all(page);
+  const section = page.locator("#study--speed");
+  assert.match(await section.innerText(), /At equal error impulse is/);
+  assert.match(await section.innerText(), /plumb study speed --dt 1\/30/);
+  assert.ok((await section.locator("g.line").count()) > 0);
+  const [twice, dead] = await page.evaluate(() => {
+    const ids = [...document.querySelectorAll("[id]")].map(({ id }) => id);
+    const links = [...document.querySelectorAll('a[href^="#"]')].map((a) => decodeURIComponent(a.getAttribute("href").slice(1)));
+    return [ids.filter((id, i) => ids.indexOf(id) !== i), links.filter((id) => !ids.map(decodeURIComponent).includes(id))];
+  });
+  assert.deepEqual(twice, []);
+  assert.deepEqual(dead, []);
+  assert.deepEqual(trouble, []);
+  await page.close();
+});

@@ -71,6 +71,7 @@ export function sample(scenario = "free-fall") {
       timings: { steps: [], clock: { runs_s: 3.2, outside_step: 0.31 } },
     },
     series: [],
+    studies: [],
   };
   const { report } = page;
   for (const height of [5, 50]) {

@@ -1,76 +1,11 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, draw_all, open, write } from "./browser.mjs";
+import { study_sample } from "./study_sample.mjs";
 
 after(close);
 
-const steps = [1 / 30, 1 / 60, 1 / 120];
-
-/** Two engines in two cases; one of them is never accurate in the second, and crashes once. */
-function sample() {
-  const points = [];
-  const times = {};
-  const add = (scenario, engine, dt, error, time) => {
-    const key = `speed|${scenario}/plain|${engine}|dt=${dt}`;
-    const truth = scenario === "heap" ? "converged" : "fall";
-    const common = { scenario, variant: "plain", engine, method: "", option: "substeps", setting: "4", standard: true, dt, order: 1 };
-    points.push({ key, ending: "done", reason: "", values: { ...common, truth, truth_error: scenario === "heap" ? 1e-3 : 0, phases: 1, timed: 2, status: "ok", error } });
-    times[key] = { median: time, low: time * 0.98, high: time * 1.02, repetitions: 5, wide: dt === steps[2] };
-    return key;
-  };
-  const cases = ["fall", "heap"].map((scenario) => {
-    const fronts = ["box2d", "impulse"].map((engine) =>
-      steps.map((dt) => add(scenario, engine, dt, dt * (engine === "impulse" ? 0.1 : 1), (1e-5 / dt) * (engine === "impulse" ? 2 : 1))),
-    );
-    return {
-      scenario,
-      variant: "plain",
-      front: fronts[1],
-      contenders: ["box2d", "impulse"].map((contender, index) => ({
-        contender,
-        front: fronts[index],
-        time_for_error: [{ value: 3e-4, bound: true }, { value: 4e-4 * (index + 1), bound: false }, null],
-        error_for_time: [null, { value: 2e-2, bound: false }],
-        factor: index ? 0.2 : 1,
-        reached: 1,
-      })),
-    };
-  });
-  points.push({ key: "speed|heap/plain|<b>wild</b>|dt=1", ending: "crashed", reason: "ended by signal 11", values: {} });
-  const order = { scenario: "fall", variant: "plain", option: "", setting: "", standard: true, points: 3 };
-  return {
-    study: {
-      plumb: 1,
-      study: "speed",
-      about: "Speed against accuracy",
-      configuration: { dt: ["1/30"], all: false },
-      environment: { processor: "one" },
-      points,
-      findings: {
-        order_tolerance: 0.2,
-        orders: [
-          { ...order, contender: "box2d", stated: 1, order: 1.01, half_width: 0.02, finding: "as stated" },
-          { ...order, contender: "impulse", stated: 2, order: null, half_width: null, finding: "exact" },
-          { ...order, contender: "impulse", scenario: "heap", stated: null, order: 0.5, half_width: 0.3, finding: "measured" },
-        ],
-      },
-      timings: {
-        points: times,
-        standard: "box2d",
-        error_targets: [1e-1, 1e-2, 1e-3],
-        time_targets: [1e-5, 1e-3],
-        cases,
-        factors: [
-          { contender: "box2d", median: 1, low: 1, high: 1, cases: 2, reached: 2 },
-          { contender: "impulse", median: 0.2, low: 0.1, high: 0.3, cases: 2, reached: 2 },
-          { contender: "never", median: null, low: null, high: null, cases: 2, reached: 0 },
-        ],
-      },
-    },
-  };
-}
-
-const pages = { "the sample": await write(sample()) };
+const pages = { "the sample": await write(study_sample()) };
 if (process.env.PLUMB_STUDY) pages["the real study"] = process.env.PLUMB_STUDY;
 
 for (const [name, file] of Object.entries(pages)) {
@@ -135,11 +70,11 @@ test("orders are told with their interval, and exactness in words", async () => 
 });
 
 test("a study that does not fit is refused with its place", async () => {
-  const broken = sample();
+  const broken = study_sample();
   broken.study.points[0].values = 3;
   const { page } = await open(await write(broken));
   assert.match(await page.locator("body").innerText(), /study\.points\[0\]\.values: expected names with values/);
-  const later = sample();
+  const later = study_sample();
   later.study.plumb = 2;
   const other = await open(await write(later));
   assert.match(await other.page.locator("body").innerText(), /the study is of format 2, this page reads format 1/);
