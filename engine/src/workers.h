@@ -1,7 +1,8 @@
 #pragma once
 
-#include <condition_variable>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -15,6 +16,9 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// A fixed number of threads, the calling one included, that share out independent pieces of work. Which thread takes
 /// which piece is left to chance, so pieces may write only what is theirs alone; then the bits never depend on the
 /// number of threads.
+///
+/// Who finds nothing to do spins for some microseconds, then yields a few times, then sleeps. Nobody waits for a thread
+/// that has taken no piece: where the machine is busy and the others do not get to run, the caller does all by itself.
 class Workers {
  public:
   explicit Workers(int count);
@@ -25,25 +29,29 @@ class Workers {
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
   /// Calls work(piece, worker) for every piece in 0 ... pieces - 1, worker in 0 ... count() - 1, and returns when all
-  /// are done. The first exception thrown by a piece is thrown on.
+  /// are done. The first exception thrown by a piece is thrown on. Throws std::invalid_argument for 2^32 pieces.
   using Work = std::function<void(std::size_t piece, std::size_t worker)>;
   void share_out(std::size_t pieces, const Work& work);
 
  private:
   void serve(std::size_t worker);
-  void take_pieces(std::size_t worker);
+  bool take_piece(std::size_t worker);
+  void give_out(std::uint32_t pieces);
 
   std::vector<std::thread> threads_;
-  std::mutex mutex_;
-  std::condition_variable start_;
-  std::condition_variable finish_;
+  // What a round is about; whoever holds a piece of it may read them.
   const Work* work_ = nullptr;
-  std::size_t pieces_ = 0;
-  std::size_t next_ = 0;
-  std::size_t busy_ = 0;   // threads that have not finished this round
-  std::size_t round_ = 0;  // counts calls of share_out
-  bool stopping_ = false;
-  std::exception_ptr failure_;
+  std::uint32_t pieces_ = 0;
+
+  // Apart, as each is written by all.
+  static constexpr std::size_t cache_line = 64;
+  /// High half: counts calls of share_out, so that a late thread cannot mistake one for another. Low half: the pieces
+  /// that nobody has taken.
+  alignas(cache_line) std::atomic<std::uint64_t> round_ = 0;
+  alignas(cache_line) std::atomic<std::uint32_t> unfinished_ = 0;  // pieces
+  std::atomic<bool> stopping_ = false;
+  std::mutex mutex_;
+  std::exception_ptr failure_;  // guarded by the mutex
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

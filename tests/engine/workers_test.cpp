@@ -23,6 +23,17 @@ TEST(Workers, DoEveryPieceOnce) {
   }
 }
 
+TEST(Workers, NeverTakeAPieceOfOneRoundForOneOfAnother) {
+  for (const int count : {2, 5}) {
+    Workers workers(count);
+    for (int round = 1; round <= 3000; ++round) {
+      std::vector<int> seen(static_cast<std::size_t>(2 + round % 7), 0);
+      workers.share_out(seen.size(), [&, round](std::size_t piece, std::size_t) { seen[piece] += round; });
+      ASSERT_TRUE(std::all_of(seen.begin(), seen.end(), [=](int now) { return now == round; })) << round;
+    }
+  }
+}
+
 TEST(Workers, PassAnExceptionOnAndGoOnWorking) {
   Workers workers(2);
   const auto fails = [](std::size_t piece, std::size_t) {
