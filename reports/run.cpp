@@ -36,43 +36,68 @@ bool sane(const BodyState& state) {
          std::abs(state.angular_velocity) <= absurd_speed && std::isfinite(state.angle);
 }
 
-std::string divergence(const Scene& scene, std::span<const BodyState> states, double time) {
-  const auto lost = std::find_if_not(states.begin(), states.end(), sane);
-  if (lost == states.end()) return "";
+std::string divergence(const Body& body, const BodyState& lost, double time) {
   return fmt::format(
       "diverged at t = {:.4g} s: body \"{}\" at ({:.3g}, {:.3g}) m, {:.3g} rad, {:.3g} m/s, {:.3g} rad/s", time,
-      scene.bodies[static_cast<std::size_t>(lost - states.begin())].name, lost->position.x, lost->position.y,
-      lost->angle, length(lost->velocity), lost->angular_velocity);
+      body.name, lost.position.x, lost.position.y, lost.angle, length(lost.velocity), lost.angular_velocity);
 }
 
-void record_until_the_end(const Scene& scene, Simulation& simulation, double dt, double first_step, Outcome& outcome) {
-  Readout readout(scene);
-  outcome.trace->record(0, readout.states(simulation), {});
+void step_to_the_end(const Scene& scene, Simulation& simulation, double dt, double first_step, Readout& readout,
+                     const Onlooker& show, Outcome& outcome) {
+  if (!show(0, readout.states(simulation))) return;
 
   const double valid = simulation.valid_until();
   const double missing = 1 - first_step;
   const bool cut = missing > 0;
   const std::size_t steps = steps_in(scene.duration + missing * dt, dt);
-  double before = 0;
   for (std::size_t i = 1; i <= steps; ++i) {
     // Not the sum of many dt, which would carry the rounding of each.
     const double whole = (static_cast<double>(i) - missing) * dt;
     const double time = cut && i == steps ? scene.duration : whole;
     if (time > valid) return;
-    const double step = cut && (i == 1 || i == steps) ? time - before : dt;
-    before = time;
+    const double step = cut && (i == 1 || i == steps) ? time - outcome.time : dt;
+    outcome.time = time;
     const Stopwatch in_step;
     simulation.step(step);
     outcome.stepping += in_step.seconds();
 
     const std::span<const BodyState> states = readout.states(simulation);
-    outcome.reason = divergence(scene, states, time);
-    if (!outcome.reason.empty()) {
+    const auto lost = std::find_if_not(states.begin(), states.end(), sane);
+    if (lost != states.end()) {
       outcome.status = Status::failed;
+      outcome.lost = static_cast<std::size_t>(lost - states.begin());
+      outcome.reason = divergence(scene.bodies[*outcome.lost], *lost, time);
       return;
     }
-    outcome.trace->record(time, states, readout.contacts(simulation));
+    if (!show(time, states)) return;
   }
+}
+
+// `look_at` makes the onlooker of a simulation that was built, from how it is read.
+template <class LookAt>
+Outcome carry_out(const Scene& scene, const Entrant& entrant, double dt, double first_step, LookAt look_at) {
+  const Stopwatch all;
+  Outcome outcome;
+  try {
+    outcome.reason = entrant.contender->unsupported(scene, entrant.settings);
+    if (!outcome.reason.empty()) {
+      outcome.status = Status::not_supported;
+      return outcome;
+    }
+    const auto simulation = entrant.contender->build(scene, entrant.settings);
+    Readout readout(scene);
+    step_to_the_end(scene, *simulation, dt, first_step, readout, look_at(outcome, *simulation, readout), outcome);
+  } catch (const std::domain_error& beyond) {
+    // Some methods can only tell under way that a scene is too much for them.
+    outcome.status = Status::not_supported;
+    outcome.reason = beyond.what();
+    outcome.trace = nullptr;
+  } catch (const std::exception& error) {
+    outcome.status = Status::failed;
+    outcome.reason = error.what();
+  }
+  outcome.wall = all.seconds();
+  return outcome;
 }
 
 }  // namespace
@@ -92,28 +117,21 @@ std::size_t steps_in(double duration, double dt) {
 }
 
 Outcome run(const Scene& scene, const Entrant& entrant, double dt, double first_step) {
-  const Stopwatch all;
-  Outcome outcome;
-  try {
-    outcome.reason = entrant.contender->unsupported(scene, entrant.settings);
-    if (!outcome.reason.empty()) {
-      outcome.status = Status::not_supported;
-      return outcome;
-    }
-    const auto simulation = entrant.contender->build(scene, entrant.settings);
-    outcome.trace = std::make_shared<Trace>(scene.bodies.size());
-    record_until_the_end(scene, *simulation, dt, first_step, outcome);
-  } catch (const std::domain_error& beyond) {
-    // Some methods can only tell under way that a scene is too much for them.
-    outcome.status = Status::not_supported;
-    outcome.reason = beyond.what();
-    outcome.trace = nullptr;
-  } catch (const std::exception& error) {
-    outcome.status = Status::failed;
-    outcome.reason = error.what();
-  }
-  outcome.wall = all.seconds();
-  return outcome;
+  return carry_out(scene, entrant, dt, first_step,
+                   [&](Outcome& outcome, const Simulation& simulation, Readout& readout) -> Onlooker {
+                     outcome.trace = std::make_shared<Trace>(scene.bodies.size());
+                     return [&](double time, std::span<const BodyState> states) {
+                       const bool start = outcome.trace->size() == 0;
+                       outcome.trace->record(time, states,
+                                             start ? std::span<const ContactState>{} : readout.contacts(simulation));
+                       return true;
+                     };
+                   });
+}
+
+Outcome watch(const Scene& scene, const Entrant& entrant, double dt, double first_step, const Onlooker& onlooker) {
+  return carry_out(scene, entrant, dt, first_step,
+                   [&](Outcome&, const Simulation&, Readout&) -> const Onlooker& { return onlooker; });
 }
 
 double time_of_steps(const Scene& scene, const Entrant& entrant, double dt) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,16 +37,24 @@ struct Entrant {
 /// How a run went, before anything is judged.
 struct Outcome {
   Status status = Status::ok;
-  std::string reason;            // why not ok
-  std::shared_ptr<Trace> trace;  // up to where it went wrong; null if it never began
-  double wall = 0;               // s, all of the run: build, steps, recording
-  double stepping = 0;           // s, inside `step` alone
+  std::string reason;               // why not ok
+  std::shared_ptr<Trace> trace;     // up to where it went wrong; null if it never began, or was only watched
+  std::optional<std::size_t> lost;  // the body that diverged
+  double time = 0;                  // s of the scene, that it came to
+  double wall = 0;                  // s, all of the run: build, steps, recording
+  double stepping = 0;              // s, inside `step` alone
 };
 
 /// Builds, steps to the scene's end (or to where the answer ends) and records. Never throws for what the contender
 /// does: what it cannot run is `not_supported`, what diverges or throws is `failed`, with the reason.
 /// The first step lasts first_step dt; if that is less than one, the last is cut to end with the scene.
 Outcome run(const Scene&, const Entrant&, double dt, double first_step = 1);
+
+/// Told of every moment of a run, the start among them; says whether it shall go on.
+using Onlooker = std::function<bool(double time, std::span<const BodyState>)>;
+
+/// The same for an onlooker, who may end it early; nothing is recorded.
+Outcome watch(const Scene&, const Entrant&, double dt, double first_step, const Onlooker&);
 
 /// What a step costs each entrant: the runs take turns, repeated, after one round of warm-up that is not counted;
 /// nothing but `step` is inside the clock. Entrants must be able to run the case: time on a failed run is no result.

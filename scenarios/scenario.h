@@ -39,6 +39,11 @@ struct Stepping {
   int iterations = 0;          // sweeps over impacts that fall together; 0 where these are taken one by one, or exactly
   double epsilon = 0;          // unit round-off of its arithmetic
   bool whole_impulses = true;  // the contact impulses that it shows, if any, are the sums over the step
+  /// It sees what a body may hit within a step, so that none passes by, with continuous collision or without.
+  bool looks_ahead = false;
+  /// w dt up to which a mass on an undamped spring of w = sqrt(k/m) stays bounded, for ever; 0: for no step; nothing:
+  /// not stated.
+  std::optional<double> spring_limit = std::nullopt;
 };
 
 /// What can be read off a motion. x, y, vx, vy are of the centre of mass; energy and momenta are of the whole scene

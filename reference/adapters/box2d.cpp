@@ -376,6 +376,7 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.iterations = std::stoi(complete(self(), settings).at("velocity"));
   stated.restitution_threshold = std::stod(complete(self(), settings).at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
+  stated.spring_limit = 2;  // symplectic Euler
   return stated;
 }
 

@@ -1,8 +1,11 @@
 #include "reference/adapters/impulse_world.h"
 
 #include <impulse/impulse.h>
+#include <impulse/looks_ahead.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -252,6 +255,14 @@ std::vector<Option> options() {
            .about = "of islands at rest"}};
 }
 
+// Explicit Euler multiplies a spring's energy by 1 + (w h)^2; the fourth-order Runge-Kutta polynomial is within the
+// unit circle up to w h = 2 sqrt 2 on the imaginary axis; symplectic Euler and Verlet have the trace 2 - (w h)^2 and
+// the determinant 1. Forces are met in every sub-step. (Hairer, Lubich, Wanner 2006, I.1; Hairer, Wanner 1996, IV.2)
+double spring_limit(const impulse::StatedErrors& errors, double dt) {
+  if (errors.drift < 0) return 0;
+  return (errors.order == 4 ? 2 * std::numbers::sqrt2 : 2) * std::round(dt / errors.h);
+}
+
 Stepping stepping(const Settings& settings, double dt) {
   impulse::Settings with_dt = settings_of(settings);
   with_dt.dt = static_cast<Real>(dt);
@@ -268,6 +279,8 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.iterations = errors.impact_lag > 0 ? with_dt.iterations : 0;
   stated.restitution_threshold = errors.restitution_threshold;
   stated.epsilon = std::numeric_limits<Real>::epsilon() / 2;
+  stated.looks_ahead = impulse::looks_ahead(with_dt);
+  stated.spring_limit = spring_limit(errors, dt);
   return stated;
 }
 

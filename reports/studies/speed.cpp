@@ -11,6 +11,7 @@
 
 #include "reports/answer.h"
 #include "reports/cli.h"
+#include "reports/methods.h"
 #include "reports/phases.h"
 #include "reports/report.h"
 #include "reports/speed_findings.h"
@@ -69,39 +70,10 @@ std::vector<Rung> rungs_of(const Entrant& entrant, const WorkLadder& ladder) {
   return rungs;
 }
 
-std::vector<Rung> all_rungs() {
-  std::vector<Rung> all;
-  for (const Entrant& entrant : default_entrants()) {
-    const Contender& contender = *entrant.contender;
-    std::vector<WorkLadder> ladders = contender.ladders;
-    if (ladders.empty()) ladders.push_back({.method = entrant.settings});
-    // What is shown beside the default is among the ladders' methods.
-    if (!contender.ladders.empty() && !entrant.method().empty()) continue;
-    for (const WorkLadder& ladder : ladders) {
-      for (Rung& rung : rungs_of({&contender, complete(contender, ladder.method)}, ladder))
-        all.push_back(std::move(rung));
-    }
-  }
-  return all;
-}
-
-// An engine asked for by name is climbed by the ladder of its method, where it has one and the asker has not set that
-// option.
-std::vector<Rung> rungs_asked(const std::string& word) {
-  const Entrant entrant = parse_entrant(word);
-  for (const WorkLadder& ladder : entrant.contender->ladders) {
-    const Settings own = complete(*entrant.contender, ladder.method);
-    const auto same = [&](const auto& setting) { return entrant.settings.at(setting.first) == setting.second; };
-    if (std::all_of(own.begin(), own.end(), same)) return rungs_of(entrant, ladder);
-  }
-  return rungs_of(entrant, {});
-}
-
 std::vector<Rung> rungs_of(const Json& configuration) {
-  if (configuration.at("engines").empty()) return all_rungs();
   std::vector<Rung> all;
-  for (const std::string word : configuration.at("engines")) {
-    for (Rung& rung : rungs_asked(word)) all.push_back(std::move(rung));
+  for (const Method& method : methods_asked(configuration.at("engines"))) {
+    for (Rung& rung : rungs_of(method.entrant, method.ladder)) all.push_back(std::move(rung));
   }
   return all;
 }

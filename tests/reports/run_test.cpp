@@ -70,6 +70,32 @@ TEST(Run, SaysWhyASceneTurnsOutToBeNotSupported) {
   EXPECT_EQ(outcome.trace, nullptr);
 }
 
+TEST(Watch, ShowsTheStartAndEveryStepUntilToldToStop) {
+  const Scene scene = fakes::thrown_box();
+  const Contender ours = fakes::engine("ours");
+  std::vector<double> heights;
+  const auto seen = [&](double time, std::span<const BodyState> states) {
+    heights.push_back(states[0].position.y);
+    return time < 0.45;
+  };
+  const Outcome outcome = watch(scene, {&ours, {}}, 0.1, 1, seen);
+  EXPECT_EQ(outcome.status, Status::ok);
+  EXPECT_DOUBLE_EQ(outcome.time, 0.5);
+  EXPECT_EQ(outcome.trace, nullptr);
+  const Trace record = *run(scene, {&ours, {}}, 0.1).trace;
+  ASSERT_EQ(heights.size(), 6u);
+  for (std::size_t i = 0; i < heights.size(); ++i) EXPECT_EQ(heights[i], record.states(i)[0].position.y);
+}
+
+TEST(Watch, TellsWhichBodyWasLostAndWhen) {
+  const Scene scene = fakes::thrown_box();
+  const Contender bad = fakes::engine("bad", Stepper::Fault::nan);
+  const Outcome outcome = watch(scene, {&bad, {}}, 0.25, 1, [](double, std::span<const BodyState>) { return true; });
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_EQ(outcome.lost, std::optional<std::size_t>(0));
+  EXPECT_DOUBLE_EQ(outcome.time, 1);
+}
+
 TEST(Run, SpendsNoMoreInStepsThanInAll) {
   const Outcome outcome = run_with(fakes::engine("ours"));
   EXPECT_GT(outcome.stepping, 0);

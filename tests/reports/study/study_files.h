@@ -39,8 +39,8 @@ class StudyFiles : public ::testing::Test {
   }
 
   /// What a study came to, times aside.
-  nlohmann::ordered_json document(const std::string& out) const {
-    auto json = nlohmann::ordered_json::parse(text(at(out) + "/study-speed.json"));
+  nlohmann::ordered_json document(const std::string& out, const std::string& study = "speed") const {
+    auto json = nlohmann::ordered_json::parse(text(at(out) + "/study-" + study + ".json"));
     json.erase("timings");
     return json;
   }

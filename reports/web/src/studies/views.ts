@@ -1,8 +1,9 @@
 // The view of each study, by its name.
 import type { Study, StudyView } from "../study";
 import { speed } from "./speed";
+import { stability } from "./stability";
 
-const views: Record<string, (study: Study) => StudyView> = { speed };
+const views: Record<string, (study: Study) => StudyView> = { speed, stability };
 
 /** A study without a view of its own still shows how its points ended. */
 export const view_of = (study: Study): StudyView => (views[study.study] ?? (() => ({ sentence: study.about, sections: [] })))(study);

@@ -1,0 +1,172 @@
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, draw_all, open, write } from "./browser.mjs";
+
+after(close);
+
+const outcomes = [
+  ["-", "not supported"],
+  ["h", "holds"],
+  ["d", "drifts"],
+  ["o", "topples"],
+  ["x", "diverges"],
+].map(([letter, name]) => ({ letter, name, about: `what ${name} means` }));
+
+const xs = [1, 3, 10, 30];
+
+/** A row that holds up to `limit`, and topples beyond. */
+function row(map, engine, option, y, typical, limit, theory) {
+  const cells = xs.map((x) => (x <= limit ? "h" : x > 20 ? "o" : "d"));
+  const supported = limit !== null;
+  const bracketed = supported && limit < 30;
+  return {
+    key: `stability|${map}|${engine}|${y}`,
+    ending: "done",
+    reason: "",
+    values: {
+      map,
+      engine,
+      method: "",
+      option,
+      y,
+      typical,
+      outcomes: supported ? cells.join("") : "----",
+      why: supported ? "" : "holds no <b>boxes</b>",
+      since: cells.map((letter) => (letter === "h" ? null : 1.5)),
+      bodies: cells.map((letter) => (letter === "h" ? "" : "box 2")),
+      stands_low: supported ? (bracketed ? limit : 30) : null,
+      stands_high: bracketed ? limit * 1.01 : null,
+      stands_outcome: bracketed ? "drifts" : "",
+      stands_time: bracketed ? 1.5 : null,
+      stands_body: bracketed ? "box 2" : "",
+      stands_theory: theory,
+      ...(theory === null ? {} : { stands_agrees: limit === theory, stands_off: 0.004 }),
+    },
+  };
+}
+
+function sample() {
+  const points = [];
+  for (const y of [1, 4, 16]) points.push(row("tower", "impulse", "substeps", y, y === 4, 2 * y, null));
+  for (const y of [1, 8]) points.push(row("tower", "box2d", "velocity", y, y === 8, 100, null));
+  points.push(row("tower", "small", "", 0, true, null, null));
+  for (const y of [0.1, 0.5, 0.9]) points.push(row("hill", "impulse", "", y, y === 0.5, 20 * y, 20 * y));
+  // It holds farther than nature does, which is no merit.
+  points.push(row("hill", "box2d", "", 0.5, true, 12, 10));
+  points.push({ key: "stability|hill|<b>wild</b>|y=1", ending: "crashed", reason: "ended by signal 11", values: {} });
+  const x = { name: "boxes", unit: "", from: 1, to: 30, logarithmic: true, whole: false, values: xs };
+  const boundary = { name: "stands", failing: [], grain: 0.01, source: "", agreement: 0, natural: false };
+  const agreement = { contender: "impulse", boundary: "stands", rows: 3, agree: 3, measured: 3, worst: 0.004 };
+  const map = (name, y, more) => ({ name, question: `How high is the ${name}?`, x, y, typical: 0.5, metrics: ["topples: turns by more than 11 deg"], boundaries: [boundary], agreements: [], stands: [], ...more });
+  return {
+    study: {
+      plumb: 1,
+      study: "stability",
+      about: "Where each method fails",
+      configuration: { cells: 4 },
+      environment: { processor: "one" },
+      points,
+      findings: {
+        outcomes,
+        maps: [
+          map("tower", null, {}),
+          map("hill", { name: "friction", unit: "", from: 0.1, to: 0.9, logarithmic: false, whole: false }, {
+            boundaries: [{ ...boundary, source: "Coulomb", agreement: 0.1, natural: true }],
+            agreements: [agreement, { ...agreement, contender: "box2d", rows: 1, agree: 0, worst: 0.1 }],
+          }),
+        ],
+      },
+      timings: { points: {} },
+    },
+  };
+}
+
+const pages = { "the sample": await write(sample()) };
+if (process.env.PLUMB_STABILITY) pages["the real study"] = process.env.PLUMB_STABILITY;
+
+for (const [name, file] of Object.entries(pages)) {
+  for (const colorScheme of ["light", "dark"]) {
+    for (const width of [360, 1280]) {
+      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and asks for nothing`, async () => {
+        const { page, trouble } = await open(file, { width, colorScheme });
+        await draw_all(page);
+        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+        assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
+        const empty = await page.evaluate(() => [...document.querySelectorAll(".canvas")].filter((canvas) => !canvas.querySelector("svg")).length);
+        assert.equal(empty, 0);
+        assert.deepEqual(trouble, []);
+        await page.close();
+      });
+    }
+  }
+
+  test(`${name} draws a mark for every cell that was run, and a boundary for every bracket`, async () => {
+    const { page } = await open(file);
+    await draw_all(page);
+    const [cells, boundaries, told] = await page.evaluate(() => {
+      const { study } = JSON.parse(document.getElementById("plumb-data").textContent);
+      const done = study.points.filter(({ ending }) => ending === "done").map(({ values }) => values);
+      const label = ({ map, engine, method }) => `${map} ${engine}:${method}`;
+      const able = new Set(done.filter(({ outcomes }) => /[^-]/.test(outcomes)).map(label));
+      const drawn = done.filter((values) => able.has(label(values)));
+      const names = Object.fromEntries(study.findings.maps.map(({ name, boundaries }) => [name, boundaries.map((one) => one.name)]));
+      const closed = (values, name) => values[`${name}_low`] !== null && values[`${name}_high`] !== null;
+      return [
+        document.querySelectorAll("g.cells rect").length,
+        document.querySelectorAll("g.boundary rect").length,
+        {
+          cells: drawn.reduce((sum, { outcomes }) => sum + outcomes.length, 0),
+          boundaries: drawn.reduce((sum, values) => sum + names[values.map].filter((one) => closed(values, one)).length, 0),
+        },
+      ];
+    });
+    assert.equal(cells, told.cells);
+    assert.equal(boundaries, told.boundaries);
+    assert.ok(cells > 0 && boundaries > 0);
+    await page.close();
+  });
+}
+
+test("what was found stands first, in a sentence", async () => {
+  const { page } = await open(pages["the sample"]);
+  const said = await page.locator("h1").innerText();
+  assert.match(said, /^No method stands more than impulse in 1 of 2 maps\. Theory knows 4 of the boundaries: 3 are where it has them\./);
+  await page.close();
+});
+
+test("outcomes are told apart by letters and by colours, and have a legend", async () => {
+  const { page } = await open(pages["the sample"]);
+  await draw_all(page);
+  const tower = page.locator("#tower");
+  assert.deepEqual((await tower.locator(".legend li").allInnerTexts()).map((text) => text.split("\n").pop()), ["not supported", "holds", "drifts", "topples"]);
+  const letters = await tower.locator("g.letters text").allTextContents();
+  assert.ok(letters.includes("d") && letters.includes("o"), letters.join());
+  const fills = await tower.locator("g.cells rect").evaluateAll((all) => [...new Set(all.map((rect) => getComputedStyle(rect).fill))]);
+  assert.equal(fills.length, 3);
+  await page.close();
+});
+
+test("theory is a line of its own where there is one", async () => {
+  const { page } = await open(pages["the sample"]);
+  await draw_all(page);
+  assert.equal(await page.locator("#hill g.theory path").count(), 2, "one a method");
+  assert.equal(await page.locator("#tower g.theory path").count(), 0);
+  assert.match(await page.locator("#hill figcaption").first().innerText(), /stands at friction 0\.5: 10 \(10\.1: drifts\); theory: 10/);
+  await page.close();
+});
+
+test("one table tells what each method stands, the best standing out", async () => {
+  const { page } = await open(pages["the sample"]);
+  const text = await page.locator("#stands table").innerText();
+  assert.match(text, /impulse\s+8\s+10/);
+  assert.match(text, /box2d\s+\u2265 30\s+12/);
+  assert.deepEqual(await page.locator("#stands strong").allInnerTexts(), ["10", "\u2265 30"]);
+  await page.close();
+});
+
+test("who cannot run a map is named, and what did not end is listed as text", async () => {
+  const { page } = await open(pages["the sample"]);
+  assert.match(await page.locator("#tower .absence").innerText(), /Cannot run it: small\./);
+  assert.match(await page.locator("#endings").innerText(), /<b>wild<\/b>.*crashed.*signal 11/s);
+  await page.close();
+});
