@@ -318,6 +318,16 @@ TEST(Collide, OfAHalfSpaceTakesTheTwoDeepestCorners) {
   EXPECT_LT(least_separation(m), -0.19_r);
 }
 
+TEST(Collide, OfAHalfSpaceSeesTheFarEndOfARodThatFallsOver) {
+  const Shape floor = Shape::half_space({0, 1}, 0);
+  const Shape rod = Shape::box({1, 0.01_r});
+  // The foot's other corner is lower than the far end, which is on its way down.
+  const Pose leaning = at(0, 0.1_r, 0.1_r);
+  const Manifold m = collide(floor, origin, rod, leaning, 1);
+  ASSERT_EQ(m.count, 2);
+  EXPECT_GT(std::abs(m.points[0].point.x - m.points[1].point.x), 1.9_r);
+}
+
 TEST(Collide, OfAChainIgnoresWhatIsBehindIt) {
   const std::vector<Vec2> points{{1, 0}, {-1, 0}};
   const Shape link = Shape::chain(points, false)[0];

@@ -207,7 +207,7 @@ TEST(Determinism, TenScenesEndInTheSameBitsWithEveryCompiler) {
     hash.add(world);
     RecordProperty("state", std::to_string(hash.value()));
   }
-  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0xd2e8b55e75b9654dU : 0x1b9cbe6bc88ef4c3U;
+  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x030069384984c0d2U : 0x6ab48fc58c5774cbU;
   EXPECT_EQ(hash.value(), expected) << std::hex << "0x" << hash.value();
 }
 

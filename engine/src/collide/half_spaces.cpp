@@ -21,7 +21,8 @@ Manifold circle_half_space(const Shape& a, const Pose& pose_a, const Shape& b, c
   return to_world(pose_b, m);
 }
 
-// The deepest vertex and the deeper of its neighbours: on a convex outline there is no deeper second.
+// The edge at the deepest vertex that faces the plane: its other end is where the shape lands next. The deeper of the
+// two neighbours may be the other side of a slender foot, while the far end of what falls over comes down unseen.
 Manifold hull_half_space(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {
   const Pose there = relative(pose_b, pose_a);
   const Vec2 down = there.q.inverse() * b.normal(0);  // heights are compared in the hull's frame
@@ -31,12 +32,12 @@ Manifold hull_half_space(const Shape& a, const Pose& pose_a, const Shape& b, con
   }
   const int before = deepest > 0 ? deepest - 1 : a.count() - 1;
   const int after = deepest + 1 < a.count() ? deepest + 1 : 0;
-  const bool falls_before = dot(down, a.vertex(before)) < dot(down, a.vertex(after));
+  const bool faces_before = dot(down, a.normal(before)) < dot(down, a.normal(deepest));
 
   Manifold m;
   m.normal = -b.normal(0);
-  const int first = falls_before ? before : deepest;
-  const int second = falls_before ? deepest : after;
+  const int first = faces_before ? before : deepest;
+  const int second = faces_before ? deepest : after;
   add_above(m, b, to_world(there, a.vertex(first)), a.radius(), margin, first);
   add_above(m, b, to_world(there, a.vertex(second)), a.radius(), margin, second);
   return to_world(pose_b, m);

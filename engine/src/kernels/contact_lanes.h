@@ -54,9 +54,6 @@ struct DiscLanes : ContactLanes<1, width> {
   using Row = impulse::Row<width>;
   Row between_x, between_y;  // m, from centre a to centre b at the start of the step
   Row distance;              // m, sum of the radii
-  /// N s, what b was given in the last sub-step. Bodies are given half of it again, along the normals of then, although
-  /// it should be along the normal of now; `lack` is the difference.
-  Row given_x, given_y, lack_x, lack_y;
 };
 
 /// How lanes are solved.

@@ -118,9 +118,6 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
     store(b[0] - a[0], lanes.between_x);
     store(b[1] - a[1], lanes.between_y);
     store(surface[2] + surface[3], lanes.distance);
-    for (Row<lane_count>* row : {&lanes.given_x, &lanes.given_y, &lanes.lack_x, &lanes.lack_y}) {
-      store(Lanes::all(0), *row);
-    }
   }
   const Lanes share = Lanes::all(1 / input.substeps);
   for (std::uint32_t i = 0; i < count_points(lanes); ++i) {

@@ -171,22 +171,6 @@ void relax(Contacts& contacts, LanesFrame& frame, const LanesMotion& motion, boo
   }
 }
 
-/// What is to be given again along the normal of now, less what bodies give by themselves.
-void press_discs(DiscLanes& discs, LanesFrame& frame, const Lanes& per_h) {
-  const PointLanes& p = discs.point[0];
-  const Lanes again_x = frame.world_x(load(p.normal_impulse), load(p.tangent_impulse));
-  const Lanes again_y = frame.world_y(load(p.normal_impulse), load(p.tangent_impulse));
-  const Lanes half = Lanes::all(Real{1} / 2);
-  const Lanes lack_x = half * (again_x - load(discs.given_x));
-  const Lanes lack_y = half * (again_y - load(discs.given_y));
-  store(lack_x, discs.lack_x);
-  store(lack_y, discs.lack_y);
-  frame.push_centres(discs, lack_x, lack_y);
-  press<false>(discs, frame, per_h);
-  store(again_x + frame.world_x(frame.normal_sum, frame.tangent_sum), discs.given_x);
-  store(again_y + frame.world_y(frame.normal_sum, frame.tangent_sum), discs.given_y);
-}
-
 /// The normal as the centres are now; the gap is measured along it from the centres.
 void turn_normal(DiscLanes& contacts, const LanesMotion& motion) {
   const Lanes x = load(contacts.between_x) + (motion.b[0] - motion.a[0]);
@@ -201,19 +185,26 @@ void turn_normal(DiscLanes& contacts, const LanesMotion& motion) {
   store(between - load(contacts.distance) - load(contacts.offset), contacts.point[0].separation);
 }
 
+/// See Accurate::turn_normal: what press gave follows the normal.
 LanesFrame relax_discs(DiscLanes& discs, const LanesMotion& motion, Real* velocity, bool again) {
+  const Lanes before_x = load(discs.normal_x);
+  const Lanes before_y = load(discs.normal_y);
   turn_normal(discs, motion);
   LanesFrame frame(discs, velocity);
-  if (!again) frame.push_centres(discs, load(discs.lack_x), load(discs.lack_y));
+  if (!again) {
+    const Lanes change_x = frame.normal_x - before_x;
+    const Lanes change_y = frame.normal_y - before_y;
+    const Lanes along = load(discs.point[0].normal_impulse);
+    const Lanes across = load(discs.point[0].tangent_impulse);
+    frame.push_centres(discs, along * change_x - across * change_y, along * change_y + across * change_x);
+  }
   relax<false>(discs, frame, motion, again);
-  store(load(discs.given_x) + frame.world_x(frame.normal_sum, frame.tangent_sum), discs.given_x);
-  store(load(discs.given_y) + frame.world_y(frame.normal_sum, frame.tangent_sum), discs.given_y);
   return frame;
 }
 
 void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
   const Lanes half = Lanes::all(Real{1} / 2);
-  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
+  for_all_lanes(table, [&](auto& contacts, auto) {
     LanesFrame frame(contacts, bodies.kick);
     for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
       const PointLanes& p = contacts.point[i];
@@ -221,23 +212,14 @@ void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
       frame.push_tangent(p, half * load(p.tangent_impulse));
     }
     frame.leave(contacts);
-    if constexpr (is_discs<Contacts>) {
-      const Lanes twice = Lanes::all(2);
-      store(twice * frame.world_x(frame.normal_sum, frame.tangent_sum), contacts.given_x);
-      store(twice * frame.world_y(frame.normal_sum, frame.tangent_sum), contacts.given_y);
-    }
   });
 }
 
 void press_contacts(const ContactTable& table, const BodyRows& bodies, Real h) {
   const Lanes per_h = Lanes::all(1 / h);
-  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto block) {
+  for_all_lanes(table, [&](auto& contacts, auto block) {
     LanesFrame frame(contacts, bodies.velocity);
-    if constexpr (is_discs<Contacts>) {
-      press_discs(contacts, frame, per_h);
-    } else {
-      press<block>(contacts, frame, per_h);
-    }
+    press<block>(contacts, frame, per_h);
     frame.leave(contacts);
   });
 }

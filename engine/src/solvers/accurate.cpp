@@ -103,7 +103,7 @@ class Accurate : public Solver {
   void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
   PointPair pair_of(const Island& island, const ImpactRow& row) const;
   bool solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const;
-  void turn_normal(ImpactRow& row) const;
+  void turn_normal(BodySet& bodies, ImpactRow& row) const;
   Real gap(const ImpactRow& row, const RowPoint& p) const {
     return separation(row, p, motion_[row.a], motion_[row.b]) - row.offset;
   }
@@ -326,6 +326,7 @@ void Accurate::kick(BodySet& bodies, Island& island) {
   }
   for (ImpactRow& row : island.rows) {
     if (!row.active) continue;
+    if (row.disc_distance > 0) turn_normal(bodies, row);
     ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       RowPoint& p = row.points[i];
@@ -339,11 +340,18 @@ void Accurate::kick(BodySet& bodies, Island& island) {
   if (!island.joints.empty()) island.joints.kick();
 }
 
-void Accurate::turn_normal(ImpactRow& row) const {
-  if (row.disc_distance == 0) return;
+/// The normal of two discs follows them, and with it what was given along it in this sub-step. What press gave and
+/// relax takes back would else leave a push across, which no contact shows.
+void Accurate::turn_normal(BodySet& bodies, ImpactRow& row) const {
+  RowPoint& p = row.points[0];
+  const Vec2 before = row.normal;
   row.normal = normalized(row.between + (motion_[row.b].d - motion_[row.a].d));
   // gap() measures along the normal from `between`: for discs that is their distance less the radii.
-  row.points[0].separation = dot(row.normal, row.between) - row.disc_distance;
+  p.separation = dot(row.normal, row.between) - row.disc_distance;
+  const Vec2 change = row.normal - before;
+  const Vec2 more = p.normal_impulse * change + p.tangent_impulse * perpendicular(change);
+  if (row.mass_a.m > 0) bodies.velocity[row.a].v -= row.mass_a.m * more;
+  if (row.mass_b.m > 0) bodies.velocity[row.b].v += row.mass_b.m * more;
 }
 
 /// Contacts give way as damped springs; a gap that would close within the sub-step is closed just so far. Friction
@@ -353,7 +361,6 @@ void Accurate::press(BodySet& bodies, Island& island) {
     if (!island.joints.empty()) island.joints.press(island.h);
     for (ImpactRow& row : island.rows) {
       if (!row.active) continue;
-      turn_normal(row);
       const Softness& soft = island.softness(row);
       ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
       if (!row.block || !solve_pair(island, row, frame, true)) {
@@ -380,7 +387,6 @@ void Accurate::relax(BodySet& bodies, Island& island, int sweeps) {
     if (!island.joints.empty()) island.joints.relax(island.h);
     for (ImpactRow& row : island.rows) {
       if (!row.active) continue;
-      turn_normal(row);
       ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
       if (!row.block || !solve_pair(island, row, frame, false)) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {

@@ -124,6 +124,42 @@ TEST(Piles, OfDiscsAgreeWithTheScalarSolverToTheTurnOfTheirNormalsInASubStep) {
   EXPECT_LT(apart, real(.005));
 }
 
+// Discs that jostle turn their normals: what one gives and takes back within a sub-step leaves no push behind.
+TEST(Piles, OfDiscsChangeMomentumByTheImpulsesShownOnly) {
+  for (const char* solver : {"accurate", "accurate-scalar"}) {
+    Settings settings = with(solver);
+    settings.gravity = {};
+    World world(settings);
+    for (int i = 0; i < 100; ++i) {
+      const BodyId disc = world.create_body(at(.45 * (i % 10), .45 * (i / 10)), Shape::circle(real(.225)), rough);
+      // All fall together at first; neighbours pass each other.
+      const Vec2 inwards = Vec2{real(2), real(2)} - world.body(disc).position();
+      world.body(disc).set_velocity(inwards + real(i % 2 == 0 ? .5 : -.5) * perpendicular(inwards), 0);
+    }
+    bool some_touched = false;
+    int untouched = 0;
+    for (int step = 0; step < 60; ++step) {
+      std::vector<Vec2> before;
+      for (const BodyId disc : world.bodies()) before.push_back(world.body(disc).velocity());
+      world.step();
+      std::vector<BodyId> touched;
+      for (const ContactInfo& contact : world.contacts()) {
+        if (contact.normal_impulse > 0) touched.insert(touched.end(), {contact.a, contact.b});
+      }
+      some_touched |= !touched.empty();
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        const BodyId disc = world.bodies()[i];
+        if (std::find(touched.begin(), touched.end(), disc) != touched.end()) continue;
+        ++untouched;
+        const Vec2 change = world.body(disc).velocity() - before[i];
+        EXPECT_LT(length(change), 64 * round_off) << solver << ", disc " << i << ", step " << step;
+      }
+    }
+    EXPECT_TRUE(some_touched);
+    EXPECT_GT(untouched, 100) << "nothing was looked at";
+  }
+}
+
 }  // namespace
 
 }  // namespace impulse::inline IMPULSE_PRECISION
