@@ -35,7 +35,7 @@ struct LanesMotion {
   }
 };
 
-/// (K + G) d = -(v + bias + G lambda), see Accurate::solve_pair. Lanes where that fails keep what they have.
+/// (K + G) d = -(v + bias + G lambda), see ScalarContacts::solve_pair. Lanes where that fails keep what they have.
 struct Pair {
   Lanes impulse[2];
   Lanes::Mask holds;
@@ -185,7 +185,7 @@ void turn_normal(DiscLanes& contacts, const LanesMotion& motion) {
   store(between - load(contacts.distance) - load(contacts.offset), contacts.point[0].separation);
 }
 
-/// See Accurate::turn_normal: what press gave follows the normal.
+/// See ScalarContacts::turn_normal: what press gave follows the normal.
 LanesFrame relax_discs(DiscLanes& discs, const LanesMotion& motion, Real* velocity, bool again) {
   const Lanes before_x = load(discs.normal_x);
   const Lanes before_y = load(discs.normal_y);
@@ -238,7 +238,7 @@ void relax_contacts(const ContactTable& table, const BodyRows& bodies, bool agai
   });
 }
 
-// See Accurate::settle_offsets.
+// See ScalarContacts::settle_offsets.
 void settle_offsets(const ContactTable& table, bool settling) {
   for_all_lanes(table, [&](auto& contacts, auto) {
     const Lanes nothing = Lanes::all(0);

@@ -15,6 +15,7 @@
 #include "solvers/island.h"
 #include "solvers/partition.h"
 #include "solvers/pile.h"
+#include "solvers/scalar_contacts.h"
 #include "stages.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -95,18 +96,11 @@ class Accurate : public Solver {
   void fly(StepData& data, const Island& island);
   void substep(StepData& data, Island& island, Workspace& space);
   void find_impacts(StepData& data, Island& island, Impacts& impacts);
-  void halve(Island& island) const;
   void kick(BodySet& bodies, Island& island);
   void press(BodySet& bodies, Island& island);
   void drift(StepData& data, const Island& island);
   void relax(BodySet& bodies, Island& island, int sweeps);
   void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
-  PointPair pair_of(const Island& island, const ImpactRow& row) const;
-  bool solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const;
-  void turn_normal(BodySet& bodies, ImpactRow& row) const;
-  Real gap(const ImpactRow& row, const RowPoint& p) const {
-    return separation(row, p, motion_[row.a], motion_[row.b]) - row.offset;
-  }
   void note_loads(const Island& island);
   /// Only bodies that can be pushed: the others are shared among islands.
   template <class Tie>
@@ -114,7 +108,6 @@ class Accurate : public Solver {
     if (pushable(tie.mass_a)) loaded_[tie.a] = 1;
     if (pushable(tie.mass_b)) loaded_[tie.b] = 1;
   }
-  void settle_offsets(const Island& island);
 
   bool lanes_;  // large islands are solved eight contacts at a time
   Partition parts_;
@@ -158,7 +151,7 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
   now.share(1 / substeps);
   if (!now.joints.empty()) now.joints.write();
   for (int i = 0; i < now.substeps; ++i) substep(data, now, space);
-  settle_offsets(now);
+  ScalarContacts(data.bodies, motion_).settle_offsets(now);
   now.share(substeps);
   for (const ImpactRow& row : now.rows) {
     store_row(row, data.contacts);
@@ -209,7 +202,8 @@ void Accurate::fly(StepData& data, const Island& island) {
 
 void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   if (island.bounces) find_impacts(data, island, space.impacts);
-  halve(island);
+  if (!island.joints.empty()) island.joints.halve();
+  ScalarContacts::halve(island);
   if (!island.joints.empty() || island.more_sweeps > 0) space.bound.note(island.bodies, data.bodies, motion_);
   kick(data.bodies, island);
   press(data.bodies, island);
@@ -271,7 +265,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
 
   island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   for (ImpactRow& row : island.rows) {
-    if (row.block) row.pair = pair_of(island, row);
+    if (row.block) row.pair = ScalarContacts::pair_of(island, row);
   }
   // What is swept is spread over the sub-steps instead.
   const bool takes_turns =
@@ -305,100 +299,27 @@ void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {
                   slow_impact(pressing, island.h));
 }
 
-/// What the contacts bore in the last sub-step is given again, half in each kick.
-void Accurate::halve(Island& island) const {
-  if (!island.joints.empty()) island.joints.halve();
-  for (ImpactRow& row : island.rows) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      RowPoint& p = row.points[i];
-      row.half[i] = row.active ? Vec2{p.normal_impulse / 2, p.tangent_impulse / 2} : Vec2{};
-      p.normal_impulse = 0;
-      p.tangent_impulse = 0;
-    }
-  }
-}
-
-/// Half of the forces, half of the contacts' last impulses.
+/// Half of the forces, half of what contacts and joints bore in the last sub-step.
 void Accurate::kick(BodySet& bodies, Island& island) {
   for (const std::uint32_t body : island.bodies) {
     bodies.velocity[body].v += island.h / 2 * acceleration_[body].v;
     bodies.velocity[body].w += island.h / 2 * acceleration_[body].w;
   }
-  for (ImpactRow& row : island.rows) {
-    if (!row.active) continue;
-    if (row.disc_distance > 0) turn_normal(bodies, row);
-    ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      RowPoint& p = row.points[i];
-      frame.push_normal(row, p, row.half[i].x);
-      frame.push_tangent(row, p, row.half[i].y);
-      p.normal_impulse += row.half[i].x;
-      p.tangent_impulse += row.half[i].y;
-    }
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-  }
+  ScalarContacts(bodies, motion_).kick(island);
   if (!island.joints.empty()) island.joints.kick();
 }
 
-/// The normal of two discs follows them, and with it what was given along it in this sub-step. What press gave and
-/// relax takes back would else leave a push across, which no contact shows.
-void Accurate::turn_normal(BodySet& bodies, ImpactRow& row) const {
-  RowPoint& p = row.points[0];
-  const Vec2 before = row.normal;
-  row.normal = normalized(row.between + (motion_[row.b].d - motion_[row.a].d));
-  // gap() measures along the normal from `between`: for discs that is their distance less the radii.
-  p.separation = dot(row.normal, row.between) - row.disc_distance;
-  const Vec2 change = row.normal - before;
-  const Vec2 more = p.normal_impulse * change + p.tangent_impulse * perpendicular(change);
-  if (row.mass_a.m > 0) bodies.velocity[row.a].v -= row.mass_a.m * more;
-  if (row.mass_b.m > 0) bodies.velocity[row.b].v += row.mass_b.m * more;
-}
-
-/// Contacts give way as damped springs; a gap that would close within the sub-step is closed just so far. Friction
-/// waits for the rigid pass, except in a contact's first step (else a box set down on a slope slips before it is held).
 void Accurate::press(BodySet& bodies, Island& island) {
   for (int sweep = 0; sweep < island.sweeps; ++sweep) {
     if (!island.joints.empty()) island.joints.press(island.h);
-    for (ImpactRow& row : island.rows) {
-      if (!row.active) continue;
-      const Softness& soft = island.softness(row);
-      ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-      if (!row.block || !solve_pair(island, row, frame, true)) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-          RowPoint& p = row.points[i];
-          const Real s = gap(row, p);
-          const Real v = frame.normal_velocity(p);
-          const Real push = s > 0
-                                ? -p.normal_mass * (v + s / island.h)
-                                : -p.normal_mass * soft.strength * (v + soft.rate * s) - soft.relief * p.normal_impulse;
-          push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
-        }
-      }
-      if (row.fresh) rub(row, frame);
-      frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-    }
+    ScalarContacts(bodies, motion_).press(island);
   }
 }
 
-/// Rigid contacts with friction, no memory of depth. What has a gap and no load is left alone: it would be braked one
-/// sub-step before it arrives.
 void Accurate::relax(BodySet& bodies, Island& island, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     if (!island.joints.empty()) island.joints.relax(island.h);
-    for (ImpactRow& row : island.rows) {
-      if (!row.active) continue;
-      ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-      if (!row.block || !solve_pair(island, row, frame, false)) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-          RowPoint& p = row.points[i];
-          if (p.normal_impulse == 0 && gap(row, p) > 0) continue;
-          const Real push = -p.normal_mass * frame.normal_velocity(p);
-          push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
-        }
-      }
-      rub(row, frame);
-      frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-    }
+    ScalarContacts(bodies, motion_).relax(island);
   }
 }
 
@@ -410,48 +331,6 @@ void Accurate::relax_until_bounded(StepData& data, Island& island, const EnergyB
     if (!bound.exceeded(island.bodies, data.bodies, motion_, acceleration_, rounding)) return;
     relax(data.bodies, island, 1);
   }
-}
-
-/// What stays through a step.
-PointPair Accurate::pair_of(const Island& island, const ImpactRow& row) const {
-  const auto& [p, q] = row.points;
-  const Real weakness = 1 / island.softness(row).strength - 1;
-  return {.inverse_mass = {1 / p.normal_mass, 1 / q.normal_mass},
-          .coupling =
-              row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a + row.mass_b.i * p.cross_b * q.cross_b,
-          .give = {weakness / p.normal_mass, weakness / q.normal_mass}};
-}
-
-/// Both points at once: (K + G) d = -(v + bias + G lambda) with G the springs' give; nothing if a point would pull.
-bool Accurate::solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const {
-  const Softness& soft = island.softness(row);
-  std::array<Real, 2> give{};
-  std::array<Real, 2> bias{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const RowPoint& p = row.points[i];
-    const Real s = gap(row, p);
-    if (pressing) {
-      give[i] = s > 0 ? Real{0} : row.pair.give[i];
-      bias[i] = s > 0 ? s / island.h : soft.rate * s;
-    } else if (p.normal_impulse == 0 && s > 0) {
-      return false;
-    }
-  }
-  RowPoint& p = row.points[0];
-  RowPoint& q = row.points[1];
-  const Real k11 = row.pair.inverse_mass[0] + give[0];
-  const Real k22 = row.pair.inverse_mass[1] + give[1];
-  const Mat22 k({k11, row.pair.coupling}, {row.pair.coupling, k22});
-  // Two points almost in one place: the matrix says nothing about the difference of their loads.
-  constexpr Real worst_condition = 1000;
-  if (k11 * k22 > worst_condition * k.determinant()) return false;
-  const Vec2 change = k.solve({-(frame.normal_velocity(p) + bias[0] + give[0] * p.normal_impulse),
-                               -(frame.normal_velocity(q) + bias[1] + give[1] * q.normal_impulse)});
-  const Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + change;
-  if (total.x < 0 || total.y < 0) return false;
-  push_to(row, p, frame, total.x);
-  push_to(row, q, frame, total.y);
-  return true;
 }
 
 void Accurate::drift(StepData& data, const Island& island) {
@@ -480,30 +359,6 @@ void Accurate::note_loads(const Island& island) {
   for (const ActiveJoint* joint : island.joints.all()) note_load(joint->block);
   for (const ImpactRow& row : island.rows) {
     if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
-  }
-}
-
-/// A standing load presses its springs in. The offset, one for both points of a contact (one each would take away the
-/// stiffness that keeps a column upright), slowly moves the springs' rest length until the surfaces just touch; it
-/// never exceeds the depth that the load explains, load / (2 m_eff w^2), and goes with the load.
-void Accurate::settle_offsets(const Island& island) {
-  for (ImpactRow& row : island.rows) {
-    const Real omega = island.softness(row).omega;
-    Real speed = 0;  // lambda / m_eff
-    Real depth = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      const RowPoint& p = row.points[i];
-      speed += p.normal_impulse / p.normal_mass;
-      depth -= separation(row, p, motion_[row.a], motion_[row.b]);
-    }
-    const Real points = static_cast<Real>(row.count);
-    const Real explained = speed / points / (2 * island.h * omega * omega);
-    if (island.settling) {
-      row.offset = explained;
-    } else if (const Real rate = island.offset_rate(row.age); rate > 0) {
-      constexpr Real headroom = static_cast<Real>(1.05);
-      row.offset = clamp(row.offset + rate * depth / points, 0, headroom * explained);
-    }
   }
 }
 
