@@ -66,6 +66,13 @@ struct Option {
 /// Values by option key; what is missing has its default.
 using Settings = std::map<std::string, std::string>;
 
+/// What a contender chose by itself for a scene.
+struct Choice {
+  std::string option;
+  std::string value;
+  std::string reason;
+};
+
 /// A method of a contender, and the option by which it can be made to work harder.
 struct WorkLadder {
   Settings method;                  // what tells it from the default
@@ -89,6 +96,8 @@ struct Contender {
   /// Why it cannot run this scene; "" when it can.
   std::function<std::string(const Scene&, const Settings&)> unsupported;
   std::function<std::unique_ptr<Simulation>(const Scene&, const Settings&)> build;
+  /// What it chooses by itself for a scene, against its settings; null where it never does.
+  std::function<std::vector<Choice>(const Scene&, const Settings&)> chooses = nullptr;
 };
 
 /// The settings with every option present, in the contender's own words. Throws std::invalid_argument, naming the

@@ -24,19 +24,34 @@ std::pair<std::string, std::string> split(std::string_view text, char mark) {
   return {std::string(text.substr(0, place)), std::string(text.substr(place + 1))};
 }
 
-// "key=value,key=value"
-std::vector<std::pair<std::string, std::string>> assignments(const std::string& context, std::string_view text) {
-  std::vector<std::pair<std::string, std::string>> all;
+std::vector<std::string> pieces(std::string_view text) {
+  std::vector<std::string> all;
   while (!text.empty()) {
-    const std::string one = split(text, ',').first;
-    text.remove_prefix(std::min(text.size(), one.size() + 1));
-    const auto [key, value] = split(one, '=');
-    if (key.empty() || value.empty()) {
-      throw std::invalid_argument(fmt::format("{}: \"{}\" should read key=value", context, one));
-    }
-    all.emplace_back(key, value);
+    all.push_back(split(text, ',').first);
+    text.remove_prefix(std::min(text.size(), all.back().size() + 1));
   }
   return all;
+}
+
+// "key=value"
+std::pair<std::string, std::string> assignment(const std::string& context, const std::string& text) {
+  auto both = split(text, '=');
+  if (!both.first.empty() && !both.second.empty()) return both;
+  throw std::invalid_argument(fmt::format("{}: \"{}\" should read key=value", context, text));
+}
+
+// The same, or one word that is a choice of a single option; of those that have it by default none is meant.
+std::pair<std::string, std::string> setting(const Contender& contender, const std::string& text) {
+  std::vector<std::string> keys;
+  for (const Option& option : contender.options) {
+    const bool offered = std::any_of(option.choices.begin(), option.choices.end(),
+                                     [&](const auto& choice) { return choice.first == text; });
+    if (offered && option.value != text) keys.push_back(option.key);
+  }
+  if (keys.empty()) return assignment(contender.name, text);
+  if (keys.size() == 1) return {keys.front(), text};
+  throw std::invalid_argument(fmt::format("{}: \"{}\" may mean {}={}", contender.name, text,
+                                          fmt::join(keys, fmt::format("={} or ", text)), text));
 }
 
 double parse_plain(std::string_view what, std::string_view text) {
@@ -114,8 +129,10 @@ std::vector<Case> parse_cases(std::string_view word) {
     throw std::invalid_argument(name + ": " + unknown("variant", rest, labels) + " Or write parameter=value.");
   }
   Parameters changes;
-  for (const auto& [key, value] : assignments(name, rest))
+  for (const std::string& piece : pieces(rest)) {
+    const auto [key, value] = assignment(name, piece);
     changes[key] = parse_number(fmt::format("{}: {}", name, key), value);
+  }
   return {case_of(scenario, rest, changes)};
 }
 
@@ -142,7 +159,10 @@ Entrant parse_entrant(std::string_view word) {
   }
   const Contender& contender = find<Contender>("engine", name, [](const Contender& offered) { return !offered.exact; });
   Settings settings;
-  for (const auto& [key, value] : assignments(name, rest)) settings[key] = value;
+  for (const std::string& piece : pieces(rest)) {
+    const auto [key, value] = setting(contender, piece);
+    settings[key] = value;
+  }
   return {&contender, complete(contender, settings)};
 }
 

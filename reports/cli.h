@@ -26,7 +26,7 @@ Case parse_case(std::string_view word);
 /// Every variant of the canonical scenarios, or of all.
 std::vector<Case> default_cases(bool all);
 
-/// "NAME" or "NAME:key=value,...": an engine and its settings.
+/// "NAME" or "NAME:key=value,...": an engine and its settings. "NAME:word" sets the one option that has this choice.
 Entrant parse_entrant(std::string_view word);
 
 /// Every engine with its defaults; Plumb's own leads, so that the others are compared with it.

@@ -1,5 +1,7 @@
 #include "reports/experiment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <mutex>
@@ -23,6 +25,15 @@ struct Spent {
   double wall = 0, stepping = 0;  // s
 };
 
+std::string choices_of(const Scene& scene, const Entrant& entrant) {
+  if (!entrant.contender->chooses) return "";
+  std::string text;
+  for (const Choice& choice : entrant.contender->chooses(scene, entrant.settings)) {
+    text += fmt::format("{}{}={}: {}", text.empty() ? "chose " : "; ", choice.option, choice.value, choice.reason);
+  }
+  return text;
+}
+
 RunRecord record_of(const Case& asked, const Entrant& entrant, double dt, const Outcome& outcome) {
   RunRecord record{.scenario = asked.scenario->name,
                    .variant = asked.variant,
@@ -35,6 +46,7 @@ RunRecord record_of(const Case& asked, const Entrant& entrant, double dt, const 
                    .reason = outcome.reason,
                    .scene = asked.scene,
                    .trace = outcome.trace};
+  if (record.status == Status::ok) record.reason = choices_of(*asked.scene, entrant);
   if (record.status == Status::failed) record.verdict = Verdict::failed;
   if (record.status == Status::not_supported) record.verdict = Verdict::not_supported;
   return record;

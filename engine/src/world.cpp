@@ -20,7 +20,7 @@ void World::step() {
   if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
   start_stages();
   s.forces.gravity = s.settings.gravity;
-  const bool sweeps = s.settings.continuous != Continuous::off;
+  const bool sweeps = s.settings.contacts && s.settings.continuous != Continuous::off;
   if (sweeps) s.sweep.remember(s.bodies);
   const Margin margin = s.solver->margin(s.settings);
   if (s.settings.sleeping && !s.sleep.rouse(margin)) {
@@ -29,7 +29,9 @@ void World::step() {
     return;
   }
   end_stage("begin");
-  s.contacts.find({s.bodies, *s.broad_phase, s.settings, margin, s.solver->recycles(), s.joints});
+  if (s.settings.contacts) {
+    s.contacts.find({s.bodies, *s.broad_phase, s.settings, margin, s.solver->recycles(), s.joints});
+  }
   StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator,
                 s.settings, *s.workers,        s.contacts.changes()};
   end_stage("activate joints");
@@ -134,8 +136,11 @@ void World::State::adopt(const Settings& chosen) {
   const bool first = solver == nullptr;
   // What a body rests by, and not how finely a step is cut.
   if (!chosen.sleeping || chosen.gravity != settings.gravity || chosen.solver != settings.solver ||
-      chosen.friction_mixing != settings.friction_mixing) {
+      chosen.friction_mixing != settings.friction_mixing || chosen.contacts != settings.contacts) {
     sleep.wake_all();
+  }
+  if (settings.contacts && !chosen.contacts) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) contacts.forget(i);
   }
   if (first || chosen.solver != settings.solver) solver = MethodList<Solver>::make(chosen.solver);
   if (first || chosen.integrator != settings.integrator) integrator = MethodList<Integrator>::make(chosen.integrator);

@@ -1,9 +1,14 @@
 // Our own engine, on the same terms as its rivals: public headers only, its own defaults.
 //
 // What this engine does differently is stated by each of its methods (impulse::stated_errors); this file only chooses
-// the precision and hands over to impulse_world.cpp, compiled once for each.
+// the model and the precision and hands over to impulse_world.cpp, compiled once for each.
+
+#include <algorithm>
+#include <iterator>
 
 #include "reference/adapters/impulse_world.h"
+#include "reference/needs.h"
+#include "reference/reduced.h"
 
 namespace plumb {
 namespace {
@@ -12,6 +17,39 @@ const Contender& self() { return *Catalog<Contender>::find("impulse"); }
 
 ImpulseEngine in_precision_of(const Settings& settings) {
   return settings.at("precision") == "float" ? single_precision::impulse_engine() : double_precision::impulse_engine();
+}
+
+// What the scene does not need, as far as the settings leave that open: one that is set otherwise than by default
+// stays.
+std::vector<Choice> choices_of(const Scene& scene, const Settings& given) {
+  const Settings settings = complete(self(), given);
+  if (settings.at("model") != "auto") return {};
+  const Settings defaults = complete(self(), {});
+  std::vector<Choice> choices = needless(scene);
+  std::erase_if(choices, [&](const Choice& one) { return settings.at(one.option) != defaults.at(one.option); });
+  return choices;
+}
+
+Settings chosen_for(const Scene& scene, const Settings& given) {
+  Settings settings = complete(self(), given);
+  for (const Choice& choice : choices_of(scene, settings)) settings[choice.option] = choice.value;
+  return settings;
+}
+
+std::vector<Option> all_options() {
+  std::vector<Option> options{
+      {.key = "model",
+       .value = "given",
+       .choices = {{"given", "as the other options say"},
+                   {"auto", "less, where the scene alone shows that no motion changes; what other options set stays"}},
+       .about = "how much is modelled"}};
+  std::ranges::move(reductions(), std::back_inserter(options));
+  std::ranges::move(double_precision::impulse_engine().options(), std::back_inserter(options));
+  options.push_back({.key = "precision",
+                     .value = "double",
+                     .choices = {{"float", "single precision, as games run it"}, {"double", "double precision"}},
+                     .about = "arithmetic"});
+  return options;
 }
 
 // Every solver with what makes it work harder, sub-steps where it cuts the step up and iterations where it does not;
@@ -48,12 +86,7 @@ Contender impulse() {
   contender.name = "impulse";
   contender.about = "our own engine";
   contender.source = "this repository, engine/";
-  contender.options = double_precision::impulse_engine().options();
-  contender.options.push_back(
-      {.key = "precision",
-       .value = "double",
-       .choices = {{"float", "single precision, as games run it"}, {"double", "double precision"}},
-       .about = "arithmetic"});
+  contender.options = all_options();
   contender.also = {{{"solver", "article"}}};
   contender.ladders = ladders_of(contender);
   contender.stepping = [](const Settings& given, double dt) {
@@ -61,13 +94,14 @@ Contender impulse() {
     return in_precision_of(settings).stepping(settings, dt);
   };
   contender.unsupported = [](const Scene& scene, const Settings& given) {
-    const Settings settings = complete(self(), given);
-    return in_precision_of(settings).unsupported(scene, settings);
+    const Settings settings = chosen_for(scene, given);
+    return in_precision_of(settings).unsupported(reduced(scene, settings), settings);
   };
   contender.build = [](const Scene& scene, const Settings& given) {
-    const Settings settings = complete(self(), given);
-    return in_precision_of(settings).build(scene, settings);
+    const Settings settings = chosen_for(scene, given);
+    return in_precision_of(settings).build(reduced(scene, settings), settings);
   };
+  contender.chooses = choices_of;
   return contender;
 }
 

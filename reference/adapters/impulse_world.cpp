@@ -87,6 +87,7 @@ impulse::Settings settings_of(const Settings& settings) {
   made.position_iterations = static_cast<int>(std::stod(settings.at("position-iterations")));
   made.substeps = static_cast<int>(std::stod(settings.at("substeps")));
   made.workers = static_cast<int>(std::stod(settings.at("workers")));
+  made.contacts = settings.at("contacts") == "on";
   made.continuous = continuous_of(settings.at("continuous"));
   made.sleeping = settings.at("sleeping") == "on";
   return made;
@@ -231,6 +232,10 @@ std::vector<Option> options() {
            .min = 1,
            .max = 1000,
            .whole = true},
+          {.key = "contacts",
+           .value = standard.contacts ? "on" : "off",
+           .choices = {{"on", "bodies meet"}, {"off", "they pass through each other, and no pair is looked for"}},
+           .about = "between bodies"},
           {.key = "continuous",
            .value = "auto",
            .choices = {{"off",

@@ -230,4 +230,44 @@ TEST(World, CanBeMoved) {
   EXPECT_EQ(other.body(id).position(), (Vec2{1, 2}));
 }
 
+TEST(World, LetsBodiesPassWhileContactsAreOffAndMeetWhenTheyAreOn) {
+  for (const MethodInfo& solver : solvers()) {
+    Settings settings;
+    settings.solver = solver.name;
+    settings.contact_events = true;
+    World world(settings);
+    const BodyId floor = add_floor(world);
+    const BodyId disc = world.create_body(at(0, 1), Shape::circle(1));
+    run(world, 10);
+    EXPECT_NEAR(world.body(disc).position().y, 1, 0.02) << solver.name;
+    settings.contacts = false;
+    world.set_settings(settings);
+    run(world, 30);
+    EXPECT_LT(world.body(disc).position().y, 0) << solver.name;
+    EXPECT_TRUE(world.contacts().empty()) << solver.name;
+    EXPECT_TRUE(world.contact_events().touching.empty()) << solver.name;
+    settings.contacts = true;
+    world.set_settings(settings);
+    world.body(disc).set_pose({0, 1}, 0);
+    world.body(disc).set_velocity({}, 0);
+    run(world, 10);
+    EXPECT_NEAR(world.body(disc).position().y, 1, 0.02) << solver.name;
+    EXPECT_TRUE(world.contains(floor));
+  }
+}
+
+TEST(World, WakesWhatRestsOnContactsWhenTheyEnd) {
+  Settings settings;
+  settings.sleeping = true;
+  World world(settings);
+  add_floor(world);
+  const BodyId disc = world.create_body(at(0, 1), Shape::circle(1));
+  run(world, 60);
+  ASSERT_EQ(world.awake_count(), 0U);
+  settings.contacts = false;
+  world.set_settings(settings);
+  run(world, 60);
+  EXPECT_NEAR(world.body(disc).position().y, 1 - 5, 0.1);
+}
+
 }  // namespace

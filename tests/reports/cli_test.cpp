@@ -61,6 +61,14 @@ TEST(ParseEntrant, TellsAClosedFormFromAnEngine) {
   EXPECT_THAT(refusal([] { parse_entrant("bounce"); }), ::testing::HasSubstr("is a closed form"));
 }
 
+TEST(ParseEntrant, TakesAWordForTheOneOptionThatItIsAChoiceOf) {
+  EXPECT_EQ(parse_entrant("impulse:auto").method(), "model=auto");
+  EXPECT_EQ(parse_entrant("impulse:float,rk4,substeps=8").method(), "integrator=rk4,substeps=8,precision=float");
+  EXPECT_THAT(refusal([] { parse_entrant("impulse:off"); }), ::testing::HasSubstr("rotation=off or "));
+  EXPECT_THAT(refusal([] { parse_entrant("impulse:on"); }), ::testing::HasSubstr("may mean"));
+  EXPECT_THAT(refusal([] { parse_entrant("impulse:nonsense"); }), ::testing::HasSubstr("key=value"));
+}
+
 TEST(DefaultEntrants, BeginWithOursAndHoldNoClosedForm) {
   const auto entrants = default_entrants();
   ASSERT_GT(entrants.size(), 1u);

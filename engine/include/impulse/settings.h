@@ -29,6 +29,7 @@ struct Settings {
   int position_iterations = 3;                  // for solvers that correct positions apart from velocities
   int substeps = 4;                             // for solvers that cut a step into sub-steps
   int workers = 1;                              // threads to share islands among; the bits are the same for any number
+  bool contacts = true;  // whether bodies meet at all; else they pass through each other, and no pair is looked for
   Continuous continuous = Continuous::automatic;
   bool contact_events = false;  // whether World::contact_events() is kept up; else it costs nothing
   /// Whether islands at rest fall asleep (see World); the bits then differ from those of a world that stays awake.

@@ -64,7 +64,7 @@ struct BodyHit {
 /// - a force, torque or impulse that is not zero, and any set_ call, on one of its bodies; Body::wake;
 /// - a joint or a force being added or taken away at one of its bodies;
 /// - the removal, destruction or shift of what it touches, and whatever immovable is put in its place;
-/// - a change of gravity, of solver or of friction mixing, and the end of sleeping in the settings.
+/// - a change of gravity, of solver, of friction mixing or of contacts, and the end of sleeping in the settings.
 ///
 /// Forces that stay (see force.h) keep nothing awake by themselves: a load that hangs on a spring may sleep.
 ///

@@ -94,6 +94,7 @@ class Accurate : public Solver {
   bool is_pile(const StepData& data, const Island& island) const;
   void step_island(StepData& data, std::size_t number, Workspace& space);
   void fly(StepData& data, const Island& island);
+  void fly_all(StepData& data);
   void substep(StepData& data, Island& island, Workspace& space);
   void find_impacts(StepData& data, Island& island, Impacts& impacts);
   void kick(BodySet& bodies, Island& island);
@@ -122,6 +123,8 @@ class Accurate : public Solver {
 };
 
 void Accurate::step(StepData& data) {
+  forces_vary_ = data.forces.vary(data.bodies);
+  if (data.contacts.empty() && data.joints.empty() && !forces_vary_) return fly_all(data);
   prepare(data);
   end_stage("prepare");
   spaces_.resize(static_cast<std::size_t>(data.workers.count()));
@@ -191,13 +194,23 @@ void Accurate::solve_as_pile(StepData& data, Island& island, Pile& pile) {
 void Accurate::fly(StepData& data, const Island& island) {
   const Real t = data.settings.dt;
   for (const std::uint32_t body : island.bodies) {
-    Velocity& v = data.bodies.velocity[body];
-    const Velocity& a = acceleration_[body];
-    if (data.bodies.inverse_mass[body].m + data.bodies.inverse_mass[body].i == 0 && v.v == Vec2{} && v.w == 0) continue;
-    motion_[body].advance({v.v + t / 2 * a.v, v.w + t / 2 * a.w}, t);
-    v.v += t * a.v;
-    v.w += t * a.w;
+    if (data.bodies.stirs(body)) motion_[body].advance(flown(data.bodies.velocity[body], acceleration_[body], t), t);
   }
+}
+
+/// A step in which no body meets any: the same, to the last bit, without islands.
+void Accurate::fly_all(StepData& data) {
+  BodySet& bodies = data.bodies;
+  const Real t = data.settings.dt;
+  data.forces.accelerations(bodies, 0, acceleration_);
+  motion_.assign(bodies.size(), {});
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.stirs(i)) continue;
+    const Velocity mean = flown(bodies.velocity[i], acceleration_[i], t);
+    motion_[i].d = t * mean.v;
+    motion_[i].turn = t * mean.w;
+  }
+  place(bodies, bodies.pose, motion_);
 }
 
 void Accurate::substep(StepData& data, Island& island, Workspace& space) {
@@ -227,7 +240,6 @@ void Accurate::prepare(StepData& data) {
   start_ = bodies.pose;
   motion_.assign(bodies.size(), {});
   loaded_.assign(bodies.size(), 0);
-  forces_vary_ = data.forces.vary(bodies);
   data.forces.accelerations(bodies, data.settings.dt / static_cast<Real>(2 * data.settings.substeps), acceleration_);
   flight_ = acceleration_;
 

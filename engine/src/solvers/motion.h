@@ -30,8 +30,17 @@ inline Real separation(const ContactRow& row, const RowPoint& p, const Motion& a
          (a.sine * p.cross_a + a.drop * p.turn_a);
 }
 
-/// Ends a step: adds the motions to the poses that the bodies started from. What rounding leaves out is kept and added
-/// in the next step (Kahan 1965), so that in float, too, a body at rest far from the origin stays there.
+/// Carries a velocity over t seconds of constant acceleration; returns the mean one.
+inline Velocity flown(Velocity& v, const Velocity& acceleration, Real t) {
+  const Velocity mean{v.v + t / 2 * acceleration.v, v.w + t / 2 * acceleration.w};
+  v.v += t * acceleration.v;
+  v.w += t * acceleration.w;
+  return mean;
+}
+
+/// Ends a step: adds the motions to the poses that the bodies started from (which may be those they have); of a motion
+/// only the sums count, sine and drop may be left out. What rounding leaves out is kept and added in the next step
+/// (Kahan 1965), so that in float, too, a body at rest far from the origin stays there.
 void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Motion>& motion);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

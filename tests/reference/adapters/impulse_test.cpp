@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -125,6 +126,43 @@ TEST(Impulse, KeepsTheOrderOfItsIntegratorUnderForces) {
     return std::abs(states[0].position.x - std::cos(5.0));
   };
   EXPECT_NEAR(error(60) / error(120), 4, .1);
+}
+
+TEST(Impulse, ChoosesForTheSceneWhatOptionsLeaveOpen) {
+  const Scene alone = scene_of(Circle{});
+  EXPECT_TRUE(engine().chooses(alone, {}).empty());
+  const auto chosen = [&](Settings settings) {
+    settings["model"] = "auto";
+    std::vector<std::string> keys;
+    for (const Choice& choice : engine().chooses(alone, settings)) keys.push_back(choice.option);
+    return keys;
+  };
+  const auto all = chosen({});
+  EXPECT_NE(std::find(all.begin(), all.end(), "rotation"), all.end());
+  const auto less = chosen({{"friction", "dynamic"}});
+  EXPECT_EQ(less.size() + 1, all.size());
+  EXPECT_EQ(std::find(less.begin(), less.end(), "friction"), less.end());
+}
+
+TEST(Impulse, LeavesOutTurningFrictionAndReboundWhereToldTo) {
+  Scene scene = scene_of(Box{});
+  scene.bodies[0].angular_velocity = 3;
+  EXPECT_NEAR(last(scene, {}, 60).angle, 3, 1e-12);
+  EXPECT_EQ(last(scene, {{"rotation", "off"}}, 60).angle, 0);
+  scene.bodies[0].angular_velocity = 0;
+  scene.bodies[0].position = {0, 0.5};
+  scene.bodies[0].velocity = {1, 0};
+  Body ground;
+  ground.type = BodyType::fixed;
+  ground.shapes = {{HalfSpace{}, {1, 0.5, 0.5, 0}}};
+  scene.bodies[0].shapes[0].surface = {1, 0.5, 0.5, 0};
+  scene.bodies.insert(scene.bodies.begin(), ground);
+  EXPECT_LT(last(scene, {}, 60).velocity.x, 0.01);
+  EXPECT_NEAR(last(scene, {{"friction", "off"}}, 60).velocity.x, 1, 1e-9);
+  for (Body& body : scene.bodies) body.shapes[0].surface.restitution = 1;
+  scene.bodies[1].position.y = 2;
+  EXPECT_GT(last(scene, {}, 60).velocity.y, 0.5);
+  EXPECT_NEAR(last(scene, {{"restitution", "off"}}, 60).velocity.y, 0, 0.01);
 }
 
 }  // namespace
