@@ -5,20 +5,19 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "reports/answer.h"
+#include "reports/asked_cases.h"
 #include "reports/cli.h"
 #include "reports/methods.h"
 #include "reports/phases.h"
 #include "reports/report.h"
 #include "reports/speed_findings.h"
+#include "reports/step_cost.h"
 #include "reports/study.h"
-#include "reports/study/results_file.h"
 #include "scenarios/catalog.h"
-#include "scenarios/scene_json.h"
 
 namespace plumb {
 namespace {
@@ -35,8 +34,6 @@ double timed_seconds(const Scene& scene) {
   return std::min(scene.duration,
                   std::max(least, body_seconds / static_cast<double>(std::max<std::ptrdiff_t>(bodies, 1))));
 }
-
-constexpr double least_time = 1.5e-3;  // s of stepping in one repetition: a clock's grain and an interrupt drown in it
 
 struct Asked {
   std::vector<std::string> scenarios;
@@ -79,21 +76,7 @@ std::vector<Rung> rungs_of(const Json& configuration) {
 }
 
 std::vector<Case> cases_of(const std::vector<std::string>& words, bool all) {
-  std::vector<Case> cases;
-  if (words.empty()) cases = default_cases(all);
-  std::vector<std::string> asked = words;
-  if (words.empty() && !all) asked.emplace_back("pyramid");
-  for (const std::string& word : asked) {
-    for (Case& one : parse_cases(word)) cases.push_back(std::move(one));
-  }
-  return cases;
-}
-
-// Tells a scene that has changed since from the one that was run.
-std::string hash_of(const std::vector<Case>& cases) {
-  std::vector<Point> scenes;
-  for (const Case& one : cases) scenes.push_back({.key = write_scene({*one.scene, {}})});
-  return plan_hash(scenes);
+  return cases_asked(words, all, {"pyramid"});
 }
 
 std::vector<double> steps_of(const Json& configuration) {
@@ -159,13 +142,7 @@ class Measurement {
     if (!able_) return std::numeric_limits<double>::quiet_NaN();
     Scene scene = *asked_->scene;
     scene.duration = timed_seconds(scene);
-    double spent = 0;
-    double runs = 0;
-    while (spent < least_time) {
-      spent += time_of_steps(scene, rung_.entrant, dt_);
-      ++runs;
-    }
-    return spent / (runs * static_cast<double>(steps_in(scene.duration, dt_)) * dt_);
+    return step_cost(scene, rung_.entrant, dt_);
   }
 
  private:
@@ -232,10 +209,7 @@ Json configuration_of(const Asked& asked) {
                      {"engines", asked.engines},
                      {"dt", steps},
                      {"scenes", hash_of(cases_of(asked.scenarios, asked.all))}};
-  std::set<std::string> seen;
-  for (const Point& point : points_of(configuration)) {
-    if (!seen.insert(point.key).second) throw std::invalid_argument("\"" + point.key + "\" is asked for twice");
-  }
+  must_differ(points_of(configuration));
   return configuration;
 }
 

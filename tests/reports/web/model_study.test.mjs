@@ -1,0 +1,121 @@
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, draw_all, open, write } from "./browser.mjs";
+
+after(close);
+
+const drops = [
+  { feature: "contacts", without: "any contact", setting: "contacts=off", change: 20, ratio: 0.1 },
+  { feature: "method", without: "<b>sub-steps</b>", setting: "integrator=velocity-verlet,solver=article", change: 2e-6, ratio: 0.5 },
+  { feature: "rotation", without: "any turning", setting: "rotation=off", change: 0, ratio: 3 },
+  { feature: "method", without: "all", setting: "solver=exact", change: null, ratio: null, why: "holds no joints" },
+];
+
+/** A case with a truth and a least model, one without either. */
+function sample() {
+  const points = [];
+  const add = (variant, name, values, truth = "fall") =>
+    points.push({
+      key: `model|heap/${variant}|${name}`,
+      ending: "done",
+      reason: "",
+      values: { scenario: "heap", variant, line: "impulse", status: "ok", why: "", error: 1e-5, change: 0, within: true, duration: 3, truth, truth_until: 3, compared_until: 0, ...values },
+    });
+  add("still", "full", { role: "full" });
+  for (const drop of drops) add("still", drop.setting, { role: "drop", ...drop, within: drop.change !== null && drop.change <= 1e-4 });
+  add("still", "auto", { role: "auto", choices: [{ setting: "rotation=off", reason: "no body turns" }] });
+  add("still", "least", { role: "least" });
+  add("wild", "full", { role: "full", truth: "", error: null, compared_until: 1.5 });
+  add("wild", "auto", { role: "auto", within: false, change: 0.5 });
+  points.push({ key: "model|heap/wild|rotation=off", ending: "crashed", reason: "ended by signal 11", values: {} });
+  const spread = (median) => ({ median, low: median * 0.9, high: median * 1.1 });
+  return {
+    study: {
+      plumb: 1,
+      study: "model",
+      about: "The least model",
+      configuration: { tolerance: "1e-4", dt: "1/60" },
+      environment: { processor: "one" },
+      points,
+      findings: { promises: [] },
+      timings: {
+        points: {},
+        cases: [
+          {
+            place: "heap/still",
+            full: 2e-3,
+            drops: drops.map(({ setting, ratio }) => ({ setting, ratio })),
+            least: {
+              line: "impulse:rotation=off,solver=article",
+              error: 1e-5,
+              change: 2e-6,
+              cost: spread(1e-3),
+              cheaper: spread(2.5),
+              auto_cheaper: spread(1),
+              dropped: [{ feature: "rotation", without: "any turning" }],
+            },
+          },
+          { place: "heap/wild", full: null, drops: [], least: null },
+        ],
+      },
+    },
+  };
+}
+
+const pages = { "the sample": await write(sample()) };
+if (process.env.PLUMB_MODEL_STUDY) pages["the real study"] = process.env.PLUMB_MODEL_STUDY;
+
+for (const [name, file] of Object.entries(pages)) {
+  for (const colorScheme of ["light", "dark"]) {
+    for (const width of [360, 1280]) {
+      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and asks for nothing`, async () => {
+        const { page, trouble } = await open(file, { width, colorScheme });
+        await draw_all(page);
+        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+        assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
+        const empty = await page.evaluate(() => [...document.querySelectorAll(".canvas")].filter((canvas) => !canvas.querySelector("svg")).length);
+        assert.equal(empty, 0);
+        assert.deepEqual(trouble, []);
+        await page.close();
+      });
+    }
+  }
+}
+
+test("what was found stands first, and broken promises are told", async () => {
+  const { page } = await open(pages["the sample"]);
+  assert.match(await page.locator("h1").innerText(), /2\.5 to 2\.5 times cheaper than the full one, over 2 cases; impulse:auto keeps its promise in 1 of them/);
+  assert.match(await page.locator("#overview").innerText(), /kept[\s\S]*broken/i);
+  await page.close();
+});
+
+test("the least model is told with what it does without, and the line that runs it", async () => {
+  const { page } = await open(pages["the sample"]);
+  const said = await page.locator("article").first().innerText();
+  assert.match(said, /rotation: without any turning/);
+  assert.match(said, /\.\/plumb run heap:still --engine impulse:rotation=off,solver=article/);
+  assert.match(said, /rotation=off: no body turns/);
+  await page.close();
+});
+
+test("each feature has its bar and its mark, as far as it ran", async () => {
+  const { page } = await open(pages["the sample"]);
+  await draw_all(page);
+  const article = page.locator("article").first();
+  assert.equal(await article.locator("g.cost rect").count(), 3);
+  assert.equal(await article.locator("g.change circle").count(), 3);
+  await article.locator("details").evaluate((element) => (element.open = true));
+  const said = await article.locator("details").innerText();
+  assert.match(said, /holds no joints/);
+  assert.match(said, /<b>sub-steps<\/b>/);
+  await page.close();
+});
+
+test("without a truth it is said by what models are weighed, and points that did not end are listed", async () => {
+  const { page } = await open(pages["the sample"]);
+  const said = await page.locator("article").nth(1).innerText();
+  assert.match(said, /No truth is known here: weighed by the difference from the full model over the first 1\.5/);
+  assert.match(said, /No least model was found/);
+  assert.match(await page.locator("#endings").innerText(), /crashed.*signal 11/s);
+  await page.close();
+});
