@@ -187,7 +187,8 @@ const Catalog<Study>::Entry entry{
                [maps = maps_of(configuration), cells](const std::vector<PointResult>& results) {
                  return stability_findings(maps, cells, results);
                }};
-     }}};
+     },
+     .brief = {{"--maps", "mass-ratio", "slope", "stack", "tunnelling", "--cells", "6"}}}};
 
 }  // namespace
 }  // namespace plumb
