@@ -35,6 +35,7 @@ struct Stepping {
   double impact_lag = 1;     // how late an impact may be noticed, in units of h; 0 where its time is solved for
   double gap = 0;    // m, by which a resting contact may stand off from touching, either way (skin, slop, compliance)
   double creep = 0;  // m/s, at which a sticking contact may slide by the method's nature
+  double rest_speed = 0;  // m/s, up to which a body may be stopped dead and no longer looked at (sleeping); 0: never
   double restitution_threshold = 0;  // m/s, slower impacts are treated as inelastic
   int iterations = 0;          // sweeps over impacts that fall together; 0 where these are taken one by one, or exactly
   double epsilon = 0;          // unit round-off of its arithmetic

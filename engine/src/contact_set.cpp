@@ -211,6 +211,15 @@ void ContactSet::take_back(const BodySet& bodies) {
   std::inplace_merge(rows_.begin(), rows_.begin() + awake, rows_.end(), in_order);
 }
 
+void ContactSet::stretch_rest(Real times) {
+  for (Contact& contact : resting_) {
+    for (ContactPoint& point : contact.points) {
+      point.total_normal_impulse *= times;
+      point.total_tangent_impulse *= times;
+    }
+  }
+}
+
 std::vector<const Contact*> ContactSet::all() const {
   std::vector<const Contact*> merged;
   merged.reserve(rows_.size() + resting_.size());

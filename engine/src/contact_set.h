@@ -35,6 +35,8 @@ class ContactSet {
 
   /// Of bodies asleep, as their last step left them; sorted likewise. Solvers don't see them.
   std::span<const Contact> resting() const { return resting_; }
+  /// Steps last so many times as long from now on: what carries the sleepers in one of them does, too.
+  void stretch_rest(Real times);
   /// Lays aside the contacts of bodies that have fallen asleep.
   void lay_to_rest(const BodySet& bodies);
   /// Takes up again those of bodies that have woken, so that the next search finds them known.

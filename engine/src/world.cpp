@@ -134,6 +134,7 @@ std::size_t World::awake_count() const {
 void World::State::adopt(const Settings& chosen) {
   validate(chosen);
   const bool first = solver == nullptr;
+  if (!first && chosen.dt != settings.dt) contacts.stretch_rest(chosen.dt / settings.dt);
   // What a body rests by, and not how finely a step is cut.
   if (!chosen.sleeping || chosen.gravity != settings.gravity || chosen.solver != settings.solver ||
       chosen.friction_mixing != settings.friction_mixing || chosen.contacts != settings.contacts) {

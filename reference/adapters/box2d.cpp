@@ -364,7 +364,8 @@ std::string unsupported(const Scene& scene, const Settings&) {
 
 const Contender& self() { return *Catalog<Contender>::find("box2d"); }
 
-Stepping stepping(const Settings& settings, double dt) {
+Stepping stepping(const Settings& given, double dt) {
+  const Settings settings = complete(self(), given);
   Stepping stated;
   stated.dt = dt;
   stated.h = dt;
@@ -373,10 +374,11 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.impact_lag = 1;
   stated.gap = 2 * b2_polygonRadius;
   stated.creep = 0;
-  stated.iterations = std::stoi(complete(self(), settings).at("velocity"));
-  stated.restitution_threshold = std::stod(complete(self(), settings).at("restitution"));
+  stated.iterations = std::stoi(settings.at("velocity"));
+  stated.restitution_threshold = std::stod(settings.at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
-  stated.spring_limit = 2;  // symplectic Euler
+  stated.whole_impulses = settings.at("sleep") == "off";  // sleepers show none
+  stated.spring_limit = 2;                                // symplectic Euler
   return stated;
 }
 

@@ -282,6 +282,7 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.gap = errors.gap;
   stated.creep = errors.creep;
   stated.iterations = errors.impact_lag > 0 ? with_dt.iterations : 0;
+  stated.rest_speed = with_dt.sleeping ? with_dt.sleep_linear_speed : 0;
   stated.restitution_threshold = errors.restitution_threshold;
   stated.epsilon = std::numeric_limits<Real>::epsilon() / 2;
   stated.looks_ahead = impulse::looks_ahead(with_dt);

@@ -18,6 +18,8 @@
 // times dt, and within the step by as much again.
 // A contact shows one normal for a step in which its bodies turn, w dt, and a round one rolls over a corner or past
 // another, V dt/r: by that angle a method of several sub-steps or impacts a step, which adds up pushes, is off.
+// A body that sleeping stopped has lost the speed it had, and shows the impulses of its last step awake, in which that
+// may have changed by as much.
 // Speeds and impulses are rounded in every sweep, at every contact, those of the other body too, and what that leaves
 // of the largest so far may go in any step after; so is the time that is shown, n dt, from which dt is taken.
 namespace plumb {
@@ -65,6 +67,16 @@ double turning(const Scene& scene, const ContactState& contact, std::span<const 
   return turned + dt * length(b.velocity - a.velocity) / (of_a.value_or(0) + of_b.value_or(0));
 }
 
+// What moves evenly from one moment to the next.
+std::vector<BodyState> evenly(std::span<const BodyState> then, std::span<const BodyState> now, double dt) {
+  std::vector<BodyState> mean(then.begin(), then.end());
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    mean[i].velocity = (1 / dt) * (now[i].position - then[i].position);
+    mean[i].angular_velocity = (now[i].angle - then[i].angle) / dt;
+  }
+  return mean;
+}
+
 std::optional<InvariantCheck> check(const Ground& ground) {
   const auto& [scene, trace, stepping] = ground;
   const std::vector<bool> known = known_bodies(scene);
@@ -82,6 +94,7 @@ std::optional<InvariantCheck> check(const Ground& ground) {
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);
     const std::vector<Push> after = acting.on(now);
+    const std::vector<BodyState> mean = evenly(then, now, dt);
     std::vector<Vec> given(scene.bodies.size());
     std::vector<double> size(scene.bodies.size());
     std::vector<double> unsure(scene.bodies.size());
@@ -92,8 +105,9 @@ std::optional<InvariantCheck> check(const Ground& ground) {
       const Vec impulse = contact.normal_impulse * contact.normal + contact.tangent_impulse * side;
       given[contact.a] = given[contact.a] - impulse;
       given[contact.b] = given[contact.b] + impulse;
-      const double turned =
-          together ? 0 : std::max(turning(scene, contact, then, dt), turning(scene, contact, now, dt));
+      const double turned = together ? 0
+                                     : std::max({turning(scene, contact, then, dt), turning(scene, contact, mean, dt),
+                                                 turning(scene, contact, now, dt)});
       for (const std::size_t body : {contact.a, contact.b}) {
         size[body] += length(impulse) + masses[body].mass * (speed(contact.a) + speed(contact.b));
         ++contacts[body];
@@ -107,7 +121,8 @@ std::optional<InvariantCheck> check(const Ground& ground) {
       const Vec missing = mass * (now[i].velocity - then[i].velocity) - given[i] - dt * force;
       largest[i] = std::max(largest[i],
                             mass * (length(then[i].velocity) + length(now[i].velocity)) + size[i] + dt * length(force));
-      const double allowed = dt * length(after[i].force - before[i].force) + unsure[i] +
+      const double stopped = now[i].velocity == Vec{} ? 2 * mass * stepping.rest_speed : 0;
+      const double allowed = stopped + dt * length(after[i].force - before[i].force) + unsure[i] +
                              roundings_of_solver(stepping) * (1 + contacts[i]) * largest[i] +
                              2 * 0x1p-53 * trace.time(moment) * length(force);
       worst.see(length(missing), allowed, trace.time(moment), [&] { return ground.scene.bodies[i].name; });

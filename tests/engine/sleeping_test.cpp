@@ -203,6 +203,24 @@ TEST(Sleep, ComesToOneIslandAfterTheOther) {
   EXPECT_LT(steps_to_sleep(world), 600);
 }
 
+TEST(Sleep, CarriesInAShorterStepAsMuchLess) {
+  World world(drowsy());
+  add_floor(world);
+  add_column(world, 0, 1);
+  ASSERT_LT(steps_to_sleep(world), 600);
+  const auto carried = [&] {
+    Real sum = 0;
+    for (const ContactInfo& contact : world.contacts()) sum += contact.normal_impulse;
+    return sum;
+  };
+  const Real before = carried();
+  ASSERT_GT(before, 0);
+  world.set_dt(world.dt() / 4);
+  world.step();
+  EXPECT_EQ(world.awake_count(), 0u);
+  EXPECT_EQ(carried(), before / 4);
+}
+
 TEST(Sleep, WaitsForTheTimeOfTheSettings) {
   for (const double time : {.25, 1.}) {
     Settings settings = drowsy();
