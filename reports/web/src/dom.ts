@@ -31,7 +31,7 @@ export function table(caption: string, heads: (string | Node)[], rows: HTMLTable
   const head = h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)));
   return h(
     "div",
-    { class: "table", tabindex: "0", role: "region", "aria-label": caption },
+    { class: "table", tabindex: "0", role: "group", "aria-label": caption },
     h("table", { class: kind }, h("caption", {}, caption), h("thead", {}, head), h("tbody", {}, ...rows)),
   );
 }

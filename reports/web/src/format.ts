@@ -60,6 +60,12 @@ export function time_step(dt: number): string {
   return dt > 0 && Math.abs(rate * dt - 1) < 1e-9 ? with_unit(rate === 1 ? "1" : `1/${rate}`, "s") : number(dt, "s");
 }
 
+/** The same as --dt takes it. */
+export function step_word(dt: number): string {
+  const rate = Math.round(1 / dt);
+  return dt > 0 && Math.abs(rate * dt - 1) < 1e-9 ? (rate === 1 ? "1" : `1/${rate}`) : String(dt);
+}
+
 /** An error as a share of what is allowed. */
 export function share(ratio: number): string {
   if (Number.isNaN(ratio)) return "\u2013";

@@ -1,3 +1,4 @@
+import { follow_address } from "./address";
 import { read } from "./data";
 import { h, slug } from "./dom";
 import { model_of } from "./model";
@@ -34,11 +35,10 @@ if ("problems" in outcome) {
   page?.replaceChildren(
     opening(model),
     h("nav", { "aria-label": "Sections" }, ...links),
-    h("main", {}, overview(model), ...model.chapters.map(chapter_section), ...studies.map(study_section), method(model)),
+    h("main", {}, overview(model), ...model.chapters.map((chapter) => chapter_section(chapter, model)), ...studies.map(study_section), method(model)),
   );
 }
-// The sections were not there when the browser looked for the address's place.
-if (location.hash) document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
+follow_address();
 
 addEventListener("beforeprint", () => {
   for (const closed of document.querySelectorAll("details")) closed.open = true;

@@ -55,6 +55,28 @@ test("what was not reached is said, and bounds are told from readings", async ()
   await page.close();
 });
 
+test("a click on a point gives the line that runs it, and so does the table of all runs", async () => {
+  const { page, trouble } = await open(pages["the sample"]);
+  await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => (window.copied = text) } }));
+  await draw_all(page);
+  const article = page.locator("article").nth(1);
+  const chart = article.locator("figure svg");
+  const mark = chart.locator('g[aria-hidden="true"] path[transform]').last();
+  const { x, y, width, height } = await mark.boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.click(x + width / 2, y + height / 2);
+  const line = await article.locator(".chosen code").innerText();
+  assert.match(line, /^\.\/plumb run heap:plain --engine (box2d|impulse):substeps=4 --dt 1\/(30|60|120) --converged$/);
+  assert.equal(await page.evaluate(() => window.copied), line);
+  await article.locator("summary", { hasText: "All 6 runs" }).press("Enter");
+  const buttons = article.locator("details").last().getByRole("button");
+  assert.equal(await buttons.count(), 6);
+  await buttons.first().press("Enter");
+  assert.match(await page.evaluate(() => window.copied), /--engine box2d:substeps=4 --dt 1\/30 /);
+  assert.deepEqual(trouble, []);
+  await page.close();
+});
+
 test("points that did not end are listed as text", async () => {
   const { page } = await open(pages["the sample"]);
   assert.match(await page.locator("#endings").innerText(), /<b>wild<\/b>.*crashed.*signal 11/s);

@@ -31,8 +31,19 @@ const resized = new ResizeObserver((entries) => {
 });
 
 addEventListener("beforeprint", () => {
-  for (const draw of pending.values()) draw(paper_width);
+  for (const [canvas, draw] of pending) {
+    if (canvas.isConnected) draw(paper_width);
+    else pending.delete(canvas);
+  }
 });
+
+/** To a screen reader what is drawn is one picture with a name; tables hold its numbers. */
+function fill(canvas: HTMLElement, charts: Element[], name: string): void {
+  for (const chart of charts) chart.setAttribute("aria-hidden", "true");
+  if (charts.length) canvas.setAttribute("role", "img");
+  if (charts.length) canvas.setAttribute("aria-label", name);
+  canvas.replaceChildren(...charts);
+}
 
 export function figure({ title, note, height, draw }: Figure): HTMLElement {
   const canvas = h("div", { class: "canvas", style: `min-height: ${height}px` });
@@ -41,7 +52,7 @@ export function figure({ title, note, height, draw }: Figure): HTMLElement {
     if (width === drawn) return;
     drawn = width;
     canvas.style.minHeight = "";
-    canvas.replaceChildren(...draw(width));
+    fill(canvas, draw(width), [title, note].filter(Boolean).join(". "));
   });
   near.observe(canvas);
   return h("figure", {}, h("figcaption", {}, h("strong", {}, title), note ? h("span", {}, note) : null), canvas);

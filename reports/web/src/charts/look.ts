@@ -36,8 +36,9 @@ export function plot_look(width: number, height: number): Plot.PlotOptions {
 /** What the pointer is told. */
 export const tip_look = { fill: "var(--paper)", stroke: "var(--faint)", lineHeight: 1.4 };
 
-const swatch = (contender: Contender): Element =>
-  Plot.plot({
+/** Line and shape of a contender. */
+export function legend_mark(contender: Contender): Element {
+  const drawn = Plot.plot({
     width: 36,
     height: 16,
     margin: 0,
@@ -48,8 +49,11 @@ const swatch = (contender: Contender): Element =>
       contender.exact ? null : Plot.dot([[18, 8]], { ...dot_look(contender), r: 4 }),
     ],
   });
+  drawn.setAttribute("aria-hidden", "true");
+  return drawn;
+}
 
 /** Line, shape and name of each contender. */
 export function legend(contenders: Contender[]): HTMLElement {
-  return h("ul", { class: "legend" }, ...contenders.map((contender) => h("li", {}, swatch(contender), contender.label)));
+  return h("ul", { class: "legend" }, ...contenders.map((contender) => h("li", {}, legend_mark(contender), contender.label)));
 }

@@ -16,7 +16,8 @@ const described = ({ contender, setting, dt, time, error, wide }: SpeedMark): st
     `${number(time * 1e6, "\u00b5s")} for a simulated second${wide ? ", unsteady" : ""}`,
   ].join("\n");
 
-export function work_precision(place: SpeedCase): HTMLElement {
+/** `choose` is told of the point that is clicked. */
+export function work_precision(place: SpeedCase, choose: (mark: SpeedMark) => void): HTMLElement {
   const { marks, curves, front, truth_error } = place;
   const { x, y, floor } = error_axes(
     marks.map(({ error }) => error),
@@ -25,8 +26,8 @@ export function work_precision(place: SpeedCase): HTMLElement {
     [truth_error],
   );
   const at = { x: ({ time }: SpeedMark) => time * 1e6, y: ({ error }: SpeedMark) => Math.max(error, floor) };
-  const draw = (width: number) =>
-    Plot.plot({
+  const draw = (width: number) => {
+    const chart = Plot.plot({
       ...plot_look(width, height),
       ariaLabel: "Error against time per simulated second",
       x,
@@ -54,6 +55,12 @@ export function work_precision(place: SpeedCase): HTMLElement {
         Plot.tip(marks, Plot.pointer({ ...at, title: described, ...tip_look })),
       ],
     });
+    chart.addEventListener("click", () => {
+      const pointed = (chart as { value?: SpeedMark | null }).value;
+      if (pointed) choose(pointed);
+    });
+    return chart;
+  };
   const unsteady = marks.filter(({ wide }) => wide).length;
   return figure({
     title: "Error against time",

@@ -3,12 +3,12 @@ import { case_charts } from "../charts/case";
 import { legend } from "../charts/look";
 import { h, slug } from "../dom";
 import { given, words } from "../format";
-import type { Case, Chapter, Entry } from "../model";
+import type { Case, Chapter, Model } from "../model";
 import { checks } from "./checks";
+import { evidence } from "./evidence";
 import { horizon } from "./horizon";
 import { invariants } from "./invariants";
 import { numbers } from "./numbers";
-import { badge } from "./pieces";
 
 function parameters(place: Case, chapter: Chapter): HTMLElement {
   const about = new Map(chapter.note?.parameters.map((parameter) => [parameter.name, parameter]));
@@ -19,34 +19,29 @@ function parameters(place: Case, chapter: Chapter): HTMLElement {
   return h("dl", { class: "parameters" }, ...items);
 }
 
-/** Why there is nothing to see of an engine. */
-function absence({ contender, run }: Entry): HTMLElement {
-  return h("p", { class: "absence" }, badge(run.verdict), h("strong", {}, contender.label), ` ${run.reason}`);
-}
-
-function section(place: Case, chapter: Chapter): HTMLElement {
+function section(place: Case, chapter: Chapter, { page }: Model): HTMLElement {
   const drawn = place.entries.filter(({ series }) => series).map(({ contender }) => contender);
   return h(
     "article",
     { id: slug(place.scenario, place.variant), class: "case" },
     h("h3", {}, place.variant),
     parameters(place, chapter),
-    ...place.entries.filter(({ run }) => run.status !== "ok").map(absence),
+    evidence(place),
     horizon(place),
     drawn.length ? legend(drawn) : null,
     h("div", { class: "charts" }, ...case_charts(place)),
     checks(place),
     invariants(place),
-    numbers(place),
+    numbers(place, page.report),
   );
 }
 
-export function chapter_section(chapter: Chapter): HTMLElement {
+export function chapter_section(chapter: Chapter, model: Model): HTMLElement {
   return h(
     "section",
     { id: slug(chapter.name), class: "chapter" },
     h("h2", {}, chapter.name),
     chapter.note ? h("p", { class: "lede" }, chapter.note.question) : null,
-    ...chapter.cases.map((place) => section(place, chapter)),
+    ...chapter.cases.map((place) => section(place, chapter, model)),
   );
 }

@@ -61,7 +61,7 @@ function cells({ entry, check }: Answer): HTMLElement[] {
 const rows = (answers: Answer[]): HTMLTableRowElement[] =>
   answers.map((answer, index) => {
     const first = index === 0;
-    return h("tr", first ? { class: "first" } : {}, first ? subject(answers, answer.check) : null, ...cells(answer));
+    return h("tr", { "data-of": answer.entry.contender.label, ...(first ? { class: "first" } : {}) }, first ? subject(answers, answer.check) : null, ...cells(answer));
   });
 
 export function checks(place: Case): HTMLElement | null {

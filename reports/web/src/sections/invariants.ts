@@ -6,7 +6,7 @@ import { law_ratio, type Case } from "../model";
 import { gauge } from "./pieces";
 
 /** "0.012 N s of ground - box at 0.5 s, allowed 0.003 N s" */
-function evidence({ value, allowed, unit, where, time }: InvariantCheck): string {
+export function evidence({ value, allowed, unit, where, time }: InvariantCheck): string {
   const place = where ? ` of ${where}` : "";
   return `${number(value, unit, 2)}${place} at ${number(time, "s")}, allowed ${number(allowed, unit, 2)}`;
 }
@@ -27,7 +27,7 @@ export function invariants(place: Case): HTMLElement | null {
   const names = [...new Set(runs.flatMap(({ run }) => run.invariants.map(({ name }) => name)))].sort();
   const rows = runs.map(({ contender, run }) => {
     const of = new Map(run.invariants.map((check) => [check.name, check]));
-    return h("tr", {}, h("th", { scope: "row" }, contender.label), ...names.map((name) => cell(name, of.get(name))));
+    return h("tr", { "data-of": contender.label }, h("th", { scope: "row" }, contender.label), ...names.map((name) => cell(name, of.get(name))));
   });
   const broken = runs.flatMap(({ run }) => run.invariants).filter(({ standing }) => standing === "broken").length;
   const caption = "What holds in any case";

@@ -3,6 +3,7 @@ import type { EngineNote } from "../data";
 import { h } from "../dom";
 import { number, pretty_unit, shell, words } from "../format";
 import type { Model } from "../model";
+import { case_command, command } from "./command";
 
 const definitions: [string, string][] = [
   ["right", "every reading is within what is allowed of the truth, and no invariant is broken"],
@@ -17,7 +18,9 @@ const definitions: [string, string][] = [
   ],
   ["energy", "kinetic, rotational and gravitational, of all dynamic bodies, from the scene and the read-out states; no engine is asked"],
   ["momentum", "linear, and angular about the world\u2019s origin, of all dynamic bodies"],
-  ["time per step", "only the engine\u2019s own step is timed, after a warm-up, the engines taking turns; median over the repetitions"],
+  ["share of allowed", "a miss divided by what is allowed there: up to 1 is right. A run is judged by its largest"],
+  ["distance from the truth", "of the bodies\u2019 centres, root mean square over bodies and recorded moments"],
+  ["time per step", "only the engine\u2019s own step is timed, after a warm-up, the engines taking turns; median over the repetitions, with the lower and the upper quartile. Reading, judging and writing are never on the clock"],
   ["real-time factor", "simulated seconds for each second spent in steps"],
 ];
 
@@ -34,9 +37,43 @@ const clock_entry = ([name, value]: [string, number | null]): [string, string] =
     ? [words(name.slice(0, -2)), number(value, "s")]
     : [words(name), number(value === null ? null : 100 * value, "%")];
 
+/** What was asked of an engine and not answered, by reason, with the cases. */
+function unanswered({ chapters }: Model): Map<string, string[]> {
+  const found = new Map<string, string[]>();
+  const add = (reason: string, place: string) => found.set(reason, [...new Set([...(found.get(reason) ?? []), place])]);
+  for (const { scenario, variant, entries } of chapters.flatMap(({ cases }) => cases)) {
+    for (const { contender, run } of entries) {
+      const place = `${scenario} (${variant})`;
+      if (run.status === "not supported") add(`${contender.label}: ${run.reason}`, place);
+      for (const check of run.truth) if (!check.revealed) add(`${contender.label} does not reveal ${words(check.quantity)}`, place);
+      for (const law of run.invariants) if (law.standing === "not revealed") add(`${contender.label} does not reveal what would tell of ${words(law.name)}`, place);
+    }
+  }
+  return found;
+}
+
+function not_supported(model: Model): HTMLElement[] {
+  const found = unanswered(model);
+  if (!found.size) return [];
+  const about = "What an engine cannot be asked, or does not show, is neither right nor wrong: it is left out, and said here.";
+  const cases = [...found].map(([reason, places]): [string, string] => [reason, places.join(", ")]);
+  return [h("h3", {}, "Not supported, or not revealed"), h("p", { class: "lede" }, about), entries(cases, "definitions")];
+}
+
+/** The whole report, each of its cases, each study: as lines to copy. */
+function again({ page, chapters }: Model): HTMLElement[] {
+  const { report, studies } = page;
+  const cases = chapters.flatMap(({ cases }) => cases).map(({ scenario, variant }) => case_command(report, scenario, variant));
+  const whole = report.command.length ? [command(shell(["./plumb", ...report.command.slice(1)]))] : [];
+  return [
+    ...whole,
+    ...studies.flatMap((study) => (study.command ? [command(`./${study.command}`)] : [])),
+    h("details", { class: "more" }, h("summary", {}, "Each case alone"), ...cases.map(command)),
+  ];
+}
+
 export function method(model: Model): HTMLElement {
   const { report } = model.page;
-  const again = [report.command, ...model.chapters.map(({ name }) => ["./plumb", "run", name])].filter((words) => words.length);
   const clock = Object.entries(report.timings.clock).map(clock_entry);
   return h(
     "section",
@@ -59,8 +96,9 @@ export function method(model: Model): HTMLElement {
     entries(described(report.engines.filter(({ exact }) => !exact)), "definitions"),
     h("h3", {}, "Truths"),
     entries(described(report.engines.filter(({ exact }) => exact)), "definitions"),
+    ...not_supported(model),
     h("h3", {}, "To make it again"),
-    h("pre", {}, again.map(shell).join("\n")),
+    ...again(model),
     h("h3", {}, "Made with"),
     entries(Object.entries(report.environment).map(([name, value]) => [words(name), value]), "environment"),
     clock.length ? h("h3", {}, "Time it took") : null,

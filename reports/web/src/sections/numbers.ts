@@ -1,8 +1,9 @@
 // Two tables of a case: what was measured of each run, and how far the runs are from each other and from the truth.
-import type { Measured } from "../data";
+import type { Measured, Report } from "../data";
 import { h, table } from "../dom";
-import { number, shell, words } from "../format";
+import { number, words } from "../format";
 import type { Case } from "../model";
+import { case_command, command } from "./command";
 
 interface Column {
   head: string;
@@ -23,7 +24,7 @@ function metric_table(caption: string, columns: Column[]): HTMLElement | null {
   return table(caption, ["", ...columns.map(({ head }) => head)], rows, "numbers");
 }
 
-export function numbers(place: Case): HTMLElement | null {
+export function numbers(place: Case, report: Report): HTMLElement | null {
   const runs = place.entries.map(({ contender, run, timing }) => {
     const cost: Record<string, Measured> = timing
       ? {
@@ -37,6 +38,6 @@ export function numbers(place: Case): HTMLElement | null {
   const tables = [metric_table("Measured of each run", runs), metric_table("Differences", pairs)].filter(Boolean);
   const reasons = place.comparisons.filter(({ reason }) => reason).map(({ a, b, reason }) => h("p", {}, `${a} against ${b}: ${reason}`));
   if (!tables.length) return null;
-  const command = h("pre", {}, shell(["./plumb", "run", `${place.scenario}:${place.variant}`]));
-  return h("details", { class: "more" }, h("summary", {}, "All numbers, and how to make them again"), ...tables, ...reasons, command);
+  const again = command(case_command(report, place.scenario, place.variant));
+  return h("details", { class: "more" }, h("summary", {}, "All numbers, and how to make them again"), ...tables, ...reasons, again);
 }

@@ -8,7 +8,7 @@ export function problems(found: string[]): HTMLElement {
   const more = found.length - most_shown;
   return h(
     "main",
-    { class: "problems", role: "alert" },
+    { class: "problems" },
     h("h1", {}, "This report cannot be shown"),
     h("p", {}, "It is damaged, or another version of Plumb wrote it. Make it again with ", h("code", {}, "./plumb report"), "."),
     h("ul", {}, ...found.slice(0, most_shown).map((problem) => h("li", {}, problem))),

@@ -2,6 +2,7 @@
 import { h, prefixed, slug } from "../dom";
 import { view_of } from "../studies/views";
 import type { Study } from "../study";
+import { command } from "./command";
 
 export const study_id = (study: Study): string => slug("study", study.study);
 
@@ -15,6 +16,6 @@ export function study_section(study: Study): HTMLElement {
     h("p", { class: "lede" }, sentence),
     first,
     rest.length ? h("details", { class: "more" }, h("summary", {}, "More of it"), ...rest) : null,
-    study.command ? h("p", { class: "basis" }, "A short form. The same as a page of its own: ", h("code", {}, study.command)) : null,
+    study.command ? h("div", { class: "again" }, h("p", { class: "basis" }, "A short form. The same as a page of its own:"), command(`./${study.command}`)) : null,
   );
 }

@@ -2,7 +2,8 @@
 // keeps its promise.
 import { ablation_chart } from "../charts/ablation";
 import { h, slug, table } from "../dom";
-import { count, given, number, shell } from "../format";
+import { count, given, number } from "../format";
+import { command, run_command } from "../sections/command";
 import type { Study, StudyView } from "../study";
 import { least_models, type Drop, type LeastModels, type ModelCase, type Spread } from "./least_model";
 
@@ -62,7 +63,7 @@ function drops_table(drops: Drop[]): HTMLElement {
   return table("Each feature alone", ["feature", "without", "setting", "worse by", "cost, full = 1", "may go"], rows);
 }
 
-function least_of(place: ModelCase): HTMLElement {
+function least_of(place: ModelCase, dt: string): HTMLElement {
   if (!place.least) return h("p", { class: "absence" }, "No least model was found: the full one does not run to the end.");
   const { line, dropped, cheaper, change } = place.least;
   if (!dropped.length) return h("p", {}, "Nothing that costs anything may go: the full model is the least.");
@@ -72,7 +73,7 @@ function least_of(place: ModelCase): HTMLElement {
     { class: "least" },
     h("p", {}, `The least model costs ${number(1 / cheaper.median, "", 2)} of the full one and is worse by ${metres(change)}. It does without`),
     h("ul", {}, ...gone),
-    h("pre", {}, shell(["./plumb", "run", place.variant ? `${place.scenario}:${place.variant}` : place.scenario, "--engine", line])),
+    command(run_command({ scenario: place.scenario, variant: place.variant, engine: line, setting: "", dt })),
   );
 }
 
@@ -89,7 +90,7 @@ function case_section(model: LeastModels, place: ModelCase): HTMLElement {
     { id: slug(place.scenario, place.variant), class: "case" },
     h("h3", {}, name_of(place)),
     h("p", {}, `${weighed(place)}${place.error === null ? "" : ` The full model is ${metres(place.error)} off.`}`),
-    least_of(place),
+    least_of(place, model.dt),
     place.drops.length ? ablation_chart(place, Number(model.tolerance)) : null,
     choice_of(place),
     place.drops.length ? h("details", { class: "more" }, h("summary", {}, "Each feature, in words and numbers"), drops_table(place.drops)) : null,

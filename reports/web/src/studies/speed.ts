@@ -5,6 +5,7 @@ import { work_precision } from "../charts/work_precision";
 import { h, slug, table } from "../dom";
 import { count, enumerate, given, number, time_step } from "../format";
 import type { Study, StudyView } from "../study";
+import { all_runs, chosen_run } from "./speed_runs";
 import { speed_model, type OrderRow, type Reading, type SpeedCase, type SpeedModel } from "./speed_model";
 
 const duration = (value: number): string => (value < 1e-3 ? number(value * 1e6, "\u00b5s") : value < 1 ? number(value * 1e3, "ms") : number(value, "s"));
@@ -49,13 +50,15 @@ function case_section(model: SpeedModel, place: SpeedCase): HTMLElement {
     readings: place.curves.map(({ error_for_time }) => error_for_time[index] ?? null),
   }));
   const truth = place.truth === "converged" ? `a converged reference, itself known to ${number(place.truth_error, "m", 2)}` : `the closed form \u201c${place.truth}\u201d`;
+  const chosen = chosen_run(place);
   return h(
     "article",
     { id: slug(place.scenario, place.variant), class: "case" },
     h("h3", {}, place.variant ? `${place.scenario}, ${place.variant}` : place.scenario),
     h("p", {}, `Weighed against ${truth}${place.phases > 1 ? `; each error is the RMS over ${place.phases} phases of a step, since impacts fall anywhere in it` : ""}. Timed: its first ${given(place.timed, "s", 3)}.`),
     legend(place.curves.map(({ contender }) => contender)),
-    work_precision(place),
+    work_precision(place, chosen.choose),
+    chosen.element,
     h(
       "details",
       { class: "more" },
@@ -63,6 +66,7 @@ function case_section(model: SpeedModel, place: SpeedCase): HTMLElement {
       readings("Time for a simulated second, to be no farther from the truth than", place, times, duration),
       readings("Distance from the truth, RMS, when a simulated second may take", place, errors, (value) => number(value, "m", 2)),
     ),
+    all_runs(place),
   );
 }
 

@@ -1,0 +1,133 @@
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, open, write } from "./browser.mjs";
+import { sample } from "./sample.mjs";
+
+after(close);
+
+const file = await write(sample());
+const rows = (page) => page.locator(".matrix tbody tr").evaluateAll((all) => all.map((row) => [...row.children].slice(0, 2).map((cell) => cell.textContent).join(" ")));
+const heads = (page) => page.locator(".matrix thead th").evaluateAll((all) => all.map((head) => head.querySelector("button").firstChild.textContent));
+const hash = (page) => new URL(page.url()).hash;
+const all_rows = ["free-fall height 5", "free-fall height 50", "stacking 10 boxes", "stacking tilted"];
+
+test("the overview shows what is asked for: engine, scenario, verdict", async () => {
+  const { page, trouble } = await open(file);
+  assert.deepEqual(await rows(page), all_rows);
+  await page.getByRole("button", { name: "box2d", exact: true }).first().click();
+  assert.deepEqual(await heads(page), ["scenario", "case", "box2d"]);
+  assert.equal(hash(page), "#overview?engine=box2d");
+  await page.getByRole("searchbox").fill("boxes");
+  assert.deepEqual(await rows(page), ["stacking 10 boxes"]);
+  await page.getByRole("searchbox").fill("nothing like it");
+  assert.match(await page.locator("#overview").innerText(), /No case is like that/);
+  await page.getByRole("button", { name: "Show all" }).click();
+  assert.deepEqual(await rows(page), all_rows);
+  await page.getByRole("combobox", { name: "verdict" }).selectOption("something is not supported");
+  assert.deepEqual(await rows(page), ["stacking tilted"]);
+  assert.match(await page.getByText("of 4 cases shown").innerText(), /^1 of 4/);
+  assert.deepEqual(trouble, []);
+  await page.close();
+});
+
+test("the chart of error against cost follows the choice", async () => {
+  const { page } = await open(file, { hash: "#overview?engine=box2d" });
+  await page.locator("#overview .canvas").first().scrollIntoViewIfNeeded();
+  await page.waitForSelector("#overview g.marks");
+  assert.equal(await page.locator("#overview g.marks path, #overview g.marks circle").count(), 2);
+  await page.close();
+});
+
+test("a column's head sorts by it, turns the order around, and gives it up", async () => {
+  const { page } = await open(file);
+  const head = page.locator(".matrix thead").getByRole("button", { name: "impulse" });
+  const state = () => page.locator(".matrix thead th").nth(2).getAttribute("aria-sort");
+  await head.click();
+  assert.equal(await state(), "ascending");
+  const up = await rows(page);
+  assert.equal(up.indexOf("stacking 10 boxes"), 2, "the largest miss");
+  assert.equal(up.at(-1), "stacking tilted", "what is not judged comes last");
+  await head.press("Enter");
+  assert.equal(await state(), "descending");
+  const down = await rows(page);
+  assert.equal(down[0], "stacking 10 boxes");
+  assert.equal(down.at(-1), "stacking tilted");
+  await head.click();
+  assert.equal(await state(), "none");
+  assert.deepEqual(await rows(page), all_rows);
+  await page.close();
+});
+
+test("cells tell what is asked for, and are sorted by that", async () => {
+  const { page } = await open(file);
+  await page.getByRole("combobox", { name: "number" }).selectOption("time per step");
+  assert.match(await page.locator(".matrix td[data-verdict]").first().innerText(), /\u00b5s/);
+  await page.getByRole("combobox", { name: "order" }).selectOption("case, downwards");
+  assert.equal((await rows(page))[0], "stacking tilted");
+  assert.equal(hash(page), "#overview?show=time+per+step&sort=-case");
+  await page.close();
+});
+
+test("an address shares the view, and back and forward go through views", async () => {
+  const { page } = await open(file, { hash: "#overview?engine=impulse&sort=-scenario" });
+  assert.deepEqual(await heads(page), ["scenario", "case", "impulse"]);
+  assert.match((await rows(page))[0], /^stacking/);
+  assert.equal(await page.getByRole("button", { name: "impulse", exact: true }).first().getAttribute("aria-pressed"), "true");
+  await page.getByRole("combobox", { name: "verdict" }).selectOption("something is wrong");
+  assert.deepEqual(await rows(page), ["stacking 10 boxes"]);
+  await page.locator(".matrix td[data-verdict] a").click();
+  assert.match(hash(page), /^#stacking--10-boxes--impulse\?engine=impulse&sort=-scenario&verdict=/);
+  await page.goBack();
+  assert.deepEqual(await rows(page), ["stacking 10 boxes"]);
+  await page.goBack();
+  assert.equal((await rows(page)).length, 4);
+  await page.goForward();
+  assert.deepEqual(await rows(page), ["stacking 10 boxes"]);
+  await page.close();
+});
+
+test("a cell leads to its engine's evidence, which is marked and unfolded", async () => {
+  const { page } = await open(file);
+  await page.locator(".matrix a", { hasText: "wrong" }).press("Enter");
+  const place = page.locator("#stacking--10-boxes--impulse");
+  assert.match(await place.innerText(), /box 10, x at 10\ss: off by 0\.42\sm, allowed 0\.13\sm \(3\.23 times that\)/);
+  assert.ok(await place.evaluate((element) => element === document.activeElement && element.classList.contains("asked")));
+  assert.equal(await page.locator("tr.asked").count(), 1);
+  const top = await place.evaluate((element) => element.getBoundingClientRect().top);
+  assert.ok(top >= 0 && top < 900, `${top}`);
+  await page.locator(".matrix a", { hasText: "failed" }).click();
+  assert.match(await page.locator(".evidence .asked").innerText(), /diverged at t = 0\.42 s/);
+  await page.close();
+});
+
+test("every engine's verdict has its evidence, and every cell leads to one", async () => {
+  const { page } = await open(file);
+  const dead = await page.evaluate(() =>
+    [...document.querySelectorAll(".matrix a")].map((a) => a.getAttribute("href").slice(1)).filter((id) => !document.getElementById(id)),
+  );
+  assert.deepEqual(dead, []);
+  await page.close();
+});
+
+test("command lines are copied as they stand, with what the report was asked", async () => {
+  const data = sample();
+  data.report.command = ["plumb", "report", "--all", "--engine", "impulse", "--dt", "1/120"];
+  const { page } = await open(await write(data));
+  await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => (window.copied = text) } }));
+  const copied = () => page.evaluate(() => window.copied);
+  await page.locator("#method .command button").first().click();
+  assert.equal(await copied(), "./plumb report --all --engine impulse --dt 1/120");
+  await page.locator("#method summary", { hasText: "Each case alone" }).click();
+  await page.locator("#method details .command button").first().click();
+  assert.equal(await copied(), "./plumb run 'free-fall:height 5' --engine impulse --dt 1/120");
+  assert.equal(await page.locator("#method details .command button").first().innerText(), "Copied");
+  await page.close();
+});
+
+test("the method says what is not supported, and why", async () => {
+  const { page } = await open(file);
+  const said = await page.locator("#method").innerText();
+  assert.match(said, /box2d: has one friction coefficient only\s+stacking \(tilted\)/);
+  assert.match(said, /impulse does not reveal what would tell of push/);
+  await page.close();
+});
