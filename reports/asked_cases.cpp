@@ -9,6 +9,13 @@
 #include "scenarios/scene_json.h"
 
 namespace plumb {
+namespace {
+
+void must_be_new(const std::string& name, std::set<std::string>& seen) {
+  if (!seen.insert(name).second) throw std::invalid_argument("\"" + name + "\" is asked for twice");
+}
+
+}  // namespace
 
 std::vector<Case> cases_asked(const std::vector<std::string>& words, bool all,
                               const std::vector<std::string>& besides) {
@@ -22,6 +29,16 @@ std::vector<Case> cases_asked(const std::vector<std::string>& words, bool all,
   return cases;
 }
 
+Plan plan_asked(const std::vector<std::string>& words, bool all, const std::vector<std::string>& engines) {
+  Plan plan{.cases = cases_asked(words, all, {})};
+  for (const std::string& word : engines) plan.entrants.push_back(parse_entrant(word));
+  if (engines.empty()) plan.entrants = default_entrants();
+  std::set<std::string> seen;
+  for (const Case& one : plan.cases) must_be_new(one.scenario->name + ":" + one.variant, seen);
+  for (const Entrant& one : plan.entrants) must_be_new(label_of(one.contender->name, one.method()), seen);
+  return plan;
+}
+
 std::string hash_of(const std::vector<Case>& cases) {
   std::vector<Point> scenes;
   for (const Case& one : cases) scenes.push_back({.key = write_scene({*one.scene, {}})});
@@ -30,9 +47,7 @@ std::string hash_of(const std::vector<Case>& cases) {
 
 void must_differ(std::span<const Point> points) {
   std::set<std::string> seen;
-  for (const Point& point : points) {
-    if (!seen.insert(point.key).second) throw std::invalid_argument("\"" + point.key + "\" is asked for twice");
-  }
+  for (const Point& point : points) must_be_new(point.key, seen);
 }
 
 }  // namespace plumb

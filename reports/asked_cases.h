@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/experiment.h"
 #include "reports/run.h"
 #include "reports/study/point.h"
 
@@ -12,6 +13,10 @@ namespace plumb {
 
 /// What the words mean (see parse_cases). No words: every variant of the canonical scenarios and `besides`, or of all.
 std::vector<Case> cases_asked(const std::vector<std::string>& words, bool all, const std::vector<std::string>& besides);
+
+/// The cases, and what each word of `engines` means (see parse_entrant); no words: every engine. The rest of the plan
+/// is left to the caller. Throws std::invalid_argument, naming it, for what is unknown or asked for twice.
+Plan plan_asked(const std::vector<std::string>& words, bool all, const std::vector<std::string>& engines);
 
 /// Tells a scene that has changed since from the one that was run.
 std::string hash_of(const std::vector<Case>&);

@@ -11,12 +11,11 @@
 #include "reference/converged.h"
 #include "reports/beyond.h"
 #include "reports/comparator.h"
+#include "reports/examine.h"
 #include "reports/invariant.h"
 #include "reports/jobs.h"
 #include "reports/metric.h"
-#include "reports/phases.h"
 #include "reports/truth.h"
-#include "reports/verdict.h"
 
 namespace plumb {
 namespace {
@@ -24,33 +23,6 @@ namespace {
 struct Spent {
   double wall = 0, stepping = 0;  // s
 };
-
-std::string choices_of(const Scene& scene, const Entrant& entrant) {
-  if (!entrant.contender->chooses) return "";
-  std::string text;
-  for (const Choice& choice : entrant.contender->chooses(scene, entrant.settings)) {
-    text += fmt::format("{}{}={}: {}", text.empty() ? "chose " : "; ", choice.option, choice.value, choice.reason);
-  }
-  return text;
-}
-
-RunRecord record_of(const Case& asked, const Entrant& entrant, double dt, const Outcome& outcome) {
-  RunRecord record{.scenario = asked.scenario->name,
-                   .variant = asked.variant,
-                   .parameters = asked.parameters,
-                   .engine = entrant.contender->name,
-                   .method = entrant.method(),
-                   .exact = entrant.contender->exact,
-                   .dt = dt,
-                   .status = outcome.status,
-                   .reason = outcome.reason,
-                   .scene = asked.scene,
-                   .trace = outcome.trace};
-  if (record.status == Status::ok) record.reason = choices_of(*asked.scene, entrant);
-  if (record.status == Status::failed) record.verdict = Verdict::failed;
-  if (record.status == Status::not_supported) record.verdict = Verdict::not_supported;
-  return record;
-}
 
 std::vector<double> moments_in(double duration, double dt) {
   std::vector<double> moments(steps_in(duration, dt) + 1);
@@ -74,8 +46,8 @@ class CaseRun {
     RunRecord record = record_of(asked_, closed_form, dt_, run(*asked_.scene, closed_form, dt_));
     if (record.status == Status::ok) {
       truth_.emplace(*witness, *asked_.scene);
-      truth_trace_ = record.trace;
-      record.metrics = measure(evidence(*record.trace));
+      known_ = {&*truth_, record.trace};
+      record.metrics = measure(known_.evidence(*asked_.scene, *record.trace));
       if (refined_) record.metrics["truth_estimate_max"] = {refined_->answer->largest_error(), "m"};
       if (!refined_) {
         record.invariants =
@@ -90,17 +62,8 @@ class CaseRun {
     const Outcome outcome = run(*asked_.scene, entrant, dt_);
     spent_.wall += outcome.wall;
     spent_.stepping += outcome.stepping;
-    RunRecord record = record_of(asked_, entrant, dt_, outcome);
-    if (record.status == Status::ok) {
-      record.metrics = measure(evidence(*record.trace));
-      Judgement judgement = judge(*asked_.scene, asked_.scenario->expectations(asked_.parameters), *record.trace,
-                                  entrant.contender->stepping(entrant.settings, dt_), truth_ ? &*truth_ : nullptr);
-      if (asked_.scenario->phased) judge_phases(asked_, entrant, dt_, truth_ ? &*truth_ : nullptr, judgement);
-      record.truth = std::move(judgement.checks);
-      record.invariants = std::move(judgement.invariants);
-      record.verdict = judgement.verdict;
-      runnable_.push_back(entrant);
-    }
+    RunRecord record = examine(asked_, entrant, dt_, outcome, known_);
+    if (record.status == Status::ok) runnable_.push_back(entrant);
     records_.push_back(std::move(record));
   }
 
@@ -118,19 +81,12 @@ class CaseRun {
   const std::vector<Entrant>& runnable() const { return runnable_; }
 
  private:
-  Evidence evidence(const Trace& trace) const {
-    return {.scene = *asked_.scene,
-            .trace = trace,
-            .truth = truth_trace_.get(),
-            .truth_until = truth_ ? truth_->until() : 0};
-  }
-
   const Case& asked_;
   double dt_;
   Spent spent_;
   std::optional<ConvergedTruth> refined_;
   std::optional<Truth> truth_;
-  std::shared_ptr<const Trace> truth_trace_;
+  Known known_;
   std::vector<RunRecord> records_;
   std::vector<Comparison> comparisons_;
   std::vector<Entrant> runnable_;
@@ -205,8 +161,9 @@ Report carry_out(const Plan& plan, const Progress& progress) {
   Spent spent;
   for (CaseRun& one : runs) {
     if (one.refined() != nullptr) add_note(*one.refined(), report);
-    tell(one.asked(), "cost of a step");
-    std::ranges::move(time_steps(one.asked(), one.runnable(), plan.dt), std::back_inserter(report.timings));
+    tell(one.asked(), plan.timed ? "cost of a step" : "done");
+    if (plan.timed)
+      std::ranges::move(time_steps(one.asked(), one.runnable(), plan.dt), std::back_inserter(report.timings));
     std::ranges::move(one.comparisons(), std::back_inserter(report.comparisons));
     std::ranges::move(one.records(), std::back_inserter(report.runs));
     spent.wall += one.spent().wall;

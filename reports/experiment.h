@@ -15,6 +15,7 @@ struct Plan {
   double dt = 1.0 / 60;  // s
   int jobs = 1;          // cases run at once; their results do not depend on it
   bool refine = false;   // a converged reference where there is no closed form
+  bool timed = true;     // what a step costs, measured when all else is done
   int ensemble = 0;  // runs of each engine that are compared beyond a scene's horizon; 0: horizons are not looked for
 };
 

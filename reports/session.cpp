@@ -5,10 +5,10 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "reports/asked_cases.h"
 #include "reports/cli.h"
 #include "reports/environment.h"
 #include "reports/experiment.h"
@@ -37,23 +37,12 @@ Report carry_out_with_progress(const Plan& plan) {
   }
 }
 
-void must_be_new(const std::string& name, std::set<std::string>& seen) {
-  if (!seen.insert(name).second) throw std::invalid_argument("\"" + name + "\" is asked for twice");
-}
-
 Plan plan_of(const Session& session) {
-  Plan plan{
-      .dt = parse_dt(session.dt), .jobs = session.jobs, .refine = session.converged, .ensemble = session.ensemble};
-  for (const std::string& word : session.scenarios) {
-    for (Case& one : parse_cases(word)) plan.cases.push_back(std::move(one));
-  }
-  if (session.scenarios.empty()) plan.cases = default_cases(session.all);
-  for (const std::string& word : session.engines) plan.entrants.push_back(parse_entrant(word));
-  if (session.engines.empty()) plan.entrants = default_entrants();
-
-  std::set<std::string> seen;
-  for (const Case& one : plan.cases) must_be_new(one.scenario->name + ":" + one.variant, seen);
-  for (const Entrant& one : plan.entrants) must_be_new(label_of(one.contender->name, one.method()), seen);
+  Plan plan = plan_asked(session.scenarios, session.all, session.engines);
+  plan.dt = parse_dt(session.dt);
+  plan.jobs = session.jobs;
+  plan.refine = session.converged;
+  plan.ensemble = session.ensemble;
   return plan;
 }
 
