@@ -1,0 +1,84 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "reports/command.h"
+#include "reports/files.h"
+#include "reports/gate/asked.h"
+#include "reports/gate/baseline_json.h"
+#include "reports/gate/compare.h"
+#include "reports/gate/writer.h"
+#include "scenarios/catalog.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t shown = 10;  // offences; the files have them all
+
+struct Check {
+  GateAsked gate;
+  std::vector<std::string> against;
+  std::map<std::string, std::string> files;  // by writer
+};
+
+Baseline baseline_of_set(const std::string& file) {
+  if (std::filesystem::exists(file)) return read_baseline(file);
+  throw std::invalid_argument(file + ": there is no baseline; `plumb accept` makes one of what runs give now");
+}
+
+GateResult result_of(const Check& asked) {
+  if (asked.against.size() == 2) {
+    return compare(read_results(asked.against.front()), read_results(asked.against.back()));
+  }
+  const Baseline before =
+      asked.against.empty() ? baseline_of_set(asked.gate.file()) : read_results(asked.against.front());
+  const Plan plan = plan_of(before, asked.gate);
+  return compare(chosen(before, asked.gate, plan), carried_out(plan));
+}
+
+int check(const Check& asked) {
+  std::vector<std::pair<const GateWriter*, NewFile>> files;
+  for (const auto& [name, path] : asked.files) {
+    if (path.empty()) continue;
+    files.emplace_back(Catalog<GateWriter>::find(name), path);
+    if (std::filesystem::is_directory(path) || !files.back().second.write("")) {
+      throw std::invalid_argument("--" + name + ": \"" + path + "\" cannot be written");
+    }
+  }
+  const GateResult result = result_of(asked);
+  for (auto& [writer, file] : files) {
+    if (!file.write(writer->text(result))) throw std::runtime_error("--" + writer->name + ": the disk is full");
+    file.put_in_place();
+  }
+  fmt::print("{}", text_of(result, shown));
+  if (!result.passed()) fmt::print("If this is as it should be: plumb accept, with the same options.\n");
+  return result.passed() ? 0 : 1;
+}
+
+const Catalog<Command>::Entry entry{
+    {.name = "check",
+     .about = "Compare with the accepted baseline; exit code 1 when anything is not as accepted",
+     .examples = "  plumb check                                  the canonical scenarios\n"
+                 "  plumb check --all                            every scenario, against a baseline of all\n"
+                 "  plumb check bounce --engine impulse          some of the baseline\n"
+                 "  plumb check --junit check.xml --markdown check.md    for CI and pull requests\n"
+                 "  plumb check --against old/report.json        against the results of another build\n"
+                 "  plumb check --against old/report.json new/report.json    two results, nothing is run\n",
+     .attach = [](CLI::App& app) {
+       const auto asked = std::make_shared<Check>();
+       asked->gate.attach_to(app);
+       app.add_option("--against", asked->against,
+                      "A report.json or a baseline to compare with instead; a second one is compared with the first")
+           ->expected(1, 2)
+           ->type_name("FILE");
+       for (const GateWriter* writer : Catalog<GateWriter>::all()) {
+         app.add_option("--" + writer->name, asked->files[writer->name], "Write " + writer->about)->type_name("FILE");
+       }
+       return [asked] { return check(*asked); };
+     }}};
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,61 @@
+#include "reports/gate/result.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace plumb {
+
+const char* name_of(Rule rule) {
+  switch (rule) {
+    case Rule::presence:
+      return "presence";
+    case Rule::verdict:
+      return "verdict";
+    case Rule::bound:
+      return "bound";
+    case Rule::bits:
+      return "bits";
+  }
+  return "";
+}
+
+const char* name_of(Change change) {
+  switch (change) {
+    case Change::worse:
+      return "worse";
+    case Change::changed:
+      return "changed";
+    case Change::better:
+      return "better";
+    case Change::missing:
+      return "missing";
+    case Change::added:
+      return "new";
+  }
+  return "";
+}
+
+std::optional<Rule> caught_by(const GateResult& result, const RunKey& run) {
+  std::optional<Rule> crudest;
+  for (const Offence& one : result.offences) {
+    if (one.run == run && (!crudest || one.rule < *crudest)) crudest = one.rule;
+  }
+  return crudest;
+}
+
+// A verdict's change for the worse leads, then what is gone, then numbers by how far they are off.
+void sort(std::vector<Offence>& offences) {
+  const auto rank = [](const Offence& one) {
+    const bool verdict_worse = one.rule == Rule::verdict && one.change == Change::worse;
+    const int group = verdict_worse                   ? 0
+                      : one.change == Change::missing ? 1
+                      : one.rule == Rule::bound       ? 2
+                      : one.rule == Rule::verdict     ? 3
+                      : one.rule == Rule::bits        ? 4
+                                                      : 5;
+    return std::tuple<int, double, const RunKey&, const std::string&>(group, -one.times, one.run, one.metric);
+  };
+  std::sort(offences.begin(), offences.end(), [&](const Offence& a, const Offence& b) { return rank(a) < rank(b); });
+}
+
+}  // namespace plumb

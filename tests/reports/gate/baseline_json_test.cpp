@@ -1,0 +1,116 @@
+#include "reports/gate/baseline_json.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "reports/gate/compare.h"
+#include "reports/writers/json.h"
+#include "tests/reports/commands/scene_files.h"
+#include "tests/reports/gate/sample.h"
+#include "tests/reports/writers/sample.h"
+
+namespace plumb {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class BaselineFile : public SceneFiles {
+ protected:
+  static Baseline sample() {
+    Baseline baseline = fakes::baseline();
+    KeptRun& run = fakes::run_of(baseline);
+    run.numbers["loose \"one\""] = {.value = 0.1, .moves = std::numeric_limits<double>::infinity(), .wavers = true};
+    run.numbers["unknown"] = {.value = std::numeric_limits<double>::quiet_NaN()};
+    run.neighbours.insert(Verdict::wrong);
+    baseline.words = {"bounce:<img src=x>"};
+    baseline.runs[{"<img src=x>", "", "box2d", "a=1,b=2"}] = {.verdict = Verdict::not_supported, .reason = "no \\"};
+    return baseline;
+  }
+  std::string complaint(const std::string& text) const {
+    try {
+      read_results(put("wrong.json", text));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  }
+  static std::string with(const std::string& what, const std::string& instead) {
+    std::string text = to_text(sample());
+    return text.replace(text.find(what), what.size(), instead);
+  }
+};
+
+TEST_F(BaselineFile, ReadsBackToTheSameBytes) {
+  const std::string text = to_text(sample());
+  const Baseline back = read_baseline(put("one.json", text));
+  EXPECT_EQ(to_text(back), text);
+  const GateResult result = compare(sample(), back);
+  EXPECT_TRUE(result.passed()) << result.verdict;
+  EXPECT_EQ(back.runs.at(fakes::run_key()).numbers.at("penetration_max"),
+            sample().runs.at(fakes::run_key()).numbers.at("penetration_max"));
+  EXPECT_EQ(back.words, sample().words);
+}
+
+TEST_F(BaselineFile, ChangesOneLineForOneNumber) {
+  Baseline other = sample();
+  other.runs.at(fakes::run_key()).numbers["penetration_max"].value = 2;
+  const auto lines = [](const Baseline& baseline) {
+    std::vector<std::string> all;
+    std::istringstream in(to_text(baseline));
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+  };
+  const auto a = lines(sample());
+  const auto b = lines(other);
+  ASSERT_EQ(a.size(), b.size());
+  int differ = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) differ += a[i] == b[i] ? 0 : 1;
+  EXPECT_EQ(differ, 1);
+}
+
+TEST_F(BaselineFile, RefusesWhatIsDamagedNamingThePlace) {
+  EXPECT_THAT(complaint(to_text(sample()).substr(0, 300)), HasSubstr("wrong.json: line "));
+  EXPECT_THAT(complaint(with("\"value\":1.0", "\"value\":\"x\"")),
+              AllOf(HasSubstr("runs[1].numbers.penetration_max.value"), HasSubstr("expected a number")));
+  EXPECT_THAT(complaint(with("\"verdict\": \"right\"", "\"verdict\": \"rihgt\"")),
+              HasSubstr("did you mean \"right\"?"));
+  EXPECT_THAT(complaint(with("\"bits\": \"00000000000000aa\",", "")), HasSubstr("the key \"bits\" is missing"));
+  EXPECT_THAT(complaint(with("\"moves\":0.5", "\"moves\":-1")), HasSubstr("numbers.penetration_max.moves"));
+  EXPECT_THAT(complaint(with("\"variant\": \"\"", "\"variant\": \"\\u0007\"")),
+              HasSubstr("without control characters"));
+}
+
+TEST_F(BaselineFile, RefusesWhatIsForeignOrNewer) {
+  EXPECT_THAT(complaint("[]"), HasSubstr("expected a baseline or a report.json"));
+  EXPECT_THAT(complaint(R"({"plumb": 1, "bodies": []})"), HasSubstr("neither a baseline"));
+  EXPECT_THAT(complaint(with("\"plumb_baseline\": 1", "\"plumb_baseline\": 2")), HasSubstr("plumb_baseline: expected"));
+  EXPECT_THROW(read_baseline(put("report.json", to_json(sample_report()).dump())), std::invalid_argument);
+  EXPECT_THROW(read_baseline(at("none.json")), std::invalid_argument);
+}
+
+TEST_F(BaselineFile, RefusesARunThatIsThereTwice) {
+  const std::string text = to_text(sample());
+  const auto begin = text.find("  {\n");
+  const auto end = text.find("\n  }", begin) + 4;
+  std::string twice = text;
+  twice.insert(end, ",\n" + text.substr(begin, end - begin));
+  EXPECT_THAT(complaint(twice), HasSubstr("is there twice"));
+}
+
+TEST_F(BaselineFile, TakesAReport) {
+  const Report report = sample_report();
+  const Baseline back = read_results(put("report.json", to_json(report).dump()));
+  EXPECT_EQ(back.words, std::vector<std::string>{"slide:on ice"});
+  Baseline before = baseline_of(report);
+  EXPECT_EQ(back.runs.size(), before.runs.size());
+  for (auto& [key, run] : before.runs) run.reason = run.bits = "";  // not in a report
+  const GateResult result = compare(before, back);
+  EXPECT_TRUE(result.passed()) << result.offences.at(0).why;
+}
+
+}  // namespace
+}  // namespace plumb
