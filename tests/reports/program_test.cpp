@@ -66,7 +66,8 @@ TEST_F(ProgramRun, WantsEachCaseAndEngineOnce) {
 TEST(Program, KnowsTheseCommands) {
   std::vector<std::string> names;
   for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
-  EXPECT_THAT(names, ::testing::IsSupersetOf({"accept", "check", "diff", "export", "list", "merge", "report", "run", "study"}));
+  EXPECT_THAT(
+      names, ::testing::IsSupersetOf({"accept", "check", "diff", "export", "list", "merge", "report", "run", "study"}));
 }
 
 TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
