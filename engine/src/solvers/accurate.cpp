@@ -29,6 +29,7 @@ struct Workspace {
   EnergyBound bound;
   Pile pile;
   Colouring colouring;
+  std::vector<Island> alike;  // waiting to be stepped together
 };
 
 /// Share of its kinetic energy that an island with joints may seem to gain in a sub-step, because RATTLE's energy
@@ -41,6 +42,9 @@ constexpr int settling_sweeps = 30;
 /// Contacts, from which laying them out in lanes pays.
 constexpr std::size_t least_pile = 64;
 
+/// Contacts of islands that are stepped together: the rows then stay in the nearest cache.
+constexpr std::size_t most_together = 64;
+
 bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
 
 bool driven(const IslandJoints& joints) {
@@ -50,6 +54,17 @@ bool driven(const IslandJoints& joints) {
 bool has_stops(const IslandJoints& joints) {
   return driven(joints) || std::any_of(joints.all().begin(), joints.all().end(),
                                        [](const ActiveJoint* joint) { return joint->block.stops > 0; });
+}
+
+/// Whether a sub-step of it is one pass over its contacts and nothing else.
+bool plain(const Island& island) {
+  return island.joints.empty() && !island.bounces && !island.settling && island.sweeps == 1 && island.more_sweeps == 0;
+}
+
+/// What lies from the first of one span to the last of another behind it.
+template <class T>
+std::span<T> from_to(std::span<T> first, std::span<T> last) {
+  return {first.data(), last.data() + last.size()};
 }
 
 /// The sub-step that makes flight and impacts exact to rounding. A step of dt is cut into N sub-steps of h, each
@@ -93,6 +108,7 @@ class Accurate : public Solver {
   void solve_as_pile(StepData& data, Island& island, Pile& pile);
   bool is_pile(const StepData& data, const Island& island) const;
   void step_island(StepData& data, std::size_t number, Workspace& space);
+  void step_alike(StepData& data, Workspace& space);
   void fly(StepData& data, const Island& island);
   void fly_all(StepData& data);
   void substep(StepData& data, Island& island, Workspace& space);
@@ -134,6 +150,7 @@ void Accurate::step(StepData& data) {
   const auto step_batch = [&](std::size_t piece, std::size_t worker) {
     const std::size_t end = std::min((piece + 1) * batch, parts_.size());
     for (std::size_t number = piece * batch; number < end; ++number) step_island(data, number, spaces_[worker]);
+    step_alike(data, spaces_[worker]);
   };
   data.workers.share_out(batches, std::ref(step_batch));  // a copy would ask for memory
   end_stage("islands");
@@ -150,16 +167,39 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
     now.contacts = space.colouring.order();
   }
   make_rows(data, now, number);
-  const auto substeps = static_cast<Real>(now.substeps);
-  now.share(1 / substeps);
-  if (!now.joints.empty()) now.joints.write();
-  for (int i = 0; i < now.substeps; ++i) substep(data, now, space);
-  ScalarContacts(data.bodies, motion_).settle_offsets(now);
-  now.share(substeps);
-  for (const ImpactRow& row : now.rows) {
+  if (!space.alike.empty()) {
+    const Island& first = space.alike.front();
+    const Island& last = space.alike.back();
+    const bool goes_on = plain(now) && now.substeps == last.substeps &&
+                         now.bodies.data() == last.bodies.data() + last.bodies.size() &&
+                         now.rows.data() == last.rows.data() + last.rows.size();
+    if (!goes_on || from_to(first.rows, now.rows).size() > most_together) step_alike(data, space);
+  }
+  space.alike.push_back(now);
+  if (!plain(now)) step_alike(data, space);
+}
+
+/// Neighbours of as many sub-steps each, as if they were one island, which changes no bit: no sum of one waits for
+/// another's, and a processor works on several of them at once.
+void Accurate::step_alike(StepData& data, Workspace& space) {
+  if (space.alike.empty()) return;
+  Island all = space.alike.front();
+  all.bodies = from_to(all.bodies, space.alike.back().bodies);
+  all.rows = from_to(all.rows, space.alike.back().rows);
+  const auto substeps = static_cast<Real>(all.substeps);
+  all.share(1 / substeps);
+  for (const Island& one : space.alike) {
+    if (one.webbed) all.web = one.web;
+  }
+  if (!all.joints.empty()) all.joints.write();
+  for (int i = 0; i < all.substeps; ++i) substep(data, all, space);
+  for (const Island& one : space.alike) ScalarContacts(data.bodies, motion_).settle_offsets(one);
+  all.share(substeps);
+  for (const ImpactRow& row : all.rows) {
     store_row(row, data.contacts);
     data.contacts[row.contact].offset = row.offset;
   }
+  space.alike.clear();
 }
 
 /// Whether an island is worth the laying out, and needs nothing that lanes cannot do.

@@ -51,14 +51,13 @@ bool closed(const BodySet& bodies, std::span<const std::uint32_t> island) {
 
 bool settles(const StepData& data, const Island& island) {
   const BodySet& bodies = data.bodies;
-  const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
   const auto is_new = [&](const Tie& tie) { return data.contacts[tie.contact].age == 0; };
-  const auto is_slow = [&](std::uint32_t body) {
+  if (island.contacts.empty() || !std::all_of(island.contacts.begin(), island.contacts.end(), is_new)) return false;
+  const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
+  return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
     const Velocity& v = bodies.velocity[body];
     return length(v.v) + std::abs(v.w) * bodies.reach[body] <= slow;
-  };
-  return !island.contacts.empty() && std::all_of(island.contacts.begin(), island.contacts.end(), is_new) &&
-         std::all_of(island.bodies.begin(), island.bodies.end(), is_slow);
+  });
 }
 
 void Bearing::add(const ContactRow& row) {

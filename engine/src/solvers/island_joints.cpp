@@ -35,7 +35,7 @@ IslandJoints::IslandJoints(std::span<ActiveJoint* const> joints, std::span<const
       start_(start),
       motion_(motion),
       work_(work),
-      swept_(work.system.cost(joints, motion.size(), dear) > dear) {}
+      swept_(!joints.empty() && work.system.cost(joints, motion.size(), dear) > dear) {}
 
 Softness softness_of_swept(Real h) {
   constexpr Real damping_ratio = 5;

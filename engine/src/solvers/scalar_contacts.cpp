@@ -102,11 +102,11 @@ bool ScalarContacts::solve_pair(const Island& island, ImpactRow& row, ContactFra
   std::array<Real, 2> bias{};
   for (std::size_t i = 0; i < 2; ++i) {
     const RowPoint& p = row.points[i];
-    const Real s = gap(row, p);
     if (pressing) {
+      const Real s = gap(row, p);
       give[i] = s > 0 ? Real{0} : row.pair.give[i];
       bias[i] = s > 0 ? s / island.h : soft.rate * s;
-    } else if (p.normal_impulse == 0 && s > 0) {
+    } else if (p.normal_impulse == 0 && gap(row, p) > 0) {
       return false;
     }
   }
