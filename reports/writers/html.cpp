@@ -1,13 +1,12 @@
 #include "reports/writers/html.h"
 
 #include <cmath>
-#include <limits>
 
 #include "reports/conserved.h"
-#include "reports/pose_difference.h"
 #include "reports/writer.h"
 #include "reports/writers/json.h"
 #include "reports/writers/page.h"
+#include "reports/writers/replay.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -24,27 +23,15 @@ double rounded(double value) {
   return std::isfinite(unit) && unit > 0 ? std::round(value * unit) / unit : value;
 }
 
-// What a run's poses are measured by: the closed form of its case, else the first engine, as the comparator has it.
-const RunRecord* reference_of(const Report& report, const RunRecord& run) {
-  const RunRecord* reference = nullptr;
-  for (const RunRecord& other : report.runs) {
-    if (other.scenario != run.scenario || other.variant != run.variant || other.status != Status::ok) continue;
-    if (other.exact) return &other;
-    if (reference == nullptr) reference = &other;
-  }
-  return reference;
-}
-
-Json series_of(const RunRecord& run, const RunRecord* reference, std::size_t most) {
+Json series_of(const Course& course, std::size_t most) {
+  const RunRecord& run = *course.run;
   const Trace& trace = *run.trace;
   const Conserved conserved(*run.scene);
   Json series{{"scenario", run.scenario}, {"variant", run.variant}, {"engine", run.engine}, {"method", run.method}};
-  for (const char* column : {"t", "energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference"}) {
+  for (const char* column :
+       {"t", "energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference", "overlap"}) {
     series[column] = Json::array();
   }
-  const auto apart = reference == nullptr ? std::vector<PoseDifference>{}
-                                          : pose_differences(*run.scene, trace, *reference->trace,
-                                                             std::numeric_limits<double>::infinity());
   const std::size_t last = trace.size() - 1;
   const std::size_t shown = std::min(trace.size(), most);
   for (std::size_t i = 0; i < shown; ++i) {
@@ -56,7 +43,9 @@ Json series_of(const RunRecord& run, const RunRecord* reference, std::size_t mos
     series["momentum_x"].push_back(rounded(momentum.linear.x));
     series["momentum_y"].push_back(rounded(momentum.linear.y));
     series["angular_momentum"].push_back(rounded(momentum.angular));
-    series["pose_difference"].push_back(moment < apart.size() ? Json(rounded(apart[moment].position)) : Json());
+    series["pose_difference"].push_back(moment < course.apart.size() ? Json(rounded(course.apart[moment].position))
+                                                                     : Json());
+    series["overlap"].push_back(rounded(course.deepest[moment].depth));
   }
   return series;
 }
@@ -68,11 +57,9 @@ const Catalog<Writer>::Entry entry{
 
 }  // namespace
 
-Json series_of(const Report& report, std::size_t most) {
+Json series_of(std::span<const Course> courses, std::size_t most) {
   Json all = Json::array();
-  for (const RunRecord& run : report.runs) {
-    if (run.trace && run.scene && run.trace->size() > 0) all.push_back(series_of(run, reference_of(report, run), most));
-  }
+  for (const Course& course : courses) all.push_back(series_of(course, most));
   return all;
 }
 
@@ -102,7 +89,12 @@ std::optional<std::string> fill_page(std::string_view page, const Json& data, st
 }
 
 std::optional<std::string> fill_page(std::string_view page, const Report& report, std::string& why_not) {
-  return fill_page(page, Json{{"report", to_json(report)}, {"series", series_of(report)}, {"studies", report.studies}},
+  const std::vector<Course> courses = courses_of(report);
+  return fill_page(page,
+                   Json{{"report", to_json(report)},
+                        {"series", series_of(courses)},
+                        {"replays", replays_of(courses)},
+                        {"studies", report.studies}},
                    why_not);
 }
 

@@ -2,6 +2,7 @@
 // not fit is refused whole, with the places named.
 
 import { finite, is_object, list, map, number, one_of, record, text, yes_no, type Rule } from "./rules";
+import { replay_rule, type Replay } from "./replay/data";
 import { study_rule, type Study } from "./study";
 
 export interface Measured {
@@ -132,11 +133,13 @@ export interface Series {
   momentum_y: (number | null)[];
   angular_momentum: (number | null)[];
   pose_difference: (number | null)[];
+  overlap: (number | null)[]; // m, the deepest
 }
 
 export interface Page {
   report: Report;
   series: Series[];
+  replays: Replay[];
   studies: Study[]; // short forms
 }
 
@@ -213,7 +216,7 @@ const report_rule = record({
   }),
 });
 
-const columns = ["energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference"] as const;
+const columns = ["energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference", "overlap"] as const;
 
 const series_rule: Rule = (value, path, problems) => {
   const before = problems.length;
@@ -232,6 +235,7 @@ const series_rule: Rule = (value, path, problems) => {
 const page_rule = record({
   report: report_rule,
   series: list(series_rule),
+  replays: list(replay_rule),
   studies: list(study_rule),
 });
 

@@ -1,6 +1,7 @@
 // The report as the page thinks of it: contenders with a look of their own, and cases (a scenario in one variant) with
 // everything that is known about them.
 import type { Comparison, InvariantCheck, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
+import type { Replay } from "./replay/data";
 
 export interface Contender {
   label: string; // as --engine takes it; "truth" for the closed forms
@@ -26,6 +27,7 @@ export interface Case {
   parameters: Record<string, number>;
   entries: Entry[]; // the truth last
   comparisons: Comparison[];
+  replay: Replay | undefined;
   horizon: number | undefined; // s, up to which the scene can be told point by point; undefined: to its end
 }
 
@@ -123,6 +125,7 @@ export function model_of(page: Page): Model {
         parameters: run.parameters,
         entries: [],
         comparisons,
+        replay: page.replays.find((replay) => replay.scenario === run.scenario && replay.variant === run.variant),
         horizon: horizons.find((value) => typeof value === "number"),
       };
       cases.set(case_key, place);

@@ -28,6 +28,12 @@ export const list =
 export const is_object = (value: unknown): value is Record<string, unknown> =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 
+export const or_null =
+  (rule: Rule): Rule =>
+  (value, path, problems) => {
+    if (value !== null) rule(value, path, problems);
+  };
+
 export const map =
   (rule: Rule): Rule =>
   (value, path, problems) => {

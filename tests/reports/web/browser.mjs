@@ -29,8 +29,8 @@ export async function write(data) {
 }
 
 /** Opens a file. `trouble` collects what must not be: errors on the console, and requests that leave the file. */
-export async function open(file, { width = 1280, height = 900, colorScheme = "light", hash = "" } = {}) {
-  const page = await browser.newPage({ viewport: { width, height }, colorScheme, reducedMotion: "reduce" });
+export async function open(file, { width = 1280, height = 900, colorScheme = "light", hash = "", deviceScaleFactor = 1 } = {}) {
+  const page = await browser.newPage({ viewport: { width, height }, colorScheme, deviceScaleFactor, reducedMotion: "reduce" });
   const trouble = [];
   page.on("console", (message) => {
     if (["error", "warning"].includes(message.type())) trouble.push(message.text());
@@ -43,6 +43,17 @@ export async function open(file, { width = 1280, height = 900, colorScheme = "li
   await page.goto(address + hash);
   return { page, trouble };
 }
+
+/** The replay of the n-th case, made; on its own, where it is clicked, typed at and looked at. */
+export async function replay(page, n = 0) {
+  const stage = page.locator(".stage").nth(n);
+  await stage.scrollIntoViewIfNeeded();
+  await page.waitForFunction((n) => "ready" in document.querySelectorAll(".stage")[n].dataset, n);
+  return stage;
+}
+
+/** Two frames on, all that was asked for is drawn. */
+export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 
 /** Charts are drawn when they come near the screen: goes through the whole page, folded parts too. */
 export async function draw_all(page) {

@@ -36,7 +36,7 @@ test("every contender has its line in each chart, and every run its mark against
   await draw_all(page);
   const first = page.locator("article").first();
   const labels = (locator) => locator.evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort());
-  const figures = first.locator("figure");
+  const figures = first.locator(".charts figure");
   assert.deepEqual(await labels(figures.nth(0).locator("g.line")), ["box2d", "impulse", "truth"]);
   assert.deepEqual(await labels(figures.nth(1).locator("g.line")), ["box2d", "impulse"]);
   assert.deepEqual(await labels(figures.nth(2).locator("g.line")), ["box2d", "impulse", "truth"]);
@@ -48,8 +48,8 @@ test("every contender has its line in each chart, and every run its mark against
 
 test("the pointer is told what every contender says at that time", async () => {
   const { page } = await open(reports["the sample"]);
-  const chart = page.locator("article figure svg").first();
-  await page.locator("article").first().scrollIntoViewIfNeeded();
+  const chart = page.locator("article .charts svg").first();
+  await page.locator(".charts").first().scrollIntoViewIfNeeded();
   await chart.hover();
   const told = await chart.locator("[aria-label=tip]").textContent();
   for (const name of ["impulse: ", "box2d: ", "truth: "]) assert.ok(told.includes(name), told);
@@ -126,6 +126,7 @@ const damages = {
   "a report without its runs": [{ ...sample(), report: { ...sample().report, runs: undefined } }, /report\.runs: expected a list, found nothing/],
   "a run whose step is text": [damaged((page) => (page.report.runs[1].dt = "1/60")), /report\.runs\[1\]\.dt: expected a number, found a string/],
   "a verdict nobody knows": [damaged((page) => (page.report.runs[0].verdict = "fine")), /report\.runs\[0\]\.verdict: expected one of right/],
+  "a replay whose run has no step": [damaged((page) => delete page.replays[0].runs[1].length), /replays\[0\]\.runs\[1\]\.length: expected a number, found nothing/],
   "a column that is too short": [damaged((page) => page.series[2].energy.pop()), /series\[2\]\.energy: 120 values for 121 times/],
 };
 

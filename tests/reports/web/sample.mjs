@@ -1,5 +1,7 @@
 // A small report as the C++ side writes it: two free falls, where engines have known errors, and one case of every
 // other kind (wrong, failed, not supported, no truth).
+import { pack, replay_run } from "./pack.mjs";
+
 const steps = 120;
 const dt = 1 / 60;
 const g = 10;
@@ -42,9 +44,37 @@ function fall(height, contender) {
       momentum_y: times.map((t) => -g * t),
       angular_momentum: times.map(() => 0),
       pose_difference: times.map((t) => Math.abs(contender.off) * g * t * dt),
+      overlap: times.map(() => 0),
     },
   };
 }
+
+/** A ball of radius 0.5 m, and the ground far below; on the way it brushes something for three steps. */
+function replay_of(height, { engine, off }) {
+  const y = (t) => height - (g * t * t) / 2 - off * g * t * dt;
+  const brush = [{ begin: 30, points: [30, 31, 32].map((i) => [0.5, y(times[i]), -1, 0.5]) }];
+  return replay_run({
+    engine,
+    times,
+    states: times.map((t) => [[0, y(t), 2 * t], [0, -100, 0]]),
+    energies: times.map((t) => [(g * t) ** 2 / 2, 0.1, g * y(t)]),
+    places: off > 0 ? [brush] : [],
+    steps: { length: 1 / 2048, angle: 1 / 1024, impulse: 1 / 512, energy: 1 / 16 },
+    apart: off ? { time: 2, value: Math.abs(off) * g * 2 * dt } : null,
+    overlap: off > 0 ? { time: 0.5, value: 0.01, a: 0, b: 1 } : null,
+  });
+}
+
+export const ball = { y: (height, off, t) => height - (g * t * t) / 2 - off * g * t * dt, radius: 0.5 };
+
+const scene = {
+  outlines: [{ points: [[0, 0]], radius: ball.radius }, { normal: [0, 1], offset: 0 }],
+  bodies: [
+    { name: "ball", type: "dynamic", outlines: [0] },
+    { name: "ground", type: "fixed", outlines: [1] },
+  ],
+  ties: [],
+};
 
 const place = (scenario, variant, { engine, method }) => ({ scenario, variant, engine, method });
 
@@ -71,6 +101,7 @@ export function sample(scenario = "free-fall") {
       timings: { steps: [], clock: { runs_s: 3.2, outside_step: 0.31 } },
     },
     series: [],
+    replays: [],
     studies: [],
   };
   const { report } = page;
@@ -85,6 +116,7 @@ export function sample(scenario = "free-fall") {
       const cost = { step_us: contender.cost * height ** 0.2, step_us_low: contender.cost, step_us_high: contender.cost * 2 };
       report.timings.steps.push({ ...of, ...cost, real_time_factor: 40000, repetitions: 5 });
     }
+    page.replays.push({ scenario, variant, scene: pack(JSON.stringify(scene)), runs: contenders.map((contender) => replay_of(height, contender)) });
     report.comparisons.push({
       scenario,
       variant,
@@ -94,6 +126,10 @@ export function sample(scenario = "free-fall") {
       verdict: "plausible",
       reason: "",
     });
+  }
+  for (const { scenario, variant } of page.replays) {
+    const parted = { parted_at: { value: 0.25, unit: "s" } };
+    report.comparisons.push({ scenario, variant, a: "impulse", b: "free fall", metrics: parted, verdict: "right", reason: "" });
   }
   const other = { parameters: { boxes: 10 }, exact: false, dt, metrics: {}, truth: [], invariants: [] };
   const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, relation: "equal", passed: false, revealed: true, source: "nothing moves" };

@@ -23,6 +23,7 @@ TEST(FillPage, PutsTheReportAndItsSeriesWhereTheMarkWas) {
   const Json data = Json::parse(filled->substr(before.size(), filled->size() - before.size() - after.size()));
   EXPECT_EQ(data["report"].dump(), to_json(sample_report()).dump());
   EXPECT_EQ(data["series"].size(), 2u) << "the run that failed left no trace";
+  EXPECT_EQ(data["replays"][0]["runs"].size(), 2u);
 }
 
 TEST(FillPage, LetsNoNameBreakOut) {
@@ -41,11 +42,12 @@ TEST(FillPage, SaysWhyThereIsNoPage) {
 }
 
 TEST(Series, IsThinnedButKeepsBothEnds) {
-  const Json series = series_of(sample_report(), 300)[1];
+  const Report report = sample_report();
+  const Json series = series_of(courses_of(report), 300)[1];
   EXPECT_EQ(series["t"].size(), 300u);
   EXPECT_EQ(series["t"].front(), 0);
   EXPECT_EQ(series["t"].back(), 16.6667) << "six digits";
-  for (const char* column : {"energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference"}) {
+  for (const char* column : {"energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference", "overlap"}) {
     EXPECT_EQ(series[column].size(), 300u) << column;
   }
   EXPECT_EQ(series["energy"][7], 1);
@@ -59,7 +61,7 @@ TEST(Series, HasNoDifferenceBeyondTheEndOfTheTruth) {
   const BodyState state;
   brief->record(0, std::span(&state, 1), {});
   report.runs[0].trace = brief;
-  const Json series = series_of(report, 10)[1];
+  const Json series = series_of(courses_of(report), 10)[1];
   EXPECT_EQ(series["pose_difference"][0], 0);
   EXPECT_TRUE(series["pose_difference"][1].is_null());
 }

@@ -1,7 +1,8 @@
-// The three charts of a case, each with a sentence that says what one sees.
+// The charts of a case, each with a sentence that says what one sees.
 import { enumerate, number, to_within } from "../format";
 import type { Case, Entry } from "../model";
 import { figure } from "./figure";
+import type { Cursor } from "../replay/cursor";
 import { over_time, type OverTime } from "./over_time";
 
 type Column = OverTime["column"];
@@ -37,8 +38,8 @@ function ends(entries: Entry[], column: Column, unit: string): string {
   return `At the end: ${enumerate(found.map(({ name, value }) => `${name} at ${to_within(value, spread, unit)}`))}.`;
 }
 
-function energy({ entries, horizon }: Case): HTMLElement {
-  const chart: OverTime = { quantity: "energy", unit: "J", entries, column: "energy", horizon };
+function energy({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
+  const chart: OverTime = { quantity: "energy", unit: "J", entries, column: "energy", horizon, cursor };
   return figure({
     title: "Energy of the whole scene",
     note: ends(entries, "energy", "J"),
@@ -56,7 +57,7 @@ const components: { column: Column; quantity: string; unit: string }[] = [
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** Components that stay at zero but for round-off are named, not drawn. */
-function momenta({ entries, horizon }: Case): HTMLElement[] {
+function momenta({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
   const size = (column: Column) => Math.max(0, ...entries.map(({ series }) => (series ? largest(series[column]) : 0)));
   const most = Math.max(...components.map(({ column }) => size(column)));
   const moving = components.filter(({ column }) => most > 0 && size(column) > 1e-6 * most);
@@ -68,12 +69,12 @@ function momenta({ entries, horizon }: Case): HTMLElement[] {
       title: `${capital(component.quantity)} of the whole scene`,
       note: ends(entries, component.column, component.unit) + (index ? "" : zero),
       height: 220,
-      draw: (width) => [over_time(width, { ...component, entries, horizon })],
+      draw: (width) => [over_time(width, { ...component, entries, horizon, cursor })],
     }),
   );
 }
 
-function pose({ entries, horizon }: Case): HTMLElement {
+function pose({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
   const engines = entries.filter(({ contender, series }) => !contender.exact && series);
   const parts = engines.map(({ contender, series }) => `${contender.label} ${number(largest(series?.pose_difference ?? []), "m")}`);
   const apart = engines.some(({ series }) => largest(series?.pose_difference ?? []) > 0);
@@ -83,10 +84,28 @@ function pose({ entries, horizon }: Case): HTMLElement {
     note: apart ? `At most: ${enumerate(parts)}.` : "None at any time.",
     height: 220,
     draw: (width) =>
-      apart ? [over_time(width, { quantity: "pose difference", unit: "m", entries, column: "pose_difference", log: true, horizon })] : [],
+      apart ? [over_time(width, { quantity: "pose difference", unit: "m", entries, column: "pose_difference", log: true, horizon, cursor })] : [],
   });
 }
 
-export function case_charts(place: Case): HTMLElement[] {
-  return place.entries.some(({ series }) => series) ? [energy(place), pose(place), ...momenta(place)] : [];
+/** None where bodies never overlap. */
+function overlap({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
+  const engines = entries.filter(({ contender, series }) => !contender.exact && series);
+  const most = engines.map(({ contender, series }) => ({ contender, depth: largest(series?.overlap ?? []) }));
+  if (!most.some(({ depth }) => depth > 0)) return [];
+  const chart: OverTime = { quantity: "overlap", unit: "m", entries, column: "overlap", horizon, cursor };
+  const parts = most.map(({ contender, depth }) => `${contender.label} ${number(depth, "m", 2)}`);
+  return [
+    figure({
+      title: "Deepest overlap of two bodies",
+      note: `At most: ${enumerate(parts)}.`,
+      height: 220,
+      draw: (width) => [over_time(width, chart)],
+    }),
+  ];
+}
+
+export function case_charts(place: Case, cursor: Cursor): HTMLElement[] {
+  if (!place.entries.some(({ series }) => series)) return [];
+  return [energy(place, cursor), pose(place, cursor), ...overlap(place, cursor), ...momenta(place, cursor)];
 }

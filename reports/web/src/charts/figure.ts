@@ -13,16 +13,25 @@ const paper_width = 640; // px
 
 const pending = new Map<Element, (width: number) => void>();
 
+const waiting = new Map<Element, () => void>();
+
 const near = new IntersectionObserver(
   (entries) => {
     for (const { target, isIntersecting } of entries) {
       if (!isIntersecting) continue;
       near.unobserve(target);
-      resized.observe(target);
+      waiting.get(target)?.();
+      waiting.delete(target);
     }
   },
   { rootMargin: "600px" },
 );
+
+/** Acts once, when an element comes near the screen. */
+export function when_near(element: Element, act: () => void): void {
+  waiting.set(element, act);
+  near.observe(element);
+}
 
 const resized = new ResizeObserver((entries) => {
   for (const { target, contentRect } of entries) {
@@ -54,6 +63,6 @@ export function figure({ title, note, height, draw }: Figure): HTMLElement {
     canvas.style.minHeight = "";
     fill(canvas, draw(width), [title, note].filter(Boolean).join(". "));
   });
-  near.observe(canvas);
+  when_near(canvas, () => resized.observe(canvas));
   return h("figure", {}, h("figcaption", {}, h("strong", {}, title), note ? h("span", {}, note) : null), canvas);
 }

@@ -2,6 +2,8 @@
 import * as Plot from "@observablehq/plot";
 import { given, number, pretty_unit } from "../format";
 import type { Contender, Entry } from "../model";
+import type { Cursor } from "../replay/cursor";
+import { playhead } from "../replay/playhead";
 import { decades } from "./decades";
 import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
 
@@ -15,9 +17,10 @@ export interface OverTime {
   quantity: string;
   unit: string;
   entries: Entry[];
-  column: "energy" | "momentum_x" | "momentum_y" | "angular_momentum" | "pose_difference";
+  column: "energy" | "momentum_x" | "momentum_y" | "angular_momentum" | "pose_difference" | "overlap";
   log?: boolean;
   horizon: number | undefined; // s
+  cursor: Cursor; // shared with the case's replay and its other charts
 }
 
 const height = 220; // px
@@ -71,7 +74,7 @@ function linear_domain(points: Point[]): [number, number] {
   return [low - lack, high + lack];
 }
 
-export function over_time(width: number, { quantity, unit, entries, column, log = false, horizon }: OverTime): Element {
+export function over_time(width: number, { quantity, unit, entries, column, log = false, horizon, cursor }: OverTime): Element {
   const lines = entries
     .filter((entry) => !log || !entry.contender.exact)
     .map((entry) => ({ contender: entry.contender, points: points_of(entry, column, log) }))
@@ -80,7 +83,7 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
   const moments = moments_of(all);
   const engines = lines.filter((line) => !line.contender.exact);
   const drawn = [...lines].sort((a, b) => Number(b.contender.exact) - Number(a.contender.exact));
-  return Plot.plot({
+  const chart = Plot.plot({
     ...plot_look(width, height),
     ariaLabel: `${quantity} over time`,
     x: { label: "time (s)", domain: [0, Math.max(...all.map(({ t }) => t))], labelAnchor: "right", ticks: Math.max(3, Math.floor(width / (90 * scale()))) },
@@ -108,4 +111,6 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
       Plot.tip(moments, Plot.pointerX({ x: "t", frameAnchor: "top-left", title: (moment: Moment) => told(moment, unit), ...tip_look })),
     ],
   });
+  playhead(chart, cursor);
+  return chart;
 }

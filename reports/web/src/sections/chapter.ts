@@ -4,6 +4,8 @@ import { legend } from "../charts/look";
 import { h, slug } from "../dom";
 import { given, words } from "../format";
 import type { Case, Chapter, Model } from "../model";
+import { Cursor } from "../replay/cursor";
+import { replay_figure } from "../replay/view";
 import { checks } from "./checks";
 import { evidence } from "./evidence";
 import { horizon } from "./horizon";
@@ -20,6 +22,8 @@ function parameters(place: Case, chapter: Chapter): HTMLElement {
 }
 
 function section(place: Case, chapter: Chapter, { page }: Model): HTMLElement {
+  const ends = place.entries.flatMap(({ series }) => series?.t[series.t.length - 1] ?? []);
+  const cursor = new Cursor(Math.max(0, ...ends));
   const drawn = place.entries.filter(({ series }) => series).map(({ contender }) => contender);
   return h(
     "article",
@@ -29,7 +33,8 @@ function section(place: Case, chapter: Chapter, { page }: Model): HTMLElement {
     evidence(place),
     horizon(place),
     drawn.length ? legend(drawn) : null,
-    h("div", { class: "charts" }, ...case_charts(place)),
+    replay_figure(place, cursor),
+    h("div", { class: "charts" }, ...case_charts(place, cursor)),
     checks(place),
     invariants(place),
     numbers(place, page.report),

@@ -10,11 +10,11 @@ interface Column {
   metrics: Record<string, Measured>;
 }
 
-function metric_table(caption: string, columns: Column[]): HTMLElement | null {
+function metric_table(caption: string, columns: Column[], about: Map<string, string>): HTMLElement | null {
   const names = [...new Set(columns.flatMap(({ metrics }) => Object.keys(metrics)))];
   if (!names.length) return null;
   const rows = names.map((name) => {
-    const row = h("tr", {}, h("th", { scope: "row" }, words(name)));
+    const row = h("tr", {}, h("th", { scope: "row", title: about.get(name) }, words(name)));
     for (const { head, metrics } of columns) {
       const found = metrics[name];
       row.append(h("td", { "data-label": head }, found ? number(found.value, found.unit) : "\u2013"));
@@ -35,7 +35,8 @@ export function numbers(place: Case, report: Report): HTMLElement | null {
     return { head: contender.label, metrics: { ...run.metrics, ...cost } };
   });
   const pairs = place.comparisons.map(({ a, b, metrics }) => ({ head: `${a} against ${b}`, metrics }));
-  const tables = [metric_table("Measured of each run", runs), metric_table("Differences", pairs)].filter(Boolean);
+  const about = new Map(report.metrics.map(({ name, definition }) => [name, definition]));
+  const tables = [metric_table("Measured of each run", runs, about), metric_table("Differences", pairs, about)].filter(Boolean);
   const reasons = place.comparisons.filter(({ reason }) => reason).map(({ a, b, reason }) => h("p", {}, `${a} against ${b}: ${reason}`));
   if (!tables.length) return null;
   const again = command(case_command(report, place.scenario, place.variant));

@@ -1,0 +1,131 @@
+// Bodies as paths, in pixels: one path holds as many as look alike.
+import type { Camera, Pane } from "./camera";
+import type { Outline, Scene } from "./data";
+import type { Film } from "./film";
+
+/** Where a pane shows what. */
+export class View {
+  readonly scale: number; // px per m
+  private readonly origin_x: number;
+  private readonly origin_y: number;
+
+  constructor(
+    readonly pane: Pane,
+    camera: Camera,
+  ) {
+    this.scale = camera.scale(pane);
+    const { x, y } = camera.centre();
+    this.origin_x = pane.x + pane.width / 2 - x * this.scale;
+    this.origin_y = pane.y + pane.height / 2 + y * this.scale;
+  }
+
+  x(metres: number): number {
+    return this.origin_x + metres * this.scale;
+  }
+
+  y(metres: number): number {
+    return this.origin_y - metres * this.scale;
+  }
+
+  /** Whether a disc may be seen. */
+  holds(x: number, y: number, radius: number): boolean {
+    const { pane } = this;
+    return x + radius >= pane.x && x - radius <= pane.x + pane.width && y + radius >= pane.y && y - radius <= pane.y + pane.height;
+  }
+}
+
+interface Figure {
+  outlines: Outline[];
+  radius: number; // m, of the disc around the centre of mass that holds it; infinite for a half-space
+}
+
+const far = (outline: Outline): number =>
+  outline.points ? Math.max(...outline.points.map(([x, y]) => Math.hypot(x, y))) + (outline.radius ?? 0) : Infinity;
+
+/** Discs show by a spoke how they turn, where they are this large. */
+const least_spoke = 5; // px
+
+function disc(path: Path2D, x: number, y: number, radius: number, cos: number, sin: number): void {
+  path.moveTo(x + radius, y);
+  path.arc(x, y, radius, 0, 2 * Math.PI);
+  if (radius < least_spoke) return;
+  path.moveTo(x, y);
+  path.lineTo(x + radius * cos, y - radius * sin);
+}
+
+function capsule(path: Path2D, ax: number, ay: number, bx: number, by: number, radius: number): void {
+  const along = Math.atan2(by - ay, bx - ax);
+  path.moveTo(ax + radius * Math.cos(along + Math.PI / 2), ay + radius * Math.sin(along + Math.PI / 2));
+  path.arc(ax, ay, radius, along + Math.PI / 2, along - Math.PI / 2);
+  path.arc(bx, by, radius, along - Math.PI / 2, along + Math.PI / 2);
+  path.closePath();
+}
+
+/** All of it that a pane can show. */
+function half_space(path: Path2D, view: View, x: number, y: number, nx: number, ny: number, offset: number): void {
+  const { pane, scale } = view;
+  const reach = 2 * (pane.width + pane.height);
+  const middle_x = pane.x + pane.width / 2;
+  const middle_y = pane.y + pane.height / 2;
+  // How far the pane's middle lies above the line, px; the normal's y points up, the screen's down.
+  const above = (middle_x - x) * nx - (middle_y - y) * ny - offset * scale;
+  const foot_x = middle_x - above * nx;
+  const foot_y = middle_y + above * ny;
+  const depth = reach + Math.abs(above);
+  path.moveTo(foot_x - ny * reach, foot_y - nx * reach);
+  path.lineTo(foot_x + ny * reach, foot_y + nx * reach);
+  path.lineTo(foot_x + ny * reach - nx * depth, foot_y + nx * reach + ny * depth);
+  path.lineTo(foot_x - ny * reach - nx * depth, foot_y - nx * reach + ny * depth);
+  path.closePath();
+}
+
+export class Figures {
+  private readonly figures: Figure[];
+
+  constructor(readonly scene: Scene) {
+    this.figures = scene.bodies.map(({ outlines }) => {
+      const own = outlines.flatMap((index) => scene.outlines[index] ?? []);
+      return { outlines: own, radius: Math.max(0, ...own.map(far)) };
+    });
+  }
+
+  /** m */
+  radius(body: number): number {
+    return this.figures[body]?.radius ?? 0;
+  }
+
+  /** Adds a body as a film has it now; says whether any of it is in view. */
+  add(path: Path2D, view: View, film: Film, body: number): boolean {
+    const figure = this.figures[body];
+    if (!figure) return false;
+    const x = view.x(film.now[body * 3] ?? 0);
+    const y = view.y(film.now[body * 3 + 1] ?? 0);
+    if (!view.holds(x, y, figure.radius * view.scale)) return false;
+    const angle = film.now[body * 3 + 2] ?? 0;
+    const cos = Math.cos(angle);
+    const sin = Math.sin(angle);
+    for (const outline of figure.outlines) add_outline(path, view, outline, x, y, cos, sin);
+    return true;
+  }
+}
+
+function add_outline(path: Path2D, view: View, outline: Outline, x: number, y: number, cos: number, sin: number): void {
+  const { points, radius = 0, normal, offset = 0 } = outline;
+  if (!points) {
+    const [nx, ny] = normal ?? [0, 1];
+    half_space(path, view, x, y, nx * cos - ny * sin, nx * sin + ny * cos, offset);
+    return;
+  }
+  const { scale } = view;
+  const at_x = (k: number): number => x + ((points[k]?.[0] ?? 0) * cos - (points[k]?.[1] ?? 0) * sin) * scale;
+  const at_y = (k: number): number => y - ((points[k]?.[0] ?? 0) * sin + (points[k]?.[1] ?? 0) * cos) * scale;
+  if (points.length === 1) {
+    disc(path, at_x(0), at_y(0), radius * scale, cos, sin);
+  } else if (points.length === 2 && radius > 0) {
+    capsule(path, at_x(0), at_y(0), at_x(1), at_y(1), radius * scale);
+  } else {
+    path.moveTo(at_x(0), at_y(0));
+    for (let k = 1; k < points.length; ++k) path.lineTo(at_x(k), at_y(k));
+    if (points.length > 2) path.closePath();
+  }
+}

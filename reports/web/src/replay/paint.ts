@@ -1,0 +1,205 @@
+// What a pane shows: the ground, the truth as a ghost, engines upon it, and what is asked for besides.
+import { given } from "../format";
+import type { Tie } from "./data";
+import type { Film } from "./film";
+import { Figures, View } from "./outline";
+
+export interface Shown {
+  contacts: boolean;
+  velocities: boolean;
+}
+
+/** Colours as the canvas takes them: it knows no variables of the style sheet. */
+export type Color = (variable: string) => string;
+
+/** More bodies than this are drawn as fills with plain thin lines, in paths of so many: what costs is long paths. */
+const crowd = 300;
+const longest_arrow = 60; // px, of the largest impulse
+const velocity_time = 0.1; // s: an arrow is the way of this long
+const least_arrow = 3; // px
+
+/** `layers`: how many are drawn upon each other; their fills together are to tint, not to hide. */
+function bodies(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, layers: number, color: Color): void {
+  const { contender } = film;
+  const moving = figures.scene.bodies.length;
+  const crowded = moving > crowd;
+  const ink = color(contender.color);
+  context.save();
+  context.lineJoin = "round";
+  context.strokeStyle = ink;
+  context.fillStyle = ink;
+  context.lineWidth = contender.exact ? 5 : crowded ? 1 : 1.75;
+  if (!crowded && contender.dash) context.setLineDash(contender.dash.split(" ").map(Number));
+  if (contender.exact) context.setLineDash([]);
+  let path = new Path2D();
+  let held = 0;
+  const finish = (): void => {
+    context.globalAlpha = contender.exact ? 0.6 : (crowded ? 0.28 : 0.16) / layers;
+    context.fill(path);
+    context.globalAlpha = 1;
+    context.stroke(path);
+    path = new Path2D();
+    held = 0;
+  };
+  for (let body = 0; body < moving; ++body) {
+    if (figures.scene.bodies[body]?.type === "fixed") continue;
+    held += Number(figures.add(path, view, film, body));
+    if (held >= crowd) finish();
+  }
+  if (held) finish();
+  context.restore();
+}
+
+function ground(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, color: Color): void {
+  const path = new Path2D();
+  figures.scene.bodies.forEach(({ type }, body) => {
+    if (type === "fixed") figures.add(path, view, film, body);
+  });
+  context.fillStyle = color("var(--quiet-wash)");
+  context.fill(path);
+  context.strokeStyle = color("var(--faint)");
+  context.lineWidth = 1;
+  context.stroke(path);
+}
+
+function anchor(film: Film, body: number | null, [x, y]: [number, number]): [number, number] {
+  if (body === null) return [x, y];
+  const angle = film.now[body * 3 + 2] ?? 0;
+  const cos = Math.cos(angle);
+  const sin = Math.sin(angle);
+  return [(film.now[body * 3] ?? 0) + x * cos - y * sin, (film.now[body * 3 + 1] ?? 0) + x * sin + y * cos];
+}
+
+function ties(context: CanvasRenderingContext2D, all: Tie[], view: View, film: Film, color: Color): void {
+  const path = new Path2D();
+  const end = (x: number, y: number): void => {
+    path.moveTo(x + 2, y);
+    path.arc(x, y, 2, 0, 2 * Math.PI);
+  };
+  for (const { a, b, at_a, at_b } of all) {
+    const [ax, ay] = anchor(film, a, at_a);
+    const [bx, by] = anchor(film, b, at_b);
+    path.moveTo(view.x(ax), view.y(ay));
+    path.lineTo(view.x(bx), view.y(by));
+    if (all.length > crowd) continue;
+    end(view.x(ax), view.y(ay));
+    end(view.x(bx), view.y(by));
+  }
+  context.strokeStyle = color(film.contender.color);
+  context.lineWidth = 1.25;
+  context.stroke(path);
+}
+
+function arrow(path: Path2D, x: number, y: number, dx: number, dy: number): void {
+  const size = Math.hypot(dx, dy);
+  if (size < least_arrow) return;
+  const head = Math.min(6, size / 2) / size;
+  const [bx, by] = [x + dx, y + dy];
+  path.moveTo(x, y);
+  path.lineTo(bx, by);
+  path.moveTo(bx - head * (dx - dy / 2), by - head * (dy + dx / 2));
+  path.lineTo(bx, by);
+  path.lineTo(bx - head * (dx + dy / 2), by - head * (dy - dx / 2));
+}
+
+function velocities(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, color: Color): void {
+  const path = new Path2D();
+  const reach = velocity_time * view.scale;
+  figures.scene.bodies.forEach(({ type }, body) => {
+    if (type === "fixed") return;
+    const x = view.x(film.now[body * 3] ?? 0);
+    const y = view.y(film.now[body * 3 + 1] ?? 0);
+    arrow(path, x, y, reach * (film.velocity[body * 2] ?? 0), -reach * (film.velocity[body * 2 + 1] ?? 0));
+  });
+  context.strokeStyle = color(film.contender.color);
+  context.lineWidth = 1.5;
+  context.stroke(path);
+}
+
+function contacts(context: CanvasRenderingContext2D, view: View, film: Film, largest: number, color: Color): void {
+  const found = film.contacts();
+  if (!found) return;
+  const points = new Path2D();
+  const arrows = new Path2D();
+  const reach = largest > 0 ? longest_arrow / largest : 0;
+  for (let i = 0; i < found.length; i += 4) {
+    const x = view.x(found[i] ?? 0);
+    const y = view.y(found[i + 1] ?? 0);
+    points.moveTo(x + 2.5, y);
+    points.arc(x, y, 2.5, 0, 2 * Math.PI);
+    arrow(arrows, x, y, reach * (found[i + 2] ?? 0), -reach * (found[i + 3] ?? 0));
+  }
+  context.fillStyle = color(film.contender.color);
+  context.strokeStyle = color(film.contender.color);
+  context.lineWidth = 1.5;
+  context.stroke(arrows);
+  context.fill(points);
+}
+
+/** A round length of about 80 px. */
+function scale_bar(context: CanvasRenderingContext2D, view: View, color: Color): void {
+  const { pane, scale } = view;
+  const unit = 10 ** Math.floor(Math.log10(80 / scale));
+  const metres = [5, 2, 1].find((many) => many * unit * scale <= 100) ?? 1;
+  const [x, y] = [pane.x + 12, pane.y + pane.height - 10];
+  const width = metres * unit * scale;
+  context.strokeStyle = color("var(--soft)");
+  context.fillStyle = color("var(--soft)");
+  context.lineWidth = 1.25;
+  context.beginPath();
+  context.moveTo(x, y - 4);
+  context.lineTo(x, y);
+  context.lineTo(x + width, y);
+  context.lineTo(x + width, y - 4);
+  context.stroke();
+  context.textAlign = "left";
+  context.textBaseline = "bottom";
+  context.fillText(given(Number((metres * unit).toPrecision(1)), "m"), x + 4, y - 2);
+}
+
+export interface Picture {
+  figures: Figures;
+  films: Film[]; // shown in this pane, the truth among them
+  title: string;
+  shown: Shown;
+  largest: number; // N s, of all impulses of the case
+  ring: { film: Film; body: number } | undefined;
+}
+
+function ring(context: CanvasRenderingContext2D, view: View, { figures }: Picture, film: Film, body: number, color: Color): void {
+  const size = figures.radius(body);
+  const radius = Math.max(10, (Number.isFinite(size) ? size : 0) * view.scale + 5);
+  context.strokeStyle = color("var(--wrong)");
+  context.lineWidth = 2;
+  context.beginPath();
+  context.arc(view.x(film.now[body * 3] ?? 0), view.y(film.now[body * 3 + 1] ?? 0), radius, 0, 2 * Math.PI);
+  context.stroke();
+}
+
+export function paint(context: CanvasRenderingContext2D, view: View, picture: Picture, color: Color): void {
+  const { figures, films, title, shown } = picture;
+  const { pane } = view;
+  context.save();
+  context.beginPath();
+  context.rect(pane.x, pane.y, pane.width, pane.height);
+  context.clip();
+  const engines = films.filter(({ contender }) => !contender.exact).length;
+  const [first] = films;
+  if (first) ground(context, figures, view, first, color);
+  for (const film of [...films].sort((a, b) => Number(b.contender.exact) - Number(a.contender.exact))) {
+    bodies(context, figures, view, film, Math.max(1, engines), color);
+    ties(context, figures.scene.ties, view, film, color);
+    if (film.contender.exact) continue;
+    if (shown.contacts) contacts(context, view, film, picture.largest, color);
+    if (shown.velocities) velocities(context, figures, view, film, color);
+  }
+  if (picture.ring && films.includes(picture.ring.film)) ring(context, view, picture, picture.ring.film, picture.ring.body, color);
+  scale_bar(context, view, color);
+  if (title) {
+    context.fillStyle = color("var(--ink)");
+    context.textAlign = "left";
+    context.textBaseline = "top";
+    context.fillText(title, pane.x + 10, pane.y + 8);
+  }
+  context.restore();
+}

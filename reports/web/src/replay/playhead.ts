@@ -1,0 +1,35 @@
+// The case's time on a chart: a line that follows it, and sets it where one clicks or drags.
+import type { Plot } from "@observablehq/plot";
+import { svg } from "../dom";
+import type { Cursor } from "./cursor";
+
+export function playhead(chart: (SVGSVGElement | HTMLElement) & Plot, cursor: Cursor): void {
+  const time = chart.scale("x");
+  const value = chart.scale("y");
+  if (!time?.invert || !value?.range) return;
+  const [bottom, top] = value.range as number[];
+  const line = svg("line", { class: "playhead", y1: bottom ?? 0, y2: top ?? 0 });
+  chart.append(line);
+  const follow = (): void => {
+    if (line.isConnected || !drawn) {
+      const x = String(time.apply(cursor.time));
+      line.setAttribute("x1", x);
+      line.setAttribute("x2", x);
+      drawn ||= line.isConnected;
+    } else {
+      forget();  // drawn anew, at another width
+    }
+  };
+  let drawn = false;
+  const forget = cursor.on(follow);
+  follow();
+
+  const set = (event: PointerEvent): void => {
+    const left = chart.getBoundingClientRect().left;
+    cursor.set(Number(time.invert?.(event.clientX - left)));
+    // Else the chart would pin what it tells to this place.
+    event.stopImmediatePropagation();
+  };
+  chart.addEventListener("pointerdown", (event) => set(event as PointerEvent), { capture: true });
+  chart.addEventListener("pointermove", (event) => (event as PointerEvent).buttons === 1 && set(event as PointerEvent), { capture: true });
+}

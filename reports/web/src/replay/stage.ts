@@ -1,0 +1,186 @@
+// The canvas: its panes, its size, and what pointers do to the camera.
+import { h } from "../dom";
+import { scale as type_scale } from "../charts/look";
+import { Camera, type Bounds, type Pane } from "./camera";
+import type { Film } from "./film";
+import { View, type Figures } from "./outline";
+import { paint, type Picture, type Shown } from "./paint";
+
+export interface Showing extends Shown {
+  films: Film[]; // those to be seen, the truth among them
+  apart: boolean; // side by side, rather than over each other
+  ring: Picture["ring"];
+}
+
+const least_pane = 200; // px wide
+
+function grid(count: number, width: number, height: number): Pane[] {
+  const most = Math.max(1, Math.floor(width / least_pane));
+  const columns = Math.min(count, most);
+  const rows = Math.ceil(count / columns);
+  return Array.from({ length: count }, (_, i) => ({
+    x: ((i % columns) * width) / columns,
+    y: (Math.floor(i / columns) * height) / rows,
+    width: width / columns,
+    height: height / rows,
+  }));
+}
+
+/** What moving bodies cover, over the whole time, in the film that all are measured by. */
+export function bounds_of(film: Film, figures: Figures): Bounds {
+  const bounds = { left: Infinity, bottom: Infinity, right: -Infinity, top: -Infinity };
+  film.each_position((body, x, y) => {
+    const radius = figures.radius(body);
+    if (figures.scene.bodies[body]?.type === "fixed" || !Number.isFinite(radius)) return;
+    bounds.left = Math.min(bounds.left, x - radius);
+    bounds.right = Math.max(bounds.right, x + radius);
+    bounds.bottom = Math.min(bounds.bottom, y - radius);
+    bounds.top = Math.max(bounds.top, y + radius);
+  });
+  if (!(bounds.right > bounds.left)) return { left: -1, bottom: -1, right: 1, top: 1 };
+  // What moves along a line still needs some room across it.
+  const least = 0.2 * Math.max(bounds.right - bounds.left, bounds.top - bounds.bottom);
+  const lack_x = Math.max(0, least - (bounds.right - bounds.left)) / 2;
+  const lack_y = Math.max(0, least - (bounds.top - bounds.bottom)) / 2;
+  return { left: bounds.left - lack_x, right: bounds.right + lack_x, bottom: bounds.bottom - lack_y, top: bounds.top + lack_y };
+}
+
+export class Stage {
+  readonly canvas = h("canvas", { tabindex: "0", role: "img" });
+  private readonly camera: Camera;
+  private readonly colors = new Map<string, string>();
+  private readonly largest: number;
+  private panes: Pane[] = [];
+  private wanted = false;
+
+  constructor(
+    private readonly figures: Figures,
+    films: Film[],
+    bounds: Bounds,
+    private readonly showing: () => Showing,
+  ) {
+    this.camera = new Camera(bounds);
+    this.largest = Math.max(0, ...films.map((film) => film.largest_impulse()));
+    new ResizeObserver(() => this.resize()).observe(this.canvas);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
+    matchMedia("print").addEventListener("change", () => this.repaint());
+    this.listen();
+  }
+
+  private repaint(): void {
+    this.colors.clear();
+    this.draw();
+  }
+
+  private readonly color = (variable: string): string => {
+    let found = this.colors.get(variable);
+    if (found === undefined) {
+      const name = /^var\((.*)\)$/.exec(variable)?.[1] ?? "";
+      found = getComputedStyle(document.documentElement).getPropertyValue(name).trim() || "gray";
+      this.colors.set(variable, found);
+    }
+    return found;
+  };
+
+  private resize(): void {
+    const ratio = devicePixelRatio;
+    const width = Math.round(this.canvas.clientWidth * ratio);
+    const height = Math.round(this.canvas.clientHeight * ratio);
+    if (!width || (width === this.canvas.width && height === this.canvas.height)) return;
+    this.canvas.width = width;
+    this.canvas.height = height;
+    this.paint();
+  }
+
+  /** At the next frame, however often it is asked for. */
+  draw(): void {
+    if (this.wanted) return;
+    this.wanted = true;
+    requestAnimationFrame(() => {
+      this.wanted = false;
+      this.paint();
+    });
+  }
+
+  private paint(): void {
+    const context = this.canvas.getContext("2d");
+    if (!context || !this.canvas.width) return;
+    const { films, apart, ring, ...shown } = this.showing();
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    const truths = films.filter(({ contender }) => contender.exact);
+    const engines = films.filter(({ contender }) => !contender.exact);
+    const split = apart && engines.length > 1;
+    const parts = split ? engines.map((film) => [...truths, film]) : [films];
+    this.panes = grid(parts.length, width, height);
+    context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    context.font = `${13 * type_scale()}px ${getComputedStyle(this.canvas).fontFamily}`;
+    parts.forEach((part, index) => {
+      const pane = this.panes[index];
+      if (!pane) return;
+      const title = split ? (part[part.length - 1]?.contender.label ?? "") : "";
+      paint(context, new View(pane, this.camera), { figures: this.figures, films: part, title, shown, largest: this.largest, ring }, this.color);
+      if (index === 0) this.tell_view(new View(pane, this.camera));
+    });
+    this.part_panes(context);
+  }
+
+  /** px per m and where the origin is drawn in the first pane: lets one measure on the canvas. */
+  private tell_view(view: View): void {
+    this.canvas.dataset["view"] = [view.scale, view.x(0), view.y(0)].join(" ");
+  }
+
+  private part_panes(context: CanvasRenderingContext2D): void {
+    context.strokeStyle = this.color("var(--hair)");
+    context.lineWidth = 1;
+    for (const { x, y, width, height } of this.panes.length > 1 ? this.panes : []) context.strokeRect(x, y, width, height);
+  }
+
+  zoom_by(factor: number): void {
+    this.camera.zoom_by(factor, this.pane_at(0, 0));
+    this.draw();
+  }
+
+  /** By shares of the pane. */
+  pan(x: number, y: number): void {
+    const pane = this.pane_at(0, 0);
+    this.camera.pan(x * pane.width, y * pane.height, pane);
+    this.draw();
+  }
+
+  fit(): void {
+    this.camera.fit();
+    this.draw();
+  }
+
+  private pane_at(x: number, y: number): Pane {
+    const whole = { x: 0, y: 0, width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+    return this.panes.find((pane) => x >= pane.x && x < pane.x + pane.width && y >= pane.y && y < pane.y + pane.height) ?? whole;
+  }
+
+  private listen(): void {
+    const { canvas } = this;
+    canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
+    canvas.addEventListener("pointermove", (event) => {
+      if (!canvas.hasPointerCapture(event.pointerId)) return;
+      this.camera.pan(event.movementX, event.movementY, this.pane_at(event.offsetX, event.offsetY));
+      this.draw();
+    });
+    // The wheel scrolls the page, unless one is at work here.
+    canvas.addEventListener(
+      "wheel",
+      (event) => {
+        if (!event.ctrlKey && document.activeElement !== canvas) return;
+        event.preventDefault();
+        this.camera.zoom_by(2 ** (-event.deltaY / 250), this.pane_at(event.offsetX, event.offsetY), event.offsetX, event.offsetY);
+        this.draw();
+      },
+      { passive: false },
+    );
+    canvas.addEventListener("dblclick", (event) => {
+      this.camera.zoom_by(2, this.pane_at(event.offsetX, event.offsetY), event.offsetX, event.offsetY);
+      this.draw();
+    });
+  }
+}

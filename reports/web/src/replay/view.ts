@@ -1,0 +1,251 @@
+// The replay of a case: the stage, what steers it, and how both follow the case's time. Made when it comes near the
+// screen.
+import { legend_mark } from "../charts/look";
+import { when_near } from "../charts/figure";
+import { h } from "../dom";
+import { given, number } from "../format";
+import type { Case } from "../model";
+import { Bars } from "./bars";
+import { button, check, choice, icon } from "./controls";
+import type { Cursor } from "./cursor";
+import { scene_rule, type Replay, type Scene } from "./data";
+import { Film } from "./film";
+import { jumps_of, type Found, type Jump } from "./jumps";
+import { help, listen, type Key } from "./keys";
+import { Figures } from "./outline";
+import { Player, speeds } from "./player";
+import { bounds_of, Stage, type Showing } from "./stage";
+import { unpack } from "./unpack";
+
+/** Larger scenes begin side by side: over each other, none could be made out. */
+const most_overlaid = 40; // bodies
+
+async function scene_of(replay: Replay): Promise<Scene> {
+  const scene: unknown = JSON.parse(new TextDecoder().decode(await unpack(replay.scene)));
+  const problems: string[] = [];
+  scene_rule(scene, "scene", problems);
+  if (problems.length) throw new Error(problems[0]);
+  return scene as Scene;
+}
+
+async function films_of(place: Case, replay: Replay, bodies: number): Promise<Film[]> {
+  const found = place.entries.flatMap(({ contender, run }) => {
+    const own = replay.runs.find(({ engine, method }) => engine === run.engine && method === run.method);
+    return own ? [Film.of(contender, own, bodies)] : [];
+  });
+  return Promise.all(found);
+}
+
+/** What one must know to believe the picture. */
+function fidelity(films: Film[]): string {
+  const longest = Math.max(...films.map(({ run }) => run.length));
+  const every = films.filter(({ run }) => run.every > 1);
+  const thinned = every.map(({ contender, run }) => `${contender.label} ${run.every} (between them up to ${number(run.between, "m", 2)} off)`);
+  const missing = films.filter(({ contender, run }) => !contender.exact && run.contacts !== "kept");
+  const none = missing.map(({ contender, run }) => `${contender.label} (${run.contacts === "none" ? "shows none" : "too many to keep"})`);
+  return [
+    `Positions are rounded by up to ${number(longest / 2, "m", 2)}.`,
+    thinned.length ? `One step is kept of so many: ${thinned.join(", ")}.` : "Every step is kept.",
+    none.length ? `Without contacts: ${none.join(", ")}.` : "",
+  ].join(" ");
+}
+
+class Replayer {
+  readonly element: HTMLElement;
+  private readonly shown: Set<Film>;
+  private readonly view: Omit<Showing, "films">;
+  private readonly stage: Stage;
+  private readonly bars: Bars;
+  private readonly player: Player;
+  private readonly jumps: { jump: Jump; control: HTMLButtonElement }[];
+  private readonly slider: HTMLInputElement;
+  private readonly clock = h("span", { class: "clock" });
+  private readonly play = button("Play", icon("play"), () => this.player.toggle());
+  private readonly speed = choice("Speed", speeds.map((many) => [String(many), `${given(many)}\u00d7`] as const), (value) => {
+    this.player.speed = Number(value);
+  });
+  private readonly options: Record<"apart" | "contacts" | "velocities" | "energy" | "loop", HTMLInputElement>;
+
+  constructor(
+    place: Case,
+    scene: Scene,
+    private readonly films: Film[],
+    private readonly cursor: Cursor,
+  ) {
+    const figures = new Figures(scene);
+    const reference = films.find(({ contender }) => contender.exact) ?? films[0];
+    if (!reference) throw new Error("there is no run to show");
+    this.shown = new Set(films);
+    this.view = { apart: scene.bodies.length > most_overlaid, contacts: scene.bodies.length <= most_overlaid, velocities: false, ring: undefined };
+    this.stage = new Stage(figures, films, bounds_of(reference, figures), () => ({ ...this.view, films: this.films_shown }));
+    this.stage.canvas.setAttribute("aria-label", `Replay of ${place.scenario}, ${place.variant}`);
+    this.bars = new Bars(films);
+    this.player = new Player(cursor, () => this.follow());
+    this.slider = h("input", { type: "range", min: "0", max: String(cursor.end), step: "any", value: "0", "aria-label": "Time" });
+    this.slider.addEventListener("input", () => this.go(Number(this.slider.value)));
+    this.jumps = jumps_of(place).map((jump) => ({ jump, control: button(`${jump.name}: ${jump.about}`, jump.name, () => this.jump(jump)) }));
+    this.options = {
+      apart: check("Side by side", this.view.apart, (on) => this.change({ apart: on })),
+      contacts: check("Contacts and impulses", this.view.contacts, (on) => this.change({ contacts: on })),
+      velocities: check("Velocities", false, (on) => this.change({ velocities: on })),
+      energy: check("Energy", true, (on) => (this.bars.element.hidden = !on)),
+      loop: check("Loop", false, (on) => (this.player.loop = on)),
+    };
+    const keys = this.keys();
+    this.element = h(
+      "div",
+      { class: "replayer" },
+      this.stage.canvas,
+      this.transport(),
+      h("div", { class: "row" }, ...this.jumps.map(({ control }) => control)),
+      h("div", { class: "row" }, ...films.map((film) => this.choose(film)), ...["apart", "contacts", "velocities", "energy"].map((name) => this.label(name as "apart"))),
+      this.bars.element,
+      help(keys),
+      h("p", { class: "fidelity" }, fidelity(films)),
+    );
+    listen(this.element, keys);
+    cursor.on(() => this.follow());
+    this.follow();
+  }
+
+  private get films_shown(): Film[] {
+    return this.films.filter((film) => this.shown.has(film));
+  }
+
+  private label(name: keyof Replayer["options"]): HTMLElement {
+    const option = this.options[name];
+    return h("label", {}, option, option.name);
+  }
+
+  private choose(film: Film): HTMLElement {
+    const box = check(film.contender.label, true, (on) => {
+      if (on) this.shown.add(film);
+      else this.shown.delete(film);
+      this.change({});
+    });
+    return h("label", {}, box, legend_mark(film.contender), film.contender.label);
+  }
+
+  private transport(): HTMLElement {
+    this.speed.value = "1";
+    return h(
+      "div",
+      { class: "row transport" },
+      button("To the start", icon("start"), () => this.go(0)),
+      button("A step back", icon("back"), () => this.step(-1)),
+      this.play,
+      button("A step on", icon("on"), () => this.step(1)),
+      this.slider,
+      this.clock,
+      this.speed,
+      this.label("loop"),
+      button("Nearer", "+", () => this.stage.zoom_by(1.5)),
+      button("Farther", "\u2212", () => this.stage.zoom_by(1 / 1.5)),
+      button("All in view", "Fit", () => this.stage.fit()),
+    );
+  }
+
+  private keys(): Key[] {
+    const press = (name: keyof Replayer["options"]) => (): void => this.options[name].click();
+    const pan = (x: number, y: number) => (): void => this.stage.pan(0.1 * x, 0.1 * y);
+    return [
+      { keys: [" ", "k"], shown: "Space K", about: "play, pause", act: () => this.player.toggle() },
+      { keys: ["ArrowLeft"], shown: "\u2190", about: "a step back; with Shift, ten", act: ({ shiftKey }) => this.step(shiftKey ? -10 : -1) },
+      { keys: ["ArrowRight"], shown: "\u2192", about: "a step on; with Shift, ten", act: ({ shiftKey }) => this.step(shiftKey ? 10 : 1) },
+      { keys: ["Home"], shown: "Home", about: "to the start", act: () => this.go(0) },
+      { keys: ["End"], shown: "End", about: "to the end", act: () => this.go(this.cursor.end) },
+      { keys: ["ArrowUp", "]"], shown: "\u2191", about: "faster", act: () => this.player.faster(1) },
+      { keys: ["ArrowDown", "["], shown: "\u2193", about: "slower", act: () => this.player.faster(-1) },
+      ...this.jumps.map(({ jump }): Key => ({ keys: [jump.key], shown: jump.key, about: `${jump.name.toLowerCase()}: ${jump.about}`, act: () => this.jump(jump) })),
+      { keys: ["l"], shown: "L", about: "loop", act: press("loop") },
+      { keys: ["o"], shown: "O", about: "side by side, or over each other", act: press("apart") },
+      { keys: ["c"], shown: "C", about: "contact points, and the impulse of the last step on the second body, N s", act: press("contacts") },
+      { keys: ["v"], shown: "V", about: "velocities: an arrow is the way of 0.1 s", act: press("velocities") },
+      { keys: ["e"], shown: "E", about: "energy", act: press("energy") },
+      { keys: ["+", "="], shown: "+", about: "nearer", act: () => this.stage.zoom_by(1.5) },
+      { keys: ["-"], shown: "\u2212", about: "farther", act: () => this.stage.zoom_by(1 / 1.5) },
+      { keys: ["0"], shown: "0", about: "all in view", act: () => this.stage.fit() },
+      { keys: ["a"], shown: "A", about: "look left", act: pan(1, 0) },
+      { keys: ["d"], shown: "D", about: "look right", act: pan(-1, 0) },
+      { keys: ["w"], shown: "W", about: "look up", act: pan(0, 1) },
+      { keys: ["s"], shown: "S", about: "look down", act: pan(0, -1) },
+    ];
+  }
+
+  private change(view: Partial<Showing>): void {
+    Object.assign(this.view, view);
+    this.follow();
+  }
+
+  private go(time: number): void {
+    this.view.ring = undefined;
+    this.cursor.set(time);
+    this.stage.draw();
+  }
+
+  /** By moments of the film that has the most of them. */
+  private step(by: number): void {
+    this.player.pause();
+    const [finest] = [...this.films_shown].sort((a, b) => b.times.length - a.times.length);
+    if (!finest) return;
+    const here = finest.moment_at(this.cursor.time);
+    const between = this.cursor.time - (finest.times[here] ?? 0) > 1e-6;
+    const next = here + by + Number(between && by < 0);
+    this.go(finest.times[Math.min(finest.times.length - 1, Math.max(0, next))] ?? 0);
+  }
+
+  private jump(jump: Jump): void {
+    const found = jump.find(this.films_shown);
+    if (!found) return;
+    this.player.pause();
+    this.go(found.time);
+    if (found.body !== undefined) this.view.ring = { film: found.film, body: found.body };
+    this.follow();
+  }
+
+  private tell_playing(): void {
+    const name = this.player.playing ? "Pause" : "Play";
+    if (this.play.getAttribute("aria-label") === name) return;
+    this.play.setAttribute("aria-label", name);
+    this.play.title = name;
+    this.play.replaceChildren(icon(this.player.playing ? "pause" : "play"));
+  }
+
+  private follow(): void {
+    const films = this.films_shown;
+    if (this.player.playing) this.view.ring = undefined;
+    for (const film of films) film.go_to(this.cursor.time);
+    this.stage.draw();
+    this.bars.show(films);
+    this.slider.value = String(this.cursor.time);
+    const time = given(this.cursor.time, "s", 4);
+    this.slider.setAttribute("aria-valuetext", time);
+    this.clock.textContent = `${this.cursor.time.toFixed(3)}\u202fs of ${given(this.cursor.end, "s", 4)}`;
+    this.tell_playing();
+    this.speed.value = String(this.player.speed);
+    for (const { jump, control } of this.jumps) say(control, jump, jump.find(films));
+  }
+}
+
+function say(control: HTMLButtonElement, jump: Jump, found: Found | undefined): void {
+  control.disabled = !found;
+  const text = found ? `${jump.name}: ${given(found.time, "s", 3)} (${found.text})` : `${jump.name}: none`;
+  if (control.textContent !== text) control.textContent = text;
+}
+
+export function replay_figure(place: Case, cursor: Cursor): HTMLElement | null {
+  const { replay } = place;
+  if (!replay?.runs.length) return null;
+  const holder = h("div", { class: "stage" });
+  const show = async (): Promise<void> => {
+    try {
+      const scene = await scene_of(replay);
+      holder.replaceChildren(new Replayer(place, scene, await films_of(place, replay, scene.bodies.length), cursor).element);
+    } catch (error) {
+      holder.replaceChildren(h("p", { role: "alert" }, `This replay cannot be shown: ${(error as Error).message}`));
+    }
+    holder.dataset["ready"] = "";
+  };
+  when_near(holder, () => void show());
+  return h("figure", { class: "replay" }, h("figcaption", {}, h("strong", {}, "Replay")), holder);
+}

@@ -1,0 +1,77 @@
+#include "reports/writers/packed.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace plumb {
+namespace {
+
+// Beyond 2^50 steps a double has no half steps left, and differences of differences would overflow soon.
+constexpr double most_steps = 1125899906842624.0;
+
+std::int64_t in_steps(double value, double step) {
+  const double steps = value / step;
+  if (!(std::abs(steps) < most_steps))
+    throw std::invalid_argument("a packed value must be finite and within 2^50 steps");
+  return std::llround(steps);
+}
+
+std::string deflated(std::string_view bytes) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string out(size, '\0');
+  const auto* from = reinterpret_cast<const Bytef*>(bytes.data());
+  auto* to = reinterpret_cast<Bytef*>(out.data());
+  if (compress2(to, &size, from, static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION) != Z_OK) {
+    throw std::runtime_error("zlib could not compress");
+  }
+  out.resize(size);
+  return out;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t known = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < known ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= known ? letters[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+}  // namespace
+
+void Numbers::put(std::int64_t value) {
+  auto rest = static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);
+  for (; rest >= 128; rest >>= 7) bytes_ += static_cast<char>((rest & 127) | 128);
+  bytes_ += static_cast<char>(rest);
+}
+
+void Numbers::put_smooth(std::span<const double> values, double step) {
+  std::int64_t before = 0;
+  std::int64_t last = 0;
+  for (const double value : values) {
+    const std::int64_t now = in_steps(value, step);
+    put(now - 2 * last + before);
+    before = last;
+    last = now;
+  }
+}
+
+void Numbers::put_steady(std::span<const double> values, double step) {
+  std::int64_t last = 0;
+  for (const double value : values) {
+    const std::int64_t now = in_steps(value, step);
+    put(now - last);
+    last = now;
+  }
+}
+
+std::string packed(std::string_view bytes) { return base64(deflated(bytes)); }
+
+}  // namespace plumb
