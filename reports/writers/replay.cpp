@@ -59,7 +59,7 @@ class RunReplay {
       poses = poses_of(kept_moments(trace_.size(), every));
     }
     const std::vector<std::size_t> kept = kept_moments(trace_.size(), every);
-    std::string touches = touches_of(kept);
+    std::string touches = shows_contacts() ? touches_of(kept) : "";
     const char* contacts = touches.empty() ? "none" : "kept";
     if (touches.size() > limits.contacts) {
       contacts = "too many";
@@ -181,9 +181,15 @@ class RunReplay {
     return places;
   }
 
+  bool shows_contacts() const {
+    for (std::size_t moment = 0; moment < trace_.size(); ++moment) {
+      if (!trace_.contacts(moment).empty()) return true;
+    }
+    return false;
+  }
+
   std::string touches_of(const std::vector<std::size_t>& kept) const {
     const auto places = touches_by_place(kept);
-    if (places.empty()) return "";
     Numbers numbers;
     numbers.put(static_cast<std::int64_t>(places.size()));
     for (const auto& [place, touches] : places) put_place(touches, numbers);
