@@ -11,8 +11,8 @@ namespace plumb {
 
 /// A page holds many runs; what one of them may take of it.
 struct ReplayLimits {
-  std::size_t poses = 48 * 1024;     // characters: beyond, moments are left out
-  std::size_t contacts = 24 * 1024;  // the same: beyond, no contacts are kept
+  std::size_t poses = 320 * 1024;     // characters: beyond, moments are left out
+  std::size_t contacts = 160 * 1024;  // the same: beyond, no contacts are kept
 };
 
 /// Positions are in steps of this share of what the run covers: the rounding, half of it, is less than half a pixel on
