@@ -1,5 +1,6 @@
 // Prints how long frames of a large replay take: node tests/frame_times.mjs [ROWS [ENGINES]], a pyramid of boxes.
-// "script" is the page's own work in a frame; "frame" what passes from one to the next, drawing included.
+// "script" is the page's own work in a frame; "frame" what passes from one to the next, drawing included; "processors"
+// what all of the browser's processes used for one, whatever else the machine did: what lasts of the three.
 import { close, open, replay, write } from "./browser.mjs";
 import { pack, replay_run } from "./pack.mjs";
 import { sample } from "./sample.mjs";
@@ -50,10 +51,20 @@ await page.evaluate(() => {
   };
   ask(tick);
 });
+const system = await page.context().browser().newBrowserCDPSession();
+async function processors() {
+  const { processInfo } = await system.send("SystemInfo.getProcessInfo");
+  return new Map(processInfo.map(({ id, type, cpuTime }) => [`${type} ${id}`, cpuTime]));
+}
 await stage.locator("canvas").focus();
 await page.keyboard.press("l");
 await page.keyboard.press("Space");
+await page.waitForTimeout(500);
+const before = await processors();
+const drawn = await page.evaluate(() => window.frames_seen.length);
 await page.waitForTimeout(5000);
+const used = await processors();
+const drawn_since = (await page.evaluate(() => window.frames_seen.length)) - drawn;
 const { frames, script } = await page.evaluate(() => ({ frames: window.frames_seen, script: window.script }));
 const told = (name, all) => {
   const sorted = all.slice(10).sort((a, b) => a - b);
@@ -62,5 +73,7 @@ const told = (name, all) => {
 };
 told("frame", frames.slice(1).map((time, i) => time - frames[i]));
 told("script", script);
+const parts = [...used].map(([name, time]) => [name.split(" ")[0], (1000 * (time - (before.get(name) ?? 0))) / drawn_since]).filter(([, ms]) => ms > 0.05);
+console.log(`processors: ${parts.map(([name, ms]) => `${name} ${ms.toFixed(1)} ms`).join(", ")} a frame`);
 if (trouble.length) console.log(trouble);
 await close();

@@ -36,8 +36,16 @@ export function plot_look(width: number, height: number): Plot.PlotOptions {
 /** What the pointer is told. */
 export const tip_look = { fill: "var(--paper)", stroke: "var(--faint)", lineHeight: 1.4 };
 
-/** Line and shape of a contender. */
+const marks = new Map<string, Element>();
+
+/** Line and shape of a contender; drawn once, for a long page has hundreds. */
 export function legend_mark(contender: Contender): Element {
+  const known = marks.get(contender.label) ?? draw_mark(contender);
+  marks.set(contender.label, known);
+  return known.cloneNode(true) as Element;
+}
+
+function draw_mark(contender: Contender): Element {
   const drawn = Plot.plot({
     width: 36,
     height: 16,

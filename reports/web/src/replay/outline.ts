@@ -94,29 +94,47 @@ export class Figures {
     return this.figures[body]?.radius ?? 0;
   }
 
-  /** Adds a body as a film has it now; says whether any of it is in view. */
-  add(path: Path2D, view: View, film: Film, body: number): boolean {
+  /** Those of a film that may be seen now, and that are wanted. */
+  in_view(view: View, film: Film, wanted: (body: number) => boolean): number[] {
+    const found: number[] = [];
+    this.figures.forEach(({ radius }, body) => {
+      if (!wanted(body)) return;
+      const x = view.x(film.now[body * 3] ?? 0);
+      const y = view.y(film.now[body * 3 + 1] ?? 0);
+      if (view.holds(x, y, radius * view.scale)) found.push(body);
+    });
+    return found;
+  }
+
+  /** Adds a body as a film has it now, its outline drawn in by some pixels. */
+  add(path: Path2D, view: View, film: Film, body: number, drawn_in = 0): void {
     const figure = this.figures[body];
-    if (!figure) return false;
+    if (!figure) return;
     const x = view.x(film.now[body * 3] ?? 0);
     const y = view.y(film.now[body * 3 + 1] ?? 0);
-    if (!view.holds(x, y, figure.radius * view.scale)) return false;
     const angle = film.now[body * 3 + 2] ?? 0;
+    const scale = view.scale * Math.max(0.5, 1 - drawn_in / (figure.radius * view.scale));
     const cos = Math.cos(angle);
     const sin = Math.sin(angle);
-    for (const outline of figure.outlines) add_outline(path, view, outline, x, y, cos, sin);
-    return true;
+    for (const outline of figure.outlines) add_outline(path, view, outline, { x, y, cos, sin, scale });
   }
 }
 
-function add_outline(path: Path2D, view: View, outline: Outline, x: number, y: number, cos: number, sin: number): void {
+interface Placed {
+  x: number; // px, of the centre of mass
+  y: number;
+  cos: number; // of the angle
+  sin: number;
+  scale: number; // px per m
+}
+
+function add_outline(path: Path2D, view: View, outline: Outline, { x, y, cos, sin, scale }: Placed): void {
   const { points, radius = 0, normal, offset = 0 } = outline;
   if (!points) {
     const [nx, ny] = normal ?? [0, 1];
     half_space(path, view, x, y, nx * cos - ny * sin, nx * sin + ny * cos, offset);
     return;
   }
-  const { scale } = view;
   const at_x = (k: number): number => x + ((points[k]?.[0] ?? 0) * cos - (points[k]?.[1] ?? 0) * sin) * scale;
   const at_y = (k: number): number => y - ((points[k]?.[0] ?? 0) * sin + (points[k]?.[1] ?? 0) * cos) * scale;
   if (points.length === 1) {

@@ -12,8 +12,13 @@ export interface Shown {
 /** Colours as the canvas takes them: it knows no variables of the style sheet. */
 export type Color = (variable: string) => string;
 
-/** More bodies than this are drawn as fills with plain thin lines, in paths of so many: what costs is long paths. */
-const crowd = 300;
+/** Of more bodies in view than this no lines are drawn, which are dear: fills with gaps between tell them apart. */
+const crowd = 1000;
+const gap = 0.6; // px, by which they are drawn in
+/** Bodies in one path: what a long one costs grows faster than its length. */
+const path_length = 60;
+/** Of more than this the ends are not marked. */
+const many_ties = 300;
 const longest_arrow = 60; // px, of the largest impulse
 const velocity_time = 0.1; // s: an arrow is the way of this long
 const least_arrow = 3; // px
@@ -21,40 +26,29 @@ const least_arrow = 3; // px
 /** `layers`: how many are drawn upon each other; their fills together are to tint, not to hide. */
 function bodies(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, layers: number, color: Color): void {
   const { contender } = film;
-  const moving = figures.scene.bodies.length;
-  const crowded = moving > crowd;
+  const shown = figures.in_view(view, film, (body) => figures.scene.bodies[body]?.type !== "fixed");
+  const crowded = shown.length > crowd;
   const ink = color(contender.color);
   context.save();
   context.lineJoin = "round";
   context.strokeStyle = ink;
   context.fillStyle = ink;
-  context.lineWidth = contender.exact ? 5 : crowded ? 1 : 1.75;
-  if (!crowded && contender.dash) context.setLineDash(contender.dash.split(" ").map(Number));
-  if (contender.exact) context.setLineDash([]);
-  let path = new Path2D();
-  let held = 0;
-  const finish = (): void => {
-    context.globalAlpha = contender.exact ? 0.6 : (crowded ? 0.28 : 0.16) / layers;
+  context.lineWidth = contender.exact ? 5 : 1.75;
+  if (contender.dash && !contender.exact) context.setLineDash(contender.dash.split(" ").map(Number));
+  for (let start = 0; start < shown.length; start += path_length) {
+    const path = new Path2D();
+    for (const body of shown.slice(start, start + path_length)) figures.add(path, view, film, body, crowded ? gap : 0);
+    context.globalAlpha = contender.exact ? 0.6 : (crowded ? 0.75 : 0.16) / layers;
     context.fill(path);
     context.globalAlpha = 1;
-    context.stroke(path);
-    path = new Path2D();
-    held = 0;
-  };
-  for (let body = 0; body < moving; ++body) {
-    if (figures.scene.bodies[body]?.type === "fixed") continue;
-    held += Number(figures.add(path, view, film, body));
-    if (held >= crowd) finish();
+    if (!crowded) context.stroke(path);
   }
-  if (held) finish();
   context.restore();
 }
 
 function ground(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, color: Color): void {
   const path = new Path2D();
-  figures.scene.bodies.forEach(({ type }, body) => {
-    if (type === "fixed") figures.add(path, view, film, body);
-  });
+  for (const body of figures.in_view(view, film, (body) => figures.scene.bodies[body]?.type === "fixed")) figures.add(path, view, film, body);
   context.fillStyle = color("var(--quiet-wash)");
   context.fill(path);
   context.strokeStyle = color("var(--faint)");
@@ -81,7 +75,7 @@ function ties(context: CanvasRenderingContext2D, all: Tie[], view: View, film: F
     const [bx, by] = anchor(film, b, at_b);
     path.moveTo(view.x(ax), view.y(ay));
     path.lineTo(view.x(bx), view.y(by));
-    if (all.length > crowd) continue;
+    if (all.length > many_ties) continue;
     end(view.x(ax), view.y(ay));
     end(view.x(bx), view.y(by));
   }
