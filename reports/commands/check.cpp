@@ -54,7 +54,8 @@ int check(const Check& asked) {
     file.put_in_place();
   }
   fmt::print("{}", text_of(result, shown));
-  if (!result.passed()) fmt::print("If this is as it should be: plumb accept, with the same options.\n");
+  if (!result.passed() && asked.against.empty())
+    fmt::print("If this is as it should be: plumb accept, with the same options.\n");
   return result.passed() ? 0 : 1;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <compare>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "reports/report.h"
@@ -18,7 +18,10 @@ struct RunKey {
 
   /// "scenario variant, engine:method"
   std::string text() const;
-  friend auto operator<=>(const RunKey&, const RunKey&) = default;
+  friend bool operator==(const RunKey&, const RunKey&) = default;
+  friend bool operator<(const RunKey& a, const RunKey& b) {
+    return std::tie(a.scenario, a.variant, a.engine, a.method) < std::tie(b.scenario, b.variant, b.engine, b.method);
+  }
 };
 
 RunKey key_of(const RunRecord&);

@@ -66,6 +66,11 @@ std::string in_words(double value, const std::string& unit) {
   return fmt::format("{:.10g}{}", value, unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
+double share_of(double value, double allowed) {
+  const double share = value / allowed;
+  return std::isfinite(share) ? share : infinity;
+}
+
 // How many times farther apart than they may be; 0 where both are the same, or nothing at all.
 double times_moved(const KeptNumber& before, const KeptNumber& now) {
   if (*before.moves == infinity || same_number(before.value, now.value)) return 0;
@@ -154,7 +159,6 @@ class RunComparison {
   void compare_standings(const std::string& name, const KeptNumber& before, const KeptNumber& now) {
     if (before.standing == now.standing || !before.standing || !now.standing) return;
     if (!same_platform_ && before.wavers) return;
-    const double times = now.value / now.allowed;
     const auto words = [](const KeptNumber& one) {
       return fmt::format("{} ({})", name_of(*one.standing), in_words(one.value, one.unit));
     };
@@ -166,7 +170,7 @@ class RunComparison {
                          .why = "what was held to is another",
                          .rule = Rule::verdict,
                          .change = change_between(*before.standing, *now.standing),
-                         .times = std::isfinite(times) ? times : infinity});
+                         .times = share_of(now.value, now.allowed)});
   }
 
   void gone(const std::string& name, const KeptNumber& before) {
