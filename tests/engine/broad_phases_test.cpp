@@ -112,16 +112,31 @@ TEST_P(EveryBroadPhase, FollowsBodiesThatMoveComeAndGo) {
 
 TEST_P(EveryBroadPhase, FindsThePairsOfThoseThatAreChosen) {
   RandomShapes random(6);
-  for (const Crowd& crowd : crowds) {
-    const Proxies proxies = make_proxies(crowd, 1);
-    std::vector<std::uint8_t> chosen(proxies.size());
-    for (std::uint8_t& one : chosen) one = random.number(0, 1) < 0.2_r ? 1 : 0;
-    std::vector<Pair> expected = expected_of(proxies);
-    std::erase_if(expected, [&](const Pair& pair) { return (chosen[pair.first] | chosen[pair.second]) == 0; });
-    std::vector<Pair> pairs{{7, 3}};
-    MethodList<BroadPhase>::make(GetParam())->find_pairs_of(proxies, chosen, pairs);
-    ASSERT_EQ(pairs, expected) << crowd.bodies << " bodies";
+  for (const Real share : {0.2_r, 0.7_r}) {
+    for (const Crowd& crowd : crowds) {
+      const Proxies proxies = make_proxies(crowd, 1);
+      std::vector<std::uint8_t> chosen(proxies.size());
+      for (std::uint8_t& one : chosen) one = random.number(0, 1) < share ? 1 : 0;
+      std::vector<Pair> expected = expected_of(proxies);
+      std::erase_if(expected, [&](const Pair& pair) { return (chosen[pair.first] | chosen[pair.second]) == 0; });
+      std::vector<Pair> pairs{{7, 3}};
+      MethodList<BroadPhase>::make(GetParam())->find_pairs_of(proxies, chosen, pairs);
+      ASSERT_EQ(pairs, expected) << crowd.bodies << " bodies, of which " << share << " are chosen";
+    }
   }
+}
+
+/// As the floor of a crowded hall does. A grid that folds its rows of cells onto a few buckets finds some of them
+/// twice.
+TEST_P(EveryBroadPhase, MeetsOnceEachThatLiesAcrossAWideOne) {
+  Proxies proxies{{{{-80, -6}, {80, 6}}, {}, 0, 0, false, 1}};
+  for (std::uint32_t body = 1; body < 1500; ++body) {
+    const Vec2 low{static_cast<Real>(body % 100) * 1.7_r - 84, static_cast<Real>(body / 100) - 7};
+    proxies.push_back({{low, low + Vec2{0.9_r, 0.9_r}}, {}, body, 0, true, 1});
+  }
+  const std::vector<Pair> expected = expected_of(proxies);
+  ASSERT_GT(expected.size(), 1000U);
+  EXPECT_EQ(pairs_of(GetParam(), proxies), expected);
 }
 
 /// What goes the same way needs to be near already.

@@ -18,7 +18,8 @@ namespace {
 /// The endless plane of cells is laid onto `buckets_` many buckets as if on a screw: cell (x, y) goes to x + pitch y,
 /// modulo their number. Neighbours in a row stay neighbours in memory, no distant body can make the grid large, and
 /// cells that share a bucket only cost a few tests more. Behind the last bucket stands a copy of the first two, so that
-/// three neighbours are always one range; behind that, what is too large for the cells.
+/// three neighbours are always one range; behind that, what is too large for the cells. Each of those meets what lies
+/// in the cells that it covers, so that a ground of many long pieces costs little.
 class Grid : public BroadPhase {
  public:
   void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) override {
@@ -26,7 +27,9 @@ class Grid : public BroadPhase {
     lay_out(proxies);
     fill(proxies);
     for (std::uint32_t bucket = 0; bucket < buckets_; ++bucket) meet_around(bucket, pairs);
-    for (std::uint32_t q = first_large_; q < end_; ++q) meet_all(q, pairs);
+    for (std::uint32_t q = first_large_; q < end_; ++q) {
+      meet_large(q, [&](std::uint32_t other) { report(items_[q], items_[other], pairs); });
+    }
     order_.sort(proxies.size(), pairs);
   }
 
@@ -35,8 +38,17 @@ class Grid : public BroadPhase {
     pairs.clear();
     lay_out(proxies);
     fill(proxies);
+    // A few ask the large ones, many are asked by them.
+    const bool many = proxies.size() - static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), 0)) > few;
+    const Range large = many ? Range{} : Range{first_large_, end_};
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
-      if (chosen[i] != 0) meet_others(i, proxies[i], chosen, pairs);
+      if (chosen[i] != 0 && !(many && bucket_of_[i] == none)) meet_others(i, proxies[i], chosen, large, pairs);
+    }
+    for (std::uint32_t q = first_large_; many && q < end_; ++q) {
+      const bool asks = chosen[items_[q].proxy] != 0;
+      meet_large(q, [&](std::uint32_t other) {
+        if (asks || chosen[items_[other].proxy] != 0) report(items_[q], items_[other], pairs);
+      });
     }
     order_.sort(proxies.size(), pairs);
   }
@@ -46,7 +58,7 @@ class Grid : public BroadPhase {
   void lay_out(std::span<const Proxy> proxies) {
     const double typical = typical_extent(proxies);
     bucket_of_.resize(proxies.size());
-    reach_.resize(proxies.size());
+    place_.resize(proxies.size());
     double largest = 0;
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
       const double size = extent(proxies[i]);
@@ -55,26 +67,25 @@ class Grid : public BroadPhase {
       if (ordinary && size > largest) largest = size;
     }
     // A little more, so that rounding never puts two that touch two cells apart.
-    const double cells_per_meter = largest > 0 ? 1 / (1.001 * largest) : 0;
+    cells_per_meter_ = largest > 0 ? 1 / (1.001 * largest) : 0;
     buckets_ = std::max(least_buckets, std::bit_ceil(static_cast<std::uint32_t>(proxies.size())));
     // Odd and near the golden section: rows that follow each other land far apart, whatever the width of the scene.
     pitch_ = static_cast<std::uint32_t>(0.6180339887 * buckets_) | 1U;
 
     large_.clear();
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
-      const double x = static_cast<double>(proxies[i].bounds.low.x) * cells_per_meter;
-      const double y = static_cast<double>(proxies[i].bounds.low.y) * cells_per_meter;
-      const bool countable = std::abs(x) < farthest && std::abs(y) < farthest;
-      if (bucket_of_[i] == none || !countable) {
+      const Cells cells = cells_of(proxies[i].bounds);
+      if (bucket_of_[i] == none || !cells.countable()) {
         bucket_of_[i] = none;
         large_.push_back(i);
       } else {
-        bucket_of_[i] = (whole(x) + pitch_ * whole(y)) & (buckets_ - 1);
-        const double high_x = static_cast<double>(proxies[i].bounds.high.x) * cells_per_meter;
-        const double high_y = static_cast<double>(proxies[i].bounds.high.y) * cells_per_meter;
-        reach_[i] = {whole(high_x) != whole(x), whole(high_y) != whole(y)};
+        const std::uint32_t row = whole(cells.bottom);
+        bucket_of_[i] = bucket_at(whole(cells.left), row);
+        place_[i] = {row, whole(cells.right) != whole(cells.left), whole(cells.top) != row};
       }
     }
+    // What stands still meets only those large ones that move: they come first and meet all behind them.
+    std::stable_partition(large_.begin(), large_.end(), [proxies](std::uint32_t i) { return proxies[i].moves; });
   }
 
   void fill(std::span<const Proxy> proxies) {
@@ -109,26 +120,27 @@ class Grid : public BroadPhase {
   void meet_around(std::uint32_t bucket, std::vector<Pair>& pairs) {
     const std::uint32_t above = (bucket + pitch_ - 1) & (buckets_ - 1);
     for (std::uint32_t q = start_[bucket]; q < start_[bucket + 1]; ++q) {
-      const Reach reach = reach_[items_[q].proxy];
-      const std::uint32_t right = reach.right ? 1 : 0;
+      const Place& place = place_[items_[q].proxy];
+      const std::uint32_t right = place.reaches_right ? 1 : 0;
       const Range own{q + 1, start_[bucket + 1 + right]};
-      const auto others = reach.above ? around(q, {own, {start_[above], start_[above + 2 + right]}}) : around(q, {own});
+      const auto others =
+          place.reaches_above ? around(q, {own, {start_[above], start_[above + 2 + right]}}) : around(q, {own});
       for (const std::uint32_t other : others) report(items_[q], items_[other], pairs);
     }
   }
 
-  // All around, or all. Of two that are chosen the first reports.
-  void meet_others(std::uint32_t i, const Proxy& proxy, std::span<const std::uint8_t> chosen,
+  // All around and some of the large, or all. Of two that are chosen the first reports.
+  void meet_others(std::uint32_t i, const Proxy& proxy, std::span<const std::uint8_t> chosen, const Range& large,
                    std::vector<Pair>& pairs) {
     const Item own{i, proxy.body, proxy.layers, proxy.moves};
     const std::uint32_t bucket = bucket_of_[i];
-    const Range large{first_large_, end_};
+    const Place& place = place_[i];
     const auto others =
         bucket == none
             ? bounds_.within_reach(proxy.bounds, proxy.way, {{0, count_}, large})
             : bounds_.within_reach(proxy.bounds, proxy.way,
-                                   {row(bucket - pitch_, reach_[i].right), row(bucket, reach_[i].right),
-                                    reach_[i].above ? row(bucket + pitch_, reach_[i].right) : Range{}, large});
+                                   {row(bucket - pitch_, place.reaches_right), row(bucket, place.reaches_right),
+                                    place.reaches_above ? row(bucket + pitch_, place.reaches_right) : Range{}, large});
     for (const std::uint32_t other : others) {
       if (chosen[items_[other].proxy] == 0 || i < items_[other].proxy) report(own, items_[other], pairs);
     }
@@ -140,10 +152,31 @@ class Grid : public BroadPhase {
     return {start_[left], start_[left + (right ? 3 : 2)]};
   }
 
-  // All in the grid and the rest of the large.
-  void meet_all(std::uint32_t q, std::vector<Pair>& pairs) {
-    for (const std::uint32_t other : around(q, {{0, count_}, {q + 1, end_}})) {
-      report(items_[q], items_[other], pairs);
+  /// Calls meet(other) for all that a large one is within reach of, in the grid and among the large ones behind it.
+  template <class Meet>
+  void meet_large(std::uint32_t q, const Meet& meet) {
+    if (items_[q].moves) {
+      for (const std::uint32_t other : around(q, {{q + 1, end_}})) meet(other);
+    }
+    const Cells cells = cells_of(bounds_.bounds(q));
+    // What begins in the cells to the left and below may end in these.
+    const double columns = cells.right - cells.left + 3;
+    const double rows = cells.top - cells.bottom + 3;
+    if (!(cells.countable() && columns < buckets_ && rows * worth_a_row < count_)) {
+      for (const std::uint32_t other : around(q, {{0, count_}})) meet(other);
+      return;
+    }
+    const std::uint32_t left = whole(cells.left) - 1;
+    const std::uint32_t width = whole(cells.right) - left + 1;
+    for (std::uint32_t row = whole(cells.bottom) - 1; row != whole(cells.top) + 1; ++row) {
+      const std::uint32_t begin = bucket_at(left, row);
+      const std::uint32_t end = std::min(begin + width, buckets_);
+      const Range rest{0, start_[begin + width - end]};  // of the row, from the first bucket on
+      const Range first{start_[begin], start_[end]};
+      const auto others = rest.end > 0 ? around(q, {first, rest}) : around(q, {first});
+      for (const std::uint32_t other : others) {
+        if (place_[items_[other].proxy].row == row) meet(other);  // and not by chance in the same bucket
+      }
     }
   }
 
@@ -167,22 +200,43 @@ class Grid : public BroadPhase {
     return static_cast<std::uint32_t>(towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0));
   }
 
-  /// Whether bounds end in another cell than they begin in.
-  struct Reach {
-    bool right, above;
+  /// Where bounds begin and end, in cells.
+  struct Cells {
+    double left, bottom, right, top;
+    bool countable() const {
+      return left <= right && bottom <= top && std::abs(left) < farthest && std::abs(bottom) < farthest &&
+             std::abs(right) < farthest && std::abs(top) < farthest;
+    }
+  };
+  Cells cells_of(const Aabb& bounds) const {
+    const auto cells = [this](Real x) { return static_cast<double>(x) * cells_per_meter_; };
+    return {cells(bounds.low.x), cells(bounds.low.y), cells(bounds.high.x), cells(bounds.high.y)};
+  }
+  std::uint32_t bucket_at(std::uint32_t column, std::uint32_t row) const {
+    return (column + pitch_ * row) & (buckets_ - 1);
+  }
+
+  /// The row of cells that bounds begin in, and whether they end in another cell than they begin in.
+  struct Place {
+    std::uint32_t row;
+    bool reaches_right, reaches_above;
   };
 
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::uint32_t least_buckets = 64;  // the nine cells around one must be nine buckets
   static constexpr std::uint32_t repeated = 2;
   static constexpr double farthest = 1e9;  // cells; beyond, doubles no longer tell neighbours apart well
+  // So many proxies are tested in the time that it takes to turn to another row of cells.
+  static constexpr double worth_a_row = 64;
+  static constexpr std::size_t few = 256;
 
   std::uint32_t buckets_ = 0;  // a power of two
   std::uint32_t pitch_ = 0;
+  double cells_per_meter_ = 0;
   std::uint32_t count_ = 0;                  // in the buckets, copies aside
   std::uint32_t first_large_ = 0, end_ = 0;  // of the items, behind the copies
   std::vector<std::uint32_t> bucket_of_;
-  std::vector<Reach> reach_;  // of each proxy in the grid
+  std::vector<Place> place_;  // of each proxy in the grid
   std::vector<std::uint32_t> large_;
   std::vector<std::uint32_t> start_;  // of each bucket's items; one more at the end
   std::vector<Item> items_;
