@@ -68,7 +68,8 @@ std::string in_words(double value, const std::string& unit) {
 
 double share_of(double value, double allowed) {
   const double share = value / allowed;
-  return std::isfinite(share) ? share : infinity;
+  if (!std::isfinite(share)) return infinity;
+  return share;
 }
 
 // How many times farther apart than they may be; 0 where both are the same, or nothing at all.
