@@ -68,7 +68,7 @@ int parse_and_run(std::vector<std::string> arguments) {
   app.footer(
       "Examples:\n  plumb report\n  plumb run bounce --engine impulse\n  plumb list engines\n\n"
       "Exit codes: 0 fine; 1 a run is wrong or failed (run), two runs part (diff), something is not as accepted "
-      "(check); 2 bad usage; 3 a mistake of ours; 130 interrupted (study).");
+      "(check), a fault is not seen (prove); 2 bad usage; 3 a mistake of ours; 130 interrupted (study).");
 
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
   try {

@@ -21,10 +21,11 @@ constexpr int most_substeps = 1000;
 
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("Settings: " + what); }
 
-void check_name(const char* field, const std::string& name, const std::vector<MethodInfo>& known) {
+template <class Method>
+void check_name(const char* field, const std::string& name) {
+  if (MethodList<Method>::knows(name)) return;
   std::string names;
-  for (const MethodInfo& method : known) {
-    if (method.name == name) return;
+  for (const MethodInfo& method : MethodList<Method>::infos()) {
     names += (names.empty() ? "" : ", ") + method.name;
   }
   refuse(std::string(field) + " \"" + name + "\" is not known; there are: " + names);
@@ -61,9 +62,9 @@ void validate(const Settings& settings) {
       refuse(std::string(field) + " must be finite and above 0, got " + std::to_string(value));
     }
   }
-  check_name("solver", settings.solver, solvers());
-  check_name("integrator", settings.integrator, integrators());
-  check_name("broad_phase", settings.broad_phase, broad_phases());
+  check_name<Solver>("solver", settings.solver);
+  check_name<Integrator>("integrator", settings.integrator);
+  check_name<BroadPhase>("broad_phase", settings.broad_phase);
 }
 
 std::vector<MethodInfo> solvers() { return MethodList<Solver>::infos(); }

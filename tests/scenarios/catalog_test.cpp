@@ -17,14 +17,15 @@ namespace {
 TEST(Scenarios, AreAllHere) {
   std::vector<std::string> names;
   for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);
-  EXPECT_THAT(names, testing::ElementsAre(
-                         "arch", "beam", "billiard", "bounce", "card-house", "corner-impact", "cradle", "disc-pile",
-                         "dominoes", "double-pendulum", "flush-tiles", "free-bodies", "gas", "hanging-chain", "head-on",
-                         "heavy-object", "joint-grid", "ladder", "layers", "many-pyramids", "mass-ratio", "materials",
-                         "oblique-disc", "orbit", "overhang", "painleve-rod", "pendulum", "pi-billiard", "pushed-plank",
-                         "pyramid", "rain", "rod-toppling", "rope-bridge", "sliding-ladder", "slip-to-roll", "slope",
-                         "slope-disc", "smash", "spinning-obb", "spring", "stacking", "stopping-distance",
-                         "tautochrone", "teams", "thin-wall", "tipping", "tumbler"));
+  EXPECT_THAT(names,
+              testing::ElementsAre("arch", "beam", "billiard", "bounce", "breakaway", "card-house", "corner-impact",
+                                   "cradle", "disc-pile", "dominoes", "double-pendulum", "flush-tiles", "free-bodies",
+                                   "gas", "hanging-chain", "head-on", "heavy-object", "joint-grid", "ladder", "layers",
+                                   "lone-bodies", "many-pyramids", "mass-ratio", "materials", "mixing-rules",
+                                   "oblique-disc", "orbit", "overhang", "painleve-rod", "pendulum", "pi-billiard",
+                                   "pushed-plank", "pyramid", "rain", "rod-toppling", "rope-bridge", "sliding-ladder",
+                                   "slip-to-roll", "slope", "slope-disc", "smash", "spinning-obb", "spring", "stacking",
+                                   "stopping-distance", "tautochrone", "teams", "thin-wall", "tipping", "tumbler"));
 }
 
 TEST(Scenarios, OfTheShortReportAreTheFourCanonicalOnes) {

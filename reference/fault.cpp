@@ -1,0 +1,44 @@
+#include "reference/fault.h"
+
+#include <algorithm>
+
+#include "reference/adapters/impulse_world.h"
+
+namespace plumb {
+namespace {
+
+const Contender& ours() { return *Catalog<Contender>::find("impulse"); }
+
+Contender contender_of(const std::string& name, BuildSimulation build) {
+  Contender made = ours();
+  made.name = name;
+  made.build = std::move(build);
+  made.chooses = nullptr;
+  return made;
+}
+
+}  // namespace
+
+std::vector<Fault> all_faults() {
+  std::vector<Fault> all;
+  for (const Fault* fault : Catalog<Fault>::all()) all.push_back(*fault);
+  for (const FaultSource* source : Catalog<FaultSource>::all()) {
+    for (Fault& fault : source->faults()) all.push_back(std::move(fault));
+  }
+  std::sort(all.begin(), all.end(), [](const Fault& a, const Fault& b) { return a.name < b.name; });
+  return all;
+}
+
+Settings settings_of(const Fault& fault) { return complete(ours(), fault.method); }
+
+Contender right_one(const Fault& fault) {
+  return contender_of("impulse", fault.right == nullptr ? build_ours : fault.right);
+}
+
+Contender faulty_one(const Fault& fault) { return contender_of(fault.name, fault.build); }
+
+std::unique_ptr<Simulation> build_ours(const Scene& scene, const Settings& settings) {
+  return double_precision::impulse_engine().build(scene, settings);
+}
+
+}  // namespace plumb
