@@ -1,8 +1,15 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include <memory>
 
+#include "reports/cli.h"
 #include "reports/command.h"
+#include "reports/gate/asked.h"
+#include "reports/gate/changes.h"
+#include "reports/pictures.h"
+#include "reports/preview.h"
 #include "reports/progress_line.h"
 #include "reports/session.h"
 #include "reports/study.h"
@@ -15,6 +22,8 @@ namespace {
 struct Asked {
   Session session;
   bool no_studies = false;
+  bool svg = false;
+  std::string preview;  // of which case; "": none
 };
 
 void add_studies(Report& report, int jobs) {
@@ -29,13 +38,28 @@ void add_studies(Report& report, int jobs) {
 }
 
 int report(const Asked& asked) {
-  asked.session.conduct("report", [&](Report& report) {
+  // What is missing is said before anything runs.
+  if (asked.svg) check_pictures();
+  if (!asked.preview.empty()) {
+    check_preview();
+    parse_cases(asked.preview);
+  }
+  const Report whole = asked.session.conduct("report", [&](Report& report) {
+    GateAsked gate;
+    gate.all = asked.session.all;
+    if (auto changes = changes_since(gate.file(), report)) report.studies.push_back(std::move(*changes));
     if (asked.no_studies) {
       report.command.emplace_back("--no-studies");
     } else {
       add_studies(report, asked.session.jobs);
     }
   });
+  const std::filesystem::path out = asked.session.out;
+  if (asked.svg) take_pictures(out / "index.html", out / "svg");
+  if (!asked.preview.empty()) {
+    write_preview(preview_of(whole, asked.preview), out / "preview.gif");
+    fmt::print("{}\n", (out / "preview.gif").string());
+  }
   return 0;
 }
 
@@ -45,11 +69,16 @@ const Catalog<Command>::Entry entry{
      .examples = "  plumb report                     page, JSON and CSV in out/, with a short form of each study\n"
                  "  plumb report --no-studies        in a second or two\n"
                  "  plumb report --out results       somewhere else\n"
-                 "  plumb report --all --dt 1/120    every scenario, at half the step\n",
+                 "  plumb report --all --dt 1/120    every scenario, at half the step\n"
+                 "  plumb report --svg               also each chart as an SVG, in out/svg\n"
+                 "  plumb report --preview stacking:ten   also that case as a moving picture, out/preview.gif\n",
      .attach = [](CLI::App& app) {
        const auto asked = std::make_shared<Asked>();
        asked->session.attach_to(app);
        app.add_flag("--no-studies", asked->no_studies, "Leave out the short forms of the studies");
+       app.add_flag("--svg", asked->svg, "Also write each chart as an SVG, in the output folder's svg/; needs Node.js");
+       app.add_option("--preview", asked->preview, "Also write a case as a moving picture, preview.gif; needs ffmpeg")
+           ->type_name("NAME:LABEL");
        return [asked] { return report(*asked); };
      }}};
 

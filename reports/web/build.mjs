@@ -1,4 +1,5 @@
-// Bundles src/ into one self-contained page; with a second argument also writes it as C++.
+// Bundles src/ into one self-contained page, and pictures/ into a program for Node.js that takes the page's charts as
+// pictures; with a second argument also writes both as C++.
 //
 //   node build.mjs [page.html] [page.cpp]
 import { build } from "esbuild";
@@ -8,9 +9,9 @@ import { fileURLToPath } from "node:url";
 
 const here = dirname(fileURLToPath(import.meta.url));
 
-async function bundle(entry) {
+async function bundle(entry, options = {}) {
   const result = await build({
-    entryPoints: [join(here, "src", entry)],
+    entryPoints: [join(here, entry)],
     bundle: true,
     minify: true,
     write: false,
@@ -19,6 +20,7 @@ async function bundle(entry) {
     charset: "ascii",
     legalComments: "eof",
     logLevel: "warning",
+    ...options,
   });
   return result.outputFiles[0].text.trim();
 }
@@ -30,10 +32,10 @@ function place(page, mark, text) {
 }
 
 /** Compilers limit the length of one literal, not of an array of them. */
-function as_cpp(page) {
+function as_cpp(name, text) {
   const pieces = [];
   let piece = "";
-  for (const character of page) {
+  for (const character of text) {
     if (piece.length >= 8000) {
       pieces.push(piece);
       piece = "";
@@ -42,36 +44,40 @@ function as_cpp(page) {
   }
   pieces.push(piece);
   const literals = pieces.map((text) => `    R"plumb~(${text})plumb~",`).join("\n");
-  return `#include "reports/writers/page.h"
+  return `std::string_view ${name}() {
+  static constexpr std::string_view pieces[] = {
+${literals}
+  };
+  static const std::string text = [] {
+    std::string whole;
+    for (const std::string_view piece : pieces) whole += piece;
+    return whole;
+  }();
+  return text;
+}
+`;
+}
+
+const source = (functions) => `#include "reports/writers/page.h"
 
 #include <string>
 
 namespace plumb {
 
-std::string_view page_template() {
-  static constexpr std::string_view pieces[] = {
-${literals}
-  };
-  static const std::string page = [] {
-    std::string whole;
-    for (const std::string_view piece : pieces) whole += piece;
-    return whole;
-  }();
-  return page;
-}
-
+${functions.join("\n")}
 }  // namespace plumb
 `;
-}
 
 const [html_file = join(here, "dist", "page.html"), cpp_file] = process.argv.slice(2);
-const style = await bundle("style.css");
+const style = await bundle("src/style.css");
 // "</script" inside a string of the bundle would end the element.
-const script = (await bundle("main.ts")).replaceAll("</script", "<\\/script");
+const script = (await bundle("src/main.ts")).replaceAll("</script", "<\\/script");
 let page = await readFile(join(here, "src", "page.html"), "utf8");
 page = place(page, "/*style*/", style);
 page = place(page, "/*script*/", script);
 if (page.split("<!--plumb-data-->").length !== 2) throw new Error("the page must hold <!--plumb-data--> once");
 await mkdir(dirname(html_file), { recursive: true });
 await writeFile(html_file, page);
-if (cpp_file) await writeFile(cpp_file, as_cpp(page));
+const pictures = await bundle("pictures/pictures.ts", { platform: "node", format: "cjs", target: "node18" });
+await writeFile(join(dirname(html_file), "pictures.cjs"), pictures);
+if (cpp_file) await writeFile(cpp_file, source([as_cpp("page_template", page), as_cpp("picture_program", pictures)]));

@@ -8,8 +8,8 @@ function(without_page reason)
   file(TOUCH ${PAGE})
 endfunction()
 
-file(REMOVE_RECURSE ${WORK}/src)
-file(COPY ${SOURCE}/src ${SOURCE}/package.json ${SOURCE}/package-lock.json ${SOURCE}/.npmrc ${SOURCE}/build.mjs
+file(REMOVE_RECURSE ${WORK}/src ${WORK}/pictures)
+file(COPY ${SOURCE}/src ${SOURCE}/pictures ${SOURCE}/package.json ${SOURCE}/package-lock.json ${SOURCE}/.npmrc ${SOURCE}/build.mjs
   DESTINATION ${WORK})
 
 file(SHA256 ${WORK}/package-lock.json lock)

@@ -66,8 +66,8 @@ TEST_F(ProgramRun, WantsEachCaseAndEngineOnce) {
 TEST(Program, KnowsTheseCommands) {
   std::vector<std::string> names;
   for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
-  EXPECT_THAT(names, ::testing::IsSupersetOf(
-                         {"accept", "check", "diff", "export", "list", "merge", "prove", "report", "run", "study"}));
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"accept", "check", "diff", "export", "list", "merge", "open", "prove",
+                                              "report", "run", "study"}));
 }
 
 TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
@@ -81,7 +81,7 @@ TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
 }
 
 TEST(Program, HelpsWithExamples) {
-  for (const char* command : {"run", "report", "list", "export", "diff", "study", "merge", "prove"}) {
+  for (const char* command : {"run", "report", "list", "export", "diff", "study", "merge", "prove", "open"}) {
     const Said said = say({command, "--help"});
     EXPECT_EQ(said.code, 0);
     EXPECT_THAT(said.out, HasSubstr(std::string("plumb ") + command)) << "an example";

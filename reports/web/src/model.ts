@@ -43,7 +43,7 @@ export interface Model {
   chapters: Chapter[];
 }
 
-const label_of = (of: { engine: string; method: string }): string => (of.method ? `${of.engine}:${of.method}` : of.engine);
+export const label_of = (of: { engine: string; method: string }): string => (of.method ? `${of.engine}:${of.method}` : of.engine);
 
 // Told apart three ways at once: by colour (a palette that survives every common colour blindness), shape and dash.
 const symbols = ["circle", "square", "triangle", "diamond", "wye", "star"];

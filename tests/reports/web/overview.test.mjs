@@ -131,3 +131,21 @@ test("the method says what is not supported, and why", async () => {
   assert.match(said, /impulse does not reveal what would tell of push/);
   await page.close();
 });
+
+test("what changed since the baseline is told, with its place", async () => {
+  const data = sample();
+  const offence = { scenario: "stacking", variant: "10 boxes", engine: "impulse", method: "", metric: "verdict", before: "right", now: "wrong", allowed: "", why: "It was right.", change: "worse" };
+  const findings = { verdict: "1 of 8 runs is not as accepted.", notes: [], runs: 8, offences: [offence] };
+  data.studies = [
+    { plumb: 1, study: "baseline", about: "Against what was accepted", configuration: { baseline: "canonical.json" }, environment: {}, points: [], findings, timings: { points: {} } },
+  ];
+  const { page, trouble } = await open(await write(data));
+  assert.match(await page.locator("#overview .since").innerText(), /1 of 8 runs is not as accepted/);
+  await page.locator("#overview .since a").click();
+  assert.equal(hash(page), "#study--baseline");
+  const section = page.locator("#study--baseline");
+  assert.match(await section.innerText(), /8 runs that canonical\.json has as well/);
+  assert.match(await section.locator("tbody tr").innerText(), /stacking, 10 boxes\s+impulse\s+verdict\s+right\s+wrong/);
+  assert.deepEqual(trouble, []);
+  await page.close();
+});

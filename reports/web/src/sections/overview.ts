@@ -10,6 +10,7 @@ import { filters } from "../overview/filters";
 import { matrix } from "../overview/matrix";
 import { measures } from "../overview/measures";
 import { overall } from "../overview/overall";
+import { since_baseline } from "../overview/since_baseline";
 
 const cases_in = ({ chapters }: Model): number => chapters.reduce((sum, { cases }) => sum + cases.length, 0);
 
@@ -41,6 +42,7 @@ export function overview(model: Model): HTMLElement {
     choice.element,
     shown,
     table,
+    since_baseline(model),
     h("div", { class: "pair" }, cost, speed),
   );
 }

@@ -1,0 +1,60 @@
+#include "reports/preview.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "tests/reports/writers/sample.h"
+
+namespace plumb {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Preview, ShowsEveryRunOfACaseInRealTime) {
+  const Report report = sample_report();
+  const RunRecord& first = report.runs.front();
+  const Preview preview = preview_of(report, first.scenario + ":" + first.variant);
+  const double seconds = std::min(Preview::longest, first.trace->times().back());
+  EXPECT_EQ(preview.frames.size(), static_cast<std::size_t>(seconds * Preview::rate) + 1);
+  for (const std::string& frame : preview.frames) {
+    EXPECT_THAT(frame, ::testing::StartsWith("<svg "));
+    EXPECT_THAT(frame, ::testing::EndsWith("</svg>"));
+    EXPECT_THAT(frame, ::testing::Not(HasSubstr("nan")));
+  }
+}
+
+TEST(Preview, LetsNoNameBreakOut) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs) run.variant = "<script>";
+  const Preview preview = preview_of(report, "slide");
+  EXPECT_THAT(preview.frames.front(), ::testing::Not(HasSubstr("<script")));
+  EXPECT_THAT(preview.frames.front(), HasSubstr("script"));
+}
+
+TEST(Preview, NamesTheCasesThereAreWhereOneIsNot) {
+  try {
+    preview_of(sample_report(), "nothing");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr(sample_report().runs.front().scenario));
+  }
+}
+
+TEST(Preview, NeedsFfmpegAndSaysSo) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/none", 1);
+  try {
+    check_preview();
+    ADD_FAILURE();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("apt-get install ffmpeg"));
+  }
+  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "preview.gif";
+  EXPECT_THROW(write_preview({{"<svg/>"}}, file), std::invalid_argument);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  setenv("PATH", path.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace plumb

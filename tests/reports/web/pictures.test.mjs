@@ -1,0 +1,63 @@
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { readdirSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { after, test } from "node:test";
+import { close, draw_all, open, write } from "./browser.mjs";
+import { sample } from "./sample.mjs";
+import { study_sample } from "./study_sample.mjs";
+
+after(close);
+
+const program = fileURLToPath(new URL("../dist/pictures.cjs", import.meta.url));
+const name = "<img src=x onerror=alert(1)>";
+const data = sample(name);
+data.studies = [{ ...study_sample().study, command: "plumb study speed --dt 1/30" }];
+const file = await write(data);
+const folder = join(dirname(file), "pictures");
+const said = execFileSync(process.execPath, [program, file, folder], { encoding: "utf8" });
+const names = readdirSync(folder);
+const text_of = (part) => readFileSync(join(folder, names.find((one) => one.includes(part))), "utf8");
+
+test("every chart of the page becomes a picture, with the same marks", async () => {
+  const { page } = await open(file);
+  await draw_all(page);
+  assert.equal(names.length, await page.locator("figure:has(.canvas svg)").count());
+  assert.match(said, new RegExp(`^${names.length} pictures in `));
+  const cost = text_of("error-against-cost");
+  assert.equal(cost.match(/aria-description="(impulse|box2d)"/g).length, 2);
+  assert.equal((await page.locator("#overview g.marks").count()), 2);
+  await page.close();
+});
+
+test("pictures are well-formed, have a name, and stand alone", async () => {
+  const { page } = await open(file);
+  for (const one of names) {
+    const text = readFileSync(join(folder, one), "utf8");
+    const [root, title, scripts] = await page.evaluate((svg) => {
+      const parsed = new DOMParser().parseFromString(svg, "image/svg+xml");
+      return [parsed.documentElement.tagName, parsed.querySelector("title")?.textContent, parsed.querySelectorAll("script, image, img, foreignObject").length];
+    }, text);
+    assert.equal(root, "svg", one);
+    assert.ok(title.length > 5);
+    assert.equal(scripts, 0);
+    for (const variable of new Set(text.match(/var\(--[\w-]+/g))) assert.ok(text.includes(`${variable.slice(4)}:`), `${one}: ${variable}`);
+    assert.match(text, /prefers-color-scheme: ?dark/);
+  }
+  await page.close();
+});
+
+test("names in pictures are text, and safe in file names", () => {
+  const text = text_of("energy-of-the-whole-scene");
+  assert.ok(text.includes("&#60;img src=x onerror=alert(1)&#62;"));
+  for (const one of names) assert.match(one, /^[a-z0-9.=+-]+\.svg$/);
+});
+
+test("a page without charts, or no page, is an error", async () => {
+  const run = (page) => spawnSync(process.execPath, [program, page, folder], { encoding: "utf8" });
+  const none = run(await write("{"));
+  assert.equal(none.status, 1);
+  assert.match(none.stderr, /has no charts/);
+  assert.equal(run(join(folder, "nothing.html")).status, 1);
+});
