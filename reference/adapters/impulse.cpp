@@ -9,6 +9,7 @@
 #include "reference/adapters/impulse_world.h"
 #include "reference/needs.h"
 #include "reference/reduced.h"
+#include "reference/slowed.h"
 
 namespace plumb {
 namespace {
@@ -99,7 +100,7 @@ Contender impulse() {
   };
   contender.build = [](const Scene& scene, const Settings& given) {
     const Settings settings = chosen_for(scene, given);
-    return in_precision_of(settings).build(reduced(scene, settings), settings);
+    return slowed(in_precision_of(settings).build(reduced(scene, settings), settings));
   };
   contender.chooses = choices_of;
   return contender;

@@ -1,41 +1,20 @@
-#include <fmt/chrono.h>
+#include <utility>
 
-#include <ctime>
-#include <nlohmann/json.hpp>
-#include <thread>
-
-#include "reports/environment.h"
+#include "reports/writers/google_benchmark.h"
 #include "tests/benchmarks/contest.h"
 
 namespace plumb::benchmarks {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr double micro = 1e6;
-
-Json context() {
-  Json all = {{"date", fmt::format("{:%Y-%m-%dT%H:%M:%S+00:00}", fmt::gmtime(std::time(nullptr)))},
-              {"num_cpus", std::thread::hardware_concurrency()}};
-  for (const auto& [key, value] : environment()) all[key] = value;
-  all["library_build_type"] = all["build_type"] == "Release" ? "release" : "debug";
-  return all;
-}
+using google_benchmark::Json;
 
 Json entry(const Contest& contest, const Contest::Row& row, const char* type) {
-  const std::string name = contest.scene + "/" + row.contender;
-  return {{"name", name},
-          {"run_name", name},
-          {"run_type", type},
-          {"repetitions", contest.rounds},
-          {"threads", contest.threads},
-          {"iterations", contest.window.steps()}};
+  return google_benchmark::entry(contest.scene + "/" + row.contender, type, contest.rounds, contest.threads,
+                                 static_cast<std::size_t>(contest.window.steps()));
 }
 
 void add_times(Json& to, double wall, double cpu, double speed, const Contest& contest, const Contest::Row& row) {
-  to["real_time"] = micro * wall;
-  to["cpu_time"] = micro * cpu;
-  to["time_unit"] = "us";
+  google_benchmark::add_times(to, wall, cpu);
   if (speed > 0) to["speed_against_" + contest.against] = speed;
   to["first_step"] = contest.window.from;
   to["mean_overlap"] = row.finish.overlap.mean;
@@ -45,8 +24,7 @@ void add_times(Json& to, double wall, double cpu, double speed, const Contest& c
 void add(Json& all, const Contest& contest, const Contest::Row& row) {
   if (!row.finish.no_result.empty()) {
     Json failed = entry(contest, row, "iteration");
-    failed["error_occurred"] = true;
-    failed["error_message"] = row.finish.no_result;
+    google_benchmark::add_error(failed, row.finish.no_result);
     all.push_back(failed);
     return;
   }
@@ -60,9 +38,7 @@ void add(Json& all, const Contest& contest, const Contest::Row& row) {
   }
   const Figures& figures = row.figures;
   Json median = entry(contest, row, "aggregate");
-  median["name"] = median["run_name"].get<std::string>() + "_median";
-  median["aggregate_name"] = "median";
-  median["aggregate_unit"] = "time";
+  google_benchmark::name_median(median);
   add_times(median, figures.wall.median, figures.cpu.median, figures.speed.median, contest, row);
   median["speed_lower_quartile"] = figures.speed.low;
   median["speed_upper_quartile"] = figures.speed.high;
@@ -77,7 +53,7 @@ std::string google_json(const std::vector<Contest>& contests) {
   for (const Contest& contest : contests) {
     for (const Contest::Row& row : contest.rows) add(benchmarks, contest, row);
   }
-  return Json{{"context", context()}, {"benchmarks", benchmarks}}.dump(2) + "\n";
+  return google_benchmark::text_of(std::move(benchmarks));
 }
 
 }  // namespace plumb::benchmarks

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+
+#include "reference/simulation.h"
+
+namespace plumb {
+
+/// The environment variable that asks for the fault below.
+constexpr const char* slowdown_variable = "PLUMB_SLOWDOWN";
+
+/// A fault for the proof of the timing gate: where slowdown_variable holds a percentage, steps
+/// take that much longer. Anything else than a number above 0: the simulation itself, which then costs nothing more.
+std::unique_ptr<Simulation> slowed(std::unique_ptr<Simulation>);
+
+}  // namespace plumb
