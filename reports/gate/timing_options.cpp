@@ -41,8 +41,11 @@ void TimingOptions::attach_to(CLI::App& app) {
       ->type_name("PROGRAM");
   app.add_option("--time-engine", engine, "NAME[:key=value,...], whose steps are timed")
       ->capture_default_str()
+      ->needs("--time-against")
       ->type_name("ENGINE");
-  app.add_option("--times", file, "Write the times there too, in Google Benchmark's shape")->type_name("FILE");
+  app.add_option("--times", file, "Write the times there too, in Google Benchmark's shape")
+      ->needs("--time-against")
+      ->type_name("FILE");
 }
 
 TimingReport time_against(const TimingOptions& options, const std::vector<Case>& cases, double dt) {

@@ -102,11 +102,22 @@ TEST_F(TimingMeasure, TimesTwoProgramsSideBySide) {
   for (const TimedPair& pair : pairs) {
     EXPECT_EQ(pair.no_result, "");
     EXPECT_EQ(pair.steps, pair.of);
-    for (const Cost* cost : {&pair.before, &pair.now}) {
+    for (const Cost* cost : {&pair.before, &pair.now, &pair.again}) {
       EXPECT_THAT(cost->cpu, testing::AllOf(SizeIs(2), testing::Each(testing::Gt(0))));
       EXPECT_THAT(cost->wall, SizeIs(2));
     }
   }
+}
+
+TEST_F(TimingMeasure, RunsACopyThatGoesAwayAgain) {
+  fs::path copied;
+  {
+    const ProgramCopy copy(plumb_program);
+    copied = copy.path();
+    EXPECT_EQ(fs::file_size(copied), fs::file_size(plumb_program));
+  }
+  EXPECT_FALSE(fs::exists(copied.parent_path()));
+  EXPECT_THROW(ProgramCopy(folder_ / "missing"), std::invalid_argument);
 }
 
 TEST_F(TimingMeasure, ASceneThatTheOlderOneCannotRunHasNoResult) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 #include <utility>
 
@@ -28,6 +29,7 @@ class Fake {
       if (broken == static_cast<int>(i)) pair.no_result = "refused";
       for (int sitting = 0; sitting < sittings && pair.no_result.empty(); ++sitting) {
         add(pair.before, 1e-6, 1000);
+        add(pair.again, 1e-6, 1000);
         add(pair.now, 1e-6 * slow_(i, looks.size()), 1000 * instructions);
       }
       pairs.push_back(std::move(pair));
@@ -152,7 +154,7 @@ TEST(Timing, MoreInstructionsCountUnlessTheTimeIsLess) {
 
 TEST(Timing, InstructionsOfOneSideAloneAreNotCompared) {
   TimedPair pair{.name = "one"};
-  pair.before = {.cpu = {1, 1, 1}, .wall = {1, 1, 1}, .instructions = {1, 1, 1}};
+  pair.before = pair.again = {.cpu = {1, 1, 1}, .wall = {1, 1, 1}, .instructions = {1, 1, 1}};
   pair.now = {.cpu = {1, 1, 1}, .wall = {1, 1, 1}};
   const auto all = judge_times([&](auto, auto) { return std::vector{pair}; }, 1);
   EXPECT_EQ(all[0].instructions, std::nullopt);
