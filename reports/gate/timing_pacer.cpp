@@ -113,15 +113,16 @@ Pacer::Json Pacer::ask(const Json& request) {
 std::string Pacer::line() {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + std::chrono::duration<double>(patience_);
-  std::array<char, 4096> piece{};
-  for (;;) {
-    const std::size_t end = heard_.find('\n');
+  std::array<char, 65536> piece{};
+  for (std::size_t searched = 0;;) {
+    const std::size_t end = heard_.find('\n', searched);
     if (end != std::string::npos) {
       std::string line = heard_.substr(0, end);
       heard_.erase(0, end + 1);
       return line;
     }
-    if (heard_.size() > longest_answer) fail("answers without end");
+    searched = heard_.size();
+    if (searched > longest_answer) fail("answers without end");
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
     pollfd waited{to_and_from_, POLLIN, 0};
     const int ready = left > 0 ? poll(&waited, 1, static_cast<int>(left)) : 0;
