@@ -10,6 +10,7 @@
 #include "reports/gate/changes.h"
 #include "reports/pictures.h"
 #include "reports/preview.h"
+#include "reports/history/trends.h"
 #include "reports/progress_line.h"
 #include "reports/session.h"
 #include "reports/study.h"
@@ -24,6 +25,7 @@ struct Asked {
   bool no_studies = false;
   bool svg = false;
   std::string preview;  // of which case; "": none
+  std::string history;
 };
 
 void add_studies(Report& report, int jobs) {
@@ -38,6 +40,8 @@ void add_studies(Report& report, int jobs) {
 }
 
 int report(const Asked& asked) {
+  nlohmann::ordered_json history;
+  if (!asked.history.empty()) history = history_document(History::of(asked.history));
   // What is missing is said before anything runs.
   if (asked.svg) check_pictures();
   if (!asked.preview.empty()) {
@@ -53,6 +57,7 @@ int report(const Asked& asked) {
     } else {
       add_studies(report, asked.session.jobs);
     }
+    if (!history.is_null()) report.studies.push_back(history);
   });
   const std::filesystem::path out = asked.session.out;
   if (asked.svg) take_pictures(out / "index.html", out / "svg");
@@ -75,6 +80,8 @@ const Catalog<Command>::Entry entry{
      .attach = [](CLI::App& app) {
        const auto asked = std::make_shared<Asked>();
        asked->session.attach_to(app);
+       app.add_option("--history", asked->history, "A file of plumb history, to be shown on the page")
+           ->type_name("FILE");
        app.add_flag("--no-studies", asked->no_studies, "Leave out the short forms of the studies");
        app.add_flag("--svg", asked->svg, "Also write each chart as an SVG, in the output folder's svg/; needs Node.js");
        app.add_option("--preview", asked->preview, "Also write a case as a moving picture, preview.gif; needs ffmpeg")

@@ -1,0 +1,108 @@
+// A metric from snapshot to snapshot: a line a contender, times with the middle half of their repetitions, and a mark
+// where a line changes for good.
+import * as Plot from "@observablehq/plot";
+import { given, number, pretty_unit, words } from "../format";
+import type { Contender } from "../model";
+import { day, short_commit, type Panel, type Snapshot, type Trend } from "../studies/history_model";
+import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
+
+const height = 240; // px
+
+interface Point {
+  snapshot: number;
+  value: number;
+  low: number;
+  high: number;
+  contender: Contender;
+}
+
+interface Change extends Point {
+  before: number;
+  after: number;
+  p: number;
+}
+
+const points_of = (trend: Trend, contender: Contender): Point[] =>
+  trend.values.map((value, index) => ({
+    snapshot: trend.snapshots[index] ?? 0,
+    value,
+    low: trend.low[index] ?? value,
+    high: trend.high[index] ?? value,
+    contender,
+  }));
+
+const changes_of = (trend: Trend, points: Point[]): Change[] =>
+  trend.changes.flatMap(({ at, ...change }) => {
+    const point = points[at];
+    return point ? [{ ...point, ...change }] : [];
+  });
+
+/** "exact" where the numbers repeat to the bit. */
+export const certainty = (p: number): string => (p === 0 ? "exact" : `p ${number(p, "", 1)}`);
+
+function told(snapshot: Snapshot | undefined, { contender, value, low, high }: Point, unit: string, change: Change | undefined): string {
+  return [
+    snapshot ? `${day(snapshot)}  ${short_commit(snapshot)}` : "",
+    `${contender.label}: ${number(value, unit, 4)}${high > low ? ` (${number(low, "", 3)} \u2013 ${number(high, "", 3)})` : ""}`,
+    change ? `changes from ${number(change.before, unit, 4)} to ${number(change.after, unit, 4)}, ${certainty(change.p)}` : "",
+  ]
+    .filter(Boolean)
+    .join("\n");
+}
+
+export function trend_chart(width: number, { metric, unit, trends }: Panel, snapshots: Snapshot[], contender_of: (label: string) => Contender): Element {
+  const lines = trends.map((trend) => {
+    const contender = contender_of(trend.contender);
+    const points = points_of(trend, contender);
+    return { contender, points, changes: changes_of(trend, points) };
+  });
+  const all = lines.flatMap(({ points }) => points);
+  const changes = lines.flatMap((line) => line.changes);
+  const last = Math.max(1, snapshots.length - 1);
+  const labels = Math.max(2, Math.floor(width / (110 * scale())));
+  const stride = Math.max(1, Math.ceil(snapshots.length / labels));
+  const low = Math.min(...all.map((point) => point.low));
+  const high = Math.max(...all.map((point) => point.high));
+  const lack = high > low ? 0 : Math.abs(high) * 0.02 || 1;
+  const change_at = new Map(changes.map((change) => [`${change.contender.label} ${change.snapshot}`, change]));
+  return Plot.plot({
+    ...plot_look(width, height),
+    ariaLabel: `${words(metric)} from snapshot to snapshot`,
+    x: {
+      label: "snapshot",
+      labelAnchor: "right",
+      domain: [0, last],
+      ticks: snapshots.map((_, index) => index).filter((index) => index % stride === 0),
+      tickFormat: (index: number) => (snapshots[index] ? short_commit(snapshots[index]) : ""),
+    },
+    y: {
+      label: `${words(metric)}${unit && unit !== "1" ? ` (${pretty_unit(unit)})` : ""}`,
+      grid: true,
+      nice: true,
+      ticks: 5,
+      domain: [low - lack, high + lack],
+      tickFormat: (value: number) => given(value, "", 4),
+    },
+    marks: [
+      Plot.ruleX([...new Set(changes.map(({ snapshot }) => snapshot))], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
+      ...lines.map(({ contender, points }) =>
+        Plot.areaY(points, { x: "snapshot", y1: "low", y2: "high", fill: contender.color, fillOpacity: 0.15, ariaHidden: "true" }),
+      ),
+      ...lines.map(({ contender, points }) =>
+        Plot.line(points, { x: "snapshot", y: "value", ...line_look(contender), className: "line", ariaDescription: contender.label }),
+      ),
+      ...lines.map(({ contender, points }) => Plot.dot(points, { x: "snapshot", y: "value", r: 2.5, ...dot_look(contender), ariaHidden: "true" })),
+      Plot.dot(changes, { x: "snapshot", y: "value", r: 7, stroke: "var(--wrong)", strokeWidth: 2, className: "change" }),
+      Plot.tip(
+        all,
+        Plot.pointer({
+          x: "snapshot",
+          y: "value",
+          title: (point: Point) =>
+            told(snapshots[point.snapshot], point, unit, change_at.get(`${point.contender.label} ${point.snapshot}`)),
+          ...tip_look,
+        }),
+      ),
+    ],
+  });
+}

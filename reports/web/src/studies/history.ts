@@ -1,0 +1,142 @@
+// What reports said from commit to commit: changes in a list, and the course of what changed.
+import { figure } from "../charts/figure";
+import { legend } from "../charts/look";
+import { certainty, trend_chart } from "../charts/trend";
+import { h, slug, table } from "../dom";
+import { count, enumerate, number, time_step, words } from "../format";
+import { look, type Contender } from "../model";
+import type { Study, StudyView } from "../study";
+import { day, history_of, panels_of, short_commit, type HistoryModel, type Panel } from "./history_model";
+
+const most_rows = 200;
+
+interface Row {
+  snapshot: number;
+  size: number; // by which the largest come first
+  what: string;
+  who: string;
+  metric: string;
+  before: string;
+  after: string;
+  by: string;
+  sure: string;
+}
+
+const place_of = ({ scenario, variant }: { scenario: string; variant: string }): string => (variant ? `${scenario}, ${variant}` : scenario);
+const percent = (before: number, after: number): string => {
+  if (before === 0) return "from 0";
+  const share = (100 * (after - before)) / Math.abs(before);
+  return `${share > 0 ? "+" : ""}${number(share, "%", 2)}`;
+};
+
+/** The newest first, the largest of each snapshot first. */
+function rows_of({ trends, verdicts }: HistoryModel): Row[] {
+  const of_verdicts = verdicts.map(
+    ({ snapshot, before, after, contender, ...place }): Row => ({ snapshot, size: Infinity, what: place_of(place), who: contender, metric: "verdict", before, after, by: "", sure: "exact" }),
+  );
+  const of_trends = trends.flatMap((trend) =>
+    trend.changes.map(({ at, before, after, p }): Row => {
+      const least = Math.min(Math.abs(before), Math.abs(after));
+      return {
+        snapshot: trend.snapshots[at] ?? 0,
+        size: least === 0 ? Number.MAX_VALUE : Math.abs(after - before) / least,
+        what: place_of(trend),
+        who: trend.contender,
+        metric: words(trend.metric),
+        before: number(before, trend.unit, 4),
+        after: number(after, trend.unit, 4),
+        by: percent(before, after),
+        sure: certainty(p),
+      };
+    }),
+  );
+  return [...of_verdicts, ...of_trends].sort((a, b) => b.snapshot - a.snapshot || (a.size === b.size ? 0 : b.size - a.size));
+}
+
+function changes(model: HistoryModel, rows: Row[]): HTMLElement {
+  const times = model.trends.filter(({ metric }) => metric === "step_us").length;
+  const cells = rows.slice(0, most_rows).map((row) => {
+    const snapshot = model.snapshots[row.snapshot];
+    return h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, snapshot ? `${day(snapshot)} ${short_commit(snapshot)}` : ""),
+      h("td", { "data-label": "case" }, row.what),
+      h("td", { "data-label": "engine" }, row.who),
+      h("td", { "data-label": "metric" }, row.metric),
+      h("td", { "data-label": "before" }, row.before),
+      h("td", { "data-label": "after" }, row.after),
+      h("td", { "data-label": "by" }, row.by),
+      h("td", { "data-label": "sure" }, row.sure),
+    );
+  });
+  const rest = rows.length > most_rows ? ` The newest ${most_rows} of ${rows.length} are shown.` : "";
+  return h(
+    "section",
+    { id: "changes" },
+    h("h2", {}, "What changed"),
+    h(
+      "p",
+      { class: "lede" },
+      `Numbers that repeat to the bit change exactly; where values scatter, as times do, a change is one that fewer than ${number(100 * model.level, "%", 1)} of random orders of the same values show (E-divisive), so that of ${count(times, "series")} of times chance alone lets about ${number(times * model.level, "", 1)} look changed. ${count(model.unchanged, "other number")} never changed.${rest}`,
+    ),
+    rows.length
+      ? table("Changes, the newest first", ["since", "case", "engine", "metric", "before", "after", "by", "sure"], cells)
+      : h("p", { class: "absence" }, "Nothing has changed."),
+  );
+}
+
+function chart_of(panel: Panel, model: HistoryModel, contender_of: (label: string) => Contender): HTMLElement {
+  return figure({
+    title: `${panel.variant || panel.scenario}: ${words(panel.metric)}`,
+    note: [`Time step ${time_step(panel.dt)}.`, panel.machine].filter(Boolean).join(" "),
+    height: 240,
+    draw: (width) => [trend_chart(width, panel, model.snapshots, contender_of)],
+  });
+}
+
+function course(scenario: string, panels: Panel[], model: HistoryModel, contender_of: (label: string) => Contender): HTMLElement {
+  const moving = panels.filter(({ trends }) => trends.some((trend) => trend.changes.length));
+  const steady = panels.filter((panel) => !moving.includes(panel));
+  const shown = [...new Set(panels.flatMap(({ trends }) => trends.map(({ contender }) => contender)))].map(contender_of);
+  const charts = (some: Panel[]) => h("div", { class: "charts" }, ...some.map((panel) => chart_of(panel, model, contender_of)));
+  return h(
+    "section",
+    { id: slug("course", scenario), class: "chapter" },
+    h("h2", {}, scenario),
+    legend(shown),
+    moving.length ? charts(moving) : h("p", { class: "absence" }, "Nothing here has changed."),
+    steady.length ? h("details", { class: "more" }, h("summary", {}, "Times that scatter without a change"), charts(steady)) : null,
+  );
+}
+
+function sentence(model: HistoryModel, rows: Row[]): string {
+  const [first, last] = [model.snapshots[0], model.snapshots[model.snapshots.length - 1]];
+  if (!first || !last) return "Nothing has been recorded.";
+  const verdicts = model.verdicts.length;
+  const numbers = rows.length - verdicts;
+  const newest = rows.filter(({ snapshot }) => snapshot === model.snapshots.length - 1).length;
+  const found = [verdicts ? count(verdicts, "verdict") : "", numbers ? count(numbers, "number") : ""].filter(Boolean);
+  return `From ${day(first)} to ${day(last)}, over ${count(model.snapshots.length, "snapshot")}: ${found.length ? `${enumerate(found)} changed, ${newest || "none"} with the newest` : "nothing changed"}.`;
+}
+
+export function history(study: Study): StudyView {
+  const model = history_of(study);
+  const rows = rows_of(model);
+  const labels = [...new Set(model.trends.map(({ contender }) => contender))];
+  const contenders = new Map(labels.map((label, index): [string, Contender] => [label, { label, engine: label, method: "", exact: false, ...look(index) }]));
+  const contender_of = (label: string): Contender => contenders.get(label) ?? { label, engine: label, method: "", exact: false, ...look(0) };
+  const panels = panels_of(model.trends);
+  const scenarios = [...new Set(panels.map(({ scenario }) => scenario))];
+  return {
+    sentence: sentence(model, rows),
+    sections: [
+      { id: "changes", name: "What changed", content: changes(model, rows) },
+      ...scenarios.map((scenario) => ({
+        id: slug("course", scenario),
+        name: scenario,
+        content: course(scenario, panels.filter((panel) => panel.scenario === scenario), model, contender_of),
+      })),
+    ],
+  };
+}

@@ -1,0 +1,98 @@
+#include "reports/history/change_points.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenarios/random.h"
+
+namespace plumb {
+namespace {
+
+// About normal, of variance 1: the sum of twelve even ones (Irwin and Hall).
+std::vector<double> noise(std::size_t many, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<double> values(many, -6);
+  for (double& value : values) {
+    for (int i = 0; i < 12; ++i) value += random.between(0, 1);
+  }
+  return values;
+}
+
+std::vector<double> raised(std::vector<double> values, std::size_t from, double by) {
+  for (std::size_t i = from; i < values.size(); ++i) values[i] += by;
+  return values;
+}
+
+TEST(ChangePoints, FindsAStepOfThreeSigmaInNoise) {
+  int found = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto changes = change_points(raised(noise(40, seed), 25, 3));
+    if (changes.empty()) continue;
+    ++found;
+    double nearest = 40;
+    for (const ChangePoint& change : changes)
+      nearest = std::min(nearest, std::abs(static_cast<double>(change.at) - 25));
+    EXPECT_LE(nearest, 2) << "seed " << seed;
+    EXPECT_LE(changes.front().p, change_level);
+  }
+  EXPECT_EQ(found, 20);
+}
+
+// Of 300 series, each with a chance of 0.01, more than 9 change with a chance of 0.001 (Poisson with mean 3); none at
+// all would be one of 0.05.
+TEST(ChangePoints, FindsOneInWhiteNoiseNoMoreOftenThanTheLevelSays) {
+  int alarms = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) alarms += !change_points(noise(24, 1000 + seed), seed).empty();
+  EXPECT_LE(alarms, 9);
+  RecordProperty("alarms", alarms);
+}
+
+TEST(ChangePoints, TellsTwoSteps) {
+  const auto changes = change_points(raised(raised(noise(45, 7), 15, 6), 30, -9));
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_EQ(changes[0].at, 15u);
+  EXPECT_EQ(changes[1].at, 30u);
+  EXPECT_NEAR(changes[0].before, 0, 1);
+  EXPECT_NEAR(changes[0].after, 6, 1);
+  EXPECT_EQ(changes[0].after, changes[1].before);
+  EXPECT_NEAR(changes[1].after, -3, 1);
+}
+
+TEST(ChangePoints, SeesAnythingChangeWhereNumbersRepeatToTheBit) {
+  const std::vector<double> values{0.1, 0.1, 0.1, 0.1, std::nextafter(0.1, 1)};
+  const auto changes = change_points(values);
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].at, 4u);
+  EXPECT_EQ(changes[0].before, 0.1);
+  EXPECT_EQ(changes[0].after, values.back());
+  EXPECT_EQ(changes[0].p, 0);
+}
+
+TEST(ChangePoints, SaysNothingOfFewValuesThatScatter) {
+  EXPECT_TRUE(change_points({}).empty());
+  EXPECT_TRUE(change_points(std::vector<double>{1}).empty());
+  EXPECT_TRUE(change_points(std::vector<double>{1, 2}).empty());
+  EXPECT_TRUE(change_points(std::vector<double>{1, 1.1, 1.2, 9, 9.1}).empty());
+}
+
+TEST(ChangePoints, AreTheSameForTheSameSeed) {
+  const auto values = raised(noise(30, 3), 12, 2.5);
+  const auto once = change_points(values, 5), again = change_points(values, 5);
+  ASSERT_FALSE(once.empty());
+  ASSERT_EQ(once.size(), again.size());
+  EXPECT_EQ(once[0].p, again[0].p);
+}
+
+// The method's scale is that of the values: shifted and stretched they change in the same places.
+TEST(ChangePoints, DoNotDependOnUnits) {
+  const auto values = raised(noise(30, 11), 18, 4);
+  std::vector<double> stretched;
+  for (const double value : values) stretched.push_back(1e-6 * value + 3);
+  const auto a = change_points(values), b = change_points(stretched);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].at, b[i].at);
+}
+
+}  // namespace
+}  // namespace plumb

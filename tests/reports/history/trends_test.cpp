@@ -1,0 +1,71 @@
+#include "reports/history/trends.h"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "tests/reports/history/sample.h"
+
+namespace plumb {
+namespace {
+
+class Trends : public InFolder {
+ protected:
+  Trends() {
+    for (int i = 0; i < 20; ++i) history_.add(sample_snapshot(i));
+  }
+
+  const Trend& find(const std::vector<Trend>& all, const std::string& metric) const {
+    for (const Trend& trend : all) {
+      if (trend.series.metric == metric) return trend;
+    }
+    throw std::logic_error("no trend of " + metric);
+  }
+
+  History history_ = History::to_add(place("h"));
+};
+
+TEST_F(Trends, TellWhereANumberAndAVerdictChange) {
+  const auto trends = trends_of(history_.heads(), history_.series());
+  const Trend& rise = find(trends, "energy_rise");
+  ASSERT_EQ(rise.changes.size(), 1u);
+  EXPECT_EQ(rise.series.values[rise.changes[0].at].snapshot, 10u);
+  const auto verdicts = verdict_changes(history_.verdicts());
+  ASSERT_EQ(verdicts.size(), 1u);
+  EXPECT_EQ(verdicts[0].subject.contender, "impulse");
+  EXPECT_EQ(verdicts[0].snapshot, 10u);
+  EXPECT_EQ(verdicts[0].before + " " + verdicts[0].after, "right wrong");
+}
+
+TEST_F(Trends, LeaveOutWhatIsNotFinite) {
+  const auto trends = trends_of(history_.heads(), history_.series());
+  EXPECT_EQ(trends.size(), 2u);
+  EXPECT_THROW(find(trends, "horizon"), std::logic_error);
+}
+
+TEST_F(Trends, NeverMixTimesOfTwoMachines) {
+  for (int i = 20; i < 30; ++i) {
+    Snapshot elsewhere = sample_snapshot(i);
+    elsewhere.environment["processor"] = "another";
+    elsewhere.answers.rbegin()->second.time->median *= 3;
+    history_.add(elsewhere);
+  }
+  const auto times = trends_of(history_.heads(), history_.series(step_time));
+  ASSERT_EQ(times.size(), 2u);
+  EXPECT_NE(times[0].machine, times[1].machine);
+  for (const Trend& trend : times) EXPECT_TRUE(trend.changes.empty());
+  EXPECT_EQ(trends_of(history_.heads(), history_.series("energy_rise")).size(), 1u);
+}
+
+TEST_F(Trends, GiveThePageWhatChangesAndAllTimes) {
+  const auto document = history_document(history_);
+  EXPECT_EQ(document["study"], "history");
+  EXPECT_EQ(document["points"].size(), 20u);
+  EXPECT_EQ(document["findings"]["trends"].size(), 1u);
+  EXPECT_EQ(document["findings"]["verdicts"][0]["snapshot"], 10);
+  EXPECT_EQ(document["timings"]["trends"][0]["high"].size(), 20u);
+  EXPECT_EQ(document["findings"]["unchanged"], 0);
+}
+
+}  // namespace
+}  // namespace plumb

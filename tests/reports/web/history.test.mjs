@@ -1,0 +1,103 @@
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, draw_all, open, write } from "./browser.mjs";
+import { sample } from "./sample.mjs";
+
+after(close);
+
+const many = 20;
+const subject = { scenario: "<b>fall</b>", variant: "height 5", dt: 1 / 60 };
+const range = Array.from({ length: many }, (_, i) => i);
+
+/** Twenty snapshots: with the tenth a number and a verdict change, with the fifteenth the time of one of two engines. */
+function history() {
+  const snapshots = range.map((i) => ({
+    key: `id${i}`,
+    ending: "done",
+    reason: "",
+    values: { commit: `c0ffee${String(i).padStart(2, "0")}a`, at: `2026-01-${String(i + 1).padStart(2, "0")}T00:00:00Z`, verdicts: { right: 2 } },
+  }));
+  const line = (contender, metric, unit, values, machine, changes) => ({
+    ...{ ...subject, contender, metric, unit, machine, changes, values },
+    ...{ snapshots: range, low: values.map((value) => value * (machine ? 0.98 : 1)), high: values.map((value) => value * (machine ? 1.03 : 1)) },
+  });
+  const noise = (i) => 0.01 * Math.sin(37 * i);
+  return {
+    study: {
+      plumb: 1,
+      study: "history",
+      about: "What reports said from commit to commit",
+      configuration: { level: 0.01 },
+      environment: { processor: "one" },
+      points: snapshots,
+      findings: {
+        unchanged: 12,
+        verdicts: [{ ...subject, contender: "impulse", snapshot: 10, before: "right", after: "wrong" }],
+        trends: [line("impulse", "energy_rise", "J", range.map((i) => (i < 10 ? 1 : 2)), "", [{ at: 10, before: 1, after: 2, p: 0 }])],
+      },
+      timings: {
+        points: {},
+        trends: [
+          line("impulse", "step_us", "us", range.map((i) => (i < 15 ? 0.7 : 0.8) + noise(i)), "one", [{ at: 15, before: 0.7, after: 0.8, p: 0.002 }]),
+          line("box2d", "step_us", "us", range.map((i) => 0.9 + noise(i)), "one", []),
+          line("box2d", "step_us", "us", range.map((i) => 0.4 + noise(i)), "another", []),
+        ],
+      },
+    },
+  };
+}
+
+const alone = await write(history());
+const in_report = await write({ ...sample(), studies: [history().study] });
+
+for (const [name, file] of Object.entries({ "a page of its own": alone, "a report": in_report })) {
+  for (const width of [360, 1280]) {
+    test(`the history fits ${width} px as part of ${name}, draws everything, and asks for nothing`, async () => {
+      const { page, trouble } = await open(file, { width, colorScheme: width < 1000 ? "dark" : "light" });
+      await draw_all(page);
+      const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+      assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
+      assert.deepEqual(trouble, []);
+      await page.close();
+    });
+  }
+}
+
+test("what changed is listed, the newest first, the largest of a snapshot first", async () => {
+  const { page } = await open(alone);
+  const rows = await page.locator("#changes tbody tr").allInnerTexts();
+  assert.equal(rows.length, 3);
+  assert.match(rows[0], /2026-01-16 c0ffee15[^]*step us[^]*0\.700[^]*0\.800[^]*\+14[^]*p 0\.002/);
+  assert.match(rows[1], /2026-01-11 c0ffee10[^]*verdict[^]*right[^]*wrong[^]*exact/);
+  assert.match(rows[2], /2026-01-11 c0ffee10[^]*energy rise[^]*\+100[^]*exact/);
+  assert.ok(rows[0].includes("<b>fall</b>"));
+  assert.match(await page.locator("h1").innerText(), /^From 2026-01-01 to 2026-01-20, over 20 snapshots: 1 verdict and 2 numbers changed, none with the newest\.$/);
+  await page.close();
+});
+
+test("a metric has a chart for each machine, with a line an engine and a ring where it changes", async () => {
+  const { page } = await open(alone);
+  await draw_all(page);
+  const figures = page.locator("main figure");
+  assert.equal(await figures.count(), 3);
+  const labels = (locator) => locator.evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort());
+  assert.deepEqual(await labels(figures.nth(0).locator("g.line")), ["impulse"]);
+  assert.deepEqual(await labels(figures.nth(1).locator("g.line")), ["box2d", "impulse"]);
+  assert.deepEqual(await labels(figures.nth(2).locator("g.line")), ["box2d"]);
+  assert.equal(await figures.nth(0).locator("g.change circle").count(), 1);
+  assert.equal(await figures.nth(1).locator("g.change circle").count(), 1);
+  assert.equal(await figures.nth(2).locator("g.change circle").count(), 0);
+  assert.equal(await page.locator("details figure").count(), 1);
+  await page.close();
+});
+
+test("a history of nothing says so", async () => {
+  const empty = history();
+  empty.study.points = [];
+  empty.study.findings = { unchanged: 0, verdicts: [], trends: [] };
+  empty.study.timings.trends = [];
+  const { page, trouble } = await open(await write(empty));
+  assert.match(await page.locator("h1").innerText(), /Nothing has been recorded/);
+  assert.deepEqual(trouble, []);
+  await page.close();
+});
