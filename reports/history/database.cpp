@@ -18,6 +18,7 @@ std::string explained(sqlite3* connection, int code) {
   switch (code & 0xff) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
+    case SQLITE_ERROR:  // a table or a column is not there
       return fmt::format("is damaged ({}); it is left as it is", sqlite3_errmsg(connection));
     case SQLITE_BUSY:
       return "another process has been writing it for a minute";

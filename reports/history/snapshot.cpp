@@ -61,7 +61,8 @@ std::string to_line(const Snapshot& snapshot) {
             {"environment", Json(snapshot.environment)},
             {"answers", Json::array()}};
   for (const auto& [subject, answered] : snapshot.answers) json["answers"].push_back(json_of(subject, answered));
-  return json.dump();
+  // What is no UTF-8 is not to be lost in an error: it can only come from a damaged history, which its hash tells.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Snapshot snapshot_of_line(const std::string& line, const std::string& name) {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <tuple>
+
+#include "reports/history/json_place.h"
 
 namespace plumb {
 namespace {
@@ -66,12 +68,12 @@ std::vector<SnapshotHead> History::heads() const {
     all.push_back({.id = snapshots.text(0),
                    .commit = snapshots.text(1),
                    .at = snapshots.text(2),
-                   .environment = Json::parse(snapshots.text(3))});
+                   .environment = texts_of(snapshots.text(3))});
   }
   const auto place_of = places();
   Statement verdicts = database_.ask("SELECT snapshot, verdict, count(*) FROM verdicts GROUP BY snapshot, verdict");
   while (verdicts.next()) {
-    all[place_of.at(verdicts.whole(0))].verdicts[verdicts.text(1)] = static_cast<int>(verdicts.whole(2));
+    all[place_of(verdicts.whole(0))].verdicts[verdicts.text(1)] = static_cast<int>(verdicts.whole(2));
   }
   return all;
 }
@@ -79,10 +81,9 @@ std::vector<SnapshotHead> History::heads() const {
 Snapshot History::snapshot(const std::string& id) const {
   Statement found = database_.ask("SELECT commit_hash, at, command, environment, number FROM snapshots WHERE id = ?");
   if (!found.with(id).next()) database_.refuse(fmt::format("there is no snapshot {}", id));
-  Snapshot snapshot{.commit = found.text(0),
-                    .at = found.text(1),
-                    .command = Json::parse(found.text(2)),
-                    .environment = Json::parse(found.text(3))};
+  Snapshot snapshot{.commit = found.text(0), .at = found.text(1), .environment = texts_of(found.text(3))};
+  const Json command = parse_json(found.text(2), damaged());
+  for (const JsonPlace& word : JsonPlace(command, damaged()).items()) snapshot.command.push_back(word.text());
   const std::int64_t number = found.whole(4);
   Statement verdicts = database_.ask(
       "SELECT scenario, variant, contender, dt, verdict, step_us, step_us_low, step_us_high, repetitions "
@@ -101,15 +102,29 @@ Snapshot History::snapshot(const std::string& id) const {
   while (points.next()) {
     snapshot.answers[subject_of(points, 0)].metrics[points.text(4)] = {points.number(6), points.text(5)};
   }
-  if (id_of(snapshot) != id) database_.refuse(fmt::format("is damaged: snapshot {} is not what was added", id));
+  if (id_of(snapshot) != id)
+    database_.refuse(fmt::format("is damaged: snapshot {} is not what was added", id.substr(0, 12)));
   return snapshot;
 }
 
-std::map<std::int64_t, std::size_t> History::places() const {
+std::string History::damaged() const { return database_.path().string() + ": is damaged"; }
+
+std::map<std::string, std::string> History::texts_of(const std::string& text) const {
+  const Json json = parse_json(text, damaged());
+  std::map<std::string, std::string> all;
+  for (const auto& [key, value] : JsonPlace(json, damaged()).members()) all[key] = value.text();
+  return all;
+}
+
+std::function<std::size_t(std::int64_t)> History::places() const {
   std::map<std::int64_t, std::size_t> all;
   Statement numbers = database_.ask("SELECT number FROM snapshots ORDER BY at, id");
   while (numbers.next()) all.emplace(numbers.whole(0), all.size());
-  return all;
+  return [this, all](std::int64_t number) {
+    const auto found = all.find(number);
+    if (found == all.end()) throw std::invalid_argument(damaged() + ": a snapshot is missing");
+    return found->second;
+  };
 }
 
 std::vector<Series> History::series(const std::string& metric) const {
@@ -122,7 +137,7 @@ std::vector<Series> History::series(const std::string& metric) const {
   while (points.next()) {
     const double value = points.number(7);
     found[{subject_of(points, 0), points.text(4), points.text(5)}].push_back(
-        {place_of.at(points.whole(6)), value, value, value});
+        {place_of(points.whole(6)), value, value, value});
   }
   Statement times = database_.ask(
       "SELECT scenario, variant, contender, dt, snapshot, step_us, step_us_low, step_us_high "
@@ -130,7 +145,7 @@ std::vector<Series> History::series(const std::string& metric) const {
   times.with(metric);
   while (times.next()) {
     found[{subject_of(times, 0), step_time, "us"}].push_back(
-        {place_of.at(times.whole(4)), times.number(5), times.number(6), times.number(7)});
+        {place_of(times.whole(4)), times.number(5), times.number(6), times.number(7)});
   }
   std::vector<Series> all;
   for (auto& [name, values] : found) {
@@ -151,7 +166,7 @@ std::vector<VerdictSeries> History::verdicts() const {
   while (rows.next()) {
     Subject subject = subject_of(rows, 0);
     if (all.empty() || all.back().subject != subject) all.push_back({std::move(subject), {}});
-    all.back().values.push_back({place_of.at(rows.whole(5)), rows.text(4)});
+    all.back().values.push_back({place_of(rows.whole(5)), rows.text(4)});
   }
   return all;
 }

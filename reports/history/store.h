@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -75,7 +76,9 @@ class History {
 
  private:
   explicit History(Database database) : database_(std::move(database)) {}
-  std::map<std::int64_t, std::size_t> places() const;
+  std::function<std::size_t(std::int64_t)> places() const;  // by the number of a snapshot
+  std::map<std::string, std::string> texts_of(const std::string& json) const;
+  std::string damaged() const;
 
   Database database_;
 };

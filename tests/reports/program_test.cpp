@@ -66,8 +66,9 @@ TEST_F(ProgramRun, WantsEachCaseAndEngineOnce) {
 TEST(Program, KnowsTheseCommands) {
   std::vector<std::string> names;
   for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
-  EXPECT_THAT(names, ::testing::IsSupersetOf({"accept", "check", "diff", "export", "list", "merge", "open", "prove",
-                                              "report", "run", "study"}));
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"accept", "check", "diff", "export", "history", "list", "merge", "open",
+                                              "prove", "report", "run", "study"}));
+>>>>>>> 3983389 (history: nothing else is ever told of a damaged file; README)
 }
 
 TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
@@ -81,7 +82,8 @@ TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
 }
 
 TEST(Program, HelpsWithExamples) {
-  for (const char* command : {"run", "report", "list", "export", "diff", "study", "merge", "prove", "open"}) {
+  for (const char* command :
+       {"run", "report", "list", "export", "history", "diff", "study", "merge", "prove", "open"}) {
     const Said said = say({command, "--help"});
     EXPECT_EQ(said.code, 0);
     EXPECT_THAT(said.out, HasSubstr(std::string("plumb ") + command)) << "an example";

@@ -36,7 +36,8 @@ int ended(pid_t child) {
 
 TEST_F(Store, KeepsEverySnapshotOnceAndToTheBit) {
   History history = History::to_add(place("h"));
-  for (const int i : {5, 0, 11, 5, 0}) EXPECT_EQ(history.add(sample_snapshot(i)), history.heads().size() <= 3);
+  for (const int i : {5, 0, 11}) EXPECT_TRUE(history.add(sample_snapshot(i)));
+  for (const int i : {5, 0}) EXPECT_FALSE(history.add(sample_snapshot(i)));
   const auto heads = history.heads();
   ASSERT_EQ(heads.size(), 3u);
   EXPECT_EQ(heads[0].commit, "c0ffee0");

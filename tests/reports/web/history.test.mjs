@@ -67,7 +67,7 @@ test("what changed is listed, the newest first, the largest of a snapshot first"
   const { page } = await open(alone);
   const rows = await page.locator("#changes tbody tr").allInnerTexts();
   assert.equal(rows.length, 3);
-  assert.match(rows[0], /2026-01-16 c0ffee15[^]*step us[^]*0\.700[^]*0\.800[^]*\+14[^]*p 0\.002/);
+  assert.match(rows[0], /2026-01-16 c0ffee15[^]*time per step[^]*0\.700[^]*0\.800[^]*\+14[^]*p 0\.002/);
   assert.match(rows[1], /2026-01-11 c0ffee10[^]*verdict[^]*right[^]*wrong[^]*exact/);
   assert.match(rows[2], /2026-01-11 c0ffee10[^]*energy rise[^]*\+100[^]*exact/);
   assert.ok(rows[0].includes("<b>fall</b>"));

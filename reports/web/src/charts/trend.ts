@@ -1,9 +1,9 @@
 // A metric from snapshot to snapshot: a line a contender, times with the middle half of their repetitions, and a mark
 // where a line changes for good.
 import * as Plot from "@observablehq/plot";
-import { given, number, pretty_unit, words } from "../format";
+import { given, number, pretty_unit } from "../format";
 import type { Contender } from "../model";
-import { day, short_commit, type Panel, type Snapshot, type Trend } from "../studies/history_model";
+import { day, metric_name, short_commit, type Panel, type Snapshot, type Trend } from "../studies/history_model";
 import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
 
 const height = 240; // px
@@ -67,7 +67,7 @@ export function trend_chart(width: number, { metric, unit, trends }: Panel, snap
   const change_at = new Map(changes.map((change) => [`${change.contender.label} ${change.snapshot}`, change]));
   return Plot.plot({
     ...plot_look(width, height),
-    ariaLabel: `${words(metric)} from snapshot to snapshot`,
+    ariaLabel: `${metric_name(metric)} from snapshot to snapshot`,
     x: {
       label: "snapshot",
       labelAnchor: "right",
@@ -76,7 +76,7 @@ export function trend_chart(width: number, { metric, unit, trends }: Panel, snap
       tickFormat: (index: number) => (snapshots[index] ? short_commit(snapshots[index]) : ""),
     },
     y: {
-      label: `${words(metric)}${unit && unit !== "1" ? ` (${pretty_unit(unit)})` : ""}`,
+      label: `${metric_name(metric)}${unit && unit !== "1" ? ` (${pretty_unit(unit)})` : ""}`,
       grid: true,
       nice: true,
       ticks: 5,

@@ -3,10 +3,10 @@ import { figure } from "../charts/figure";
 import { legend } from "../charts/look";
 import { certainty, trend_chart } from "../charts/trend";
 import { h, slug, table } from "../dom";
-import { count, enumerate, number, time_step, words } from "../format";
+import { count, enumerate, number, time_step } from "../format";
 import { look, type Contender } from "../model";
 import type { Study, StudyView } from "../study";
-import { day, history_of, panels_of, short_commit, type HistoryModel, type Panel } from "./history_model";
+import { day, history_of, metric_name, panels_of, short_commit, step_time, type HistoryModel, type Panel } from "./history_model";
 
 const most_rows = 200;
 
@@ -42,7 +42,7 @@ function rows_of({ trends, verdicts }: HistoryModel): Row[] {
         size: least === 0 ? Number.MAX_VALUE : Math.abs(after - before) / least,
         what: place_of(trend),
         who: trend.contender,
-        metric: words(trend.metric),
+        metric: metric_name(trend.metric),
         before: number(before, trend.unit, 4),
         after: number(after, trend.unit, 4),
         by: percent(before, after),
@@ -54,7 +54,7 @@ function rows_of({ trends, verdicts }: HistoryModel): Row[] {
 }
 
 function changes(model: HistoryModel, rows: Row[]): HTMLElement {
-  const times = model.trends.filter(({ metric }) => metric === "step_us").length;
+  const times = model.trends.filter(({ metric }) => metric === step_time).length;
   const cells = rows.slice(0, most_rows).map((row) => {
     const snapshot = model.snapshots[row.snapshot];
     return h(
@@ -78,7 +78,7 @@ function changes(model: HistoryModel, rows: Row[]): HTMLElement {
     h(
       "p",
       { class: "lede" },
-      `Numbers that repeat to the bit change exactly; where values scatter, as times do, a change is one that fewer than ${number(100 * model.level, "%", 1)} of random orders of the same values show (E-divisive), so that of ${count(times, "series")} of times chance alone lets about ${number(times * model.level, "", 1)} look changed. ${count(model.unchanged, "other number")} never changed.${rest}`,
+      `Numbers that repeat to the bit change exactly; where values scatter, as times do, a change is one that fewer than ${number(100 * model.level, "%", 1)} of random orders of the same values show (E-divisive), so that of ${times} series of times chance alone lets about ${number(times * model.level, "", 1)} look changed. ${count(model.unchanged, "other number")} never changed.${rest}`,
     ),
     rows.length
       ? table("Changes, the newest first", ["since", "case", "engine", "metric", "before", "after", "by", "sure"], cells)
@@ -88,7 +88,7 @@ function changes(model: HistoryModel, rows: Row[]): HTMLElement {
 
 function chart_of(panel: Panel, model: HistoryModel, contender_of: (label: string) => Contender): HTMLElement {
   return figure({
-    title: `${panel.variant || panel.scenario}: ${words(panel.metric)}`,
+    title: `${panel.variant || panel.scenario}: ${metric_name(panel.metric)}`,
     note: [`Time step ${time_step(panel.dt)}.`, panel.machine].filter(Boolean).join(" "),
     height: 240,
     draw: (width) => [trend_chart(width, panel, model.snapshots, contender_of)],

@@ -1,5 +1,8 @@
 // The history as its page thinks of it: snapshots in their order, and what changed from one to the next.
+import { words } from "../format";
 import type { Study } from "../study";
+
+export const step_time = "step_us";
 
 export interface Snapshot {
   id: string;
@@ -62,6 +65,8 @@ export function history_of(study: Study): HistoryModel {
 
 /** As much of a commit as tells it. */
 export const short_commit = ({ commit }: Snapshot): string => commit.slice(0, 8) + (commit.endsWith("-dirty") ? "*" : "");
+/** In words; of step times as the report has it. */
+export const metric_name = (metric: string): string => (metric === step_time ? "time per step" : words(metric));
 export const day = ({ at }: Snapshot): string => at.slice(0, 10);
 
 /** Trends of one metric in one case, which a chart shows together. */
