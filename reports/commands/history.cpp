@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "reports/command.h"
 #include "reports/files.h"
 #include "reports/history/git.h"
-#include "reports/history/json_place.h"
 #include "reports/history/moment.h"
 #include "reports/history/store.h"
 #include "reports/history/text.h"
@@ -30,7 +30,7 @@ struct Asked {
   std::string out = "out";
 };
 
-constexpr std::size_t most = std::size_t{1} << 30;  // bytes of a file that is read
+constexpr std::size_t largest_report = std::size_t{1} << 26;  // bytes
 
 // No clock is asked: when a commit was made is the same for everyone.
 Commit commit_of(const Asked& asked) {
@@ -49,7 +49,7 @@ int add(const Asked& asked) {
   const Commit commit = commit_of(asked);
   std::vector<Snapshot> snapshots;
   for (const std::string& file : asked.reports) {
-    snapshots.push_back(snapshot_of_report(parse_json(read_text(file, most), file), file));
+    snapshots.push_back(snapshot_of_report(read_text(file, largest_report), file));
     snapshots.back().commit = commit.hash;
     snapshots.back().at = commit.at;
   }
@@ -110,7 +110,10 @@ int export_lines(const Asked& asked) {
 }
 
 int import_lines(const Asked& asked) {
-  std::istringstream lines(read_text(asked.lines, most));
+  std::ifstream lines(asked.lines);
+  if (!lines || std::filesystem::is_directory(asked.lines)) {
+    throw std::invalid_argument(asked.lines + ": cannot be read");
+  }
   std::vector<Snapshot> snapshots;
   for (std::string line; std::getline(lines, line);) {
     snapshots.push_back(snapshot_of_line(line, fmt::format("{}: line {}", asked.lines, snapshots.size() + 1)));

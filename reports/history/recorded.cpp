@@ -1,80 +1,100 @@
 // What is kept of a report.json.
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
 #include <limits>
+#include <map>
 #include <optional>
 #include <tuple>
 
-#include "reports/history/json_place.h"
+#include "reports/gate/words.h"
 #include "reports/history/snapshot.h"
+#include "scenarios/json_parse.h"
 
 namespace plumb {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr int known_format = 1;  // of report.json, see writers/json.cpp
 
-constexpr int known_format = 1;  // of report.json
+// Refuses a list whose entries lack any of these.
+template <class Take>
+void for_each_entry(const JsonReader& list, std::initializer_list<const char*> keys, Take take) {
+  for (std::size_t i = 0; i < list.list(); ++i) {
+    const JsonReader entry = list[i];
+    for (const char* key : keys) entry.must_have(key);
+    take(entry);
+  }
+}
 
 // Nothing where nothing judged the run; NaN where it is off and nothing is allowed.
-std::optional<double> share_of_allowed(const JsonPlace& run) {
+std::optional<double> share_of_allowed(const JsonReader& run) {
   std::optional<double> worst;
   const auto see = [&](double share) {
     if (!worst || (!std::isnan(*worst) && !(share <= *worst))) worst = share;
   };
-  for (const JsonPlace& check : run.at("truth").items()) {
-    if (check.at("revealed").json() == false) continue;
-    const double error = check.at("error").number_or_null();
-    see(error == 0 ? 0 : error / check.at("tolerance").number_or_null());
-  }
-  for (const JsonPlace& law : run.at("invariants").items()) {
-    if (law.at("standing").text() != "not revealed") see(law.at("ratio").number_or_null());
-  }
+  for_each_entry(run["truth"], {"revealed", "error", "tolerance"}, [&](const JsonReader& check) {
+    const double error = number_or_null(check["error"]);
+    if (check["revealed"].boolean()) see(error == 0 ? 0 : error / number_or_null(check["tolerance"]));
+  });
+  for_each_entry(run["invariants"], {"standing", "ratio"}, [&](const JsonReader& law) {
+    if (standing_from(law["standing"]) != Standing::not_revealed) see(number_or_null(law["ratio"]));
+  });
   if (worst && !std::isfinite(*worst)) worst = std::numeric_limits<double>::quiet_NaN();
   return worst;
 }
 
-Answered answered_of(const JsonPlace& run) {
-  Answered answered{.verdict = run.at("verdict").text()};
-  for (const auto& [name, metric] : run.at("metrics").members()) {
-    answered.metrics[name] = {metric.at("value").number_or_null(), metric.at("unit").text()};
-  }
+Answered answered_of(const JsonReader& run) {
+  Answered answered{.verdict = name_of(verdict_from(run["verdict"]))};
+  for_each_member(run["metrics"], [&](const std::string& name, const JsonReader& metric) {
+    metric.object({"value", "unit"});
+    answered.metrics[name] = {number_or_null(metric["value"]), any_text(metric["unit"])};
+  });
   if (const auto share = share_of_allowed(run)) answered.metrics["share_of_allowed"] = {*share, "1"};
   return answered;
 }
 
-std::string contender_of(const JsonPlace& place) {
-  return label_of(place.at("engine").text(), place.at("method").text());
+std::optional<StepTime> time_of(const JsonReader& time) {
+  const StepTime found{number_or_null(time["step_us"]), number_or_null(time["step_us_low"]),
+                       number_or_null(time["step_us_high"]), static_cast<int>(time["repetitions"].number({0, 1e9}))};
+  if (!std::isfinite(found.median) || !std::isfinite(found.low) || !std::isfinite(found.high)) return std::nullopt;
+  return found;
 }
 
 }  // namespace
 
-Snapshot snapshot_of_report(const Json& json, const std::string& name) {
-  const JsonPlace report(json, name);
-  const JsonPlace format = report.at("plumb");
-  if (format.json() != known_format) format.refuse("a report of format 1");
-  Snapshot snapshot;
-  for (const JsonPlace& word : report.at("command").items()) snapshot.command.push_back(word.text());
-  for (const auto& [key, value] : report.at("environment").members()) snapshot.environment[key] = value.text();
+Snapshot snapshot_of_report(const std::string& text, const std::string& name) {
+  const nlohmann::json json = parse_json(text, name);
+  const JsonReader report(json, name);
+  report.must_have("plumb");
+  report["plumb"].number({known_format, known_format});
+  for (const char* key : {"command", "environment", "runs", "timings"}) report.must_have(key);
+  Snapshot snapshot{.command = words_from(report["command"]), .environment = texts_from(report["environment"])};
 
   using Place = std::tuple<std::string, std::string, std::string>;
-  const auto place_of = [](const JsonPlace& one) {
-    return Place{one.at("scenario").text(), one.at("variant").text(), contender_of(one)};
+  const auto place_of = [](const JsonReader& one) {
+    return Place{any_text(one["scenario"]), any_text(one["variant"]),
+                 label_of(any_text(one["engine"]), any_text(one["method"]))};
   };
   std::map<Place, Answered*> timed;  // times name no step: each is of the one run in its place
-  for (const JsonPlace& run : report.at("runs").items()) {
-    const auto [scenario, variant, contender] = place_of(run);
-    const auto [found, added] =
-        snapshot.answers.emplace(Subject{scenario, variant, contender, run.at("dt").number()}, answered_of(run));
-    if (!added) run.refuse("each run once");
-    timed[{scenario, variant, contender}] = &found->second;
-  }
-  for (const JsonPlace& time : report.at("timings").at("steps").items()) {
-    const auto run = timed.find(place_of(time));
-    if (run == timed.end()) time.refuse("the time of one of the runs");
-    if (time.at("step_us").json().is_null()) continue;
-    run->second->time = {time.at("step_us").number(), time.at("step_us_low").number(), time.at("step_us_high").number(),
-                         time.at("repetitions").count()};
-  }
+  for_each_entry(report["runs"],
+                 {"scenario", "variant", "engine", "method", "dt", "verdict", "metrics", "truth", "invariants"},
+                 [&](const JsonReader& run) {
+                   const Place place = place_of(run);
+                   const auto& [scenario, variant, contender] = place;
+                   const Subject subject{scenario, variant, contender, run["dt"].number({0, 1, "s"})};
+                   const auto [found, added] = snapshot.answers.emplace(subject, answered_of(run));
+                   if (!added) run.refuse("is there twice");
+                   timed[place] = &found->second;
+                 });
+  const JsonReader timings = report["timings"];
+  timings.must_have("steps");
+  for_each_entry(timings["steps"],
+                 {"scenario", "variant", "engine", "method", "step_us", "step_us_low", "step_us_high", "repetitions"},
+                 [&](const JsonReader& time) {
+                   const auto run = timed.find(place_of(time));
+                   if (run == timed.end()) time.refuse("is of none of the runs");
+                   run->second->time = time_of(time);
+                 });
   return snapshot;
 }
 

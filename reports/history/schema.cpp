@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t application = 0x504c4d42;  // "PLMB"
 
-// From each version to the next; a new file takes all of them.
+// From each version to the next; a new file takes all of them. What was released is never edited, but added to.
 constexpr std::array<const char*, 2> steps{
     // 1: a row for each number.
     R"(CREATE TABLE snapshots (

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
+#include <cstddef>
+#include <limits>
 
-#include "reports/history/json_place.h"
+#include "reports/gate/words.h"
 #include "reports/history/moment.h"
 #include "reports/history/sha256.h"
+#include "scenarios/json_parse.h"
 
 namespace plumb {
 namespace {
@@ -32,21 +34,24 @@ Json json_of(const Subject& subject, const Answered& answered) {
   return json;
 }
 
-std::vector<JsonPlace> several(const JsonPlace& place, std::size_t many) {
-  auto items = place.items();
-  if (items.size() != many) place.refuse(fmt::format("a list of {}", many));
-  return items;
+constexpr double most = std::numeric_limits<double>::max();
+
+// One of the numbers in a list of so many.
+double number_in(const JsonReader& list, std::size_t place, std::size_t many) {
+  if (list.list() != many) list.expected(fmt::format("a list of {}", many));
+  return list[place].number({-most, most});
 }
 
-Answered answered_of(const JsonPlace& place) {
-  Answered answered{.verdict = place.at("verdict").text()};
-  for (const auto& [name, metric] : place.at("metrics").members()) {
-    const auto pair = several(metric, 2);
-    answered.metrics[name] = {pair[0].number_or_null(), pair[1].text()};
-  }
-  if (place.has("step_us")) {
-    const auto four = several(place.at("step_us"), 4);
-    answered.time = {four[0].number(), four[1].number(), four[2].number(), four[3].count()};
+Answered answered_of(const JsonReader& from) {
+  Answered answered{.verdict = any_text(from["verdict"])};
+  for_each_member(from["metrics"], [&](const std::string& name, const JsonReader& metric) {
+    if (metric.list() != 2) metric.expected("a value and a unit");
+    answered.metrics[name] = {number_or_null(metric[std::size_t{0}]), any_text(metric[std::size_t{1}])};
+  });
+  if (from.has("step_us")) {
+    const JsonReader time = from["step_us"];
+    answered.time = {number_in(time, 0, 4), number_in(time, 1, 4), number_in(time, 2, 4),
+                     static_cast<int>(time[std::size_t{3}].number({0, 1e9}))};
   }
   return answered;
 }
@@ -66,19 +71,31 @@ std::string to_line(const Snapshot& snapshot) {
 }
 
 Snapshot snapshot_of_line(const std::string& line, const std::string& name) {
-  const Json json = parse_json(line, name);
-  const JsonPlace whole(json, name);
-  if (whole.at("plumb_history").json() != format) whole.at("plumb_history").refuse(fmt::format("format {}", format));
-  Snapshot snapshot{.commit = whole.at("commit").text(), .at = whole.at("at").text()};
-  if (utc(snapshot.at) != snapshot.at) whole.at("at").refuse("a moment in UTC, " + utc(snapshot.at));
-  for (const JsonPlace& word : whole.at("command").items()) snapshot.command.push_back(word.text());
-  for (const auto& [key, value] : whole.at("environment").members()) snapshot.environment[key] = value.text();
-  for (const JsonPlace& one : whole.at("answers").items()) {
-    const Subject subject{one.at("scenario").text(), one.at("variant").text(), one.at("contender").text(),
-                          plain(one.at("dt").number())};
-    if (!snapshot.answers.emplace(subject, answered_of(one)).second) one.refuse("each answer once");
+  const nlohmann::json json = parse_json(line, name);
+  const JsonReader whole(json, name);
+  whole.must_have("plumb_history");
+  whole["plumb_history"].number({format, format});
+  whole.object({"plumb_history", "commit", "at", "command", "environment", "answers"});
+  Snapshot snapshot{.commit = any_text(whole["commit"]),
+                    .at = any_text(whole["at"]),
+                    .command = words_from(whole["command"]),
+                    .environment = texts_from(whole["environment"])};
+  if (utc(snapshot.at) != snapshot.at) whole["at"].expected("a moment in UTC, " + utc(snapshot.at));
+  const JsonReader answers = whole["answers"];
+  for (std::size_t i = 0; i < answers.list(); ++i) {
+    const JsonReader one = answers[i];
+    one.object({"scenario", "variant", "contender", "dt", "verdict", "metrics"}, {"step_us"});
+    const Subject subject{any_text(one["scenario"]), any_text(one["variant"]), any_text(one["contender"]),
+                          plain(one["dt"].number({0, most, "s"}))};
+    if (!snapshot.answers.emplace(subject, answered_of(one)).second) one.refuse("is there twice");
   }
   return snapshot;
+}
+
+std::vector<std::string> words_from(const JsonReader& list) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < list.list(); ++i) words.push_back(any_text(list[i]));
+  return words;
 }
 
 std::string id_of(const Snapshot& snapshot) { return sha256(to_line(snapshot)); }

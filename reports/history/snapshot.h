@@ -11,6 +11,8 @@
 /// What a history keeps of a report.
 namespace plumb {
 
+class JsonReader;
+
 /// Who answered what.
 struct Subject {
   std::string scenario, variant;
@@ -48,9 +50,12 @@ Snapshot snapshot_of_line(const std::string& line, const std::string& name);
 /// A hash of that line: two snapshots are the same where theirs are.
 std::string id_of(const Snapshot&);
 
-/// Of a report.json, see report.schema.json. Beside the metrics of its runs, `share_of_allowed` is how many times what
-/// is allowed a run is off where it is worst. Throws std::invalid_argument, naming `name` and the place, for what is
-/// none.
-Snapshot snapshot_of_report(const nlohmann::ordered_json&, const std::string& name);
+/// Of the text of a report.json, see report.schema.json. Beside the metrics of its runs, `share_of_allowed` is how many
+/// times what is allowed a run is off where it is worst. Throws std::invalid_argument, naming `name` and the place, for
+/// what is none.
+Snapshot snapshot_of_report(const std::string& text, const std::string& name);
+
+/// A list of texts.
+std::vector<std::string> words_from(const JsonReader&);
 
 }  // namespace plumb

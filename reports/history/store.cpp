@@ -6,7 +6,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "reports/history/json_place.h"
+#include "reports/gate/words.h"
+#include "scenarios/json_parse.h"
 
 namespace plumb {
 namespace {
@@ -82,8 +83,9 @@ Snapshot History::snapshot(const std::string& id) const {
   Statement found = database_.ask("SELECT commit_hash, at, command, environment, number FROM snapshots WHERE id = ?");
   if (!found.with(id).next()) database_.refuse(fmt::format("there is no snapshot {}", id));
   Snapshot snapshot{.commit = found.text(0), .at = found.text(1), .environment = texts_of(found.text(3))};
-  const Json command = parse_json(found.text(2), damaged());
-  for (const JsonPlace& word : JsonPlace(command, damaged()).items()) snapshot.command.push_back(word.text());
+  const std::string name = damaged();
+  const nlohmann::json command = parse_json(found.text(2), name);
+  snapshot.command = words_from(JsonReader(command, name));
   const std::int64_t number = found.whole(4);
   Statement verdicts = database_.ask(
       "SELECT scenario, variant, contender, dt, verdict, step_us, step_us_low, step_us_high, repetitions "
@@ -110,10 +112,9 @@ Snapshot History::snapshot(const std::string& id) const {
 std::string History::damaged() const { return database_.path().string() + ": is damaged"; }
 
 std::map<std::string, std::string> History::texts_of(const std::string& text) const {
-  const Json json = parse_json(text, damaged());
-  std::map<std::string, std::string> all;
-  for (const auto& [key, value] : JsonPlace(json, damaged()).members()) all[key] = value.text();
-  return all;
+  const std::string name = damaged();
+  const nlohmann::json json = parse_json(text, name);
+  return texts_from(JsonReader(json, name));
 }
 
 std::function<std::size_t(std::int64_t)> History::places() const {
