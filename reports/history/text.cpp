@@ -26,8 +26,11 @@ std::string by_how_much(const ChangePoint& change) {
   return fmt::format("{:+.3g} %", 100 * (change.after - change.before) / std::abs(change.before));
 }
 
+// "1" is the unit of what has none.
+std::string spaced(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
+
 std::string line_of(const ChangePoint& change, const std::string& unit) {
-  return fmt::format("{:.4g} -> {:.4g} {} ({}, {})", change.before, change.after, unit, by_how_much(change),
+  return fmt::format("{:.4g} -> {:.4g}{} ({}, {})", change.before, change.after, spaced(unit), by_how_much(change),
                      change.p == 0 ? "exact" : fmt::format("p {:.3g}", change.p));
 }
 
@@ -110,8 +113,8 @@ std::string courses(const std::vector<SnapshotHead>& heads, const std::vector<Tr
   std::string text;
   for (const Trend& trend : trends) {
     const auto& values = trend.series.values;
-    text += fmt::format("{}, {} values, {:.4g} ... {:.4g} {}\n  {}\n", name_of(trend.series), values.size(),
-                        values.front().value, values.back().value, trend.series.unit, course_of(values));
+    text += fmt::format("{}, {} values, {:.4g} ... {:.4g}{}\n  {}\n", name_of(trend.series), values.size(),
+                        values.front().value, values.back().value, spaced(trend.series.unit), course_of(values));
     if (!trend.machine.empty()) text += fmt::format("  {}\n", trend.machine);
     for (const ChangePoint& change : trend.changes) {
       text +=
