@@ -68,7 +68,6 @@ TEST(Program, KnowsTheseCommands) {
   for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
   EXPECT_THAT(names, ::testing::IsSupersetOf({"accept", "check", "diff", "export", "history", "list", "merge", "open",
                                               "prove", "report", "run", "study"}));
->>>>>>> 3983389 (history: nothing else is ever told of a damaged file; README)
 }
 
 TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
