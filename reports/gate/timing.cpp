@@ -30,6 +30,7 @@ std::vector<JudgedTime> look(const TimeCases& time, std::span<const std::size_t>
   together.name = "all cases";
   if (std::count_if(pairs.begin(), pairs.end(), timed) < 2) together.no_result = "not several cases";
   std::vector<JudgedTime> all;
+  all.reserve(pairs.size() + 1);
   for (TimedPair& pair : pairs) all.push_back(measured(std::move(pair)));
   all.push_back(measured(std::move(together)));
   return all;
@@ -59,6 +60,7 @@ std::vector<std::size_t> places(const std::vector<bool>& marked) {
 
 void mark_faster(std::vector<JudgedTime>& all, const TimingRule& rule) {
   std::vector<Shift> backwards;
+  backwards.reserve(all.size());
   for (const JudgedTime& one : all) backwards.push_back({1 / one.time.ratio, one.time.p, -one.time.effect});
   const std::vector<bool> out = slower(backwards, rule.confirmed, rule.least);
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -48,6 +48,7 @@ Shift shift_of(const TimedPair& pair, std::vector<double> Cost::*what) {
 
 std::vector<bool> slower(std::span<const Shift> shifts, double level, double least) {
   std::vector<double> p;
+  p.reserve(shifts.size());
   for (const Shift& shift : shifts) p.push_back(shift.p);
   std::vector<bool> stands = significant(p, level);
   for (std::size_t i = 0; i < shifts.size(); ++i) stands[i] = stands[i] && shifts[i].ratio >= 1 + least;
