@@ -14,7 +14,7 @@ namespace {
 // The extent of all dynamic bodies along gravity, m.
 double height_of(const Scene& scene, Vec down, const std::vector<BodyState>& start, std::span<const Mass> masses) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Range all{infinity, -infinity};
+  Interval all{infinity, -infinity};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (masses[i].mass == 0) continue;
     for (const Shape& shape : scene.bodies[i].shapes) {

@@ -26,8 +26,8 @@ Outline hull_of(const Capsule& capsule) { return {.points = {capsule.from, capsu
 Outline hull_of(const Segment& segment) { return {.points = {segment.from, segment.to}}; }
 Outline hull_of(const HalfSpace& halfspace) { return {.halfspace = halfspace}; }
 
-Range along(Vec direction, std::span<const Vec> points) {
-  Range range{infinity, -infinity};
+Interval along(Vec direction, std::span<const Vec> points) {
+  Interval range{infinity, -infinity};
   for (const Vec point : points) {
     const double d = dot(direction, point);
     range = {std::min(range.low, d), std::max(range.high, d)};
@@ -40,8 +40,8 @@ Range along(Vec direction, std::span<const Vec> points) {
 double gap_along_normals(std::span<const Vec> a, std::span<const Vec> b) {
   double largest = -infinity;
   const auto look_along = [&](Vec axis) {
-    const Range of_a = along(axis, a);
-    const Range of_b = along(axis, b);
+    const Interval of_a = along(axis, a);
+    const Interval of_b = along(axis, b);
     largest = std::max({largest, of_b.low - of_a.high, of_a.low - of_b.high});
   };
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -92,10 +92,10 @@ Outline placed(const Outline& outline, Vec position, double angle) {
   return there;
 }
 
-std::optional<Range> range_along(Vec direction, const Outline& outline) {
+std::optional<Interval> range_along(Vec direction, const Outline& outline) {
   if (outline.halfspace) return std::nullopt;
-  const Range range = along(direction, outline.points);
-  return Range{range.low - outline.radius, range.high + outline.radius};
+  const Interval range = along(direction, outline.points);
+  return Interval{range.low - outline.radius, range.high + outline.radius};
 }
 
 // Where the hulls meet, the way out is shortest along an edge normal of one of them: the edges of their Minkowski

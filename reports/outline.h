@@ -25,10 +25,10 @@ Outline placed(const Outline&, Vec position, double angle);
 
 /// The smallest and the largest value of direction . p over the outline; `direction` is of unit length. Without bound
 /// for a half-space, where nothing is returned.
-struct Range {
+struct Interval {
   double low = 0, high = 0;
 };
-std::optional<Range> range_along(Vec direction, const Outline&);
+std::optional<Interval> range_along(Vec direction, const Outline&);
 
 /// The gap between two outlines in m: their distance, or less the depth by which one must be moved out of the other.
 /// Two half-spaces have none: infinity.

@@ -35,13 +35,13 @@ std::vector<Overlapping> Overlap::all(std::span<const BodyState> states) const {
   struct Placed {
     std::size_t body;
     Outline outline;
-    Range x;
+    Interval x;
   };
   std::vector<Placed> parts;
   for (const Part& part : parts_) {
     const BodyState& state = states[part.body];
     Outline outline = placed(part.outline, state.position, state.angle);
-    const Range x = range_along({1, 0}, outline).value_or(Range{-infinity, infinity});
+    const Interval x = range_along({1, 0}, outline).value_or(Interval{-infinity, infinity});
     parts.push_back({part.body, std::move(outline), x});
   }
   // From left to right, each part meets those that begin before it ends.

@@ -70,6 +70,7 @@ const Catalog<Scenario>::Entry entry{
                   {"min", {{"rule", 3}}},
                   {"max", {{"rule", 4}}},
                   {"product", {{"rule", 5}}}},
+     .closed_form = "slide",
      .scene = scene,
      .expectations = expectations}};
 
