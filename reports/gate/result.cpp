@@ -15,6 +15,8 @@ const char* name_of(Rule rule) {
       return "bound";
     case Rule::bits:
       return "bits";
+    case Rule::time:
+      return "time";
   }
   return "";
 }
@@ -50,9 +52,10 @@ void sort(std::vector<Offence>& offences) {
     const int group = verdict_worse                   ? 0
                       : one.change == Change::missing ? 1
                       : one.rule == Rule::bound       ? 2
-                      : one.rule == Rule::verdict     ? 3
-                      : one.rule == Rule::bits        ? 4
-                                                      : 5;
+                      : one.rule == Rule::time        ? 3
+                      : one.rule == Rule::verdict     ? 4
+                      : one.rule == Rule::bits        ? 5
+                                                      : 6;
     return std::tuple<int, double, const RunKey&, const std::string&>(group, -one.times, one.run, one.metric);
   };
   std::sort(offences.begin(), offences.end(), [&](const Offence& a, const Offence& b) { return rank(a) < rank(b); });

@@ -10,11 +10,11 @@ namespace plumb {
 
 /// What caught an offence, the crudest first. presence: a run has come or gone. verdict: what physics says of it became
 /// another. bound: a number moved farther than the rounding of another platform explains. bits: on the same platform
-/// not every bit is the same.
-enum class Rule { presence, verdict, bound, bits };
+/// not every bit is the same. time: steps take longer than in another build that they were timed beside.
+enum class Rule { presence, verdict, bound, bits, time };
 enum class Change { worse, changed, better, missing, added };
 
-/// "presence", "verdict", "bound", "bits".
+/// "presence", "verdict", "bound", "bits", "time".
 const char* name_of(Rule);
 
 /// "worse", "changed", "better", "missing", "new".

@@ -94,8 +94,4 @@ std::vector<JudgedTime> judge_times(const TimeCases& time, std::size_t cases, co
   return all;
 }
 
-bool any_slower(const std::vector<JudgedTime>& all) {
-  return std::any_of(all.begin(), all.end(), [](const JudgedTime& one) { return one.pace == Pace::slower; });
-}
-
 }  // namespace plumb

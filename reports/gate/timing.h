@@ -39,6 +39,4 @@ struct JudgedTime {
 /// By case, then all together as "all cases" where there are several.
 std::vector<JudgedTime> judge_times(const TimeCases&, std::size_t cases, const TimingRule& = {});
 
-bool any_slower(const std::vector<JudgedTime>&);
-
 }  // namespace plumb

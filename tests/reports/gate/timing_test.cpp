@@ -59,6 +59,10 @@ std::vector<JudgedTime> judge(Fake& fake, std::size_t cases) {
   return judge_times([&](auto which, int sittings) { return fake(which, sittings); }, cases);
 }
 
+bool any_slower(const std::vector<JudgedTime>& all) {
+  return std::any_of(all.begin(), all.end(), [](const JudgedTime& one) { return one.pace == Pace::slower; });
+}
+
 std::vector<Pace> paces(const std::vector<JudgedTime>& all) {
   std::vector<Pace> found;
   for (const JudgedTime& one : all) found.push_back(one.pace);

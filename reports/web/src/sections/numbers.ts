@@ -21,7 +21,7 @@ function metric_table(caption: string, columns: Column[], about: Map<string, str
     }
     return row;
   });
-  return table(caption, ["", ...columns.map(({ head }) => head)], rows, "numbers");
+  return table(caption, ["number", ...columns.map(({ head }) => head)], rows, "numbers");
 }
 
 export function numbers(place: Case, report: Report): HTMLElement | null {

@@ -120,7 +120,7 @@ function overall(model: StabilityModel): HTMLElement {
       { class: "lede" },
       "The last value at which it held, at its own settings and at the place named in the column\u2019s head; \u2265 where the map ends before it fails. What stands out is the best of a column; where nature has a boundary, all who have it there.",
     ),
-    table("What each method stands", ["", ...heads], rows, "numbers stands"),
+    table("What each method stands", ["method", ...heads], rows, "numbers stands"),
   );
 }
 
