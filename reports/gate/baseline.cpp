@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "reports/beyond.h"
+
 namespace plumb {
 namespace {
 
@@ -89,7 +91,10 @@ KeptRun kept(const RunRecord& run) {
               .verdict = run.verdict,
               .reason = run.status == Status::ok ? "" : run.reason,
               .bits = run.trace ? hash_of(*run.trace) : ""};
-  for (const auto& [name, measured] : run.metrics) put(all.numbers, name, {measured.unit, measured.value});
+  for (const auto& [name, measured] : run.metrics) {
+    // Of an ensemble, which a report may have and a gate does not.
+    if (name != horizon_note().name) put(all.numbers, name, {measured.unit, measured.value});
+  }
   for (const TruthCheck& check : run.truth) {
     put(all.numbers, name_of_check(check), {check.unit, check.error, standing_of(check), check.tolerance});
   }

@@ -55,6 +55,12 @@ TEST(KeptNumbers, AreAllThatWasMeasuredOrJudged) {
   EXPECT_EQ(run.numbers.size(), 5u);
 }
 
+TEST(KeptNumbers, LeaveOutTheHorizonWhichOnlyAnEnsembleKnows) {
+  RunRecord run;
+  run.metrics = {{"horizon", {0.9, "s"}}, {"energy_rise", {0.1, "1"}}};
+  EXPECT_EQ(kept(run).numbers.size(), 1u);
+}
+
 TEST(KeptNumbers, NameEventsWithoutTheirTime) {
   RunRecord run;
   for (const double time : {0.5, 0.75}) {
