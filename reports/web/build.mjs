@@ -45,7 +45,7 @@ function as_cpp(name, text) {
   pieces.push(piece);
   const literals = pieces.map((text) => `    R"plumb~(${text})plumb~",`).join("\n");
   return `std::string_view ${name}() {
-  static constexpr std::string_view pieces[] = {
+  static const std::string_view pieces[] = {
 ${literals}
   };
   static const std::string text = [] {
