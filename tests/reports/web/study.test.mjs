@@ -70,6 +70,7 @@ test("a click on a point gives the line that runs it, and so does the table of a
   assert.equal(await page.evaluate(() => window.copied), line);
   await article.locator("summary", { hasText: "All 6 runs" }).press("Enter");
   const buttons = article.locator("details").last().getByRole("button");
+  await buttons.first().waitFor();
   assert.equal(await buttons.count(), 6);
   await buttons.first().press("Enter");
   assert.match(await page.evaluate(() => window.copied), /--engine box2d:substeps=4 --dt 1\/30 /);
