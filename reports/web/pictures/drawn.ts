@@ -7,7 +7,7 @@ export interface Drawn {
   palette: string; // CSS: the page's colours, light and dark
 }
 
-/** What the page asks of a browser beside its document: nothing ever comes near, or changes its size. */
+/** What the page asks of a browser beside its document: nothing ever comes near, changes its size, or is opened. */
 class Watcher {
   observe(): void {}
   unobserve(): void {}
@@ -32,6 +32,7 @@ export function drawn(html: string): Drawn {
     self: globalThis,
     IntersectionObserver: Watcher,
     ResizeObserver: Watcher,
+    MutationObserver: Watcher,
     location: { hash: "" },
     getComputedStyle: () => ({ fontSize: "16px", getPropertyValue: () => "" }),
     matchMedia: () => ({ matches: false, addEventListener: () => {} }),

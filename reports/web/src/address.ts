@@ -1,6 +1,8 @@
 // The page's address: a place and, after a "?", the view of the overview: "#bounce--e%3D0.8?engine=box2d" is a case,
 // while the overview shows box2d alone. A link shares both, and going back finds the view as it was.
 
+import { make_within, unfold_around } from "./folded";
+
 /** What the overview shows; empty: everything, as it is listed. */
 export type View = URLSearchParams;
 
@@ -35,23 +37,43 @@ export function show(view: View, lasting = false): void {
   for (const tell of watchers) tell(view);
 }
 
-const element_at = (place: string): HTMLElement | null =>
+const standing_at = (place: string): HTMLElement | null =>
   document.getElementById(place) ?? document.getElementById(decodeURIComponent(place));
+
+function element_at(place: string): HTMLElement | null {
+  const found = standing_at(place);
+  if (found || !place) return found;
+  make_within(document.documentElement);
+  return standing_at(place);
+}
+
+/** What comes near is laid out only then, and may be another size than was thought. */
+function bring_to(element: HTMLElement): void {
+  element.scrollIntoView();
+  let frames = 3;
+  const again = (): void => {
+    element.scrollIntoView();
+    if (--frames) requestAnimationFrame(again);
+  };
+  requestAnimationFrame(again);
+}
 
 /** Goes to the address's place and unfolds what hides it. What it asks for (data-asks) is marked (data-of) beside it. */
 function arrive(): void {
   const element = element_at(present().place);
   for (const asked of document.querySelectorAll(".asked")) asked.classList.remove("asked");
   if (!element) return;
-  for (let folded = element.closest("details"); folded; folded = folded.parentElement?.closest("details") ?? null) folded.open = true;
+  unfold_around(element);
   const asked = element.dataset["asks"];
   if (asked !== undefined) {
-    for (const of of element.closest("article")?.querySelectorAll<HTMLElement>("[data-of]") ?? []) {
+    const article = element.closest("article");
+    if (article) make_within(article);
+    for (const of of article?.querySelectorAll<HTMLElement>("[data-of]") ?? []) {
       if (of.dataset["of"] === asked) of.classList.add("asked");
     }
     element.classList.add("asked");
   }
-  element.scrollIntoView();
+  bring_to(element);
   if (!element.matches("a, button, input, select, [tabindex]")) element.tabIndex = -1;
   element.focus({ preventScroll: true });
 }

@@ -218,16 +218,16 @@ const report_rule = record({
 
 const columns = ["energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference", "overlap"] as const;
 
-const series_rule: Rule = (value, path, problems) => {
+const series_shape = record({ ...contender, t: list(finite), ...Object.fromEntries(columns.map((column) => [column, list(number)])) });
+
+const series_rule: Rule = (value, problems) => {
   const before = problems.length;
-  const rules: Record<string, Rule> = { ...contender, t: list(finite) };
-  for (const column of columns) rules[column] = list(number);
-  record(rules)(value, path, problems);
+  series_shape(value, problems);
   if (problems.length > before) return;
   const series = value as Series;
   for (const column of columns) {
     if (series[column].length !== series.t.length) {
-      problems.push(`${path}.${column}: ${series[column].length} values for ${series.t.length} times`);
+      problems.push(`.${column}: ${series[column].length} values for ${series.t.length} times`);
     }
   }
 };
@@ -266,7 +266,7 @@ export function read(json: string | null | undefined): Outcome {
   }
   const problems: string[] = [];
   if (version === undefined) problems.push(`${kind.name}.plumb: expected ${kind.format}, the number of the format, found nothing`);
-  kind.rule(value, "", problems);
+  kind.rule(value, problems);
   if (problems.length) return { problems: problems.map((problem) => problem.replace(/^\./, "")) };
   return kind.name === "study" ? { study: (value as { study: Study }).study } : { page: value as Page };
 }

@@ -1,6 +1,8 @@
 import { follow_address } from "./address";
 import { read } from "./data";
+import { draw_all } from "./charts/figure";
 import { h, slug } from "./dom";
+import { make_when_idle, unfold_all } from "./folded";
 import { model_of } from "./model";
 import { chapter_section } from "./sections/chapter";
 import { method } from "./sections/method";
@@ -39,7 +41,11 @@ if ("problems" in outcome) {
   );
 }
 follow_address();
+make_when_idle();
 
+let fold_again = (): void => {};
 addEventListener("beforeprint", () => {
-  for (const closed of document.querySelectorAll("details")) closed.open = true;
+  fold_again = unfold_all();
+  draw_all();
 });
+addEventListener("afterprint", () => fold_again());

@@ -1,14 +1,15 @@
 // What a value must be, and all that is wrong with it, place by place.
 
-export type Rule = (value: unknown, path: string, problems: string[]) => void;
+/** Adds what is wrong to the problems, each with its place inside the value. */
+export type Rule = (value: unknown, problems: string[]) => void;
 
 const kind = (value: unknown): string =>
   value === null ? "null" : value === undefined ? "nothing" : Array.isArray(value) ? "a list" : `a ${typeof value}`;
 
 const expect =
   (fits: (value: unknown) => boolean, what: string): Rule =>
-  (value, path, problems) => {
-    if (!fits(value)) problems.push(`${path}: expected ${what}, found ${kind(value)}`);
+  (value, problems) => {
+    if (!fits(value)) problems.push(`: expected ${what}, found ${kind(value)}`);
   };
 
 export const text = expect((value) => typeof value === "string", "a text");
@@ -18,11 +19,22 @@ export const number = expect((value) => typeof value === "number" || value === n
 export const one_of = (...words: readonly string[]): Rule =>
   expect((value) => words.includes(value as string), `one of ${words.join(", ")}`);
 
+/** What a rule finds wrong with a part, told with the part's place: put together only then, for there are many parts. */
+function part(rule: Rule, value: unknown, problems: string[], place: (key: string | number) => string, key: string | number): void {
+  const before = problems.length;
+  rule(value, problems);
+  for (let i = before; i < problems.length; ++i) problems[i] = place(key) + (problems[i] ?? "");
+}
+
+const as_index = (index: string | number): string => `[${index}]`;
+const as_name = (name: string | number): string => `["${name}"]`;
+const as_field = (name: string | number): string => `.${name}`;
+
 export const list =
   (rule: Rule): Rule =>
-  (value, path, problems) => {
-    if (!Array.isArray(value)) problems.push(`${path}: expected a list, found ${kind(value)}`);
-    else value.forEach((item, index) => rule(item, `${path}[${index}]`, problems));
+  (value, problems) => {
+    if (!Array.isArray(value)) problems.push(`: expected a list, found ${kind(value)}`);
+    else for (let index = 0; index < value.length; ++index) part(rule, value[index], problems, as_index, index);
   };
 
 export const is_object = (value: unknown): value is Record<string, unknown> =>
@@ -30,20 +42,21 @@ export const is_object = (value: unknown): value is Record<string, unknown> =>
 
 export const or_null =
   (rule: Rule): Rule =>
-  (value, path, problems) => {
-    if (value !== null) rule(value, path, problems);
+  (value, problems) => {
+    if (value !== null) rule(value, problems);
   };
 
 export const map =
   (rule: Rule): Rule =>
-  (value, path, problems) => {
-    if (!is_object(value)) problems.push(`${path}: expected names with values, found ${kind(value)}`);
-    else for (const [name, item] of Object.entries(value)) rule(item, `${path}["${name}"]`, problems);
+  (value, problems) => {
+    if (!is_object(value)) problems.push(`: expected names with values, found ${kind(value)}`);
+    else for (const name in value) part(rule, value[name], problems, as_name, name);
   };
 
-export const record =
-  (rules: Record<string, Rule>): Rule =>
-  (value, path, problems) => {
-    if (!is_object(value)) problems.push(`${path}: expected an object, found ${kind(value)}`);
-    else for (const [name, rule] of Object.entries(rules)) rule(value[name], `${path}.${name}`, problems);
+export const record = (rules: Record<string, Rule>): Rule => {
+  const fields = Object.entries(rules);
+  return (value, problems) => {
+    if (!is_object(value)) problems.push(`: expected an object, found ${kind(value)}`);
+    else for (const [name, rule] of fields) part(rule, value[name], problems, as_field, name);
   };
+};

@@ -35,5 +35,5 @@ export const study_rule = record({
 /** What a study's page is made of: a sentence to read first, and its sections with their ids and names. */
 export interface StudyView {
   sentence: string;
-  sections: { id: string; name: string; content: HTMLElement }[];
+  sections: { id: string; name: string; content: () => HTMLElement }[];
 }

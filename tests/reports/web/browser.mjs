@@ -1,10 +1,14 @@
 // Opens the page in a headless Chromium, from a file, as a person would.
 import { chromium } from "playwright-core";
+import assert from "node:assert/strict";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { setTimeout as delay } from "node:timers/promises";
 import { pathToFileURL } from "node:url";
+import { inspect, isDeepStrictEqual } from "node:util";
 
+const patience = 20_000; // ms
 const template = new URL("../dist/page.html", import.meta.url);
 const folder = await mkdtemp(join(tmpdir(), "plumb-page-"));
 const browser = await chromium.launch({
@@ -28,20 +32,38 @@ export async function write(data) {
   return file;
 }
 
-/** Opens a file. `trouble` collects what must not be: errors on the console, and requests that leave the file. */
-export async function open(file, { width = 1280, height = 900, colorScheme = "light", hash = "", deviceScaleFactor = 1 } = {}) {
+/** A page yet to go somewhere. `trouble` collects what must not be: errors on the console, and requests that leave the file. */
+export async function open_blank({ width = 1280, height = 900, colorScheme = "light", deviceScaleFactor = 1 } = {}) {
   const page = await browser.newPage({ viewport: { width, height }, colorScheme, deviceScaleFactor, reducedMotion: "reduce" });
   const trouble = [];
+  let address = "about:blank";
   page.on("console", (message) => {
     if (["error", "warning"].includes(message.type())) trouble.push(message.text());
   });
   page.on("pageerror", (error) => trouble.push(error.message));
-  const address = pathToFileURL(file).href;
   page.on("request", (request) => {
     if (request.url().split("#")[0] !== address) trouble.push(`request: ${request.url().slice(0, 200)}`);
   });
-  await page.goto(address + hash);
+  const go = async (file, hash = "") => {
+    address = pathToFileURL(file).href;
+    await page.goto(address + hash);
+  };
+  return { page, trouble, go };
+}
+
+/** The same, and there. */
+export async function open(file, { hash = "", ...look } = {}) {
+  const { page, trouble, go } = await open_blank(look);
+  await go(file, hash);
   return { page, trouble };
+}
+
+const system = await browser.newBrowserCDPSession();
+
+/** ms that each of the browser's processes has computed since it began, by its kind and number. */
+export async function processors() {
+  const { processInfo } = await system.send("SystemInfo.getProcessInfo");
+  return new Map(processInfo.map(({ id, type, cpuTime }) => [`${type} ${id}`, 1000 * cpuTime]));
 }
 
 /** The replay of the n-th case, made; on its own, where it is clicked, typed at and looked at. */
@@ -55,14 +77,44 @@ export async function replay(page, n = 0) {
 /** Two frames on, all that was asked for is drawn. */
 export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 
-/** Charts are drawn when they come near the screen: goes through the whole page, folded parts too. */
-export async function draw_all(page) {
-  await page.evaluate(() => {
-    for (const folded of document.querySelectorAll("details")) folded.open ||= folded.querySelector(".canvas") !== null;
+/** What one reads there; cases far from the screen are not laid out, and have no such text. */
+export async function said_in(locator) {
+  await locator.scrollIntoViewIfNeeded();
+  return locator.innerText();
+}
+
+/** Waits until what is read is, or is like, what is expected: pages answer in their own time. */
+export async function until(read, expected) {
+  const fits = (found) => (typeof expected === "function" ? expected(found) : expected instanceof RegExp ? expected.test(found) : isDeepStrictEqual(found, expected));
+  let found = await read();
+  for (const end = Date.now() + patience; !fits(found) && Date.now() < end; found = await read()) await delay(20);
+  if (typeof expected === "function") assert.ok(fits(found), `${expected}: ${inspect(found)}`);
+  else if (expected instanceof RegExp) assert.match(found, expected);
+  else assert.deepEqual(found, expected);
+}
+
+/** Has everything made that is made when it is opened; leaves open what was, and what holds charts. */
+async function make_all(page) {
+  await page.evaluate(async () => {
+    const before = new Map();
+    for (let closed; (closed = [...document.querySelectorAll("details")].filter((one) => !before.has(one))).length; ) {
+      for (const one of closed) {
+        before.set(one, one.open);
+        one.open = true;
+      }
+      await new Promise(requestAnimationFrame);
+    }
+    for (const [one, open] of before) one.open = open || one.querySelector(".canvas") !== null;
   });
-  const canvases = page.locator(".canvas");
-  for (let i = 0; i < (await canvases.count()); ++i) {
-    await canvases.nth(i).scrollIntoViewIfNeeded();
-    await page.waitForFunction((n) => document.querySelectorAll(".canvas")[n].style.minHeight === "", i);
+}
+
+/** Charts and replays are made when they come near the screen: goes through the whole page, folded parts too. */
+export async function draw_all(page) {
+  await make_all(page);
+  for (const [kind, made] of [[".canvas", (canvas) => canvas.style.minHeight === ""], [".stage", (stage) => "ready" in stage.dataset]]) {
+    for (const one of await page.locator(kind).elementHandles()) {
+      await one.scrollIntoViewIfNeeded();
+      await page.waitForFunction(made, one);
+    }
   }
 }

@@ -1,7 +1,7 @@
 // Prints how long frames of a large replay take: node tests/frame_times.mjs [ROWS [ENGINES]], a pyramid of boxes.
 // "script" is the page's own work in a frame; "frame" what passes from one to the next, drawing included; "processors"
 // what all of the browser's processes used for one, whatever else the machine did: what lasts of the three.
-import { close, open, replay, write } from "./browser.mjs";
+import { close, open, processors, replay, write } from "./browser.mjs";
 import { pack, replay_run } from "./pack.mjs";
 import { sample } from "./sample.mjs";
 
@@ -51,11 +51,6 @@ await page.evaluate(() => {
   };
   ask(tick);
 });
-const system = await page.context().browser().newBrowserCDPSession();
-async function processors() {
-  const { processInfo } = await system.send("SystemInfo.getProcessInfo");
-  return new Map(processInfo.map(({ id, type, cpuTime }) => [`${type} ${id}`, cpuTime]));
-}
 await stage.locator("canvas").focus();
 await page.keyboard.press("l");
 await page.keyboard.press("Space");
@@ -73,7 +68,7 @@ const told = (name, all) => {
 };
 told("frame", frames.slice(1).map((time, i) => time - frames[i]));
 told("script", script);
-const parts = [...used].map(([name, time]) => [name.split(" ")[0], (1000 * (time - (before.get(name) ?? 0))) / drawn_since]).filter(([, ms]) => ms > 0.05);
+const parts = [...used].map(([name, time]) => [name.split(" ")[0], (time - (before.get(name) ?? 0)) / drawn_since]).filter(([, ms]) => ms > 0.05);
 console.log(`processors: ${parts.map(([name, ms]) => `${name} ${ms.toFixed(1)} ms`).join(", ")} a frame`);
 if (trouble.length) console.log(trouble);
 await close();

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, draw_all, open, write } from "./browser.mjs";
+import { close, draw_all, open, said_in, write } from "./browser.mjs";
 
 after(close);
 
@@ -91,7 +91,7 @@ test("what was found stands first, and broken promises are told", async () => {
 
 test("the least model is told with what it does without, and the line that runs it", async () => {
   const { page } = await open(pages["the sample"]);
-  const said = await page.locator("article").first().innerText();
+  const said = await said_in(page.locator("article").first());
   assert.match(said, /rotation: without any turning/);
   assert.match(said, /\.\/plumb run heap:still --engine impulse:rotation=off,solver=article/);
   assert.match(said, /rotation=off: no body turns/);
@@ -105,7 +105,7 @@ test("each feature has its bar and its mark, as far as it ran", async () => {
   assert.equal(await article.locator("g.cost rect").count(), 3);
   assert.equal(await article.locator("g.change circle").count(), 3);
   await article.locator("details").evaluate((element) => (element.open = true));
-  const said = await article.locator("details").innerText();
+  const said = await said_in(article.locator("details"));
   assert.match(said, /holds no joints/);
   assert.match(said, /<b>sub-steps<\/b>/);
   await page.close();
@@ -113,7 +113,7 @@ test("each feature has its bar and its mark, as far as it ran", async () => {
 
 test("without a truth it is said by what models are weighed, and points that did not end are listed", async () => {
   const { page } = await open(pages["the sample"]);
-  const said = await page.locator("article").nth(1).innerText();
+  const said = await said_in(page.locator("article").nth(1));
   assert.match(said, /No truth is known here: weighed by the difference from the full model over the first 1\.5/);
   assert.match(said, /No least model was found/);
   assert.match(await page.locator("#endings").innerText(), /crashed.*signal 11/s);

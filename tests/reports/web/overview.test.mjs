@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, open, write } from "./browser.mjs";
+import { close, open, said_in, until, write } from "./browser.mjs";
 import { sample } from "./sample.mjs";
 
 after(close);
@@ -78,11 +78,12 @@ test("an address shares the view, and back and forward go through views", async 
   await page.locator(".matrix td[data-verdict] a").click();
   assert.match(hash(page), /^#stacking--10-boxes--impulse\?engine=impulse&sort=-scenario&verdict=/);
   await page.goBack();
-  assert.deepEqual(await rows(page), ["stacking 10 boxes"]);
+  await until(() => hash(page), /^#overview\?engine=impulse&sort=-scenario&verdict=/);
+  await until(() => rows(page), ["stacking 10 boxes"]);
   await page.goBack();
-  assert.equal((await rows(page)).length, 4);
+  await until(() => rows(page), (shown) => shown.length === 4);
   await page.goForward();
-  assert.deepEqual(await rows(page), ["stacking 10 boxes"]);
+  await until(() => rows(page), ["stacking 10 boxes"]);
   await page.close();
 });
 
@@ -90,13 +91,12 @@ test("a cell leads to its engine's evidence, which is marked and unfolded", asyn
   const { page } = await open(file);
   await page.locator(".matrix a", { hasText: "wrong" }).press("Enter");
   const place = page.locator("#stacking--10-boxes--impulse");
-  assert.match(await place.innerText(), /box 10, x at 10\ss: off by 0\.42\sm, allowed 0\.13\sm \(3\.23 times that\)/);
+  await until(() => place.evaluate((element) => element.getBoundingClientRect().top), (top) => top >= 0 && top < 900);
+  assert.match(await said_in(place), /box 10, x at 10\ss: off by 0\.42\sm, allowed 0\.13\sm \(3\.23 times that\)/);
   assert.ok(await place.evaluate((element) => element === document.activeElement && element.classList.contains("asked")));
   assert.equal(await page.locator("tr.asked").count(), 1);
-  const top = await place.evaluate((element) => element.getBoundingClientRect().top);
-  assert.ok(top >= 0 && top < 900, `${top}`);
   await page.locator(".matrix a", { hasText: "failed" }).click();
-  assert.match(await page.locator(".evidence .asked").innerText(), /diverged at t = 0\.42 s/);
+  assert.match(await said_in(page.locator(".evidence .asked")), /diverged at t = 0\.42 s/);
   await page.close();
 });
 
@@ -116,11 +116,11 @@ test("command lines are copied as they stand, with what the report was asked", a
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => (window.copied = text) } }));
   const copied = () => page.evaluate(() => window.copied);
   await page.locator("#method .command button").first().click();
-  assert.equal(await copied(), "./plumb report --all --engine impulse --dt 1/120");
+  await until(copied, "./plumb report --all --engine impulse --dt 1/120");
   await page.locator("#method summary", { hasText: "Each case alone" }).click();
   await page.locator("#method details .command button").first().click();
-  assert.equal(await copied(), "./plumb run 'free-fall:height 5' --engine impulse --dt 1/120");
-  assert.equal(await page.locator("#method details .command button").first().innerText(), "Copied");
+  await until(copied, "./plumb run 'free-fall:height 5' --engine impulse --dt 1/120");
+  await until(() => page.locator("#method details .command button").first().innerText(), "Copied");
   await page.close();
 });
 

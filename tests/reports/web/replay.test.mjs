@@ -82,6 +82,7 @@ test("the keyboard alone plays, steps, scrubs, jumps, and changes what is shown"
   await press("3");
   near(await time_of(stage), 0.5, 1e-6, "worst overlap:");
   await press("Home");
+  for (let slower = 0; slower < 4; ++slower) await press("[");
   await press("Space");
   await page.waitForFunction(() => Number(document.querySelector(".stage input[type=range]").value) > 0.02);
   assert.equal(await stage.getByRole("button", { name: "Pause" }).count(), 1);
@@ -145,6 +146,7 @@ test("charts and replay share one time, whichever is asked", async () => {
   assert.ok(at_one.length >= 3, "energy, pose difference, momentum");
   const chart = article.locator(".charts svg:has(.playhead)").first();
   await chart.scrollIntoViewIfNeeded();
+  await drawn(page);
   const box = await chart.boundingBox();
   await page.mouse.click(box.x + at_one[0] + 40, box.y + box.height / 2);
   await drawn(page);

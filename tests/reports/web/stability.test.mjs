@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, draw_all, open, write } from "./browser.mjs";
+import { close, draw_all, open, said_in, write } from "./browser.mjs";
 
 after(close);
 
@@ -138,6 +138,7 @@ test("outcomes are told apart by letters and by colours, and have a legend", asy
   const { page } = await open(pages["the sample"]);
   await draw_all(page);
   const tower = page.locator("#tower");
+  await tower.locator(".legend").scrollIntoViewIfNeeded();
   assert.deepEqual((await tower.locator(".legend li").allInnerTexts()).map((text) => text.split("\n").pop()), ["not supported", "holds", "drifts", "topples"]);
   const letters = await tower.locator("g.letters text").allTextContents();
   assert.ok(letters.includes("d") && letters.includes("o"), letters.join());
@@ -151,7 +152,7 @@ test("theory is a line of its own where there is one", async () => {
   await draw_all(page);
   assert.equal(await page.locator("#hill g.theory path").count(), 2, "one a method");
   assert.equal(await page.locator("#tower g.theory path").count(), 0);
-  assert.match(await page.locator("#hill figcaption").first().innerText(), /stands at friction 0\.5: 10 \(10\.1: drifts\); theory: 10/);
+  assert.match(await said_in(page.locator("#hill figcaption").first()), /stands at friction 0\.5: 10 \(10\.1: drifts\); theory: 10/);
   await page.close();
 });
 
@@ -166,7 +167,7 @@ test("one table tells what each method stands, the best standing out", async () 
 
 test("who cannot run a map is named, and what did not end is listed as text", async () => {
   const { page } = await open(pages["the sample"]);
-  assert.match(await page.locator("#tower .absence").innerText(), /Cannot run it: small\./);
+  assert.match(await said_in(page.locator("#tower .absence")), /Cannot run it: small\./);
   assert.match(await page.locator("#endings").innerText(), /<b>wild<\/b>.*crashed.*signal 11/s);
   await page.close();
 });

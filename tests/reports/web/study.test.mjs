@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, draw_all, open, write } from "./browser.mjs";
+import { close, draw_all, drawn, open, said_in, until, write } from "./browser.mjs";
 import { study_sample } from "./study_sample.mjs";
 
 after(close);
@@ -48,7 +48,7 @@ test("what was not reached is said, and bounds are told from readings", async ()
   const { page } = await open(pages["the sample"]);
   const details = page.locator("article").first().locator("details").first();
   await details.evaluate((element) => (element.open = true));
-  const said = await details.innerText();
+  const said = await said_in(details);
   assert.match(said, /\u2264 300/);
   assert.match(said, /to 0\.01/);
   assert.doesNotMatch(said, /to 10\u207b\u00b3/, "a column that nobody reaches is left out");
@@ -62,18 +62,19 @@ test("a click on a point gives the line that runs it, and so does the table of a
   const article = page.locator("article").nth(1);
   const chart = article.locator("figure svg");
   const mark = chart.locator('g[aria-hidden="true"] path[transform]').last();
+  await mark.scrollIntoViewIfNeeded();
+  await drawn(page);
   const { x, y, width, height } = await mark.boundingBox();
   await page.mouse.move(x + width / 2, y + height / 2);
+  await until(() => chart.evaluate(({ value }) => typeof value), "object");
   await page.mouse.click(x + width / 2, y + height / 2);
-  const line = await article.locator(".chosen code").innerText();
-  assert.match(line, /^\.\/plumb run heap:plain --engine (box2d|impulse):substeps=4 --dt 1\/(30|60|120) --converged$/);
-  assert.equal(await page.evaluate(() => window.copied), line);
+  await until(() => page.evaluate(() => window.copied), /^\.\/plumb run heap:plain --engine (box2d|impulse):substeps=4 --dt 1\/(30|60|120) --converged$/);
+  assert.equal(await said_in(article.locator(".chosen code")), await page.evaluate(() => window.copied));
   await article.locator("summary", { hasText: "All 6 runs" }).press("Enter");
   const buttons = article.locator("details").last().getByRole("button");
-  await buttons.first().waitFor();
-  assert.equal(await buttons.count(), 6);
+  await until(() => buttons.count(), 6);
   await buttons.first().press("Enter");
-  assert.match(await page.evaluate(() => window.copied), /--engine box2d:substeps=4 --dt 1\/30 /);
+  await until(() => page.evaluate(() => window.copied), /--engine box2d:substeps=4 --dt 1\/30 /);
   assert.deepEqual(trouble, []);
   await page.close();
 });

@@ -1,5 +1,5 @@
 // A chart with its title and one sentence on what it shows. Drawn when it comes near the screen, at the width it has
-// there, and again when that changes; all at once before printing.
+// there, and again when that changes.
 import { h } from "../dom";
 
 export interface Figure {
@@ -39,12 +39,13 @@ const resized = new ResizeObserver((entries) => {
   }
 });
 
-addEventListener("beforeprint", () => {
+/** For paper, at a width of its own. */
+export function draw_all(): void {
   for (const [canvas, draw] of pending) {
     if (canvas.isConnected) draw(paper_width);
     else pending.delete(canvas);
   }
-});
+}
 
 /** To a screen reader what is drawn is one picture with a name; tables hold its numbers. */
 function fill(canvas: HTMLElement, charts: Element[], name: string): void {

@@ -87,12 +87,11 @@ export interface Scene {
   ties: Tie[];
 }
 
+const half_space = record({ normal: list(finite), offset: finite });
+const hull = record({ points: list(list(finite)), radius: finite });
+
 export const scene_rule = record({
-  outlines: list((value, path, problems) =>
-    (value as Outline | null)?.normal
-      ? record({ normal: list(finite), offset: finite })(value, path, problems)
-      : record({ points: list(list(finite)), radius: finite })(value, path, problems),
-  ),
+  outlines: list((value, problems) => ((value as Outline | null)?.normal ? half_space : hull)(value, problems)),
   bodies: list(record({ name: text, type: one_of("fixed", "kinematic", "dynamic"), outlines: list(finite) })),
   ties: list(record({ a: number, b: finite, at_a: list(finite), at_b: list(finite) })),
 });

@@ -23,8 +23,8 @@ const most_overlaid = 40; // bodies
 async function scene_of(replay: Replay): Promise<Scene> {
   const scene: unknown = JSON.parse(new TextDecoder().decode(await unpack(replay.scene)));
   const problems: string[] = [];
-  scene_rule(scene, "scene", problems);
-  if (problems.length) throw new Error(problems[0]);
+  scene_rule(scene, problems);
+  if (problems.length) throw new Error(`scene${problems[0] ?? ""}`);
   return scene as Scene;
 }
 

@@ -1,6 +1,7 @@
 // The verdict table: what physics expects, what each engine did, and how much of the allowed error that took.
 import type { TruthCheck } from "../data";
 import { h, table } from "../dom";
+import { folded } from "../folded";
 import { count, given, number, share, to_within, words } from "../format";
 import { ratio, type Case, type Entry } from "../model";
 import { badge, gauge } from "./pieces";
@@ -70,10 +71,9 @@ export function checks(place: Case): HTMLElement | null {
   if (!all.length) return null;
   const failed = all.filter(({ check }) => check.revealed && !check.passed).length;
   const outcome = failed ? `${failed} outside what is allowed` : "all within what is allowed";
-  return h(
-    "details",
-    { class: "checks", ...(failed || all.length <= most_open ? { open: "" } : {}) },
-    h("summary", {}, `Against the truth: ${count(all.length, "check")}, ${outcome}`),
-    table("Against the truth", heads, groups.flatMap(rows), "grouped"),
+  return folded(
+    `Against the truth: ${count(all.length, "check")}, ${outcome}`,
+    () => [table("Against the truth", heads, groups.flatMap(rows), "grouped")],
+    { kind: "checks", open: failed > 0 || all.length <= most_open },
   );
 }

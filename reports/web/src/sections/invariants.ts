@@ -1,6 +1,7 @@
 // What holds whatever the scene: a row for each run, a column for each law, with how much of what is allowed it took.
 import type { InvariantCheck } from "../data";
 import { h, table } from "../dom";
+import { folded } from "../folded";
 import { count, number, share, words } from "../format";
 import { law_ratio, type Case } from "../model";
 import { gauge } from "./pieces";
@@ -25,16 +26,15 @@ export function invariants(place: Case): HTMLElement | null {
   const runs = place.entries.filter(({ run }) => run.invariants.length);
   if (!runs.length) return null;
   const names = [...new Set(runs.flatMap(({ run }) => run.invariants.map(({ name }) => name)))].sort();
-  const rows = runs.map(({ contender, run }) => {
+  const rows = () => runs.map(({ contender, run }) => {
     const of = new Map(run.invariants.map((check) => [check.name, check]));
     return h("tr", { "data-of": contender.label }, h("th", { scope: "row" }, contender.label), ...names.map((name) => cell(name, of.get(name))));
   });
   const broken = runs.flatMap(({ run }) => run.invariants).filter(({ standing }) => standing === "broken").length;
   const caption = "What holds in any case";
-  return h(
-    "details",
-    { class: "checks", ...(broken ? { open: "" } : {}) },
-    h("summary", {}, `${caption}: ${broken ? `${count(broken, "time")} broken` : "nothing broken"}`),
-    table(caption, ["engine", ...names.map(words)], rows),
+  return folded(
+    `${caption}: ${broken ? `${count(broken, "time")} broken` : "nothing broken"}`,
+    () => [table(caption, ["engine", ...names.map(words)], rows())],
+    { kind: "checks", open: broken > 0 },
   );
 }

@@ -1,6 +1,7 @@
 // How the numbers are made, on what, and how to make them again.
 import type { EngineNote } from "../data";
 import { h } from "../dom";
+import { folded } from "../folded";
 import { number, pretty_unit, shell, words } from "../format";
 import type { Model } from "../model";
 import { case_command, command } from "./command";
@@ -68,7 +69,7 @@ function again({ page, chapters }: Model): HTMLElement[] {
   return [
     ...whole,
     ...studies.flatMap((study) => (study.command ? [command(`./${study.command}`)] : [])),
-    h("details", { class: "more" }, h("summary", {}, "Each case alone"), ...cases.map(command)),
+    folded("Each case alone", () => cases.map(command)),
   ];
 }
 

@@ -1,6 +1,7 @@
 // Two tables of a case: what was measured of each run, and how far the runs are from each other and from the truth.
 import type { Measured, Report } from "../data";
 import { h, table } from "../dom";
+import { folded } from "../folded";
 import { number, words } from "../format";
 import type { Case } from "../model";
 import { case_command, command } from "./command";
@@ -24,7 +25,7 @@ function metric_table(caption: string, columns: Column[], about: Map<string, str
   return table(caption, ["number", ...columns.map(({ head }) => head)], rows, "numbers");
 }
 
-export function numbers(place: Case, report: Report): HTMLElement | null {
+function tables(place: Case, report: Report): (HTMLElement | null)[] {
   const runs = place.entries.map(({ contender, run, timing }) => {
     const cost: Record<string, Measured> = timing
       ? {
@@ -36,9 +37,13 @@ export function numbers(place: Case, report: Report): HTMLElement | null {
   });
   const pairs = place.comparisons.map(({ a, b, metrics }) => ({ head: `${a} against ${b}`, metrics }));
   const about = new Map(report.metrics.map(({ name, definition }) => [name, definition]));
-  const tables = [metric_table("Measured of each run", runs, about), metric_table("Differences", pairs, about)].filter(Boolean);
-  const reasons = place.comparisons.filter(({ reason }) => reason).map(({ a, b, reason }) => h("p", {}, `${a} against ${b}: ${reason}`));
-  if (!tables.length) return null;
-  const again = command(case_command(report, place.scenario, place.variant));
-  return h("details", { class: "more" }, h("summary", {}, "All numbers, and how to make them again"), ...tables, ...reasons, again);
+  return [metric_table("Measured of each run", runs, about), metric_table("Differences", pairs, about)];
+}
+
+export function numbers(place: Case, report: Report): HTMLElement {
+  return folded("All numbers, and how to make them again", () => [
+    ...tables(place, report),
+    ...place.comparisons.filter(({ reason }) => reason).map(({ a, b, reason }) => h("p", {}, `${a} against ${b}: ${reason}`)),
+    command(case_command(report, place.scenario, place.variant)),
+  ]);
 }

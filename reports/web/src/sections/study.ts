@@ -51,6 +51,6 @@ export function study_page(study: Study, sentence: string, sections: StudyView["
       ),
     ),
     h("nav", { "aria-label": "Sections" }, ...places.map(({ id, name }) => h("a", { href: `#${id}` }, name))),
-    h("main", {}, ...sections.map(({ content }) => content), broken, made_with(study)),
+    h("main", {}, ...sections.map(({ content }) => content()), broken, made_with(study)),
   ];
 }

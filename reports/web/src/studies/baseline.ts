@@ -43,7 +43,7 @@ export function baseline(study: Study): StudyView {
   const { offences, notes, runs } = changes_of(study);
   const more = offences.length - most_shown;
   const about = `${study.about}: ${count(runs, "run")} that ${String(study.configuration["baseline"])} has as well. ${notes.join(" ")}`;
-  const content = h(
+  const content = () => h(
     "section",
     { id: slug("changes") },
     h("p", { class: "lede" }, about),

@@ -3,6 +3,7 @@ import { figure } from "../charts/figure";
 import { legend } from "../charts/look";
 import { certainty, trend_chart } from "../charts/trend";
 import { h, slug, table } from "../dom";
+import { folded } from "../folded";
 import { count, enumerate, number, time_step } from "../format";
 import { look, type Contender } from "../model";
 import type { Study, StudyView } from "../study";
@@ -106,7 +107,7 @@ function course(scenario: string, panels: Panel[], model: HistoryModel, contende
     h("h2", {}, scenario),
     legend(shown),
     moving.length ? charts(moving) : h("p", { class: "absence" }, "Nothing here has changed."),
-    steady.length ? h("details", { class: "more" }, h("summary", {}, "Times that scatter without a change"), charts(steady)) : null,
+    steady.length ? folded("Times that scatter without a change", () => [charts(steady)]) : null,
   );
 }
 
@@ -131,11 +132,11 @@ export function history(study: Study): StudyView {
   return {
     sentence: sentence(model, rows),
     sections: [
-      { id: "changes", name: "What changed", content: changes(model, rows) },
+      { id: "changes", name: "What changed", content: () => changes(model, rows) },
       ...scenarios.map((scenario) => ({
         id: slug("course", scenario),
         name: scenario,
-        content: course(scenario, panels.filter((panel) => panel.scenario === scenario), model, contender_of),
+        content: () => course(scenario, panels.filter((panel) => panel.scenario === scenario), model, contender_of),
       })),
     ],
   };

@@ -2,6 +2,7 @@
 // keeps its promise.
 import { ablation_chart } from "../charts/ablation";
 import { h, slug, table } from "../dom";
+import { folded } from "../folded";
 import { count, given, number } from "../format";
 import { command, run_command } from "../sections/command";
 import type { Study, StudyView } from "../study";
@@ -93,7 +94,7 @@ function case_section(model: LeastModels, place: ModelCase): HTMLElement {
     least_of(place, model.dt),
     place.drops.length ? ablation_chart(place, Number(model.tolerance)) : null,
     choice_of(place),
-    place.drops.length ? h("details", { class: "more" }, h("summary", {}, "Each feature, in words and numbers"), drops_table(place.drops)) : null,
+    place.drops.length ? folded("Each feature, in words and numbers", () => [drops_table(place.drops)]) : null,
   );
 }
 
@@ -113,11 +114,11 @@ export function model(study: Study): StudyView {
   return {
     sentence: sentence(all),
     sections: [
-      { id: "overview", name: "What scenes need", content: overview(all) },
+      { id: "overview", name: "What scenes need", content: () => overview(all) },
       ...scenarios.map((name) => ({
         id: slug(name),
         name,
-        content: h(
+        content: () => h(
           "section",
           { id: slug(name), class: "chapter" },
           h("h2", {}, name),

@@ -3,6 +3,7 @@ import { equal_error_chart } from "../charts/equal_error";
 import { legend } from "../charts/look";
 import { work_precision } from "../charts/work_precision";
 import { h, slug, table } from "../dom";
+import { folded } from "../folded";
 import { count, enumerate, given, number, time_step } from "../format";
 import type { Study, StudyView } from "../study";
 import { all_runs, chosen_run } from "./speed_runs";
@@ -59,13 +60,10 @@ function case_section(model: SpeedModel, place: SpeedCase): HTMLElement {
     legend(place.curves.map(({ contender }) => contender)),
     work_precision(place, chosen.choose),
     chosen.element,
-    h(
-      "details",
-      { class: "more" },
-      h("summary", {}, "Time for a given error, and error for a given time"),
+    folded("Time for a given error, and error for a given time", () => [
       readings("Time for a simulated second, to be no farther from the truth than", place, times, duration),
       readings("Distance from the truth, RMS, when a simulated second may take", place, errors, (value) => number(value, "m", 2)),
-    ),
+    ]),
     all_runs(place),
   );
 }
@@ -106,7 +104,7 @@ function orders(model: SpeedModel): HTMLElement {
       `The slope of log error over log step, with the 95 % interval of the fit. Where the motion is smooth the method states its order; \u201cas stated\u201d is within ${model.order_tolerance}.`,
     ),
     known.length ? order_table("Where the order is known", known) : null,
-    rest.length ? h("details", { class: "more" }, h("summary", {}, "Where it is not, and at other settings"), order_table("Measured orders", rest)) : null,
+    rest.length ? folded("Where it is not, and at other settings", () => [order_table("Measured orders", rest)]) : null,
   );
 }
 
@@ -143,19 +141,19 @@ export function speed(study: Study): StudyView {
   return {
     sentence: sentence(model),
     sections: [
-      { id: "overall", name: "At equal error", content: overall(model) },
-      { id: "orders", name: "Orders", content: orders(model) },
+      { id: "overall", name: "At equal error", content: () => overall(model) },
+      { id: "orders", name: "Orders", content: () => orders(model) },
       ...scenarios.map((name) => ({
         id: slug(name),
         name,
-        content: h(
+        content: () => h(
           "section",
           { id: slug(name), class: "chapter" },
           h("h2", {}, name),
           ...model.cases.filter(({ scenario }) => scenario === name).map((place) => case_section(model, place)),
         ),
       })),
-      ...(absent ? [{ id: "absent", name: "Without truth", content: h("section", { id: "absent" }, h("h2", {}, "Without a truth"), absent) }] : []),
+      ...(absent ? [{ id: "absent", name: "Without truth", content: () => h("section", { id: "absent" }, h("h2", {}, "Without a truth"), absent) }] : []),
     ],
   };
 }

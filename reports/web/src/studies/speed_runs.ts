@@ -1,5 +1,6 @@
 // The command line of every run in a work-precision diagram: of the point that is clicked, and all of them as a table.
 import { h, table } from "../dom";
+import { folded } from "../folded";
 import { number, step_word, time_step } from "../format";
 import { command, copy, copy_button, run_command } from "../sections/command";
 import type { SpeedCase, SpeedMark } from "./speed_model";
@@ -32,17 +33,10 @@ function row(place: SpeedCase, mark: SpeedMark): HTMLTableRowElement {
   return h("tr", {}, h("th", { scope: "row" }, mark.contender.label), ...cells.map(([head, cell]) => h("td", { "data-label": head }, cell)));
 }
 
-/** Made when it is opened: a study has many runs. */
 export function all_runs(place: SpeedCase): HTMLElement {
-  const folded = h("details", { class: "more" }, h("summary", {}, `All ${place.marks.length} runs, and the line that makes each`));
-  folded.addEventListener(
-    "toggle",
-    () => {
-      const marks = [...place.marks].sort((a, b) => a.contender.label.localeCompare(b.contender.label) || a.time - b.time);
-      const heads = ["method", "setting", "step", "distance from the truth, RMS", "time for a simulated second", "command line"];
-      folded.append(table("Runs of this case", heads, marks.map((mark) => row(place, mark)), "numbers"));
-    },
-    { once: true },
-  );
-  return folded;
+  return folded(`All ${place.marks.length} runs, and the line that makes each`, () => {
+    const marks = [...place.marks].sort((a, b) => a.contender.label.localeCompare(b.contender.label) || a.time - b.time);
+    const heads = ["method", "setting", "step", "distance from the truth, RMS", "time for a simulated second", "command line"];
+    return [table("Runs of this case", heads, marks.map((mark) => row(place, mark)), "numbers")];
+  });
 }

@@ -2,6 +2,7 @@
 import { fate_legend } from "../charts/fates";
 import { heat_map } from "../charts/heat_map";
 import { h, slug, table } from "../dom";
+import { folded } from "../folded";
 import { count, enumerate, given, words } from "../format";
 import type { Study, StudyView } from "../study";
 import { best_of, is_absent, stability_model, typical_row, type Axis, type Bracket, type Panel, type StabilityMap, type StabilityModel } from "./stability_model";
@@ -29,7 +30,7 @@ function agreement_table(map: StabilityMap): HTMLElement | null {
   if (!map.agreements.length) return null;
   const unit = map.x.logarithmic ? "" : map.x.unit;
   const off = (value: number): string => (map.x.logarithmic ? `${given(100 * value, "", 2)} %` : given(value, unit, 2));
-  const rows = map.agreements.map(({ contender, boundary, rows, agree, worst }) =>
+  const rows = () => map.agreements.map(({ contender, boundary, rows, agree, worst }) =>
     h(
       "tr",
       {},
@@ -39,12 +40,8 @@ function agreement_table(map: StabilityMap): HTMLElement | null {
       h("td", { "data-label": "off by at most" }, worst === null ? "\u2013" : off(worst)),
     ),
   );
-  return h(
-    "details",
-    { class: "more" },
-    h("summary", {}, "Measured boundaries against theory"),
-    table("Rows whose boundary is where theory has it", ["", "boundary", "rows as theory says", "off by at most"], rows, "numbers"),
-  );
+  const heads = ["", "boundary", "rows as theory says", "off by at most"];
+  return folded("Measured boundaries against theory", () => [table("Rows whose boundary is where theory has it", heads, rows(), "numbers")]);
 }
 
 function map_section(model: StabilityModel, map: StabilityMap): HTMLElement {
@@ -68,12 +65,9 @@ function map_section(model: StabilityModel, map: StabilityMap): HTMLElement {
       ),
       h("div", { class: "charts maps" }, ...shown.map((panel) => heat_map(map, panel, note_of(map, panel)))),
       absent.length ? h("p", { class: "absence" }, `Cannot run it: ${enumerate(absent.map(({ contender }) => contender))}.`) : null,
-      h(
-        "details",
-        { class: "more" },
-        h("summary", {}, "What counts as failing, and what theory says"),
+      folded("What counts as failing, and what theory says", () => [
         h("ul", { class: "metrics" }, ...map.metrics.map((metric) => h("li", {}, metric)), ...theories.map((theory) => h("li", {}, `theory, ${theory}`))),
-      ),
+      ]),
       agreement_table(map),
     ),
   );
@@ -140,8 +134,8 @@ export function stability(study: Study): StudyView {
   return {
     sentence: sentence(model),
     sections: [
-      { id: "stands", name: "What each stands", content: overall(model) },
-      ...model.maps.map((map) => ({ id: slug(map.name), name: words(map.name), content: map_section(model, map) })),
+      { id: "stands", name: "What each stands", content: () => overall(model) },
+      ...model.maps.map((map) => ({ id: slug(map.name), name: words(map.name), content: () => map_section(model, map) })),
     ],
   };
 }
