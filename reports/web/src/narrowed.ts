@@ -10,23 +10,23 @@ export const troubles: Record<string, (place: Case) => boolean> = {
   "something is not supported": ({ entries }) => entries.some(({ run }) => run.verdict === "not supported"),
 };
 
-function chosen(view: View, { engine, method, exact }: Contender): boolean {
+export function chosen(view: View, { engine, method, exact }: Contender): boolean {
   const among = (key: string, value: string): boolean => !view.has(key) || view.getAll(key).includes(value);
   return exact || (among("engine", engine) && among("method", method));
 }
 
-function matching(words: string, { scenario, variant }: Case): boolean {
+export function matching(view: View, { scenario, variant }: { scenario: string; variant: string }): boolean {
+  const words = view.get("scenario") ?? "";
   const text = `${scenario} ${variant}`.toLowerCase();
   return words.toLowerCase().split(/\s+/).every((word) => text.includes(word));
 }
 
 export function narrowed(model: Model, view: View): Model {
   const contenders = model.contenders.filter((contender) => chosen(view, contender));
-  const words = view.get("scenario") ?? "";
   const trouble = troubles[view.get("verdict") ?? ""] ?? (() => true);
   const chapters = model.chapters.flatMap((chapter): Chapter[] => {
     const cases = chapter.cases
-      .filter((place) => matching(words, place))
+      .filter((place) => matching(view, place))
       .map((place) => ({ ...place, entries: place.entries.filter(({ contender }) => contenders.includes(contender)) }))
       .filter((place) => place.entries.some(({ contender }) => !contender.exact) && trouble(place));
     return cases.length ? [{ ...chapter, cases }] : [];

@@ -1,9 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { build } from "esbuild";
+import { source } from "./source.mjs";
 
-const bundle = await build({ entryPoints: [new URL("../src/format.ts", import.meta.url).pathname], bundle: true, write: false, format: "esm" });
-const format = await import(`data:text/javascript;base64,${Buffer.from(bundle.outputFiles[0].text).toString("base64")}`);
+const format = await source("format.ts");
 
 const plain = (text) => text.replaceAll("\u202f", " ");
 

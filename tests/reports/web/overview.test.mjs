@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, open, said_in, until, write } from "./browser.mjs";
 import { sample } from "./sample.mjs";
+import { study_sample } from "./study_sample.mjs";
 
 after(close);
 
@@ -35,6 +36,29 @@ test("the chart of error against cost follows the choice", async () => {
   await page.locator("#overview .canvas").first().scrollIntoViewIfNeeded();
   await page.waitForSelector("#overview g.marks");
   assert.equal(await page.locator("#overview g.marks path, #overview g.marks circle").count(), 2);
+  await page.close();
+});
+
+test("the chart of times at equal error follows the choice of engines and scenarios", async () => {
+  const data = sample();
+  data.studies = [study_sample().study];
+  const { page } = await open(await write(data));
+  const chart = page.locator("#overview .pair > div").last();
+  const marks = () => chart.locator("g.factor").evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort());
+  const told = () => chart.locator("figcaption").textContent();
+  await chart.scrollIntoViewIfNeeded();
+  await until(marks, ["box2d", "impulse"]);
+  assert.match(await told(), /over all cases.*Never: never/);
+  await page.getByRole("button", { name: "impulse", exact: true }).first().click();
+  await chart.scrollIntoViewIfNeeded();
+  await until(marks, ["impulse"]);
+  assert.doesNotMatch(await told(), /Never/);
+  await page.getByRole("searchbox").fill("heap");
+  await until(told, /over 1 case/);
+  await chart.scrollIntoViewIfNeeded();
+  await until(marks, ["impulse"]);
+  await page.getByRole("searchbox").fill("nothing like it");
+  await until(() => chart.textContent(), /has nothing like that/);
   await page.close();
 });
 

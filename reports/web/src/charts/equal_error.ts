@@ -1,7 +1,7 @@
-// Each method's factor of time at equal error: median and middle half over all cases.
+// Each method's factor of time at equal error: median and middle half over cases.
 import * as Plot from "@observablehq/plot";
 import { number } from "../format";
-import type { Factor, SpeedModel } from "../studies/speed_model";
+import type { Factor } from "../studies/equal_error";
 import { decades } from "./decades";
 import { figure } from "./figure";
 import { dot_look, plot_look, scale, tip_look } from "./look";
@@ -15,9 +15,10 @@ const described = ({ contender, median, low, high, reached, cases }: Factor): st
     `gets there in ${reached} of ${cases} cases`,
   ].join("\n");
 
-export function equal_error_chart(model: SpeedModel): HTMLElement {
-  const found = model.factors.filter(({ median }) => median !== null).sort((a, b) => (a.median ?? 0) - (b.median ?? 0));
-  const never = model.factors.filter(({ median }) => median === null).map(({ contender }) => contender.label);
+/** `over`: "all cases", or which. */
+export function equal_error_chart(standard: string, factors: Factor[], over: string): HTMLElement {
+  const found = factors.filter(({ median }) => median !== null).sort((a, b) => (a.median ?? 0) - (b.median ?? 0));
+  const never = factors.filter(({ median }) => median === null).map(({ contender }) => contender.label);
   const height = 70 + row_height * found.length;
   const name = ({ contender, reached, cases }: Factor) => `${contender.label}  ${reached}/${cases}`;
   const longest = Math.max(0, ...found.map((factor) => name(factor).length));
@@ -27,8 +28,8 @@ export function equal_error_chart(model: SpeedModel): HTMLElement {
     return Plot.plot({
       ...plot_look(width, height),
       marginLeft: Math.min(width / 2, 24 + longest * 6.6) * scale(),
-      ariaLabel: `Time at equal error, ${model.standard} = 1`,
-      x: { type: "log", domain, ticks, label: `time at equal error, ${model.standard} = 1`, labelAnchor: "right", grid: true, tickFormat: (value: number) => number(value, "", 1) },
+      ariaLabel: `Time at equal error, ${standard} = 1`,
+      x: { type: "log", domain, ticks, label: `time at equal error, ${standard} = 1`, labelAnchor: "right", grid: true, tickFormat: (value: number) => number(value, "", 1) },
       y: { label: null, domain: found.map(name) },
       marks: [
         Plot.ruleX([1], { stroke: "var(--faint)" }),
@@ -41,7 +42,7 @@ export function equal_error_chart(model: SpeedModel): HTMLElement {
     });
   };
   return figure({
-    title: "Time at equal error, over all cases",
+    title: `Time at equal error, over ${over}`,
     note: `Left of 1 is faster. Marks are medians over the cases, bars the middle half; the numbers say in how many cases the method gets as accurate.${never.length ? ` Never: ${never.join(", ")}.` : ""}`,
     height,
     draw: (width) => (found.length ? [draw(width)] : []),

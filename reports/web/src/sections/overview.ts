@@ -20,6 +20,7 @@ export function overview(model: Model): HTMLElement {
   const shown = h("p", { class: "basis", role: "status" });
   const table = h("div", {});
   const cost = h("div", {});
+  const speed = overall(model);
   const total = cases_in(model);
   watch((view) => {
     const part = narrowed(model, view);
@@ -32,8 +33,8 @@ export function overview(model: Model): HTMLElement {
     shown.hidden = view.toString() === "";
     table.replaceChildren(...(cases ? [matrix(part, engines, view, measure), legend(engines)] : []));
     cost.replaceChildren(...[cost_chart(part)].filter((chart) => chart !== null));
+    speed?.take(view);
   });
-  const speed = overall(model);
   return h(
     "section",
     { id: "overview" },
@@ -43,6 +44,6 @@ export function overview(model: Model): HTMLElement {
     shown,
     table,
     since_baseline(model),
-    h("div", { class: "pair" }, cost, speed),
+    h("div", { class: "pair" }, cost, speed?.element),
   );
 }

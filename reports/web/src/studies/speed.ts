@@ -6,6 +6,7 @@ import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, given, number, time_step } from "../format";
 import type { Study, StudyView } from "../study";
+import { factors_over } from "./equal_error";
 import { all_runs, chosen_run } from "./speed_runs";
 import { speed_model, type OrderRow, type Reading, type SpeedCase, type SpeedModel } from "./speed_model";
 
@@ -118,12 +119,12 @@ function overall(model: SpeedModel): HTMLElement {
       { class: "lede" },
       `How many times as long as ${model.standard} a method takes to be as accurate, at the errors that ${model.standard} itself has. Between measured runs it is read off the front; beyond them nothing is made up, and a case counts only where the method gets there.`,
     ),
-    equal_error_chart(model),
+    equal_error_chart(model.standard, factors_over(model.cases), "all cases"),
   );
 }
 
 function sentence(model: SpeedModel): string {
-  const ranked = model.factors.filter(({ median, contender }) => median !== null && contender.label !== model.standard);
+  const ranked = factors_over(model.cases).filter(({ median, contender }) => median !== null && contender.label !== model.standard);
   const best = [...ranked].sort((a, b) => b.reached - a.reached || (a.median ?? 0) - (b.median ?? 0))[0];
   const steps = [...new Set(model.cases.flatMap(({ marks }) => marks.map(({ dt }) => dt)))];
   const range = steps.length ? `, steps from ${time_step(Math.max(...steps))} to ${time_step(Math.min(...steps))}` : "";

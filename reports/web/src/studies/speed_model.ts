@@ -25,6 +25,7 @@ export interface SpeedCurve {
   front: SpeedMark[];
   time_for_error: (Reading | null)[];
   error_for_time: (Reading | null)[];
+  factor: number | null; // of the standard's time, at equal error; null where it does not get there
 }
 
 export interface SpeedCase {
@@ -53,15 +54,6 @@ export interface OrderRow {
   finding: string;
 }
 
-export interface Factor {
-  contender: Contender;
-  median: number | null;
-  low: number | null;
-  high: number | null;
-  cases: number;
-  reached: number;
-}
-
 export interface SpeedModel {
   standard: string;
   order_tolerance: number;
@@ -69,7 +61,6 @@ export interface SpeedModel {
   time_targets: number[];
   cases: SpeedCase[];
   orders: OrderRow[];
-  factors: Factor[];
   without_truth: string[];
 }
 
@@ -97,9 +88,8 @@ interface Told {
     scenario: string;
     variant: string;
     front: string[];
-    contenders: { contender: string; front: string[]; time_for_error: (Reading | null)[]; error_for_time: (Reading | null)[] }[];
+    contenders: { contender: string; front: string[]; time_for_error: (Reading | null)[]; error_for_time: (Reading | null)[]; factor: number | null }[];
   }[];
-  factors: (Omit<Factor, "contender"> & { contender: string })[];
 }
 
 interface Time {
@@ -152,10 +142,10 @@ export function speed_model(study: Study): SpeedModel {
   const cases = told.cases.map(({ scenario, variant, front, contenders: curves }): SpeedCase => {
     const here = [...all.values()].filter(({ values }) => values.scenario === scenario && values.variant === variant);
     const first = here[0]?.values;
-    const made = curves.map(({ contender, front: own, time_for_error, error_for_time }): SpeedCurve => {
+    const made = curves.map(({ contender, front: own, ...readings }): SpeedCurve => {
       const marks = marks_at(own);
       for (const mark of marks) mark.on_front = true;
-      return { contender: contender_of(contender, contender, ""), front: marks, time_for_error, error_for_time };
+      return { ...readings, contender: contender_of(contender, contender, ""), front: marks };
     });
     return {
       scenario,
@@ -176,7 +166,6 @@ export function speed_model(study: Study): SpeedModel {
     time_targets: told.time_targets,
     cases,
     orders: findings.orders,
-    factors: told.factors.map((factor) => ({ ...factor, contender: contender_of(factor.contender, factor.contender, "") })),
     without_truth: [...without_truth],
   };
 }
