@@ -58,6 +58,32 @@ test("scrubbing moves a body to the trace's position, to half a pixel", async ()
   await page.close();
 });
 
+test("engines are told apart on the canvas by their shapes, without colour", async () => {
+  const { page, trouble } = await open(file, { deviceScaleFactor: 4 });
+  const stage = await replay(page, 1);
+  for (const name of ["Side by side", "Contacts and impulses"]) await stage.getByLabel(name).setChecked(name === "Side by side");
+  const time = 1;
+  await scrub(page, stage, time);
+  const canvas = stage.locator("canvas");
+  const [scale, origin_x, origin_y] = (await canvas.getAttribute("data-view")).split(" ").map(Number);
+  const width = await canvas.evaluate(({ clientWidth }) => clientWidth);
+  /** Whether the mark of an engine's pane reaches a place right of and below its middle, px. */
+  const reaches = (pane, y, off) =>
+    canvas.evaluate((canvas, [x, y, off]) => {
+      const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+      copy.drawImage(canvas, 0, 0);
+      const at = (x, y) => copy.getImageData(Math.round(x * devicePixelRatio), Math.round(y * devicePixelRatio), 1, 1).data.join();
+      return at(x + off, y + off) === at(x, y);
+    }, [origin_x + (pane * width) / 2, origin_y - scale * y, off]);
+  // Of one area, a disc of radius 4 px ends at 2.8 px on the diagonal, a square at 3.5 px.
+  for (const [off, disc, square] of [[2.2, true, true], [3.2, false, true], [4, false, false]]) {
+    assert.equal(await reaches(0, ball.y(50, impulse_off, time), off), disc, `the disc of impulse, ${off} px`);
+    assert.equal(await reaches(1, ball.y(50, -impulse_off, time), off), square, `the square of box2d, ${off} px`);
+  }
+  assert.deepEqual(trouble, []);
+  await page.close();
+});
+
 test("the keyboard alone plays, steps, scrubs, jumps, and changes what is shown", async () => {
   const { page, trouble } = await open(file);
   const stage = await replay(page);

@@ -45,6 +45,13 @@ export function legend_mark(contender: Contender): Element {
   return known.cloneNode(true) as Element;
 }
 
+/** Its shape alone, about the origin: the data of a path. */
+export function shape_of(contender: Contender): string {
+  const mark = legend_mark(contender);
+  const radius = Number(mark.querySelector("circle")?.getAttribute("r") ?? 0);
+  return mark.querySelector("path")?.getAttribute("d") ?? `M${radius},0A${radius},${radius},0,1,1,${-radius},0A${radius},${radius},0,1,1,${radius},0`;
+}
+
 function draw_mark(contender: Contender): Element {
   const drawn = Plot.plot({
     width: 36,

@@ -34,7 +34,7 @@ export function help(keys: Key[]): HTMLDetailsElement {
     "details",
     { class: "keys" },
     h("summary", {}, "Keys, and what is drawn"),
-    h("p", {}, "Drag to move the picture, double-click to come nearer; once it is clicked, the wheel does so too. A click on a chart goes to its time."),
+    h("p", {}, "Drag to move the picture, double-click to come nearer; once it is clicked, the wheel does so too. A click on a chart goes to its time. The shapes on bodies tell the engines apart, as those on lines in charts do."),
     h("dl", {}, ...rows),
   );
 }

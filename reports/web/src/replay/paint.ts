@@ -2,6 +2,7 @@
 import { given } from "../format";
 import type { Tie } from "./data";
 import type { Film } from "./film";
+import { draw_shape, marks } from "./marks";
 import { Figures, View } from "./outline";
 
 export interface Shown {
@@ -23,8 +24,8 @@ const longest_arrow = 60; // px, of the largest impulse
 const velocity_time = 0.1; // s: an arrow is the way of this long
 const least_arrow = 3; // px
 
-/** `layers`: how many are drawn upon each other; their fills together are to tint, not to hide. */
-function bodies(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, layers: number, color: Color): void {
+/** Returns which were drawn. `layers`: how many are upon each other; their fills together are to tint, not to hide. */
+function bodies(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, layers: number, color: Color): number[] {
   const { contender } = film;
   const shown = figures.in_view(view, film, (body) => figures.scene.bodies[body]?.type !== "fixed");
   const crowded = shown.length > crowd;
@@ -44,6 +45,7 @@ function bodies(context: CanvasRenderingContext2D, figures: Figures, view: View,
     if (!crowded) context.stroke(path);
   }
   context.restore();
+  return shown;
 }
 
 function ground(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, color: Color): void {
@@ -154,7 +156,7 @@ function scale_bar(context: CanvasRenderingContext2D, view: View, color: Color):
 export interface Picture {
   figures: Figures;
   films: Film[]; // shown in this pane, the truth among them
-  title: string;
+  named: boolean; // whether the pane says whose it is
   shown: Shown;
   largest: number; // N s, of all impulses of the case
   ring: { film: Film; body: number } | undefined;
@@ -170,30 +172,36 @@ function ring(context: CanvasRenderingContext2D, view: View, { figures }: Pictur
   context.stroke();
 }
 
+function name_pane(context: CanvasRenderingContext2D, { pane }: View, film: Film, color: Color): void {
+  context.fillStyle = color("var(--ink)");
+  context.textAlign = "left";
+  context.textBaseline = "middle";
+  context.fillText(film.contender.label, pane.x + 26, pane.y + 16);
+  draw_shape(context, film, pane.x + 15, pane.y + 16, color);
+}
+
 export function paint(context: CanvasRenderingContext2D, view: View, picture: Picture, color: Color): void {
-  const { figures, films, title, shown } = picture;
+  const { figures, films, named, shown } = picture;
   const { pane } = view;
   context.save();
   context.beginPath();
   context.rect(pane.x, pane.y, pane.width, pane.height);
   context.clip();
-  const engines = films.filter(({ contender }) => !contender.exact).length;
+  const engines = films.filter(({ contender }) => !contender.exact);
+  const seen = new Map<Film, number[]>();
   const [first] = films;
   if (first) ground(context, figures, view, first, color);
   for (const film of [...films].sort((a, b) => Number(b.contender.exact) - Number(a.contender.exact))) {
-    bodies(context, figures, view, film, Math.max(1, engines), color);
+    seen.set(film, bodies(context, figures, view, film, Math.max(1, engines.length), color));
     ties(context, figures.scene.ties, view, film, color);
     if (film.contender.exact) continue;
     if (shown.contacts) contacts(context, view, film, picture.largest, color);
     if (shown.velocities) velocities(context, figures, view, film, color);
   }
+  engines.forEach((film, turn) => marks(context, view, film, seen.get(film) ?? [], turn, engines.length, color));
   if (picture.ring && films.includes(picture.ring.film)) ring(context, view, picture, picture.ring.film, picture.ring.body, color);
   scale_bar(context, view, color);
-  if (title) {
-    context.fillStyle = color("var(--ink)");
-    context.textAlign = "left";
-    context.textBaseline = "top";
-    context.fillText(title, pane.x + 10, pane.y + 8);
-  }
+  const [owner] = engines;
+  if (named && owner) name_pane(context, view, owner, color);
   context.restore();
 }

@@ -119,8 +119,7 @@ export class Stage {
     parts.forEach((part, index) => {
       const pane = this.panes[index];
       if (!pane) return;
-      const title = split ? (part[part.length - 1]?.contender.label ?? "") : "";
-      paint(context, new View(pane, this.camera), { figures: this.figures, films: part, title, shown, largest: this.largest, ring }, this.color);
+      paint(context, new View(pane, this.camera), { figures: this.figures, films: part, named: split, shown, largest: this.largest, ring }, this.color);
       if (index === 0) this.tell_view(new View(pane, this.camera));
     });
     this.part_panes(context);
