@@ -50,11 +50,16 @@ function history() {
 const alone = await write(history());
 const in_report = await write({ ...sample(), studies: [history().study] });
 
-for (const [name, file] of Object.entries({ "a page of its own": alone, "a report": in_report })) {
+const files = { "a page of its own": alone, "part of a report": in_report };
+if (process.env.PLUMB_HISTORY) files["the real history"] = process.env.PLUMB_HISTORY;
+
+for (const [name, file] of Object.entries(files)) {
   for (const width of [360, 1280]) {
-    test(`the history fits ${width} px as part of ${name}, draws everything, and asks for nothing`, async () => {
+    test(`the history fits ${width} px as ${name}, draws everything, and asks for nothing`, async () => {
       const { page, trouble } = await open(file, { width, colorScheme: width < 1000 ? "dark" : "light" });
       await draw_all(page);
+      assert.ok((await page.locator(".canvas:has(svg)").count()) > 0);
+      assert.equal(await page.locator(".canvas:not(:has(svg))").count(), 0);
       const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
       assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
       assert.deepEqual(trouble, []);
