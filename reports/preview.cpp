@@ -144,24 +144,30 @@ class Panel {
   Vec center_;                 // m
 };
 
-std::vector<const RunRecord*> runs_of(const Report& report, const std::string& word) {
+std::vector<const RunRecord*> runs_of(const Report& report) {
+  if (report.runs.empty()) throw std::invalid_argument("--preview: nothing was run");
+  const RunRecord& first = report.runs.front();
   std::vector<const RunRecord*> runs;
-  std::string known;
+  std::string reasons;
   for (const RunRecord& run : report.runs) {
-    const std::string name = run.scenario + ":" + run.variant;
-    if (known.find(name) == std::string::npos) known += (known.empty() ? "" : ", ") + name;
-    const bool fits = runs.empty() ? word == run.scenario || word == name || word == run.variant
-                                   : run.scenario == runs.front()->scenario && run.variant == runs.front()->variant;
-    if (fits && run.status == Status::ok && run.trace && run.trace->size() > 1) runs.push_back(&run);
+    if (run.scenario != first.scenario || run.variant != first.variant) continue;
+    if (run.status == Status::ok && run.trace && run.trace->size() > 1) {
+      runs.push_back(&run);
+    } else {
+      reasons += fmt::format("\n  {}: {}", run.engine, run.reason);
+    }
   }
-  if (runs.empty()) throw std::invalid_argument("--preview: \"" + word + "\" is none of " + known);
+  if (runs.empty())
+    throw std::invalid_argument(
+        fmt::format("--preview: no run of {}:{} has anything to show; ask for another case or engine{}", first.scenario,
+                    first.variant, reasons));
   return runs;
 }
 
 }  // namespace
 
-Preview preview_of(const Report& report, const std::string& word) {
-  const auto runs = runs_of(report, word);
+Preview preview_of(const Report& report) {
+  const auto runs = runs_of(report);
   const auto exact = std::find_if(runs.begin(), runs.end(), [](const RunRecord* run) { return run->exact; });
   const RunRecord& leading = exact == runs.end() ? *runs.front() : **exact;
   const Window window = window_of(leading, parts_of(*leading.scene));

@@ -17,9 +17,9 @@ struct Preview {
   std::vector<std::string> frames;
 };
 
-/// Of the case that a word names, as `plumb run` takes it ("NAME" or "NAME:LABEL"; the first that fits). Throws
-/// std::invalid_argument, naming the cases, where the report has none like that with a run to show.
-Preview preview_of(const Report&, const std::string& word);
+/// Of a report's first case. Throws std::invalid_argument, with every engine's reason, where no run has anything to
+/// show.
+Preview preview_of(const Report&);
 
 /// Throws std::invalid_argument, with the cure, where ffmpeg, which makes the picture, is not installed.
 void check_preview();

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-
 #include <memory>
+#include <optional>
 
+#include "reports/asked_cases.h"
 #include "reports/cli.h"
 #include "reports/command.h"
+#include "reports/experiment.h"
 #include "reports/gate/asked.h"
 #include "reports/gate/changes.h"
 #include "reports/history/trends.h"
@@ -39,16 +41,27 @@ void add_studies(Report& report, int jobs) {
   }
 }
 
+// The first case that a word means, whether the report has it or not.
+Preview preview_of_case(const std::string& word, const Session& session) {
+  Plan plan = plan_asked({word}, false, session.engines);
+  plan.cases.erase(plan.cases.begin() + 1, plan.cases.end());
+  plan.dt = parse_dt(session.dt);
+  plan.refine = session.converged;
+  plan.timed = false;
+  return preview_of(carry_out(plan, [](const std::string&, std::size_t, std::size_t) {}));
+}
+
 int report(const Asked& asked) {
   nlohmann::ordered_json history;
   if (!asked.history.empty()) history = history_document(History::of(asked.history));
   // What is missing is said before anything runs.
   if (asked.svg) check_pictures();
+  std::optional<Preview> preview;
   if (!asked.preview.empty()) {
     check_preview();
-    parse_cases(asked.preview);
+    preview = preview_of_case(asked.preview, asked.session);
   }
-  const Report whole = asked.session.conduct("report", [&](Report& report) {
+  asked.session.conduct("report", [&](Report& report) {
     GateAsked gate;
     gate.all = asked.session.all;
     if (auto changes = changes_since(gate.file(), report)) report.studies.push_back(std::move(*changes));
@@ -61,8 +74,8 @@ int report(const Asked& asked) {
   });
   const std::filesystem::path out = asked.session.out;
   if (asked.svg) take_pictures(out / "index.html", out / "svg");
-  if (!asked.preview.empty()) {
-    write_preview(preview_of(whole, asked.preview), out / "preview.gif");
+  if (preview) {
+    write_preview(*preview, out / "preview.gif");
     fmt::print("{}\n", (out / "preview.gif").string());
   }
   return 0;
@@ -76,7 +89,7 @@ const Catalog<Command>::Entry entry{
                  "  plumb report --out results       somewhere else\n"
                  "  plumb report --all --dt 1/120    every scenario, at half the step\n"
                  "  plumb report --svg               also each chart as an SVG, in out/svg\n"
-                 "  plumb report --preview stacking:ten   also that case as a moving picture, out/preview.gif\n",
+                 "  plumb report --preview stacking:ten   also a case, of these or not, as a moving picture\n",
      .attach = [](CLI::App& app) {
        const auto asked = std::make_shared<Asked>();
        asked->session.attach_to(app);

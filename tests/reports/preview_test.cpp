@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 TEST(Preview, ShowsEveryRunOfACaseInRealTime) {
   const Report report = sample_report();
   const RunRecord& first = report.runs.front();
-  const Preview preview = preview_of(report, first.scenario + ":" + first.variant);
+  const Preview preview = preview_of(report);
   const double seconds = std::min(Preview::longest, first.trace->times().back());
   EXPECT_EQ(preview.frames.size(), static_cast<std::size_t>(seconds * Preview::rate) + 1);
   for (const std::string& frame : preview.frames) {
@@ -27,17 +27,24 @@ TEST(Preview, ShowsEveryRunOfACaseInRealTime) {
 TEST(Preview, LetsNoNameBreakOut) {
   Report report = sample_report();
   for (RunRecord& run : report.runs) run.variant = "<script>";
-  const Preview preview = preview_of(report, "slide");
+  const Preview preview = preview_of(report);
   EXPECT_THAT(preview.frames.front(), ::testing::Not(HasSubstr("<script")));
   EXPECT_THAT(preview.frames.front(), HasSubstr("script"));
 }
 
-TEST(Preview, NamesTheCasesThereAreWhereOneIsNot) {
+TEST(Preview, SaysWhyThereIsNothingToShow) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs) {
+    run.status = Status::not_supported;
+    run.reason = "has no wheels";
+  }
   try {
-    preview_of(sample_report(), "nothing");
+    preview_of(report);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr(sample_report().runs.front().scenario));
+    EXPECT_THAT(error.what(), HasSubstr(report.runs.front().variant));
+    EXPECT_THAT(error.what(), HasSubstr("has no wheels"));
+    EXPECT_THAT(error.what(), HasSubstr("another case"));
   }
 }
 
