@@ -56,47 +56,78 @@ struct ContactRow {
 };
 
 /// The two bodies of a row seen along its normal and tangent. Impulses act on this; the bodies learn the sum at the
-/// end.
-struct ContactFrame {
+/// end. Of a body that neither moves nor can be pushed all terms are 0: a frame without it gives the same bits.
+template <bool has_a, bool has_b>
+struct FrameOf {
+  static constexpr bool with_a = has_a;
+  static constexpr bool with_b = has_b;
+
   Real normal = 0, tangent = 0;          // relative velocity of the centres, m/s
   Real wa = 0, wb = 0;                   // rad/s
   Real normal_sum = 0, tangent_sum = 0;  // N s given so far
 
-  ContactFrame(const ContactRow& row, const Velocity& a, const Velocity& b)
-      : normal(dot(row.normal, b.v - a.v)), tangent(dot(perpendicular(row.normal), b.v - a.v)), wa(a.w), wb(b.w) {}
+  FrameOf(const ContactRow& row, const Velocity& a, const Velocity& b) : wa(a.w), wb(b.w) {
+    const Vec2 between = difference(a.v, b.v);
+    normal = dot(row.normal, between);
+    tangent = dot(perpendicular(row.normal), between);
+  }
 
-  Real normal_velocity(const RowPoint& p) const { return normal + wb * p.cross_b - wa * p.cross_a; }
-  Real tangent_velocity(const RowPoint& p) const { return tangent + wb * p.dot_b - wa * p.dot_a; }
+  Real normal_velocity(const RowPoint& p) const { return with_turns(normal, p.cross_a, p.cross_b); }
+  Real tangent_velocity(const RowPoint& p) const { return with_turns(tangent, p.dot_a, p.dot_b); }
 
   void push_normal(const ContactRow& row, const RowPoint& p, Real impulse) {
-    normal += impulse * (row.mass_a.m + row.mass_b.m);
-    wa -= impulse * row.mass_a.i * p.cross_a;
-    wb += impulse * row.mass_b.i * p.cross_b;
+    normal += impulse * inverse_mass(row);
+    turn(row, p.cross_a, p.cross_b, impulse);
     normal_sum += impulse;
   }
   void push_tangent(const ContactRow& row, const RowPoint& p, Real impulse) {
-    tangent += impulse * (row.mass_a.m + row.mass_b.m);
-    wa -= impulse * row.mass_a.i * p.dot_a;
-    wb += impulse * row.mass_b.i * p.dot_b;
+    tangent += impulse * inverse_mass(row);
+    turn(row, p.dot_a, p.dot_b, impulse);
     tangent_sum += impulse;
   }
   /// What cannot be pushed is not written: it may belong to other islands too.
   void leave(const ContactRow& row, Velocity& a, Velocity& b) const {
     const Vec2 impulse = normal_sum * row.normal + tangent_sum * perpendicular(row.normal);
-    if (row.mass_a.m + row.mass_a.i > 0) {
+    if (has_a && row.mass_a.m + row.mass_a.i > 0) {
       a.v -= row.mass_a.m * impulse;
       a.w = wa;
     }
-    if (row.mass_b.m + row.mass_b.i > 0) {
+    if (has_b && row.mass_b.m + row.mass_b.i > 0) {
       b.v += row.mass_b.m * impulse;
       b.w = wb;
     }
   }
+
+  static Vec2 difference(Vec2 a, Vec2 b) {
+    if constexpr (!has_a) return b;
+    if constexpr (!has_b) return -a;
+    return b - a;
+  }
+
+ private:
+  static Real inverse_mass(const ContactRow& row) {
+    if constexpr (!has_a) return row.mass_b.m;
+    if constexpr (!has_b) return row.mass_a.m;
+    return row.mass_a.m + row.mass_b.m;
+  }
+  Real with_turns(Real straight, Real arm_a, Real arm_b) const {
+    if constexpr (has_b) straight += wb * arm_b;
+    if constexpr (has_a) straight -= wa * arm_a;
+    return straight;
+  }
+  void turn(const ContactRow& row, Real arm_a, Real arm_b, Real impulse) {
+    if constexpr (has_a) wa -= impulse * row.mass_a.i * arm_a;
+    if constexpr (has_b) wb += impulse * row.mass_b.i * arm_b;
+  }
 };
+using ContactFrame = FrameOf<true, true>;
 
 /// 1 / (1/mA + 1/mB + cA^2/IA + cB^2/IB): the mass that an impulse along a direction feels, c = arm x direction; 0 if
 /// neither body can move.
-Real effective_mass(const ContactRow& row, Real arm_a, Real arm_b);
+Real effective_mass(const InverseMass& a, const InverseMass& b, Real arm_a, Real arm_b);
+inline Real effective_mass(const ContactRow& row, Real arm_a, Real arm_b) {
+  return effective_mass(row.mass_a, row.mass_b, arm_a, arm_b);
+}
 
 /// Whether a contact has points and a body that can be pushed.
 bool solvable(const BodySet& bodies, const Contact& contact);
@@ -119,7 +150,8 @@ inline Real within_cone(const ContactRow& row, Real wanted, Real normal_impulse)
 }
 
 /// Brings a point's accumulated normal impulse to `total`.
-inline void push_to(const ContactRow& row, RowPoint& p, ContactFrame& frame, Real total) {
+template <class Frame>
+[[gnu::always_inline]] inline void push_to(const ContactRow& row, RowPoint& p, Frame& frame, Real total) {
   frame.push_normal(row, p, total - p.normal_impulse);
   p.normal_impulse = total;
 }
@@ -133,7 +165,8 @@ inline void warm_start(const ContactRow& row, ContactFrame& frame) {
 }
 
 /// Friction at all points: stops the sliding as far as the cone of the accumulated normal impulse allows.
-inline void rub(ContactRow& row, ContactFrame& frame) {
+template <class Frame>
+[[gnu::always_inline]] inline void rub(ContactRow& row, Frame& frame) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
     RowPoint& p = row.points[i];
     const Real wanted = p.tangent_impulse - p.tangent_mass * frame.tangent_velocity(p);

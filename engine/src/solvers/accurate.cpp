@@ -133,6 +133,7 @@ class Accurate : public Solver {
   std::vector<Pose> start_;             // of each body
   std::vector<Velocity> acceleration_;  // of each body, by the force field
   std::vector<Velocity> flight_;        // the same, but 0 for a body that rests on a contact
+  std::vector<Velocity> kicks_;         // of each body, see ScalarContacts::halve
   std::vector<std::uint8_t> loaded_;    // a contact pushed the body in the last sub-step
   bool forces_vary_ = false;            // within a step
   std::vector<Workspace> spaces_;       // of each worker
@@ -256,7 +257,7 @@ void Accurate::fly_all(StepData& data) {
 void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   if (island.bounces) find_impacts(data, island, space.impacts);
   if (!island.joints.empty()) island.joints.halve();
-  ScalarContacts::halve(island);
+  ScalarContacts::halve(island, kicks_);
   if (!island.joints.empty() || island.more_sweeps > 0) space.bound.note(island.bodies, data.bodies, motion_);
   kick(data.bodies, island);
   press(data.bodies, island);
@@ -279,6 +280,7 @@ void Accurate::prepare(StepData& data) {
   BodySet& bodies = data.bodies;
   start_ = bodies.pose;
   motion_.assign(bodies.size(), {});
+  kicks_.resize(bodies.size());
   loaded_.assign(bodies.size(), 0);
   data.forces.accelerations(bodies, data.settings.dt / static_cast<Real>(2 * data.settings.substeps), acceleration_);
   flight_ = acceleration_;
@@ -293,8 +295,10 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   bool struck = false;
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
     const Contact& contact = data.contacts[island.contacts[i].contact];
-    ImpactRow row;
-    static_cast<ContactRow&>(row) = make_row(data.bodies, data.contacts, island.contacts[i].contact);
+    ImpactRow& row = island.rows[i];
+    row = {make_row(data.bodies, data.contacts, island.contacts[i].contact)};
+    row.stirs_a = data.bodies.stirs(row.a);
+    row.stirs_b = data.bodies.stirs(row.b);
     row.offset = contact.offset;
     row.disc_distance = contact.discs ? contact.radius_a + contact.radius_b : Real{0};
     row.between = start_[row.b].p - start_[row.a].p;
@@ -308,7 +312,6 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
     bearing.add(row);
     struck = struck || (new_or_deep(contact) && at_speed(row, data.bodies));
-    island.rows[i] = row;
   }
   for (const ActiveJoint* joint : island.joints.all()) {
     note_load(joint->block);
@@ -354,10 +357,11 @@ void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {
 /// Half of the forces, half of what contacts and joints bore in the last sub-step.
 void Accurate::kick(BodySet& bodies, Island& island) {
   for (const std::uint32_t body : island.bodies) {
-    bodies.velocity[body].v += island.h / 2 * acceleration_[body].v;
-    bodies.velocity[body].w += island.h / 2 * acceleration_[body].w;
+    const Velocity& contacts = kicks_[body];
+    bodies.velocity[body].v += island.h / 2 * acceleration_[body].v + contacts.v;
+    bodies.velocity[body].w += island.h / 2 * acceleration_[body].w + contacts.w;
   }
-  ScalarContacts(bodies, motion_).kick(island);
+  ScalarContacts(bodies, motion_).count_halves(island);
   if (!island.joints.empty()) island.joints.kick();
 }
 

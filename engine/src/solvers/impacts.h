@@ -12,11 +12,37 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+/// The impulses at two points that are solved together by what they do to the velocities there: the inverse of the
+/// matrix of inverse effective masses k.
+struct PairMatrix {
+  Real i11 = 0, i22 = 0, i12 = 0;  // kg
+  bool usable = false;  // not of two points almost in one place: k says nothing about the difference of their loads
+
+  PairMatrix() = default;
+  PairMatrix(Real k11, Real k22, Real k12) {
+    const Real determinant = k11 * k22 - k12 * k12;
+    constexpr Real worst_condition = 1000;
+    usable = k11 * k22 <= worst_condition * determinant;
+    if (!usable) return;
+    const Real inverse = 1 / determinant;
+    i11 = k22 * inverse;
+    i22 = k11 * inverse;
+    i12 = -k12 * inverse;
+  }
+  Vec2 operator*(Vec2 v) const { return {i11 * v.x + i12 * v.y, i12 * v.x + i22 * v.y}; }
+};
+
 /// Two points that are solved together.
 struct PointPair {
   std::array<Real, 2> inverse_mass{};  // 1/kg, effective, of each alone
   Real coupling = 0;                   // 1/kg, what the impulse of one does to the other
   std::array<Real, 2> give{};          // 1/kg, that their springs add
+  PairMatrix rigid;
+  PairMatrix soft;  // both points in their springs
+
+  PairMatrix matrix(const std::array<Real, 2>& springs) const {
+    return {inverse_mass[0] + springs[0], inverse_mass[1] + springs[1], coupling};
+  }
 };
 
 /// A row, and what the sub-step of `accurate` needs to know beside it.
@@ -26,10 +52,12 @@ struct ImpactRow : ContactRow {
   Vec2 between;              // of those centres at the start of the step
   std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
   int age = 0;               // steps since the contact began
-  bool active = true;        // takes part in this sub-step's solve
-  bool fresh = false;        // first step of the contact
-  bool web = false;          // a body of it touches more than two others, as in a pyramid and not in a column
-  bool block = false;        // its two points are solved together:
+  bool stirs_a = true;       // the body can move, see BodySet::stirs
+  bool stirs_b = true;
+  bool active = true;  // takes part in this sub-step's solve
+  bool fresh = false;  // first step of the contact
+  bool web = false;    // a body of it touches more than two others, as in a pyramid and not in a column
+  bool block = false;  // its two points are solved together:
   PointPair pair;
 };
 

@@ -83,9 +83,10 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
     if (m > 0) weight += length(acceleration[body].v) / m;
   }
   const Real omega = 2 * pi * static_cast<Real>(base) / (8 * settings.dt);
-  const Real sink = weight / static_cast<Real>(bearing.points) * bearing.softest / (2 * omega * omega);
-  if (sink < tolerated_sink) return base;
-  const Real wanted = static_cast<Real>(base) * std::sqrt(sink / tolerated_sink);
+  const Real load = weight * bearing.softest;
+  const Real bears = static_cast<Real>(bearing.points) * (2 * omega * omega) * tolerated_sink;
+  if (load < bears) return base;
+  const Real wanted = static_cast<Real>(base) * std::sqrt(load / bears);
   // Powers of two, the nearest by ratio.
   int n = base;
   while (2 * n <= most_substeps && static_cast<Real>(2 * n * n) < wanted * wanted &&

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "kernels.h"
 
@@ -36,6 +37,12 @@ void small_sine_and_drop(Real angle, Real& sine, Real& drop) {
 void Motion::turn_by(Real angle) {
   if (angle == 0) return;
   turn += angle;
+  // What follows the first term of either series is then below half its last place, as of all that is at rest.
+  if (const Real z = turn * turn; z < std::numeric_limits<Real>::epsilon()) {
+    sine = turn;
+    drop = -z / 2;
+    return;
+  }
   if (std::abs(turn) <= small_turn) return small_sine_and_drop(turn, sine, drop);
   // cos - 1 = -2 sin^2(half): no cancellation either.
   const SinCos half = sin_cos(turn / 2);
@@ -45,7 +52,7 @@ void Motion::turn_by(Real angle) {
 
 void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Motion>& motion) {
   constexpr std::size_t handful = 32;
-  std::array<Real, handful> angles{}, cosines, sines;
+  std::array<Real, handful> angles, cosines, sines;
   std::array<std::size_t, handful> turned;
   const Kernels& by_lanes = kernels();
   for (std::size_t first = 0; first < bodies.size(); first += handful) {
@@ -66,6 +73,8 @@ void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Mo
       angles[count] = bodies.angle[i];
       turned[count++] = i;
     }
+    if (count == 0) continue;
+    for (std::uint32_t k = count; k % most_lanes != 0; ++k) angles[k] = 0;  // whole registers are read
     by_lanes.turn_to_angles(angles.data(), count, cosines.data(), sines.data());
     for (std::uint32_t k = 0; k < count; ++k) bodies.pose[turned[k]].q = {cosines[k], sines[k]};
   }

@@ -4,34 +4,75 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-Real ScalarContacts::gap(const ImpactRow& row, const RowPoint& p) const {
-  return separation(row, p, motion_[row.a], motion_[row.b]) - row.offset;
+namespace {
+
+/// Both points at once, to these changes of velocity; not if a point would pull.
+template <class Frame>
+[[gnu::always_inline]] inline bool push_both(const PairMatrix& masses, ImpactRow& row, Frame& frame, Vec2 change) {
+  if (!masses.usable) return false;
+  auto& [p, q] = row.points;
+  const Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + masses * change;
+  if (total.x < 0 || total.y < 0) return false;
+  push_to(row, p, frame, total.x);
+  push_to(row, q, frame, total.y);
+  return true;
 }
 
-void ScalarContacts::halve(const Island& island) {
+}  // namespace
+
+template <class Solve>
+void ScalarContacts::in_frame(ImpactRow& row, std::vector<Velocity>& velocity, Solve solve) {
+  Velocity& a = velocity[row.a];
+  Velocity& b = velocity[row.b];
+  const auto solve_in = [&](auto frame) {
+    solve(row, frame);
+    frame.leave(row, a, b);
+  };
+  if (!row.stirs_a) return solve_in(FrameOf<false, true>(row, a, b));
+  if (!row.stirs_b) return solve_in(FrameOf<true, false>(row, a, b));
+  solve_in(ContactFrame(row, a, b));
+}
+
+template <class Solve>
+void ScalarContacts::each(const Island& island, Solve solve) {
   for (ImpactRow& row : island.rows) {
-    for (std::size_t i = 0; i < 2; ++i) {
+    if (row.active) in_frame(row, bodies_.velocity, solve);
+  }
+}
+
+template <class Frame>
+Real ScalarContacts::gap(const ImpactRow& row, const RowPoint& p) const {
+  return separation<Frame>(row, p, motion_[row.a], motion_[row.b]) - row.offset;
+}
+
+void ScalarContacts::halve(const Island& island, std::vector<Velocity>& kicks) {
+  for (const std::uint32_t body : island.bodies) kicks[body] = {};
+  for (ImpactRow& row : island.rows) {
+    const auto count = static_cast<std::size_t>(row.count);
+    for (std::size_t i = 0; i < count; ++i) {
       RowPoint& p = row.points[i];
       row.half[i] = row.active ? Vec2{p.normal_impulse / 2, p.tangent_impulse / 2} : Vec2{};
       p.normal_impulse = 0;
       p.tangent_impulse = 0;
     }
+    if (!row.active) continue;
+    in_frame(row, kicks, [count](ImpactRow& halved, auto& frame) {
+      for (std::size_t i = 0; i < count; ++i) {
+        frame.push_normal(halved, halved.points[i], halved.half[i].x);
+        frame.push_tangent(halved, halved.points[i], halved.half[i].y);
+      }
+    });
   }
 }
 
-void ScalarContacts::kick(const Island& island) {
+void ScalarContacts::count_halves(const Island& island) {
   for (ImpactRow& row : island.rows) {
     if (!row.active) continue;
-    if (row.disc_distance > 0) turn_normal(row);
-    ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      RowPoint& p = row.points[i];
-      frame.push_normal(row, p, row.half[i].x);
-      frame.push_tangent(row, p, row.half[i].y);
-      p.normal_impulse += row.half[i].x;
-      p.tangent_impulse += row.half[i].y;
+      row.points[i].normal_impulse += row.half[i].x;
+      row.points[i].tangent_impulse += row.half[i].y;
     }
-    frame.leave(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
+    if (row.disc_distance > 0) turn_normal(row);
   }
 }
 
@@ -50,14 +91,12 @@ void ScalarContacts::turn_normal(ImpactRow& row) {
 }
 
 void ScalarContacts::press(const Island& island) {
-  for (ImpactRow& row : island.rows) {
-    if (!row.active) continue;
-    const Softness& soft = island.softness(row);
-    ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
-    if (!row.block || !solve_pair(island, row, frame, true)) {
+  each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
+    if (!row.block || !press_pair(island, row, frame)) {
+      const Softness& soft = island.softness(row);
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
         RowPoint& p = row.points[i];
-        const Real s = gap(row, p);
+        const Real s = gap<Frame>(row, p);
         const Real v = frame.normal_velocity(p);
         const Real push = s > 0 ? -p.normal_mass * (v + s / island.h)
                                 : -p.normal_mass * soft.strength * (v + soft.rate * s) - soft.relief * p.normal_impulse;
@@ -65,66 +104,61 @@ void ScalarContacts::press(const Island& island) {
       }
     }
     if (row.fresh) rub(row, frame);
-    frame.leave(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
-  }
+  });
 }
 
 void ScalarContacts::relax(const Island& island) {
-  for (ImpactRow& row : island.rows) {
-    if (!row.active) continue;
-    ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
-    if (!row.block || !solve_pair(island, row, frame, false)) {
+  each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
+    if (!row.block || !relax_pair(row, frame)) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
         RowPoint& p = row.points[i];
-        if (p.normal_impulse == 0 && gap(row, p) > 0) continue;
+        if (p.normal_impulse == 0 && gap<Frame>(row, p) > 0) continue;
         const Real push = -p.normal_mass * frame.normal_velocity(p);
         push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
     rub(row, frame);
-    frame.leave(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
-  }
+  });
 }
 
 PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
   const auto& [p, q] = row.points;
   const Real weakness = 1 / island.softness(row).strength - 1;
-  return {.inverse_mass = {1 / p.normal_mass, 1 / q.normal_mass},
-          .coupling =
-              row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a + row.mass_b.i * p.cross_b * q.cross_b,
-          .give = {weakness / p.normal_mass, weakness / q.normal_mass}};
+  PointPair pair{.inverse_mass = {1 / p.normal_mass, 1 / q.normal_mass},
+                 .coupling = row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a +
+                             row.mass_b.i * p.cross_b * q.cross_b,
+                 .give = {weakness / p.normal_mass, weakness / q.normal_mass}};
+  pair.rigid = pair.matrix({});
+  pair.soft = pair.matrix(pair.give);
+  return pair;
 }
 
-/// Both points at once: (K + G) d = -(v + bias + G lambda) with G the springs' give; nothing if a point would pull.
-bool ScalarContacts::solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const {
-  const Softness& soft = island.softness(row);
-  std::array<Real, 2> give{};
-  std::array<Real, 2> bias{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const RowPoint& p = row.points[i];
-    if (pressing) {
-      const Real s = gap(row, p);
-      give[i] = s > 0 ? Real{0} : row.pair.give[i];
-      bias[i] = s > 0 ? s / island.h : soft.rate * s;
-    } else if (p.normal_impulse == 0 && gap(row, p) > 0) {
-      return false;
-    }
+/// (K + G) d = -(v + bias + G lambda) with G the give of those springs that are pressed.
+template <class Frame>
+[[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, ImpactRow& row,
+                                                              Frame& frame) const {
+  const PointPair& pair = row.pair;
+  const auto& [p, q] = row.points;
+  const Real rate = island.softness(row).rate;
+  const std::array<Real, 2> s{gap<Frame>(row, p), gap<Frame>(row, q)};
+  const auto change = [&](const RowPoint& point, Real gap, Real give) {
+    const Real bias = (gap > 0 ? gap / island.h : rate * gap) + give * point.normal_impulse;
+    return -(frame.normal_velocity(point) + bias);
+  };
+  if (!(s[0] > 0) && !(s[1] > 0)) {
+    return push_both(pair.soft, row, frame, {change(p, s[0], pair.give[0]), change(q, s[1], pair.give[1])});
   }
-  RowPoint& p = row.points[0];
-  RowPoint& q = row.points[1];
-  const Real k11 = row.pair.inverse_mass[0] + give[0];
-  const Real k22 = row.pair.inverse_mass[1] + give[1];
-  const Mat22 k({k11, row.pair.coupling}, {row.pair.coupling, k22});
-  // Two points almost in one place: the matrix says nothing about the difference of their loads.
-  constexpr Real worst_condition = 1000;
-  if (k11 * k22 > worst_condition * k.determinant()) return false;
-  const Vec2 change = k.solve({-(frame.normal_velocity(p) + bias[0] + give[0] * p.normal_impulse),
-                               -(frame.normal_velocity(q) + bias[1] + give[1] * q.normal_impulse)});
-  const Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + change;
-  if (total.x < 0 || total.y < 0) return false;
-  push_to(row, p, frame, total.x);
-  push_to(row, q, frame, total.y);
-  return true;
+  const std::array<Real, 2> give{s[0] > 0 ? 0 : pair.give[0], s[1] > 0 ? 0 : pair.give[1]};
+  return push_both(pair.matrix(give), row, frame, {change(p, s[0], give[0]), change(q, s[1], give[1])});
+}
+
+template <class Frame>
+[[gnu::always_inline]] inline bool ScalarContacts::relax_pair(ImpactRow& row, Frame& frame) const {
+  const auto& [p, q] = row.points;
+  for (const RowPoint& point : row.points) {
+    if (point.normal_impulse == 0 && gap<Frame>(row, point) > 0) return false;
+  }
+  return push_both(row.pair.rigid, row, frame, {-frame.normal_velocity(p), -frame.normal_velocity(q)});
 }
 
 /// A standing load presses its springs in. The offset, one for both points of a contact (one each would take away the

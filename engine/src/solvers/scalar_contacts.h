@@ -17,9 +17,11 @@ class ScalarContacts {
 
   /// What stays through a step of two points that are solved at once.
   static PointPair pair_of(const Island& island, const ImpactRow& row);
-  /// What the contacts bore in the last sub-step is given again, half in each kick.
-  static void halve(const Island& island);
-  void kick(const Island& island);
+  /// What the contacts bore in the last sub-step is given again, half in each kick: `kicks` is what a half does to the
+  /// velocity of each body.
+  static void halve(const Island& island, std::vector<Velocity>& kicks);
+  /// After each kick.
+  void count_halves(const Island& island);
   /// Contacts give way as damped springs; a gap that would close within the sub-step is closed just so far. Friction
   /// waits for the rigid pass, except in a contact's first step (else a box set down on a slope slips before it is
   /// held).
@@ -30,9 +32,19 @@ class ScalarContacts {
   void settle_offsets(const Island& island);
 
  private:
+  /// Calls solve(row, frame); the velocities then learn what the frame was given.
+  template <class Solve>
+  static void in_frame(ImpactRow& row, std::vector<Velocity>& velocity, Solve solve);
+  /// The same for each row that takes part.
+  template <class Solve>
+  void each(const Island& island, Solve solve);
+  template <class Frame>
   Real gap(const ImpactRow& row, const RowPoint& p) const;
   void turn_normal(ImpactRow& row);
-  bool solve_pair(const Island& island, ImpactRow& row, ContactFrame& frame, bool pressing) const;
+  template <class Frame>
+  bool press_pair(const Island& island, ImpactRow& row, Frame& frame) const;
+  template <class Frame>
+  bool relax_pair(ImpactRow& row, Frame& frame) const;
 
   BodySet& bodies_;
   const std::vector<Motion>& motion_;
