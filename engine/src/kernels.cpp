@@ -6,15 +6,28 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace scalar {
 extern const Kernels table;
+extern const PileKernels pile_table;
 }
 namespace baseline {
 extern const Kernels table;
+extern const PileKernels pile_table;
 }
 namespace avx2 {
 extern const Kernels table;
+extern const PileKernels pile_table;
 }
 namespace avx512 {
 extern const Kernels table;
+extern const PileKernels pile_table;
+}
+namespace fused_scalar {
+extern const PileKernels pile_table;
+}
+namespace fused_avx2 {
+extern const PileKernels pile_table;
+}
+namespace fused_avx512 {
+extern const PileKernels pile_table;
 }
 
 namespace {
@@ -22,6 +35,8 @@ namespace {
 #ifdef IMPULSE_X86_LANES
 
 constexpr std::array versions{&scalar::table, &baseline::table, &avx2::table, &avx512::table};
+constexpr std::array pile_versions{&scalar::pile_table, &baseline::pile_table, &avx2::pile_table, &avx512::pile_table};
+constexpr std::array fused_versions{&fused_scalar::pile_table, &fused_avx2::pile_table, &fused_avx512::pile_table};
 
 // What avx512 is compiled with: the first processors that had some of it had not all.
 bool has_avx512() {
@@ -34,11 +49,16 @@ std::size_t runnable() {
   return __builtin_cpu_supports("avx2") != 0 ? 3 : 2;
 }
 
+std::size_t runnable_fused() { return __builtin_cpu_supports("fma") != 0 ? runnable() - 1 : 1; }
+
 #else
 
 constexpr std::array versions{&scalar::table, &baseline::table};
+constexpr std::array pile_versions{&scalar::pile_table, &baseline::pile_table};
+constexpr std::array fused_versions{&fused_scalar::pile_table};
 
 std::size_t runnable() { return 2; }
+std::size_t runnable_fused() { return 1; }
 
 #endif
 
@@ -47,6 +67,13 @@ std::size_t runnable() { return 2; }
 std::span<const Kernels* const> runnable_kernels() {
   static const std::size_t count = runnable();
   return std::span(versions).first(count);
+}
+
+std::span<const PileKernels* const> runnable_pile_kernels(bool fused) {
+  static const std::size_t count = runnable();
+  static const std::size_t fused_count = runnable_fused();
+  return fused ? std::span<const PileKernels* const>(fused_versions).first(fused_count)
+               : std::span<const PileKernels* const>(pile_versions).first(count);
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -10,7 +10,8 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// The inner loops that are compiled for several instruction sets (see simd.h).
+/// The inner loops that are compiled for several instruction sets (see simd.h): those that find contacts, to the bit as
+/// their twins outside do,
 struct Kernels {
   FindOverlaps* find_overlaps;
   FilterPairs* filter_pairs;
@@ -19,20 +20,28 @@ struct Kernels {
   CollidePairs* collide_disc_with_box;  // the disc is the first of each pair
   CollidePairs* collide_box_with_disc;
   KeepPoints* keep_points;
+  TurnToAngles* turn_to_angles;
+};
+
+/// and those that solve piles.
+struct PileKernels {
   // One of the two.
   const ContactPasses<8>* contacts_by_eight;
   const ContactPasses<16>* contacts_by_sixteen;
   KickByForces* kick_by_forces;
   KickBodies* kick_bodies;
   DriftBodies* drift_bodies;
-  TurnToAngles* turn_to_angles;
 };
 
 /// All versions that this processor runs, the slowest first: one number at a time, then by ever larger registers. They
 /// give the same bits.
 std::span<const Kernels* const> runnable_kernels();
+/// The same of piles. The fused ones give other bits than the others, the same among each other; where a processor has
+/// no fused multiply-add, the first works it out.
+std::span<const PileKernels* const> runnable_pile_kernels(bool fused = false);
 
 /// The fastest of them.
 inline const Kernels& kernels() { return *runnable_kernels().back(); }
+inline const PileKernels& pile_kernels(bool fused = false) { return *runnable_pile_kernels(fused).back(); }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

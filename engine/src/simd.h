@@ -17,8 +17,12 @@
 /// function from outside this namespace: a linker that keeps one copy might keep the AVX-512 one.
 ///
 /// Lanes are eight, in as many registers as that takes, or sixteen where one register holds so many, and each lane
-/// computes what a Real would: no fused multiply-add, no approximation, no sum across lanes. So results never depend on
-/// the instruction set.
+/// computes what a Real would: no approximation, no sum across lanes. So results never depend on the instruction set.
+///
+/// The kernels of piles are compiled again with IMPULSE_FUSED (`fused_scalar`, and `fused_avx2`, `fused_avx512` on
+/// x86-64): there a product that is added to something is rounded with the sum only, as std::fma has it. Which sums
+/// those are is told by types, see LanesOf::Product, and never left to a compiler: other results than without, again
+/// the same on every instruction set.
 #ifndef IMPULSE_LANES
 #define IMPULSE_LANES baseline
 #endif
@@ -50,6 +54,9 @@ struct ScalarRegister {
   static ScalarRegister select(Mask mask, ScalarRegister yes, ScalarRegister no) { return mask.m ? yes : no; }
   static ScalarRegister root(ScalarRegister a) { return {static_cast<Real>(__builtin_sqrt(a.v))}; }
   static ScalarRegister magnitude(ScalarRegister a) { return {static_cast<Real>(__builtin_fabs(a.v))}; }
+  static float fused(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+  static double fused(double a, double b, double c) { return __builtin_fma(a, b, c); }
+  static ScalarRegister fused(ScalarRegister a, ScalarRegister b, ScalarRegister c) { return {fused(a.v, b.v, c.v)}; }
   static std::uint32_t bits(Mask mask) { return mask.m ? 1 : 0; }
   static void transpose(const Real* const* rows, ScalarRegister columns[4]) {
     for (std::uint32_t column = 0; column < 4; ++column) columns[column].v = rows[0][column];
@@ -122,6 +129,15 @@ struct Register {
   friend Mask operator<=(Register a, Register b) { return {a.v <= b.v}; }
   friend Mask operator==(Register a, Register b) { return {a.v == b.v}; }
   static Register select(Mask mask, Register yes, Register no) { return {mask.m ? yes.v : no.v}; }
+#endif
+#if defined(__FMA__) && defined(__AVX512F__) && defined(IMPULSE_DOUBLE)
+  static Register fused(Register a, Register b, Register c) { return {_mm512_fmadd_pd(a.v, b.v, c.v)}; }
+#elif defined(__FMA__) && defined(__AVX512F__)
+  static Register fused(Register a, Register b, Register c) { return {_mm512_fmadd_ps(a.v, b.v, c.v)}; }
+#elif defined(__FMA__) && defined(IMPULSE_DOUBLE)
+  static Register fused(Register a, Register b, Register c) { return {_mm256_fmadd_pd(a.v, b.v, c.v)}; }
+#elif defined(__FMA__)
+  static Register fused(Register a, Register b, Register c) { return {_mm256_fmadd_ps(a.v, b.v, c.v)}; }
 #endif
 #ifdef __AVX512F__
   static std::uint32_t bits(Mask mask) { return mask.m; }
@@ -344,9 +360,30 @@ struct LanesOf {
   friend LanesOf operator-(const LanesOf& a, const LanesOf& b) {
     return each([&](std::uint32_t i) { return a.part[i] - b.part[i]; });
   }
+#ifdef IMPULSE_FUSED
+  /// Rounded when it is added to something, or else when it becomes a number. Of two products the second is a number.
+  struct Product {
+    LanesOf a, b;
+
+    operator LanesOf() const {
+      return each([&](std::uint32_t i) { return a.part[i] * b.part[i]; });
+    }
+    friend LanesOf operator+(const Product& p, const LanesOf& c) { return fused(p.a, p.b, c); }
+    friend LanesOf operator+(const LanesOf& c, const Product& p) { return fused(p.a, p.b, c); }
+    friend LanesOf operator+(const Product& p, const Product& q) { return p + LanesOf(q); }
+    friend LanesOf operator-(const Product& p, const LanesOf& c) { return fused(p.a, p.b, -c); }
+    friend LanesOf operator-(const LanesOf& c, const Product& p) { return fused(-p.a, p.b, c); }
+    friend LanesOf operator-(const Product& p, const Product& q) { return p - LanesOf(q); }
+  };
+  static LanesOf fused(const LanesOf& a, const LanesOf& b, const LanesOf& c) {
+    return each([&](std::uint32_t i) { return R::fused(a.part[i], b.part[i], c.part[i]); });
+  }
+  friend Product operator*(const LanesOf& a, const LanesOf& b) { return {a, b}; }
+#else
   friend LanesOf operator*(const LanesOf& a, const LanesOf& b) {
     return each([&](std::uint32_t i) { return a.part[i] * b.part[i]; });
   }
+#endif
   friend LanesOf operator/(const LanesOf& a, const LanesOf& b) {
     return each([&](std::uint32_t i) { return a.part[i] / b.part[i]; });
   }

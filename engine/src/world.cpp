@@ -143,7 +143,9 @@ void World::State::adopt(const Settings& chosen) {
   if (settings.contacts && !chosen.contacts) {
     for (std::size_t i = 0; i < bodies.size(); ++i) contacts.forget(i);
   }
-  if (first || chosen.solver != settings.solver) solver = MethodList<Solver>::make(chosen.solver);
+  if (first || chosen.solver != settings.solver || chosen.fused != settings.fused) {
+    solver = MethodList<Solver>::make(chosen.solver);
+  }
   if (first || chosen.integrator != settings.integrator) integrator = MethodList<Integrator>::make(chosen.integrator);
   if (first || chosen.broad_phase != settings.broad_phase)
     broad_phase = MethodList<BroadPhase>::make(chosen.broad_phase);

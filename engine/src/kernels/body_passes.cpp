@@ -15,8 +15,10 @@ void for_all_numbers(const BodyRows& bodies, Act act) {
 
 void kick_by_forces(const BodyRows& bodies, Real h) {
   const Lanes half = Lanes::all(h / 2);
-  for_all_numbers(bodies,
-                  [&](std::uint32_t i) { (half * Lanes::load(bodies.acceleration + i)).store(bodies.kick + i); });
+  for_all_numbers(bodies, [&](std::uint32_t i) {
+    const Lanes kick = half * Lanes::load(bodies.acceleration + i);
+    kick.store(bodies.kick + i);
+  });
 }
 
 void kick_bodies(const BodyRows& bodies, bool first) {

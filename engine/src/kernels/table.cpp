@@ -24,28 +24,10 @@ CollidePairs collide_boxes;
 CollidePairs collide_discs;
 CollidePairs collide_disc_with_box;
 CollidePairs collide_box_with_disc;
-extern const ContactPasses<lane_count> contact_passes;
-KickByForces kick_by_forces;
-KickBodies kick_bodies;
-DriftBodies drift_bodies;
 TurnToAngles turn_to_angles;
 
-namespace {
-
-template <std::size_t width>
-constexpr const ContactPasses<width>* passes_of() {
-  if constexpr (width == lane_count) {
-    return &contact_passes;
-  } else {
-    return nullptr;
-  }
-}
-
-}  // namespace
-
 extern const Kernels table;
-const Kernels table{find_overlaps,         filter_pairs, collide_boxes,  collide_discs,   collide_disc_with_box,
-                    collide_box_with_disc, keep_points,  passes_of<8>(), passes_of<16>(), kick_by_forces,
-                    kick_bodies,           drift_bodies, turn_to_angles};
+const Kernels table{find_overlaps,         filter_pairs,          collide_boxes, collide_discs,
+                    collide_disc_with_box, collide_box_with_disc, keep_points,   turn_to_angles};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -24,6 +24,8 @@ namespace {
 
 /// What one worker needs to itself.
 struct Workspace {
+  explicit Workspace(const Settings& settings) : pile(pile_kernels(settings.fused)) {}
+
   Impacts impacts;
   JointWorkspace joints;
   EnergyBound bound;
@@ -144,7 +146,9 @@ void Accurate::step(StepData& data) {
   if (data.contacts.empty() && data.joints.empty() && !forces_vary_) return fly_all(data);
   prepare(data);
   end_stage("prepare");
-  spaces_.resize(static_cast<std::size_t>(data.workers.count()));
+  const auto workers = static_cast<std::size_t>(data.workers.count());
+  if (spaces_.size() != workers) spaces_.clear();
+  while (spaces_.size() < workers) spaces_.emplace_back(data.settings);
   // Small islands are handed out in batches; an island's bits depend on nothing outside it.
   constexpr std::size_t batch = 32;
   const std::size_t batches = (parts_.size() + batch - 1) / batch;

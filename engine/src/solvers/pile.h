@@ -21,7 +21,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// contacts.
 class Pile {
  public:
-  explicit Pile(const Kernels& by = kernels()) : kernels_(&by), lanes_(PileLanes::make(by)) {}
+  explicit Pile(const PileKernels& by) : kernels_(&by), lanes_(PileLanes::make(by)) {}
 
   /// Leaves velocities in the bodies, motions in `motion`, impulses and offsets in the contacts.
   void step(const StepData& data, const Partition& parts, const Island& island,
@@ -37,7 +37,7 @@ class Pile {
   Real work(const StepData& data, const Island& island) const;
   void leave(const StepData& data, const Island& island, std::vector<Motion>& motion);
 
-  const Kernels* kernels_;
+  const PileKernels* kernels_;
   std::unique_ptr<PileLanes> lanes_;
   std::vector<std::uint32_t> row_;      // of each body of the world, where it has one
   std::vector<std::uint32_t> present_;  // bodies that have a row, in order of their rows

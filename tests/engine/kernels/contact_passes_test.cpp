@@ -98,7 +98,7 @@ struct Tangle {
   }
 
   /// A whole step of two sub-steps.
-  void step(const Kernels& by, const ContactPasses<width>& passes) {
+  void step(const PileKernels& by, const ContactPasses<width>& passes) {
     const BodyRows rows{body_count,    velocity.data(), before.data(),      kick.data(),
                         motion.data(), turn.data(),     acceleration.data()};
     const ContactTable<width> table{one.data(),   discs.data(), two.data(),
@@ -141,7 +141,8 @@ std::vector<Real> numbers_of(const std::vector<Lanes>& all) {
 }
 
 template <std::size_t width>
-void expect_same_bits(const Tangle<8>& oracle, const Kernels& by, const ContactPasses<width>& passes, unsigned seed) {
+void expect_same_bits(const Tangle<8>& oracle, const PileKernels& by, const ContactPasses<width>& passes,
+                      unsigned seed) {
   Tangle<width> tangle(seed);
   tangle.step(by, passes);
   EXPECT_TRUE(same_bits(tangle.velocity, oracle.velocity)) << seed;
@@ -154,12 +155,14 @@ void expect_same_bits(const Tangle<8>& oracle, const Kernels& by, const ContactP
   EXPECT_TRUE(same_bits(numbers_of<width>(tangle.block), numbers_of<8>(oracle.block))) << seed;
 }
 
-TEST(ContactPasses, GiveTheSameBitsWithEveryInstructionSet) {
+class ContactPasses : public testing::TestWithParam<bool> {};
+
+TEST_P(ContactPasses, GiveTheSameBitsWithEveryInstructionSet) {
   for (unsigned seed = 0; seed < 200; ++seed) {
-    const Kernels& scalar = *runnable_kernels().front();
+    const PileKernels& scalar = *runnable_pile_kernels(GetParam()).front();
     Tangle<8> oracle(seed);
     oracle.step(scalar, *scalar.contacts_by_eight);
-    for (const Kernels* version : runnable_kernels()) {
+    for (const PileKernels* version : runnable_pile_kernels(GetParam())) {
       if (version->contacts_by_eight != nullptr) {
         expect_same_bits(oracle, *version, *version->contacts_by_eight, seed);
       } else {
@@ -169,16 +172,29 @@ TEST(ContactPasses, GiveTheSameBitsWithEveryInstructionSet) {
   }
 }
 
-TEST(ContactPasses, LeaveLanesWithoutContactAlone) {
+TEST_P(ContactPasses, LeaveLanesWithoutContactAlone) {
   Tangle<8> tangle(1);
   const std::size_t nobody = std::size_t{4} * (body_count - 1);
   for (auto* rows : {&tangle.velocity, &tangle.before, &tangle.kick, &tangle.motion, &tangle.acceleration}) {
     std::fill_n(rows->begin() + static_cast<std::ptrdiff_t>(nobody), 4, Real{0});
   }
   tangle.turn.back() = 0;
-  const Kernels& scalar = *runnable_kernels().front();
+  const PileKernels& scalar = *runnable_pile_kernels(GetParam()).front();
   tangle.step(scalar, *scalar.contacts_by_eight);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(tangle.velocity[nobody + k], 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ContactPasses, testing::Bool(),
+                         [](const auto& fused) { return fused.param ? "Fused" : "RoundedTwice"; });
+
+TEST(FusedContactPasses, GiveOtherBits) {
+  const PileKernels& plain = *runnable_pile_kernels(false).front();
+  const PileKernels& fused = *runnable_pile_kernels(true).front();
+  Tangle<8> one(1);
+  Tangle<8> other(1);
+  one.step(plain, *plain.contacts_by_eight);
+  other.step(fused, *fused.contacts_by_eight);
+  EXPECT_FALSE(same_bits(one.velocity, other.velocity));
 }
 
 }  // namespace
