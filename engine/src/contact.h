@@ -44,11 +44,13 @@ struct Contact {
   Real static_friction = 0, dynamic_friction = 0;
   Real radius_a = 0, radius_b = 0;  // m, by which the shapes are rounded
   Real restitution = 0;
-  Real offset = 0;        // m, for solvers that keep a standing correction of the separation
-  int age = 0;            // steps since it began
-  bool discs = false;     // both are circles about their centres of mass
-  Pose found_a, found_b;  // of the bodies when points and separations were found
+  Real offset = 0;                      // m, for solvers that keep a standing correction of the separation
+  int age = 0;                          // steps since it began
+  bool disc_a = false, disc_b = false;  // a circle about its body's centre of mass
+  Pose found_a, found_b;                // of the bodies when points and separations were found
   std::array<ContactPoint, 2> points;
+
+  bool discs() const { return disc_a && disc_b; }
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -17,7 +17,7 @@ constexpr Real recycled_gap = static_cast<Real>(0.005);
 bool may_keep(const Contact& contact) {
   const bool first = contact.points[0].separation > recycled_gap;
   const bool second = (contact.count > 1) & (contact.points[1].separation > recycled_gap);
-  return !(contact.discs | first | second);
+  return !(contact.discs() | first | second);
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ Contact begin(const Proxy& a, const Proxy& b, const Shape& shape_a, const Shape&
   contact.radius_a = shape_a.radius();
   contact.radius_b = shape_b.radius();
   const auto disc = [](const Shape& shape) { return shape.type() == ShapeType::circle && shape.vertex(0) == Vec2{}; };
-  contact.discs = disc(shape_a) && disc(shape_b);
+  contact.disc_a = disc(shape_a);
+  contact.disc_b = disc(shape_b);
   return contact;
 }
 
@@ -136,6 +137,7 @@ void ContactSet::write_rows(const SearchInput& input) {
 /// The rules of mixing have changed.
 void ContactSet::mix_again(const BodySet& bodies, const Settings& settings) {
   mixed_by_ = {settings.friction_mixing, settings.restitution_mixing};
+  ++changes_;
   for (Contact& contact : rows_) {
     mix_materials(contact, bodies.detail[contact.body_a].parts[contact.part_a].material,
                   bodies.detail[contact.body_b].parts[contact.part_b].material, settings);

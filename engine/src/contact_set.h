@@ -30,7 +30,8 @@ class ContactSet {
   std::vector<Contact>& rows() { return rows_; }
   const std::vector<Contact>& rows() const { return rows_; }
 
-  /// Not 0, and another number whenever rows came or went or have other numbers of points.
+  /// Not 0, and another number whenever rows came or went or have other numbers of points or
+  /// other friction.
   std::uint64_t changes() const { return changes_; }
 
   /// Of bodies asleep, as their last step left them; sorted likewise. Solvers don't see them.

@@ -164,7 +164,9 @@ TEST(ContactSet, MixesRecycledContactsByTheRuleOfToday) {
   heap.settings.friction_mixing = FrictionMixing::max;
   EXPECT_EQ(heap.find()[0].static_friction, real(.4));
   heap.settings.friction_mixing = FrictionMixing::min;
+  const std::uint64_t changes = heap.contacts.changes();
   EXPECT_EQ(heap.find()[0].static_friction, real(.3));
+  EXPECT_NE(heap.contacts.changes(), changes);
 }
 
 }  // namespace

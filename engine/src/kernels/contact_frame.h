@@ -1,12 +1,15 @@
 #pragma once
 
+#include <type_traits>
+
 #include "kernels/contact_lanes.h"
 #include "simd.h"
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
+using SmoothPointLanes = impulse::SmoothPointLanes<lane_count>;
 using PointLanes = impulse::PointLanes<lane_count>;
-using DiscLanes = impulse::DiscLanes<lane_count>;
+using SmoothLanes = impulse::SmoothLanes<lane_count>;
 template <std::size_t points>
 using ContactLanes = impulse::ContactLanes<points, lane_count>;
 using ContactTable = impulse::ContactTable<lane_count>;
@@ -23,41 +26,77 @@ struct NamedRows {
   }
 };
 
-/// The two bodies of each lane's contact seen along its normal and tangent; see ContactFrame (contact_rows.h), which
-/// this follows line by line. All of it is inlined: what it holds lives in registers.
-struct LanesFrame {
+/// The centres of the two bodies of each lane's contact seen along its normal: all that a contact knows of them that
+/// turns nothing. All of it is inlined: what it holds lives in registers.
+struct CentresFrame {
   NamedRows rows_a, rows_b;
   Lanes a[4], b[4];  // velocities: x, y, angular, 0
   Lanes normal_x, normal_y;
-  Lanes mass, inertia_a, inertia_b;
-  Lanes normal, tangent;          // relative velocity of the centres, m/s
-  Lanes wa, wb;                   // rad/s
-  Lanes normal_sum, tangent_sum;  // N s given so far
+  Lanes mass;
+  Lanes normal;      // relative velocity of the centres, m/s
+  Lanes normal_sum;  // N s given so far
 
   template <class Contacts>
-  LanesFrame(const Contacts& contacts, Real* velocity)
-      : LanesFrame(contacts, velocity, load(contacts.normal_x), load(contacts.normal_y)) {}
-
-  template <class Contacts>
-  [[gnu::always_inline]] LanesFrame(const Contacts& contacts, Real* velocity, const Lanes& x, const Lanes& y)
+  [[gnu::always_inline]] CentresFrame(const Contacts& contacts, Real* velocity)
       : rows_a(velocity, contacts.a),
         rows_b(velocity, contacts.b),
-        normal_x(x),
-        normal_y(y),
+        normal_x(load(contacts.normal_x)),
+        normal_y(load(contacts.normal_y)),
         mass(load(contacts.mass_a) + load(contacts.mass_b)),
-        inertia_a(load(contacts.inertia_a)),
-        inertia_b(load(contacts.inertia_b)),
-        normal_sum(Lanes::all(0)),
-        tangent_sum(Lanes::all(0)) {
+        normal_sum(Lanes::all(0)) {
     Lanes::gather(rows_a.row, a);
     Lanes::gather(rows_b.row, b);
-    const Lanes apart_x = b[0] - a[0];
-    const Lanes apart_y = b[1] - a[1];
-    normal = normal_x * apart_x + normal_y * apart_y;
-    tangent = normal_x * apart_y - normal_y * apart_x;
-    wa = a[2];
-    wb = b[2];
+    normal = normal_x * (b[0] - a[0]) + normal_y * (b[1] - a[1]);
   }
+
+  [[gnu::always_inline]] Lanes normal_velocity(const SmoothPointLanes&) const { return normal; }
+  [[gnu::always_inline]] void push_normal(const SmoothPointLanes&, const Lanes& impulse) {
+    normal = normal + impulse * mass;
+    normal_sum = normal_sum + impulse;
+  }
+  /// An impulse (N s, world frame) through the centres, which the frame need not learn of.
+  template <class Contacts>
+  [[gnu::always_inline]] void give(const Contacts& contacts, const Lanes& x, const Lanes& y) {
+    const Lanes mass_a = load(contacts.mass_a);
+    const Lanes mass_b = load(contacts.mass_b);
+    a[0] = a[0] - mass_a * x;
+    a[1] = a[1] - mass_a * y;
+    b[0] = b[0] + mass_b * x;
+    b[1] = b[1] + mass_b * y;
+  }
+  /// The same, learnt of.
+  template <class Contacts>
+  [[gnu::always_inline]] void push_centres(const Contacts& contacts, const Lanes& x, const Lanes& y) {
+    give(contacts, x, y);
+    normal = normal + mass * (normal_x * x + normal_y * y);
+  }
+  template <class Contacts>
+  [[gnu::always_inline]] void leave(const Contacts& contacts) {
+    give(contacts, normal_sum * normal_x, normal_sum * normal_y);
+    scatter();
+  }
+  [[gnu::always_inline]] void scatter() {
+    Lanes::scatter(a, rows_a.row);
+    Lanes::scatter(b, rows_b.row);
+  }
+};
+
+/// The two bodies seen along normal and tangent; see ContactFrame (contact_rows.h), which this follows line by line.
+struct LanesFrame : CentresFrame {
+  Lanes inertia_a, inertia_b;
+  Lanes tangent;  // relative velocity of the centres, m/s
+  Lanes wa, wb;   // rad/s
+  Lanes tangent_sum;
+
+  template <class Contacts>
+  [[gnu::always_inline]] LanesFrame(const Contacts& contacts, Real* velocity)
+      : CentresFrame(contacts, velocity),
+        inertia_a(load(contacts.inertia_a)),
+        inertia_b(load(contacts.inertia_b)),
+        tangent(normal_x * (b[1] - a[1]) - normal_y * (b[0] - a[0])),
+        wa(a[2]),
+        wb(b[2]),
+        tangent_sum(Lanes::all(0)) {}
 
   [[gnu::always_inline]] Lanes normal_velocity(const PointLanes& p) const {
     return normal + wb * load(p.cross_b) - wa * load(p.cross_a);
@@ -67,10 +106,9 @@ struct LanesFrame {
   }
 
   [[gnu::always_inline]] void push_normal(const PointLanes& p, const Lanes& impulse) {
-    normal = normal + impulse * mass;
+    CentresFrame::push_normal(p, impulse);
     wa = wa - impulse * inertia_a * load(p.cross_a);
     wb = wb + impulse * inertia_b * load(p.cross_b);
-    normal_sum = normal_sum + impulse;
   }
   [[gnu::always_inline]] void push_tangent(const PointLanes& p, const Lanes& impulse) {
     tangent = tangent + impulse * mass;
@@ -78,46 +116,34 @@ struct LanesFrame {
     wb = wb + impulse * inertia_b * load(p.dot_b);
     tangent_sum = tangent_sum + impulse;
   }
-  /// A vector of the contact frame as one of the world.
-  Lanes world_x(const Lanes& along_normal, const Lanes& along_tangent) const {
-    return along_normal * normal_x - along_tangent * normal_y;
-  }
-  Lanes world_y(const Lanes& along_normal, const Lanes& along_tangent) const {
-    return along_normal * normal_y + along_tangent * normal_x;
-  }
-  /// An impulse (N s, world frame) through the centres.
   template <class Contacts>
-  void push_centres(const Contacts& contacts, const Lanes& x, const Lanes& y) {
-    const Lanes mass_a = load(contacts.mass_a);
-    const Lanes mass_b = load(contacts.mass_b);
-    a[0] = a[0] - mass_a * x;
-    a[1] = a[1] - mass_a * y;
-    b[0] = b[0] + mass_b * x;
-    b[1] = b[1] + mass_b * y;
-    normal = normal + mass * (normal_x * x + normal_y * y);
+  [[gnu::always_inline]] void push_centres(const Contacts& contacts, const Lanes& x, const Lanes& y) {
+    CentresFrame::push_centres(contacts, x, y);
     tangent = tangent + mass * (normal_x * y - normal_y * x);
   }
   template <class Contacts>
   [[gnu::always_inline]] void leave(const Contacts& contacts) {
-    const Lanes x = world_x(normal_sum, tangent_sum);
-    const Lanes y = world_y(normal_sum, tangent_sum);
-    const Lanes mass_a = load(contacts.mass_a);
-    const Lanes mass_b = load(contacts.mass_b);
-    a[0] = a[0] - mass_a * x;
-    a[1] = a[1] - mass_a * y;
+    // The sums as a vector of the world.
+    const Lanes x = normal_sum * normal_x - tangent_sum * normal_y;
+    const Lanes y = normal_sum * normal_y + tangent_sum * normal_x;
+    give(contacts, x, y);
     a[2] = wa;
-    b[0] = b[0] + mass_b * x;
-    b[1] = b[1] + mass_b * y;
     b[2] = wb;
-    Lanes::scatter(a, rows_a.row);
-    Lanes::scatter(b, rows_b.row);
+    scatter();
   }
 };
 
 template <class Contacts>
-constexpr bool is_discs = false;
-template <>
-inline constexpr bool is_discs<DiscLanes> = true;
+constexpr bool is_discs = requires(Contacts contacts) {
+  contacts.between_x;
+};
+/// Whether friction acts, and turning counts.
+template <class Contacts>
+constexpr bool rubs = requires(Contacts contacts) {
+  contacts.static_friction;
+};
+template <class Contacts>
+using FrameOf = std::conditional_t<rubs<Contacts>, LanesFrame, CentresFrame>;
 
 /// Whether pairs of points are solved at once, as a type.
 template <bool value>
@@ -142,11 +168,19 @@ void for_all_lanes(const ContactTable& table, Solve solve) {
       case LanesKind::block:
         for (std::uint32_t i = run->begin; i < run->end; ++i) solve(table.block[i], Block<true>());
         break;
+      case LanesKind::smooth:
+        for (std::uint32_t i = run->begin; i < run->end; ++i) solve(table.smooth[i], Block<false>());
+        break;
+      case LanesKind::smooth_discs:
+        for (std::uint32_t i = run->begin; i < run->end; ++i) solve(table.smooth_discs[i], Block<false>());
+        break;
     }
   }
 }
 
-inline std::uint32_t count_points(const ContactLanes<1>&) { return 1; }
-inline std::uint32_t count_points(const ContactLanes<2>&) { return 2; }
+template <class Contacts>
+constexpr std::uint32_t count_points(const Contacts& contacts) {
+  return std::extent_v<decltype(contacts.point)>;
+}
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -18,51 +18,79 @@ struct Row {
 
 /// The points that are one of each of `width` contacts; the numbers are those of RowPoint (contact_rows.h).
 template <std::size_t width>
-struct PointLanes {
+struct SmoothPointLanes {
   using Row = impulse::Row<width>;
-  Row cross_a, cross_b;                 // r x n, m
-  Row dot_a, dot_b;                     // r . n, m
-  Row turn_a, turn_b;                   // the part of r . n that turns with the body
-  Row separation;                       // m, at the start of the step, less the contact's offset
-  Row gap;                              // m, the same now
-  Row normal_mass, tangent_mass;        // effective, kg
-  Row normal_impulse, tangent_impulse;  // N s, of one sub-step
-  Row total_normal, total_tangent;      // N s, of the whole step
+  Row separation;      // m, at the start of the step, less the contact's offset
+  Row gap;             // m, the same now
+  Row normal_mass;     // effective, kg
+  Row normal_impulse;  // N s, of one sub-step
+  Row total_normal;    // N s, of the whole step
+};
+template <std::size_t width>
+struct PointLanes : SmoothPointLanes<width> {
+  using Row = impulse::Row<width>;
+  Row cross_a, cross_b;  // r x n, m
+  Row dot_a, dot_b;      // r . n, m
+  Row turn_a, turn_b;    // the part of r . n that turns with the body
+  Row tangent_mass;      // effective, kg
+  Row tangent_impulse;   // N s, of one sub-step
+  Row total_tangent;     // N s, of the whole step
 };
 
-/// Contacts of `points` points that share no movable body, so that they are solved at once as if one after the other. A
-/// lane that holds no contact names a body that nothing moves, and has all numbers 0.
-template <std::size_t points, std::size_t width>
-struct ContactLanes {
+/// Contacts that share no movable body, so that they are solved at once as if one after the other. A lane that holds no
+/// contact names a body that nothing moves, and has all numbers 0.
+template <std::size_t width>
+struct NormalLanes {
   using Row = impulse::Row<width>;
   std::uint32_t a[width]{}, b[width]{};  // rows of the body columns
   Row normal_x, normal_y;
-  Row mass_a, inertia_a, mass_b, inertia_b;  // inverse, 1/kg, 1/(kg m^2)
-  Row static_friction, dynamic_friction;
+  Row mass_a, mass_b;          // inverse, 1/kg
   Row strength, rate, relief;  // of the soft contact, see softness.h
   Row give;                    // m of depth that a load of 1 m/s (impulse / effective mass) explains
   Row offset;                  // m, standing correction of the separation
   Row offset_rate;             // share of a depth that the offset takes up in this step; 0 leaves it alone
-  Row fresh;                   // 1 in a contact's first step
+};
+
+/// Those of `points` points.
+template <std::size_t points, std::size_t width>
+struct ContactLanes : NormalLanes<width> {
+  using Row = impulse::Row<width>;
+  Row inertia_a, inertia_b;  // inverse, 1/(kg m^2)
+  Row static_friction, dynamic_friction;
+  Row fresh;  // 1 in a contact's first step
   bool any_fresh = false;
   PointLanes<width> point[points];
 };
 
-/// Discs about their centres of mass: the normal is that of their centres as they move.
+/// Those of one point that turn nothing: a disc about its centre of mass has r x n = 0, and without friction nothing
+/// acts along r . n.
 template <std::size_t width>
-struct DiscLanes : ContactLanes<1, width> {
-  using Row = impulse::Row<width>;
+struct SmoothLanes : NormalLanes<width> {
+  SmoothPointLanes<width> point[1];
+};
+
+/// Those of discs about their centres of mass: the normal is that of their centres as they move.
+template <class Lanes>
+struct DiscsOf : Lanes {
+  using Row = typename Lanes::Row;
   Row between_x, between_y;  // m, from centre a to centre b at the start of the step
   Row distance;              // m, sum of the radii
 };
+template <std::size_t width>
+using DiscLanes = DiscsOf<ContactLanes<1, width>>;
+template <std::size_t width>
+using SmoothDiscLanes = DiscsOf<SmoothLanes<width>>;
 
 /// How lanes are solved.
 enum class LanesKind : std::uint8_t {
-  one,    // one point
-  discs,  // one point, and the normal turns
-  two,    // two points in turn
-  block,  // two points at once
+  one,           // one point
+  discs,         // one point, and the normal turns
+  two,           // two points in turn
+  block,         // two points at once
+  smooth,        // one point that turns nothing
+  smooth_discs,  // the same, and the normal turns
 };
+constexpr std::size_t lanes_kinds = 6;
 
 /// All lanes of one colour and kind: none of them shares a movable body with another.
 struct LanesRun {
@@ -77,6 +105,8 @@ struct ContactTable {
   DiscLanes<width>* discs;
   ContactLanes<2, width>* two;
   ContactLanes<2, width>* block;
+  SmoothLanes<width>* smooth;
+  SmoothDiscLanes<width>* smooth_discs;
   const LanesRun* runs;
   const LanesRun* runs_end;
 };
@@ -94,8 +124,8 @@ struct BodyRows {
 
 /// What contacts are laid out by.
 struct LayoutInput {
-  const Slot* slots[4];     // of each LanesKind, a multiple of the width
-  std::uint32_t groups[4];  // how many widths
+  const Slot* slots[lanes_kinds];     // of each LanesKind, a multiple of the width
+  std::uint32_t groups[lanes_kinds];  // how many widths
   Contact* contacts;
   const Contact* no_contact;
   const InverseMass* masses;  // of the bodies of the world

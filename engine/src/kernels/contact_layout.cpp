@@ -28,11 +28,33 @@ Lanes inverse(const Lanes& effective) {
   return select(nothing < effective, Lanes::all(1) / effective, nothing);
 }
 
-/// Place_of() and effective_mass() (contact_rows.h).
+/// What is needed of every point.
 template <class Contacts>
-void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& normal_x, const Lanes& normal_y,
-                   const Lanes& found_separation, const Lanes& radius_a, const Lanes& radius_b, const Lanes& share,
-                   Contacts& lanes) {
+void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& share, Contacts& lanes) {
+  auto& to = lanes.point[i];
+  for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
+    to.separation.lane[lane] = point_of(*contact[lane], i).separation;
+  }
+  const Lanes separation = load(to.separation) - load(lanes.offset);
+  store(separation, to.separation);
+  store(separation, to.gap);
+
+  Lanes impulses[4];
+  gather(impulses, [&](std::uint32_t lane) { return &point_of(*contact[lane], i).normal_impulse; });
+  store(impulses[0] * share, to.normal_impulse);
+  store(Lanes::all(0), to.total_normal);
+  if constexpr (rubs<Contacts>) {
+    store(impulses[1] * share, to.tangent_impulse);
+    store(Lanes::all(0), to.total_tangent);
+  } else {
+    store(inverse(load(lanes.mass_a) + load(lanes.mass_b)), to.normal_mass);
+  }
+}
+
+/// Where it is: place_of() and effective_mass() (contact_rows.h).
+template <class Contacts>
+void place_point(const Contact* const* contact, std::uint32_t i, const Lanes& normal_x, const Lanes& normal_y,
+                 const Lanes& found_separation, const Lanes& radius_a, const Lanes& radius_b, Contacts& lanes) {
   PointLanes& to = lanes.point[i];
   Lanes arms[4];
   gather(arms, [&](std::uint32_t lane) { return &point_of(*contact[lane], i).arm_a.x; });
@@ -48,20 +70,6 @@ void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& 
   store(dot_a - radius_a, to.turn_a);
   store(dot_b + radius_b, to.turn_b);
 
-  for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
-    to.separation.lane[lane] = point_of(*contact[lane], i).separation;
-  }
-  const Lanes separation = load(to.separation) - load(lanes.offset);
-  store(separation, to.separation);
-  store(separation, to.gap);
-
-  Lanes impulses[4];
-  gather(impulses, [&](std::uint32_t lane) { return &point_of(*contact[lane], i).normal_impulse; });
-  store(impulses[0] * share, to.normal_impulse);
-  store(impulses[1] * share, to.tangent_impulse);
-  store(Lanes::all(0), to.total_normal);
-  store(Lanes::all(0), to.total_tangent);
-
   const Lanes mass = load(lanes.mass_a) + load(lanes.mass_b);
   const Lanes inertia_a = load(lanes.inertia_a);
   const Lanes inertia_b = load(lanes.inertia_b);
@@ -74,7 +82,7 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
   const Contact* contact[lane_count];
   const Real* soft[lane_count];
   const Real nothing[4]{};
-  lanes.any_fresh = false;
+  if constexpr (rubs<Contacts>) lanes.any_fresh = false;
   for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
     const Slot& slot = slots[lane];
     const bool present = slot.tie.contact != Slot::empty;
@@ -84,17 +92,19 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
     const InverseMass mass_a = present ? input.masses[slot.tie.a] : InverseMass{};
     const InverseMass mass_b = present ? input.masses[slot.tie.b] : InverseMass{};
     lanes.mass_a.lane[lane] = mass_a.m;
-    lanes.inertia_a.lane[lane] = mass_a.i;
     lanes.mass_b.lane[lane] = mass_b.m;
-    lanes.inertia_b.lane[lane] = mass_b.i;
     const bool fixed = mass_a.m == 0 || mass_b.m == 0;
     soft[lane] = present ? input.soft[slot.web ? 1 : 0][fixed ? 1 : 0] : nothing;
     lanes.offset.lane[lane] = contact[lane]->offset;
     const int age = contact[lane]->age;
     lanes.offset_rate.lane[lane] = present && age >= input.offset_from_age ? input.offset_rate : 0;
-    const bool fresh = present && age == 0;
-    lanes.fresh.lane[lane] = fresh ? 1 : 0;
-    lanes.any_fresh |= fresh;
+    if constexpr (rubs<Contacts>) {
+      lanes.inertia_a.lane[lane] = mass_a.i;
+      lanes.inertia_b.lane[lane] = mass_b.i;
+      const bool fresh = present && age == 0;
+      lanes.fresh.lane[lane] = fresh ? 1 : 0;
+      lanes.any_fresh |= fresh;
+    }
   }
   Lanes softness[4];
   Lanes::gather(soft, softness);
@@ -108,8 +118,10 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
   store(head[1], lanes.normal_y);
   Lanes surface[4];
   gather(surface, [&](std::uint32_t lane) { return &contact[lane]->static_friction; });
-  store(surface[0], lanes.static_friction);
-  store(surface[1], lanes.dynamic_friction);
+  if constexpr (rubs<Contacts>) {
+    store(surface[0], lanes.static_friction);
+    store(surface[1], lanes.dynamic_friction);
+  }
   if constexpr (is_discs<Contacts>) {
     Lanes a[4];
     Lanes b[4];
@@ -121,7 +133,10 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
   }
   const Lanes share = Lanes::all(1 / input.substeps);
   for (std::uint32_t i = 0; i < count_points(lanes); ++i) {
-    lay_out_point(contact, i, head[0], head[1], head[2 + i], surface[2], surface[3], share, lanes);
+    lay_out_point(contact, i, share, lanes);
+    if constexpr (rubs<Contacts>) {
+      place_point(contact, i, head[0], head[1], head[2 + i], surface[2], surface[3], lanes);
+    }
   }
 }
 
@@ -148,9 +163,12 @@ void store_all(const LayoutInput& input, LanesKind kind, const Contacts* all) {
       for (std::uint32_t lane = 0; lane < lane_count; ++lane) fetch(input.contacts, slots[lane_count + lane]);
     }
     for (std::uint32_t i = 0; i < count_points(lanes); ++i) {
-      const PointLanes& p = lanes.point[i];
-      const Lanes impulses[4] = {load(p.normal_impulse) * substeps, load(p.tangent_impulse) * substeps,
-                                 load(p.total_normal), load(p.total_tangent)};
+      const auto& p = lanes.point[i];
+      Lanes impulses[4] = {load(p.normal_impulse) * substeps, Lanes::all(0), load(p.total_normal), Lanes::all(0)};
+      if constexpr (rubs<Contacts>) {
+        impulses[1] = load(p.tangent_impulse) * substeps;
+        impulses[3] = load(p.total_tangent);
+      }
       Real unread[4];
       Real* rows[lane_count];
       for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
@@ -175,6 +193,8 @@ void lay_out_contacts(const ContactTable& table, const LayoutInput& input) {
   lay_out_all(input, LanesKind::discs, table.discs);
   lay_out_all(input, LanesKind::two, table.two);
   lay_out_all(input, LanesKind::block, table.block);
+  lay_out_all(input, LanesKind::smooth, table.smooth);
+  lay_out_all(input, LanesKind::smooth_discs, table.smooth_discs);
 }
 
 void store_contacts(const ContactTable& table, const LayoutInput& input) {
@@ -182,6 +202,8 @@ void store_contacts(const ContactTable& table, const LayoutInput& input) {
   store_all(input, LanesKind::discs, table.discs);
   store_all(input, LanesKind::two, table.two);
   store_all(input, LanesKind::block, table.block);
+  store_all(input, LanesKind::smooth, table.smooth);
+  store_all(input, LanesKind::smooth_discs, table.smooth_discs);
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -29,9 +29,13 @@ struct LanesMotion {
     Lanes::gather(NamedRows(motion, contacts.a).row, a);
     Lanes::gather(NamedRows(motion, contacts.b).row, b);
   }
+  Lanes gap(const SmoothPointLanes& p, const Lanes& normal_x, const Lanes& normal_y) const {
+    return load(p.separation) + (normal_x * (b[0] - a[0]) + normal_y * (b[1] - a[1]));
+  }
   Lanes gap(const PointLanes& p, const Lanes& normal_x, const Lanes& normal_y) const {
-    return load(p.separation) + (normal_x * (b[0] - a[0]) + normal_y * (b[1] - a[1])) +
-           (b[2] * load(p.cross_b) + b[3] * load(p.turn_b)) - (a[2] * load(p.cross_a) + a[3] * load(p.turn_a));
+    const SmoothPointLanes& centres = p;
+    return gap(centres, normal_x, normal_y) + (b[2] * load(p.cross_b) + b[3] * load(p.turn_b)) -
+           (a[2] * load(p.cross_a) + a[3] * load(p.turn_a));
   }
 };
 
@@ -73,8 +77,22 @@ void push_points(ContactLanes<2>& contacts, LanesFrame& frame, Lanes impulse[2],
   }
 }
 
+/// Friction before the drift, of contacts in their first step.
+template <class Contacts>
+void rub_fresh(Contacts& contacts, LanesFrame& frame, const Lanes impulse[2]) {
+  const auto fresh = Lanes::all(0) < load(contacts.fresh);
+  for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
+    PointLanes& p = contacts.point[i];
+    const Lanes half_tangent = Lanes::all(Real{1} / 2) * load(p.tangent_impulse);
+    const Lanes held = rub(contacts, p, frame, impulse[i], half_tangent);
+    const Lanes next = select(fresh, held, half_tangent);
+    frame.push_tangent(p, next - half_tangent);
+    store(next + half_tangent, p.tangent_impulse);
+  }
+}
+
 template <bool block, class Contacts>
-void press(Contacts& contacts, LanesFrame& frame, const Lanes& per_h) {
+void press(Contacts& contacts, FrameOf<Contacts>& frame, const Lanes& per_h) {
   const Lanes nothing = Lanes::all(0);
   const Lanes strength = load(contacts.strength);
   const Lanes rate = load(contacts.rate);
@@ -87,7 +105,7 @@ void press(Contacts& contacts, LanesFrame& frame, const Lanes& per_h) {
     impulse[i] = half[i];
   }
   const auto spring = [&](std::uint32_t i) {
-    const PointLanes& p = contacts.point[i];
+    const auto& p = contacts.point[i];
     const Lanes s = load(p.gap);
     const Lanes v = frame.normal_velocity(p);
     const Lanes mass = load(p.normal_mass);
@@ -112,30 +130,22 @@ void press(Contacts& contacts, LanesFrame& frame, const Lanes& per_h) {
       impulse[i] = next;
     }
   }
-  if (contacts.any_fresh) {
-    const auto fresh = nothing < load(contacts.fresh);
-    for (std::uint32_t i = 0; i < points; ++i) {
-      PointLanes& p = contacts.point[i];
-      const Lanes half_tangent = Lanes::all(Real{1} / 2) * load(p.tangent_impulse);
-      const Lanes held = rub(contacts, p, frame, impulse[i], half_tangent);
-      const Lanes next = select(fresh, held, half_tangent);
-      frame.push_tangent(p, next - half_tangent);
-      store(next + half_tangent, p.tangent_impulse);
-    }
+  if constexpr (rubs<Contacts>) {
+    if (contacts.any_fresh) rub_fresh(contacts, frame, impulse);
   }
   // The second half, which the bodies get with the kick after the drift.
   for (std::uint32_t i = 0; i < points; ++i) store(impulse[i] + half[i], contacts.point[i].normal_impulse);
 }
 
 template <bool block, class Contacts>
-void relax(Contacts& contacts, LanesFrame& frame, const LanesMotion& motion, bool again) {
+void relax(Contacts& contacts, FrameOf<Contacts>& frame, const LanesMotion& motion, bool again) {
   const Lanes nothing = Lanes::all(0);
   const std::uint32_t points = count_points(contacts);
   Lanes impulse[2];
   Lanes before[2];
   Lanes::Mask idle[2];
   for (std::uint32_t i = 0; i < points; ++i) {
-    PointLanes& p = contacts.point[i];
+    auto& p = contacts.point[i];
     impulse[i] = load(p.normal_impulse);
     before[i] = select(again ? nothing <= nothing : nothing < nothing, impulse[i], nothing);
     const Lanes gap = motion.gap(p, frame.normal_x, frame.normal_y);
@@ -143,7 +153,7 @@ void relax(Contacts& contacts, LanesFrame& frame, const LanesMotion& motion, boo
     idle[i] = (impulse[i] == nothing) & (nothing < gap);
   }
   const auto rigid = [&](std::uint32_t i) {
-    const PointLanes& p = contacts.point[i];
+    const auto& p = contacts.point[i];
     const Lanes next = max(impulse[i] - load(p.normal_mass) * frame.normal_velocity(p), nothing);
     return select(idle[i], impulse[i], next);
   };
@@ -160,19 +170,22 @@ void relax(Contacts& contacts, LanesFrame& frame, const LanesMotion& motion, boo
     }
   }
   for (std::uint32_t i = 0; i < points; ++i) {
-    PointLanes& p = contacts.point[i];
-    const Lanes tangent_before = load(p.tangent_impulse);
-    const Lanes tangent_impulse = rub(contacts, p, frame, impulse[i], tangent_before);
-    frame.push_tangent(p, tangent_impulse - tangent_before);
+    auto& p = contacts.point[i];
     store(impulse[i], p.normal_impulse);
-    store(tangent_impulse, p.tangent_impulse);
     store(load(p.total_normal) + (impulse[i] - before[i]), p.total_normal);
-    store(load(p.total_tangent) + (again ? tangent_impulse - tangent_before : tangent_impulse), p.total_tangent);
+    if constexpr (rubs<Contacts>) {
+      const Lanes tangent_before = load(p.tangent_impulse);
+      const Lanes tangent_impulse = rub(contacts, p, frame, impulse[i], tangent_before);
+      frame.push_tangent(p, tangent_impulse - tangent_before);
+      store(tangent_impulse, p.tangent_impulse);
+      store(load(p.total_tangent) + (again ? tangent_impulse - tangent_before : tangent_impulse), p.total_tangent);
+    }
   }
 }
 
 /// The normal as the centres are now; the gap is measured along it from the centres.
-void turn_normal(DiscLanes& contacts, const LanesMotion& motion) {
+template <class Discs>
+void turn_normal(Discs& contacts, const LanesMotion& motion) {
   const Lanes x = load(contacts.between_x) + (motion.b[0] - motion.a[0]);
   const Lanes y = load(contacts.between_y) + (motion.b[1] - motion.a[1]);
   const Lanes length = sqrt(x * x + y * y);
@@ -186,30 +199,34 @@ void turn_normal(DiscLanes& contacts, const LanesMotion& motion) {
 }
 
 /// See ScalarContacts::turn_normal: what press gave follows the normal.
-LanesFrame relax_discs(DiscLanes& discs, const LanesMotion& motion, Real* velocity, bool again) {
+template <class Discs>
+void relax_discs(Discs& discs, const LanesMotion& motion, Real* velocity, bool again) {
   const Lanes before_x = load(discs.normal_x);
   const Lanes before_y = load(discs.normal_y);
   turn_normal(discs, motion);
-  LanesFrame frame(discs, velocity);
+  FrameOf<Discs> frame(discs, velocity);
   if (!again) {
     const Lanes change_x = frame.normal_x - before_x;
     const Lanes change_y = frame.normal_y - before_y;
     const Lanes along = load(discs.point[0].normal_impulse);
-    const Lanes across = load(discs.point[0].tangent_impulse);
-    frame.push_centres(discs, along * change_x - across * change_y, along * change_y + across * change_x);
+    if constexpr (rubs<Discs>) {
+      const Lanes across = load(discs.point[0].tangent_impulse);
+      frame.push_centres(discs, along * change_x - across * change_y, along * change_y + across * change_x);
+    } else {
+      frame.push_centres(discs, along * change_x, along * change_y);
+    }
   }
   relax<false>(discs, frame, motion, again);
-  return frame;
+  frame.leave(discs);
 }
 
 void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
   const Lanes half = Lanes::all(Real{1} / 2);
-  for_all_lanes(table, [&](auto& contacts, auto) {
-    LanesFrame frame(contacts, bodies.kick);
-    for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
-      const PointLanes& p = contacts.point[i];
+  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
+    FrameOf<Contacts> frame(contacts, bodies.kick);
+    for (const auto& p : contacts.point) {
       frame.push_normal(p, half * load(p.normal_impulse));
-      frame.push_tangent(p, half * load(p.tangent_impulse));
+      if constexpr (rubs<Contacts>) frame.push_tangent(p, half * load(p.tangent_impulse));
     }
     frame.leave(contacts);
   });
@@ -217,8 +234,8 @@ void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
 
 void press_contacts(const ContactTable& table, const BodyRows& bodies, Real h) {
   const Lanes per_h = Lanes::all(1 / h);
-  for_all_lanes(table, [&](auto& contacts, auto block) {
-    LanesFrame frame(contacts, bodies.velocity);
+  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto block) {
+    FrameOf<Contacts> frame(contacts, bodies.velocity);
     press<block>(contacts, frame, per_h);
     frame.leave(contacts);
   });
@@ -228,10 +245,9 @@ void relax_contacts(const ContactTable& table, const BodyRows& bodies, bool agai
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto block) {
     const LanesMotion motion(contacts, bodies.motion);
     if constexpr (is_discs<Contacts>) {
-      LanesFrame frame = relax_discs(contacts, motion, bodies.velocity, again);
-      frame.leave(contacts);
+      relax_discs(contacts, motion, bodies.velocity, again);
     } else {
-      LanesFrame frame(contacts, bodies.velocity);
+      FrameOf<Contacts> frame(contacts, bodies.velocity);
       relax<block>(contacts, frame, motion, again);
       frame.leave(contacts);
     }
@@ -245,8 +261,7 @@ void settle_offsets(const ContactTable& table, bool settling) {
     const Lanes offset = load(contacts.offset);
     Lanes speed = nothing;
     Lanes depth = nothing;
-    for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
-      const PointLanes& p = contacts.point[i];
+    for (const auto& p : contacts.point) {
       const Lanes mass = load(p.normal_mass);
       speed = speed + select(nothing < mass, load(p.normal_impulse) / mass, nothing);
       depth = depth - (load(p.gap) + offset);

@@ -304,7 +304,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     row.stirs_a = data.bodies.stirs(row.a);
     row.stirs_b = data.bodies.stirs(row.b);
     row.offset = contact.offset;
-    row.disc_distance = contact.discs ? contact.radius_a + contact.radius_b : Real{0};
+    row.disc_distance = contact.discs() ? contact.radius_a + contact.radius_b : Real{0};
     row.between = start_[row.b].p - start_[row.a].p;
     row.age = contact.age;
     row.fresh = contact.age == 0;

@@ -12,8 +12,8 @@ constexpr std::uint16_t colours = 64;
 constexpr std::uint64_t fixed_colours = ~std::uint64_t{0} << 16;
 
 LanesKind kind_of(const Tie& tie, bool web) {
-  if (tie.discs) return LanesKind::discs;
-  if (tie.points == 1) return LanesKind::one;
+  if (tie.discs) return tie.smooth ? LanesKind::smooth_discs : LanesKind::discs;
+  if (tie.points == 1) return tie.smooth ? LanesKind::smooth : LanesKind::one;
   // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
   return web ? LanesKind::two : LanesKind::block;
 }
@@ -45,16 +45,18 @@ void Colouring::choose(const Partition& parts, const Island& island) {
 }
 
 void Colouring::place() {
-  const auto group = [](const Choice& choice) { return choice.colour * kinds + static_cast<std::size_t>(choice.kind); };
-  next_.assign((colours + 1) * kinds, 0);
+  const auto group = [](const Choice& choice) {
+    return choice.colour * lanes_kinds + static_cast<std::size_t>(choice.kind);
+  };
+  next_.assign((colours + 1) * lanes_kinds, 0);
   for (const Choice& choice : choices_) ++next_[group(choice)];
   runs_.clear();
-  std::array<std::uint32_t, kinds> used{};
+  std::array<std::uint32_t, lanes_kinds> used{};
   for (std::size_t g = 0; g < next_.size(); ++g) {
-    const auto kind = static_cast<LanesKind>(g % kinds);
-    std::uint32_t& end = used[g % kinds];
+    const auto kind = static_cast<LanesKind>(g % lanes_kinds);
+    std::uint32_t& end = used[g % lanes_kinds];
     const std::uint32_t begin = end;
-    const bool alone = g / kinds == colours;
+    const bool alone = g / lanes_kinds == colours;
     end += alone ? next_[g] : (next_[g] + width_ - 1) / width_;
     next_[g] = begin * width_;
     if (alone) {
@@ -63,7 +65,7 @@ void Colouring::place() {
       runs_.push_back({kind, begin, end});
     }
   }
-  for (std::size_t kind = 0; kind < kinds; ++kind) lanes_[kind].assign(std::size_t{width_} * used[kind], {});
+  for (std::size_t kind = 0; kind < lanes_kinds; ++kind) lanes_[kind].assign(std::size_t{width_} * used[kind], {});
   for (const Choice& choice : choices_) {
     std::uint32_t& next = next_[group(choice)];
     lanes_[static_cast<std::size_t>(choice.kind)][next] = choice.slot;

@@ -30,8 +30,6 @@ class Colouring {
   std::span<const Tie> order();
 
  private:
-  static constexpr std::size_t kinds = 4;
-
   struct Choice {
     Slot slot;
     std::uint16_t colour = 0;
@@ -43,7 +41,7 @@ class Colouring {
   std::uint32_t width_ = 0;
   std::vector<std::uint64_t> taken_;  // colours that each body's contacts have
   std::vector<Choice> choices_;       // in the order of the contacts
-  std::array<std::vector<Slot>, kinds> lanes_;
+  std::array<std::vector<Slot>, lanes_kinds> lanes_;
   std::vector<LanesRun> runs_;
   std::vector<std::uint32_t> next_;  // how many of each colour and kind; then its next free lane
   std::vector<Tie> order_;

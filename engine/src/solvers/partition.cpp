@@ -10,6 +10,12 @@ namespace {
 
 bool pushable(const BodySet& bodies, std::size_t i) { return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0; }
 
+/// Whether nothing that the contact gives can turn a body, and no turning is felt by it.
+bool smooth(const BodySet& bodies, const Contact& contact) {
+  return contact.static_friction == 0 && (contact.disc_a || !bodies.stirs(contact.body_a)) &&
+         (contact.disc_b || !bodies.stirs(contact.body_b));
+}
+
 }  // namespace
 
 template <class Item>
@@ -57,7 +63,7 @@ void Partition::list_ties(const StepData& data) {
     const bool pushes_b = pushable(bodies, b);
     if (contact.count == 0 || !(pushes_a || pushes_b)) continue;
     tied_.push_back({c, a, b, pushes_a, pushes_b, bodies.stirs(a) && bodies.stirs(b),
-                     static_cast<std::uint8_t>(contact.count), contact.discs});
+                     static_cast<std::uint8_t>(contact.count), contact.discs(), smooth(bodies, contact)});
   }
 }
 

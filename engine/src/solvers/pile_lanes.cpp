@@ -49,8 +49,11 @@ class PileLanesOf : public PileLanes {
     make_room(colouring, LanesKind::discs, discs_);
     make_room(colouring, LanesKind::two, two_);
     make_room(colouring, LanesKind::block, block_);
+    make_room(colouring, LanesKind::smooth, smooth_);
+    make_room(colouring, LanesKind::smooth_discs, smooth_discs_);
     const std::span<const LanesRun> runs = colouring.runs();
-    table_ = {one_.data(), discs_.data(), two_.data(), block_.data(), runs.data(), runs.data() + runs.size()};
+    table_ = {one_.data(),    discs_.data(),        two_.data(), block_.data(),
+              smooth_.data(), smooth_discs_.data(), runs.data(), runs.data() + runs.size()};
     passes_.lay_out(table_, input_);
   }
 
@@ -76,6 +79,8 @@ class PileLanesOf : public PileLanes {
   std::vector<DiscLanes<width>> discs_;
   std::vector<ContactLanes<2, width>> two_;
   std::vector<ContactLanes<2, width>> block_;
+  std::vector<SmoothLanes<width>> smooth_;
+  std::vector<SmoothDiscLanes<width>> smooth_discs_;
   ContactTable<width> table_{};
 };
 

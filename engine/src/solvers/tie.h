@@ -14,6 +14,7 @@ struct Tie {
   bool moves_both = false;                  // whether both stir, so that they share an island
   std::uint8_t points = 0;
   bool discs = false;
+  bool smooth = false;  // frictionless, and of discs or what is at rest: it turns nothing
   friend bool operator==(const Tie&, const Tie&) = default;
 };
 

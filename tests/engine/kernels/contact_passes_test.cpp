@@ -25,6 +25,8 @@ struct Tangle {
   std::vector<DiscLanes<width>> discs{2 * groups};
   std::vector<ContactLanes<2, width>> two{2 * groups};
   std::vector<ContactLanes<2, width>> block{2 * groups};
+  std::vector<SmoothLanes<width>> smooth{2 * groups};
+  std::vector<SmoothDiscLanes<width>> smooth_discs{2 * groups};
   std::vector<LanesRun> runs;
 
   explicit Tangle(unsigned seed) {
@@ -45,8 +47,10 @@ struct Tangle {
       fill(discs, random, run);
       fill(two, random, run);
       fill(block, random, run);
-      for (const LanesKind kind : {LanesKind::one, LanesKind::discs, LanesKind::two, LanesKind::block}) {
-        runs.push_back({kind, run * groups, (run + 1) * groups});
+      fill(smooth, random, run);
+      fill(smooth_discs, random, run);
+      for (std::size_t kind = 0; kind < lanes_kinds; ++kind) {
+        runs.push_back({static_cast<LanesKind>(kind), run * groups, (run + 1) * groups});
       }
     }
   }
@@ -55,7 +59,6 @@ struct Tangle {
   static void fill(std::vector<Lanes>& all, RandomShapes& random, std::uint32_t run) {
     for (std::uint32_t i = 0; i < run_lanes; ++i) {
       Lanes& lanes = all[run * groups + i / width];
-      lanes.any_fresh = true;
       const std::uint32_t lane = i % width;
       if (i % 8 == 7) {
         lanes.a[lane] = lanes.b[lane] = body_count - 1;
@@ -67,29 +70,20 @@ struct Tangle {
       lanes.normal_x.lane[lane] = q.c;
       lanes.normal_y.lane[lane] = q.s;
       lanes.mass_a.lane[lane] = random.number(.1, 2);
-      lanes.inertia_a.lane[lane] = random.number(.1, 2);
       lanes.mass_b.lane[lane] = i % 8 == 3 ? 0 : random.number(.1, 2);
-      lanes.inertia_b.lane[lane] = i % 8 == 3 ? 0 : random.number(.1, 2);
-      lanes.static_friction.lane[lane] = random.number(.3, 1);
-      lanes.dynamic_friction.lane[lane] = random.number(.1, .3);
       lanes.strength.lane[lane] = random.number(.5, 1);
       lanes.rate.lane[lane] = random.number(5, 20);
       lanes.relief.lane[lane] = 1 - lanes.strength.lane[lane];
       lanes.give.lane[lane] = random.number(.001, .01);
       lanes.offset.lane[lane] = random.number(0, .001);
       lanes.offset_rate.lane[lane] = i % 2 == 0 ? 0 : random.number(.01, .1);
-      lanes.fresh.lane[lane] = i % 3 == 0 ? 1 : 0;
-      for (PointLanes<width>& p : lanes.point) {
-        for (Row<width>* row : {&p.cross_a, &p.cross_b, &p.dot_a, &p.dot_b, &p.turn_a, &p.turn_b}) {
-          row->lane[lane] = random.number(-1, 1);
-        }
+      for (auto& p : lanes.point) {
         p.separation.lane[lane] = p.gap.lane[lane] = random.number(-.01, .01);
         p.normal_impulse.lane[lane] = i % 4 == 0 ? 0 : random.number(0, 1);
-        p.tangent_impulse.lane[lane] = random.number(-.3, .3);
         p.normal_mass.lane[lane] = random.number(.1, 2);
-        p.tangent_mass.lane[lane] = random.number(.1, 2);
       }
-      if constexpr (std::is_same_v<Lanes, DiscLanes<width>>) {
+      if constexpr (requires { lanes.static_friction; }) roughen(lanes, random, i);
+      if constexpr (requires { lanes.distance; }) {
         lanes.between_x.lane[lane] = random.number(-1, 1);
         lanes.between_y.lane[lane] = random.number(-1, 1);
         lanes.distance.lane[lane] = random.number(.5, 1.5);
@@ -97,12 +91,30 @@ struct Tangle {
     }
   }
 
+  template <class Lanes>
+  static void roughen(Lanes& lanes, RandomShapes& random, std::uint32_t i) {
+    const std::uint32_t lane = i % width;
+    lanes.any_fresh = true;
+    lanes.fresh.lane[lane] = i % 3 == 0 ? 1 : 0;
+    lanes.inertia_a.lane[lane] = random.number(.1, 2);
+    lanes.inertia_b.lane[lane] = i % 8 == 3 ? 0 : random.number(.1, 2);
+    lanes.static_friction.lane[lane] = random.number(.3, 1);
+    lanes.dynamic_friction.lane[lane] = random.number(.1, .3);
+    for (PointLanes<width>& p : lanes.point) {
+      for (Row<width>* row : {&p.cross_a, &p.cross_b, &p.dot_a, &p.dot_b, &p.turn_a, &p.turn_b}) {
+        row->lane[lane] = random.number(-1, 1);
+      }
+      p.tangent_impulse.lane[lane] = random.number(-.3, .3);
+      p.tangent_mass.lane[lane] = random.number(.1, 2);
+    }
+  }
+
   /// A whole step of two sub-steps.
   void step(const PileKernels& by, const ContactPasses<width>& passes) {
     const BodyRows rows{body_count,    velocity.data(), before.data(),      kick.data(),
                         motion.data(), turn.data(),     acceleration.data()};
-    const ContactTable<width> table{one.data(),   discs.data(), two.data(),
-                                    block.data(), runs.data(),  runs.data() + runs.size()};
+    const ContactTable<width> table{one.data(),    discs.data(),        two.data(),  block.data(),
+                                    smooth.data(), smooth_discs.data(), runs.data(), runs.data() + runs.size()};
     const Real h = Real{1} / 240;
     by.kick_by_forces(rows, h);
     passes.kick(table, rows);
@@ -130,10 +142,13 @@ std::vector<Real> numbers_of(const std::vector<Lanes>& all) {
   for (std::size_t i = 0; i < all.size() * width; ++i) {
     const Lanes& lanes = all[i / width];
     numbers.push_back(lanes.offset.lane[i % width]);
-    for (const PointLanes<width>& p : lanes.point) {
-      for (const Row<width>* row : {&p.separation, &p.gap, &p.normal_mass, &p.tangent_mass, &p.normal_impulse,
-                                    &p.tangent_impulse, &p.total_normal, &p.total_tangent}) {
+    for (const auto& p : lanes.point) {
+      for (const Row<width>* row : {&p.separation, &p.gap, &p.normal_mass, &p.normal_impulse, &p.total_normal}) {
         numbers.push_back(row->lane[i % width]);
+      }
+      if constexpr (requires { p.tangent_impulse; }) {
+        numbers.push_back(p.tangent_impulse.lane[i % width]);
+        numbers.push_back(p.total_tangent.lane[i % width]);
       }
     }
   }
@@ -153,6 +168,8 @@ void expect_same_bits(const Tangle<8>& oracle, const PileKernels& by, const Cont
   EXPECT_TRUE(same_bits(numbers_of<width>(tangle.discs), numbers_of<8>(oracle.discs))) << seed;
   EXPECT_TRUE(same_bits(numbers_of<width>(tangle.two), numbers_of<8>(oracle.two))) << seed;
   EXPECT_TRUE(same_bits(numbers_of<width>(tangle.block), numbers_of<8>(oracle.block))) << seed;
+  EXPECT_TRUE(same_bits(numbers_of<width>(tangle.smooth), numbers_of<8>(oracle.smooth))) << seed;
+  EXPECT_TRUE(same_bits(numbers_of<width>(tangle.smooth_discs), numbers_of<8>(oracle.smooth_discs))) << seed;
 }
 
 class ContactPasses : public testing::TestWithParam<bool> {};
@@ -182,6 +199,61 @@ TEST_P(ContactPasses, LeaveLanesWithoutContactAlone) {
   const PileKernels& scalar = *runnable_pile_kernels(GetParam()).front();
   tangle.step(scalar, *scalar.contacts_by_eight);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(tangle.velocity[nobody + k], 0);
+}
+
+/// Smooth contacts as they would be without kernels of their own.
+template <class Lanes, class Smooth>
+void widen(const std::vector<Smooth>& from, std::vector<Lanes>& to) {
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    to[i] = {};
+    static_cast<NormalLanes<8>&>(to[i]) = from[i];
+    static_cast<SmoothPointLanes<8>&>(to[i].point[0]) = from[i].point[0];
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      to[i].inertia_a.lane[lane] = to[i].mass_a.lane[lane];
+      to[i].inertia_b.lane[lane] = to[i].mass_b.lane[lane];
+      to[i].point[0].dot_a.lane[lane] = Real{1} / 2;
+      to[i].point[0].dot_b.lane[lane] = -Real{1} / 2;
+      to[i].point[0].tangent_mass.lane[lane] = Real{1} / 4;
+    }
+    if constexpr (requires { to[i].distance; }) {
+      to[i].between_x = from[i].between_x;
+      to[i].between_y = from[i].between_y;
+      to[i].distance = from[i].distance;
+    }
+  }
+}
+
+// Where r x n and the friction are 0, all that the smooth kernels leave out comes to adding 0.
+TEST_P(ContactPasses, GiveSmoothContactsTheBitsOfContactsWithoutFriction) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const PileKernels& scalar = *runnable_pile_kernels(GetParam()).front();
+    Tangle<8> smooth(seed);
+    Tangle<8> rough = smooth;
+    widen(smooth.smooth, rough.one);
+    widen(smooth.smooth_discs, rough.discs);
+    const auto keep = [](Tangle<8>& tangle, LanesKind one, LanesKind other) {
+      std::erase_if(tangle.runs, [&](const LanesRun& run) { return run.kind != one && run.kind != other; });
+    };
+    keep(smooth, LanesKind::smooth, LanesKind::smooth_discs);
+    keep(rough, LanesKind::one, LanesKind::discs);
+    smooth.step(scalar, *scalar.contacts_by_eight);
+    rough.step(scalar, *scalar.contacts_by_eight);
+    EXPECT_EQ(smooth.velocity, rough.velocity) << seed;
+    EXPECT_EQ(smooth.motion, rough.motion) << seed;
+    for (std::size_t i = 0; i < smooth.smooth.size(); ++i) {
+      for (std::size_t lane = 0; lane < 8; ++lane) {
+        const auto expect_same = [&](const auto& now, const auto& twin) {
+          EXPECT_EQ(now.point[0].gap.lane[lane], twin.point[0].gap.lane[lane]);
+          EXPECT_EQ(now.point[0].normal_impulse.lane[lane], twin.point[0].normal_impulse.lane[lane]);
+          EXPECT_EQ(now.point[0].total_normal.lane[lane], twin.point[0].total_normal.lane[lane]);
+          EXPECT_EQ(now.offset.lane[lane], twin.offset.lane[lane]);
+          EXPECT_EQ(twin.point[0].total_tangent.lane[lane], 0);
+        };
+        expect_same(smooth.smooth[i], rough.one[i]);
+        expect_same(smooth.smooth_discs[i], rough.discs[i]);
+      }
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ContactPasses, testing::Bool(),

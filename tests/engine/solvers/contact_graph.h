@@ -44,6 +44,7 @@ class Graph {
     return parts_;
   }
   BodySet& bodies() { return bodies_; }
+  std::vector<Contact>& contacts() { return contacts_; }
   const std::vector<Contact>& contacts() const { return contacts_; }
 
  private:

@@ -23,6 +23,31 @@ TEST(Partition, KeepsItsIslandsWhileTheSameContactsLast) {
   EXPECT_EQ(parts.bodies(2).size(), 3U);
 }
 
+TEST(Partition, KnowsWhichContactsTurnNothing) {
+  Graph graph(3);
+  graph.touch(0, 1, 1);
+  graph.touch(1, 2, 1);
+  const auto smooth = [&](std::uint32_t contact) {
+    const Partition& parts = graph.split(true);
+    for (const Tie& tie : parts.contacts(0)) {
+      if (tie.contact == contact) return tie.smooth;
+    }
+    ADD_FAILURE() << contact;
+    return false;
+  };
+  EXPECT_FALSE(smooth(0)) << "1 is no disc";
+  graph.contacts()[0].disc_b = true;
+  EXPECT_TRUE(smooth(0)) << "0 is no disc, and at rest";
+  graph.contacts()[1].disc_a = true;
+  EXPECT_FALSE(smooth(1)) << "2 is no disc";
+  graph.contacts()[1].disc_b = true;
+  EXPECT_TRUE(smooth(1));
+  graph.contacts()[1].static_friction = Real{1} / 2;
+  EXPECT_FALSE(smooth(1));
+  graph.bodies().velocity[0].w = 1;
+  EXPECT_FALSE(smooth(0)) << "0 is no disc, and turns";
+}
+
 // The floor gets going: now it ties what stands on it.
 TEST(Partition, FindsItsIslandsAnewWhenABodySetsOut) {
   Graph graph(3);

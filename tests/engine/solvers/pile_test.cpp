@@ -16,16 +16,17 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-Settings with(const char* solver) {
+Settings with(const char* solver, bool fused = false) {
   Settings settings;
   settings.solver = solver;
+  settings.fused = fused;
   return settings;
 }
 
 const Material rough{1, real(.6), real(.5), 0};
 
-World pyramid(const char* solver, Real nudge) {
-  World world(with(solver));
+World pyramid(const Settings& settings, Real nudge) {
+  World world(settings);
   add_floor(world, rough);
   for (int row = 0; row < 12; ++row) {
     for (int i = 0; i < 12 - row; ++i) {
@@ -38,15 +39,15 @@ World pyramid(const char* solver, Real nudge) {
 }
 
 /// Bodies in a turning drum that carries some off at once.
-World drum(const char* solver, Real nudge, bool discs) {
-  World world(with(solver));
+World drum(const Settings& settings, Real nudge, bool discs, const Material& material) {
+  World world(settings);
   BodyDef def;
   def.type = BodyType::kinematic;
   def.angular_velocity = real(.7);
   std::vector<Part> walls;
   for (int i = 0; i < 4; ++i) {
     const Rotation q(static_cast<Real>(i) * pi / 2);
-    walls.push_back({Shape::box({6, real(.5)}, q * Vec2{0, real(-5.5)}, static_cast<Real>(i) * pi / 2), rough});
+    walls.push_back({Shape::box({6, real(.5)}, q * Vec2{0, real(-5.5)}, static_cast<Real>(i) * pi / 2), material});
   }
   world.create_body(def, walls);
   RandomShapes random(5);
@@ -55,16 +56,16 @@ World drum(const char* solver, Real nudge, bool discs) {
     body.position.x += nudge;
     body.angle = random.number(-.3, .3);
     const Real size = random.number(.4, .45);
-    world.create_body(body, discs ? Shape::circle(size) : Shape::box({size, size * real(.9)}), rough);
+    world.create_body(body, discs ? Shape::circle(size) : Shape::box({size, size * real(.9)}), material);
   }
   return world;
 }
-World drum_of_boxes(const char* solver, Real nudge) { return drum(solver, nudge, false); }
-World drum_of_discs(const char* solver, Real nudge) { return drum(solver, nudge, true); }
+World drum_of_boxes(const Settings& settings, Real nudge) { return drum(settings, nudge, false, rough); }
+World drum_of_discs(const Settings& settings, const Material& material) { return drum(settings, 0, true, material); }
 
 /// A plank that more bodies lie on than there are colours.
-World crowded_plank(const char* solver, Real nudge) {
-  World world(with(solver));
+World crowded_plank(const Settings& settings, Real nudge) {
+  World world(settings);
   add_floor(world, rough);
   world.create_body(at(0, .5), Shape::box({60, real(.5)}), {20, real(.6), real(.5), 0});
   for (int i = 0; i < 100; ++i) {
@@ -90,7 +91,7 @@ Real difference(World a, World b, int steps) {
 
 struct Pileup {
   const char* name;
-  World (*make)(const char* solver, Real nudge);
+  World (*make)(const Settings&, Real nudge);
   int steps;
 };
 
@@ -101,12 +102,23 @@ class Piles : public testing::TestWithParam<Pileup> {};
 TEST_P(Piles, AgreeWithTheScalarSolverUpToTheGrowthOfRounding) {
   const Pileup& pile = GetParam();
   const Real nudge = 10 * std::numeric_limits<Real>::epsilon();
-  const Real growth = difference(pile.make("accurate-scalar", 0), pile.make("accurate-scalar", nudge), pile.steps);
-  const Real apart = difference(pile.make("accurate", 0), pile.make("accurate-scalar", 0), pile.steps);
+  const Settings scalar = with("accurate-scalar");
+  const Real growth = difference(pile.make(scalar, 0), pile.make(scalar, nudge), pile.steps);
   EXPECT_GT(growth, 0);
-  EXPECT_GT(apart, 0) << "not solved as a pile at all";
-  EXPECT_LE(apart, 100 * growth);
   EXPECT_LE(growth, 1e4F * nudge) << "chaos proves nothing: fewer steps";
+  for (const bool fused : {false, true}) {
+    const Real apart = difference(pile.make(with("accurate", fused), 0), pile.make(scalar, 0), pile.steps);
+    EXPECT_GT(apart, 0) << "not solved as a pile at all";
+    EXPECT_LE(apart, 100 * growth) << fused;
+  }
+}
+
+TEST_P(Piles, TakeUpFusingWhenToldTo) {
+  const Pileup& pile = GetParam();
+  World told = pile.make(with("accurate"), 0);
+  told.set_settings(with("accurate", true));
+  EXPECT_EQ(difference(std::move(told), pile.make(with("accurate", true), 0), 1), 0);
+  EXPECT_GT(difference(pile.make(with("accurate"), 0), pile.make(with("accurate", true), 0), pile.steps), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Piles,
@@ -119,9 +131,35 @@ INSTANTIATE_TEST_SUITE_P(All, Piles,
 // before any contact is solved; in lanes what lacks of that is given when the contact is solved, so that others see it
 // late.
 TEST(Piles, OfDiscsAgreeWithTheScalarSolverToTheTurnOfTheirNormalsInASubStep) {
-  const Real apart = difference(drum_of_discs("accurate", 0), drum_of_discs("accurate-scalar", 0), 7);
-  EXPECT_GT(apart, 0);
-  EXPECT_LT(apart, real(.005));
+  for (const Material& material : {rough, frictionless()}) {
+    for (const bool fused : {false, true}) {
+      const Real apart = difference(drum_of_discs(with("accurate", fused), material),
+                                    drum_of_discs(with("accurate-scalar"), material), 7);
+      EXPECT_GT(apart, 0);
+      EXPECT_LT(apart, real(.005));
+    }
+  }
+}
+
+// Neither friction nor, but for rounding, a push off centre: where that is left out, too, not even rounding turns them.
+TEST(Piles, OfSmoothDiscsTurnNothing) {
+  World world(with("accurate"));
+  add_floor(world, frictionless());
+  BodyDef wall;
+  wall.type = BodyType::fixed;
+  for (const double side : {-1, 1}) {
+    wall.position = {real(5.5 * side), 5};
+    world.create_body(wall, Shape::box({real(.5), 5}), frictionless());
+  }
+  RandomShapes random(5);
+  for (int i = 0; i < 100; ++i) {
+    world.create_body(at(i % 10 - 4.5, i / 10 + .5), Shape::circle(random.number(.4, .45)), frictionless());
+  }
+  run(world, 30);
+  int borne = 0;
+  for (const ContactInfo& contact : world.contacts()) borne += contact.normal_impulse > 0 ? 1 : 0;
+  EXPECT_GT(borne, 64) << "no pile";
+  for (const BodyId body : world.bodies()) EXPECT_EQ(world.body(body).angular_velocity(), 0);
 }
 
 // Discs that jostle turn their normals: what one gives and takes back within a sub-step leaves no push behind.
