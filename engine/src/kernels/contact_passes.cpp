@@ -79,7 +79,7 @@ void push_points(ContactLanes<2>& contacts, LanesFrame& frame, Lanes impulse[2],
 
 /// Friction before the drift, of contacts in their first step.
 template <class Contacts>
-void rub_fresh(Contacts& contacts, LanesFrame& frame, const Lanes impulse[2]) {
+[[gnu::always_inline]] inline void rub_fresh(Contacts& contacts, LanesFrame& frame, const Lanes impulse[2]) {
   const auto fresh = Lanes::all(0) < load(contacts.fresh);
   for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
     PointLanes& p = contacts.point[i];

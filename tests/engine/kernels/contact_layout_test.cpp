@@ -162,7 +162,9 @@ void expect_contacts(const Heap& heap, LanesKind kind, const std::vector<Lanes>&
     if (slot.tie.contact == Slot::empty) {
       EXPECT_EQ(lanes.a[i % width], body_count);
       EXPECT_EQ(lanes.point[0].normal_impulse.lane[i % width], 0);
-      if constexpr (requires { lanes.fresh; }) EXPECT_EQ(lanes.fresh.lane[i % width], 0);
+      if constexpr (requires { lanes.fresh; }) {
+        EXPECT_EQ(lanes.fresh.lane[i % width], 0);
+      }
     } else {
       expect_contact<width>(heap, slot, lanes, i % width);
     }
