@@ -241,13 +241,13 @@ std::uint64_t hash_of_piles(bool fused) {
 }
 
 TEST(Determinism, PilesEndInTheSameBitsWithEveryCompiler) {
-  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x0922e959cf3b9dedU : 0x655903138f59c721U;
+  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x07031d411ba38a36U : 0x3f81da0f2ca6e64bU;
   const std::uint64_t hash = hash_of_piles(false);
   EXPECT_EQ(hash, expected) << std::hex << "0x" << hash;
 }
 
 TEST(Determinism, FusedPilesEndInBitsOfTheirOwn) {
-  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x60ec86cd08c6a917U : 0xeb91cecda4391127U;
+  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x5e13af15c497bc7cU : 0x96171a564945c291U;
   const std::uint64_t hash = hash_of_piles(true);
   EXPECT_EQ(hash, expected) << std::hex << "0x" << hash;
 }
