@@ -12,11 +12,6 @@ const per_letter = 7; // px, about, at 13 px
 
 const escaped = (text: string): string => text.replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
 const text_of = (element: Element | null | undefined): string => element?.textContent?.trim() ?? "";
-const own_text = (element: Element): string =>
-  [...element.childNodes]
-    .filter(({ nodeType }) => nodeType === 3)
-    .map(({ textContent }) => textContent)
-    .join("");
 const size_of = (chart: Element, side: "width" | "height"): number => Number(chart.getAttribute(side)) || 0;
 
 /** "Study: speed, bounce, e=0.8" */
@@ -49,7 +44,7 @@ function legend_of(figure: Element, width: number, top: number): { text: string;
   const items = [...(near?.children ?? [])];
   let [x, y] = [pad, top];
   const text = items.map((item) => {
-    const name = own_text(item);
+    const name = text_of(item.querySelector("span"));
     const needed = 42 + per_letter * name.length + 20;
     if (x > pad && x + needed > width - pad) [x, y] = [pad, y + line + 2];
     const mark = item.querySelector("svg");

@@ -4,12 +4,13 @@ import { number } from "../format";
 import type { Drop, ModelCase } from "../studies/least_model";
 import { decades } from "./decades";
 import { figure } from "./figure";
-import { plot_look, scale, tip_look } from "./look";
+import { plot_look, tip_look } from "./look";
+import { name_axis } from "./name_axis";
 
 const row_height = 20;
 const least_change = 1e-9; // m; smaller ones are drawn there
 
-const label = ({ setting }: Drop): string => setting.replaceAll(/(integrator|solver|position-iterations)=/g, "").replaceAll(",", ", ");
+const label = ({ setting }: Drop): string => setting.replaceAll(/(integrator|solver)=/g, "").replaceAll(",", ", ");
 const colour = ({ within }: Drop): string => (within ? "var(--right)" : "var(--wrong)");
 const change_of = ({ change }: Drop): number => Math.max(least_change, change ?? Infinity);
 
@@ -24,14 +25,14 @@ const described = (drop: Drop): string =>
     .join("\n");
 
 function panel(drops: Drop[], width: number, about: string, x: object, marks: Plot.Markish[]): Element {
-  const longest = Math.max(...drops.map((drop) => label(drop).length));
+  const { marginLeft, axis } = name_axis(width, drops.map(label));
   return Plot.plot({
     ...plot_look(width, 60 + row_height * drops.length),
-    marginLeft: Math.min(width / 2, 20 + longest * 6.6) * scale(),
+    marginLeft,
     ariaLabel: about,
     x: { grid: true, labelAnchor: "right", ...x },
-    y: { label: null, domain: drops.map(label) },
-    marks,
+    y: { domain: drops.map(label) },
+    marks: [axis, ...marks],
   });
 }
 
@@ -64,7 +65,7 @@ export function ablation_chart({ drops }: ModelCase, tolerance: number): HTMLEle
     note: "What the model is worse by, and what it then costs. Green stays within the tolerance (dashed) and may go; red may not.",
     height: 120 + 2 * row_height * drops.length,
     draw: (width) => {
-      const each = width > 900 ? width / 2 - 8 : width;
+      const each = width > 900 ? Math.floor(width / 2) - 8 : width;
       return [error_panel(drops, each, tolerance), cost_panel(drops, each)];
     },
   });

@@ -4,7 +4,8 @@ import { number } from "../format";
 import type { Factor } from "../studies/equal_error";
 import { decades } from "./decades";
 import { figure } from "./figure";
-import { dot_look, plot_look, scale, tip_look } from "./look";
+import { dot_look, plot_look, tip_look } from "./look";
+import { name_axis } from "./name_axis";
 
 const row_height = 26;
 
@@ -21,17 +22,18 @@ export function equal_error_chart(standard: string, factors: Factor[], over: str
   const never = factors.filter(({ median }) => median === null).map(({ contender }) => contender.label);
   const height = 70 + row_height * found.length;
   const name = ({ contender, reached, cases }: Factor) => `${contender.label}  ${reached}/${cases}`;
-  const longest = Math.max(0, ...found.map((factor) => name(factor).length));
   const draw = (width: number) => {
     const values = found.flatMap(({ low, high }) => [low ?? 1, high ?? 1]);
     const { domain, ticks } = decades([1, ...values]);
+    const { marginLeft, axis } = name_axis(width, found.map(name));
     return Plot.plot({
       ...plot_look(width, height),
-      marginLeft: Math.min(width / 2, 24 + longest * 6.6) * scale(),
+      marginLeft,
       ariaLabel: `Time at equal error, ${standard} = 1`,
       x: { type: "log", domain, ticks, label: `time at equal error, ${standard} = 1`, labelAnchor: "right", grid: true, tickFormat: (value: number) => number(value, "", 1) },
-      y: { label: null, domain: found.map(name) },
+      y: { domain: found.map(name) },
       marks: [
+        axis,
         Plot.ruleX([1], { stroke: "var(--faint)" }),
         Plot.link(found, { x1: "low", x2: "high", y1: name, y2: name, stroke: ({ contender }: Factor) => contender.color, strokeWidth: 3, strokeOpacity: 0.5 }),
         ...found.map((factor) =>

@@ -68,7 +68,13 @@ function draw_mark(contender: Contender): Element {
   return drawn;
 }
 
+/** A long name may go on in a new line after a comma. */
+function name_of({ label }: Contender): HTMLElement {
+  const parts = label.split(/(?<=,)/).flatMap((part) => [h("wbr"), part]);
+  return h("span", {}, ...parts);
+}
+
 /** Line, shape and name of each contender. */
 export function legend(contenders: Contender[]): HTMLElement {
-  return h("ul", { class: "legend" }, ...contenders.map((contender) => h("li", {}, legend_mark(contender), contender.label)));
+  return h("ul", { class: "legend" }, ...contenders.map((contender) => h("li", {}, legend_mark(contender), name_of(contender))));
 }

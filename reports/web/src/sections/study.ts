@@ -1,11 +1,14 @@
 // The frame of every study's page: what it found in a sentence, its sections, how points ended that did not, and what
 // it was made with.
 import { h, table } from "../dom";
-import { count, words } from "../format";
+import { count, given, words } from "../format";
 import type { Study, StudyView } from "../study";
 import { mark } from "./opening";
 
 const most_shown = 200;
+
+/** Keys have numbers to their last digit. */
+const readable = (key: string): string => key.replaceAll("|", ", ").replace(/\d*\.\d{4,}(e[-+]?\d+)?/g, (digits) => given(Number(digits), "", 4));
 
 /** Points that no contender finished: outcomes as well. */
 function endings(study: Study): HTMLElement | null {
@@ -13,7 +16,7 @@ function endings(study: Study): HTMLElement | null {
   if (!broken.length) return null;
   const rows = broken
     .slice(0, most_shown)
-    .map(({ key, ending, reason }) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, ending), h("td", {}, reason)));
+    .map(({ key, ending, reason }) => h("tr", {}, h("th", { scope: "row" }, readable(key)), h("td", {}, ending), h("td", {}, reason)));
   return h(
     "section",
     { id: "endings" },

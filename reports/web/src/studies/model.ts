@@ -33,7 +33,7 @@ function overview(model: LeastModels): HTMLElement {
     h(
       "p",
       { class: "lede" },
-      `Times cheaper than the full model, turn by turn (middle half of the turns), where nothing gets worse by more than ${model.tolerance} m. The least model was found by trying; impulse:auto chooses beforehand, from the scene alone, and promises never to be less accurate.`,
+      `Times cheaper than the full model, turn by turn (middle half of the turns), where nothing gets worse by more than ${number(Number(model.tolerance), "m", 1)}. The least model was found by trying; impulse:auto chooses beforehand, from the scene alone, and promises never to be less accurate.`,
     ),
     table("The full model, the least and the engine\u2019s own choice", ["case", "full model, per second", "least model, cheaper", "worse by", "impulse:auto, cheaper", "its promise"], rows, "numbers"),
   );
