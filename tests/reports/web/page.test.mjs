@@ -147,12 +147,16 @@ test("names are text, never markup", async () => {
   await page.close();
 });
 
-test("paper gets every chart and every table", async () => {
+test("paper gets every chart and every table, none wider than it is", async () => {
   const { page } = await open(reports["the sample"]);
   await page.emulateMedia({ media: "print" });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   assert.equal(await page.locator("details:not([open]):not(.keys)").count(), 0);
   assert.equal(await page.locator(".canvas:not(:has(svg))").count(), 0);
+  // As wide as A4 is within its margins.
+  await page.setViewportSize({ width: 718, height: 1000 });
+  const cut = await page.evaluate(() => [...document.querySelectorAll("table")].filter((table) => table.getBoundingClientRect().right > innerWidth).map((table) => table.textContent.slice(0, 60)));
+  assert.deepEqual(cut, []);
   await page.close();
 });
 
