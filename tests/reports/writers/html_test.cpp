@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "reports/writers/json.h"
 #include "tests/reports/writers/sample.h"
 
@@ -31,6 +33,15 @@ TEST(FillPage, LetsNoNameBreakOut) {
   const std::string filled = *fill_page(page, sample_report(), why_not);
   EXPECT_THAT(filled, ::testing::Not(::testing::HasSubstr("<script>alert")));
   EXPECT_EQ(filled.find("</script>"), filled.rfind("</script>"));
+}
+
+TEST(FillPage, WritesAsciiThatReadsAsItWas) {
+  std::string why_not;
+  const std::string name = "Painlev\u00e9 \u2191 \U0001f600";
+  const std::string filled = *fill_page(page, Json{{"name", name}}, why_not);
+  EXPECT_TRUE(std::all_of(filled.begin(), filled.end(), [](char letter) { return letter > 0; }));
+  const auto start = filled.find('{');
+  EXPECT_EQ(Json::parse(filled.substr(start, filled.find("</script>") - start)).at("name"), name);
 }
 
 TEST(FillPage, SaysWhyThereIsNoPage) {
