@@ -14,9 +14,9 @@ const signed = (text: string): string => text.replace("-", minus);
 /** "1" is the unit of what has none. */
 const with_unit = (text: string, unit: string): string => (unit && unit !== "1" ? `${text}${thin}${pretty_unit(unit)}` : text);
 
-/** "kg m^2/s" -> "kg m²/s", in one piece */
+/** "kg m^2/s" -> "kg m²/s", in one piece; "us" -> "µs" */
 export function pretty_unit(unit: string): string {
-  return unit.replaceAll(" ", thin).replace(/\^(-?\d+)/g, (_, power: string) => raised(Number(power)));
+  return unit.replace(/^us\b/, "\u00b5s").replaceAll(" ", thin).replace(/\^(-?\d+)/g, (_, power: string) => raised(Number(power)));
 }
 
 /** "step_us" -> "step us"; names are the C++ side's identifiers. */

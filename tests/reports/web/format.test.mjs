@@ -10,6 +10,7 @@ test("a number has the digits that are known, and its unit", () => {
   assert.equal(plain(format.number(3.14159, "m")), "3.14 m");
   assert.equal(plain(format.number(-0.0421, "kg m^2/s")), "\u22120.0421 kg m\u00b2/s");
   assert.equal(plain(format.number(1.5e-7, "J")), "1.50 \u00d7 10\u207b\u2077 J");
+  assert.equal(plain(format.number(0.744, "us")), "0.744 \u00b5s");
   assert.equal(format.number(9.996), "10.0");
   assert.equal(format.number(123456), "123456");
   assert.equal(format.number(0), "0");

@@ -87,10 +87,13 @@ function changes(model: HistoryModel, rows: Row[]): HTMLElement {
   );
 }
 
+/** Where there is but one, what it is stands at the page's end. */
+const machines_of = ({ trends }: HistoryModel): number => new Set(trends.flatMap(({ machine }) => machine || [])).size;
+
 function chart_of(panel: Panel, model: HistoryModel, contender_of: (label: string) => Contender): HTMLElement {
   return figure({
     title: `${panel.variant || panel.scenario}: ${metric_name(panel.metric)}`,
-    note: [`Time step ${time_step(panel.dt)}.`, panel.machine].filter(Boolean).join(" "),
+    note: [`Time step ${time_step(panel.dt)}.`, machines_of(model) > 1 ? panel.machine : ""].filter(Boolean).join(" "),
     height: 240,
     draw: (width) => [trend_chart(width, panel, model.snapshots, contender_of)],
   });
