@@ -147,7 +147,7 @@ void relax(Contacts& contacts, FrameOf<Contacts>& frame, const LanesMotion& moti
   for (std::uint32_t i = 0; i < points; ++i) {
     auto& p = contacts.point[i];
     impulse[i] = load(p.normal_impulse);
-    before[i] = select(again ? nothing <= nothing : nothing < nothing, impulse[i], nothing);
+    before[i] = again ? impulse[i] : nothing;
     const Lanes gap = motion.gap(p, frame.normal_x, frame.normal_y);
     store(gap, p.gap);
     idle[i] = (impulse[i] == nothing) & (nothing < gap);
