@@ -94,9 +94,9 @@ const Catalog<Command>::Entry entry{
                       "NAME, NAME:LABEL or NAME:parameter=value,...; may be repeated. Default: all that are small")
            ->allow_extra_args(false)
            ->type_name("NAME");
-       app.add_option(
-              "--clean", asked->clean,
-              "Runs of the right engine with other seeds, precision, threads, lanes and broad phases; none may alarm")
+       app.add_option("--clean", asked->clean,
+                      "Runs of the right engine with other seeds, precision, threads, lanes, fusing and broad phases; "
+                      "none may alarm")
            ->capture_default_str()
            ->check(CLI::Range(0, 100000))
            ->type_name("N");
