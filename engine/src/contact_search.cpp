@@ -1,7 +1,6 @@
 #include "contact_search.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "impulse/material.h"
 #include "stages.h"
@@ -33,19 +32,16 @@ void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bo
   end_stage("sort pairs");
   match(undisturbed && pairs_ == last_pairs_);
   end_stage("match");
-  found_.resize(pairs_.size());
-  undecided_.resize(pairs_.size());
-  std::iota(undecided_.begin(), undecided_.end(), 0U);
-  in_order_ = undecided_;
-  keep_points(input);
-  end_stage("recycle");
-  narrow_phase_.collide(input.bodies, shapes_, input.margin, pairs_, to_collide_, found_.data());
-  list_touching();
-  end_stage("collide pairs");
+  while (numbers_.size() < pairs_.size()) numbers_.push_back(static_cast<std::uint32_t>(numbers_.size()));
+  const std::span<const std::uint32_t> all = std::span(numbers_).first(pairs_.size());
+  find_points(input, all);
+  list_touching(all);
+  end_stage("list touching");
   // Once: what a third body is handed on within the same step is little.
   const bool knocked = input.margin.time > 0 && foresee_knocks(input);
   end_stage("foresee knocks");
   if (knocked) reach_farther(input);
+  found_the_same_ = touching_are_last();
 }
 
 /// Leaves out pairs that are none, and puts the others in order of contacts.
@@ -71,8 +67,9 @@ void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pa
 }
 
 /// Pairs and contacts are in one order: one walk along both. Where pairs and contacts are still those of the last
-/// search, which is which is known.
+/// search, which is which is known; and nothing changes if that search found the contacts of the one before.
 void ContactSearch::match(bool still_the_same) {
+  if (still_the_same && found_the_same_) return;
   if (still_the_same) {
     last_of_.assign(pairs_.size(), none);
     for (std::uint32_t i = 0; i < touching_.size(); ++i) last_of_[touching_[i]] = i;
@@ -90,15 +87,26 @@ std::uint32_t ContactSearch::find_last(const ContactOrder& wanted, std::uint32_t
   return known ? place++ : none;
 }
 
-/// Of the undecided, those whose bodies hardly moved since their points were found (see ContactSet::find).
-void ContactSearch::keep_points(const SearchInput& input) {
+/// Those that they had, or new ones.
+void ContactSearch::find_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs) {
+  counts_.resize(pairs_.size());
+  found_.resize(pairs_.size());
+  keep_points(input, of_pairs);
+  end_stage("recycle");
+  narrow_phase_.collide(input.bodies, shapes_, input.margin, pairs_, to_collide_, found_.data());
+  for (const std::uint32_t pair : to_collide_) counts_[pair] = static_cast<std::int8_t>(found_[pair].count);
+  end_stage("collide pairs");
+}
+
+/// Of some pairs, those whose bodies hardly moved since their points were found (see ContactSet::find).
+void ContactSearch::keep_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs) {
   // Both lists are written at every turn, and go on where the pair belongs: which that is, no processor foresees.
-  to_collide_.resize(undecided_.size());
-  to_keep_.resize(undecided_.size());
-  may_keep_.resize(undecided_.size());
+  to_collide_.resize(of_pairs.size());
+  to_keep_.resize(of_pairs.size());
+  may_keep_.resize(of_pairs.size());
   std::size_t collided = 0;
   std::size_t asked = 0;
-  for (const std::uint32_t pair : undecided_) {
+  for (const std::uint32_t pair : of_pairs) {
     const std::uint32_t last = last_of_[pair];
     const std::size_t ask = input.recycle && last != none && may_keep(last_[last]) ? 1 : 0;
     to_collide_[collided] = pair;
@@ -107,32 +115,30 @@ void ContactSearch::keep_points(const SearchInput& input) {
     collided += 1 - ask;
     asked += ask;
   }
-  to_collide_.resize(collided);
-  to_keep_.resize(asked);
   may_keep_.resize(asked);
-  kept_.resize(to_keep_.size());
-  kernels().keep_points(last_.data(), may_keep_.data(), static_cast<std::uint32_t>(may_keep_.size()),
-                        input.bodies.pose.data(), input.bodies.reach.data(), recycled_motion, kept_.data());
-  for (std::size_t i = 0; i < to_keep_.size(); ++i) {
-    if (kept_[i] != 0) {
-      found_[to_keep_[i]].count = kept;
-    } else {
-      to_collide_.push_back(to_keep_[i]);
-    }
+  kept_.resize(asked);
+  kernels().keep_points(last_.data(), may_keep_.data(), static_cast<std::uint32_t>(asked), input.bodies.pose.data(),
+                        input.bodies.reach.data(), recycled_motion, kept_.data());
+  for (std::size_t i = 0; i < asked; ++i) {
+    const std::uint32_t pair = to_keep_[i];
+    counts_[pair] = kept;
+    to_collide_[collided] = pair;
+    collided += kept_[i] != 0 ? 0 : 1;
   }
+  to_collide_.resize(collided);
 }
 
-void ContactSearch::list_touching() {
-  touching_.resize(in_order_.size());
+void ContactSearch::list_touching(std::span<const std::uint32_t> in_order) {
+  touching_.resize(in_order.size());
   std::size_t next = 0;
-  for (const std::uint32_t pair : in_order_) {
+  for (const std::uint32_t pair : in_order) {
     touching_[next] = pair;
-    next += found_[pair].count != 0 ? 1 : 0;
+    next += counts_[pair] != 0 ? 1 : 0;
   }
   touching_.resize(next);
 }
 
-bool ContactSearch::found_the_same() const {
+bool ContactSearch::touching_are_last() const {
   if (touching_.size() != last_.size()) return false;
   for (std::uint32_t i = 0; i < touching_.size(); ++i) {
     if (last_of_[touching_[i]] != i) return false;
@@ -147,6 +153,9 @@ bool ContactSearch::foresee_knocks(const SearchInput& input) {
   const BodySet& bodies = input.bodies;
   const Margin& margin = input.margin;
   const Real felt = margin.distance / 2;
+  // As fast as all that would be too slow: 1/64 is for rounding.
+  const auto too_slow = [&](Real speed) { return margin.time * speed <= felt * (Real{63} / 64); };
+  if (too_slow(2 * shapes_.fastest())) return false;
   knocks_.assign(bodies.size(), 0);
   bool farther = false;
   const auto knock = [&](std::size_t i, Real change) {
@@ -160,8 +169,7 @@ bool ContactSearch::foresee_knocks(const SearchInput& input) {
     const ShapeRecord& record_b = shapes_.records()[pairs_[pair].second];
     const Vec2 between = record_b.velocity - record_a.velocity;
     const Real turning = record_a.rim + record_b.rim;
-    // As fast as that would be too slow; most are.
-    if (margin.time * (std::abs(between.x) + std::abs(between.y) + turning) <= felt * (Real{63} / 64)) continue;
+    if (too_slow(std::abs(between.x) + std::abs(between.y) + turning)) continue;
     Vec2 normal{found.normal[0], found.normal[1]};
     Real gap = found.count == 2 ? std::min(found.separation[0], found.separation[1]) : found.separation[0];
     if (keeps(pair)) {
@@ -223,11 +231,9 @@ void ContactSearch::reach_farther(const SearchInput& input) {
   while (next < end) in_order_[placed++] = next++;
   in_order_.resize(placed);
   end_stage("farther: match");
-  found_.resize(pairs_.size());
-  keep_points(input);
-  narrow_phase_.collide(input.bodies, shapes_, input.margin, pairs_, to_collide_, found_.data());
-  list_touching();
-  end_stage("farther: collide pairs");
+  find_points(input, undecided_);
+  list_touching(in_order_);
+  end_stage("farther: list touching");
 }
 
 /// A greater gap gives no more points to pairs that stay as they were, to a full set, or to a disc that has its one.
@@ -236,8 +242,7 @@ bool ContactSearch::may_gain_points(std::uint32_t pair) const {
   const Pair& of = pairs_[pair];
   if (kind(of.first) == ShapeKind::other || kind(of.second) == ShapeKind::other) return !keeps(pair);
   const bool disc = kind(of.first) == ShapeKind::disc || kind(of.second) == ShapeKind::disc;
-  const std::int32_t count = found_[pair].count;
-  return count != kept && count < (disc ? 1 : 2);
+  return !keeps(pair) && counts_[pair] < (disc ? 1 : 2);
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

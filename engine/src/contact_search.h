@@ -40,7 +40,7 @@ class ContactSearch {
   /// Numbers of the pairs that have points, in order of contacts.
   std::span<const std::uint32_t> touching() const { return touching_; }
   /// Whether these are the contacts of `last`, no more and no less.
-  bool found_the_same() const;
+  bool found_the_same() const { return found_the_same_; }
   const Proxy& first(std::uint32_t pair) const { return shapes_.proxies()[pairs_[pair].first]; }
   const Proxy& second(std::uint32_t pair) const { return shapes_.proxies()[pairs_[pair].second]; }
   const Part& first_part(std::uint32_t pair) const { return shapes_.part(pairs_[pair].first); }
@@ -48,39 +48,47 @@ class ContactSearch {
   /// The place of the pair's contact in `last`, or none.
   std::uint32_t last_of(std::uint32_t pair) const { return last_of_[pair]; }
   /// Whether that contact's points stay; then points() says nothing.
-  bool keeps(std::uint32_t pair) const { return found_[pair].count == kept; }
+  bool keeps(std::uint32_t pair) const { return counts_[pair] == kept; }
   const PairPoints& points(std::uint32_t pair) const { return found_[pair]; }
 
  private:
-  static constexpr std::int32_t kept = -1;  // instead of a count of points
+  static constexpr std::int8_t kept = -1;  // instead of a count of points
 
   void put_in_order(const SearchInput& input, std::vector<Pair>& pairs);
   void match(bool still_the_same);
   std::uint32_t find_last(const ContactOrder& wanted, std::uint32_t& place) const;
-  void keep_points(const SearchInput& input);
+  void find_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs);
+  void keep_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs);
   bool foresee_knocks(const SearchInput& input);
   void reach_farther(const SearchInput& input);
   bool may_gain_points(std::uint32_t pair) const;
-  void list_touching();
+  void list_touching(std::span<const std::uint32_t> in_order);
+  bool touching_are_last() const;
   ContactOrder order_of(const Pair& pair) const {
     return {shapes_.proxies()[pair.first], shapes_.proxies()[pair.second]};
   }
 
-  /// In order of contacts. Proxies are in order of (body, part) themselves.
+  /// In order of contacts. Proxies are in order of (body, part) themselves, so that only the parts of one first body
+  /// make a difference.
   bool before(const Pair& left, const Pair& right) const {
-    return shapes_.several_parts() ? order_of(left) < order_of(right) : left < right;
+    const auto body = [this](std::uint32_t i) { return shapes_.proxies()[i].body; };
+    const bool plain = !shapes_.several_parts() || left.first == right.first || body(left.first) != body(right.first);
+    return plain ? left < right : order_of(left) < order_of(right);
   }
 
   ShapeTable shapes_;
   NarrowPhase narrow_phase_;
   std::span<Contact> last_;
   Neighbours neighbours_;
-  std::vector<Pair> pairs_;                // in order of contacts, but for those that come late
-  std::vector<Pair> last_pairs_;           // of the search before
-  std::vector<std::uint32_t> in_order_;    // numbers of all pairs, in order of contacts
-  std::vector<std::uint32_t> last_of_;     // of each pair
-  std::vector<PairPoints> found_;          // of each pair
-  std::vector<std::uint32_t> undecided_;   // pairs that have no points yet
+  std::vector<Pair> pairs_;              // in order of contacts, but for those that come late
+  std::vector<Pair> last_pairs_;         // of the search before
+  std::vector<std::uint32_t> numbers_;   // 0, 1, 2, ... : all pairs, in order of contacts until some come late
+  std::vector<std::uint32_t> in_order_;  // the same with those
+  std::vector<std::uint32_t> last_of_;   // of each pair
+  std::vector<std::int8_t> counts_;      // of the points of each pair, or kept
+  std::vector<PairPoints> found_;        // of each pair that was collided
+  bool found_the_same_ = false;
+  std::vector<std::uint32_t> undecided_;   // pairs that have no points yet, or may have more
   std::vector<std::uint32_t> to_collide_;  // those of them that do not keep what they had
   std::vector<std::uint32_t> to_keep_;     // and those that may
   std::vector<std::uint32_t> may_keep_;    // their contacts

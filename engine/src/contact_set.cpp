@@ -96,13 +96,12 @@ void ContactSet::find(const SearchInput& input) {
 }
 
 void ContactSet::write_rows(const SearchInput& input) {
-  const auto go_on_with = [&](Contact& row, std::uint32_t pair) {
-    if (!search_.keeps(pair)) go_on(row, input.bodies, search_.points(pair));
-  };
   if (!disturbed_ && search_.found_the_same()) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const std::uint32_t pair = search_.touching()[i];
+      if (search_.keeps(pair)) continue;
       const int before = rows_[i].count;
-      go_on_with(rows_[i], search_.touching()[i]);
+      go_on(rows_[i], input.bodies, search_.points(pair));
       if (rows_[i].count != before) ++changes_;
     }
     return;
@@ -123,7 +122,7 @@ void ContactSet::write_rows(const SearchInput& input) {
     Contact& row = rows_[next++];
     if (search_.last_of(pair) != ContactSearch::none) {
       row = last_rows_[search_.last_of(pair)];
-      go_on_with(row, pair);
+      if (!search_.keeps(pair)) go_on(row, input.bodies, search_.points(pair));
       continue;
     }
     const Part& part_a = search_.first_part(pair);
@@ -152,20 +151,24 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
   if (!std::is_sorted(on_ground_.begin(), on_ground_.end(), before)) {
     std::stable_sort(on_ground_.begin(), on_ground_.end(), before);
   }
+  bool removed = false;
   for (auto first = on_ground_.cbegin(), next = first; first != on_ground_.cend(); first = next) {
     next = std::find_if(first, on_ground_.cend(), [&](const OnGround& meets) { return part(meets) != part(*first); });
-    if (next - first > 1) remove_ghosts({first, next}, bodies, margin);
+    if (next - first > 1) removed |= remove_ghosts({first, next}, bodies, margin);
   }
-  if (std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; }) > 0) disturb();
+  if (!removed) return;
+  std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; });
+  disturb();
 }
 
 // A face that has taken the place of a ghost hides others in turn: those two joins ahead.
-void ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin) {
+bool ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin) {
   // Only ground that stands still has joins.
   const auto stands = [&](const OnGround& meets) { return !bodies.stirs(meets.ground); };
   supports_.clear();
   std::copy_if(of_part.begin(), of_part.end(), std::back_inserter(supports_), stands);
-  if (supports_.size() < 2) return;
+  if (supports_.size() < 2) return false;
+  bool removed = false;
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     const OnGround below = supports_[i];
     if (rows_[below.row].count == 0) continue;
@@ -181,8 +184,10 @@ void ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet&
       take_points(contact, bodies, points_of(*instead, bodies.pose[contact.body_a].p, bodies.pose[contact.body_b].p));
       carry_impulses(contact, std::span(was.points).first(static_cast<std::size_t>(was.count)));
       supports_.push_back(ahead);
+      removed |= contact.count == 0;
     }
   }
+  return removed;
 }
 
 void ContactSet::forget(std::size_t body) {

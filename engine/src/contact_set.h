@@ -30,8 +30,7 @@ class ContactSet {
   std::vector<Contact>& rows() { return rows_; }
   const std::vector<Contact>& rows() const { return rows_; }
 
-  /// Not 0, and another number whenever rows came or went or have other numbers of points or
-  /// other friction.
+  /// Not 0, and another number whenever rows came or went or have other numbers of points or other materials.
   std::uint64_t changes() const { return changes_; }
 
   /// Of bodies asleep, as their last step left them; sorted likewise. Solvers don't see them.
@@ -63,7 +62,8 @@ class ContactSet {
     std::size_t row;
   };
   void remove_ghosts(const BodySet& bodies, const Margin& margin);
-  void remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin);
+  /// Whether some contact lost all its points.
+  bool remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin);
 
   /// The rules by which materials were mixed last.
   struct Mixing {

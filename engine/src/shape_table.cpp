@@ -24,7 +24,12 @@ bool fills_little(const Aabb& bounds, Vec2 half_extents) {
 
 void ShapeTable::update(const BodySet& bodies, const Margin& margin) {
   if (part_changes_ != bodies.part_changes || sleep_changes_ != bodies.sleep_changes) list(bodies);
-  for (std::size_t i = 0; i < proxies_.size(); ++i) place(i, bodies, margin, 0);
+  fastest_ = 0;
+  for (std::size_t i = 0; i < proxies_.size(); ++i) {
+    place(i, bodies, margin, 0);
+    const Vec2 v = records_[i].velocity;
+    fastest_ = std::max(fastest_, std::abs(v.x) + std::abs(v.y) + records_[i].rim);
+  }
   some_slanted_ = std::find(slanted_.begin(), slanted_.end(), 1) != slanted_.end();
 }
 

@@ -35,6 +35,7 @@ class ShapeTable {
     return (slanted_[i] != 0 && beside(i, j)) || (slanted_[j] != 0 && beside(j, i));
   }
   bool some_slanted() const { return some_slanted_; }    // some box is
+  Real fastest() const { return fastest_; }              // m/s, no point of any part goes faster
   bool several_parts() const { return several_parts_; }  // some body has
 
  private:
@@ -56,6 +57,7 @@ class ShapeTable {
   std::vector<std::uint8_t> slanted_;  // whether each is a box that fills little of its bounds
   std::vector<Real> grown_by_;         // m, each one's bounds
   bool some_slanted_ = false;
+  Real fastest_ = 0;
   bool several_parts_ = false;
   std::uint64_t version_ = 0;
   std::uint64_t part_changes_ = ~std::uint64_t{0};  // of the bodies, when they were last listed

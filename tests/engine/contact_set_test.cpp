@@ -52,6 +52,23 @@ TEST(ContactSet, SortsRowsByBodiesThenParts) {
   for (const Contact& row : rows) EXPECT_LT(row.body_a, row.body_b);
 }
 
+TEST(ContactSet, TellsOfOtherPointsAndOtherMaterials) {
+  Heap heap;
+  heap.add(at(0, 0), Shape::circle(1));
+  heap.add(at(1.5, 0), Shape::circle(1));
+  heap.find();
+  const std::uint64_t first = heap.contacts.changes();
+  heap.find();
+  EXPECT_EQ(heap.contacts.changes(), first);
+  heap.settings.restitution_mixing = RestitutionMixing::min;
+  heap.find();
+  const std::uint64_t mixed = heap.contacts.changes();
+  EXPECT_NE(mixed, first);
+  heap.bodies.pose[1].p.x = 4;
+  EXPECT_TRUE(heap.find().empty());
+  EXPECT_NE(heap.contacts.changes(), mixed);
+}
+
 TEST(ContactSet, CarriesImpulsesOverWhileAContactLasts) {
   Heap heap;
   heap.add(at(0, 0), Shape::circle(1));
