@@ -10,23 +10,38 @@ namespace {
 
 bool pushable(const BodySet& bodies, std::size_t i) { return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0; }
 
+// What kinds of bodies are told apart by.
+constexpr std::uint8_t stirs = 1;
+constexpr std::uint8_t is_pushable = 2;
+
 /// Whether nothing that the contact gives can turn a body, and no turning is felt by it.
-bool smooth(const BodySet& bodies, const Contact& contact) {
-  return contact.static_friction == 0 && (contact.disc_a || !bodies.stirs(contact.body_a)) &&
-         (contact.disc_b || !bodies.stirs(contact.body_b));
+bool smooth(const Contact& contact, bool stirs_a, bool stirs_b) {
+  return contact.static_friction == 0 && (contact.disc_a || !stirs_a) && (contact.disc_b || !stirs_b);
 }
 
 }  // namespace
 
+// Neighbours are often of one island: they are counted and put there together.
 template <class Item>
 template <class Source, class IslandOf>
 void Partition::ByIsland<Item>::sort(const Source& source, std::size_t islands, IslandOf island_of) {
+  const auto for_runs = [&](auto act) {
+    for (auto first = source.begin(), end = first; first != source.end(); first = end) {
+      const std::size_t island = island_of(*first);
+      end = std::find_if(first, source.end(), [&](const Item& item) { return island_of(item) != island; });
+      act(island, first, end);
+    }
+  };
   start.assign(islands + 1, 0);
-  for (const Item& item : source) ++start[island_of(item) + 1];
+  for_runs(
+      [&](std::size_t island, auto first, auto end) { start[island + 1] += static_cast<std::size_t>(end - first); });
   std::partial_sum(start.begin(), start.end(), start.begin());
   next.assign(start.begin(), start.end() - 1);
   items.resize(source.size());
-  for (const Item& item : source) items[next[island_of(item)]++] = item;
+  for_runs([&](std::size_t island, auto first, auto end) {
+    std::copy(first, end, items.begin() + static_cast<std::ptrdiff_t>(next[island]));
+    next[island] += static_cast<std::size_t>(end - first);
+  });
 }
 
 void Partition::split(const StepData& data, bool together) {
@@ -46,24 +61,26 @@ bool Partition::nothing_changed(const StepData& data) {
   std::swap(kinds_, last_kinds_);
   kinds_.resize(data.bodies.size());
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    kinds_[i] = static_cast<std::uint8_t>((data.bodies.stirs(i) ? 1 : 0) | (pushable(data.bodies, i) ? 2 : 0));
+    kinds_[i] =
+        static_cast<std::uint8_t>((data.bodies.stirs(i) ? stirs : 0) | (pushable(data.bodies, i) ? is_pushable : 0));
   }
   const std::uint64_t before = std::exchange(contact_changes_, data.contact_changes);
   return before != 0 && before == contact_changes_ && kinds_ == last_kinds_;
 }
 
 void Partition::list_ties(const StepData& data) {
-  const BodySet& bodies = data.bodies;
   tied_.clear();
   for (std::uint32_t c = 0; c < data.contacts.size(); ++c) {
     const Contact& contact = data.contacts[c];
     const std::uint32_t a = contact.body_a;
     const std::uint32_t b = contact.body_b;
-    const bool pushes_a = pushable(bodies, a);
-    const bool pushes_b = pushable(bodies, b);
+    const bool pushes_a = (kinds_[a] & is_pushable) != 0;
+    const bool pushes_b = (kinds_[b] & is_pushable) != 0;
     if (contact.count == 0 || !(pushes_a || pushes_b)) continue;
-    tied_.push_back({c, a, b, pushes_a, pushes_b, bodies.stirs(a) && bodies.stirs(b),
-                     static_cast<std::uint8_t>(contact.count), contact.discs(), smooth(bodies, contact)});
+    const bool stirs_a = (kinds_[a] & stirs) != 0;
+    const bool stirs_b = (kinds_[b] & stirs) != 0;
+    tied_.push_back({c, a, b, pushes_a, pushes_b, stirs_a && stirs_b, static_cast<std::uint8_t>(contact.count),
+                     contact.discs(), smooth(contact, stirs_a, stirs_b)});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 #include "stages.h"
 
@@ -34,7 +35,8 @@ void Pile::step(const StepData& data, const Partition& parts, const Island& isla
   end_stage("pile: lay out");
   kernels_->kick_by_forces(rows_, island.h);
   lanes_->kick(rows_);
-  for (int i = 0; i < island.substeps; ++i) substep(data, island, i == 0);
+  if (island.more_sweeps > 0) weigh(data, island);
+  for (int i = 0; i < island.substeps; ++i) substep(island, i == 0);
   end_stage("pile: sub-steps");
   lanes_->settle(island.settling);
   leave(data, island, motion);
@@ -76,9 +78,9 @@ void Pile::take_bodies(const StepData& data, const Island& island, const std::ve
            acceleration_.data()};
 }
 
-void Pile::substep(const StepData& data, const Island& island, bool first) {
+void Pile::substep(const Island& island, bool first) {
   if (island.more_sweeps > 0) {
-    start_energy_ = kinetic_energy(data, island);
+    start_energy_ = kinetic_energy();
     start_motion_ = motion_;
     start_turn_ = turn_;
   }
@@ -86,14 +88,14 @@ void Pile::substep(const StepData& data, const Island& island, bool first) {
   lanes_->press(rows_, island.h);
   if (kernels_->drift_bodies(rows_, island.h)) turn_far();
   for (int sweep = 0; sweep < island.sweeps; ++sweep) lanes_->relax(rows_, sweep > 0);
-  if (island.more_sweeps > 0) relax_until_bounded(data, island);
+  if (island.more_sweeps > 0) relax_until_bounded(island);
 }
 
 /// As Accurate::relax_until_bounded.
-void Pile::relax_until_bounded(const StepData& data, const Island& island) {
+void Pile::relax_until_bounded(const Island& island) {
   const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-  const Real most = start_energy_ + work(data, island) + rounding * start_energy_;
-  for (int sweep = 0; sweep < island.more_sweeps && kinetic_energy(data, island) > most; ++sweep) {
+  const Real most = start_energy_ + work() + rounding * start_energy_;
+  for (int sweep = 0; sweep < island.more_sweeps && kinetic_energy() > most; ++sweep) {
     lanes_->relax(rows_, true);
   }
 }
@@ -120,30 +122,40 @@ void Pile::turn_far() {
   }
 }
 
-/// J, of the bodies that can be pushed.
-Real Pile::kinetic_energy(const StepData& data, const Island& island) const {
-  Real sum = 0;
+/// Of the bodies that can be pushed; the others do not share in an island's energy.
+void Pile::weigh(const StepData& data, const Island& island) {
+  mass_.assign(velocity_.size(), 0);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const InverseMass& inverse = data.bodies.inverse_mass[island.bodies[i]];
-    const Real* v = &velocity_[4 * i];
-    if (inverse.m > 0) sum += (v[0] * v[0] + v[1] * v[1]) / (2 * inverse.m);
-    if (inverse.i > 0) sum += v[2] * v[2] / (2 * inverse.i);
+    if (inverse.m > 0) mass_[4 * i] = mass_[4 * i + 1] = 1 / inverse.m;
+    if (inverse.i > 0) mass_[4 * i + 2] = 1 / inverse.i;
   }
-  return sum;
+}
+
+/// J. In several sums at once, here and below: a single one would wait at every body for the body before.
+Real Pile::kinetic_energy() const {
+  std::array<Real, block> sums{};
+  for (std::size_t i = 0; i < velocity_.size(); i += block) {
+    for (std::size_t k = 0; k < block; ++k) sums[k] += mass_[i + k] * velocity_[i + k] * velocity_[i + k];
+  }
+  return std::accumulate(sums.begin(), sums.end(), Real{0}) / 2;
 }
 
 /// J, that the forces gave in this sub-step.
-Real Pile::work(const StepData& data, const Island& island) const {
-  Real sum = 0;
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const InverseMass& inverse = data.bodies.inverse_mass[island.bodies[i]];
-    const Real* a = &acceleration_[4 * i];
-    const Real* now = &motion_[4 * i];
-    const Real* then = &start_motion_[4 * i];
-    if (inverse.m > 0) sum += (a[0] * (now[0] - then[0]) + a[1] * (now[1] - then[1])) / inverse.m;
-    if (inverse.i > 0) sum += a[2] * (turn_[i] - start_turn_[i]) / inverse.i;
+Real Pile::work() const {
+  std::array<Real, 4> sums{};
+  for (std::size_t i = 0; i < turn_.size(); i += sums.size()) {
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      const std::size_t body = i + k;
+      const Real* a = &acceleration_[4 * body];
+      const Real* now = &motion_[4 * body];
+      const Real* then = &start_motion_[4 * body];
+      const Real* mass = &mass_[4 * body];
+      sums[k] += mass[0] * (a[0] * (now[0] - then[0]) + a[1] * (now[1] - then[1])) +
+                 mass[2] * (a[2] * (turn_[body] - start_turn_[body]));
+    }
   }
-  return sum;
+  return std::accumulate(sums.begin(), sums.end(), Real{0});
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

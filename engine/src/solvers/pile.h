@@ -30,11 +30,12 @@ class Pile {
  private:
   void take_bodies(const StepData& data, const Island& island, const std::vector<Velocity>& acceleration);
   void give_row(std::uint32_t body);
-  void substep(const StepData& data, const Island& island, bool first);
+  void substep(const Island& island, bool first);
   void turn_far();
-  void relax_until_bounded(const StepData& data, const Island& island);
-  Real kinetic_energy(const StepData& data, const Island& island) const;
-  Real work(const StepData& data, const Island& island) const;
+  void relax_until_bounded(const Island& island);
+  void weigh(const StepData& data, const Island& island);
+  Real kinetic_energy() const;
+  Real work() const;
   void leave(const StepData& data, const Island& island, std::vector<Motion>& motion);
 
   const PileKernels* kernels_;
@@ -47,6 +48,7 @@ class Pile {
   std::vector<Real> velocity_, before_, kick_, motion_, turn_, acceleration_;
   std::vector<Real> start_motion_, start_turn_;  // of the sub-step
   Real start_energy_ = 0;                        // J
+  std::vector<Real> mass_;                       // kg, kg, kg m^2, 0 of each row
   BodyRows rows_{};
 };
 
