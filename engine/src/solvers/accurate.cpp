@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact_rows.h"
@@ -107,6 +108,8 @@ class Accurate : public Solver {
   void prepare(StepData& data);
   Island island(StepData& data, std::size_t number, Workspace& space);
   void make_rows(StepData& data, Island& island, std::size_t number);
+  static bool keeps_points(const ImpactRow& row, const Contact& contact);
+  static void go_on(ImpactRow& row, const Contact& contact);
   void solve_as_pile(StepData& data, Island& island, Pile& pile);
   bool is_pile(const StepData& data, const Island& island) const;
   void step_island(StepData& data, std::size_t number, Workspace& space);
@@ -130,7 +133,8 @@ class Accurate : public Solver {
 
   bool lanes_;  // large islands are solved eight contacts at a time
   Partition parts_;
-  std::vector<ImpactRow> rows_;         // island by island
+  std::uint64_t contact_changes_ = 0;   // when rows were made
+  std::vector<ImpactRow> rows_;         // island by island; those whose contacts keep their points stay
   std::vector<Motion> motion_;          // of each body since the start of the step
   std::vector<Pose> start_;             // of each body
   std::vector<Velocity> acceleration_;  // of each body, by the force field
@@ -289,8 +293,36 @@ void Accurate::prepare(StepData& data) {
   data.forces.accelerations(bodies, data.settings.dt / static_cast<Real>(2 * data.settings.substeps), acceleration_);
   flight_ = acceleration_;
 
+  const std::uint64_t parted = parts_.version();
   parts_.split(data, forces_vary_);
   rows_.resize(parts_.contact_count());
+  const std::uint64_t before = std::exchange(contact_changes_, data.contact_changes);
+  const bool same = parted == parts_.version() && before != 0 && before == contact_changes_;
+  if (same) return;
+  for (ImpactRow& row : rows_) row.made = false;
+}
+
+/// Whether these are the points that the row was made of: of two discs they never are, whose normal turns with them.
+bool Accurate::keeps_points(const ImpactRow& row, const Contact& contact) {
+  const auto same = [](const Pose& then, const Pose& now) { return then.p == now.p && then.q == now.q; };
+  return row.made && !contact.discs() && same(row.found_a, contact.found_a) && same(row.found_b, contact.found_b) &&
+         row.normal == contact.normal && row.found_separation == contact.found_separation;
+}
+
+/// A row whose contact keeps its points: only how deep they are and what they bear is new.
+void Accurate::go_on(ImpactRow& row, const Contact& contact) {
+  row.static_friction = contact.static_friction;
+  row.dynamic_friction = contact.dynamic_friction;
+  row.restitution = contact.restitution;
+  row.active = true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    RowPoint& p = row.points[i];
+    p.separation = contact.points[i].separation;
+    p.normal_impulse = contact.points[i].normal_impulse;
+    p.tangent_impulse = contact.points[i].tangent_impulse;
+    p.total_normal = 0;
+    p.total_tangent = 0;
+  }
 }
 
 void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
@@ -300,7 +332,15 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
     const Contact& contact = data.contacts[island.contacts[i].contact];
     ImpactRow& row = island.rows[i];
-    row = {make_row(data.bodies, data.contacts, island.contacts[i].contact)};
+    if (keeps_points(row, contact)) {
+      go_on(row, contact);
+    } else {
+      row = {make_row(data.bodies, data.contacts, island.contacts[i].contact)};
+      row.made = true;
+      row.found_a = contact.found_a;
+      row.found_b = contact.found_b;
+      row.found_separation = contact.found_separation;
+    }
     row.stirs_a = data.bodies.stirs(row.a);
     row.stirs_b = data.bodies.stirs(row.b);
     row.offset = contact.offset;
@@ -324,7 +364,8 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
 
   island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   for (ImpactRow& row : island.rows) {
-    if (row.block) row.pair = ScalarContacts::pair_of(island, row);
+    if (row.block && row.pair.strength != island.softness(row).strength)
+      row.pair = ScalarContacts::pair_of(island, row);
   }
   // What is swept is spread over the sub-steps instead.
   const bool takes_turns =

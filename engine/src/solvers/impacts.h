@@ -34,6 +34,7 @@ struct PairMatrix {
 
 /// Two points that are solved together.
 struct PointPair {
+  Real strength = 0;                   // of the springs that this was made for; 0: none
   std::array<Real, 2> inverse_mass{};  // 1/kg, effective, of each alone
   Real coupling = 0;                   // 1/kg, what the impulse of one does to the other
   std::array<Real, 2> give{};          // 1/kg, that their springs add
@@ -52,7 +53,10 @@ struct ImpactRow : ContactRow {
   Vec2 between;              // of those centres at the start of the step
   std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
   int age = 0;               // steps since the contact began
-  bool stirs_a = true;       // the body can move, see BodySet::stirs
+  bool made = false;         // of the points that the contact still has, if these are as they were then:
+  Pose found_a, found_b;
+  std::array<Real, 2> found_separation{};
+  bool stirs_a = true;  // the body can move, see BodySet::stirs
   bool stirs_b = true;
   bool active = true;  // takes part in this sub-step's solve
   bool fresh = false;  // first step of the contact

@@ -63,7 +63,7 @@ bool settles(const StepData& data, const Island& island) {
 void Bearing::add(const ContactRow& row) {
   if (row.mass_a.m == 0 || row.mass_b.m == 0) points += row.count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-    softest = std::max(softest, 1 / row.points[i].normal_mass);
+    lightest = std::min(lightest, row.points[i].normal_mass);
   }
 }
 
@@ -83,7 +83,7 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
     if (m > 0) weight += length(acceleration[body].v) / m;
   }
   const Real omega = 2 * pi * static_cast<Real>(base) / (8 * settings.dt);
-  const Real load = weight * bearing.softest;
+  const Real load = weight / bearing.lightest;
   const Real bears = static_cast<Real>(bearing.points) * (2 * omega * omega) * tolerated_sink;
   if (load < bears) return base;
   const Real wanted = static_cast<Real>(base) * std::sqrt(load / bears);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -75,8 +76,8 @@ bool settles(const StepData& data, const Island& island);
 
 /// What carries an island's weight.
 struct Bearing {
-  int points = 0;    // on what cannot move
-  Real softest = 0;  // 1/kg, the largest inverse effective mass
+  int points = 0;                                         // on what cannot move
+  Real lightest = std::numeric_limits<Real>::infinity();  // kg, effective, of a point
 
   void add(const ContactRow& row);
 };

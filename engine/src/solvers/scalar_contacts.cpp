@@ -123,8 +123,10 @@ void ScalarContacts::relax(const Island& island) {
 
 PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
   const auto& [p, q] = row.points;
-  const Real weakness = 1 / island.softness(row).strength - 1;
-  PointPair pair{.inverse_mass = {1 / p.normal_mass, 1 / q.normal_mass},
+  const Real strength = island.softness(row).strength;
+  const Real weakness = 1 / strength - 1;
+  PointPair pair{.strength = strength,
+                 .inverse_mass = {1 / p.normal_mass, 1 / q.normal_mass},
                  .coupling = row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a +
                              row.mass_b.i * p.cross_b * q.cross_b,
                  .give = {weakness / p.normal_mass, weakness / q.normal_mass}};
