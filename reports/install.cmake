@@ -29,7 +29,7 @@ get_property(engines GLOBAL PROPERTY PLUMB_ENGINES)
 add_part(scenarios OBJECTS plumb_scenarios USES nlohmann_json::nlohmann_json)
 add_part(reference OBJECTS plumb_reference ${adapters} USES plumb::scenarios ${engines}
   $<LINK_LIBRARY:WHOLE_ARCHIVE,impulse::impulse_archive,impulse::impulse_double_archive> Threads::Threads)
-add_part(reports OBJECTS plumb_reports plumb_page USES plumb::reference CLI11::CLI11 fmt::fmt SQLite::SQLite3 ZLIB::ZLIB)
+add_part(reports OBJECTS plumb_reports plumb_page USES plumb::reference CLI11::CLI11 fmt::fmt OpenSSL::Crypto SQLite::SQLite3 ZLIB::ZLIB)
 add_part(main OBJECTS plumb_main USES plumb::reports)
 
 foreach(folder scenarios reference reports)
@@ -39,7 +39,7 @@ endforeach()
 install(TARGETS plumb RUNTIME COMPONENT plumb)
 install(EXPORT plumb NAMESPACE plumb:: FILE plumbTargets.cmake DESTINATION ${package} COMPONENT plumb)
 get_property(PLUMB_PACKAGES GLOBAL PROPERTY PLUMB_PACKAGES)
-list(APPEND PLUMB_PACKAGES impulse/${PROJECT_VERSION} nlohmann_json CLI11 fmt SQLite3 ZLIB)
+list(APPEND PLUMB_PACKAGES impulse/${PROJECT_VERSION} nlohmann_json CLI11 fmt OpenSSL SQLite3 ZLIB)
 configure_package_config_file(reports/plumbConfig.cmake.in plumbConfig.cmake INSTALL_DESTINATION ${package}
   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(plumbConfigVersion.cmake COMPATIBILITY SameMinorVersion)
