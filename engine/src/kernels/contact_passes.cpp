@@ -259,19 +259,29 @@ void settle_offsets(const ContactTable& table, bool settling) {
   for_all_lanes(table, [&](auto& contacts, auto) {
     const Lanes nothing = Lanes::all(0);
     const Lanes offset = load(contacts.offset);
+    Lanes sum = nothing;
     Lanes speed = nothing;
     Lanes depth = nothing;
     for (const auto& p : contacts.point) {
       const Lanes mass = load(p.normal_mass);
-      speed = speed + select(nothing < mass, load(p.normal_impulse) / mass, nothing);
-      depth = depth - (load(p.gap) + offset);
+      const Lanes impulse = load(p.normal_impulse);
+      sum = sum + impulse;
+      speed = speed + select(nothing < mass, impulse * (impulse / mass), nothing);
+      depth = depth - impulse * (load(p.gap) + offset);
     }
-    const Lanes share = Lanes::all(Real{1} / static_cast<Real>(count_points(contacts)));
-    const Lanes explained = speed * share * load(contacts.give);
+    const auto loaded = nothing < sum;
+    const Lanes explained = select(loaded, speed / sum, nothing) * load(contacts.give);
+    const Lanes mean = select(loaded, depth / sum, nothing);
     const Lanes rate = load(contacts.offset_rate);
     const Lanes headroom = Lanes::all(static_cast<Real>(1.05));
-    const Lanes next = max(nothing, min(headroom * explained, offset + rate * depth * share));
+    const Lanes next = max(nothing, min(headroom * explained, offset + rate * mean));
     store(settling ? explained : select(nothing < rate, next, offset), contacts.offset);
+    if (!settling) return;
+    const Lanes change = explained - offset;
+    for (auto& p : contacts.point) {
+      store(load(p.separation) - change, p.separation);
+      store(load(p.gap) - change, p.gap);
+    }
   });
 }
 

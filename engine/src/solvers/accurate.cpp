@@ -12,11 +12,14 @@
 #include "solver.h"
 #include "solvers/colouring.h"
 #include "solvers/energy_bound.h"
+#include "solvers/impact_rows.h"
 #include "solvers/impacts.h"
 #include "solvers/island.h"
 #include "solvers/partition.h"
 #include "solvers/pile.h"
 #include "solvers/scalar_contacts.h"
+#include "solvers/turning.h"
+#include "solvers/unpushed.h"
 #include "stages.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -32,6 +35,8 @@ struct Workspace {
   EnergyBound bound;
   Pile pile;
   Colouring colouring;
+  Turning turning;
+  Unpushed unpushed;
   std::vector<Island> alike;  // waiting to be stepped together
 };
 
@@ -39,8 +44,8 @@ struct Workspace {
 /// swings about the true one; 1e-5 is seen of a pendulum, 1e-2 and more of chains too fast for the sub-step.
 constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
-/// An island that begins at rest finds its loads in so many sweeps instead of sinking until it has them.
-constexpr int settling_sweeps = 30;
+/// m that a blow may press contacts in within a sub-step: small against what the loads at rest may.
+constexpr Real not_felt = tolerated_sink / 10;
 
 /// Contacts, from which laying them out in lanes pays.
 constexpr std::size_t least_pile = 64;
@@ -59,9 +64,9 @@ bool has_stops(const IslandJoints& joints) {
                                        [](const ActiveJoint* joint) { return joint->block.stops > 0; });
 }
 
-/// Whether a sub-step of it is one pass over its contacts and nothing else.
-bool plain(const Island& island) {
-  return island.joints.empty() && !island.bounces && !island.settling && island.sweeps == 1 && island.more_sweeps == 0;
+void scale_offsets(const StepData& data, const Island& island, Real by) {
+  if (by == 1) return;
+  for (const Tie& tie : island.contacts) data.contacts[tie.contact].offset *= by;
 }
 
 /// What lies from the first of one span to the last of another behind it.
@@ -108,8 +113,6 @@ class Accurate : public Solver {
   void prepare(StepData& data);
   Island island(StepData& data, std::size_t number, Workspace& space);
   void make_rows(StepData& data, Island& island, std::size_t number);
-  static bool keeps_points(const ImpactRow& row, const Contact& contact);
-  static void go_on(ImpactRow& row, const Contact& contact);
   void solve_as_pile(StepData& data, Island& island, Pile& pile);
   bool is_pile(const StepData& data, const Island& island) const;
   void step_island(StepData& data, std::size_t number, Workspace& space);
@@ -119,9 +122,11 @@ class Accurate : public Solver {
   void substep(StepData& data, Island& island, Workspace& space);
   void find_impacts(StepData& data, Island& island, Impacts& impacts);
   void kick(BodySet& bodies, Island& island);
-  void press(BodySet& bodies, Island& island);
+  void press(BodySet& bodies, Island& island, bool rigidly);
+  int press_through(BodySet& bodies, Island& island);
   void drift(StepData& data, const Island& island);
   void relax(BodySet& bodies, Island& island, int sweeps);
+  void relax_through(BodySet& bodies, Island& island);
   void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
   void note_loads(const Island& island);
   /// Only bodies that can be pushed: the others are shared among islands.
@@ -201,21 +206,26 @@ void Accurate::step_alike(StepData& data, Workspace& space) {
     if (one.webbed) all.web = one.web;
   }
   if (!all.joints.empty()) all.joints.write();
+  space.turning.begin(all, data);
   for (int i = 0; i < all.substeps; ++i) substep(data, all, space);
-  for (const Island& one : space.alike) ScalarContacts(data.bodies, motion_).settle_offsets(one);
-  all.share(substeps);
-  for (const ImpactRow& row : all.rows) {
-    store_row(row, data.contacts);
-    data.contacts[row.contact].offset = row.offset;
+  for (const Island& one : space.alike) {
+    if (!one.settling) ScalarContacts(data.bodies, motion_).settle_offsets(one);
   }
+  all.share(substeps);
+  for (ImpactRow& row : all.rows) leave(row, all.offset_scale, data.contacts);
   space.alike.clear();
 }
 
-/// Whether an island is worth the laying out, and needs nothing that lanes cannot do.
+/// Whether an island is worth the laying out, and needs nothing that lanes cannot do: few bodies in motion are
+/// followed closely, but for discs, whose normals turn in lanes, too.
 bool Accurate::is_pile(const StepData& data, const Island& island) const {
-  return island.contacts.size() >= least_pile && island.joints.empty() && !forces_vary_ &&
-         std::none_of(island.contacts.begin(), island.contacts.end(),
-                      [&](const Tie& tie) { return data.contacts[tie.contact].restitution > 0; });
+  if (island.contacts.size() < least_pile || !island.joints.empty() || forces_vary_) return false;
+  const bool is_few = few(island);
+  return std::none_of(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
+    const Contact& contact = data.contacts[tie.contact];
+    return contact.restitution > 0 ||
+           (is_few && !contact.discs() && stir_of(contact, data.bodies).moves(data.settings.dt));
+  });
 }
 
 void Accurate::solve_as_pile(StepData& data, Island& island, Pile& pile) {
@@ -224,10 +234,10 @@ void Accurate::solve_as_pile(StepData& data, Island& island, Pile& pile) {
   if (may_need_substeps(island.bodies.size(), data.settings)) {
     for (const Tie& tie : island.contacts) bearing.add(make_row(data.bodies, data.contacts, tie.contact));
   }
-  island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
+  island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   end_stage("pile: bearing");
   island.settling = settles(data, island);
-  if (island.settling) island.sweeps = settling_sweeps;
+  if (island.settling) island.sweeps = settling_sweeps_for(island.bodies.size());
   const int more_sweeps = closed(data.bodies, island.bodies) ? more_sweeps_for(island.bodies.size()) : 0;
   if (more_sweeps > 0 && any_contact([&](const Tie& tie) {
         return new_or_deep(data.contacts[tie.contact]) &&
@@ -236,7 +246,9 @@ void Accurate::solve_as_pile(StepData& data, Island& island, Pile& pile) {
     island.more_sweeps = more_sweeps;
   }
   end_stage("pile: struck");
+  scale_offsets(data, island, island.offset_scale);
   pile.step(data, parts_, island, acceleration_, motion_);
+  scale_offsets(data, island, 1 / island.offset_scale);
 }
 
 /// Bodies that meet nothing under forces that stay the same: x += v t + a t^2/2 is exact, whatever the step.
@@ -263,17 +275,26 @@ void Accurate::fly_all(StepData& data) {
 }
 
 void Accurate::substep(StepData& data, Island& island, Workspace& space) {
-  if (island.bounces) find_impacts(data, island, space.impacts);
+  space.turning.find_again(data, start_, motion_);
+  if (island.bounces) {
+    space.turning.follow(island, motion_);
+    find_impacts(data, island, space.impacts);
+  }
+  space.turning.lead(island, data.bodies, motion_);
   if (!island.joints.empty()) island.joints.halve();
   ScalarContacts::halve(island, kicks_);
   if (!island.joints.empty() || island.more_sweeps > 0) space.bound.note(island.bodies, data.bodies, motion_);
+  if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
   kick(data.bodies, island);
-  press(data.bodies, island);
+  press(data.bodies, island, false);
+  const int pressed = press_through(data.bodies, island);
   drift(data, island);
   const bool joints_fit = island.joints.fit();
   if (!island.joints.empty()) island.joints.write();
   kick(data.bodies, island);
-  relax(data.bodies, island, island.settling ? std::max(settling_sweeps, island.sweeps) : island.sweeps);
+  relax(data.bodies, island,
+        island.settling ? std::max(settling_sweeps_for(island.bodies.size()), island.sweeps) : island.sweeps + pressed);
+  relax_through(data.bodies, island);
   if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
   if (!joints_fit || island.ideal) {
     // Springs that let go give back what stretched them as height, not as speed.
@@ -281,7 +302,9 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
     const bool slowed = space.bound.keep(island.bodies, island.held, data.bodies, motion_, acceleration_, gain);
     if (slowed && !joints_fit) island.joints.forget();
   }
+  if (island.settling) ScalarContacts(data.bodies, motion_).settle_offsets(island);
   note_loads(island);
+  if (island.press_sweeps > 0 && !forces_vary_) space.unpushed.restore(island, loaded_, data.bodies);
 }
 
 void Accurate::prepare(StepData& data) {
@@ -302,52 +325,15 @@ void Accurate::prepare(StepData& data) {
   for (ImpactRow& row : rows_) row.made = false;
 }
 
-/// Whether these are the points that the row was made of: of two discs they never are, whose normal turns with them.
-bool Accurate::keeps_points(const ImpactRow& row, const Contact& contact) {
-  const auto same = [](const Pose& then, const Pose& now) { return then.p == now.p && then.q == now.q; };
-  return row.made && !contact.discs() && same(row.found_a, contact.found_a) && same(row.found_b, contact.found_b) &&
-         row.normal == contact.normal && row.found_separation == contact.found_separation;
-}
-
-/// A row whose contact keeps its points: only how deep they are and what they bear is new.
-void Accurate::go_on(ImpactRow& row, const Contact& contact) {
-  row.static_friction = contact.static_friction;
-  row.dynamic_friction = contact.dynamic_friction;
-  row.restitution = contact.restitution;
-  row.active = true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-    RowPoint& p = row.points[i];
-    p.separation = contact.points[i].separation;
-    p.normal_impulse = contact.points[i].normal_impulse;
-    p.tangent_impulse = contact.points[i].tangent_impulse;
-    p.total_normal = 0;
-    p.total_tangent = 0;
-  }
-}
-
 void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.rows = std::span(rows_).subspan(parts_.first_contact(number), island.contacts.size());
   Bearing bearing;
-  bool struck = false;
+  bool moves = false;
+  const bool is_few = few(island);
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
     const Contact& contact = data.contacts[island.contacts[i].contact];
     ImpactRow& row = island.rows[i];
-    if (keeps_points(row, contact)) {
-      go_on(row, contact);
-    } else {
-      row = {make_row(data.bodies, data.contacts, island.contacts[i].contact)};
-      row.made = true;
-      row.found_a = contact.found_a;
-      row.found_b = contact.found_b;
-      row.found_separation = contact.found_separation;
-    }
-    row.stirs_a = data.bodies.stirs(row.a);
-    row.stirs_b = data.bodies.stirs(row.b);
-    row.offset = contact.offset;
-    row.disc_distance = contact.discs() ? contact.radius_a + contact.radius_b : Real{0};
-    row.between = start_[row.b].p - start_[row.a].p;
-    row.age = contact.age;
-    row.fresh = contact.age == 0;
+    renew(row, data.bodies, start_, data.contacts, island.contacts[i].contact);
     // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
     row.web = parts_.in_web(island.contacts[i]);
     row.block = !row.web && row.count == 2;
@@ -355,17 +341,25 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     island.bounces |= row.restitution > 0;
     island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
     bearing.add(row);
-    struck = struck || (new_or_deep(contact) && at_speed(row, data.bodies));
+    if (is_few && row.age >= Island::offset_from_age) bearing.add_load(row, contact.offset, data.settings);
+    const Stir stir = stir_of(contact, data.bodies);
+    if (!stir.moves(data.settings.dt)) continue;
+    moves = true;
+    island.turning = island.turning || stir.turns(data.settings.dt);
+    island.struck = island.struck || (new_or_deep(contact) && at_speed(row, data.bodies)) ||
+                    (is_few && closes(row, data.bodies, data.settings.dt));
   }
   for (const ActiveJoint* joint : island.joints.all()) {
     note_load(joint->block);
     island.held = island.held || !pushable(joint->block.mass_a) || !pushable(joint->block.mass_b);
   }
 
-  island.cut(data.settings.dt, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
+  island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   for (ImpactRow& row : island.rows) {
-    if (row.block && row.pair.strength != island.softness(row).strength)
+    row.offset = island.offset_scale * data.contacts[row.contact].offset;
+    if (row.block && row.pair.strength != island.softness(row).strength) {
       row.pair = ScalarContacts::pair_of(island, row);
+    }
   }
   // What is swept is spread over the sub-steps instead.
   const bool takes_turns =
@@ -376,7 +370,12 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.settling = settles(data, island);
   const bool is_closed = !forces_vary_ && closed(data.bodies, island.bodies);
   island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
-  if (is_closed && struck) island.more_sweeps = more_sweeps_for(island.bodies.size());
+  if (!moves) return;
+  // Few bodies in motion are followed closely.
+  const int more_sweeps = more_sweeps_for(island.bodies.size());
+  island.turning = is_few && (island.turning || island.struck);
+  if (is_few) island.press_sweeps = more_sweeps;
+  if (is_closed && (island.turning || island.struck)) island.more_sweeps = more_sweeps;
 }
 
 Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
@@ -410,17 +409,42 @@ void Accurate::kick(BodySet& bodies, Island& island) {
   if (!island.joints.empty()) island.joints.kick();
 }
 
-void Accurate::press(BodySet& bodies, Island& island) {
+void Accurate::press(BodySet& bodies, Island& island, bool rigidly) {
   for (int sweep = 0; sweep < island.sweeps; ++sweep) {
     if (!island.joints.empty()) island.joints.press(island.h);
-    ScalarContacts(bodies, motion_).press(island);
+    ScalarContacts contacts(bodies, motion_);
+    if (rigidly) {
+      contacts.press_rigidly(island);
+    } else {
+      contacts.press(island);
+    }
   }
+}
+
+/// A blow goes through soft contacts by 1 - strength of its way in a sub-step, and as far as one sweep has not handed
+/// it on: at 10 m/s that is centimetres. Then contacts are pressed rigidly, until in this sub-step none comes deeper.
+/// Returns how often.
+int Accurate::press_through(BodySet& bodies, Island& island) {
+  int sweeps = 0;
+  while (sweeps < island.press_sweeps && ScalarContacts(bodies, motion_).deepening(island, false) > not_felt) {
+    press(bodies, island, true);
+    sweeps += island.sweeps;
+  }
+  return sweeps;
 }
 
 void Accurate::relax(BodySet& bodies, Island& island, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     if (!island.joints.empty()) island.joints.relax(island.h);
     ScalarContacts(bodies, motion_).relax(island);
+  }
+}
+
+/// What friction turns into the ground, one sweep leaves on its way there.
+void Accurate::relax_through(BodySet& bodies, Island& island) {
+  for (int sweep = 0; sweep < island.press_sweeps; ++sweep) {
+    if (ScalarContacts(bodies, motion_).deepening(island, true) <= not_felt) return;
+    relax(bodies, island, 1);
   }
 }
 
@@ -450,12 +474,9 @@ void Accurate::drift(StepData& data, const Island& island) {
 
 void Accurate::note_loads(const Island& island) {
   for (ImpactRow& row : island.rows) {
-    for (RowPoint& p : row.points) {
-      p.total_normal += p.normal_impulse;
-      p.total_tangent += p.tangent_impulse;
-    }
+    for (RowPoint& p : row.points) row.note(p, {p.normal_impulse, p.tangent_impulse}, row.normal);
   }
-  if (!island.bounces) return;  // nobody asks who is loaded
+  if (!island.bounces && island.press_sweeps == 0) return;  // nobody asks who is loaded
   for (const std::uint32_t body : island.bodies) loaded_[body] = 0;
   for (const ActiveJoint* joint : island.joints.all()) note_load(joint->block);
   for (const ImpactRow& row : island.rows) {

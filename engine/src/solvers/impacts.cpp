@@ -230,6 +230,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
                      std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau) {
   const Flight flight{bodies, motion, acceleration, slow_};
   ImpactRow now = Encounter(row, flight, tau).moved();
+  for (RowPoint& p : now.points) p.total_normal = p.total_tangent = 0;
   before_.clear();
   for (const std::uint32_t body : struck) {
     if (bodies.inverse_mass[body].m + bodies.inverse_mass[body].i == 0) {
@@ -271,8 +272,8 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   }
 
   for (std::size_t i = 0; i < 2; ++i) {
-    row.points[i].total_normal = now.points[i].total_normal;
-    row.points[i].total_tangent = now.points[i].total_tangent;
+    const RowPoint& given = now.points[i];
+    row.note(row.points[i], {given.total_normal, given.total_tangent}, now.normal);
   }
   for (std::size_t i = 0; i < struck.size(); ++i) {
     const std::uint32_t body = struck[i];

@@ -52,17 +52,39 @@ struct ImpactRow : ContactRow {
   Real disc_distance = 0;    // m, sum of radii when both are discs about their centres: their normal turns as they move
   Vec2 between;              // of those centres at the start of the step
   std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
+  Vec2 acted;                // N s, what the contact gave in this step, if its normal turns
   int age = 0;               // steps since the contact began
   bool made = false;         // of the points that the contact still has, if these are as they were then:
   Pose found_a, found_b;
   std::array<Real, 2> found_separation{};
   bool stirs_a = true;  // the body can move, see BodySet::stirs
   bool stirs_b = true;
+  bool turns = false;  // its normal follows the bodies within a step
   bool active = true;  // takes part in this sub-step's solve
   bool fresh = false;  // first step of the contact
   bool web = false;    // a body of it touches more than two others, as in a pyramid and not in a column
   bool block = false;  // its two points are solved together:
   PointPair pair;
+
+  /// Adds what a point gave along a normal and its tangent to the sums of the step.
+  void note(RowPoint& p, Vec2 impulse, Vec2 along) {
+    p.total_normal += impulse.x;
+    p.total_tangent += impulse.y;
+    if (turns) acted += impulse.x * along + impulse.y * perpendicular(along);
+  }
+  /// Makes of the sums, given along a normal that turned, what acted along one, which it returns.
+  Vec2 join() {
+    Vec2 given;
+    for (const RowPoint& p : points) given += Vec2{p.total_normal, p.total_tangent};
+    const Real sum = length(given);
+    const Real effect = length(acted);
+    if (sum == 0 || effect == 0) return normal;
+    for (RowPoint& p : points) {
+      p.total_normal *= effect / sum;
+      p.total_tangent *= effect / sum;
+    }
+    return normalized(Rotation(given.x, given.y).inverse() * acted);
+  }
 };
 
 /// m/s; slower approaches are left to the contact solve, which ends the infinite sequence of ever smaller bounces

@@ -9,17 +9,21 @@ namespace {
 
 constexpr int most_substeps = 32;
 
-constexpr int most_more_sweeps = 60;
+constexpr std::size_t most_more_sweeps = 60;
+
+constexpr Real fast = static_cast<Real>(0.1);  // m/s
 
 /// Budget of one island and step: large piles keep the base number of sub-steps, and of sweeps.
 constexpr std::size_t most_body_substeps = 4000;
 
 }  // namespace
 
-void Island::cut(Real dt, int into) {
+void Island::cut(const Settings& settings, int into) {
   constexpr Real damping_ratio = 10;
   substeps = into;
-  h = dt / static_cast<Real>(into);
+  h = settings.dt / static_cast<Real>(into);
+  const Real finer = static_cast<Real>(into) / static_cast<Real>(settings.substeps);
+  offset_scale = 1 / (finer * finer);
   const auto at = [this](Real frequency) {
     return Softnesses{Softness::of(frequency, damping_ratio, h), Softness::of(2 * frequency, damping_ratio, h)};
   };
@@ -67,6 +71,17 @@ void Bearing::add(const ContactRow& row) {
   }
 }
 
+// load / (2 m w^2), with what was given in the whole step.
+void Bearing::add_load(const ImpactRow& row, Real offset, const Settings& settings) {
+  const Real swing = Island::swing(row.web, row.mass_a.m == 0 || row.mass_b.m == 0);
+  const Real n = static_cast<Real>(settings.substeps);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const RowPoint& p = row.points[i];
+    const Real depth = p.normal_impulse / p.normal_mass * settings.dt / (2 * swing * swing * n * n);
+    deepest = std::max(deepest, depth - offset);
+  }
+}
+
 bool may_need_substeps(std::size_t bodies, const Settings& settings) {
   return static_cast<std::size_t>(2 * settings.substeps) * bodies <= most_body_substeps;
 }
@@ -76,29 +91,44 @@ bool may_need_substeps(std::size_t bodies, const Settings& settings) {
 int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, const BodySet& bodies,
                  const std::vector<Velocity>& acceleration, const Settings& settings) {
   const int base = settings.substeps;
-  if (bearing.points == 0) return base;
   Real weight = 0;
   for (const std::uint32_t body : island) {
     const Real m = bodies.inverse_mass[body].m;
     if (m > 0) weight += length(acceleration[body].v) / m;
   }
-  const Real omega = 2 * pi * static_cast<Real>(base) / (8 * settings.dt);
-  const Real load = weight / bearing.lightest;
+  const Real omega = Island::swing(false, false) * static_cast<Real>(base) / settings.dt;
   const Real bears = static_cast<Real>(bearing.points) * (2 * omega * omega) * tolerated_sink;
-  if (load < bears) return base;
-  const Real wanted = static_cast<Real>(base) * std::sqrt(load / bears);
-  // Powers of two, the nearest by ratio.
+  // Powers of two: for the weight the nearest by ratio, and for the load that is known to press one point in down to a
+  // quarter of the tolerated sink. Both are within it in nearly every step: no division then.
+  const bool light = bearing.points == 0 || weight <= 2 * bearing.lightest * bears;
+  if (light && 4 * bearing.deepest <= tolerated_sink) return base;
+  const Real weighs = light ? Real{0} : weight / (bearing.lightest * bears);
+  const Real presses = bearing.deepest / tolerated_sink;
+  const Real wanted = std::max(weighs / 2, 4 * presses) * static_cast<Real>(base * base);
   int n = base;
-  while (2 * n <= most_substeps && static_cast<Real>(2 * n * n) < wanted * wanted &&
+  while (2 * n <= most_substeps && static_cast<Real>(n * n) < wanted &&
          static_cast<std::size_t>(2 * n) * island.size() <= most_body_substeps) {
     n *= 2;
   }
   return n;
 }
 
+int settling_sweeps_for(std::size_t bodies) {
+  constexpr std::size_t least = 30;
+  constexpr std::size_t most = 300;  // boxes each ten times as heavy as the one below need as many
+  return static_cast<int>(std::clamp(most_body_substeps / bodies, least, most));
+}
+
 int more_sweeps_for(std::size_t bodies) {
   if (bodies == 0) return 0;
-  return static_cast<int>(std::min(most_body_substeps / bodies, static_cast<std::size_t>(most_more_sweeps)));
+  return static_cast<int>(std::min(most_body_substeps / bodies, most_more_sweeps));
+}
+
+bool few(const Island& island) { return island.bodies.size() * most_more_sweeps <= most_body_substeps; }
+
+bool plain(const Island& island) {
+  return island.joints.empty() && !island.bounces && !island.settling && !island.turning && island.sweeps == 1 &&
+         island.press_sweeps == 0 && island.more_sweeps == 0;
 }
 
 bool new_or_deep(const Contact& contact) {
@@ -107,10 +137,17 @@ bool new_or_deep(const Contact& contact) {
 }
 
 bool at_speed(const ContactRow& row, const BodySet& bodies) {
-  constexpr Real fast = static_cast<Real>(0.1);  // m/s
   const auto& [p, q] = row.points;
   const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   return std::max(std::abs(frame.normal_velocity(p)), std::abs(frame.normal_velocity(q))) > fast;
+}
+
+bool closes(const ContactRow& row, const BodySet& bodies, Real dt) {
+  const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+  return std::any_of(row.points.begin(), row.points.begin() + row.count, [&](const RowPoint& p) {
+    const Real v = frame.normal_velocity(p);
+    return v < -fast && p.separation + v * dt < 0;
+  });
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

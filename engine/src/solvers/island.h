@@ -25,8 +25,9 @@ struct Island {
   std::span<ImpactRow> rows;  // of the contacts, unless they are solved as a pile (pile.h)
   IslandJoints joints;
   int substeps = 1;
-  int sweeps = 1;       // joints and contacts, or joints and their stops, are solved in turn
-  int more_sweeps = 0;  // that relaxation may take until it gains no energy
+  int sweeps = 1;        // joints and contacts, or joints and their stops, are solved in turn
+  int press_sweeps = 0;  // that may be added until a blow presses nothing in
+  int more_sweeps = 0;   // that relaxation may take until it gains no energy
   Real h = 0;
   struct Softnesses {
     Softness movable, fixed;  // between movable bodies; against what cannot move
@@ -34,10 +35,14 @@ struct Island {
   Softnesses column;
   Softnesses web;         // only of islands that are webbed
   Real offset_speed = 0;  // 1/s, see cut()
-  bool webbed = false;    // some contact is in a web, see Partition::in_web
-  bool held = false;      // something that cannot be pushed holds it; not asked of a pile
-  bool ideal = false;     // its joints are all that could add energy, and they must not
+  Real offset_scale =
+      1;                // of contacts' offsets: depths under a load go with h^2, and what is kept is of the settings' h
+  bool webbed = false;  // some contact is in a web, see Partition::in_web
+  bool held = false;    // something that cannot be pushed holds it; not asked of a pile
+  bool ideal = false;   // its joints are all that could add energy, and they must not
   bool bounces = false;   // some contact has restitution
+  bool struck = false;    // closes at speed, which may set any body turning
+  bool turning = false;   // normals and arms follow its bodies within a step, see turning.h
   bool settling = false;  // begins at rest: its loads are found at once
 
   const Softness& softness(bool in_web, const InverseMass& a, const InverseMass& b) const {
@@ -45,6 +50,9 @@ struct Island {
     return a.m == 0 || b.m == 0 ? of.fixed : of.movable;
   }
   const Softness& softness(const ImpactRow& row) const { return softness(row.web, row.mass_a, row.mass_b); }
+
+  /// w h of a contact.
+  static constexpr Real swing(bool in_web, bool fixed) { return 2 * pi / (in_web ? 12 : 8) * (fixed ? 2 : 1); }
 
   static constexpr int offset_from_age = 2;
   /// Share of a standing depth that the offset of a contact takes up in this step: its first steps are no standing load
@@ -64,7 +72,7 @@ struct Island {
   /// L))^2; with the offset o as part of the spring, x'' + c x' + W^2 (x + o) = g and o' = r x, which is stable for r <
   /// c. A pyramid of 100 rows, c = .6/s, shakes without end at r = 1/s and for 20 s at .5; r = c / 4 costs it a quarter
   /// of its damping.
-  void cut(Real dt, int into);
+  void cut(const Settings& settings, int into);
   /// Impulses of a whole step to those of one of n sub-steps, and back.
   void share(Real by);
 };
@@ -78,8 +86,10 @@ bool settles(const StepData& data, const Island& island);
 struct Bearing {
   int points = 0;                                         // on what cannot move
   Real lightest = std::numeric_limits<Real>::infinity();  // kg, effective, of a point
+  Real deepest = 0;  // m, that a load of the last step presses in beyond the offset, in sub-steps of the settings
 
   void add(const ContactRow& row);
+  void add_load(const ImpactRow& row, Real offset, const Settings& settings);
 };
 
 /// How many sub-steps an island needs so that its own weight presses it no deeper than tolerated, at most 32 and the
@@ -90,12 +100,23 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
 /// Whether substeps_for may exceed the settings' number for an island of so many bodies.
 bool may_need_substeps(std::size_t bodies, const Settings& settings);
 
+/// An island that begins at rest finds its loads in so many sweeps of each sub-step instead of sinking until it has
+/// them.
+int settling_sweeps_for(std::size_t bodies);
+
 /// How often an island of so many bodies that was struck may be relaxed beyond its sweeps: not where it would be dear.
 int more_sweeps_for(std::size_t bodies);
+
+/// So few bodies that a blow may go all the way through.
+bool few(const Island& island);
+/// Whether a sub-step of it is one pass over its contacts and nothing else.
+bool plain(const Island& island);
 
 /// New, or deeper than loads press in but in the largest piles.
 bool new_or_deep(const Contact& contact);
 /// Whether the points move along the normal as only a blow makes them.
 bool at_speed(const ContactRow& row, const BodySet& bodies);
+/// Whether a contact closes at speed within a step of dt.
+bool closes(const ContactRow& row, const BodySet& bodies, Real dt);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

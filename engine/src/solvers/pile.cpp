@@ -38,7 +38,7 @@ void Pile::step(const StepData& data, const Partition& parts, const Island& isla
   if (island.more_sweeps > 0) weigh(data, island);
   for (int i = 0; i < island.substeps; ++i) substep(island, i == 0);
   end_stage("pile: sub-steps");
-  lanes_->settle(island.settling);
+  if (!island.settling) lanes_->settle(false);
   leave(data, island, motion);
   end_stage("pile: leave");
 }
@@ -89,6 +89,7 @@ void Pile::substep(const Island& island, bool first) {
   if (kernels_->drift_bodies(rows_, island.h)) turn_far();
   for (int sweep = 0; sweep < island.sweeps; ++sweep) lanes_->relax(rows_, sweep > 0);
   if (island.more_sweeps > 0) relax_until_bounded(island);
+  if (island.settling) lanes_->settle(true);
 }
 
 /// As Accurate::relax_until_bounded.

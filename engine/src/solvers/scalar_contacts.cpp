@@ -90,10 +90,15 @@ void ScalarContacts::turn_normal(ImpactRow& row) {
   if (row.mass_b.m > 0) bodies_.velocity[row.b].v += row.mass_b.m * more;
 }
 
+void ScalarContacts::press(const Island& island) { press<false>(island); }
+
+void ScalarContacts::press_rigidly(const Island& island) { press<true>(island); }
+
+template <bool rigidly>
 void ScalarContacts::press(const Island& island) {
   each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
-    if (!row.block || !press_pair(island, row, frame)) {
-      const Softness& soft = island.softness(row);
+    if (!row.block || !press_pair<rigidly>(island, row, frame)) {
+      const Softness& soft = rigidly ? island.softness(row).rigid() : island.softness(row);
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
         RowPoint& p = row.points[i];
         const Real s = gap<Frame>(row, p);
@@ -121,6 +126,22 @@ void ScalarContacts::relax(const Island& island) {
   });
 }
 
+Real ScalarContacts::deepening(const Island& island, bool held) const {
+  Real most = 0;
+  for (const ImpactRow& row : island.rows) {
+    if (!row.active) continue;
+    const ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const RowPoint& p = row.points[i];
+      const Real s = gap<ContactFrame>(row, p);
+      if (held && p.normal_impulse == 0 && s > 0) continue;
+      const Real way = island.h * frame.normal_velocity(p);
+      most = std::max(most, held ? -way : std::min(s, Real{0}) - (s + way));
+    }
+  }
+  return most;
+}
+
 PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
   const auto& [p, q] = row.points;
   const Real strength = island.softness(row).strength;
@@ -136,7 +157,7 @@ PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
 }
 
 /// (K + G) d = -(v + bias + G lambda) with G the give of those springs that are pressed.
-template <class Frame>
+template <bool rigidly, class Frame>
 [[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, ImpactRow& row,
                                                               Frame& frame) const {
   const PointPair& pair = row.pair;
@@ -147,6 +168,9 @@ template <class Frame>
     const Real bias = (gap > 0 ? gap / island.h : rate * gap) + give * point.normal_impulse;
     return -(frame.normal_velocity(point) + bias);
   };
+  if constexpr (rigidly) {
+    return push_both(pair.rigid, row, frame, {change(p, s[0], 0), change(q, s[1], 0)});
+  }
   if (!(s[0] > 0) && !(s[1] > 0)) {
     return push_both(pair.soft, row, frame, {change(p, s[0], pair.give[0]), change(q, s[1], pair.give[1])});
   }
@@ -165,24 +189,32 @@ template <class Frame>
 
 /// A standing load presses its springs in. The offset, one for both points of a contact (one each would take away the
 /// stiffness that keeps a column upright), slowly moves the springs' rest length until the surfaces just touch; it
-/// never exceeds the depth that the load explains, load / (2 m_eff w^2), and goes with the load.
+/// never exceeds the depth that the load explains, load / (2 m_eff w^2), and goes with the load. Each point counts by
+/// its load: what leans on one corner has the other in the air. Near an even load that is the mean, and takes away no
+/// stiffness.
 void ScalarContacts::settle_offsets(const Island& island) {
   for (ImpactRow& row : island.rows) {
     const Real omega = island.softness(row).omega;
+    Real load = 0;
     Real speed = 0;  // lambda / m_eff
     Real depth = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       const RowPoint& p = row.points[i];
-      speed += p.normal_impulse / p.normal_mass;
-      depth -= separation(row, p, motion_[row.a], motion_[row.b]);
+      load += p.normal_impulse;
+      speed += p.normal_impulse * (p.normal_impulse / p.normal_mass);
+      depth -= p.normal_impulse * separation(row, p, motion_[row.a], motion_[row.b]);
     }
-    const Real points = static_cast<Real>(row.count);
-    const Real explained = speed / points / (2 * island.h * omega * omega);
+    // Not by 1 / load: a load may be so small that this is infinite.
+    if (load > 0) {
+      speed /= load;
+      depth /= load;
+    }
+    const Real explained = speed / (2 * island.h * omega * omega);
     if (island.settling) {
       row.offset = explained;
     } else if (const Real rate = island.offset_rate(row.age); rate > 0) {
       constexpr Real headroom = static_cast<Real>(1.05);
-      row.offset = clamp(row.offset + rate * depth / points, 0, headroom * explained);
+      row.offset = clamp(row.offset + rate * depth, 0, headroom * explained);
     }
   }
 }

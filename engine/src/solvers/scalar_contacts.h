@@ -26,9 +26,14 @@ class ScalarContacts {
   /// waits for the rigid pass, except in a contact's first step (else a box set down on a slope slips before it is
   /// held).
   void press(const Island& island);
+  /// The same again, but rigid.
+  void press_rigidly(const Island& island);
   /// Rigid contacts with friction, no memory of depth. What has a gap and no load is left alone: it would be braked one
   /// sub-step before it arrives.
   void relax(const Island& island);
+  /// m, by how much the contact comes deeper that does so most in a sub-step at these velocities. `held`: not counting
+  /// those that relax() leaves alone.
+  Real deepening(const Island& island, bool held) const;
   void settle_offsets(const Island& island);
 
  private:
@@ -41,7 +46,9 @@ class ScalarContacts {
   template <class Frame>
   Real gap(const ImpactRow& row, const RowPoint& p) const;
   void turn_normal(ImpactRow& row);
-  template <class Frame>
+  template <bool rigidly>
+  void press(const Island& island);
+  template <bool rigidly, class Frame>
   bool press_pair(const Island& island, ImpactRow& row, Frame& frame) const;
   template <class Frame>
   bool relax_pair(ImpactRow& row, Frame& frame) const;

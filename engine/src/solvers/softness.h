@@ -15,6 +15,9 @@ struct Softness {
   Real relief = 0;    // share of the accumulated impulse that is given back
   Real omega = 0;     // rad/s
 
+  /// The same that bears a blow at once.
+  Softness rigid() const { return {rate, 1, 0, omega}; }
+
   /// A spring of that frequency (Hz), integrated implicitly with steps of h.
   static Softness of(Real frequency, Real damping_ratio, Real h) {
     const Real omega = 2 * pi * frequency;

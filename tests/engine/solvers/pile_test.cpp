@@ -51,11 +51,14 @@ World drum(const Settings& settings, Real nudge, bool discs) {
   }
   world.create_body(def, walls);
   RandomShapes random(5);
-  for (int i = 0; i < 100; ++i) {
-    BodyDef body = at(i % 10 - 4.5, i / 10 - 4.4);
+  // So many that islands are larger than those that `accurate` follows closely.
+  constexpr int side = 16;
+  constexpr double pitch = 10.0 / side;
+  for (int i = 0; i < side * side; ++i) {
+    BodyDef body = at(pitch * (i % side + .5) - 5, pitch * (i / side + .5) - 4.95);
     body.position.x += nudge;
-    body.angle = random.number(-.3, .3);
-    const Real size = random.number(.4, .45);
+    body.angle = random.number(-.2, .2);
+    const Real size = real(pitch) * random.number(.42, .45);
     world.create_body(body, discs ? Shape::circle(size) : Shape::box({size, size * real(.9)}), rough);
   }
   return world;
@@ -146,15 +149,15 @@ INSTANTIATE_TEST_SUITE_P(All, Piles,
                                          Pileup{"CrowdedPlank", crowded_plank, 12}),
                          [](const auto& with_name) { return std::string(with_name.param.name); });
 
-// Discs that roll over each other turn their normal within a sub-step, here at the first impacts by 1 m/s / .85 m / 240
-// or .005 of the 1 m/s. One contact at a time, half of the last impulse is given again along the new normal to all
+// Discs that roll over each other turn their normal within a sub-step, here at the first impacts by 1 m/s / .54 m / 240
+// or .0077 of the 1 m/s. One contact at a time, half of the last impulse is given again along the new normal to all
 // before any contact is solved; in lanes what lacks of that is given when the contact is solved, so that others see it
 // late.
 TEST(Piles, OfDiscsAgreeWithTheScalarSolverToTheTurnOfTheirNormalsInASubStep) {
   for (const bool fused : {false, true}) {
     const Real apart = difference(drum_of_discs(with("accurate", fused)), drum_of_discs(with("accurate-scalar")), 7);
     EXPECT_GT(apart, 0);
-    EXPECT_LT(apart, real(.005));
+    EXPECT_LT(apart, real(.0077));
   }
 }
 
