@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "closing.h"
 #include "collide.h"
@@ -158,23 +159,26 @@ void Turning::find_again(StepData& data, const std::vector<Pose>& start, const s
     const Pose pose_b = now.b.from(start[row.b]);
     const Manifold m = collide(data.bodies.detail[row.a].parts[contact.part_a].shape, pose_a,
                                data.bodies.detail[row.b].parts[contact.part_b].shape, pose_b, margin);
-    if (m.count != row.count) continue;
+    if (m.count < row.count) continue;
+    // Of two points, where the row has one, the one that is nearer.
+    const bool second = m.count > row.count && m.points[1].separation < m.points[0].separation;
+    const std::span<const ManifoldPoint> found(&m.points[second ? 1 : 0], static_cast<std::size_t>(row.count));
     const std::array<ContactPoint, 2> last = contact.points;
     const std::array<RowPoint, 2> given = row.points;
     contact.normal = m.normal;
     contact.found_a = pose_a;
     contact.found_b = pose_b;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+    for (std::size_t i = 0; i < found.size(); ++i) {
       ContactPoint& p = contact.points[i];
       p = {};
-      p.arm_a = m.points[i].point - pose_a.p;
-      p.arm_b = m.points[i].point - pose_b.p;
-      p.separation = contact.found_separation[i] = m.points[i].separation;
-      p.feature = m.points[i].feature;
+      p.arm_a = found[i].point - pose_a.p;
+      p.arm_b = found[i].point - pose_b.p;
+      p.separation = contact.found_separation[i] = found[i].separation;
+      p.feature = found[i].feature;
       turned.points[i] = place_of(contact, i);
       RowPoint& point = row.points[i];
       point.normal_impulse = point.tangent_impulse = 0;
-      for (std::size_t j = 0; j < static_cast<std::size_t>(m.count); ++j) {
+      for (std::size_t j = 0; j < found.size(); ++j) {
         if (last[j].feature != p.feature) continue;
         p.fresh = last[j].fresh;
         point.normal_impulse = given[j].normal_impulse;
