@@ -12,8 +12,7 @@
 // - Damping c divides velocities by 1 + c h each sub-step (Pade), where the scene means e^(-c h).
 // - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
 // - One coefficient of friction, mixed by a callback that is told the coefficients alone: one callback per rule.
-// - Joints are stiff springs too. A soft distance joint is tuned by frequency and damping ratio, which is stiffness and
-//   damping only where the effective mass stays the same: between centres of mass.
+// - Joints are stiff springs too, soft ones tuned by frequency: see box2d_v3/joints.cpp.
 // - Hulls lose vertices within 0.005 m of a line through others; they have eight at most.
 // - No half-spaces: built from a segment in a frame whose x axis is the boundary, which keeps float errors along it.
 // - Contacts' impulses: the normal ones are the step's sum (before 3.2: the last sub-step's times their number), the
@@ -34,6 +33,8 @@
 #include <variant>
 #include <vector>
 
+#include "reference/adapters/box2d_v3/joints.h"
+#include "reference/adapters/box2d_v3/vectors.h"
 #include "reference/loads.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
@@ -42,16 +43,9 @@
 namespace plumb {
 namespace {
 
+using namespace box2d_v3;
+
 constexpr double linear_slop = 0.005;  // m, B2_LINEAR_SLOP
-
-b2Vec2 to_b2(Vec v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
-template <class Point>  // b2Vec2, or b2Pos of doubles
-Vec from_b2(Point p) {
-  return {p.x, p.y};
-}
-
-b2Rot turn_of(double angle) { return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))}; }
 
 // The type of the identifiers, which this does not need, changed with 3.2.
 template <FrictionMixing rule, class Id>
@@ -171,31 +165,6 @@ b2WorldDef world_of(const Scene& scene, const Settings& settings) {
   return def;
 }
 
-// Names the two bodies of a joint, where it holds them and its axis (rad, world frame).
-template <class Def>
-Def joint_between(Def def, b2BodyId a, b2BodyId b, b2Vec2 on_a, b2Vec2 on_b, double axis) {
-  const b2Rot along = turn_of(axis);
-  const b2Rot axis_a = b2InvMulRot(b2Body_GetRotation(a), along);
-  const b2Rot axis_b = b2InvMulRot(b2Body_GetRotation(b), along);
-  if constexpr (requires { def.base; }) {
-    def.base.bodyIdA = a;
-    def.base.bodyIdB = b;
-    def.base.localFrameA = {on_a, axis_a};
-    def.base.localFrameB = {on_b, axis_b};
-  } else {
-    def.bodyIdA = a;
-    def.bodyIdB = b;
-    def.localAnchorA = on_a;
-    def.localAnchorB = on_b;
-    if constexpr (requires { def.localAxisA; }) def.localAxisA = {axis_a.c, axis_a.s};
-    if constexpr (requires { def.referenceAngle; }) {
-      const b2Rot between = b2InvMulRot(axis_b, axis_a);
-      def.referenceAngle = std::atan2(between.s, between.c);
-    }
-  }
-  return def;
-}
-
 // The impulse along the normal, over the whole step of so many sub-steps.
 template <class Data>
 double normal_impulse(const Data& contact, int point, int substeps) {
@@ -213,9 +182,7 @@ class Box2dV3 : public Simulation {
     b2World_EnableWarmStarting(world_.id(), settings.at("warm") == "on");
     const double edge = reach(scene);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) add(i, scene.bodies[i], edge);
-    for (const Joint& joint : scene.joints) {
-      std::visit([&](const auto& kind) { add(scene, kind); }, joint);
-    }
+    add_joints(world_.id(), scene, bodies_);
     states_.resize(bodies_.size());
   }
 
@@ -293,51 +260,6 @@ class Box2dV3 : public Simulation {
     return def;
   }
 
-  template <class Def>
-  Def between(Def def, std::size_t a, std::size_t b, Vec anchor_a, Vec anchor_b, double axis = 0) const {
-    return joint_between(def, bodies_[a], bodies_[b], local(a, anchor_a), local(b, anchor_b), axis);
-  }
-
-  b2Vec2 local(std::size_t body, Vec point) const {
-    const Vec origin = from_b2(b2Body_GetPosition(bodies_[body]));
-    return b2InvRotateVector(b2Body_GetRotation(bodies_[body]), to_b2({point.x - origin.x, point.y - origin.y}));
-  }
-
-  void add(const Scene&, const Revolute& joint) {
-    const auto def = between(b2DefaultRevoluteJointDef(), joint.a, joint.b, joint.anchor, joint.anchor);
-    b2CreateRevoluteJoint(world_.id(), &def);
-  }
-
-  // k = m w^2 and d = 2 z m w for the mass m that the line between the centres of mass feels.
-  void add(const Scene& scene, const Distance& joint) {
-    auto def = between(b2DefaultDistanceJointDef(), joint.a, joint.b, joint.anchor_a, joint.anchor_b);
-    def.length = static_cast<float>(joint.length);
-    if (joint.stiffness > 0) {
-      const double inverse = inverse_mass(scene.bodies[joint.a]) + inverse_mass(scene.bodies[joint.b]);
-      const double w = std::sqrt(joint.stiffness * inverse);
-      def.enableSpring = true;
-      def.hertz = static_cast<float>(w / (2 * std::numbers::pi));
-      def.dampingRatio = static_cast<float>(joint.damping * inverse / (2 * w));
-    }
-    b2CreateDistanceJoint(world_.id(), &def);
-  }
-
-  void add(const Scene&, const Prismatic& joint) {
-    const auto def = between(b2DefaultPrismaticJointDef(), joint.a, joint.b, joint.anchor, joint.anchor,
-                             std::atan2(joint.axis.y, joint.axis.x));
-    b2CreatePrismaticJoint(world_.id(), &def);
-  }
-
-  void add(const Scene&, const Weld& joint) {
-    const auto def = between(b2DefaultWeldJointDef(), joint.a, joint.b, joint.anchor, joint.anchor);
-    b2CreateWeldJoint(world_.id(), &def);
-  }
-
-  static double inverse_mass(const Body& body) {
-    const double mass = mass_of(body).mass;
-    return mass > 0 ? 1 / mass : 0;
-  }
-
   void push() {
     read(states_);
     const std::span<const Load> loads = loads_.at(states_);
@@ -404,30 +326,15 @@ struct Refusal {
   }
 };
 
-bool at_center(const Body& body, Vec anchor) {
-  constexpr double same = 1e-6;  // m, what float makes of one place
-  const Vec center = centered(body).position;
-  return std::hypot(anchor.x - center.x, anchor.y - center.y) < same;
-}
-
 std::string unsupported(const Scene& scene, const Settings&) {
-  for (std::string reason : {needs_two_frictions(scene), needs_dynamic_half_space(scene), needs_massless_body(scene)}) {
+  for (std::string reason : {needs_two_frictions(scene), needs_dynamic_half_space(scene), needs_massless_body(scene),
+                             needs_eccentric_spring(scene)}) {
     if (!reason.empty()) return reason;
   }
   for (const Body& body : scene.bodies) {
     for (const Shape& shape : body.shapes) {
       std::string reason = std::visit(Refusal{}, shape.geometry);
       if (!reason.empty()) return reason;
-    }
-  }
-  for (const Joint& joint : scene.joints) {
-    const auto* distance = std::get_if<Distance>(&joint);
-    if (distance == nullptr || distance->stiffness == 0) continue;
-    const auto eccentric = [&](std::size_t i, Vec anchor) {
-      return scene.bodies[i].type == BodyType::dynamic && !at_center(scene.bodies[i], anchor);
-    };
-    if (eccentric(distance->a, distance->anchor_a) || eccentric(distance->b, distance->anchor_b)) {
-      return "tunes springs by frequency, so that their stiffness is known between centres of mass only";
     }
   }
   return "";

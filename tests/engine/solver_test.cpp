@@ -9,44 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "support.h"
+#include "solvers/worlds.h"
 
 namespace {
 
 using namespace impulse;
 
-constexpr double g = 10;
 constexpr double dt = 1.0 / 60;
-
-Vec2 vec(double x, double y) { return {real(x), real(y)}; }
-
-Material material(double restitution, double friction) {
-  return {1, real(friction), real(friction), real(restitution)};
-}
-
-BodyDef tilted(double x, double y, double angle) {
-  BodyDef def = at(x, y);
-  def.angle = real(angle);
-  return def;
-}
-
-BodyId ground(World& world, const Material& made_of, double angle = 0) {
-  BodyDef def = tilted(0, 0, angle);
-  def.type = BodyType::fixed;
-  return world.create_body(def, Shape::half_space({0, 1}, 0), made_of);
-}
-
-double energy(World& world) {
-  double sum = 0;
-  for (const BodyId id : world.bodies()) {
-    const Body body = world.body(id);
-    const double m = body.mass().mass;
-    const double w = body.angular_velocity();
-    const double v = length(body.velocity());
-    sum += m * v * v / 2 + body.mass().inertia * w * w / 2 - m * dot(world.gravity(), body.center());
-  }
-  return sum;
-}
 
 class EverySolver : public testing::TestWithParam<std::string> {
  protected:
@@ -95,7 +64,7 @@ TEST_P(EverySolver, StandsAStackOfFiveUnlessItForgetsImpulses) {
     std::vector<BodyId> boxes;
     std::vector<double> xs;
     for (int i = 0; i < 5; ++i) {
-      xs.push_back(-.002 + .004 * static_cast<double>(random()) / static_cast<double>(std::mt19937::max()));
+      xs.push_back(seeded(random, -.002, .002));
       boxes.push_back(world.create_body(at(xs.back(), .5 + i), Shape::box(vec(.5, .5)), material(0, .6)));
     }
     run(world, 480);
@@ -169,9 +138,7 @@ TEST_P(EverySolver, NeverAddsEnergyToAHeap) {
   World world(settings());
   ground(world, material(0, .5));
   std::mt19937 random(7);
-  const auto between = [&random](double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
-  };
+  const auto between = [&random](double low, double high) { return seeded(random, low, high); };
   for (int i = 0; i < 8; ++i) {
     const Shape shape =
         i % 2 == 0 ? Shape::box(vec(between(.3, .5), between(.3, .5))) : Shape::circle(real(between(.3, .5)));

@@ -24,10 +24,12 @@ inline Settings weightless(double dt = 1.0 / 60) {
 
 inline Material frictionless(double restitution = 0) { return {1, 0, 0, real(restitution)}; }
 
-inline BodyDef at(double x, double y, double vx = 0, double vy = 0) {
+inline BodyDef at(double x, double y, double vx = 0, double vy = 0, double w = 0, double angle = 0) {
   BodyDef def;
   def.position = {real(x), real(y)};
   def.velocity = {real(vx), real(vy)};
+  def.angular_velocity = real(w);
+  def.angle = real(angle);
   return def;
 }
 

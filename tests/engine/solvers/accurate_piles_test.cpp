@@ -1,0 +1,138 @@
+// What the default method promises at 60 Hz with 4 sub-steps of bodies that lie on each other: they stand, come to rest
+// and gain no energy.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "worlds.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+namespace {
+
+struct Stacked {
+  double low;      // m, by which the top is too low at the end
+  double aside;    // m, farthest drift of any box sideways
+  double fastest;  // m/s, at the end
+};
+
+Stacked stack(int n, double top_density, unsigned seed, double seconds) {
+  World world(accurate());
+  std::mt19937 random(seed);
+  ground(world, material(0, .6));
+  std::vector<BodyId> boxes;
+  std::vector<double> xs;
+  for (int i = 0; i < n; ++i) {
+    Material m = material(0, .6);
+    if (i == n - 1) m.density = real(top_density);
+    xs.push_back(seeded(random, -.002, .002));
+    boxes.push_back(world.create_body(at(xs.back(), .5 + i), Shape::box(vec(.5, .5)), m));
+  }
+  run_for(world, seconds);
+  Stacked result{};
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Body body = world.body(boxes[i]);
+    result.aside = std::max(result.aside, std::abs(static_cast<double>(body.position().x) - xs[i]));
+    result.fastest = std::max(result.fastest, static_cast<double>(length(body.velocity())));
+  }
+  result.low = n - .5 - static_cast<double>(world.body(boxes.back()).position().y);
+  return result;
+}
+
+TEST(Accurate, AHeavyBodyInAWallOfSmallOnesGainsNoEnergy) {
+  Settings settings = accurate();
+  settings.gravity = {};
+  World world(settings);
+  BodyDef heavy = at(-3, 0, 10);
+  world.create_body(heavy, Shape::box({1, 1}), {8, real(.4), real(.4), 0});
+  for (int i = 0; i < 48; ++i) {
+    world.create_body(at(i / 8 * .41, (i % 8 - 3.5) * .41), Shape::box(vec(.2, .2)), material(0, .4));
+  }
+  const double start = energy(world);
+  double last = start;
+  for (int i = 0; i < 60; ++i) {
+    world.step();
+    const double now = energy(world);
+    EXPECT_LE(now, last + bound(1e-12, 1e-5) * start) << "step " << i;
+    last = now;
+  }
+  EXPECT_LT(last, .9 * start);
+}
+
+TEST(Accurate, StacksOfTenAndTwentyStandSettleAndDoNotSink) {
+  for (const int n : {10, 20}) {
+    for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+      const Stacked result = stack(n, 1, seed, 20);
+      EXPECT_LT(std::abs(result.low), 1e-4) << n << " boxes, seed " << seed;
+      EXPECT_LT(result.aside, .01) << n << " boxes, seed " << seed;
+      EXPECT_LT(result.fastest, 1e-4) << n << " boxes, seed " << seed;
+    }
+  }
+}
+
+/// As far apart as they would be in a game, which makes them a web: one sways longer than a column if it sways.
+World pyramid(int base, unsigned seed) {
+  World world(accurate());
+  std::mt19937 random(seed);
+  ground(world, material(0, .6));
+  for (int row = 0; row < base; ++row) {
+    for (int i = 0; i < base - row; ++i) {
+      const double x = 1.05 * (i + .5 * row) + seeded(random, -.002, .002);
+      world.create_body(at(x, .5 + row), Shape::box(vec(.5, .5)), material(0, .6));
+    }
+  }
+  return world;
+}
+
+double fastest_of(World& world) {
+  double fastest = 0;
+  for (const BodyId id : world.bodies()) {
+    fastest = std::max(fastest, static_cast<double>(length(world.body(id).velocity())));
+  }
+  return fastest;
+}
+
+TEST(Accurate, PyramidsOfTenAndTwentySettleAndDoNotSink) {
+  for (const int base : {10, 20}) {
+    for (const unsigned seed : {1U, 2U}) {
+      World world = pyramid(base, seed);
+      run_for(world, 20);
+      EXPECT_LT(fastest_of(world), 1e-4) << "base " << base << ", seed " << seed;
+      const double top = world.body(world.bodies().back()).position().y;
+      EXPECT_NEAR(top, base - .5, 1e-4) << "base " << base << ", seed " << seed;
+    }
+  }
+}
+
+// The slowest wave of 80 layers (see Island::cut) has W = 2.5 and c = .97/s, and starts with g / W as the pyramid sinks
+// into its springs; offsets that follow faster than c keep it going.
+TEST(Accurate, APyramidOfEightyRowsStopsSwinging) {
+  constexpr double swing = 2.5;
+  constexpr double damping = .97;
+  World world = pyramid(80, 1);
+  run_for(world, 8);
+  double fastest = 0;
+  for (int i = 0; i < 60; ++i) {
+    world.step();
+    fastest = std::max(fastest, fastest_of(world));
+  }
+  EXPECT_LT(fastest, g / swing * std::exp(-.75 * damping / 2 * 8));
+}
+
+TEST(Accurate, StacksOfFiftyAndHeavyLoadsStand) {
+  for (const unsigned seed : {1U, 2U}) {
+    const Stacked tall = stack(50, 1, seed, 20);
+    EXPECT_LT(std::abs(tall.low), 1e-3) << "seed " << seed;
+    EXPECT_LT(tall.aside, .02) << "seed " << seed;
+    const Stacked heavy = stack(2, 400, seed, 20);
+    EXPECT_LT(std::abs(heavy.low), 1e-3) << "seed " << seed;
+    EXPECT_LT(heavy.aside, .02) << "seed " << seed;
+    const Stacked top = stack(11, 100, seed, 20);
+    EXPECT_LT(std::abs(top.low), 1e-3) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace impulse::inline IMPULSE_PRECISION
