@@ -109,17 +109,6 @@ TEST_F(TimingMeasure, TimesTwoProgramsSideBySide) {
   }
 }
 
-TEST_F(TimingMeasure, RunsACopyThatGoesAwayAgain) {
-  fs::path copied;
-  {
-    const ProgramCopy copy(plumb_program);
-    copied = copy.path();
-    EXPECT_EQ(fs::file_size(copied), fs::file_size(plumb_program));
-  }
-  EXPECT_FALSE(fs::exists(copied.parent_path()));
-  EXPECT_THROW(ProgramCopy(folder_ / "missing"), std::invalid_argument);
-}
-
 TEST_F(TimingMeasure, ASceneThatTheOlderOneCannotRunHasNoResult) {
   const fs::path before = pacer("read x; echo '{\"refused\":\"knows no capsules\"}'\n");
   EXPECT_EQ(sides(before).measure(std::vector<std::size_t>{0}, 1, [](const auto&) {})[0].no_result,
