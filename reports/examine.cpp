@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "reports/phases.h"
-#include "reports/verdict.h"
 
 namespace plumb {
 namespace {
@@ -47,9 +46,7 @@ RunRecord examine(const Case& asked, const Entrant& entrant, double dt, const Ou
   RunRecord record = record_of(asked, entrant, dt, outcome);
   if (record.status != Status::ok) return record;
   record.metrics = measure(known.evidence(*asked.scene, *record.trace));
-  Judgement judgement = judge(*asked.scene, asked.scenario->expectations(asked.parameters), *record.trace,
-                              entrant.contender->stepping(entrant.settings, dt), known.truth);
-  if (asked.scenario->phased) judge_phases(asked, entrant, dt, known.truth, judgement);
+  Judgement judgement = judge_case(asked, entrant, dt, *record.trace, known.truth);
   record.truth = std::move(judgement.checks);
   record.invariants = std::move(judgement.invariants);
   record.verdict = judgement.verdict;

@@ -31,9 +31,11 @@ std::vector<Case> phases(const Case& asked, int n) {
   return all;
 }
 
-void judge_phases(const Case& asked, const Entrant& entrant, double dt, const Truth* truth, Judgement& judgement) {
+Judgement judge_case(const Case& asked, const Entrant& entrant, double dt, const Trace& trace, const Truth* truth) {
   const auto expectations = asked.scenario->expectations(asked.parameters);
   const Stepping stepping = entrant.contender->stepping(entrant.settings, dt);
+  Judgement judgement = judge(*asked.scene, expectations, trace, stepping, truth);
+  if (!asked.scenario->phased) return judgement;
   std::vector<std::vector<double>> errors;
   for (const TruthCheck& check : judgement.checks) errors.push_back({check.error});
   for (const Case& phase : phases(asked, judged_phases)) {
@@ -59,6 +61,7 @@ void judge_phases(const Case& asked, const Entrant& entrant, double dt, const Tr
     judgement.checks[i].spread = {*std::min_element(of.begin(), of.end()), quartiles(of).median,
                                   *std::max_element(of.begin(), of.end()), static_cast<int>(of.size())};
   }
+  return judgement;
 }
 
 }  // namespace plumb

@@ -14,11 +14,12 @@ namespace plumb {
 /// which fill 0 ... 1 evenly for any n. The last step is cut so that all end with the scene.
 std::vector<Case> phases(const Case&, int n);
 
-/// As many as `judge_phases` looks at.
+/// As many as `judge_case` looks at.
 constexpr int judged_phases = 8;
 
-/// Runs the other phases of a case whose run as it is has been judged so: every check becomes that of its worst phase
-/// and says its spread, the verdict becomes that of the worst. A phase that does not come to its end is wrong.
-void judge_phases(const Case&, const Entrant&, double dt, const Truth*, Judgement&);
+/// Holds the trace of a case as it is against what must come true (see `judge`). Where the scenario asks for it, runs
+/// the other phases as well: every check becomes that of its worst phase and says its spread, the verdict becomes that
+/// of the worst. A phase that does not come to its end is wrong.
+Judgement judge_case(const Case&, const Entrant&, double dt, const Trace&, const Truth*);
 
 }  // namespace plumb

@@ -108,7 +108,7 @@ std::vector<Proof> prove(const std::vector<Fault>& faults, const std::vector<Cas
   do_all(known.size(), jobs, [&](std::size_t i) {
     const Case& asked = cases[i % cases.size()];
     counter.begin(label_of(asked));
-    known[i] = examine(asked, right.entrant(i / cases.size()), dt);
+    known[i] = examine_twice(asked, right.entrant(i / cases.size()), dt);
   });
 
   std::vector<Contender> faulty;
@@ -120,7 +120,7 @@ std::vector<Proof> prove(const std::vector<Fault>& faults, const std::vector<Cas
     counter.begin(faults[f].name + ": " + label_of(cases[c]));
     const Examined& by_right = known[right.number_of(faults[f]) * cases.size() + c];
     if (by_right.status != Status::ok) return;
-    found[i] = alarms(cases[c], by_right, examine(cases[c], {&faulty[f], settings_of(faults[f])}, dt));
+    found[i] = alarms(cases[c], by_right, examine_twice(cases[c], {&faulty[f], settings_of(faults[f])}, dt));
   });
 
   std::vector<Proof> proofs;
@@ -166,7 +166,7 @@ std::vector<CleanRun> clean_runs(int count, const std::vector<Case>& cases, doub
   if (runs > 0) {
     do_all(cases.size(), jobs, [&](std::size_t c) {
       counter.begin(label_of(cases[c]));
-      known[c] = examine(cases[c], usual, dt);
+      known[c] = examine_twice(cases[c], usual, dt);
     });
   }
   std::vector<std::vector<Alarm>> found(runs * cases.size());
@@ -175,8 +175,8 @@ std::vector<CleanRun> clean_runs(int count, const std::vector<Case>& cases, doub
     const Variation variation = variation_of(i / cases.size() + 1);
     counter.begin(variation.words() + ": " + label_of(cases[c]));
     const Case varied = variation.of(cases[c]);
-    const Examined right = varied.scene == cases[c].scene ? known[c] : examine(varied, usual, dt);
-    found[i] = physics_alarms(varied, right, examine(varied, {&ours, complete(ours, variation.settings)}, dt));
+    const Examined right = varied.scene == cases[c].scene ? known[c] : examine_twice(varied, usual, dt);
+    found[i] = physics_alarms(varied, right, examine_twice(varied, {&ours, complete(ours, variation.settings)}, dt));
   });
   std::vector<CleanRun> clean;
   for (std::size_t r = 0; r < runs; ++r) {

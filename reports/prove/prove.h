@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/fault.h"
-#include "reports/prove/examine.h"
+#include "reports/prove/alarm.h"
 
 /// The harness put to the test: does it tell our engine with a mistake in it from the right one, and does it leave the
 /// right one alone?

@@ -41,10 +41,7 @@ TEST(Phases, EndWithTheScene) {
 Judgement judged(const Case& asked, const Entrant& entrant) {
   const Truth truth(*asked.closed_form, *asked.scene);
   const Outcome outcome = run(*asked.scene, entrant, dt);
-  Judgement judgement = judge(*asked.scene, asked.scenario->expectations(asked.parameters), *outcome.trace,
-                              entrant.contender->stepping(entrant.settings, dt), &truth);
-  judge_phases(asked, entrant, dt, &truth, judgement);
-  return judgement;
+  return judge_case(asked, entrant, dt, *outcome.trace, &truth);
 }
 
 // An impact that is noticed at the end of its step is late by anything from nothing to a step; one that is solved for

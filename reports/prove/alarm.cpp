@@ -1,4 +1,4 @@
-#include "reports/prove/examine.h"
+#include "reports/prove/alarm.h"
 
 #include <bit>
 #include <cmath>
@@ -60,7 +60,7 @@ Alarm alarm_of(const Case& asked, Means means, std::string metric) {
 
 }  // namespace
 
-Examined examine(const Case& asked, const Entrant& entrant, double dt) {
+Examined examine_twice(const Case& asked, const Entrant& entrant, double dt) {
   const Scene& scene = *asked.scene;
   const Outcome outcome = run(scene, entrant, dt, asked.first_step);
   Examined examined{.status = outcome.status, .reason = outcome.reason};
@@ -72,10 +72,7 @@ Examined examine(const Case& asked, const Entrant& entrant, double dt) {
   if (asked.closed_form != nullptr && asked.closed_form->unsupported(scene, complete(*asked.closed_form, {})).empty()) {
     truth.emplace(*asked.closed_form, scene);
   }
-  const Truth* known = truth ? &*truth : nullptr;
-  examined.judgement = judge(scene, asked.scenario->expectations(asked.parameters), *outcome.trace,
-                             entrant.contender->stepping(entrant.settings, dt), known);
-  if (asked.scenario->phased) judge_phases(asked, entrant, dt, known, examined.judgement);
+  examined.judgement = judge_case(asked, entrant, dt, *outcome.trace, truth ? &*truth : nullptr);
   return examined;
 }
 
