@@ -23,8 +23,10 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -77,15 +79,40 @@ class SharedLayers : public b2ContactFilter {
 };
 
 // The scene's coefficients go in when a contact begins and persist; its impulses come out after each solve, of which a
-// step has several where continuous collision acts.
+// step has several where continuous collision acts. What sleeps is not solved: it goes on bearing what it bore in its
+// last step awake.
 class Contacts : public b2ContactListener {
  public:
   Contacts(const Tags& tags, Mixing mixing, float threshold) : tags_(tags), mixing_(mixing), threshold_(threshold) {}
 
-  void clear() { solved_.clear(); }
+  void begin_step(bool may_sleep) {
+    if (may_sleep) std::copy_if(solved_.begin(), solved_.end(), std::back_inserter(asleep_), sleeps);
+    solved_.clear();
+  }
+  void end_step() {
+    std::erase_if(asleep_, [](const Solved& solved) { return !sleeps(solved); });
+  }
 
   void read(std::vector<ContactState>& out) const {
-    for (const Solved& solved : solved_) {
+    append(asleep_, out);
+    append(solved_, out);
+  }
+
+ private:
+  struct Solved {
+    const b2Contact* contact;
+    b2Manifold manifold;  // a copy: a later sub-step may replace the contact's own
+    b2WorldManifold met;  // where the impulses acted: before the bodies moved
+    b2ContactImpulse impulse;
+  };
+
+  static bool sleeps(const Solved& solved) {
+    const auto still = [](const b2Body* body) { return body->GetType() == b2_staticBody || !body->IsAwake(); };
+    return still(solved.contact->GetFixtureA()->GetBody()) && still(solved.contact->GetFixtureB()->GetBody());
+  }
+
+  void append(const std::vector<Solved>& all, std::vector<ContactState>& out) const {
+    for (const Solved& solved : all) {
       const b2Fixture* a = solved.contact->GetFixtureA();
       const b2Fixture* b = solved.contact->GetFixtureB();
       const b2WorldManifold left = placed(solved.contact, solved.manifold);
@@ -96,14 +123,6 @@ class Contacts : public b2ContactListener {
       }
     }
   }
-
- private:
-  struct Solved {
-    const b2Contact* contact;
-    b2Manifold manifold;  // a copy: a later sub-step may replace the contact's own
-    b2WorldManifold met;  // where the impulses acted: before the bodies moved
-    b2ContactImpulse impulse;
-  };
 
   static b2WorldManifold placed(const b2Contact* contact, const b2Manifold& manifold) {
     const b2Fixture* a = contact->GetFixtureA();
@@ -122,6 +141,10 @@ class Contacts : public b2ContactListener {
     contact->SetRestitutionThreshold(threshold_);
   }
 
+  void EndContact(b2Contact* contact) override {
+    std::erase_if(asleep_, [=](const Solved& solved) { return solved.contact == contact; });
+  }
+
   void PreSolve(b2Contact* contact, const b2Manifold*) override {
     met_[contact] = placed(contact, *contact->GetManifold());
   }
@@ -133,7 +156,8 @@ class Contacts : public b2ContactListener {
   const Tags& tags_;
   Mixing mixing_;
   float threshold_;
-  std::vector<Solved> solved_;
+  std::vector<Solved> solved_;                       // in this step
+  std::vector<Solved> asleep_;                       // in an earlier one
   std::map<const b2Contact*, b2WorldManifold> met_;  // only looked up: its order never shows
 };
 
@@ -216,8 +240,9 @@ class Box2d : public Simulation {
 
   void step(double dt) override {
     if (loads_.any()) push();
-    contacts_.clear();
+    contacts_.begin_step(world_.GetAllowSleeping());
     world_.Step(static_cast<float>(dt), velocity_iterations_, position_iterations_);
+    contacts_.end_step();
   }
 
   void read(std::span<BodyState> out) const override {

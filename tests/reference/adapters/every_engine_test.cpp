@@ -228,17 +228,25 @@ TEST_P(EveryEngine, RefusesTwoFrictionsOrUsesThem) {
   }
 }
 
+/// The sum of the impulses on body 0.
+Vec push_on_ground(const std::vector<ContactState>& contacts) {
+  Vec sum;
+  for (const ContactState& contact : contacts) {
+    if (contact.a != 0 && contact.b != 0) continue;
+    const double side = contact.b == 0 ? 1 : -1;
+    sum.x += side * (contact.normal_impulse * contact.normal.x - contact.tangent_impulse * contact.normal.y);
+    sum.y += side * (contact.normal_impulse * contact.normal.y + contact.tangent_impulse * contact.normal.x);
+  }
+  return sum;
+}
+
 TEST_P(EveryEngine, HoldsUpARestingBoxByImpulsesOfItsWeight) {
   const Scene scene = scene_of({ground(), box({0, .5})});
   std::vector<ContactState> contacts;
   after(scene, 120)->read_contacts(contacts);
   ASSERT_FALSE(contacts.empty());
-  Vec sum;  // on the box
   for (const ContactState& contact : contacts) {
     ASSERT_EQ(contact.a + contact.b, 1u);
-    const double side = contact.b == 1 ? 1 : -1;
-    sum.x += side * (contact.normal_impulse * contact.normal.x - contact.tangent_impulse * contact.normal.y);
-    sum.y += side * (contact.normal_impulse * contact.normal.y + contact.tangent_impulse * contact.normal.x);
     EXPECT_GE(contact.normal_impulse, 0);
     EXPECT_NEAR(contact.point.y, 0, stated().gap);
     EXPECT_LT(std::abs(contact.separation), stated().gap);
@@ -246,8 +254,25 @@ TEST_P(EveryEngine, HoldsUpARestingBoxByImpulsesOfItsWeight) {
   }
   // At rest the step's contact impulse equals the step's weight, to the round-off of the velocities it is made from.
   const double mass = 1;
-  EXPECT_NEAR(sum.y, mass * g * dt, 1e-3 * mass * g * dt);
-  EXPECT_NEAR(sum.x, 0, 1e-3 * mass * g * dt);
+  const Vec push = push_on_ground(contacts);
+  EXPECT_NEAR(push.y, -mass * g * dt, 1e-3 * mass * g * dt);
+  EXPECT_NEAR(push.x, 0, 1e-3 * mass * g * dt);
+}
+
+// A second box lands on the sleeping one after 1.48 s and wakes it; then both sleep.
+TEST_P(EveryEngine, BearsAsleepWhatItBoreAwake) {
+  Settings settings = GetParam().settings;
+  for (const Option& option : engine().options) {
+    if (option.key == "sleep" || option.key == "sleeping") settings[option.key] = "on";
+  }
+  const Scene scene = scene_of({ground(), box({0, .5}), box({0, 12.5})});
+  const std::unique_ptr<Simulation> simulation = engine().build(scene, settings);
+  for (const int boxes : {1, 2}) {
+    for (int i = 0; i < (boxes == 1 ? 80 : 400); ++i) simulation->step(dt);
+    std::vector<ContactState> contacts;
+    simulation->read_contacts(contacts);
+    EXPECT_NEAR(push_on_ground(contacts).y, -boxes * g * dt, 1e-3 * boxes * g * dt) << boxes << " boxes";
+  }
 }
 
 // Friction is the tangent's test: on a slope it carries m g sin, uphill.
