@@ -11,6 +11,7 @@
 #include "method_list.h"
 #include "solver.h"
 #include "solvers/colouring.h"
+#include "solvers/descent.h"
 #include "solvers/energy_bound.h"
 #include "solvers/impact_rows.h"
 #include "solvers/impacts.h"
@@ -167,6 +168,9 @@ void Accurate::step(StepData& data) {
     step_alike(data, spaces_[worker]);
   };
   data.workers.share_out(batches, std::ref(step_batch));  // a copy would ask for memory
+  for (Workspace& space : spaces_) {
+    if (space.turning.counts_changed()) parts_.forget_points();
+  }
   end_stage("islands");
   place(data.bodies, start_, motion_);
   end_stage("place");
@@ -448,14 +452,10 @@ void Accurate::relax_through(BodySet& bodies, Island& island) {
   }
 }
 
-/// The impulses of press and relax together are those of an impact without rebound, which takes energy, once relax has
-/// converged: until then some of the speed that only parts the bodies is left in them.
 void Accurate::relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound) {
   const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-  for (int sweep = 0; sweep < island.more_sweeps; ++sweep) {
-    if (!bound.exceeded(island.bodies, data.bodies, motion_, acceleration_, rounding)) return;
-    relax(data.bodies, island, 1);
-  }
+  const auto excess = [&] { return bound.excess(island.bodies, data.bodies, motion_, acceleration_, rounding); };
+  for (Descent descent(island.more_sweeps); descent.goes_on(excess());) relax(data.bodies, island, 1);
 }
 
 void Accurate::drift(StepData& data, const Island& island) {

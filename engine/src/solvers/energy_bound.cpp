@@ -81,10 +81,10 @@ Real EnergyBound::most(std::span<const std::uint32_t> island, const BodySet& bod
   return most;
 }
 
-bool EnergyBound::exceeded(std::span<const std::uint32_t> island, const BodySet& bodies,
-                           const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration,
-                           Real gain) const {
-  return kinetic_energy(island, bodies) > most(island, bodies, motion, acceleration) + gain * kinetic_;
+Real EnergyBound::excess(std::span<const std::uint32_t> island, const BodySet& bodies,
+                         const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration,
+                         Real gain) const {
+  return kinetic_energy(island, bodies) - (most(island, bodies, motion, acceleration) + gain * kinetic_);
 }
 
 bool EnergyBound::keep(std::span<const std::uint32_t> island, bool held, BodySet& bodies,

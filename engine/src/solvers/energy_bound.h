@@ -21,9 +21,10 @@ class EnergyBound {
   /// Remembers how the bodies are at the start of a sub-step.
   void note(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion);
 
-  /// Whether the kinetic energy has grown by more than the forces gave and that share of what it was.
-  bool exceeded(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion,
-                const std::vector<Velocity>& acceleration, Real gain) const;
+  /// J, by which the kinetic energy has grown more than by what the forces gave and that share of what it was; less
+  /// than 0 where it has not.
+  Real excess(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion,
+              const std::vector<Velocity>& acceleration, Real gain) const;
 
   /// Whether anything had to be slowed. `held`: something that cannot be pushed holds the island. `acceleration` is the
   /// force field's, m/s^2 and rad/s^2.

@@ -53,6 +53,7 @@ void renew(ImpactRow& row, const BodySet& bodies, const std::vector<Pose>& start
   row.stirs_a = bodies.stirs(row.a);
   row.stirs_b = bodies.stirs(row.b);
   row.disc_distance = contact.discs() ? contact.radius_a + contact.radius_b : Real{0};
+  row.turns = contact.discs();
   row.between = start[row.b].p - start[row.a].p;
   row.age = contact.age;
   row.fresh = contact.age == 0;

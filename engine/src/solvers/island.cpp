@@ -98,13 +98,15 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
   }
   const Real omega = Island::swing(false, false) * static_cast<Real>(base) / settings.dt;
   const Real bears = static_cast<Real>(bearing.points) * (2 * omega * omega) * tolerated_sink;
-  // Powers of two: for the weight the nearest by ratio, and for the load that is known to press one point in down to a
-  // quarter of the tolerated sink. Both are within it in nearly every step: no division then.
+  // Powers of two: for the weight the nearest by ratio, and for the load that is known to press one point in down to
+  // half of the tolerated sink. The other half is for what that load becomes: it is known a step late, in which a point
+  // goes 1 - exp(-n w h / (2 zeta)) = 15 % of its way to where the new load presses it, so that may be several times as
+  // deep. Both are within it in nearly every step: no division then.
   const bool light = bearing.points == 0 || weight <= 2 * bearing.lightest * bears;
-  if (light && 4 * bearing.deepest <= tolerated_sink) return base;
+  if (light && 2 * bearing.deepest <= tolerated_sink) return base;
   const Real weighs = light ? Real{0} : weight / (bearing.lightest * bears);
   const Real presses = bearing.deepest / tolerated_sink;
-  const Real wanted = std::max(weighs / 2, 4 * presses) * static_cast<Real>(base * base);
+  const Real wanted = std::max(weighs / 2, 2 * presses) * static_cast<Real>(base * base);
   int n = base;
   while (2 * n <= most_substeps && static_cast<Real>(n * n) < wanted &&
          static_cast<std::size_t>(2 * n) * island.size() <= most_body_substeps) {

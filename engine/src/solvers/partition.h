@@ -20,6 +20,9 @@ class Partition {
   /// Bodies share an island if something ties them and both move; `together` puts them all into one.
   void split(const StepData& data, bool together);
 
+  /// Contacts have other points than they were found with: the next step lists them again.
+  void forget_points() { contact_changes_ = 0; }
+
   /// Changes whenever the islands may be others than before.
   std::uint64_t version() const { return version_; }
 

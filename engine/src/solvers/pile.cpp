@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "solvers/descent.h"
 #include "stages.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -96,9 +97,7 @@ void Pile::substep(const Island& island, bool first) {
 void Pile::relax_until_bounded(const Island& island) {
   const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   const Real most = start_energy_ + work() + rounding * start_energy_;
-  for (int sweep = 0; sweep < island.more_sweeps && kinetic_energy() > most; ++sweep) {
-    lanes_->relax(rows_, true);
-  }
+  for (Descent descent(island.more_sweeps); descent.goes_on(kinetic_energy() - most);) lanes_->relax(rows_, true);
 }
 
 void Pile::leave(const StepData& data, const Island& island, std::vector<Motion>& motion) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "closing.h"
 #include "collide.h"
@@ -74,7 +73,7 @@ void Turning::begin(const Island& island, const StepData& data) {
   if (!island.turning) return;
   for (ImpactRow& row : island.rows) {
     const Contact& contact = data.contacts[row.contact];
-    row.turns = island.struck || stir_of(contact, data.bodies).turns(data.settings.dt);
+    row.turns = row.turns || island.struck || stir_of(contact, data.bodies).turns(data.settings.dt);
     if (!row.turns) continue;
     row.made = false;  // anew in the next step
     if (row.disc_distance > 0) continue;
@@ -151,7 +150,7 @@ void Turning::turn(const Island& island, const Turned& turned, const Pair& at, c
 // What lies on ground keeps its points: the next step's search takes care of the joins of ground.
 void Turning::find_again(StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion) {
   for (Turned& turned : turned_) {
-    ImpactRow& row = *turned.row;
+    const ImpactRow& row = *turned.row;
     const Pair now{motion[row.a], motion[row.b]};
     if (row.mass_a.m == 0 || row.mass_b.m == 0 || way(turned, now, data.bodies) < far) continue;
     Contact& contact = data.contacts[row.contact];
@@ -159,35 +158,49 @@ void Turning::find_again(StepData& data, const std::vector<Pose>& start, const s
     const Pose pose_b = now.b.from(start[row.b]);
     const Manifold m = collide(data.bodies.detail[row.a].parts[contact.part_a].shape, pose_a,
                                data.bodies.detail[row.b].parts[contact.part_b].shape, pose_b, margin);
-    if (m.count < row.count) continue;
-    // Of two points, where the row has one, the one that is nearer.
-    const bool second = m.count > row.count && m.points[1].separation < m.points[0].separation;
-    const std::span<const ManifoldPoint> found(&m.points[second ? 1 : 0], static_cast<std::size_t>(row.count));
-    const std::array<ContactPoint, 2> last = contact.points;
-    const std::array<RowPoint, 2> given = row.points;
-    contact.normal = m.normal;
+    if (m.count == 0) continue;
     contact.found_a = pose_a;
     contact.found_b = pose_b;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      ContactPoint& p = contact.points[i];
-      p = {};
-      p.arm_a = found[i].point - pose_a.p;
-      p.arm_b = found[i].point - pose_b.p;
-      p.separation = contact.found_separation[i] = found[i].separation;
-      p.feature = found[i].feature;
-      turned.points[i] = place_of(contact, i);
-      RowPoint& point = row.points[i];
-      point.normal_impulse = point.tangent_impulse = 0;
-      for (std::size_t j = 0; j < found.size(); ++j) {
-        if (last[j].feature != p.feature) continue;
-        p.fresh = last[j].fresh;
-        point.normal_impulse = given[j].normal_impulse;
-        point.tangent_impulse = given[j].tangent_impulse;
-      }
-    }
-    turned.normal = m.normal;
+    take_points(turned, contact, m);
     turned.normal_of = owner(contact, data.bodies);
     turned.found = now;
+  }
+}
+
+/// What a point bore, the one of the same feature bears. What the step's points gave, they keep; a point that is gone
+/// leaves it to the other.
+void Turning::take_points(Turned& turned, Contact& contact, const Manifold& found) {
+  ImpactRow& row = *turned.row;
+  const auto last_count = static_cast<std::size_t>(row.count);
+  const std::array<ContactPoint, 2> last = contact.points;
+  const std::array<RowPoint, 2> given = row.points;
+  if (found.count < row.count) {
+    row.points[0].total_normal += given[1].total_normal;
+    row.points[0].total_tangent += given[1].total_tangent;
+    row.points[1] = {};
+  }
+  if (found.count != row.count) {
+    contact.count = row.count = found.count;
+    row.block = !row.web && row.count == 2;
+    counts_changed_ = true;
+  }
+  contact.normal = turned.normal = found.normal;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    ContactPoint& p = contact.points[i];
+    p = {};
+    p.arm_a = found.points[i].point - contact.found_a.p;
+    p.arm_b = found.points[i].point - contact.found_b.p;
+    p.separation = contact.found_separation[i] = found.points[i].separation;
+    p.feature = found.points[i].feature;
+    turned.points[i] = place_of(contact, i);
+    RowPoint& point = row.points[i];
+    point.normal_impulse = point.tangent_impulse = 0;
+    for (std::size_t j = 0; j < last_count; ++j) {
+      if (last[j].feature != p.feature) continue;
+      p.fresh = last[j].fresh;
+      point.normal_impulse = given[j].normal_impulse;
+      point.tangent_impulse = given[j].tangent_impulse;
+    }
   }
 }
 

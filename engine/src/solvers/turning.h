@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "body_set.h"
@@ -41,8 +42,12 @@ class Turning {
   /// Chooses the rows of an island for a step: after a blow all, for it may set anything turning.
   void begin(const Island& island, const StepData& data);
 
-  /// Where bodies have gone past each other since their contact was found, finds it again: other corners may be near.
+  /// Where bodies have gone past each other since their contact was found, finds it again: other corners may be near,
+  /// one more or one less.
   void find_again(StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion);
+
+  /// Whether a contact has one point more or less since this was asked last.
+  bool counts_changed() { return std::exchange(counts_changed_, false); }
 
   /// Puts normals and separations where they are now, with the arms that lead there from the start of the step.
   void follow(const Island& island, const std::vector<Motion>& motion);
@@ -65,12 +70,14 @@ class Turning {
     std::array<PointPlace, 2> points;
     Pair found;  // how its bodies had moved then
   };
+  void take_points(Turned& turned, Contact& contact, const Manifold& found);
   static Real way(const Turned& turned, const Pair& now, const BodySet& bodies);
   static Vec2 between(const Turned& turned, const PointPlace& p, const Pair& by);
   static Vec2 direction(const Turned& turned, const Pair& by);
   static void turn(const Island& island, const Turned& turned, const Pair& now, const Pair& then, bool from_start);
 
   std::vector<Turned> turned_;
+  bool counts_changed_ = false;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

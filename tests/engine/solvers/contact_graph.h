@@ -39,10 +39,14 @@ class Graph {
     return colouring_;
   }
   const Partition& split(bool together) {
-    const StepData data{bodies_, contacts_, joints_, forces_, *integrator_, settings_, workers_};
+    StepData data{bodies_, contacts_, joints_, forces_, *integrator_, settings_, workers_};
+    data.contact_changes = changes_;
     parts_.split(data, together);
     return parts_;
   }
+  /// From now on contacts have changed as often as that, see ContactSet::changes().
+  void count_changes(std::uint64_t changes) { changes_ = changes; }
+  void forget_points() { parts_.forget_points(); }
   BodySet& bodies() { return bodies_; }
   std::vector<Contact>& contacts() { return contacts_; }
   const std::vector<Contact>& contacts() const { return contacts_; }
@@ -55,6 +59,7 @@ class Graph {
   std::unique_ptr<Integrator> integrator_ = MethodList<Integrator>::make("symplectic-euler");
   Settings settings_;
   Workers workers_{1};
+  std::uint64_t changes_ = 0;
   std::vector<Motion> motion_;
   std::vector<Pose> start_;
   Partition parts_;

@@ -48,6 +48,17 @@ TEST(Partition, KnowsWhichContactsTurnNothing) {
   EXPECT_FALSE(smooth(0)) << "0 is no disc, and turns";
 }
 
+TEST(Partition, ListsPointsAgainThatItWasToldToForget) {
+  Graph graph(2);
+  graph.touch(0, 1, 1);
+  graph.count_changes(1);
+  EXPECT_EQ(graph.split(false).contacts(1)[0].points, 1);
+  graph.contacts()[0].count = 2;
+  EXPECT_EQ(graph.split(false).contacts(1)[0].points, 1);
+  graph.forget_points();
+  EXPECT_EQ(graph.split(false).contacts(1)[0].points, 2);
+}
+
 // The floor gets going: now it ties what stands on it.
 TEST(Partition, FindsItsIslandsAnewWhenABodySetsOut) {
   Graph graph(3);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "../random_shapes.h"
 #include "../support.h"
 #include "collide.h"
 
@@ -79,6 +80,24 @@ TEST(Turning, SpinningBoxesMeetWithTheCornersThatTheyHaveByThen) {
     box.set_velocity(box.velocity(), real(i % 2 == 0 ? 18 : -13));
   }
   EXPECT_LT(deepest(world, 60), static_cast<double>(tolerated_sink));
+}
+
+// A corner that meets first throws the next one down, which may be the only one near by then, or one more: up to 44 mm
+// deep when contacts kept as many points within a step as they had.
+TEST(Turning, BoxesThatFallOnEachOtherMeetWithAsManyCornersAsComeNear) {
+  const Material tough{1, real(.5), real(.5), real(.2)};
+  for (const unsigned seed : {75U, 582U, 820U, 882U, 906U}) {
+    RandomShapes random(seed);
+    World world{Settings{}};
+    add_floor(world, tough);
+    for (int i = 0; i < 4; ++i) {
+      BodyDef box = at(random.number(-.1, .1), 1 + 1.2 * i);
+      box.angle = random.number(0, 1.5);
+      const Real half = random.number(.2, .35);
+      world.create_body(box, Shape::box({half, half}), tough);
+    }
+    EXPECT_LT(deepest(world, 90), static_cast<double>(tolerated_sink)) << seed;
+  }
 }
 
 // Friction of a coefficient above 4/3 turns the tip of a slender rod into the ground that it slides on (Painleve 1895).
