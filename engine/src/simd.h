@@ -58,11 +58,12 @@ struct ScalarRegister {
   static double fused(double a, double b, double c) { return __builtin_fma(a, b, c); }
   static ScalarRegister fused(ScalarRegister a, ScalarRegister b, ScalarRegister c) { return {fused(a.v, b.v, c.v)}; }
   static std::uint32_t bits(Mask mask) { return mask.m ? 1 : 0; }
-  static void transpose(const Real* const* rows, ScalarRegister columns[4]) {
-    for (std::uint32_t column = 0; column < 4; ++column) columns[column].v = rows[0][column];
+  static Mask of(std::uint32_t bits) { return {(bits & 1U) != 0}; }
+  static void transpose(const auto& rows, std::uint32_t at, ScalarRegister columns[4]) {
+    for (std::uint32_t column = 0; column < 4; ++column) columns[column].v = rows[at][column];
   }
-  static void transpose_back(const ScalarRegister columns[4], Real* const* rows) {
-    for (std::uint32_t column = 0; column < 4; ++column) rows[0][column] = columns[column].v;
+  static void transpose_back(const ScalarRegister columns[4], const auto& rows, std::uint32_t at) {
+    for (std::uint32_t column = 0; column < 4; ++column) rows[at][column] = columns[column].v;
   }
 };
 
@@ -141,6 +142,13 @@ struct Register {
 #endif
 #ifdef __AVX512F__
   static std::uint32_t bits(Mask mask) { return mask.m; }
+  static Mask of(std::uint32_t bits) { return {static_cast<std::uint16_t>(bits & ((1U << width) - 1))}; }
+#else
+  static Mask of(std::uint32_t bits) {
+    Bits lane{};
+    for (std::uint32_t i = 0; i < width; ++i) lane[i] = 1 << i;
+    return {((Bits{} + static_cast<int>(bits)) & lane) == lane};
+  }
 #endif
 #if defined(__AVX512F__) && defined(IMPULSE_DOUBLE)
   static Register root(Register a) { return {_mm512_maskz_sqrt_pd(0xff, a.v)}; }
@@ -168,26 +176,25 @@ struct Register {
   }
 #endif
 
-  /// Of rows of four numbers, one for each lane, the four columns; and back.
+  /// Of rows of four numbers, one for each lane, the four columns; and back. Full masks spare GCC 12 false warnings.
 #if defined(__AVX512F__) && !defined(IMPULSE_DOUBLE)
-  static void transpose(const Real* const* rows, Register columns[4]) {
+  static void transpose(const auto& rows, std::uint32_t at, Register columns[4]) {
     Vector four[4];  // rows i, i + 4, i + 8, i + 12
     for (std::uint32_t i = 0; i < 4; ++i) {
-      const __m256 low = _mm256_set_m128(_mm_loadu_ps(rows[i + 4]), _mm_loadu_ps(rows[i]));
-      const __m256 high = _mm256_set_m128(_mm_loadu_ps(rows[i + 12]), _mm_loadu_ps(rows[i + 8]));
-      four[i] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+      const __m256 low = _mm256_set_m128(_mm_loadu_ps(rows[at + i + 4]), _mm_loadu_ps(rows[at + i]));
+      const __m256 high = _mm256_set_m128(_mm_loadu_ps(rows[at + i + 12]), _mm_loadu_ps(rows[at + i + 8]));
+      four[i] = _mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(low), high, 1);
     }
     transpose_fours(four[0], four[1], four[2], four[3], columns);
   }
-  static void transpose_back(const Register columns[4], Real* const* rows) {
+  static void transpose_back(const Register columns[4], const auto& rows, std::uint32_t at) {
     Register four[4];
     transpose_fours(columns[0].v, columns[1].v, columns[2].v, columns[3].v, four);
     for (std::uint32_t i = 0; i < 4; ++i) {
-      const Vector& v = four[i].v;
-      _mm_storeu_ps(rows[i], __builtin_shufflevector(v, v, 0, 1, 2, 3));
-      _mm_storeu_ps(rows[i + 4], __builtin_shufflevector(v, v, 4, 5, 6, 7));
-      _mm_storeu_ps(rows[i + 8], __builtin_shufflevector(v, v, 8, 9, 10, 11));
-      _mm_storeu_ps(rows[i + 12], __builtin_shufflevector(v, v, 12, 13, 14, 15));
+      _mm_storeu_ps(rows[at + i], _mm512_maskz_extractf32x4_ps(0xf, four[i].v, 0));
+      _mm_storeu_ps(rows[at + i + 4], _mm512_maskz_extractf32x4_ps(0xf, four[i].v, 1));
+      _mm_storeu_ps(rows[at + i + 8], _mm512_maskz_extractf32x4_ps(0xf, four[i].v, 2));
+      _mm_storeu_ps(rows[at + i + 12], _mm512_maskz_extractf32x4_ps(0xf, four[i].v, 3));
     }
   }
   /// In each quarter of the registers.
@@ -209,20 +216,20 @@ struct Register {
     return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
   }
 #elif defined(__AVX512F__)
-  static void transpose(const Real* const* rows, Register columns[4]) {
+  static void transpose(const auto& rows, std::uint32_t at, Register columns[4]) {
     Vector pair[4];  // row i beside row i + 4
     for (std::uint32_t i = 0; i < 4; ++i) {
-      pair[i] = __builtin_shufflevector(_mm256_loadu_pd(rows[i]), _mm256_loadu_pd(rows[i + 4]), 0, 1, 2, 3, 4, 5, 6, 7);
+      const __m512d low = _mm512_castpd256_pd512(_mm256_loadu_pd(rows[at + i]));
+      pair[i] = _mm512_maskz_insertf64x4(0xff, low, _mm256_loadu_pd(rows[at + i + 4]), 1);
     }
     transpose_fours(pair[0], pair[1], pair[2], pair[3], columns);
   }
-  static void transpose_back(const Register columns[4], Real* const* rows) {
+  static void transpose_back(const Register columns[4], const auto& rows, std::uint32_t at) {
     Register pair[4];
     transpose_fours(columns[0].v, columns[1].v, columns[2].v, columns[3].v, pair);
     for (std::uint32_t i = 0; i < 4; ++i) {
-      const Vector& v = pair[i].v;
-      _mm256_storeu_pd(rows[i], __builtin_shufflevector(v, v, 0, 1, 2, 3));
-      _mm256_storeu_pd(rows[i + 4], __builtin_shufflevector(v, v, 4, 5, 6, 7));
+      _mm256_storeu_pd(rows[at + i], _mm512_maskz_extractf64x4_pd(0xf, pair[i].v, 0));
+      _mm256_storeu_pd(rows[at + i + 4], _mm512_maskz_extractf64x4_pd(0xf, pair[i].v, 1));
     }
   }
   /// In each half of the registers.
@@ -237,17 +244,19 @@ struct Register {
     to[3].v = __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 10, 11, 6, 7, 14, 15);
   }
 #elif defined(__AVX2__) && !defined(IMPULSE_DOUBLE)
-  static void transpose(const Real* const* rows, Register columns[4]) {
+  static void transpose(const auto& rows, std::uint32_t at, Register columns[4]) {
     Vector pair[4];  // row i beside row i + 4
-    for (std::uint32_t i = 0; i < 4; ++i) pair[i] = _mm256_set_m128(_mm_loadu_ps(rows[i + 4]), _mm_loadu_ps(rows[i]));
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      pair[i] = _mm256_set_m128(_mm_loadu_ps(rows[at + i + 4]), _mm_loadu_ps(rows[at + i]));
+    }
     transpose_fours(pair[0], pair[1], pair[2], pair[3], columns);
   }
-  static void transpose_back(const Register columns[4], Real* const* rows) {
+  static void transpose_back(const Register columns[4], const auto& rows, std::uint32_t at) {
     Register pair[4];
     transpose_fours(columns[0].v, columns[1].v, columns[2].v, columns[3].v, pair);
     for (std::uint32_t i = 0; i < 4; ++i) {
-      _mm_storeu_ps(rows[i], _mm256_castps256_ps128(pair[i].v));
-      _mm_storeu_ps(rows[i + 4], _mm256_extractf128_ps(pair[i].v, 1));
+      _mm_storeu_ps(rows[at + i], _mm256_castps256_ps128(pair[i].v));
+      _mm_storeu_ps(rows[at + i + 4], _mm256_extractf128_ps(pair[i].v, 1));
     }
   }
   /// In each half of the registers.
@@ -262,13 +271,13 @@ struct Register {
     to[3].v = __builtin_shufflevector(high_ab, high_cd, 2, 3, 10, 11, 6, 7, 14, 15);
   }
 #elif defined(__AVX2__) || !defined(IMPULSE_DOUBLE)
-  static void transpose(const Real* const* rows, Register columns[4]) {
-    transpose_fours(load(rows[0]).v, load(rows[1]).v, load(rows[2]).v, load(rows[3]).v, columns);
+  static void transpose(const auto& rows, std::uint32_t at, Register columns[4]) {
+    transpose_fours(load(rows[at]).v, load(rows[at + 1]).v, load(rows[at + 2]).v, load(rows[at + 3]).v, columns);
   }
-  static void transpose_back(const Register columns[4], Real* const* rows) {
+  static void transpose_back(const Register columns[4], const auto& rows, std::uint32_t at) {
     Register row[4];
     transpose_fours(columns[0].v, columns[1].v, columns[2].v, columns[3].v, row);
-    for (std::uint32_t i = 0; i < 4; ++i) row[i].store(rows[i]);
+    for (std::uint32_t i = 0; i < 4; ++i) row[i].store(rows[at + i]);
   }
   static void transpose_fours(Vector a, Vector b, Vector c, Vector d, Register to[4]) {
     const Vector low_ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
@@ -281,20 +290,20 @@ struct Register {
     to[3].v = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
   }
 #else
-  static void transpose(const Real* const* rows, Register columns[4]) {
+  static void transpose(const auto& rows, std::uint32_t at, Register columns[4]) {
     for (std::uint32_t half = 0; half < 2; ++half) {
-      const Vector a = load(rows[0] + 2 * half).v;
-      const Vector b = load(rows[1] + 2 * half).v;
+      const Vector a = load(rows[at] + 2 * half).v;
+      const Vector b = load(rows[at + 1] + 2 * half).v;
       columns[2 * half].v = __builtin_shufflevector(a, b, 0, 2);
       columns[2 * half + 1].v = __builtin_shufflevector(a, b, 1, 3);
     }
   }
-  static void transpose_back(const Register columns[4], Real* const* rows) {
+  static void transpose_back(const Register columns[4], const auto& rows, std::uint32_t at) {
     for (std::uint32_t half = 0; half < 2; ++half) {
       const Vector a = columns[2 * half].v;
       const Vector b = columns[2 * half + 1].v;
-      Register{__builtin_shufflevector(a, b, 0, 2)}.store(rows[0] + 2 * half);
-      Register{__builtin_shufflevector(a, b, 1, 3)}.store(rows[1] + 2 * half);
+      Register{__builtin_shufflevector(a, b, 0, 2)}.store(rows[at] + 2 * half);
+      Register{__builtin_shufflevector(a, b, 1, 3)}.store(rows[at + 1] + 2 * half);
     }
   }
 #endif
@@ -330,6 +339,9 @@ struct MaskOf {
     std::uint32_t all = 0;
     for (std::uint32_t i = 0; i < lane_count / R::width; ++i) all |= R::bits(part[i]) << (i * R::width);
     return all;
+  }
+  static MaskOf of(std::uint32_t bits) {
+    return each([&](std::uint32_t i) { return R::of(bits >> (i * R::width)); });
   }
   template <class PartOf>
   static MaskOf each(PartOf part_of) {
@@ -414,18 +426,18 @@ struct LanesOf {
   }
 
   /// rows[i] is where lane i's four numbers are; the k-th of them go to columns[k].
-  static void gather(const Real* const* rows, LanesOf columns[4]) {
+  static void gather(const auto& rows, LanesOf columns[4]) {
     for (std::uint32_t i = 0; i < lane_count / R::width; ++i) {
       R part[4];
-      R::transpose(rows + i * R::width, part);
+      R::transpose(rows, i * R::width, part);
       for (std::uint32_t k = 0; k < 4; ++k) columns[k].part[i] = part[k];
     }
   }
-  static void scatter(const LanesOf columns[4], Real* const* rows) {
+  static void scatter(const LanesOf columns[4], const auto& rows) {
     for (std::uint32_t i = 0; i < lane_count / R::width; ++i) {
       R part[4];
       for (std::uint32_t k = 0; k < 4; ++k) part[k] = columns[k].part[i];
-      R::transpose_back(part, rows + i * R::width);
+      R::transpose_back(part, rows, i * R::width);
     }
   }
   template <class PartOf>

@@ -44,6 +44,8 @@ TEST(Lanes, CompareAsNumbersDo) {
     const Numbers c = numbers(random);
     const std::uint32_t at_most = (Lanes::load(a.data()) <= Lanes::load(b.data())).bits();
     EXPECT_EQ(at_most, (Twin::load(a.data()) <= Twin::load(b.data())).bits());
+    EXPECT_EQ(Lanes::Mask::of(at_most).bits(), at_most);
+    EXPECT_EQ(Twin::Mask::of(at_most).bits(), at_most);
     const auto between = (Lanes::all(a[0]) <= Lanes::load(b.data())) & (Lanes::load(b.data()) <= Lanes::load(c.data()));
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       EXPECT_EQ(at_most >> lane & 1U, a[lane] <= b[lane] ? 1U : 0U);
