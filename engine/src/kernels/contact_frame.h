@@ -17,36 +17,41 @@ using ContactTable = impulse::ContactTable<lane_count>;
 inline Lanes load(const Row<lane_count>& row) { return Lanes::load(row.lane); }
 inline void store(const Lanes& lanes, Row<lane_count>& to) { lanes.store(to.lane); }
 
-/// Rows of four numbers of the bodies that contacts name, one for each lane.
+/// Rows of four numbers of the bodies that contacts name, one for each lane. Compilers would work out pointers to them
+/// many at a time, and take longer to get them out of registers again.
 struct NamedRows {
-  Real* row[lane_count];
+  Real* rows;
+  const std::uint32_t* names;
 
-  NamedRows(Real* rows, const std::uint32_t* names) {
-    for (std::uint32_t lane = 0; lane < lane_count; ++lane) row[lane] = rows + 4 * names[lane];
-  }
+  Real* operator[](std::uint32_t lane) const { return rows + names[lane]; }
 };
 
 /// The centres of the two bodies of each lane's contact seen along its normal: all that a contact knows of them that
 /// turns nothing. All of it is inlined: what it holds lives in registers.
 struct CentresFrame {
   NamedRows rows_a, rows_b;
-  Lanes a[4], b[4];  // velocities: x, y, angular, 0
+  Lanes a[4], b[4];  // velocities: x, y, angular, inverse mass
   Lanes normal_x, normal_y;
-  Lanes mass;
-  Lanes normal;      // relative velocity of the centres, m/s
-  Lanes normal_sum;  // N s given so far
+  Lanes mass_a, mass_b, mass;  // inverse, the last is their sum, 1/kg
+  Lanes normal;                // relative velocity of the centres, m/s
+  Lanes normal_sum;            // N s given so far
 
   template <class Contacts>
   [[gnu::always_inline]] CentresFrame(const Contacts& contacts, Real* velocity)
-      : rows_a(velocity, contacts.a),
-        rows_b(velocity, contacts.b),
+      : rows_a{velocity, contacts.a},
+        rows_b{velocity, contacts.b},
         normal_x(load(contacts.normal_x)),
         normal_y(load(contacts.normal_y)),
-        mass(load(contacts.mass_a) + load(contacts.mass_b)),
         normal_sum(Lanes::all(0)) {
-    Lanes::gather(rows_a.row, a);
-    Lanes::gather(rows_b.row, b);
+    Lanes::gather(rows_a, a);
+    Lanes::gather(rows_b, b);
+    weigh(a[3], b[3]);
     normal = normal_x * (b[0] - a[0]) + normal_y * (b[1] - a[1]);
+  }
+  [[gnu::always_inline]] void weigh(const Lanes& inverse_a, const Lanes& inverse_b) {
+    mass_a = inverse_a;
+    mass_b = inverse_b;
+    mass = mass_a + mass_b;
   }
 
   [[gnu::always_inline]] Lanes normal_velocity(const SmoothPointLanes&) const { return normal; }
@@ -55,29 +60,24 @@ struct CentresFrame {
     normal_sum = normal_sum + impulse;
   }
   /// An impulse (N s, world frame) through the centres, which the frame need not learn of.
-  template <class Contacts>
-  [[gnu::always_inline]] void give(const Contacts& contacts, const Lanes& x, const Lanes& y) {
-    const Lanes mass_a = load(contacts.mass_a);
-    const Lanes mass_b = load(contacts.mass_b);
+  [[gnu::always_inline]] void give(const Lanes& x, const Lanes& y) {
     a[0] = a[0] - mass_a * x;
     a[1] = a[1] - mass_a * y;
     b[0] = b[0] + mass_b * x;
     b[1] = b[1] + mass_b * y;
   }
   /// The same, learnt of.
-  template <class Contacts>
-  [[gnu::always_inline]] void push_centres(const Contacts& contacts, const Lanes& x, const Lanes& y) {
-    give(contacts, x, y);
+  [[gnu::always_inline]] void push_centres(const Lanes& x, const Lanes& y) {
+    give(x, y);
     normal = normal + mass * (normal_x * x + normal_y * y);
   }
-  template <class Contacts>
-  [[gnu::always_inline]] void leave(const Contacts& contacts) {
-    give(contacts, normal_sum * normal_x, normal_sum * normal_y);
+  [[gnu::always_inline]] void leave() {
+    give(normal_sum * normal_x, normal_sum * normal_y);
     scatter();
   }
   [[gnu::always_inline]] void scatter() {
-    Lanes::scatter(a, rows_a.row);
-    Lanes::scatter(b, rows_b.row);
+    Lanes::scatter(a, rows_a);
+    Lanes::scatter(b, rows_b);
   }
 };
 
@@ -116,17 +116,15 @@ struct LanesFrame : CentresFrame {
     wb = wb + impulse * inertia_b * load(p.dot_b);
     tangent_sum = tangent_sum + impulse;
   }
-  template <class Contacts>
-  [[gnu::always_inline]] void push_centres(const Contacts& contacts, const Lanes& x, const Lanes& y) {
-    CentresFrame::push_centres(contacts, x, y);
+  [[gnu::always_inline]] void push_centres(const Lanes& x, const Lanes& y) {
+    CentresFrame::push_centres(x, y);
     tangent = tangent + mass * (normal_x * y - normal_y * x);
   }
-  template <class Contacts>
-  [[gnu::always_inline]] void leave(const Contacts& contacts) {
+  [[gnu::always_inline]] void leave() {
     // The sums as a vector of the world.
     const Lanes x = normal_sum * normal_x - tangent_sum * normal_y;
     const Lanes y = normal_sum * normal_y + tangent_sum * normal_x;
-    give(contacts, x, y);
+    give(x, y);
     a[2] = wa;
     b[2] = wb;
     scatter();

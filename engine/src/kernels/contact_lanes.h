@@ -21,17 +21,16 @@ template <std::size_t width>
 struct SmoothPointLanes {
   using Row = impulse::Row<width>;
   Row separation;      // m, at the start of the step, less the contact's offset
-  Row gap;             // m, the same now
+  Row total_normal;    // N s, of the whole step
+  Row gap;             // m, separation now
   Row normal_mass;     // effective, kg
   Row normal_impulse;  // N s, of one sub-step
-  Row total_normal;    // N s, of the whole step
 };
 template <std::size_t width>
 struct PointLanes : SmoothPointLanes<width> {
   using Row = impulse::Row<width>;
   Row cross_a, cross_b;  // r x n, m
   Row dot_a, dot_b;      // r . n, m
-  Row turn_a, turn_b;    // the part of r . n that turns with the body
   Row tangent_mass;      // effective, kg
   Row tangent_impulse;   // N s, of one sub-step
   Row total_tangent;     // N s, of the whole step
@@ -39,16 +38,21 @@ struct PointLanes : SmoothPointLanes<width> {
 
 /// Contacts that share no movable body, so that they are solved at once as if one after the other. A lane that holds no
 /// contact names a body that nothing moves, and has all numbers 0.
+///
+/// Large piles do not fit into the caches, and each pass takes as long as what it touches: what is the same for many
+/// lanes is one bit of each or is left to SoftRule, and masses come with the bodies.
 template <std::size_t width>
 struct NormalLanes {
   using Row = impulse::Row<width>;
-  std::uint32_t a[width]{}, b[width]{};  // rows of the body columns
+  Row offset;  // m, standing correction of the separation
+  // Bit i tells of lane i.
+  std::uint32_t web = 0;                 // see ImpactRow
+  std::uint32_t fixed = 0;               // against what cannot move
+  std::uint32_t aged = 0;                // old enough that the offset follows the depth
+  std::uint32_t fresh = 0;               // in its first step
+  bool rounded = false;                  // whether some shape is, see ContactLanes
+  std::uint32_t a[width]{}, b[width]{};  // where the bodies' rows of four begin
   Row normal_x, normal_y;
-  Row mass_a, mass_b;          // inverse, 1/kg
-  Row strength, rate, relief;  // of the soft contact, see softness.h
-  Row give;                    // m of depth that a load of 1 m/s (impulse / effective mass) explains
-  Row offset;                  // m, standing correction of the separation
-  Row offset_rate;             // share of a depth that the offset takes up in this step; 0 leaves it alone
 };
 
 /// Those of `points` points.
@@ -57,9 +61,8 @@ struct ContactLanes : NormalLanes<width> {
   using Row = impulse::Row<width>;
   Row inertia_a, inertia_b;  // inverse, 1/(kg m^2)
   Row static_friction, dynamic_friction;
-  Row fresh;  // 1 in a contact's first step
-  bool any_fresh = false;
   PointLanes<width> point[points];
+  Row radius_a, radius_b;  // m, by which the shapes are rounded: that part of r . n does not turn with the body
 };
 
 /// Those of one point that turn nothing: a disc about its centre of mass has r x n = 0, and without friction nothing
@@ -85,8 +88,8 @@ using SmoothDiscLanes = DiscsOf<SmoothLanes<width>>;
 enum class LanesKind : std::uint8_t {
   one,           // one point
   discs,         // one point, and the normal turns
-  two,           // two points in turn
-  block,         // two points at once
+  two,           // two points in turn, in a web
+  block,         // two points at once, in a column
   smooth,        // one point that turns nothing
   smooth_discs,  // the same, and the normal turns
 };
@@ -114,12 +117,20 @@ struct ContactTable {
 /// Bodies as rows of four numbers. Their number is a multiple of sixteen; rows of no body are 0.
 struct BodyRows {
   std::uint32_t count;
-  Real* velocity;            // x, y (m/s), angular (rad/s), 0
+  Real* velocity;            // x, y (m/s), angular (rad/s), inverse mass (1/kg)
   Real* before;              // the velocity at the start of the sub-step
-  Real* kick;                // what is given before and again after the drift
+  Real* kick;                // what is given before and again after the drift; 0
   Real* motion;              // x, y (m), sine and cosine - 1 of the turn since the start of the step
   Real* turn;                // rad, one number a row
   const Real* acceleration;  // x, y, angular, 0
+};
+
+/// How soft the contacts of a pile are: by [web][against what cannot move].
+struct SoftRule {
+  using Choice = Real[2][2];
+  Choice strength, rate, relief;  // see softness.h
+  Choice give;                    // m of depth that a load of 1 m/s (impulse / effective mass) explains
+  Real offset_rate;               // share of a depth that an offset that follows takes up in this step
 };
 
 /// What contacts are laid out by.
@@ -132,9 +143,7 @@ struct LayoutInput {
   const Pose* poses;
   const std::uint32_t* row_of;  // where in BodyRows
   std::uint32_t nobody;         // a row of no body
-  Real soft[2][2][4];           // by [web][against what cannot move]: strength, rate, relief, give
-  Real offset_rate;             // of contacts from this age on
-  int offset_from_age;
+  int offset_from_age;          // at which offsets follow
   Real substeps;
 };
 
@@ -146,11 +155,11 @@ struct ContactPasses {
   /// Adds to each body's kick half of what its contacts gave in the last sub-step.
   void (*kick)(const ContactTable<width>&, const BodyRows&);
   /// Contacts as damped springs on their depth; `h` s is the sub-step.
-  void (*press)(const ContactTable<width>&, const BodyRows&, Real h);
+  void (*press)(const ContactTable<width>&, const BodyRows&, const SoftRule&, Real h);
   /// Rigid contacts with friction. `again`: not the first sweep of this sub-step.
   void (*relax)(const ContactTable<width>&, const BodyRows&, bool again);
   /// What part of the depth the standing load explains becomes the offset; all of it at once where `settling`.
-  void (*settle)(const ContactTable<width>&, bool settling);
+  void (*settle)(const ContactTable<width>&, const SoftRule&, bool settling);
   /// Impulses and offsets back into the contacts.
   void (*store)(const ContactTable<width>&, const LayoutInput&);
 };

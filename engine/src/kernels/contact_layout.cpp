@@ -30,7 +30,8 @@ Lanes inverse(const Lanes& effective) {
 
 /// What is needed of every point.
 template <class Contacts>
-void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& share, Contacts& lanes) {
+void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& share, const Lanes& mass,
+                   Contacts& lanes) {
   auto& to = lanes.point[i];
   for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
     to.separation.lane[lane] = point_of(*contact[lane], i).separation;
@@ -47,14 +48,14 @@ void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& 
     store(impulses[1] * share, to.tangent_impulse);
     store(Lanes::all(0), to.total_tangent);
   } else {
-    store(inverse(load(lanes.mass_a) + load(lanes.mass_b)), to.normal_mass);
+    store(inverse(mass), to.normal_mass);
   }
 }
 
 /// Where it is: place_of() and effective_mass() (contact_rows.h).
 template <class Contacts>
 void place_point(const Contact* const* contact, std::uint32_t i, const Lanes& normal_x, const Lanes& normal_y,
-                 const Lanes& found_separation, const Lanes& radius_a, const Lanes& radius_b, Contacts& lanes) {
+                 const Lanes& found_separation, const Lanes& mass, Contacts& lanes) {
   PointLanes& to = lanes.point[i];
   Lanes arms[4];
   gather(arms, [&](std::uint32_t lane) { return &point_of(*contact[lane], i).arm_a.x; });
@@ -67,10 +68,7 @@ void place_point(const Contact* const* contact, std::uint32_t i, const Lanes& no
   store(cross_b, to.cross_b);
   store(dot_a, to.dot_a);
   store(dot_b, to.dot_b);
-  store(dot_a - radius_a, to.turn_a);
-  store(dot_b + radius_b, to.turn_b);
 
-  const Lanes mass = load(lanes.mass_a) + load(lanes.mass_b);
   const Lanes inertia_a = load(lanes.inertia_a);
   const Lanes inertia_b = load(lanes.inertia_b);
   store(inverse(mass + inertia_a * cross_a * cross_a + inertia_b * cross_b * cross_b), to.normal_mass);
@@ -80,38 +78,36 @@ void place_point(const Contact* const* contact, std::uint32_t i, const Lanes& no
 template <class Contacts>
 void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
   const Contact* contact[lane_count];
-  const Real* soft[lane_count];
-  const Real nothing[4]{};
-  if constexpr (rubs<Contacts>) lanes.any_fresh = false;
+  Real masses[lane_count];
+  std::uint32_t web = 0;
+  std::uint32_t fixed = 0;
+  std::uint32_t aged = 0;
+  std::uint32_t fresh = 0;
   for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
     const Slot& slot = slots[lane];
     const bool present = slot.tie.contact != Slot::empty;
     contact[lane] = present ? input.contacts + slot.tie.contact : input.no_contact;
-    lanes.a[lane] = present ? input.row_of[slot.tie.a] : input.nobody;
-    lanes.b[lane] = present ? input.row_of[slot.tie.b] : input.nobody;
+    lanes.a[lane] = 4 * (present ? input.row_of[slot.tie.a] : input.nobody);
+    lanes.b[lane] = 4 * (present ? input.row_of[slot.tie.b] : input.nobody);
     const InverseMass mass_a = present ? input.masses[slot.tie.a] : InverseMass{};
     const InverseMass mass_b = present ? input.masses[slot.tie.b] : InverseMass{};
-    lanes.mass_a.lane[lane] = mass_a.m;
-    lanes.mass_b.lane[lane] = mass_b.m;
-    const bool fixed = mass_a.m == 0 || mass_b.m == 0;
-    soft[lane] = present ? input.soft[slot.web ? 1 : 0][fixed ? 1 : 0] : nothing;
+    masses[lane] = mass_a.m + mass_b.m;
+    const auto bit_where = [lane](bool holds) { return (holds ? 1U : 0U) << lane; };
+    web |= bit_where(slot.web);
+    fixed |= bit_where(mass_a.m == 0 || mass_b.m == 0);
     lanes.offset.lane[lane] = contact[lane]->offset;
     const int age = contact[lane]->age;
-    lanes.offset_rate.lane[lane] = present && age >= input.offset_from_age ? input.offset_rate : 0;
+    aged |= bit_where(present && age >= input.offset_from_age);
+    fresh |= bit_where(present && age == 0);
     if constexpr (rubs<Contacts>) {
       lanes.inertia_a.lane[lane] = mass_a.i;
       lanes.inertia_b.lane[lane] = mass_b.i;
-      const bool fresh = present && age == 0;
-      lanes.fresh.lane[lane] = fresh ? 1 : 0;
-      lanes.any_fresh |= fresh;
     }
   }
-  Lanes softness[4];
-  Lanes::gather(soft, softness);
-  store(softness[0], lanes.strength);
-  store(softness[1], lanes.rate);
-  store(softness[2], lanes.relief);
-  store(softness[3], lanes.give);
+  lanes.web = web;
+  lanes.fixed = fixed;
+  lanes.aged = aged;
+  lanes.fresh = fresh;
   Lanes head[4];
   gather(head, [&](std::uint32_t lane) { return &contact[lane]->normal.x; });
   store(head[0], lanes.normal_x);
@@ -121,6 +117,9 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
   if constexpr (rubs<Contacts>) {
     store(surface[0], lanes.static_friction);
     store(surface[1], lanes.dynamic_friction);
+    store(surface[2], lanes.radius_a);
+    store(surface[3], lanes.radius_b);
+    lanes.rounded = (Lanes::all(0) < surface[2] + surface[3]).bits() != 0;
   }
   if constexpr (is_discs<Contacts>) {
     Lanes a[4];
@@ -132,10 +131,11 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
     store(surface[2] + surface[3], lanes.distance);
   }
   const Lanes share = Lanes::all(1 / input.substeps);
+  const Lanes mass = Lanes::load(masses);
   for (std::uint32_t i = 0; i < count_points(lanes); ++i) {
-    lay_out_point(contact, i, share, lanes);
+    lay_out_point(contact, i, share, mass, lanes);
     if constexpr (rubs<Contacts>) {
-      place_point(contact, i, head[0], head[1], head[2 + i], surface[2], surface[3], lanes);
+      place_point(contact, i, head[0], head[1], head[2 + i], mass, lanes);
     }
   }
 }

@@ -20,32 +20,47 @@ template <class Contacts>
   return held_by_cone(wanted, normal_impulse, load(contacts.static_friction), load(contacts.dynamic_friction));
 }
 
+/// A number that goes by SoftRule.
+Lanes by_lane(const SoftRule::Choice& choice, const Lanes::Mask& web, const Lanes::Mask& fixed) {
+  return select(web, select(fixed, Lanes::all(choice[1][1]), Lanes::all(choice[1][0])),
+                select(fixed, Lanes::all(choice[0][1]), Lanes::all(choice[0][0])));
+}
+
 /// How far both bodies have come since the start of the step.
 struct LanesMotion {
   Lanes a[4], b[4];
 
   template <class Contacts>
   LanesMotion(const Contacts& contacts, Real* motion) {
-    Lanes::gather(NamedRows(motion, contacts.a).row, a);
-    Lanes::gather(NamedRows(motion, contacts.b).row, b);
-  }
-  Lanes gap(const SmoothPointLanes& p, const Lanes& normal_x, const Lanes& normal_y) const {
-    return load(p.separation) + (normal_x * (b[0] - a[0]) + normal_y * (b[1] - a[1]));
-  }
-  Lanes gap(const PointLanes& p, const Lanes& normal_x, const Lanes& normal_y) const {
-    const SmoothPointLanes& centres = p;
-    return gap(centres, normal_x, normal_y) + (b[2] * load(p.cross_b) + b[3] * load(p.turn_b)) -
-           (a[2] * load(p.cross_a) + a[3] * load(p.turn_a));
+    Lanes::gather(NamedRows{motion, contacts.a}, a);
+    Lanes::gather(NamedRows{motion, contacts.b}, b);
   }
 };
+
+template <class Contacts>
+[[gnu::always_inline]] inline void find_gaps(Contacts& contacts, const LanesMotion& motion) {
+  static constexpr Row<lane_count> sharp{};  // m, radii of shapes that are not rounded
+  const auto& [a, b] = motion;
+  const Lanes along = load(contacts.normal_x) * (b[0] - a[0]) + load(contacts.normal_y) * (b[1] - a[1]);
+  for (auto& p : contacts.point) {
+    const Lanes centres = load(p.separation) + along;
+    if constexpr (rubs<Contacts>) {
+      const Lanes turn_a = load(p.dot_a) - load(contacts.rounded ? contacts.radius_a : sharp);
+      const Lanes turn_b = load(p.dot_b) + load(contacts.rounded ? contacts.radius_b : sharp);
+      store(centres + (b[2] * load(p.cross_b) + b[3] * turn_b) - (a[2] * load(p.cross_a) + a[3] * turn_a), p.gap);
+    } else {
+      store(centres, p.gap);
+    }
+  }
+}
 
 /// (K + G) d = -(v + bias + G lambda), see ScalarContacts::solve_pair. Lanes where that fails keep what they have.
 struct Pair {
   Lanes impulse[2];
   Lanes::Mask holds;
 };
-Pair solve_pair(const ContactLanes<2>& contacts, const LanesFrame& frame, const Lanes impulse[2], const Lanes give[2],
-                const Lanes bias[2]) {
+[[gnu::always_inline]] inline Pair solve_pair(const ContactLanes<2>& contacts, const LanesFrame& frame,
+                                              const Lanes impulse[2], const Lanes give[2], const Lanes bias[2]) {
   const PointLanes& p = contacts.point[0];
   const PointLanes& q = contacts.point[1];
   const Lanes one = Lanes::all(1);
@@ -69,7 +84,8 @@ Pair solve_pair(const ContactLanes<2>& contacts, const LanesFrame& frame, const 
 
 /// Points one after the other, but for lanes whose pair of points was solved at once.
 template <class Each>
-void push_points(ContactLanes<2>& contacts, LanesFrame& frame, Lanes impulse[2], const Pair& pair, Each wanted) {
+[[gnu::always_inline]] inline void push_points(ContactLanes<2>& contacts, LanesFrame& frame, Lanes impulse[2],
+                                               const Pair& pair, Each wanted) {
   for (std::uint32_t i = 0; i < 2; ++i) {
     const Lanes next = select(pair.holds, pair.impulse[i], wanted(i));
     frame.push_normal(contacts.point[i], next - impulse[i]);
@@ -80,7 +96,7 @@ void push_points(ContactLanes<2>& contacts, LanesFrame& frame, Lanes impulse[2],
 /// Friction before the drift, of contacts in their first step.
 template <class Contacts>
 [[gnu::always_inline]] inline void rub_fresh(Contacts& contacts, LanesFrame& frame, const Lanes impulse[2]) {
-  const auto fresh = Lanes::all(0) < load(contacts.fresh);
+  const auto fresh = Lanes::Mask::of(contacts.fresh);
   for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
     PointLanes& p = contacts.point[i];
     const Lanes half_tangent = Lanes::all(Real{1} / 2) * load(p.tangent_impulse);
@@ -92,11 +108,13 @@ template <class Contacts>
 }
 
 template <bool block, class Contacts>
-void press(Contacts& contacts, FrameOf<Contacts>& frame, const Lanes& per_h) {
+void press(Contacts& contacts, FrameOf<Contacts>& frame, const SoftRule& soft, const Lanes& per_h) {
   const Lanes nothing = Lanes::all(0);
-  const Lanes strength = load(contacts.strength);
-  const Lanes rate = load(contacts.rate);
-  const Lanes relief = load(contacts.relief);
+  const auto web = Lanes::Mask::of(contacts.web);
+  const auto fixed = Lanes::Mask::of(contacts.fixed);
+  const Lanes strength = by_lane(soft.strength, web, fixed);
+  const Lanes rate = by_lane(soft.rate, web, fixed);
+  const Lanes relief = by_lane(soft.relief, web, fixed);
   const std::uint32_t points = count_points(contacts);
   Lanes half[2];
   Lanes impulse[2];
@@ -131,14 +149,14 @@ void press(Contacts& contacts, FrameOf<Contacts>& frame, const Lanes& per_h) {
     }
   }
   if constexpr (rubs<Contacts>) {
-    if (contacts.any_fresh) rub_fresh(contacts, frame, impulse);
+    if (contacts.fresh != 0) rub_fresh(contacts, frame, impulse);
   }
   // The second half, which the bodies get with the kick after the drift.
   for (std::uint32_t i = 0; i < points; ++i) store(impulse[i] + half[i], contacts.point[i].normal_impulse);
 }
 
-template <bool block, class Contacts>
-void relax(Contacts& contacts, FrameOf<Contacts>& frame, const LanesMotion& motion, bool again) {
+template <bool block, bool again, class Contacts>
+void relax(Contacts& contacts, FrameOf<Contacts>& frame) {
   const Lanes nothing = Lanes::all(0);
   const std::uint32_t points = count_points(contacts);
   Lanes impulse[2];
@@ -148,9 +166,7 @@ void relax(Contacts& contacts, FrameOf<Contacts>& frame, const LanesMotion& moti
     auto& p = contacts.point[i];
     impulse[i] = load(p.normal_impulse);
     before[i] = again ? impulse[i] : nothing;
-    const Lanes gap = motion.gap(p, frame.normal_x, frame.normal_y);
-    store(gap, p.gap);
-    idle[i] = (impulse[i] == nothing) & (nothing < gap);
+    idle[i] = (impulse[i] == nothing) & (nothing < load(p.gap));
   }
   const auto rigid = [&](std::uint32_t i) {
     const auto& p = contacts.point[i];
@@ -199,65 +215,78 @@ void turn_normal(Discs& contacts, const LanesMotion& motion) {
 }
 
 /// See ScalarContacts::turn_normal: what press gave follows the normal.
-template <class Discs>
-void relax_discs(Discs& discs, const LanesMotion& motion, Real* velocity, bool again) {
+template <bool again, class Discs>
+void relax_discs(Discs& discs, const LanesMotion& motion, Real* velocity) {
   const Lanes before_x = load(discs.normal_x);
   const Lanes before_y = load(discs.normal_y);
   turn_normal(discs, motion);
+  find_gaps(discs, motion);
   FrameOf<Discs> frame(discs, velocity);
-  if (!again) {
+  if constexpr (!again) {
     const Lanes change_x = frame.normal_x - before_x;
     const Lanes change_y = frame.normal_y - before_y;
     const Lanes along = load(discs.point[0].normal_impulse);
     if constexpr (rubs<Discs>) {
       const Lanes across = load(discs.point[0].tangent_impulse);
-      frame.push_centres(discs, along * change_x - across * change_y, along * change_y + across * change_x);
+      frame.push_centres(along * change_x - across * change_y, along * change_y + across * change_x);
     } else {
-      frame.push_centres(discs, along * change_x, along * change_y);
+      frame.push_centres(along * change_x, along * change_y);
     }
   }
-  relax<false>(discs, frame, motion, again);
-  frame.leave(discs);
+  relax<false, again>(discs, frame);
+  frame.leave();
 }
 
 void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
   const Lanes half = Lanes::all(Real{1} / 2);
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
     FrameOf<Contacts> frame(contacts, bodies.kick);
+    Lanes a[4];
+    Lanes b[4];
+    Lanes::gather(NamedRows{bodies.velocity, contacts.a}, a);
+    Lanes::gather(NamedRows{bodies.velocity, contacts.b}, b);
+    frame.weigh(a[3], b[3]);
     for (const auto& p : contacts.point) {
       frame.push_normal(p, half * load(p.normal_impulse));
       if constexpr (rubs<Contacts>) frame.push_tangent(p, half * load(p.tangent_impulse));
     }
-    frame.leave(contacts);
+    frame.leave();
   });
 }
 
-void press_contacts(const ContactTable& table, const BodyRows& bodies, Real h) {
+void press_contacts(const ContactTable& table, const BodyRows& bodies, const SoftRule& soft, Real h) {
   const Lanes per_h = Lanes::all(1 / h);
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto block) {
     FrameOf<Contacts> frame(contacts, bodies.velocity);
-    press<block>(contacts, frame, per_h);
-    frame.leave(contacts);
+    press<block>(contacts, frame, soft, per_h);
+    frame.leave();
   });
 }
 
-void relax_contacts(const ContactTable& table, const BodyRows& bodies, bool again) {
+template <bool again>
+void relax_once(const ContactTable& table, const BodyRows& bodies) {
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto block) {
     const LanesMotion motion(contacts, bodies.motion);
     if constexpr (is_discs<Contacts>) {
-      relax_discs(contacts, motion, bodies.velocity, again);
+      relax_discs<again>(contacts, motion, bodies.velocity);
     } else {
+      find_gaps(contacts, motion);
       FrameOf<Contacts> frame(contacts, bodies.velocity);
-      relax<block>(contacts, frame, motion, again);
-      frame.leave(contacts);
+      relax<block, again>(contacts, frame);
+      frame.leave();
     }
   });
 }
 
+void relax_contacts(const ContactTable& table, const BodyRows& bodies, bool again) {
+  again ? relax_once<true>(table, bodies) : relax_once<false>(table, bodies);
+}
+
 // See ScalarContacts::settle_offsets.
-void settle_offsets(const ContactTable& table, bool settling) {
+void settle_offsets(const ContactTable& table, const SoftRule& soft, bool settling) {
+  const Lanes nothing = Lanes::all(0);
+  const Lanes rate = Lanes::all(soft.offset_rate);
   for_all_lanes(table, [&](auto& contacts, auto) {
-    const Lanes nothing = Lanes::all(0);
     const Lanes offset = load(contacts.offset);
     Lanes sum = nothing;
     Lanes speed = nothing;
@@ -269,13 +298,14 @@ void settle_offsets(const ContactTable& table, bool settling) {
       speed = speed + select(nothing < mass, impulse * (impulse / mass), nothing);
       depth = depth - impulse * (load(p.gap) + offset);
     }
+    const Lanes give = by_lane(soft.give, Lanes::Mask::of(contacts.web), Lanes::Mask::of(contacts.fixed));
     const auto loaded = nothing < sum;
-    const Lanes explained = select(loaded, speed / sum, nothing) * load(contacts.give);
+    const Lanes explained = select(loaded, speed / sum, nothing) * give;
     const Lanes mean = select(loaded, depth / sum, nothing);
-    const Lanes rate = load(contacts.offset_rate);
     const Lanes headroom = Lanes::all(static_cast<Real>(1.05));
     const Lanes next = max(nothing, min(headroom * explained, offset + rate * mean));
-    store(settling ? explained : select(nothing < rate, next, offset), contacts.offset);
+    store(settling ? explained : select(Lanes::Mask::of(contacts.aged) & (nothing < rate), next, offset),
+          contacts.offset);
     if (!settling) return;
     const Lanes change = explained - offset;
     for (auto& p : contacts.point) {

@@ -66,7 +66,7 @@ void Pile::take_bodies(const StepData& data, const Island& island, const std::ve
   for (std::size_t i = 0; i < present_.size(); ++i) {
     const std::uint32_t body = present_[i];
     const Velocity& v = bodies.velocity[body];
-    std::copy_n(std::array{v.v.x, v.v.y, v.w}.begin(), 3, &velocity_[4 * i]);
+    std::copy_n(std::array{v.v.x, v.v.y, v.w, bodies.inverse_mass[body].m}.begin(), 4, &velocity_[4 * i]);
     const Velocity& a = acceleration[body];
     std::copy_n(std::array{a.v.x, a.v.y, a.w}.begin(), 3, &acceleration_[4 * i]);
   }

@@ -18,21 +18,25 @@ LayoutInput input_of(const StepData& data, const Island& island, const std::vect
   input.poses = data.bodies.pose.data();
   input.row_of = row_of.data();
   input.nobody = nobody;
-  for (const bool web : {false, true}) {
-    for (const bool fixed : {false, true}) {
-      const Island::Softnesses& softnesses = web ? island.web : island.column;
-      const Softness& soft = fixed ? softnesses.fixed : softnesses.movable;
-      Real* row = input.soft[web ? 1 : 0][fixed ? 1 : 0];
-      row[0] = soft.strength;
-      row[1] = soft.rate;
-      row[2] = soft.relief;
-      row[3] = 1 / (2 * island.h * soft.omega * soft.omega);
-    }
-  }
   input.offset_from_age = Island::offset_from_age;
-  input.offset_rate = island.offset_rate(Island::offset_from_age);
   input.substeps = static_cast<Real>(island.substeps);
   return input;
+}
+
+SoftRule rule_of(const Island& island) {
+  SoftRule rule{};
+  for (const std::size_t web : {0, 1}) {
+    for (const std::size_t fixed : {0, 1}) {
+      const Island::Softnesses& softnesses = web == 1 ? island.web : island.column;
+      const Softness& soft = fixed == 1 ? softnesses.fixed : softnesses.movable;
+      rule.strength[web][fixed] = soft.strength;
+      rule.rate[web][fixed] = soft.rate;
+      rule.relief[web][fixed] = soft.relief;
+      rule.give[web][fixed] = 1 / (2 * island.h * soft.omega * soft.omega);
+    }
+  }
+  rule.offset_rate = island.offset_rate(Island::offset_from_age);
+  return rule;
 }
 
 template <std::size_t width>
@@ -45,6 +49,7 @@ class PileLanesOf : public PileLanes {
   void lay_out(const StepData& data, const Island& island, const Colouring& colouring,
                const std::vector<std::uint32_t>& row_of, std::uint32_t nobody) override {
     input_ = input_of(data, island, row_of, nobody);
+    soft_ = rule_of(island);
     make_room(colouring, LanesKind::one, one_);
     make_room(colouring, LanesKind::discs, discs_);
     make_room(colouring, LanesKind::two, two_);
@@ -58,9 +63,9 @@ class PileLanesOf : public PileLanes {
   }
 
   void kick(const BodyRows& bodies) override { passes_.kick(table_, bodies); }
-  void press(const BodyRows& bodies, Real h) override { passes_.press(table_, bodies, h); }
+  void press(const BodyRows& bodies, Real h) override { passes_.press(table_, bodies, soft_, h); }
   void relax(const BodyRows& bodies, bool again) override { passes_.relax(table_, bodies, again); }
-  void settle(bool settling) override { passes_.settle(table_, settling); }
+  void settle(bool settling) override { passes_.settle(table_, soft_, settling); }
   void store() override { passes_.store(table_, input_); }
 
  private:
@@ -75,6 +80,7 @@ class PileLanesOf : public PileLanes {
 
   const ContactPasses<width>& passes_;
   LayoutInput input_{};
+  SoftRule soft_{};
   std::vector<ContactLanes<1, width>> one_;
   std::vector<DiscLanes<width>> discs_;
   std::vector<ContactLanes<2, width>> two_;
