@@ -130,7 +130,8 @@ struct SoftRule {
   using Choice = Real[2][2];
   Choice strength, rate, relief;  // see softness.h
   Choice give;                    // m of depth that a load of 1 m/s (impulse / effective mass) explains
-  Real offset_rate;               // share of a depth that an offset that follows takes up in this step
+  Choice gain;                    // see OffsetRule
+  Real leak;
 };
 
 /// What contacts are laid out by.

@@ -285,7 +285,7 @@ void relax_contacts(const ContactTable& table, const BodyRows& bodies, bool agai
 // See ScalarContacts::settle_offsets.
 void settle_offsets(const ContactTable& table, const SoftRule& soft, bool settling) {
   const Lanes nothing = Lanes::all(0);
-  const Lanes rate = Lanes::all(soft.offset_rate);
+  const Lanes leak = Lanes::all(soft.leak);
   for_all_lanes(table, [&](auto& contacts, auto) {
     const Lanes offset = load(contacts.offset);
     Lanes sum = nothing;
@@ -298,14 +298,16 @@ void settle_offsets(const ContactTable& table, const SoftRule& soft, bool settli
       speed = speed + select(nothing < mass, impulse * (impulse / mass), nothing);
       depth = depth - impulse * (load(p.gap) + offset);
     }
-    const Lanes give = by_lane(soft.give, Lanes::Mask::of(contacts.web), Lanes::Mask::of(contacts.fixed));
+    const auto web = Lanes::Mask::of(contacts.web);
+    const auto fixed = Lanes::Mask::of(contacts.fixed);
+    const Lanes give = by_lane(soft.give, web, fixed);
+    const Lanes gain = by_lane(soft.gain, web, fixed);
     const auto loaded = nothing < sum;
     const Lanes explained = select(loaded, speed / sum, nothing) * give;
     const Lanes mean = select(loaded, depth / sum, nothing);
     const Lanes headroom = Lanes::all(static_cast<Real>(1.05));
-    const Lanes next = max(nothing, min(headroom * explained, offset + rate * mean));
-    store(settling ? explained : select(Lanes::Mask::of(contacts.aged) & (nothing < rate), next, offset),
-          contacts.offset);
+    const Lanes next = max(nothing, min(headroom * explained, offset + (gain * mean - leak * offset)));
+    store(settling ? explained : select(Lanes::Mask::of(contacts.aged), next, offset), contacts.offset);
     if (!settling) return;
     const Lanes change = explained - offset;
     for (auto& p : contacts.point) {

@@ -345,7 +345,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     island.bounces |= row.restitution > 0;
     island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
     bearing.add(row);
-    if (is_few && row.age >= Island::offset_from_age) bearing.add_load(row, contact.offset, data.settings);
+    if (is_few && row.age >= OffsetRule::from_age) bearing.add_load(row, contact.offset, data.settings);
     const Stir stir = stir_of(contact, data.bodies);
     if (!stir.moves(data.settings.dt)) continue;
     moves = true;
@@ -384,12 +384,14 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
 
 Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
   const std::span<const Tie> contacts = parts_.contacts(number);
-  return {
+  Island island{
       .bodies = parts_.bodies(number),
       .contacts = contacts,
       .rows = {},
       .joints = IslandJoints(parts_.joints(number), parts_.bodies(number), data.bodies, start_, motion_, space.joints),
       .webbed = std::any_of(contacts.begin(), contacts.end(), [&](const Tie& tie) { return parts_.in_web(tie); })};
+  island.heap = is_heap(data, island);
+  return island;
 }
 
 void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {

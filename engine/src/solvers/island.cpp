@@ -29,13 +29,14 @@ void Island::cut(const Settings& settings, int into) {
   };
   column = at(1 / (8 * h));
   if (webbed) web = at(1 / (12 * h));
-  // A pyramid's layers, and those of most piles; a column has one for each body.
-  const auto count = static_cast<Real>(bodies.size());
-  const Real layers = webbed ? std::sqrt(2 * count) : count;
-  const Real wave = pi / (2 * layers);
-  const Real damping = 2 * damping_ratio * (webbed ? web : column).movable.omega * wave * wave;
-  constexpr Real soonest = 2;  // 1/s; 1 ... 4 are all stable in stacks of ten, 2 settles soonest
-  offset_speed = std::min(soonest, damping / 4);
+  if (heap) {
+    offsets = OffsetRule::passive(settings.dt, damping_ratio);
+  } else {
+    // A pyramid's layers, and those of most piles; a column has one for each body.
+    const auto count = static_cast<Real>(bodies.size());
+    const Real layers = webbed ? std::sqrt(2 * count) : count;
+    offsets = OffsetRule::lifting(settings.dt, layers, damping_ratio, (webbed ? web : column).movable);
+  }
 }
 
 void Island::share(Real by) {
@@ -51,6 +52,18 @@ void Island::share(Real by) {
 bool closed(const BodySet& bodies, std::span<const std::uint32_t> island) {
   return std::all_of(island.begin(), island.end(),
                      [&](std::uint32_t body) { return bodies.inverse_mass[body].m + bodies.inverse_mass[body].i > 0; });
+}
+
+bool is_heap(const StepData& data, const Island& island) {
+  const bool large = !may_need_substeps(island.bodies.size(), data.settings);
+  if (!island.webbed || (!large && few(island))) return false;
+  const auto most = [&](std::size_t tenths, auto test) {
+    const auto count = std::count_if(island.contacts.begin(), island.contacts.end(), test);
+    return 10 * static_cast<std::size_t>(count) >= tenths * island.contacts.size();
+  };
+  const auto rubs = [&](const Tie& tie) { return data.contacts[tie.contact].static_friction > 0; };
+  if (!large && most(5, rubs)) return false;
+  return !most(9, [](const Tie& tie) { return tie.points == 2; });
 }
 
 bool settles(const StepData& data, const Island& island) {

@@ -10,6 +10,7 @@
 #include "solver.h"
 #include "solvers/impacts.h"
 #include "solvers/island_joints.h"
+#include "solvers/offset_rule.h"
 #include "solvers/partition.h"
 #include "solvers/softness.h"
 
@@ -33,11 +34,12 @@ struct Island {
     Softness movable, fixed;  // between movable bodies; against what cannot move
   };
   Softnesses column;
-  Softnesses web;         // only of islands that are webbed
-  Real offset_speed = 0;  // 1/s, see cut()
+  Softnesses web;  // only of islands that are webbed
+  OffsetRule offsets;
   Real offset_scale =
       1;                // of contacts' offsets: depths under a load go with h^2, and what is kept is of the settings' h
   bool webbed = false;  // some contact is in a web, see Partition::in_web
+  bool heap = false;    // see is_heap()
   bool held = false;    // something that cannot be pushed holds it; not asked of a pile
   bool ideal = false;   // its joints are all that could add energy, and they must not
   bool bounces = false;   // some contact has restitution
@@ -54,24 +56,11 @@ struct Island {
   /// w h of a contact.
   static constexpr Real swing(bool in_web, bool fixed) { return 2 * pi / (in_web ? 12 : 8) * (fixed ? 2 : 1); }
 
-  static constexpr int offset_from_age = 2;
-  /// Share of a standing depth that the offset of a contact takes up in this step: its first steps are no standing load
-  /// yet.
-  Real offset_rate(int age) const {
-    return age >= offset_from_age ? offset_speed * h * static_cast<Real>(substeps) : Real{0};
-  }
-
   /// Sets h and the softness that goes with it: the highest frequency that does not jitter, 1/(8 h) in a column, and
   /// twice that against what cannot move. In the web of a pyramid, where each body pushes several that push back within
   /// the same sweep, it is 1/(12 h): at 1/(8 h) one of base 20 shakes itself up to .08 m/s and is not still after 25 s,
   /// at 1/(10 h) after 6.6 s, at 1/(12 h) after 3.3 s. A load then rests at a depth of load / (2 m_eff w^2), half of
   /// the usual, because half of each sub-step's impulse is already given when the contact is solved.
-  ///
-  /// And the speed r with which offsets follow depths: 2/s, or less where that would pump the pile's slowest wave. L
-  /// layers on springs of frequency w and damping ratio z swing with W = w pi / (2 L), damped by c = 2 z w (pi / (2
-  /// L))^2; with the offset o as part of the spring, x'' + c x' + W^2 (x + o) = g and o' = r x, which is stable for r <
-  /// c. A pyramid of 100 rows, c = .6/s, shakes without end at r = 1/s and for 20 s at .5; r = c / 4 costs it a quarter
-  /// of its damping.
   void cut(const Settings& settings, int into);
   /// Impulses of a whole step to those of one of n sub-steps, and back.
   void share(Real by);
@@ -79,6 +68,10 @@ struct Island {
 
 /// Whether nothing outside does work on an island but the forces: all its bodies can be pushed.
 bool closed(const BodySet& bodies, std::span<const std::uint32_t> island);
+/// Whether an island is a heap, in which slow motions find no end by themselves: a web in which faces seldom lie on
+/// faces, as they do in walls and pyramids, that is so large that its contacts give way (it has no more sub-steps than
+/// the settings', see substeps_for), or not of few bodies and without friction that would lock it.
+bool is_heap(const StepData& data, const Island& island);
 /// Whether an island begins at rest: nothing touched before, and all are slow.
 bool settles(const StepData& data, const Island& island);
 

@@ -18,7 +18,7 @@ LayoutInput input_of(const StepData& data, const Island& island, const std::vect
   input.poses = data.bodies.pose.data();
   input.row_of = row_of.data();
   input.nobody = nobody;
-  input.offset_from_age = Island::offset_from_age;
+  input.offset_from_age = OffsetRule::from_age;
   input.substeps = static_cast<Real>(island.substeps);
   return input;
 }
@@ -33,9 +33,10 @@ SoftRule rule_of(const Island& island) {
       rule.rate[web][fixed] = soft.rate;
       rule.relief[web][fixed] = soft.relief;
       rule.give[web][fixed] = 1 / (2 * island.h * soft.omega * soft.omega);
+      rule.gain[web][fixed] = island.offsets.gain(soft);
     }
   }
-  rule.offset_rate = island.offset_rate(Island::offset_from_age);
+  rule.leak = island.offsets.leak();
   return rule;
 }
 

@@ -189,12 +189,12 @@ template <class Frame>
 
 /// A standing load presses its springs in. The offset, one for both points of a contact (one each would take away the
 /// stiffness that keeps a column upright), slowly moves the springs' rest length until the surfaces just touch; it
-/// never exceeds the depth that the load explains, load / (2 m_eff w^2), and goes with the load. Each point counts by
-/// its load: what leans on one corner has the other in the air. Near an even load that is the mean, and takes away no
-/// stiffness.
+/// never exceeds the depth that the load explains, load / (2 m_eff w^2), and goes with the load (see OffsetRule). Each
+/// point counts by its load: what leans on one corner has the other in the air. Near an even load that is the mean, and
+/// takes away no stiffness.
 void ScalarContacts::settle_offsets(const Island& island) {
   for (ImpactRow& row : island.rows) {
-    const Real omega = island.softness(row).omega;
+    const Softness& soft = island.softness(row);
     Real load = 0;
     Real speed = 0;  // lambda / m_eff
     Real depth = 0;
@@ -209,12 +209,13 @@ void ScalarContacts::settle_offsets(const Island& island) {
       speed /= load;
       depth /= load;
     }
-    const Real explained = speed / (2 * island.h * omega * omega);
+    const Real explained = speed / (2 * island.h * soft.omega * soft.omega);
     if (island.settling) {
       row.offset = explained;
-    } else if (const Real rate = island.offset_rate(row.age); rate > 0) {
+    } else if (row.age >= OffsetRule::from_age) {
       constexpr Real headroom = static_cast<Real>(1.05);
-      row.offset = clamp(row.offset + rate * depth, 0, headroom * explained);
+      const Real change = island.offsets.gain(soft) * depth - island.offsets.leak() * row.offset;
+      row.offset = clamp(row.offset + change, 0, headroom * explained);
     }
   }
 }

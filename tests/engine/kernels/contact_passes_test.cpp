@@ -56,7 +56,8 @@ struct Tangle {
     choose(soft.rate, 5, 20);
     choose(soft.relief, 0, .5);
     choose(soft.give, .001, .01);
-    soft.offset_rate = random.number(.01, .1);
+    choose(soft.gain, .01, .7);
+    soft.leak = random.number(.01, .4);
     for (std::uint32_t run = 0; run < 2; ++run) {
       fill(one, random, run);
       fill(discs, random, run);

@@ -41,6 +41,38 @@ Stacked stack(int n, double top_density, unsigned seed, double seconds) {
   return result;
 }
 
+/// The mean speed (m/s) of discs without friction that were poured into a box, after some seconds.
+double speed_of_smooth_discs(int count, double seconds) {
+  World world(accurate());
+  std::mt19937 random(1);
+  const Material smooth = material(0, 0);
+  const int columns = static_cast<int>(std::sqrt(count));
+  const double half = .3 * columns + .3;
+  ground(world, smooth);
+  for (const double side : {-1., 1.}) {
+    BodyDef wall = at(side * (half + .5), 2 * half);
+    wall.type = BodyType::fixed;
+    world.create_body(wall, Shape::box(vec(.5, 3 * half)), smooth);
+  }
+  std::vector<BodyId> discs;
+  for (int i = 0; i < count; ++i) {
+    const double x = (i % columns - (columns - 1) / 2.) * .6 + seeded(random, -.04, .04);
+    discs.push_back(
+        world.create_body(at(x, .3 + .6 * (i / columns)), Shape::circle(real(seeded(random, .2, .25))), smooth));
+  }
+  run_for(world, seconds);
+  double sum = 0;
+  for (const BodyId id : discs) sum += static_cast<double>(length(world.body(id).velocity()));
+  return sum / count;
+}
+
+// Nothing locks them and no spring damps how they slide around each other.
+TEST(Accurate, HeapsOfSmoothDiscsComeToRest) {
+  for (const int count : {300, 600}) {
+    EXPECT_LT(speed_of_smooth_discs(count, 20), static_cast<double>(Settings().sleep_linear_speed) / 10) << count;
+  }
+}
+
 TEST(Accurate, AHeavyBodyInAWallOfSmallOnesGainsNoEnergy) {
   Settings settings = accurate();
   settings.gravity = {};
