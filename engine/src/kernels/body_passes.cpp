@@ -11,6 +11,12 @@ void for_all_numbers(const BodyRows& bodies, Act act) {
   for (std::uint32_t i = 0; i < 4 * bodies.count; i += lane_count) act(i);
 }
 
+/// Rows of four numbers that follow each other.
+struct RowsFrom {
+  Real* first;
+  Real* operator[](std::uint32_t lane) const { return first + 4 * lane; }
+};
+
 }  // namespace
 
 void kick_by_forces(const BodyRows& bodies, Real h) {
@@ -38,15 +44,10 @@ bool drift_bodies(const BodyRows& bodies, Real h) {
   const auto coefficient = [](Real nominator, Real denominator) { return Lanes::all(nominator / denominator); };
   std::uint32_t far = 0;
   for (std::uint32_t first = 0; first < bodies.count; first += lane_count) {
-    Real* velocity_rows[lane_count];
-    Real* motion_rows[lane_count];
-    for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
-      velocity_rows[lane] = bodies.velocity + 4 * (first + lane);
-      motion_rows[lane] = bodies.motion + 4 * (first + lane);
-    }
+    const RowsFrom motion_rows{bodies.motion + 4 * first};
     Lanes velocity[4];
     Lanes motion[4];
-    Lanes::gather(velocity_rows, velocity);
+    Lanes::gather(RowsFrom{bodies.velocity + 4 * first}, velocity);
     Lanes::gather(motion_rows, motion);
     const Lanes angle = Lanes::load(bodies.turn + first) + step * velocity[2];
     angle.store(bodies.turn + first);

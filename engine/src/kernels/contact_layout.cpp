@@ -18,9 +18,11 @@ void fetch(const Contact* contacts, const Slot& slot) {
 /// Four columns of the rows that are `row_of` each lane.
 template <class RowOf>
 [[gnu::always_inline]] inline void gather(Lanes columns[4], RowOf row_of) {
-  const Real* rows[lane_count];
-  for (std::uint32_t lane = 0; lane < lane_count; ++lane) rows[lane] = row_of(lane);
-  Lanes::gather(rows, columns);
+  struct Rows {
+    RowOf row_of;
+    const Real* operator[](std::uint32_t lane) const { return row_of(lane); }
+  };
+  Lanes::gather(Rows{row_of}, columns);
 }
 
 Lanes inverse(const Lanes& effective) {
