@@ -42,10 +42,32 @@ class BoundsTable {
     return {found_.data(), find_overlaps_(columns_, box, way, ranges.begin(), ranges.end(), found_.data())};
   }
 
+  /// Calls met(question, other) for each who answers a question, by the number of the question, in their order.
+  template <class Met>
+  void answer(std::span<const Question> questions, const Met& met) {
+    for (std::uint32_t first = 0; first < questions.size();) {
+      std::size_t room = most_lanes;
+      std::uint32_t end = first;
+      for (; end < questions.size() && room < most_at_once; ++end) {
+        room += questions[end].range.end - questions[end].range.begin;
+      }
+      if (found_.size() < room) found_.resize(2 * room);
+      if (question_of_.size() < room) question_of_.resize(2 * room);
+      const std::uint32_t count =
+          answer_questions_(columns_, &questions[first], end - first, question_of_.data(), found_.data());
+      for (std::uint32_t i = 0; i < count; ++i) met(first + question_of_[i], found_[i]);
+      first = end;
+    }
+  }
+
  private:
+  static constexpr std::size_t most_at_once = 1U << 14U;  // answers that may have to be kept meanwhile
+
   std::array<std::vector<Real>, 7> held_;
   BoundsColumns columns_{};
   std::vector<std::uint32_t> found_;
+  std::vector<std::uint32_t> question_of_;
+  AnswerQuestions* answer_questions_ = kernels().answer_questions;
   FindOverlaps* find_overlaps_ = kernels().find_overlaps;
 };
 

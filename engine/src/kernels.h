@@ -14,6 +14,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// their twins outside do,
 struct Kernels {
   FindOverlaps* find_overlaps;
+  AnswerQuestions* answer_questions;
   FilterPairs* filter_pairs;
   CollidePairs* collide_boxes;
   CollidePairs* collide_discs;

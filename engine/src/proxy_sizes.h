@@ -17,7 +17,7 @@ inline double extent(const Proxy& proxy) {
 
 /// About the middle one of all extents, from a sample spread evenly over the proxies. 0 if there are none.
 inline double typical_extent(std::span<const Proxy> proxies) {
-  constexpr std::size_t most = 255;
+  constexpr std::size_t most = 63;
   if (proxies.empty()) return 0;
   const std::size_t count = std::min(most, proxies.size());
   std::array<double, most> sample{};

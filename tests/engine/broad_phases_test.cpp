@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <string_view>
 
 #include "broad_phase.h"
 #include "method_list.h"
@@ -122,6 +123,33 @@ TEST_P(EveryBroadPhase, FindsThePairsOfThoseThatAreChosen) {
       std::vector<Pair> pairs{{7, 3}};
       MethodList<BroadPhase>::make(GetParam())->find_pairs_of(proxies, chosen, pairs);
       ASSERT_EQ(pairs, expected) << crowd.bodies << " bodies, of which " << share << " are chosen";
+    }
+  }
+}
+
+/// Right after all pairs were looked for, when a grid need not be laid out anew; but must be where others changed, too.
+TEST_P(EveryBroadPhase, FindsThePairsOfThoseThatHaveGrown) {
+  RandomShapes random(8);
+  for (const Real most : {0.0_r, 0.3_r, 30.0_r}) {
+    for (const Crowd& crowd : crowds) {
+      const std::unique_ptr<BroadPhase> method = MethodList<BroadPhase>::make(GetParam());
+      Proxies proxies = make_proxies(crowd, 2);
+      pairs_of(*method, proxies);
+      for (const char* change : {"growth", "more growth", "layers"}) {
+        std::vector<std::uint8_t> chosen(proxies.size());
+        for (std::size_t i = 0; i < proxies.size(); ++i) {
+          chosen[i] = random.number(0, 1) < 0.3_r ? 1 : 0;
+          if (chosen[i] != 0) proxies[i].bounds = grown(proxies[i].bounds, random.number(0, static_cast<double>(most)));
+        }
+        if (std::string_view(change) == "layers") {
+          for (Proxy& proxy : proxies) proxy.layers = ~proxy.layers;
+        }
+        std::vector<Pair> expected = expected_of(proxies);
+        std::erase_if(expected, [&](const Pair& pair) { return (chosen[pair.first] | chosen[pair.second]) == 0; });
+        std::vector<Pair> pairs{{7, 3}};
+        method->find_pairs_of(proxies, chosen, pairs);
+        ASSERT_EQ(pairs, expected) << crowd.bodies << " bodies, up to " << most << " m, " << change;
+      }
     }
   }
 }

@@ -59,6 +59,25 @@ std::uint32_t* find_overlaps(const BoundsColumns& among, const Aabb& box, const 
   return to;
 }
 
+std::uint32_t answer_questions(const BoundsColumns& among, const Question* questions, std::uint32_t count,
+                               std::uint32_t* question_of, std::uint32_t* answer) {
+  std::uint32_t* to = answer;
+  for (std::uint32_t question = 0; question < count; ++question) {
+    const auto [asker, range] = questions[question];
+    const Aabb box{{among.low_x[asker], among.low_y[asker]}, {among.high_x[asker], among.high_y[asker]}};
+    const Way way{{among.way_x[asker], among.way_y[asker]}, among.way_length[asker]};
+    const Reach reach(box, way);
+    std::uint32_t i = range.begin;
+    do {
+      std::uint32_t* numbers = question_of + (to - answer);
+      for (std::uint32_t lane = 0; lane < lane_count; ++lane) numbers[lane] = question;
+      to = write_members(reach.met(among, i) & first_lanes(range.end - i), i, to);
+      i += lane_count;
+    } while (i < range.end);
+  }
+  return static_cast<std::uint32_t>(to - answer);
+}
+
 std::uint32_t filter_pairs(const Proxy* proxies, const Pair* pairs, std::uint32_t count, Pair* to) {
   std::uint32_t kept = 0;
   for (std::uint32_t from = 0; from < count; from += lane_count) {

@@ -30,6 +30,17 @@ struct Range {
 using FindOverlaps = std::uint32_t*(const BoundsColumns& among, const Aabb& box, const Way& way, const Range* ranges,
                                     const Range* ranges_end, std::uint32_t* to);
 
+/// Who in the range is within reach of the asker, which is among the bounds itself?
+struct Question {
+  std::uint32_t asker;
+  Range range;
+};
+
+/// Answers some questions: for each answer, question by question, the number of the question and of who it is. Returns
+/// how many answers there are. There must be room for all that are in the ranges and most_lanes more.
+using AnswerQuestions = std::uint32_t(const BoundsColumns& among, const Question* questions, std::uint32_t count,
+                                      std::uint32_t* question_of, std::uint32_t* answer);
+
 /// Writes those of some pairs that are within reach of each other, in their order, and returns how many. There must be
 /// room for all.
 using FilterPairs = std::uint32_t(const Proxy* proxies, const Pair* pairs, std::uint32_t count, Pair* to);

@@ -19,7 +19,7 @@ struct Crowd {
   std::vector<Real> low_x, low_y, high_x, high_y, way_x, way_y, way_length;
 
   explicit Crowd(std::uint32_t count, RandomShapes& random) {
-    for (std::uint32_t i = 0; i < count + 8; ++i) {
+    for (std::uint32_t i = 0; i < count + most_lanes; ++i) {
       const Vec2 low = random.point(5);
       // Whole numbers, so that some only just touch.
       const Vec2 corner{static_cast<Real>(static_cast<int>(low.x)), static_cast<Real>(static_cast<int>(low.y))};
@@ -72,6 +72,36 @@ TEST(FindOverlaps, FindsWhatOverlapsOneByOneWithEveryInstructionSet) {
     }
   }
   EXPECT_GT(hits, 100U);
+}
+
+TEST(AnswerQuestions, AgreesWithOneAtATime) {
+  RandomShapes random(2);
+  const Crowd crowd(50, random);
+  const auto some = [&] { return static_cast<std::uint32_t>(random.number(0, 49.999)); };
+  std::vector<Question> questions;
+  std::vector<Pair> expected;  // of a question's number and an answer
+  std::size_t room = most_lanes;
+  for (std::uint32_t number = 0; number < 300; ++number) {
+    const std::uint32_t begin = some();
+    const Question question{some(), {begin, std::max(begin, some())}};
+    questions.push_back(question);
+    room += question.range.end - question.range.begin;
+    for (std::uint32_t i = question.range.begin; i < question.range.end; ++i) {
+      if (within_reach(crowd.proxy(question.asker), crowd.proxy(i))) expected.push_back({number, i});
+    }
+  }
+  EXPECT_GT(expected.size(), 100U);
+  for (const Kernels* version : runnable_kernels()) {
+    std::vector<std::uint32_t> question_of(room + 1, 77);
+    std::vector<std::uint32_t> answer(room + 1, 77);
+    const std::uint32_t count =
+        version->answer_questions(crowd.columns(), questions.data(), 300, question_of.data(), answer.data());
+    EXPECT_EQ(question_of.back(), 77U);
+    EXPECT_EQ(answer.back(), 77U);
+    std::vector<Pair> found;
+    for (std::uint32_t i = 0; i < count; ++i) found.push_back({question_of[i], answer[i]});
+    EXPECT_EQ(found, expected);
+  }
 }
 
 }  // namespace
