@@ -23,14 +23,16 @@ bool may_keep(const Contact& contact) {
 
 void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bool undisturbed) {
   last_ = last;
+  const std::uint64_t last_version = shapes_.version();
   shapes_.update(input.bodies, input.margin);
+  note_motion(input, undisturbed);
   end_stage("collect proxies");
   last_pairs_.swap(pairs_);
   neighbours_.find(input.broad_phase, shapes_.proxies(), shapes_.version(), pairs_);
   end_stage("find pairs");
   put_in_order(input, pairs_);
   end_stage("sort pairs");
-  match(undisturbed && pairs_ == last_pairs_);
+  match(undisturbed && shapes_.version() == last_version);
   end_stage("match");
   while (numbers_.size() < pairs_.size()) numbers_.push_back(static_cast<std::uint32_t>(numbers_.size()));
   const std::span<const std::uint32_t> all = std::span(numbers_).first(pairs_.size());
@@ -50,34 +52,50 @@ void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pa
   const JointSet& joints = input.joints;
   const bool tied = !joints.tied().empty();
   if (tied || shapes_.some_slanted()) {
-    std::erase_if(pairs, [&](const Pair& pair) {
-      return shapes_.apart(pair.first, pair.second) ||
-             (tied && joints.ties(proxies[pair.first].body, proxies[pair.second].body));
-    });
+    std::size_t left = 0;
+    for (const Pair& pair : pairs) {
+      const bool apart = shapes_.apart(pair.first, pair.second) ||
+                         (tied && joints.ties(proxies[pair.first].body, proxies[pair.second].body));
+      pairs[left] = pair;
+      left += apart ? 0 : 1;
+    }
+    pairs.resize(left);
   }
   if (!shapes_.several_parts()) return;
-  // They come in order of (body_a, part_a, body_b, part_b): right already where the first body has one part.
+  // They come in order of (body_a, part_a, body_b, part_b): wrong only around what is not of its body's first part.
   const auto body_a = [proxies](const Pair& pair) { return proxies[pair.first].body; };
-  const auto in_order = [this](const Pair& left, const Pair& right) { return before(left, right); };
-  for (auto first = pairs.begin(); first != pairs.end();) {
-    const auto end = std::find_if(first, pairs.end(), [&](const Pair& pair) { return body_a(pair) != body_a(*first); });
-    if (first->first != std::prev(end)->first) std::sort(first, end, in_order);
-    first = end;
+  const auto body_b = [proxies](const Pair& pair) { return proxies[pair.second].body; };
+  const auto of_later_part = [proxies](const Pair& pair) { return proxies[pair.first].part != 0; };
+  for (auto later = pairs.begin();;) {
+    later = std::find_if(later, pairs.end(), of_later_part);
+    if (later == pairs.end()) return;
+    const std::uint32_t body = body_a(*later);
+    auto first = later;
+    while (first != pairs.begin() && body_a(*std::prev(first)) == body) --first;
+    later = std::find_if(later, pairs.end(), [&](const Pair& pair) { return body_a(pair) != body; });
+    pair_order_.stable_sort(input.bodies.size(), {first, later}, body_b);
   }
 }
 
-/// Pairs and contacts are in one order: one walk along both. Where pairs and contacts are still those of the last
-/// search, which is which is known; and nothing changes if that search found the contacts of the one before.
-void ContactSearch::match(bool still_the_same) {
-  if (still_the_same && found_the_same_) return;
-  if (still_the_same) {
-    last_of_.assign(pairs_.size(), none);
-    for (std::uint32_t i = 0; i < touching_.size(); ++i) last_of_[touching_[i]] = i;
-    return;
-  }
+/// Pairs and contacts are in one order: one walk along both. While the proxies are the same and no contact was taken
+/// out or put in, the pairs that touched tell of the contacts, in less memory. Where pairs and contacts are still those
+/// of the last search, which is which is known; and nothing changes if that search found the contacts of the one
+/// before.
+void ContactSearch::match(bool undisturbed) {
   last_of_.resize(pairs_.size());
   std::uint32_t last = 0;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) last_of_[i] = find_last(order_of(pairs_[i]), last);
+  if (!undisturbed) {
+    for (std::size_t i = 0; i < pairs_.size(); ++i) last_of_[i] = find_last(order_of(pairs_[i]), last);
+    return;
+  }
+  if (found_the_same_ && pairs_ == last_pairs_) return;
+  const auto count = static_cast<std::uint32_t>(touching_.size());
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const Pair pair = pairs_[i];
+    while (last < count && before(last_pairs_[touching_[last]], pair)) ++last;
+    const bool known = last < count && last_pairs_[touching_[last]] == pair;
+    last_of_[i] = known ? last++ : none;
+  }
 }
 
 /// Goes on in `last_` from a place to where the contact must be, and past it if it is there.
@@ -108,7 +126,10 @@ void ContactSearch::keep_points(const SearchInput& input, std::span<const std::u
   std::size_t asked = 0;
   for (const std::uint32_t pair : of_pairs) {
     const std::uint32_t last = last_of_[pair];
-    const std::size_t ask = input.recycle && last != none && may_keep(last_[last]) ? 1 : 0;
+    const bool still = moved_[pairs_[pair].first] + moved_[pairs_[pair].second] < recycled_motion;
+    // Points that the last search found, what has moved since cannot keep: that spares a visit.
+    const std::size_t ask =
+        input.recycle && last != none && (still || fresh_[last] == 0) && may_keep(last_[last]) ? 1 : 0;
     to_collide_[collided] = pair;
     to_keep_[asked] = pair;
     may_keep_[asked] = last;
@@ -126,6 +147,23 @@ void ContactSearch::keep_points(const SearchInput& input, std::span<const std::u
     collided += kept_[i] != 0 ? 0 : 1;
   }
   to_collide_.resize(collided);
+}
+
+/// How far each proxy's body has come since the last search, and which points that search found.
+void ContactSearch::note_motion(const SearchInput& input, bool undisturbed) {
+  const BodySet& bodies = input.bodies;
+  const std::span<const Proxy> proxies = shapes_.proxies();
+  fresh_.resize(last_.size());
+  for (std::size_t i = 0; i < fresh_.size(); ++i) fresh_[i] = undisturbed && !keeps(touching_[i]) ? 1 : 0;
+  poses_.resize(bodies.size());
+  moved_.resize(proxies.size());
+  for (std::size_t i = 0; i < proxies.size(); ++i) {
+    const std::size_t body = proxies[i].body;
+    const Pose& now = bodies.pose[body];
+    const Pose& then = poses_[body];
+    moved_[i] = length(now.p - then.p) + std::abs((now.q * then.q.inverse()).s) * bodies.reach[body];
+  }
+  poses_ = bodies.pose;
 }
 
 void ContactSearch::list_touching(std::span<const std::uint32_t> in_order) {
@@ -163,13 +201,16 @@ bool ContactSearch::foresee_knocks(const SearchInput& input) {
     knocks_[i] = std::max(knocks_[i], change);
     farther = true;
   };
-  for (const std::uint32_t pair : touching_) {
+  const auto count = static_cast<std::uint32_t>(touching_.size());
+  const PairBatch all{shapes_.records().data(), pairs_.data(), touching_.data(), count, felt, margin.time};
+  fast_.resize(count);
+  const std::uint32_t* end = kernels().find_fast(all, found_.data(), counts_.data(), fast_.data());
+  for (const std::uint32_t pair : std::span(fast_.data(), end)) {
     const PairPoints& found = found_[pair];
     const ShapeRecord& record_a = shapes_.records()[pairs_[pair].first];
     const ShapeRecord& record_b = shapes_.records()[pairs_[pair].second];
     const Vec2 between = record_b.velocity - record_a.velocity;
     const Real turning = record_a.rim + record_b.rim;
-    if (too_slow(std::abs(between.x) + std::abs(between.y) + turning)) continue;
     Vec2 normal{found.normal[0], found.normal[1]};
     Real gap = found.count == 2 ? std::min(found.separation[0], found.separation[1]) : found.separation[0];
     if (keeps(pair)) {
@@ -184,8 +225,8 @@ bool ContactSearch::foresee_knocks(const SearchInput& input) {
     const std::size_t b = second(pair).body;
     const Real mass_a = bodies.inverse_mass[a].m;
     const Real mass_b = bodies.inverse_mass[b].m;
-    const Real restitution = mix(input.settings.restitution_mixing, first_part(pair).material.restitution,
-                                 second_part(pair).material.restitution);
+    const Real restitution = mix(input.settings.restitution_mixing, shapes_.restitution(pairs_[pair].first),
+                                 shapes_.restitution(pairs_[pair].second));
     const Real change = (1 + restitution) * speed / (mass_a + mass_b);
     knock(a, change * mass_a);
     knock(b, change * mass_b);

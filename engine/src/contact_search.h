@@ -13,6 +13,7 @@
 #include "kernels.h"
 #include "narrow_phase.h"
 #include "neighbours.h"
+#include "pair_order.h"
 #include "shape_table.h"
 #include "solver.h"
 
@@ -55,10 +56,11 @@ class ContactSearch {
   static constexpr std::int8_t kept = -1;  // instead of a count of points
 
   void put_in_order(const SearchInput& input, std::vector<Pair>& pairs);
-  void match(bool still_the_same);
+  void match(bool undisturbed);
   std::uint32_t find_last(const ContactOrder& wanted, std::uint32_t& place) const;
   void find_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs);
   void keep_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs);
+  void note_motion(const SearchInput& input, bool undisturbed);
   bool foresee_knocks(const SearchInput& input);
   void reach_farther(const SearchInput& input);
   bool may_gain_points(std::uint32_t pair) const;
@@ -80,6 +82,7 @@ class ContactSearch {
   NarrowPhase narrow_phase_;
   std::span<Contact> last_;
   Neighbours neighbours_;
+  PairOrder pair_order_;
   std::vector<Pair> pairs_;              // in order of contacts, but for those that come late
   std::vector<Pair> last_pairs_;         // of the search before
   std::vector<std::uint32_t> numbers_;   // 0, 1, 2, ... : all pairs, in order of contacts until some come late
@@ -88,11 +91,15 @@ class ContactSearch {
   std::vector<std::int8_t> counts_;      // of the points of each pair, or kept
   std::vector<PairPoints> found_;        // of each pair that was collided
   bool found_the_same_ = false;
+  std::vector<Pose> poses_;                // of each body in the last search
+  std::vector<Real> moved_;                // m, by which no point of each proxy's body moved farther since
+  std::vector<std::uint8_t> fresh_;        // of each contact of `last_`: whether that search found its points
   std::vector<std::uint32_t> undecided_;   // pairs that have no points yet, or may have more
   std::vector<std::uint32_t> to_collide_;  // those of them that do not keep what they had
   std::vector<std::uint32_t> to_keep_;     // and those that may
   std::vector<std::uint32_t> may_keep_;    // their contacts
   std::vector<std::uint8_t> kept_;         // and whether they do
+  std::vector<std::uint32_t> fast_;        // touching pairs that may meet with a knock
   std::vector<Real> knocks_;  // m/s, by which each body's velocity may change within the step when it is struck
   std::vector<std::uint8_t> knocked_;  // whether each proxy's body has such a knock
   std::vector<Pair> farther_pairs_;    // of those proxies

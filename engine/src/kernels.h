@@ -20,6 +20,7 @@ struct Kernels {
   CollidePairs* collide_discs;
   CollidePairs* collide_disc_with_box;  // the disc is the first of each pair
   CollidePairs* collide_box_with_disc;
+  FindFast* find_fast;
   KeepPoints* keep_points;
   TurnToAngles* turn_to_angles;
 };

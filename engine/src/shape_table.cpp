@@ -106,7 +106,8 @@ void ShapeTable::list(const BodySet& bodies) {
       const ShapeKind kind = kind_of(shape);
       const Vec2 x = shape.normal(1);  // of a box, along its x axis
       still_.push_back({&body.parts[p], shape.centroid(), Rotation(x.x, x.y),
-                        kind == ShapeKind::box ? shape.half_extents() : Vec2{shape.radius(), 0}, kind});
+                        kind == ShapeKind::box ? shape.half_extents() : Vec2{shape.radius(), 0},
+                        body.parts[p].material.restitution, kind});
       proxies_.push_back({{},
                           {},
                           static_cast<std::uint32_t>(i),

@@ -29,10 +29,14 @@ class ShapeTable {
   std::span<const ShapeRecord> records() const { return records_; }
   ShapeKind kind(std::size_t i) const { return still_[i].kind; }
   const Part& part(std::size_t i) const { return *still_[i].part; }
+  Real restitution(std::size_t i) const { return still_[i].restitution; }
   /// Whether the bounds of two overlap only because one of them is a slanted box that fills little of its own: they are
   /// apart along one of its sides by more than both may grow.
   bool apart(std::size_t i, std::size_t j) const {
-    return (slanted_[i] != 0 && beside(i, j)) || (slanted_[j] != 0 && beside(j, i));
+    bool found = false;
+    if (slanted_[i] != 0) found |= beside(i, j);
+    if (slanted_[j] != 0) found |= beside(j, i);
+    return found;
   }
   bool some_slanted() const { return some_slanted_; }    // some box is
   Real fastest() const { return fastest_; }              // m/s, no point of any part goes faster
@@ -45,6 +49,7 @@ class ShapeTable {
     Vec2 centroid;
     Rotation turn;  // of a box in its body
     Vec2 size;      // as in ShapeRecord
+    Real restitution;
     ShapeKind kind;
   };
   void list(const BodySet& bodies);

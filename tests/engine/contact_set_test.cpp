@@ -173,6 +173,25 @@ TEST(ContactSet, RecyclesPointsOfBodiesThatHardlyMoved) {
   EXPECT_NE(heap.find()[0].points[0].arm_b, arm);
 }
 
+// What counts is the motion since the points were found, however fast the last of it was.
+TEST(ContactSet, RecyclesPointsOfBodiesThatCameBack) {
+  Heap heap;
+  heap.recycle = true;
+  heap.margin.distance = real(.02);
+  heap.add(at(0, 0), Shape::box({1, 1}));
+  const std::size_t above = heap.add(at(0, 2), Shape::box({1, 1}));
+  const Vec2 arm = heap.find()[0].points[0].arm_b;
+  for (const Real x : {real(.008), real(-.008), real(.008)}) {
+    heap.bodies.pose[above].p.x = x;
+    EXPECT_EQ(heap.find()[0].points[0].arm_b, arm);
+  }
+  heap.bodies.pose[above].p.x = real(.02);
+  const Vec2 moved = heap.find()[0].points[0].arm_b;
+  EXPECT_NE(moved, arm);
+  heap.bodies.pose[above].p.x = real(.008);
+  EXPECT_NE(heap.find()[0].points[0].arm_b, moved);
+}
+
 TEST(ContactSet, MixesRecycledContactsByTheRuleOfToday) {
   Heap heap;
   heap.recycle = true;

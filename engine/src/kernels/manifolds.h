@@ -43,4 +43,10 @@ struct PairBatch {
 /// returned; there must be room for all.
 using CollidePairs = std::uint32_t*(const PairBatch& batch, PairPoints* found, std::uint32_t* left);
 
+/// Writes those items that may meet faster than their gaps, and than the batch's distance, allow within its time, and
+/// returns the end of their list; there must be room for all. An item with a negative count has no points in `found`:
+/// it is written if it may go that fast in any direction.
+using FindFast = std::uint32_t*(const PairBatch& batch, const PairPoints* found, const std::int8_t* counts,
+                                std::uint32_t* to);
+
 }  // namespace impulse::inline IMPULSE_PRECISION

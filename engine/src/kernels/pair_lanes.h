@@ -72,12 +72,19 @@ class PairLanes {
   ShapeLanes first() const { return shape(rows_a_); }
   ShapeLanes second() const { return shape(rows_b_); }
 
+  struct Motion {
+    Vec2Lanes velocity;
+    Lanes rim, knock;
+  };
+  Motion first_motion() const { return motion(rows_a_); }
+  Motion second_motion() const { return motion(rows_b_); }
+
   /// The gap up to which points count, see closing().
   Lanes margin() const {
     const Lanes distance = Lanes::all(batch_.distance);
     if (batch_.time == 0) return distance;
-    const Motion a = motion(rows_a_);
-    const Motion b = motion(rows_b_);
+    const Motion a = first_motion();
+    const Motion b = second_motion();
     const Lanes time = Lanes::all(batch_.time);
     return distance + time * (length(b.velocity - a.velocity) + (a.rim + b.rim)) + time * (a.knock + b.knock);
   }
@@ -100,11 +107,6 @@ class PairLanes {
   }
 
  private:
-  struct Motion {
-    Vec2Lanes velocity;
-    Lanes rim, knock;
-  };
-
   static void gather(const Real* const* rows, std::uint32_t from, Lanes columns[4]) {
     const Real* at[lane_count];
     for (std::uint32_t lane = 0; lane < lane_count; ++lane) at[lane] = rows[lane] + from;

@@ -27,10 +27,11 @@ CollidePairs collide_boxes;
 CollidePairs collide_discs;
 CollidePairs collide_disc_with_box;
 CollidePairs collide_box_with_disc;
+FindFast find_fast;
 TurnToAngles turn_to_angles;
 
 extern const Kernels table;
 const Kernels table{find_overlaps,         answer_questions,      filter_pairs, collide_boxes, collide_discs,
-                    collide_disc_with_box, collide_box_with_disc, keep_points,  turn_to_angles};
+                    collide_disc_with_box, collide_box_with_disc, find_fast,    keep_points,   turn_to_angles};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES
