@@ -55,6 +55,19 @@ test("what was not reached is said, and bounds are told from readings", async ()
   await page.close();
 });
 
+test("on paper the table of all runs says the lines that its buttons copy", async () => {
+  const { page } = await open(pages["the sample"]);
+  await page.emulateMedia({ media: "print" });
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  const cells = page.locator('td[data-label="command line"]');
+  assert.ok((await cells.count()) > 0);
+  for (const said of await cells.allInnerTexts()) assert.match(said, /^\.\/plumb run /);
+  await page.setViewportSize({ width: 718, height: 1000 }); // as wide as A4 is within its margins
+  const cut = await page.evaluate(() => [...document.querySelectorAll("table")].filter((table) => table.getBoundingClientRect().right > innerWidth).length);
+  assert.equal(cut, 0);
+  await page.close();
+});
+
 test("a click on a point gives the line that runs it, and so does the table of all runs", async () => {
   const { page, trouble } = await open(pages["the sample"]);
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => (window.copied = text) } }));

@@ -22,13 +22,19 @@ export function chosen_run(place: SpeedCase): { element: HTMLElement; choose: (m
   return { element, choose };
 }
 
+/** Broken between words only, if at all: a line that ends with "--" would be typed wrong. */
+function on_paper(line: string): HTMLElement {
+  return h("code", { class: "on-paper" }, ...line.split(" ").flatMap((word) => [h("span", {}, word), " "]));
+}
+
 function row(place: SpeedCase, mark: SpeedMark): HTMLTableRowElement {
+  const line = line_of(place, mark);
   const cells: [string, string | Node][] = [
     ["setting", mark.setting || "\u2013"],
     ["step", time_step(mark.dt)],
     ["error", number(mark.error, "m", 2)],
     ["time for a second", number(mark.time * 1e6, "\u00b5s")],
-    ["command line", copy_button(line_of(place, mark))],
+    ["command line", h("span", {}, on_paper(line), copy_button(line))],
   ];
   return h("tr", {}, h("th", { scope: "row" }, mark.contender.label), ...cells.map(([head, cell]) => h("td", { "data-label": head }, cell)));
 }
