@@ -10,23 +10,23 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// What elimination leaves of a zero, relative to the numbers that it came from.
-constexpr double round_off = 1e-11;
-
 /// Columns: w (0 ... n-1), z (n ... 2n-1), the artificial variable (2n), the right-hand side (2n + 1). The rows hold
 /// w - M z - d z0 = q, in terms of the present basis; the columns of w are then the inverse of the basis.
 class Tableau {
  public:
-  Tableau(std::span<const double> m, std::span<const double> q) : n_(q.size()), width_(2 * n_ + 2), cell_(n_ * width_) {
+  Tableau(std::span<const double> m, std::span<const double> q, double noise)
+      : n_(q.size()), width_(2 * n_ + 2), noise_(std::max(noise, lcp_round_off)), cell_(n_ * width_) {
     for (std::size_t i = 0; i < n_; ++i) {
       at(i, i) = 1;
       for (std::size_t j = 0; j < n_; ++j) at(i, n_ + j) = -m[i * n_ + j];
       // Scaled as the row is, so that rows of other units weigh alike.
-      at(i, artificial()) = -std::max(largest(m.subspan(i * n_, n_)), std::numeric_limits<double>::min());
+      const double slope = std::max(largest(m.subspan(i * n_, n_)), std::numeric_limits<double>::min());
+      at(i, artificial()) = -slope;
+      steepest_ = std::max(steepest_, slope);
       at(i, right()) = q[i];
       basis_.push_back(i);
     }
-    negligible_ = round_off * largest(q);
+    negligible_ = noise_ * largest(q);
   }
 
   std::optional<std::vector<double>> solve() {
@@ -37,8 +37,8 @@ class Tableau {
     for (std::size_t pivots = 0; pivots < 50 * n_ + 100; ++pivots) {
       const std::size_t leaving = basis_[*row];
       pivot(*row, entering);
-      // Solved as soon as the artificial variable is gone, or as small as what rounding leaves of a zero.
-      if (leaving == artificial() || excess() <= negligible_) return values();
+      // Solved as soon as the artificial variable is gone, or adds to no w more than rounding leaves of a zero.
+      if (leaving == artificial() || steepest_ * excess() <= negligible_) return values();
       entering = leaving < n_ ? leaving + n_ : leaving - n_;
       row = blocking_row(entering);
       if (!row) return std::nullopt;
@@ -69,8 +69,8 @@ class Tableau {
   bool before(std::size_t r, std::size_t s, std::size_t column) const {
     const double by_r = std::abs(at(r, column));
     const double by_s = std::abs(at(s, column));
-    const auto differ = [](double x, double y, double floor) {
-      return std::abs(x - y) > round_off * std::max(std::abs(x), std::abs(y)) + floor;
+    const auto differ = [relative = noise_](double x, double y, double floor) {
+      return std::abs(x - y) > relative * std::max(std::abs(x), std::abs(y)) + floor;
     };
     const double x = at(r, right()) / by_r;
     const double y = at(s, right()) / by_s;
@@ -78,7 +78,7 @@ class Tableau {
     for (std::size_t k = 0; k < n_; ++k) {
       const double u = at(r, k) / by_r;
       const double v = at(s, k) / by_s;
-      if (differ(u, v, round_off)) return u < v;
+      if (differ(u, v, noise_)) return u < v;
     }
     return false;
   }
@@ -96,7 +96,7 @@ class Tableau {
   std::optional<std::size_t> blocking_row(std::size_t entering) const {
     double scale = 0;
     for (std::size_t i = 0; i < n_; ++i) scale = std::max(scale, std::abs(at(i, entering)));
-    const double nothing = scale * round_off;
+    const double nothing = scale * noise_;
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < n_; ++i) {
       if (at(i, entering) > nothing && (!best || before(i, *best, entering))) best = i;
@@ -131,16 +131,18 @@ class Tableau {
   }
 
   std::size_t n_, width_;
-  double negligible_ = 0;
+  double noise_;
+  double negligible_ = 0;  // as a w
+  double steepest_ = 0;    // growth of a w with the artificial variable
   std::vector<double> cell_;
   std::vector<std::size_t> basis_;  // the variable of each row
 };
 
 }  // namespace
 
-std::optional<std::vector<double>> solve_lcp(std::span<const double> m, std::span<const double> q) {
+std::optional<std::vector<double>> solve_lcp(std::span<const double> m, std::span<const double> q, double noise) {
   if (m.size() != q.size() * q.size()) throw std::invalid_argument("solve_lcp: M must have as many rows as q, squared");
-  return Tableau(m, q).solve();
+  return Tableau(m, q, noise).solve();
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -119,6 +120,28 @@ TEST(Lcp, IsNotMadeToCircleByTies) {
   const auto z = solve_lcp(m, std::vector<double>(n, -1));
   ASSERT_TRUE(z);
   EXPECT_LT(violation(m, std::vector<double>(n, -1), *z), 1e-12);
+}
+
+// Rows that would be equal, had they not been rounded: without the noise, pivots of 1e-7 decide.
+TEST(Lcp, DoesNotPivotOnWhatRoundingMadeOfAZero) {
+  std::mt19937 random(3);
+  constexpr double noise = 1e-6;
+  for (int problem = 0; problem < 100; ++problem) {
+    const std::size_t n = 4 + static_cast<std::size_t>(problem) % 20;
+    std::vector<double> m = semidefinite(random, n, n / 2);
+    std::vector<double> known(n);
+    for (double& x : known) x = between(random, 0, 1);
+    std::vector<double> q(n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) q[i] -= m[i * n + j] * known[j];
+    }
+    for (double& x : m) x = static_cast<double>(static_cast<float>(x));
+    for (double& x : q) x = static_cast<double>(static_cast<float>(x));
+    const auto z = solve_lcp(m, q, noise);
+    ASSERT_TRUE(z) << "problem " << problem;
+    const auto [least, most] = std::minmax_element(q.begin(), q.end());
+    EXPECT_LE(violation(m, q, *z), noise * std::max(-*least, *most)) << "problem " << problem;
+  }
 }
 
 TEST(Lcp, SaysWhenThereIsNoSolution) {

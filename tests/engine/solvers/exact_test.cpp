@@ -148,6 +148,60 @@ TEST(Exact, AgreesWithTheDefaultMethodOnTheLoadsOfAPyramid) {
   }
 }
 
+// The lowest box bears 1110 times its weight; a load of nothing but equals is all that float's impulses tell apart.
+TEST(Exact, HoldsATowerWithinTheGapsAndTheCreepThatItStates) {
+  const Settings settings = exact();
+  const auto creep = static_cast<double>(stated_errors(settings).creep);
+  const auto gap = static_cast<double>(stated_errors(settings).gap);
+  World world(settings);
+  add_floor(world);
+  std::vector<BodyId> boxes;
+  for (int i = 0; i < 4; ++i) {
+    Material made_of;
+    made_of.density = is_double ? real(std::pow(10, i)) : 1;
+    boxes.push_back(world.create_body(at(0, .5 + i), Shape::box({real(.5), real(.5)}), made_of));
+  }
+  for (int step = 1; step <= 240; ++step) {
+    world.step();
+    for (int i = 0; i < 4; ++i) {
+      const Body box = world.body(boxes[static_cast<std::size_t>(i)]);
+      EXPECT_LE(std::abs(static_cast<double>(box.velocity().x)), creep) << "step " << step;
+      EXPECT_LE(std::abs(static_cast<double>(box.position().x)), creep * step * dt) << "step " << step;
+      EXPECT_NEAR(box.position().y, .5 + i, (i + 1) * gap) << "step " << step;
+    }
+  }
+}
+
+// Blocks stepped out beyond the harmonic series, of which all but one corner each part in one of the first steps.
+TEST(Exact, ShowsAllTheImpulsesThatItGives) {
+  World world(exact());
+  add_floor(world, {1, real(.5), real(.5), 0});
+  std::vector<BodyId> blocks;
+  double x = 0;
+  for (int k = 4; k >= 1; --k) {
+    blocks.push_back(
+        world.create_body(at(x, .25 + .5 * (4 - k)), Shape::box({1, real(.25)}), {1, real(.5), real(.5), 0}));
+    x += 1.01 / std::max(k - 1, 1);
+  }
+  for (int step = 0; step < 12; ++step) {
+    std::vector<Vec2> missing;
+    for (const BodyId id : blocks) missing.push_back(-world.body(id).mass().mass * world.body(id).velocity());
+    world.step();
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const Real mass = world.body(blocks[i]).mass().mass;
+      missing[i] += mass * (world.body(blocks[i]).velocity() - world.settings().dt * world.gravity());
+      for (const ContactInfo& contact : world.contacts()) {
+        const Vec2 impulse =
+            contact.normal_impulse * contact.normal + contact.tangent_impulse * perpendicular(contact.normal);
+        if (contact.a == blocks[i]) missing[i] += impulse;
+        if (contact.b == blocks[i]) missing[i] -= impulse;
+      }
+      // What is rounded are the speeds and impulses of a step, of which the largest is that below: four times m g dt.
+      EXPECT_LE(length(missing[i]), 64 * round_off * 4 * mass * real(g * dt)) << "step " << step << ", block " << i;
+    }
+  }
+}
+
 TEST(Exact, SaysWhatIsTooLargeForIt) {
   World world(exact());
   add_floor(world);
