@@ -18,6 +18,7 @@
 #include "solvers/island.h"
 #include "solvers/partition.h"
 #include "solvers/pile.h"
+#include "solvers/pile_island.h"
 #include "solvers/scalar_contacts.h"
 #include "solvers/turning.h"
 #include "solvers/unpushed.h"
@@ -48,9 +49,6 @@ constexpr Real ideal_gain = static_cast<Real>(1e-4);
 /// m that a blow may press contacts in within a sub-step: small against what the loads at rest may.
 constexpr Real not_felt = tolerated_sink / 10;
 
-/// Contacts, from which laying them out in lanes pays.
-constexpr std::size_t least_pile = 64;
-
 /// Contacts of islands that are stepped together: the rows then stay in the nearest cache.
 constexpr std::size_t most_together = 64;
 
@@ -65,9 +63,10 @@ bool has_stops(const IslandJoints& joints) {
                                        [](const ActiveJoint* joint) { return joint->block.stops > 0; });
 }
 
-void scale_offsets(const StepData& data, const Island& island, Real by) {
-  if (by == 1) return;
-  for (const Tie& tie : island.contacts) data.contacts[tie.contact].offset *= by;
+/// Whether one of the two is a disc and the other stands still: whatever friction does, that turns nothing into the
+/// other.
+bool rolls(const Contact& contact, const ImpactRow& row) {
+  return (contact.disc_a && !row.stirs_b) || (contact.disc_b && !row.stirs_a);
 }
 
 /// What lies from the first of one span to the last of another behind it.
@@ -114,8 +113,6 @@ class Accurate : public Solver {
   void prepare(StepData& data);
   Island island(StepData& data, std::size_t number, Workspace& space);
   void make_rows(StepData& data, Island& island, std::size_t number);
-  void solve_as_pile(StepData& data, Island& island, Pile& pile);
-  bool is_pile(const StepData& data, const Island& island) const;
   void step_island(StepData& data, std::size_t number, Workspace& space);
   void step_alike(StepData& data, Workspace& space);
   void fly(StepData& data, const Island& island);
@@ -179,8 +176,8 @@ void Accurate::step(StepData& data) {
 void Accurate::step_island(StepData& data, std::size_t number, Workspace& space) {
   Island now = island(data, number, space);
   if (now.contacts.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
-  if (is_pile(data, now)) {
-    if (lanes_) return solve_as_pile(data, now, space.pile);
+  if (!forces_vary_ && is_pile(data, now)) {
+    if (lanes_) return step_as_pile(data, parts_, now, acceleration_, motion_, space.pile);
     space.colouring.assign(parts_, now, 1);
     now.contacts = space.colouring.order();
   }
@@ -218,41 +215,6 @@ void Accurate::step_alike(StepData& data, Workspace& space) {
   all.share(substeps);
   for (ImpactRow& row : all.rows) leave(row, all.offset_scale, data.contacts);
   space.alike.clear();
-}
-
-/// Whether an island is worth the laying out, and needs nothing that lanes cannot do: few bodies in motion are
-/// followed closely, but for discs, whose normals turn in lanes, too.
-bool Accurate::is_pile(const StepData& data, const Island& island) const {
-  if (island.contacts.size() < least_pile || !island.joints.empty() || forces_vary_) return false;
-  const bool is_few = few(island);
-  return std::none_of(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
-    const Contact& contact = data.contacts[tie.contact];
-    return contact.restitution > 0 ||
-           (is_few && !contact.discs() && stir_of(contact, data.bodies).moves(data.settings.dt));
-  });
-}
-
-void Accurate::solve_as_pile(StepData& data, Island& island, Pile& pile) {
-  const auto any_contact = [&](auto test) { return std::any_of(island.contacts.begin(), island.contacts.end(), test); };
-  Bearing bearing;
-  if (may_need_substeps(island.bodies.size(), data.settings)) {
-    for (const Tie& tie : island.contacts) bearing.add(make_row(data.bodies, data.contacts, tie.contact));
-  }
-  island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
-  end_stage("pile: bearing");
-  island.settling = settles(data, island);
-  if (island.settling) island.sweeps = settling_sweeps_for(island.bodies.size());
-  const int more_sweeps = closed(data.bodies, island.bodies) ? more_sweeps_for(island.bodies.size()) : 0;
-  if (more_sweeps > 0 && any_contact([&](const Tie& tie) {
-        return new_or_deep(data.contacts[tie.contact]) &&
-               at_speed(make_row(data.bodies, data.contacts, tie.contact), data.bodies);
-      })) {
-    island.more_sweeps = more_sweeps;
-  }
-  end_stage("pile: struck");
-  scale_offsets(data, island, island.offset_scale);
-  pile.step(data, parts_, island, acceleration_, motion_);
-  scale_offsets(data, island, 1 / island.offset_scale);
 }
 
 /// Bodies that meet nothing under forces that stay the same: x += v t + a t^2/2 is exact, whatever the step.
@@ -332,8 +294,8 @@ void Accurate::prepare(StepData& data) {
 void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.rows = std::span(rows_).subspan(parts_.first_contact(number), island.contacts.size());
   Bearing bearing;
-  bool moves = false;
   const bool is_few = few(island);
+  bool may_turn = false;  // by friction
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
     const Contact& contact = data.contacts[island.contacts[i].contact];
     ImpactRow& row = island.rows[i];
@@ -348,8 +310,8 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     if (is_few && row.age >= OffsetRule::from_age) bearing.add_load(row, contact.offset, data.settings);
     const Stir stir = stir_of(contact, data.bodies);
     if (!stir.moves(data.settings.dt)) continue;
-    moves = true;
-    island.turning = island.turning || stir.turns(data.settings.dt);
+    may_turn = may_turn || !rolls(contact, row);
+    island.turning = island.turning || (is_few && turns(contact, stir, data.bodies, data.settings.dt));
     island.struck = island.struck || (new_or_deep(contact) && at_speed(row, data.bodies)) ||
                     (is_few && closes(row, data.bodies, data.settings.dt));
   }
@@ -374,12 +336,12 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.settling = settles(data, island);
   const bool is_closed = !forces_vary_ && closed(data.bodies, island.bodies);
   island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
-  if (!moves) return;
   // Few bodies in motion are followed closely.
   const int more_sweeps = more_sweeps_for(island.bodies.size());
-  island.turning = is_few && (island.turning || island.struck);
-  if (is_few) island.press_sweeps = more_sweeps;
-  if (is_closed && (island.turning || island.struck)) island.more_sweeps = more_sweeps;
+  const bool follows = island.turning || island.struck;
+  island.turning = is_few && follows;
+  if (is_few && (follows || may_turn)) island.press_sweeps = more_sweeps;
+  if (is_closed && follows) island.more_sweeps = more_sweeps;
 }
 
 Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {

@@ -54,7 +54,7 @@ struct Island {
   const Softness& softness(const ImpactRow& row) const { return softness(row.web, row.mass_a, row.mass_b); }
 
   /// w h of a contact.
-  static constexpr Real swing(bool in_web, bool fixed) { return 2 * pi / (in_web ? 12 : 8) * (fixed ? 2 : 1); }
+  static constexpr Real swing(bool in_web, bool fixed) { return 2 * pi / Real(in_web ? 12 : 8) * Real(fixed ? 2 : 1); }
 
   /// Sets h and the softness that goes with it: the highest frequency that does not jitter, 1/(8 h) in a column, and
   /// twice that against what cannot move. In the web of a pyramid, where each body pushes several that push back within

@@ -133,10 +133,11 @@ Real ScalarContacts::deepening(const Island& island, bool held) const {
     const ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       const RowPoint& p = row.points[i];
+      const Real closing = -island.h * frame.normal_velocity(p);
+      if (closing <= most) continue;  // it comes deeper by that at most
       const Real s = gap<ContactFrame>(row, p);
       if (held && p.normal_impulse == 0 && s > 0) continue;
-      const Real way = island.h * frame.normal_velocity(p);
-      most = std::max(most, held ? -way : std::min(s, Real{0}) - (s + way));
+      most = std::max(most, held ? closing : std::min(s, Real{0}) - (s - closing));
     }
   }
   return most;

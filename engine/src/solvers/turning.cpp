@@ -23,7 +23,7 @@ constexpr Real margin = static_cast<Real>(0.05);
 Rotation rotation(const Motion& by) { return {1 + by.drop, by.sine}; }
 
 /// How a body moved since it had moved so far.
-Motion since(const Motion& then, const Motion& now) {
+Motion moved_since(const Motion& then, const Motion& now) {
   Motion since;
   since.d = now.d - then.d;
   since.turn_by(now.turn - then.turn);
@@ -35,13 +35,29 @@ Vec2 turned_arm(Real turn, Real cross, const Motion& by) { return rotation(by) *
 /// Whether a shape, turned by q, has a face of that normal.
 bool has_face(const Shape& shape, Rotation q, Vec2 normal) {
   constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-  const int faces = shape.type() == ShapeType::half_space ? 1 : shape.count();
   if (shape.type() == ShapeType::circle) return false;
+  const int faces = shape.type() == ShapeType::half_space ? 1 : shape.count();
+  const Vec2 sought = q.inverse() * normal;
   for (int i = 0; i < faces; ++i) {
-    const Vec2 face = q * shape.normal(i);
-    if (std::abs(cross(face, normal)) <= rounding && dot(face, normal) > 0) return true;
+    const Vec2 face = shape.normal(i);
+    if (std::abs(cross(face, sought)) <= rounding && dot(face, sought) > 0) return true;
   }
   return false;
+}
+
+NormalOf owner(const Contact& contact, const BodySet& bodies) {
+  const auto shape = [&](std::uint32_t body, std::uint16_t part) -> const Shape& {
+    return bodies.detail[body].parts[part].shape;
+  };
+  if (has_face(shape(contact.body_a, contact.part_a), contact.found_a.q, contact.normal)) return NormalOf::a;
+  if (has_face(shape(contact.body_b, contact.part_b), contact.found_b.q, -contact.normal)) return NormalOf::b;
+  return NormalOf::between;
+}
+
+/// A disc keeps its place above a face that stands still, however it rolls.
+bool stands_still(const Contact& contact, const ImpactRow& row, NormalOf normal_of) {
+  return (normal_of == NormalOf::a && !row.stirs_a && contact.disc_b) ||
+         (normal_of == NormalOf::b && !row.stirs_b && contact.disc_a);
 }
 
 }  // namespace
@@ -51,21 +67,25 @@ Stir stir_of(const Contact& contact, const BodySet& bodies) {
   const Velocity& b = bodies.velocity[contact.body_b];
   const Vec2 apart = b.v - a.v;
   Stir stir;
-  stir.speed =
-      std::abs(apart.x) + std::abs(apart.y) + rim_speed(bodies, contact.body_a) + rim_speed(bodies, contact.body_b);
-  stir.turning = std::abs(a.w) + std::abs(b.w);
-  const Real round = contact.radius_a + contact.radius_b;
-  if (round > 0) stir.turning += stir.speed / round;
+  stir.speed = std::abs(apart.x) + std::abs(apart.y);
+  if (!contact.disc_a) {
+    stir.speed += rim_speed(bodies, contact.body_a);
+    stir.turning += std::abs(a.w);
+  }
+  if (!contact.disc_b) {
+    stir.speed += rim_speed(bodies, contact.body_b);
+    stir.turning += std::abs(b.w);
+  }
   return stir;
 }
 
-Turning::NormalOf Turning::owner(const Contact& contact, const BodySet& bodies) {
-  const auto shape = [&](std::uint32_t body, std::uint16_t part) -> const Shape& {
-    return bodies.detail[body].parts[part].shape;
-  };
-  if (has_face(shape(contact.body_a, contact.part_a), contact.found_a.q, contact.normal)) return NormalOf::a;
-  if (has_face(shape(contact.body_b, contact.part_b), contact.found_b.q, -contact.normal)) return NormalOf::b;
-  return NormalOf::between;
+bool turns(const Contact& contact, const Stir& stir, const BodySet& bodies, Real dt) {
+  constexpr Real felt = static_cast<Real>(6e-4);  // m/s
+  if (stir.turning * stir.speed * dt > felt) return true;
+  // What is round rolls over corners.
+  const Real round = contact.radius_a + contact.radius_b;
+  return round > 0 && (stir.turning + stir.speed / round) * stir.speed * dt > felt &&
+         owner(contact, bodies) == NormalOf::between;
 }
 
 void Turning::begin(const Island& island, const StepData& data) {
@@ -73,23 +93,25 @@ void Turning::begin(const Island& island, const StepData& data) {
   if (!island.turning) return;
   for (ImpactRow& row : island.rows) {
     const Contact& contact = data.contacts[row.contact];
-    row.turns = row.turns || island.struck || stir_of(contact, data.bodies).turns(data.settings.dt);
-    if (!row.turns) continue;
-    row.made = false;  // anew in the next step
     if (row.disc_distance > 0) continue;
-    turned_.push_back({&row,
-                       owner(contact, data.bodies),
-                       row.normal,
-                       contact.radius_a,
-                       contact.radius_b,
-                       {row.points[0], row.points[1]},
-                       {}});
+    if (!island.struck && !turns(contact, stir_of(contact, data.bodies), data.bodies, data.settings.dt)) continue;
+    const NormalOf normal_of = owner(contact, data.bodies);
+    if (stands_still(contact, row, normal_of)) continue;
+    row.turns = true;
+    row.made = false;  // anew in the next step
+    turned_.push_back(
+        {&row, normal_of, row.normal, contact.radius_a, contact.radius_b, {row.points[0], row.points[1]}});
   }
+}
+
+Turning::Pair Turning::Turned::since(const Pair& now) const {
+  if (!again) return now;
+  return {moved_since(found.a, now.a), moved_since(found.b, now.b)};
 }
 
 /// m, that points of its bodies may have gone past each other since the contact was found, at most.
 Real Turning::way(const Turned& turned, const Pair& now, const BodySet& bodies) {
-  const Pair gone{since(turned.found.a, now.a), since(turned.found.b, now.b)};
+  const Pair gone = turned.since(now);
   return length(gone.b.d - gone.a.d) + std::abs(gone.a.turn) * bodies.reach[turned.row->a] +
          std::abs(gone.b.turn) * bodies.reach[turned.row->b];
 }
@@ -114,8 +136,8 @@ Vec2 Turning::direction(const Turned& turned, const Pair& by) {
 
 void Turning::turn(const Island& island, const Turned& turned, const Pair& at, const Pair& by_then, bool from_start) {
   ImpactRow& row = *turned.row;
-  const Pair now{since(turned.found.a, at.a), since(turned.found.b, at.b)};
-  const Pair then{since(turned.found.a, by_then.a), since(turned.found.b, by_then.b)};
+  const Pair now = turned.since(at);
+  const Pair then = turned.since(by_then);
   const Vec2 n = direction(turned, then);
   const Vec2 t = perpendicular(n);
   const Vec2 facing = direction(turned, now);
@@ -126,9 +148,9 @@ void Turning::turn(const Island& island, const Turned& turned, const Pair& at, c
     Vec2 a = turned_arm(place.turn_a, place.cross_a, then.a);
     Vec2 b = turned_arm(place.turn_b, place.cross_b, then.b);
     // The face is met where the other body's point is by then.
-    const Vec2 slid = dot(t, between(turned, place, then)) * t;
-    if (turned.normal_of == NormalOf::a) a += slid;
-    if (turned.normal_of == NormalOf::b) b -= slid;
+    const auto slid = [&] { return dot(t, between(turned, place, then)) * t; };
+    if (turned.normal_of == NormalOf::a && row.stirs_a) a += slid();
+    if (turned.normal_of == NormalOf::b && row.stirs_b) b -= slid();
     if (from_start) {
       a = rotation(by_then.a).inverse() * a;
       b = rotation(by_then.b).inverse() * b;
@@ -163,6 +185,7 @@ void Turning::find_again(StepData& data, const std::vector<Pose>& start, const s
     contact.found_b = pose_b;
     take_points(turned, contact, m);
     turned.normal_of = owner(contact, data.bodies);
+    turned.again = true;
     turned.found = now;
   }
 }

@@ -15,21 +15,21 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// How fast the bodies of a contact may pass each other.
+/// How fast the bodies of a contact may pass each other. That a disc turns about its centre moves nothing of it.
 struct Stir {
   Real speed = 0;    // m/s, of their surfaces
-  Real turning = 0;  // rad/s, of their normal and arms
+  Real turning = 0;  // rad/s, of what may turn their normal and arms with it
 
   /// Whether they may come deeper within a step than a load at rest may press them.
   bool moves(Real dt) const { return speed * dt > tolerated_sink; }
-  /// Whether with a normal and arms that stand still for a step surfaces near each other faster than a soft contact
-  /// recovers.
-  bool turns(Real dt) const {
-    constexpr Real felt = static_cast<Real>(6e-4);  // m/s
-    return turning * speed * dt > felt;
-  }
 };
 Stir stir_of(const Contact& contact, const BodySet& bodies);
+/// Whether with a normal and arms that stand still for a step surfaces near each other faster than a soft contact
+/// recovers.
+bool turns(const Contact& contact, const Stir& stir, const BodySet& bodies, Real dt);
+
+/// The shape whose face a contact's normal stands on, or the line between the nearest points of the two.
+enum class NormalOf : std::uint8_t { between, a, b };
 
 /// Rows of an island whose bodies turn so fast that normal and arms must follow them from sub-step to sub-step.
 ///
@@ -58,9 +58,6 @@ class Turning {
   struct Pair {
     Motion a, b;
   };
-  /// The shape whose face the normal stands on, or the line between the nearest points of the two.
-  enum class NormalOf : std::uint8_t { between, a, b };
-  static NormalOf owner(const Contact& contact, const BodySet& bodies);
   /// As the row was when it was found.
   struct Turned {
     ImpactRow* row;
@@ -68,7 +65,11 @@ class Turning {
     Vec2 normal;
     Real radius_a, radius_b;
     std::array<PointPlace, 2> points;
-    Pair found;  // how its bodies had moved then
+    bool again = false;  // it was found within the step:
+    Pair found;          // how its bodies had moved then
+
+    /// How they have moved since.
+    Pair since(const Pair& now) const;
   };
   void take_points(Turned& turned, Contact& contact, const Manifold& found);
   static Real way(const Turned& turned, const Pair& now, const BodySet& bodies);

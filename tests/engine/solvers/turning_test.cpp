@@ -11,6 +11,7 @@
 #include "../random_shapes.h"
 #include "../support.h"
 #include "collide.h"
+#include "contact_graph.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 namespace {
@@ -41,6 +42,21 @@ double deepest(World& world, int steps) {
     }
   }
   return deepest;
+}
+
+TEST(Stir, LeavesOutThatADiscTurns) {
+  Graph graph(3);
+  graph.touch(1, 2, 1);
+  Contact& contact = graph.contacts()[0];
+  BodySet& bodies = graph.bodies();
+  bodies.velocity[1].w = 5;
+  EXPECT_GT(stir_of(contact, bodies).speed, 0);
+  EXPECT_EQ(stir_of(contact, bodies).turning, 5);
+  contact.disc_a = true;
+  EXPECT_EQ(stir_of(contact, bodies).speed, 0);
+  EXPECT_EQ(stir_of(contact, bodies).turning, 0);
+  bodies.velocity[2].v = {1, 0};
+  EXPECT_EQ(stir_of(contact, bodies).speed, 1);
 }
 
 // Each leans on the next with a corner that slides along a face while that turns, and in the end they lie on each

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "solver.h"
+#include "solvers/island.h"
+#include "solvers/motion.h"
+#include "solvers/partition.h"
+#include "solvers/pile.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// Whether an island under constant forces is worth the laying out in lanes, and needs nothing that these cannot do:
+/// few bodies in motion are followed closely, but for discs, whose normals turn in lanes, too.
+bool is_pile(const StepData& data, const Island& island);
+
+/// Chooses sub-steps and sweeps of a pile and carries it over a step.
+void step_as_pile(StepData& data, const Partition& parts, Island& island, const std::vector<Velocity>& acceleration,
+                  std::vector<Motion>& motion, Pile& pile);
+
+}  // namespace impulse::inline IMPULSE_PRECISION
