@@ -41,7 +41,7 @@ bool Body::awake() const {
 }
 void* Body::user_data() const { return bodies().detail[row()].def.user_data; }
 
-void Body::wake() { world_->state_->sleep.wake(row()); }
+void Body::wake() { world_->state_->wake(row()); }
 
 void Body::sleep() {
   const std::size_t i = row();
@@ -51,7 +51,7 @@ void Body::sleep() {
   state.sleep.put_to_sleep(i, state.solver->margin(state.settings));
 }
 
-void Body::disturb() { world_->state_->sleep.disturb(row()); }
+void Body::disturb() { world_->state_->disturb(row()); }
 
 void Body::set_pose(Vec2 position, Real angle) {
   need_finite("Body::set_pose: position and angle", position, angle);

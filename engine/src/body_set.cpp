@@ -120,6 +120,7 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
     thickness.emplace_back();
     held.emplace_back();
     asleep.emplace_back();
+    pile.emplace_back();
     generation.emplace_back();
     detail.emplace_back();
     free_rows.push_back(static_cast<std::uint32_t>(size() - 1));

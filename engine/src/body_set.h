@@ -56,12 +56,14 @@ struct BodySet {
   std::vector<Real> thickness;     // m, the least distance between two parallel lines that hold its thinnest part
   std::vector<std::uint8_t> held;  // 1 if a contact or joint pushed it in the last step; for integrators that ask
   std::vector<std::uint8_t> asleep;
+  std::vector<std::uint32_t> pile;        // 0, or which pile at rest keeps its contacts (solvers/resting_piles.h)
   std::vector<std::uint32_t> generation;  // of the body in the row, or of the next one
   std::vector<BodyDetail> detail;
   std::vector<std::uint32_t> free_rows;  // the last freed is reused first
   std::size_t sleepers = 0;              // how many are asleep
   std::uint64_t sleep_changes = 0;       // how often one fell asleep or woke
   std::uint64_t part_changes = 0;        // how often one came or went, or changed its layers
+  std::uint64_t pile_changes = 0;        // how often a pile came to rest or was let go
 
   std::size_t size() const { return pose.size(); }
 
@@ -85,6 +87,8 @@ struct BodySet {
   BodyId id(std::size_t i) const { return {static_cast<std::uint32_t>(i), generation[i]}; }
 
   bool dynamic(std::size_t i) const { return detail[i].def.type == BodyType::dynamic; }
+  /// Whether something can push it: an awake dynamic body.
+  bool pushable(std::size_t i) const { return inverse_mass[i].m + inverse_mass[i].i > 0; }
   /// Whether a step may move it: an awake dynamic body, or a kinematic one on its way.
   bool stirs(std::size_t i) const {
     return inverse_mass[i].m + inverse_mass[i].i > 0 || velocity[i].v != Vec2{} || velocity[i].w != 0;

@@ -29,6 +29,7 @@ void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bo
   end_stage("collect proxies");
   last_pairs_.swap(pairs_);
   neighbours_.find(input.broad_phase, shapes_.proxies(), shapes_.version(), pairs_);
+  shapes_.update(input.bodies, input.margin, pairs_);
   end_stage("find pairs");
   put_in_order(input, pairs_);
   end_stage("sort pairs");
@@ -39,10 +40,13 @@ void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bo
   find_points(input, all);
   list_touching(all);
   end_stage("list touching");
+  struck_piles_.clear();
   // Once: what a third body is handed on within the same step is little.
   const bool knocked = input.margin.time > 0 && foresee_knocks(input);
   end_stage("foresee knocks");
   if (knocked) reach_farther(input);
+  std::sort(struck_piles_.begin(), struck_piles_.end());
+  struck_piles_.erase(std::unique(struck_piles_.begin(), struck_piles_.end()), struck_piles_.end());
   found_the_same_ = touching_are_last();
 }
 
@@ -200,6 +204,7 @@ bool ContactSearch::foresee_knocks(const SearchInput& input) {
     if (margin.time * change <= felt) return;
     knocks_[i] = std::max(knocks_[i], change);
     farther = true;
+    if (bodies.pile[i] != 0) struck_piles_.push_back(bodies.pile[i]);
   };
   const auto count = static_cast<std::uint32_t>(touching_.size());
   const PairBatch all{shapes_.records().data(), pairs_.data(), touching_.data(), count, felt, margin.time};

@@ -40,6 +40,8 @@ class ContactSearch {
 
   /// Numbers of the pairs that have points, in order of contacts.
   std::span<const std::uint32_t> touching() const { return touching_; }
+  /// Piles at rest of which a body is struck: whom it then meets was not looked for. Ascending.
+  std::span<const std::uint32_t> struck_piles() const { return struck_piles_; }
   /// Whether these are the contacts of `last`, no more and no less.
   bool found_the_same() const { return found_the_same_; }
   const Proxy& first(std::uint32_t pair) const { return shapes_.proxies()[pairs_[pair].first]; }
@@ -104,6 +106,7 @@ class ContactSearch {
   std::vector<std::uint8_t> knocked_;  // whether each proxy's body has such a knock
   std::vector<Pair> farther_pairs_;    // of those proxies
   std::vector<std::uint32_t> touching_;
+  std::vector<std::uint32_t> struck_piles_;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -10,6 +10,7 @@
 
 #include "contact_order.h"
 #include "ghosts.h"
+#include "solvers/resting_piles.h"
 #include "stages.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -218,6 +219,20 @@ void ContactSet::take_back(const BodySet& bodies) {
   std::inplace_merge(rows_.begin(), rows_.begin() + awake, rows_.end(), in_order);
 }
 
+void ContactSet::leave_to_piles(const BodySet& bodies) {
+  disturb();
+  std::erase_if(rows_, [&](const Contact& contact) { return kept_by_pile(bodies, contact); });
+}
+
+void ContactSet::put_in(std::span<const Contact> contacts) {
+  if (contacts.empty()) return;
+  disturb();
+  const auto before = static_cast<std::ptrdiff_t>(rows_.size());
+  rows_.insert(rows_.end(), contacts.begin(), contacts.end());
+  std::sort(rows_.begin() + before, rows_.end(), in_order);
+  std::inplace_merge(rows_.begin(), rows_.begin() + before, rows_.end(), in_order);
+}
+
 void ContactSet::stretch_rest(Real times) {
   for (Contact& contact : resting_) {
     for (ContactPoint& point : contact.points) {
@@ -227,13 +242,15 @@ void ContactSet::stretch_rest(Real times) {
   }
 }
 
-std::vector<const Contact*> ContactSet::all() const {
+std::vector<const Contact*> ContactSet::all(std::span<const Contact> more) const {
   std::vector<const Contact*> merged;
-  merged.reserve(rows_.size() + resting_.size());
-  for (const Contact& contact : rows_) merged.push_back(&contact);
-  for (const Contact& contact : resting_) merged.push_back(&contact);
-  std::inplace_merge(merged.begin(), merged.begin() + static_cast<std::ptrdiff_t>(rows_.size()), merged.end(),
-                     [](const Contact* left, const Contact* right) { return in_order(*left, *right); });
+  merged.reserve(rows_.size() + resting_.size() + more.size());
+  for (const std::span<const Contact> some :
+       {std::span<const Contact>(rows_), std::span<const Contact>(resting_), more}) {
+    for (const Contact& contact : some) merged.push_back(&contact);
+  }
+  std::sort(merged.begin(), merged.end(),
+            [](const Contact* left, const Contact* right) { return in_order(*left, *right); });
   return merged;
 }
 

@@ -23,6 +23,9 @@ class ContactSet {
   /// stiffness of a stack depend on its lean, and a tall one buckles.
   void find(const SearchInput& input);
 
+  /// See ContactSearch.
+  std::span<const std::uint32_t> struck_piles() const { return search_.struck_piles(); }
+
   /// Forgets the contacts of a body.
   void forget(std::size_t body);
 
@@ -42,8 +45,13 @@ class ContactSet {
   /// Takes up again those of bodies that have woken, so that the next search finds them known.
   void take_back(const BodySet& bodies);
 
-  /// Both kinds in one order.
-  std::vector<const Contact*> all() const;
+  /// Leaves out those that piles at rest keep now.
+  void leave_to_piles(const BodySet& bodies);
+  /// Takes up those that they have kept, so that the next search finds them known.
+  void put_in(std::span<const Contact> contacts);
+
+  /// Those of rows() and resting() and these in one order.
+  std::vector<const Contact*> all(std::span<const Contact> more) const;
 
  private:
   void disturb() {

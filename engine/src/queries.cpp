@@ -77,7 +77,9 @@ void World::query_point(Vec2 point, const QueryCallback& callback) {
 std::vector<ContactInfo> World::contacts() const {
   const BodySet& bodies = state_->bodies;
   std::vector<ContactInfo> infos;
-  for (const Contact* contact : state_->contacts.all()) {
+  std::vector<Contact> of_piles;
+  if (const RestingPiles* resting = state_->solver->resting()) resting->append(bodies, of_piles);
+  for (const Contact* contact : state_->contacts.all(of_piles)) {
     for (std::size_t p = 0; p < static_cast<std::size_t>(contact->count); ++p) {
       const ContactPoint& point = contact->points[p];
       if (point.separation > 0 && point.total_normal_impulse == 0) continue;

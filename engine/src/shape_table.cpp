@@ -23,14 +23,27 @@ bool fills_little(const Aabb& bounds, Vec2 half_extents) {
 }  // namespace
 
 void ShapeTable::update(const BodySet& bodies, const Margin& margin) {
-  if (part_changes_ != bodies.part_changes || sleep_changes_ != bodies.sleep_changes) list(bodies);
+  const bool others = part_changes_ != bodies.part_changes || sleep_changes_ != bodies.sleep_changes ||
+                      pile_changes_ != bodies.pile_changes;
+  if (others) list(bodies);
   fastest_ = 0;
   for (std::size_t i = 0; i < proxies_.size(); ++i) {
+    if (!others && bodies.pile[proxies_[i].body] != 0) continue;
     place(i, bodies, margin, 0);
     const Vec2 v = records_[i].velocity;
     fastest_ = std::max(fastest_, std::abs(v.x) + std::abs(v.y) + records_[i].rim);
   }
   some_slanted_ = std::find(slanted_.begin(), slanted_.end(), 1) != slanted_.end();
+}
+
+void ShapeTable::update(const BodySet& bodies, const Margin& margin, std::span<const Pair> pairs) {
+  const auto update_one = [&](std::size_t i) {
+    if (bodies.pile[proxies_[i].body] != 0) place(i, bodies, margin, 0);
+  };
+  for (const Pair& pair : pairs) {
+    update_one(pair.first);
+    update_one(pair.second);
+  }
 }
 
 void ShapeTable::grow(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks) {
@@ -94,6 +107,7 @@ void ShapeTable::list(const BodySet& bodies) {
   ++version_;
   part_changes_ = bodies.part_changes;
   sleep_changes_ = bodies.sleep_changes;
+  pile_changes_ = bodies.pile_changes;
   still_.clear();
   proxies_.clear();
   several_parts_ = false;
@@ -112,7 +126,7 @@ void ShapeTable::list(const BodySet& bodies) {
                           {},
                           static_cast<std::uint32_t>(i),
                           static_cast<std::uint16_t>(p),
-                          body.def.type == BodyType::dynamic,
+                          body.def.type == BodyType::dynamic && bodies.pile[i] == 0,
                           body.def.layers});
     }
   }

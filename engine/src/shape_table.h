@@ -18,8 +18,11 @@ enum class ShapeKind : std::uint8_t { box, disc, other };
 /// them, put together once a step, so that it need not visit the bodies for every pair.
 class ShapeTable {
  public:
-  /// As the bodies stand and move now. Bounds are grown by what the margin lets a body reach.
+  /// As the bodies stand and move now, but for those of piles at rest: these stay as they were when they came to rest,
+  /// a tremor away. Bounds are grown by what the margin lets a body reach.
   void update(const BodySet& bodies, const Margin& margin);
+  /// Those as well, if they are of these pairs.
+  void update(const BodySet& bodies, const Margin& margin, std::span<const Pair> pairs);
   /// Bodies may change their velocities within the step by these (m/s, of each body): those above 0 reach farther.
   void grow(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks);
 
@@ -67,6 +70,7 @@ class ShapeTable {
   std::uint64_t version_ = 0;
   std::uint64_t part_changes_ = ~std::uint64_t{0};  // of the bodies, when they were last listed
   std::uint64_t sleep_changes_ = ~std::uint64_t{0};
+  std::uint64_t pile_changes_ = ~std::uint64_t{0};
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

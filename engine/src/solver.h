@@ -13,6 +13,8 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+class RestingPiles;
+
 /// All that a solver works on during one step.
 struct StepData {
   BodySet& bodies;
@@ -23,6 +25,7 @@ struct StepData {
   const Settings& settings;
   Workers& workers;
   std::uint64_t contact_changes = 0;  // see ContactSet::changes(); 0: nobody knows
+  bool may_rest = false;              // nobody but the solver and who reads them asks for contacts
 };
 
 /// How far apart two shapes may be and still make a contact ("speculative" contacts, which let a solver see what it is
@@ -47,6 +50,8 @@ class Solver {
   virtual Margin margin(const Settings&) const { return {}; }
   /// Whether points of bodies that hardly moved stay where they are (see contact_set.h).
   virtual bool recycles() const { return false; }
+  /// The piles whose contacts it keeps to itself, if it keeps some.
+  virtual RestingPiles* resting() { return nullptr; }
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -29,13 +29,14 @@ void World::step() {
     return;
   }
   end_stage("begin");
-  if (s.settings.contacts) {
-    s.contacts.find({s.bodies, *s.broad_phase, s.settings, margin, s.solver->recycles(), s.joints});
-  }
-  StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces, *s.integrator,
-                s.settings, *s.workers,        s.contacts.changes()};
+  if (s.settings.contacts) s.find_contacts(margin);
+  const bool others_ask = s.settings.sleeping || s.settings.contact_events || s.integrator->asks_what_is_held();
+  StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces,   *s.integrator,
+                s.settings, *s.workers,        s.contacts.changes(),        !others_ask};
   end_stage("activate joints");
+  const std::uint64_t pile_changes = s.bodies.pile_changes;
   s.solver->step(data);
+  if (pile_changes != s.bodies.pile_changes) s.contacts.leave_to_piles(s.bodies);
   if (sweeps) s.sweep.hold_back(s.bodies, s.joints, s.settings.continuous);
   end_stage("hold back");
   s.joints.store();
@@ -80,12 +81,12 @@ void World::destroy_body(BodyId id) { state_->change(State::Change::destroy, id)
 
 ForceId World::add_force(const Force& force) {
   const ForceId id = state_->forces.add(force, state_->bodies);
-  for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->sleep.wake(i);
+  for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->wake(i);
   return id;
 }
 
 void World::remove_force(ForceId id) {
-  for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->sleep.wake(i);
+  for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->wake(i);
   state_->forces.remove(id);
 }
 
@@ -134,6 +135,7 @@ std::size_t World::awake_count() const {
 void World::State::adopt(const Settings& chosen) {
   validate(chosen);
   const bool first = solver == nullptr;
+  if (!first) let_go();
   if (!first && chosen.dt != settings.dt) contacts.stretch_rest(chosen.dt / settings.dt);
   // What a body rests by, and not how finely a step is cut.
   if (!chosen.sleeping || chosen.gravity != settings.gravity || chosen.solver != settings.solver ||
@@ -156,8 +158,41 @@ void World::State::adopt(const Settings& chosen) {
 
 void World::State::wake_ends(JointId id) {
   const auto [a, b] = joints.bodies_of(id);
-  sleep.wake(a);
-  sleep.wake(b);
+  wake(a);
+  wake(b);
+}
+
+void World::State::find_contacts(const Margin& margin) {
+  const SearchInput input{bodies, *broad_phase, settings, margin, solver->recycles(), joints};
+  RestingPiles* resting = solver->resting();
+  std::vector<Contact> let_go;
+  if (resting != nullptr) resting->rouse(bodies, let_go);
+  contacts.put_in(let_go);
+  contacts.find(input);
+  while (!contacts.struck_piles().empty()) {
+    let_go.clear();
+    for (const std::uint32_t pile : contacts.struck_piles()) resting->let_go(pile, bodies, let_go);
+    contacts.put_in(let_go);
+    contacts.find(input);
+  }
+}
+
+void World::State::let_go() {
+  RestingPiles* resting = solver->resting();
+  if (resting == nullptr) return;
+  std::vector<Contact> kept;
+  resting->let_go(bodies, kept);
+  contacts.put_in(kept);
+}
+
+void World::State::wake(std::size_t i) {
+  if (bodies.pile[i] != 0) let_go();
+  sleep.wake(i);
+}
+
+void World::State::disturb(std::size_t i) {
+  if (bodies.pile[i] != 0 || !bodies.dynamic(i)) let_go();
+  sleep.disturb(i);
 }
 
 std::size_t World::State::row(BodyId id) const {
@@ -181,9 +216,9 @@ void World::State::apply(Change what, BodyId id) {
   const std::size_t i = id.index;
   if (what == Change::insert) {
     bodies.insert(i);
-    return sleep.disturb(i);
+    return disturb(i);
   }
-  if (bodies.detail[i].inserted) sleep.disturb(i);
+  if (bodies.detail[i].inserted) disturb(i);
   contacts.forget(i);
   if (what == Change::remove) return bodies.remove(i);
   joints.forget(id);

@@ -13,6 +13,7 @@
 #include "joint_set.h"
 #include "sleep.h"
 #include "solver.h"
+#include "solvers/resting_piles.h"
 #include "sweep.h"
 #include "touch_log.h"
 #include "workers.h"
@@ -46,6 +47,13 @@ struct World::State {
   std::size_t row(BodyId id) const;
 
   void wake_ends(JointId id);
+  /// See Sleep; what lies still in a pile is let go as well.
+  void wake(std::size_t i);
+  void disturb(std::size_t i);
+  /// Takes up the contacts that piles at rest keep.
+  void let_go();
+
+  void find_contacts(const Margin& margin);
 
   /// Does it now, or when the running callback has returned.
   void change(Change what, BodyId id);

@@ -153,7 +153,9 @@ template <std::size_t width>
 struct ContactPasses {
   /// Contacts into lanes, with their effective masses.
   void (*lay_out)(const ContactTable<width>&, const LayoutInput&);
-  /// Adds to each body's kick half of what its contacts gave in the last sub-step.
+  /// Of contacts that were just laid out, but whose bodies have moved before: their motions count from now on.
+  void (*begin_late)(const ContactTable<width>&, const BodyRows&);
+  /// Adds to each body's kick half of what its contacts gave in the last sub-step; of this step they gave nothing yet.
   void (*kick)(const ContactTable<width>&, const BodyRows&);
   /// Contacts as damped springs on their depth; `h` s is the sub-step.
   void (*press)(const ContactTable<width>&, const BodyRows&, const SoftRule&, Real h);

@@ -45,10 +45,8 @@ void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& 
   Lanes impulses[4];
   gather(impulses, [&](std::uint32_t lane) { return &point_of(*contact[lane], i).normal_impulse; });
   store(impulses[0] * share, to.normal_impulse);
-  store(Lanes::all(0), to.total_normal);
   if constexpr (rubs<Contacts>) {
     store(impulses[1] * share, to.tangent_impulse);
-    store(Lanes::all(0), to.total_tangent);
   } else {
     store(inverse(mass), to.normal_mass);
   }

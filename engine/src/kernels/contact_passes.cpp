@@ -237,6 +237,22 @@ void relax_discs(Discs& discs, const LanesMotion& motion, Real* velocity) {
   frame.leave();
 }
 
+void begin_late(const ContactTable& table, const BodyRows& bodies) {
+  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
+    const LanesMotion motion(contacts, bodies.motion);
+    find_gaps(contacts, motion);
+    for (auto& p : contacts.point) {
+      const Lanes now = load(p.separation);
+      store(now - (load(p.gap) - now), p.separation);
+      store(now, p.gap);
+    }
+    if constexpr (is_discs<Contacts>) {
+      store(load(contacts.between_x) - (motion.b[0] - motion.a[0]), contacts.between_x);
+      store(load(contacts.between_y) - (motion.b[1] - motion.a[1]), contacts.between_y);
+    }
+  });
+}
+
 void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
   const Lanes half = Lanes::all(Real{1} / 2);
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
@@ -246,9 +262,13 @@ void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
     Lanes::gather(NamedRows{bodies.velocity, contacts.a}, a);
     Lanes::gather(NamedRows{bodies.velocity, contacts.b}, b);
     frame.weigh(a[3], b[3]);
-    for (const auto& p : contacts.point) {
+    for (auto& p : contacts.point) {
       frame.push_normal(p, half * load(p.normal_impulse));
-      if constexpr (rubs<Contacts>) frame.push_tangent(p, half * load(p.tangent_impulse));
+      store(Lanes::all(0), p.total_normal);
+      if constexpr (rubs<Contacts>) {
+        frame.push_tangent(p, half * load(p.tangent_impulse));
+        store(Lanes::all(0), p.total_tangent);
+      }
     }
     frame.leave();
   });
@@ -307,9 +327,9 @@ void settle_offsets(const ContactTable& table, const SoftRule& soft, bool settli
     const Lanes mean = select(loaded, depth / sum, nothing);
     const Lanes headroom = Lanes::all(static_cast<Real>(1.05));
     const Lanes next = max(nothing, min(headroom * explained, offset + (gain * mean - leak * offset)));
-    store(settling ? explained : select(Lanes::Mask::of(contacts.aged), next, offset), contacts.offset);
-    if (!settling) return;
-    const Lanes change = explained - offset;
+    const Lanes chosen = settling ? explained : select(Lanes::Mask::of(contacts.aged), next, offset);
+    store(chosen, contacts.offset);
+    const Lanes change = chosen - offset;
     for (auto& p : contacts.point) {
       store(load(p.separation) - change, p.separation);
       store(load(p.gap) - change, p.gap);
@@ -320,7 +340,7 @@ void settle_offsets(const ContactTable& table, const SoftRule& soft, bool settli
 }  // namespace
 
 extern const ContactPasses<lane_count> contact_passes;
-const ContactPasses<lane_count> contact_passes{lay_out_contacts, kick_by_contacts, press_contacts,
-                                               relax_contacts,   settle_offsets,   store_contacts};
+const ContactPasses<lane_count> contact_passes{lay_out_contacts, begin_late,     kick_by_contacts, press_contacts,
+                                               relax_contacts,   settle_offsets, store_contacts};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

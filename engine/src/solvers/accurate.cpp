@@ -19,6 +19,7 @@
 #include "solvers/partition.h"
 #include "solvers/pile.h"
 #include "solvers/pile_island.h"
+#include "solvers/resting_piles.h"
 #include "solvers/scalar_contacts.h"
 #include "solvers/turning.h"
 #include "solvers/unpushed.h"
@@ -36,6 +37,7 @@ struct Workspace {
   JointWorkspace joints;
   EnergyBound bound;
   Pile pile;
+  Pile::RowOf row_of;
   Colouring colouring;
   Turning turning;
   Unpushed unpushed;
@@ -104,6 +106,7 @@ class Accurate : public Solver {
     errors.restitution_threshold = slow_impact(length(settings.gravity), errors.h);
   }
   bool recycles() const override { return true; }
+  RestingPiles* resting() override { return lanes_ ? &resting_ : nullptr; }
   /// Whatever may be hit within the step, gravity's part included.
   Margin margin(const Settings& settings) const override {
     return {static_cast<Real>(0.02) + 2 * length(settings.gravity) * settings.dt * settings.dt, settings.dt};
@@ -114,6 +117,7 @@ class Accurate : public Solver {
   Island island(StepData& data, std::size_t number, Workspace& space);
   void make_rows(StepData& data, Island& island, std::size_t number);
   void step_island(StepData& data, std::size_t number, Workspace& space);
+  void step_pile(StepData& data, std::size_t number, Island& island, Workspace& space);
   void step_alike(StepData& data, Workspace& space);
   void fly(StepData& data, const Island& island);
   void fly_all(StepData& data);
@@ -136,21 +140,23 @@ class Accurate : public Solver {
 
   bool lanes_;  // large islands are solved eight contacts at a time
   Partition parts_;
-  std::uint64_t contact_changes_ = 0;   // when rows were made
-  std::vector<ImpactRow> rows_;         // island by island; those whose contacts keep their points stay
-  std::vector<Motion> motion_;          // of each body since the start of the step
-  std::vector<Pose> start_;             // of each body
-  std::vector<Velocity> acceleration_;  // of each body, by the force field
-  std::vector<Velocity> flight_;        // the same, but 0 for a body that rests on a contact
-  std::vector<Velocity> kicks_;         // of each body, see ScalarContacts::halve
-  std::vector<std::uint8_t> loaded_;    // a contact pushed the body in the last sub-step
-  bool forces_vary_ = false;            // within a step
-  std::vector<Workspace> spaces_;       // of each worker
+  RestingPiles resting_;
+  std::vector<std::unique_ptr<RestingPile>> begun_;  // in this step, of each island
+  std::uint64_t contact_changes_ = 0;                // when rows were made
+  std::vector<ImpactRow> rows_;                      // island by island; those whose contacts keep their points stay
+  std::vector<Motion> motion_;                       // of each body since the start of the step
+  std::vector<Pose> start_;                          // of each body
+  std::vector<Velocity> acceleration_;               // of each body, by the force field
+  std::vector<Velocity> flight_;                     // the same, but 0 for a body that rests on a contact
+  std::vector<Velocity> kicks_;                      // of each body, see ScalarContacts::halve
+  std::vector<std::uint8_t> loaded_;                 // a contact pushed the body in the last sub-step
+  bool forces_vary_ = false;                         // within a step
+  std::vector<Workspace> spaces_;                    // of each worker
 };
 
 void Accurate::step(StepData& data) {
   forces_vary_ = data.forces.vary(data.bodies);
-  if (data.contacts.empty() && data.joints.empty() && !forces_vary_) return fly_all(data);
+  if (data.contacts.empty() && data.joints.empty() && !forces_vary_ && resting_.empty()) return fly_all(data);
   prepare(data);
   end_stage("prepare");
   const auto workers = static_cast<std::size_t>(data.workers.count());
@@ -168,6 +174,9 @@ void Accurate::step(StepData& data) {
   for (Workspace& space : spaces_) {
     if (space.turning.counts_changed()) parts_.forget_points();
   }
+  for (std::unique_ptr<RestingPile>& pile : begun_) {
+    if (pile != nullptr) resting_.add(std::move(pile), data.bodies);
+  }
   end_stage("islands");
   place(data.bodies, start_, motion_);
   end_stage("place");
@@ -175,9 +184,12 @@ void Accurate::step(StepData& data) {
 
 void Accurate::step_island(StepData& data, std::size_t number, Workspace& space) {
   Island now = island(data, number, space);
+  if (RestingPile* pile = resting_.of(data.bodies, now.bodies)) {
+    return pile->step(data, parts_, now, acceleration_, motion_, space.row_of);
+  }
   if (now.contacts.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
   if (!forces_vary_ && is_pile(data, now)) {
-    if (lanes_) return step_as_pile(data, parts_, now, acceleration_, motion_, space.pile);
+    if (lanes_) return step_pile(data, number, now, space);
     space.colouring.assign(parts_, now, 1);
     now.contacts = space.colouring.order();
   }
@@ -192,6 +204,15 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
   }
   space.alike.push_back(now);
   if (!plain(now)) step_alike(data, space);
+}
+
+void Accurate::step_pile(StepData& data, std::size_t number, Island& island, Workspace& space) {
+  plan_pile(data, island, acceleration_);
+  std::unique_ptr<RestingPile>& begun = begun_[number];
+  begun = resting_.part_at_rest(data, parts_, island, space.row_of);
+  if (begun == nullptr) return step_as_pile(data, parts_, island, acceleration_, motion_, space.pile, space.row_of);
+  island.contacts = begun->others();
+  begun->step(data, parts_, island, acceleration_, motion_, space.row_of);
 }
 
 /// Neighbours of as many sub-steps each, as if they were one island, which changes no bit: no sum of one waits for
@@ -283,7 +304,10 @@ void Accurate::prepare(StepData& data) {
   flight_ = acceleration_;
 
   const std::uint64_t parted = parts_.version();
+  resting_.watch(data, forces_vary_);
   parts_.split(data, forces_vary_);
+  if (!resting_.empty() && resting_.let_go_hindered(data, parts_, forces_vary_)) parts_.split(data, forces_vary_);
+  begun_.resize(parts_.size());
   rows_.resize(parts_.contact_count());
   const std::uint64_t before = std::exchange(contact_changes_, data.contact_changes);
   const bool same = parted == parts_.version() && before != 0 && before == contact_changes_;

@@ -10,6 +10,8 @@ namespace {
 
 bool pushable(const BodySet& bodies, std::size_t i) { return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0; }
 
+constexpr std::uint32_t nobody = ~std::uint32_t{0};
+
 // What kinds of bodies are told apart by.
 constexpr std::uint8_t stirs = 1;
 constexpr std::uint8_t is_pushable = 2;
@@ -49,7 +51,8 @@ void Partition::split(const StepData& data, bool together) {
   if (nothing_changed(data) && only_contacts && only_contacts_) return;
   std::swap(tied_, last_tied_);
   list_ties(data);
-  const bool same_bodies = crowd_.size() == data.bodies.size();
+  const bool same_bodies = crowd_.size() == data.bodies.size() &&
+                           std::exchange(pile_changes_, data.bodies.pile_changes) == data.bodies.pile_changes;
   if (same_bodies && only_contacts && only_contacts_ && tied_ == last_tied_) return;
   only_contacts_ = only_contacts;
   ++version_;
@@ -88,6 +91,16 @@ void Partition::find_islands(const StepData& data, bool together) {
   const BodySet& bodies = data.bodies;
   islands_.clear(bodies.size());
   crowd_.assign(bodies.size(), 0);
+  first_of_.clear();
+  for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+    const std::uint32_t pile = bodies.pile[body];
+    if (pile == 0) continue;
+    crowd_[body] = 3;  // by the contacts that the pile keeps
+    if (first_of_.size() < pile) first_of_.resize(pile, nobody);
+    std::uint32_t& first = first_of_[pile - 1];
+    if (first == nobody) first = body;
+    islands_.tie(first, body);
+  }
   const auto add = [this](std::uint32_t body) {
     crowd_[body] = static_cast<std::uint8_t>(std::min(crowd_[body] + 1, 3));
   };

@@ -17,7 +17,8 @@ class Partition {
   /// Finds the islands of a step. Where nothing but contacts ties bodies, and the same ones as in the last step (as in
   /// whatever rests), they are those of the last step.
   ///
-  /// Bodies share an island if something ties them and both move; `together` puts them all into one.
+  /// Bodies share an island if something ties them and both move, or a pile at rest holds both; `together` puts them
+  /// all into one.
   void split(const StepData& data, bool together);
 
   /// Contacts have other points than they were found with: the next step lists them again.
@@ -61,6 +62,8 @@ class Partition {
   bool only_contacts_ = false;  // tied bodies in the last step
   Islands islands_;
   std::uint64_t contact_changes_ = 0;     // when ties were listed
+  std::uint64_t pile_changes_ = 0;        // of the bodies, when they were last split
+  std::vector<std::uint32_t> first_of_;   // body of each pile at rest
   std::vector<std::uint8_t> kinds_;       // of bodies: whether they can be pushed, and stir
   std::vector<std::uint8_t> last_kinds_;  // the same of the step before
   std::vector<Tie> tied_;                 // contacts that belong to an island

@@ -17,13 +17,23 @@ constexpr std::size_t block = 16;  // rows that kernels take at a time at most
 
 std::size_t rounded_up(std::size_t count) { return (count + block - 1) / block * block; }
 
-bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
-
 }  // namespace
 
+void Pile::keep(std::span<Contact> contacts, const BodySet& bodies, const Partition& parts, const Island& island,
+                RowOf& row_of) {
+  take_bodies(bodies, island, row_of);
+  present_.push_back(nowhere);
+  kept_rows_ = present_.size();
+  kept_ = PileLanes::make(*kernels_);
+  kept_colouring_.assign(parts, island, kept_->at_a_time());
+  kept_->lay_out(contacts, bodies, island, kept_colouring_, row_of, static_cast<std::uint32_t>(kept_rows_ - 1));
+  forget_rows(row_of);
+}
+
 void Pile::step(const StepData& data, const Partition& parts, const Island& island,
-                const std::vector<Velocity>& acceleration, std::vector<Motion>& motion) {
-  take_bodies(data, island, acceleration);
+                const std::vector<Velocity>& acceleration, std::vector<Motion>& motion, RowOf& row_of) {
+  take_bodies(data.bodies, island, row_of);
+  take_motions(data.bodies, acceleration);
   end_stage("pile: bodies");
   const std::uint32_t first = island.bodies.front();
   if (version_ != parts.version() || first_body_ != first) {
@@ -32,39 +42,60 @@ void Pile::step(const StepData& data, const Partition& parts, const Island& isla
     first_body_ = first;
   }
   end_stage("pile: colour");
-  lanes_->lay_out(data, island, colouring_, row_, static_cast<std::uint32_t>(present_.size()));
+  lanes_->lay_out(data.contacts, data.bodies, island, colouring_, row_of, static_cast<std::uint32_t>(present_.size()));
+  if (kept_ != nullptr) lanes_->begin_late(rows_);
   end_stage("pile: lay out");
   kernels_->kick_by_forces(rows_, island.h);
-  lanes_->kick(rows_);
-  if (island.more_sweeps > 0) weigh(data, island);
+  for_both([this](PileLanes& lanes) { lanes.kick(rows_); });
+  if (island.more_sweeps > 0) weigh(data, island, row_of);
   for (int i = 0; i < island.substeps; ++i) substep(island, i == 0);
   end_stage("pile: sub-steps");
-  if (!island.settling) lanes_->settle(false);
-  leave(data, island, motion);
+  if (!island.settling) {
+    for_both([](PileLanes& lanes) { lanes.settle(false); });
+  }
+  leave(data, island, row_of, motion);
+  forget_rows(row_of);
   end_stage("pile: leave");
 }
 
-void Pile::give_row(std::uint32_t body) {
-  if (row_[body] != nowhere) return;
-  row_[body] = static_cast<std::uint32_t>(present_.size());
+void Pile::give_row(std::uint32_t body, RowOf& row_of) {
+  if (row_of[body] != nowhere) return;
+  row_of[body] = static_cast<std::uint32_t>(present_.size());
   present_.push_back(body);
 }
 
-/// Bodies of the island, then those that it touches and does not move, then at least one row of no body.
-void Pile::take_bodies(const StepData& data, const Island& island, const std::vector<Velocity>& acceleration) {
-  const BodySet& bodies = data.bodies;
-  row_.resize(bodies.size(), nowhere);
-  present_.clear();
-  for (const std::uint32_t body : island.bodies) give_row(body);
-  for (const Tie& tie : island.contacts) {
-    if (!tie.pushes_a) give_row(tie.a);
-    if (!tie.pushes_b) give_row(tie.b);
+void Pile::forget_rows(RowOf& row_of) const {
+  for (const std::uint32_t body : present_) {
+    if (body != nowhere) row_of[body] = nowhere;
   }
+}
+
+/// What is kept has its rows. Then bodies of the island, then those that it touches and does not move, then at least
+/// one row of no body.
+void Pile::take_bodies(const BodySet& bodies, const Island& island, RowOf& row_of) {
+  row_of.resize(bodies.size(), nowhere);
+  present_.resize(kept_rows_);
+  for (std::uint32_t i = 0; i < present_.size(); ++i) {
+    if (present_[i] != nowhere) row_of[present_[i]] = i;
+  }
+  for (const std::uint32_t body : island.bodies) give_row(body, row_of);
+  for (const Tie& tie : island.contacts) {
+    if (!tie.pushes_a) give_row(tie.a, row_of);
+    if (!tie.pushes_b) give_row(tie.b, row_of);
+  }
+}
+
+/// Motions go on where they are kept, the others begin.
+void Pile::take_motions(const BodySet& bodies, const std::vector<Velocity>& acceleration) {
   const std::size_t count = rounded_up(present_.size() + 1);
-  for (auto* rows : {&velocity_, &before_, &kick_, &motion_, &acceleration_}) rows->assign(4 * count, 0);
-  turn_.assign(count, 0);
+  for (auto* rows : {&velocity_, &before_, &kick_, &acceleration_}) rows->assign(4 * count, 0);
+  motion_.resize(4 * kept_rows_);
+  motion_.resize(4 * count, 0);
+  turn_.resize(kept_rows_);
+  turn_.resize(count, 0);
   for (std::size_t i = 0; i < present_.size(); ++i) {
     const std::uint32_t body = present_[i];
+    if (body == nowhere) continue;
     const Velocity& v = bodies.velocity[body];
     std::copy_n(std::array{v.v.x, v.v.y, v.w, bodies.inverse_mass[body].m}.begin(), 4, &velocity_[4 * i]);
     const Velocity& a = acceleration[body];
@@ -86,9 +117,11 @@ void Pile::substep(const Island& island, bool first) {
     start_turn_ = turn_;
   }
   kernels_->kick_bodies(rows_, first);
-  lanes_->press(rows_, island.h);
+  for_both([&](PileLanes& lanes) { lanes.press(rows_, island.h); });
   if (kernels_->drift_bodies(rows_, island.h)) turn_far();
-  for (int sweep = 0; sweep < island.sweeps; ++sweep) lanes_->relax(rows_, sweep > 0);
+  for (int sweep = 0; sweep < island.sweeps; ++sweep) {
+    for_both([&](PileLanes& lanes) { lanes.relax(rows_, sweep > 0); });
+  }
   if (island.more_sweeps > 0) relax_until_bounded(island);
   if (island.settling) lanes_->settle(true);
 }
@@ -97,19 +130,20 @@ void Pile::substep(const Island& island, bool first) {
 void Pile::relax_until_bounded(const Island& island) {
   const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   const Real most = start_energy_ + work() + rounding * start_energy_;
-  for (Descent descent(island.more_sweeps); descent.goes_on(kinetic_energy() - most);) lanes_->relax(rows_, true);
+  for (Descent descent(island.more_sweeps); descent.goes_on(kinetic_energy() - most);) {
+    for_both([this](PileLanes& lanes) { lanes.relax(rows_, true); });
+  }
 }
 
-void Pile::leave(const StepData& data, const Island& island, std::vector<Motion>& motion) {
+void Pile::leave(const StepData& data, const Island& island, const RowOf& row_of, std::vector<Motion>& motion) {
   lanes_->store();
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const std::uint32_t body = island.bodies[i];
+  for (const std::uint32_t body : island.bodies) {
+    const std::size_t i = row_of[body];
     motion[body] = {{motion_[4 * i], motion_[4 * i + 1]}, turn_[i], motion_[4 * i + 2], motion_[4 * i + 3]};
-    if (pushable(data.bodies.inverse_mass[body])) {
+    if (data.bodies.pushable(body)) {
       data.bodies.velocity[body] = {{velocity_[4 * i], velocity_[4 * i + 1]}, velocity_[4 * i + 2]};
     }
   }
-  for (const std::uint32_t body : present_) row_[body] = nowhere;
 }
 
 /// Sine and cosine of bodies that have turned too far for the series of the kernel.
@@ -123,12 +157,13 @@ void Pile::turn_far() {
 }
 
 /// Of the bodies that can be pushed; the others do not share in an island's energy.
-void Pile::weigh(const StepData& data, const Island& island) {
+void Pile::weigh(const StepData& data, const Island& island, const RowOf& row_of) {
   mass_.assign(velocity_.size(), 0);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const InverseMass& inverse = data.bodies.inverse_mass[island.bodies[i]];
-    if (inverse.m > 0) mass_[4 * i] = mass_[4 * i + 1] = 1 / inverse.m;
-    if (inverse.i > 0) mass_[4 * i + 2] = 1 / inverse.i;
+    Real* mass = &mass_[std::size_t{4} * row_of[island.bodies[i]]];
+    if (inverse.m > 0) mass[0] = mass[1] = 1 / inverse.m;
+    if (inverse.i > 0) mass[2] = 1 / inverse.i;
   }
 }
 

@@ -21,26 +21,48 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// contacts.
 class Pile {
  public:
+  /// Where each body of the world has its row, while a pile is laid out or carried over a step; nowhere else. Piles
+  /// that do so one after the other may share it.
+  using RowOf = std::vector<std::uint32_t>;
+
   explicit Pile(const PileKernels& by) : kernels_(&by), lanes_(PileLanes::make(by)) {}
 
-  /// Leaves velocities in the bodies, motions in `motion`, impulses and offsets in the contacts.
+  /// Lays contacts out once for many steps: from now on these are the first `island.contacts`, which no step names, of
+  /// the bodies `island.bodies`, all of which every step names. `contacts` must live as long, in their place.
+  void keep(std::span<Contact> contacts, const BodySet& bodies, const Partition& parts, const Island& island,
+            RowOf& row_of);
+  /// Impulses, totals of the last step and offsets of those back into them.
+  void store_kept() { kept_->store(); }
+
+  /// Leaves velocities in the bodies, motions in `motion` (of those that are kept since they are), impulses and offsets
+  /// in the contacts.
   void step(const StepData& data, const Partition& parts, const Island& island,
-            const std::vector<Velocity>& acceleration, std::vector<Motion>& motion);
+            const std::vector<Velocity>& acceleration, std::vector<Motion>& motion, RowOf& row_of);
 
  private:
-  void take_bodies(const StepData& data, const Island& island, const std::vector<Velocity>& acceleration);
-  void give_row(std::uint32_t body);
+  void take_bodies(const BodySet& bodies, const Island& island, RowOf& row_of);
+  void take_motions(const BodySet& bodies, const std::vector<Velocity>& acceleration);
+  void give_row(std::uint32_t body, RowOf& row_of);
+  void forget_rows(RowOf& row_of) const;
+  /// Those of this step, then those that are kept.
+  template <class Act>
+  void for_both(Act act) {
+    act(*lanes_);
+    if (kept_ != nullptr) act(*kept_);
+  }
   void substep(const Island& island, bool first);
   void turn_far();
   void relax_until_bounded(const Island& island);
-  void weigh(const StepData& data, const Island& island);
+  void weigh(const StepData& data, const Island& island, const RowOf& row_of);
   Real kinetic_energy() const;
   Real work() const;
-  void leave(const StepData& data, const Island& island, std::vector<Motion>& motion);
+  void leave(const StepData& data, const Island& island, const RowOf& row_of, std::vector<Motion>& motion);
 
   const PileKernels* kernels_;
   std::unique_ptr<PileLanes> lanes_;
-  std::vector<std::uint32_t> row_;      // of each body of the world, where it has one
+  std::unique_ptr<PileLanes> kept_;
+  Colouring kept_colouring_;
+  std::size_t kept_rows_ = 0;           // of their bodies, and one of no body
   std::vector<std::uint32_t> present_;  // bodies that have a row, in order of their rows
   Colouring colouring_;
   std::uint64_t version_ = 0;     // of the partition that was coloured last

@@ -18,26 +18,6 @@ void scale_offsets(const StepData& data, const Island& island, Real by) {
   for (const Tie& tie : island.contacts) data.contacts[tie.contact].offset *= by;
 }
 
-void plan(const StepData& data, Island& island, const std::vector<Velocity>& acceleration) {
-  const auto row_of = [&](const Tie& tie) { return make_row(data.bodies, data.contacts, tie.contact); };
-  Bearing bearing;
-  if (may_need_substeps(island.bodies.size(), data.settings)) {
-    for (const Tie& tie : island.contacts) bearing.add(row_of(tie));
-  }
-  island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration, data.settings));
-  end_stage("pile: bearing");
-  island.settling = settles(data, island);
-  if (island.settling) island.sweeps = settling_sweeps_for(island.bodies.size());
-  const auto struck = [&](const Tie& tie) {
-    return new_or_deep(data.contacts[tie.contact]) && at_speed(row_of(tie), data.bodies);
-  };
-  const int more_sweeps = closed(data.bodies, island.bodies) ? more_sweeps_for(island.bodies.size()) : 0;
-  if (more_sweeps > 0 && std::any_of(island.contacts.begin(), island.contacts.end(), struck)) {
-    island.more_sweeps = more_sweeps;
-  }
-  end_stage("pile: struck");
-}
-
 }  // namespace
 
 bool is_pile(const StepData& data, const Island& island) {
@@ -50,11 +30,35 @@ bool is_pile(const StepData& data, const Island& island) {
   });
 }
 
-void step_as_pile(StepData& data, const Partition& parts, Island& island, const std::vector<Velocity>& acceleration,
-                  std::vector<Motion>& motion, Pile& pile) {
-  plan(data, island, acceleration);
+void plan_pile(const StepData& data, Island& island, const std::vector<Velocity>& acceleration) {
+  Bearing bearing;
+  if (may_need_substeps(island.bodies.size(), data.settings)) {
+    for (const Tie& tie : island.contacts) bearing.add(make_row(data.bodies, data.contacts, tie.contact));
+  }
+  island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration, data.settings));
+  end_stage("pile: bearing");
+  island.settling = settles(data, island);
+  if (island.settling) island.sweeps = settling_sweeps_for(island.bodies.size());
+  relax_blows(data, island);
+  end_stage("pile: struck");
+}
+
+void relax_blows(const StepData& data, Island& island) {
+  const auto struck = [&](const Tie& tie) {
+    return new_or_deep(data.contacts[tie.contact]) &&
+           at_speed(make_row(data.bodies, data.contacts, tie.contact), data.bodies);
+  };
+  const int more_sweeps = closed(data.bodies, island.bodies) ? more_sweeps_for(island.bodies.size()) : 0;
+  if (more_sweeps > 0 && std::any_of(island.contacts.begin(), island.contacts.end(), struck)) {
+    island.more_sweeps = more_sweeps;
+  }
+}
+
+void step_as_pile(StepData& data, const Partition& parts, const Island& island,
+                  const std::vector<Velocity>& acceleration, std::vector<Motion>& motion, Pile& pile,
+                  Pile::RowOf& row_of) {
   scale_offsets(data, island, island.offset_scale);
-  pile.step(data, parts, island, acceleration, motion);
+  pile.step(data, parts, island, acceleration, motion, row_of);
   scale_offsets(data, island, 1 / island.offset_scale);
 }
 

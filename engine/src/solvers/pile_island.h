@@ -14,8 +14,14 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// few bodies in motion are followed closely, but for discs, whose normals turn in lanes, too.
 bool is_pile(const StepData& data, const Island& island);
 
-/// Chooses sub-steps and sweeps of a pile and carries it over a step.
-void step_as_pile(StepData& data, const Partition& parts, Island& island, const std::vector<Velocity>& acceleration,
-                  std::vector<Motion>& motion, Pile& pile);
+/// Chooses sub-steps and sweeps of a pile.
+void plan_pile(const StepData& data, Island& island, const std::vector<Velocity>& acceleration);
+/// Those sweeps more that it may take after a blow at one of its contacts.
+void relax_blows(const StepData& data, Island& island);
+
+/// Carries a pile that was planned over a step.
+void step_as_pile(StepData& data, const Partition& parts, const Island& island,
+                  const std::vector<Velocity>& acceleration, std::vector<Motion>& motion, Pile& pile,
+                  Pile::RowOf& row_of);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

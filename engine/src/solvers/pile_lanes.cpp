@@ -9,13 +9,13 @@ namespace {
 const Contact no_contact{};
 
 /// What is the same for all contacts of an island.
-LayoutInput input_of(const StepData& data, const Island& island, const std::vector<std::uint32_t>& row_of,
-                     std::uint32_t nobody) {
+LayoutInput input_of(std::span<Contact> contacts, const BodySet& bodies, const Island& island,
+                     const std::vector<std::uint32_t>& row_of, std::uint32_t nobody) {
   LayoutInput input{};
-  input.contacts = data.contacts.data();
+  input.contacts = contacts.data();
   input.no_contact = &no_contact;
-  input.masses = data.bodies.inverse_mass.data();
-  input.poses = data.bodies.pose.data();
+  input.masses = bodies.inverse_mass.data();
+  input.poses = bodies.pose.data();
   input.row_of = row_of.data();
   input.nobody = nobody;
   input.offset_from_age = OffsetRule::from_age;
@@ -47,9 +47,9 @@ class PileLanesOf : public PileLanes {
 
   std::uint32_t at_a_time() const override { return width; }
 
-  void lay_out(const StepData& data, const Island& island, const Colouring& colouring,
+  void lay_out(std::span<Contact> contacts, const BodySet& bodies, const Island& island, const Colouring& colouring,
                const std::vector<std::uint32_t>& row_of, std::uint32_t nobody) override {
-    input_ = input_of(data, island, row_of, nobody);
+    input_ = input_of(contacts, bodies, island, row_of, nobody);
     soft_ = rule_of(island);
     make_room(colouring, LanesKind::one, one_);
     make_room(colouring, LanesKind::discs, discs_);
@@ -63,6 +63,7 @@ class PileLanesOf : public PileLanes {
     passes_.lay_out(table_, input_);
   }
 
+  void begin_late(const BodyRows& bodies) override { passes_.begin_late(table_, bodies); }
   void kick(const BodyRows& bodies) override { passes_.kick(table_, bodies); }
   void press(const BodyRows& bodies, Real h) override { passes_.press(table_, bodies, soft_, h); }
   void relax(const BodyRows& bodies, bool again) override { passes_.relax(table_, bodies, again); }

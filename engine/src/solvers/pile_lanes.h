@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "kernels.h"
@@ -23,9 +24,10 @@ class PileLanes {
   /// How many contacts: the colouring must have been made for that.
   virtual std::uint32_t at_a_time() const = 0;
   /// `row_of` has the row of each body of the world that has one; `nobody` is the first row of no body.
-  virtual void lay_out(const StepData& data, const Island& island, const Colouring& colouring,
-                       const std::vector<std::uint32_t>& row_of, std::uint32_t nobody) = 0;
+  virtual void lay_out(std::span<Contact> contacts, const BodySet& bodies, const Island& island,
+                       const Colouring& colouring, const std::vector<std::uint32_t>& row_of, std::uint32_t nobody) = 0;
   // See ContactPasses.
+  virtual void begin_late(const BodyRows& bodies) = 0;
   virtual void kick(const BodyRows& bodies) = 0;
   virtual void press(const BodyRows& bodies, Real h) = 0;
   virtual void relax(const BodyRows& bodies, bool again) = 0;

@@ -20,6 +20,7 @@ Settings with(const char* solver, bool fused = false) {
   Settings settings;
   settings.solver = solver;
   settings.fused = fused;
+  settings.contact_events = true;  // nothing rests while these are asked for
   return settings;
 }
 
