@@ -219,6 +219,11 @@ void ContactSet::take_back(const BodySet& bodies) {
   std::inplace_merge(rows_.begin(), rows_.begin() + awake, rows_.end(), in_order);
 }
 
+void ContactSet::forget_new() {
+  disturb();
+  std::erase_if(rows_, [](const Contact& contact) { return contact.age == 0; });
+}
+
 void ContactSet::leave_to_piles(const BodySet& bodies) {
   disturb();
   std::erase_if(rows_, [&](const Contact& contact) { return kept_by_pile(bodies, contact); });

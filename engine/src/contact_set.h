@@ -23,6 +23,8 @@ class ContactSet {
   /// stiffness of a stack depend on its lean, and a tall one buckles.
   void find(const SearchInput& input);
 
+  /// Forgets what the last search found for the first time, so that another before the step finds it new again.
+  void forget_new();
   /// See ContactSearch.
   std::span<const std::uint32_t> struck_piles() const { return search_.struck_piles(); }
 

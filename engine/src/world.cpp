@@ -172,6 +172,7 @@ void World::State::find_contacts(const Margin& margin) {
   while (!contacts.struck_piles().empty()) {
     let_go.clear();
     for (const std::uint32_t pile : contacts.struck_piles()) resting->let_go(pile, bodies, let_go);
+    contacts.forget_new();
     contacts.put_in(let_go);
     contacts.find(input);
   }
@@ -185,13 +186,21 @@ void World::State::let_go() {
   contacts.put_in(kept);
 }
 
+void World::State::let_go(std::size_t i) {
+  if (bodies.pile[i] == 0) return;
+  std::vector<Contact> kept;
+  solver->resting()->let_go(bodies.pile[i], bodies, kept);
+  contacts.put_in(kept);
+}
+
 void World::State::wake(std::size_t i) {
-  if (bodies.pile[i] != 0) let_go();
+  let_go(i);
   sleep.wake(i);
 }
 
+// What rests on one that is not dynamic may be of any pile.
 void World::State::disturb(std::size_t i) {
-  if (bodies.pile[i] != 0 || !bodies.dynamic(i)) let_go();
+  bodies.dynamic(i) ? let_go(i) : let_go();
   sleep.disturb(i);
 }
 

@@ -50,8 +50,9 @@ struct World::State {
   /// See Sleep; what lies still in a pile is let go as well.
   void wake(std::size_t i);
   void disturb(std::size_t i);
-  /// Takes up the contacts that piles at rest keep.
+  /// Takes up the contacts that piles at rest keep, or those of a body's.
   void let_go();
+  void let_go(std::size_t i);
 
   void find_contacts(const Margin& margin);
 

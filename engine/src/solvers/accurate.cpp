@@ -185,7 +185,9 @@ void Accurate::step(StepData& data) {
 void Accurate::step_island(StepData& data, std::size_t number, Workspace& space) {
   Island now = island(data, number, space);
   if (RestingPile* pile = resting_.of(data.bodies, now.bodies)) {
-    return pile->step(data, parts_, now, acceleration_, motion_, space.row_of);
+    pile->step(data, parts_, now, acceleration_, motion_, space.row_of);
+    if (resting_.may_grow(data, now, *pile)) pile->begin_anew();
+    return;
   }
   if (now.contacts.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
   if (!forces_vary_ && is_pile(data, now)) {

@@ -15,13 +15,20 @@ namespace impulse::inline IMPULSE_PRECISION {
 namespace {
 
 /// Steps from one look at what is calm to the next. Calm is what moves so little between two that it would last for
-/// eight times as long; and twice in turn, lest what turns back counts.
+/// sixteen times as long; and twice in turn, lest what turns back counts.
 constexpr int look_every = 8;
-constexpr Real calm_way = RestingPile::tremor / 8;
+constexpr Real calm_way = RestingPile::tremor / 16;
 constexpr std::uint8_t long_calm = 2;
 
-/// Contacts from which, and share of a pile's, keeping them pays.
-constexpr std::size_t least_kept = 64;
+/// Whether keeping so many contacts pays, beside so many others that are laid out in every step.
+bool pays(std::size_t kept, std::size_t others) {
+  constexpr std::size_t least = 64;
+  return kept >= least && kept >= 3 * others;
+}
+
+/// A pile is let go, and begins anew with more, where others have become calm: so many times as many of them. Between
+/// there are up to look_every steps without.
+constexpr std::size_t worth_beginning_anew = 16;
 
 /// m, that no point of a body can have come farther than between two poses.
 Real way(const Pose& then, const Pose& now, Real reach) {
@@ -98,7 +105,7 @@ void RestingPile::step(StepData& data, const Partition& parts, Island island, co
   relax_blows(data, island);
   pile_.step(data, parts, island, acceleration, motion, row_of);
   ++steps_;
-  rests_ = 3 * island.contacts.size() <= contacts_.size();
+  rests_ = pays(contacts_.size(), island.contacts.size());
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const std::uint32_t body = members_[i];
     const Motion now = motion[body];
@@ -142,10 +149,7 @@ void RestingPiles::let_go(std::uint32_t pile, BodySet& bodies, std::vector<Conta
   if (gone == nullptr) return;
   const std::vector<Contact> contacts = gone->contacts(bodies);
   to.insert(to.end(), contacts.begin(), contacts.end());
-  for (const std::uint32_t body : gone->members()) {
-    bodies.pile[body] = 0;
-    calm_[body] = 0;
-  }
+  for (const std::uint32_t body : gone->members()) bodies.pile[body] = 0;
   ++bodies.pile_changes;
   gone = nullptr;
   --count_;
@@ -202,6 +206,19 @@ bool RestingPiles::let_go_hindered(StepData& data, const Partition& parts, bool 
   return true;
 }
 
+bool RestingPiles::calm(const BodySet& bodies, const Tie& tie) const {
+  const auto still = [&](std::uint32_t body) { return calm_[body] == long_calm || !bodies.pushable(body); };
+  return still(tie.a) && still(tie.b);
+}
+
+bool RestingPiles::may_grow(const StepData& data, const Island& island, const RestingPile& pile) const {
+  if (!due_) return false;
+  const auto calm_ones = std::count_if(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
+    return calm(data.bodies, tie) && data.contacts[tie.contact].age >= OffsetRule::from_age;
+  });
+  return static_cast<std::size_t>(calm_ones) * worth_beginning_anew > pile.size();
+}
+
 RestingPile* RestingPiles::of(const BodySet& bodies, std::span<const std::uint32_t> island) const {
   if (empty()) return nullptr;
   const auto member =
@@ -219,11 +236,10 @@ std::unique_ptr<RestingPile> RestingPiles::part_at_rest(const StepData& data, co
     if (tie.pushes_a) calm_[tie.a] = 0;
     if (tie.pushes_b) calm_[tie.b] = 0;
   }
-  const auto still = [&](std::uint32_t body) { return calm_[body] == long_calm || !bodies.pushable(body); };
   std::vector<Tie> kept;
   std::vector<Tie> others;
-  for (const Tie& tie : island.contacts) (still(tie.a) && still(tie.b) ? kept : others).push_back(tie);
-  if (kept.size() < least_kept || kept.size() < 3 * others.size()) return nullptr;
+  for (const Tie& tie : island.contacts) (calm(bodies, tie) ? kept : others).push_back(tie);
+  if (!pays(kept.size(), others.size())) return nullptr;
   if (!others.empty() && may_need_substeps(island.bodies.size(), data.settings)) return nullptr;
   return std::make_unique<RestingPile>(data, parts, island, std::move(kept), std::move(others), row_of);
 }
@@ -231,8 +247,8 @@ std::unique_ptr<RestingPile> RestingPiles::part_at_rest(const StepData& data, co
 void RestingPiles::add(std::unique_ptr<RestingPile> pile, BodySet& bodies) {
   auto place = std::find(piles_.begin(), piles_.end(), nullptr);
   if (place == piles_.end()) place = piles_.insert(place, nullptr);
-  for (const std::uint32_t body : pile->members())
-    bodies.pile[body] = static_cast<std::uint32_t>(place - piles_.begin() + 1);
+  const auto number = static_cast<std::uint32_t>(place - piles_.begin() + 1);
+  for (const std::uint32_t body : pile->members()) bodies.pile[body] = number;
   *place = std::move(pile);
   ++count_;
   ++bodies.pile_changes;

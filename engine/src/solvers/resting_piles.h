@@ -36,8 +36,10 @@ class RestingPile {
 
   /// Those that it did not keep in the step in which it began.
   std::span<const Tie> others() const { return others_; }
-  /// Whether it still is at rest.
+  /// Whether it still is at rest, and is not to begin anew.
   bool rests() const { return rests_; }
+  void begin_anew() { rests_ = false; }
+  std::size_t size() const { return contacts_.size(); }
   std::span<const std::uint32_t> members() const { return members_; }
   /// The contacts that it keeps, as they are now.
   std::vector<Contact> contacts(const BodySet& bodies);
@@ -83,10 +85,14 @@ class RestingPiles {
   /// Different islands may ask at once.
   std::unique_ptr<RestingPile> part_at_rest(const StepData& data, const Partition& parts, const Island& island,
                                             Pile::RowOf& row_of);
+  /// Whether much more of an island is calm by now than its pile keeps.
+  bool may_grow(const StepData& data, const Island& island, const RestingPile& pile) const;
   /// Those that began in this step.
   void add(std::unique_ptr<RestingPile> pile, BodySet& bodies);
 
  private:
+  bool calm(const BodySet& bodies, const Tie& tie) const;
+
   std::vector<std::unique_ptr<RestingPile>> piles_;  // by number, from 1 on; nothing where it was let go
   std::size_t count_ = 0;
   int steps_ = 0;
