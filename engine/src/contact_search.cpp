@@ -153,14 +153,18 @@ void ContactSearch::keep_points(const SearchInput& input, std::span<const std::u
   to_collide_.resize(collided);
 }
 
-/// How far each proxy's body has come since the last search, and which points that search found.
+/// How far each proxy's body has come since the last search, and which points that search found: where there are so
+/// many that it pays; else as if nothing had moved.
 void ContactSearch::note_motion(const SearchInput& input, bool undisturbed) {
+  constexpr std::size_t worth_it = 64;
   const BodySet& bodies = input.bodies;
   const std::span<const Proxy> proxies = shapes_.proxies();
-  fresh_.resize(last_.size());
-  for (std::size_t i = 0; i < fresh_.size(); ++i) fresh_[i] = undisturbed && !keeps(touching_[i]) ? 1 : 0;
-  poses_.resize(bodies.size());
-  moved_.resize(proxies.size());
+  fresh_.assign(last_.size(), 0);
+  moved_.assign(proxies.size(), 0);
+  if (last_.size() < worth_it) return poses_.clear();
+  const bool known = poses_.size() == bodies.size();
+  if (!known) poses_ = bodies.pose;
+  for (std::size_t i = 0; i < fresh_.size(); ++i) fresh_[i] = undisturbed && known && !keeps(touching_[i]) ? 1 : 0;
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     const std::size_t body = proxies[i].body;
     const Pose& now = bodies.pose[body];

@@ -37,6 +37,7 @@ void ShapeTable::update(const BodySet& bodies, const Margin& margin) {
 }
 
 void ShapeTable::update(const BodySet& bodies, const Margin& margin, std::span<const Pair> pairs) {
+  if (bodies.pile_changes == 0) return;  // none was ever at rest
   const auto update_one = [&](std::size_t i) {
     if (bodies.pile[proxies_[i].body] != 0) place(i, bodies, margin, 0);
   };

@@ -21,10 +21,8 @@ constexpr Real calm_way = RestingPile::tremor / 16;
 constexpr std::uint8_t long_calm = 2;
 
 /// Whether keeping so many contacts pays, beside so many others that are laid out in every step.
-bool pays(std::size_t kept, std::size_t others) {
-  constexpr std::size_t least = 64;
-  return kept >= least && kept >= 3 * others;
-}
+constexpr std::size_t least_kept = 64;
+bool pays(std::size_t kept, std::size_t others) { return kept >= least_kept && kept >= 3 * others; }
 
 /// A pile is let go, and begins anew with more, where others have become calm: so many times as many of them. Between
 /// there are up to look_every steps without.
@@ -170,6 +168,7 @@ void RestingPiles::append(const BodySet& bodies, std::vector<Contact>& to) const
 void RestingPiles::watch(const StepData& data, bool forces_vary) {
   const BodySet& bodies = data.bodies;
   due_ = false;
+  if (data.contacts.size() < least_kept && empty()) return calm_.clear();
   if (++steps_ % look_every != 0) return;
   seen_.resize(bodies.size());
   calm_.resize(bodies.size());
