@@ -16,6 +16,18 @@
 namespace plumb {
 namespace {
 
+// What a run that was killed had just begun may hold its file for a moment longer. Some file systems of clusters have
+// no locks.
+bool locks(int file) {
+  constexpr int tries = 100;
+  constexpr useconds_t pause = 10'000;  // us
+  for (int i = 0; i < tries; ++i) {
+    if (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
+    usleep(pause);
+  }
+  return false;
+}
+
 using Json = nlohmann::ordered_json;
 
 constexpr int format = 1;  // of a results file
@@ -114,8 +126,7 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, std::size_t keep)
     throw std::invalid_argument(fmt::format("{}: {}", path.string(), why));
   };
   if (file_ < 0) refuse(std::string("cannot be written: ") + std::strerror(errno));
-  // Some file systems of clusters have no locks.
-  if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse("another plumb is writing it");
+  if (!locks(file_)) refuse("another plumb is writing it");
   if (ftruncate(file_, static_cast<off_t>(keep)) != 0) refuse(std::string("cannot be cut: ") + std::strerror(errno));
 }
 

@@ -43,7 +43,7 @@ KeptResults read_results(const std::filesystem::path&);
 class ResultsFile {
  public:
   /// A new one in place of whatever is there. Throws std::invalid_argument, with the system's reason, where it cannot
-  /// be written, or another process is writing it.
+  /// be written, or another process is writing it, and still does a second later.
   static ResultsFile begin(const std::filesystem::path&, const ResultsHead&);
   /// Goes on after what is kept there.
   static ResultsFile go_on(const std::filesystem::path&, const KeptResults&);

@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <optional>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/reports/study/study_files.h"
 
@@ -105,6 +108,17 @@ TEST_F(Results, AreWrittenByOneAtATime) {
   const ResultsFile file = ResultsFile::begin(at("r"), head_);
   EXPECT_THROW(ResultsFile::begin(at("r"), head_), std::invalid_argument);
   EXPECT_NE(text(at("r")), "") << "nor did it cut the other's";
+}
+
+// As a process does that a killed run had just begun.
+TEST_F(Results, WaitForWhoLetsGoInAMoment) {
+  std::optional<ResultsFile> other(ResultsFile::begin(at("r"), head_));
+  std::thread letting_go([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    other.reset();
+  });
+  EXPECT_NO_THROW(ResultsFile::begin(at("r"), head_));
+  letting_go.join();
 }
 
 TEST_F(Results, TellPlansApartByTheirKeys) {
