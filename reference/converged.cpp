@@ -17,7 +17,7 @@
 namespace plumb {
 namespace {
 
-const Contender& engine() { return *Catalog<Contender>::find("impulse"); }
+const Engine& engine() { return *Catalog<Engine>::find("impulse"); }
 Settings settings() { return complete(engine(), {{"precision", "double"}}); }
 
 BodyState between(const BodyState& a, const BodyState& b, double share) {
@@ -110,9 +110,9 @@ std::string in_words(const Scene& scene, std::size_t body, double time, std::spa
 // What no halving shows. Round-off grows with the steps; whatever a body does, each of them rounds the g h that gravity
 // adds and a support takes away, and the place x, which contacts and joints turn into a speed within one sub-step. Hops
 // slower than the engine's threshold for bouncing are missing, v^2/(2 g) high.
-class Floor {
+class ErrorFloor {
  public:
-  Floor(const Scene& scene, const Refinement& refinement, int halvings)
+  ErrorFloor(const Scene& scene, const Refinement& refinement, int halvings)
       : stepping_(engine().stepping(settings(), refinement.dt / std::ldexp(1.0, halvings))),
         gravity_(length(scene.gravity)),
         size_(smallest_body(scene)),
@@ -190,7 +190,7 @@ Converged::Converged(const Scene& scene, std::vector<double> times, const Refine
 
 void Converged::conclude(const Scene& scene, std::span<const std::vector<BodyState>> answers,
                          const Refinement& refinement) {
-  Floor floor(scene, refinement, halvings_);
+  ErrorFloor floor(scene, refinement, halvings_);
   const double size = smallest_body(scene);
   std::vector<Vec> sequence(answers.size());
   const auto limit = [&](std::size_t index, auto&& read) {
@@ -247,16 +247,14 @@ ConvergedTruth converged_truth(const Scene& scene, std::vector<double> times, co
   } catch (const std::domain_error& error) {
     refused = error.what();
   }
-  Contender& contender = truth.contender;
-  contender.name = "converged";
-  contender.about = "what our engine's answers tend to as its step is halved, where they agree";
-  contender.source = "this repository, reference/converged.h; L. F. Richardson (1911)";
-  contender.exact = true;
-  contender.stepping = [](const Settings&, double dt) {
-    return Stepping{.dt = dt, .impact_lag = 0, .epsilon = 0x1p-53};
-  };
-  contender.unsupported = [refused](const Scene&, const Settings&) { return refused; };
-  contender.build = [answer = truth.answer](const Scene&, const Settings&) -> std::unique_ptr<Simulation> {
+  Engine& engine = truth.engine;
+  engine.name = "converged";
+  engine.about = "what our engine's answers tend to as its step is halved, where they agree";
+  engine.source = "this repository, reference/converged.h; L. F. Richardson (1911)";
+  engine.exact = true;
+  engine.stepping = [](const Settings&, double dt) { return Stepping{.dt = dt, .impact_lag = 0, .epsilon = 0x1p-53}; };
+  engine.unsupported = [refused](const Scene&, const Settings&) { return refused; };
+  engine.build = [answer = truth.answer](const Scene&, const Settings&) -> std::unique_ptr<Simulation> {
     return std::make_unique<ClosedForm<Samples>>(Samples(answer));
   };
   return truth;

@@ -61,7 +61,7 @@ class Converged {
 
 /// The same as a truth that takes every closed form's road; read between its moments, it is linear.
 struct ConvergedTruth {
-  Contender contender;  // supports no scene that was refused, or of which nothing is known beyond the start
+  Engine engine;  // supports no scene that was refused, or of which nothing is known beyond the start
   std::shared_ptr<const Converged> answer;  // null where it was refused
 };
 ConvergedTruth converged_truth(const Scene&, std::vector<double> times, const Refinement&);

@@ -7,10 +7,10 @@
 namespace plumb {
 namespace {
 
-const Contender& ours() { return *Catalog<Contender>::find("impulse"); }
+const Engine& ours() { return *Catalog<Engine>::find("impulse"); }
 
-Contender contender_of(const std::string& name, BuildSimulation build) {
-  Contender made = ours();
+Engine engine_of(const std::string& name, BuildSimulation build) {
+  Engine made = ours();
   made.name = name;
   made.build = std::move(build);
   made.chooses = nullptr;
@@ -31,11 +31,9 @@ std::vector<Fault> all_faults() {
 
 Settings settings_of(const Fault& fault) { return complete(ours(), fault.method); }
 
-Contender right_one(const Fault& fault) {
-  return contender_of("impulse", fault.right == nullptr ? build_ours : fault.right);
-}
+Engine right_one(const Fault& fault) { return engine_of("impulse", fault.right == nullptr ? build_ours : fault.right); }
 
-Contender faulty_one(const Fault& fault) { return contender_of(fault.name, fault.build); }
+Engine faulty_one(const Fault& fault) { return engine_of(fault.name, fault.build); }
 
 std::unique_ptr<Simulation> build_ours(const Scene& scene, const Settings& settings) {
   return double_precision::impulse_engine().build(scene, settings);

@@ -27,9 +27,9 @@ std::vector<Fault> all_faults();
 /// The complete settings of the right method.
 Settings settings_of(const Fault&);
 
-/// Two contenders that differ in the fault alone; both state the errors of the right method.
-Contender right_one(const Fault&);
-Contender faulty_one(const Fault&);
+/// Two engines that differ in the fault alone; both state the errors of the right method.
+Engine right_one(const Fault&);
+Engine faulty_one(const Fault&);
 
 /// Joins the catalogue many at a time: what the engine brings.
 struct FaultSource {

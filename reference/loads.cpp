@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {

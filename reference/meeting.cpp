@@ -10,7 +10,7 @@
 
 #include "reference/exact/recognise.h"
 #include "reference/scene_facts.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {

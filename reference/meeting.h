@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 

@@ -6,7 +6,7 @@
 #include "reference/exact/recognise.h"
 #include "reference/meeting.h"
 #include "reference/scene_facts.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 /// Scenes without what a model leaves out: work that an engine does by body or by material, and only where it is asked
 /// for.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 /// What adapters ask of a scene before they build it.
 namespace plumb {

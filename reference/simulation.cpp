@@ -7,32 +7,30 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "scenarios/nearest.h"
+#include "scenarios/scene/nearest.h"
 
 namespace plumb {
 namespace {
 
-std::string place(const Contender& contender, const Option& option) {
-  return contender.name + ": option " + option.key + ": ";
-}
+std::string place(const Engine& engine, const Option& option) { return engine.name + ": option " + option.key + ": "; }
 
-void check_choice(const Contender& contender, const Option& option, const std::string& value) {
+void check_choice(const Engine& engine, const Option& option, const std::string& value) {
   std::vector<std::string> choices;
   for (const auto& [choice, about] : option.choices) {
     if (choice == value) return;
     choices.push_back(choice);
   }
-  throw std::invalid_argument(place(contender, option) + unknown("choice", value, choices));
+  throw std::invalid_argument(place(engine, option) + unknown("choice", value, choices));
 }
 
-void check_number(const Contender& contender, const Option& option, std::string_view value) {
+void check_number(const Engine& engine, const Option& option, std::string_view value) {
   double number = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
   const bool read = error == std::errc{} && end == value.data() + value.size();
   const bool fits = !option.whole || number == std::trunc(number);
   if (read && fits && number >= option.min && number <= option.max) return;
   std::ostringstream what;
-  what << place(contender, option) << '"' << value << "\" must be a " << (option.whole ? "whole number, " : "number, ")
+  what << place(engine, option) << '"' << value << "\" must be a " << (option.whole ? "whole number, " : "number, ")
        << option.min << " ... " << option.max;
   throw std::invalid_argument(what.str());
 }
@@ -41,23 +39,23 @@ void check_number(const Contender& contender, const Option& option, std::string_
 
 double Simulation::valid_until() const { return std::numeric_limits<double>::infinity(); }
 
-Settings complete(const Contender& contender, const Settings& given) {
+Settings complete(const Engine& engine, const Settings& given) {
   Settings values;
   std::vector<std::string> keys;
-  for (const Option& option : contender.options) {
+  for (const Option& option : engine.options) {
     values[option.key] = option.value;
     keys.push_back(option.key);
   }
   for (const auto& [key, value] : given) {
     const auto known = values.find(key);
-    if (known == values.end()) throw std::invalid_argument(contender.name + ": " + unknown("option", key, keys));
+    if (known == values.end()) throw std::invalid_argument(engine.name + ": " + unknown("option", key, keys));
     known->second = value;
   }
-  for (const Option& option : contender.options) {
+  for (const Option& option : engine.options) {
     if (option.choices.empty()) {
-      check_number(contender, option, values[option.key]);
+      check_number(engine, option, values[option.key]);
     } else {
-      check_choice(contender, option, values[option.key]);
+      check_choice(engine, option, values[option.key]);
     }
   }
   return values;

@@ -9,7 +9,7 @@
 
 #include "scenarios/catalog.h"
 #include "scenarios/scenario.h"
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 
@@ -20,7 +20,7 @@ struct BodyState {
   double angular_velocity = 0;
 };
 
-/// One contact point as the contender left it after its last step.
+/// One contact point as the engine left it after its last step.
 struct ContactState {
   std::size_t a = 0, b = 0;    // indices into Scene::bodies
   Vec point;                   // world frame
@@ -30,7 +30,7 @@ struct ContactState {
   double separation = 0;       // m, negative when they overlap
 };
 
-/// What every contender offers, engines and closed forms alike.
+/// What every engine offers, engines and closed forms alike.
 class Simulation {
  public:
   Simulation() = default;
@@ -39,13 +39,13 @@ class Simulation {
   virtual ~Simulation() = default;
 
   /// Advances by dt seconds. The only call that is ever timed. Throws std::domain_error, saying why, where it turns out
-  /// on the way that the scene is beyond the contender: that is *not supported*, not a failure.
+  /// on the way that the scene is beyond the engine: that is *not supported*, not a failure.
   virtual void step(double dt) = 0;
 
   /// Writes the state of every body, in Scene order. `out` is as long as Scene::bodies.
   virtual void read(std::span<BodyState> out) const = 0;
 
-  /// Appends the contacts of the last step. A contender that reveals none appends nothing.
+  /// Appends the contacts of the last step. A engine that reports none appends nothing.
   virtual void read_contacts(std::vector<ContactState>&) const {}
 
   /// Seconds from the start for which the answer holds; a closed form may end at its second impact. By default: for
@@ -53,7 +53,7 @@ class Simulation {
   virtual double valid_until() const;
 };
 
-/// A setting that a contender understands, for `--engine NAME:key=value`.
+/// A setting that a engine understands, for `--engine NAME:key=value`.
 struct Option {
   std::string key;
   std::string value;                                         // by default
@@ -66,14 +66,14 @@ struct Option {
 /// Values by option key; what is missing has its default.
 using Settings = std::map<std::string, std::string>;
 
-/// What a contender chose by itself for a scene.
+/// What a engine chose by itself for a scene.
 struct Choice {
   std::string option;
   std::string value;
   std::string reason;
 };
 
-/// A method of a contender, and the option by which it can be made to work harder.
+/// A method of a engine, and the option by which it can be made to work harder.
 struct WorkLadder {
   Settings method;                  // what tells it from the default
   std::string option;               // "" where there is none
@@ -81,7 +81,7 @@ struct WorkLadder {
 };
 
 /// Something that can answer a scene: our engine, a rival, a closed form.
-struct Contender {
+struct Engine {
   std::string name;
   std::string about;   // one line
   std::string source;  // where it comes from, with version; for a closed form the textbook
@@ -100,8 +100,8 @@ struct Contender {
   std::function<std::vector<Choice>(const Scene&, const Settings&)> chooses = nullptr;
 };
 
-/// The settings with every option present, in the contender's own words. Throws std::invalid_argument, naming the
+/// The settings with every option present, in the engine's own words. Throws std::invalid_argument, naming the
 /// nearest key or choice, for what it does not know.
-Settings complete(const Contender&, const Settings&);
+Settings complete(const Engine&, const Settings&);
 
 }  // namespace plumb

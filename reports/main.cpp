@@ -1,3 +1,3 @@
-#include "reports/program.h"
+#include "reports/cli/program.h"
 
 int main(int argc, char** argv) { return plumb::program({argv + 1, argv + argc}); }

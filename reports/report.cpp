@@ -42,8 +42,8 @@ const char* name_of(Standing standing) {
       return "held";
     case Standing::broken:
       return "broken";
-    case Standing::not_revealed:
-      return "not revealed";
+    case Standing::not_reported:
+      return "not reported";
   }
   return "";
 }
@@ -52,12 +52,12 @@ std::optional<double> times_allowed(const RunRecord& run) {
   std::optional<double> worst;
   const auto see = [&](double ratio) { worst = std::max(worst.value_or(0), ratio); };
   for (const TruthCheck& check : run.truth) {
-    if (!check.revealed) continue;
+    if (!check.reported) continue;
     const double ratio = check.error == 0 ? 0 : check.error / check.tolerance;
     see(std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity());
   }
   for (const InvariantCheck& check : run.invariants) {
-    if (check.standing != Standing::not_revealed) see(check.ratio);
+    if (check.standing != Standing::not_reported) see(check.ratio);
   }
   return worst;
 }

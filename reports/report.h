@@ -38,13 +38,13 @@ struct TruthCheck {
   Relation relation = Relation::equal;                          // of measured to expected
   double expected = 0, measured = 0, error = 0, tolerance = 0;  // error: by how much the relation is missed, >= 0
   bool passed = false;
-  bool revealed = true;  // false where the engine does not show what was asked for: neither passed nor failed
+  bool reported = true;  // false where the engine does not show what was asked for: neither passed nor failed
   std::string source;
   std::optional<Spread> spread = std::nullopt;  // over the phases, where there are several; the rest is of the worst
 };
 
-/// held: within what is allowed. not_revealed: the contender does not show what would tell; never a pass.
-enum class Standing { held, broken, not_revealed };
+/// held: within what is allowed. not_reported: the engine does not show what would tell; never a pass.
+enum class Standing { held, broken, not_reported };
 
 /// How an invariant fared over a run: where it was missed most, against what is allowed there.
 struct InvariantCheck {
@@ -75,7 +75,7 @@ struct RunRecord {
   std::shared_ptr<const Trace> trace;  // the same
 };
 
-/// One contender against another, or against the truth, over one scenario.
+/// One engine against another, or against the truth, over one scenario.
 struct Comparison {
   std::string scenario;
   std::string variant;
@@ -146,7 +146,7 @@ const char* name_of(Status);
 /// "right", "plausible", "wrong", "beyond horizon", "not supported", "failed".
 const char* name_of(Verdict);
 
-/// "held", "broken", "not revealed".
+/// "held", "broken", "not reported".
 const char* name_of(Standing);
 
 /// How many times what is allowed a run is off where it is worst, by truth or invariant; nothing where nothing judged

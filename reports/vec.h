@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 /// The algebra of the plane, for weighing what engines answered.
 namespace plumb {

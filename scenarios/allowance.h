@@ -5,7 +5,7 @@
 
 #include "scenarios/scenario.h"
 
-/// Parts of what an Expectation allows, each derived from how the contender says it steps.
+/// Parts of what an Expectation allows, each derived from how the engine says it steps.
 namespace plumb {
 
 /// After t seconds of stepping with numbers up to `size`: a step rounds a speed twice and a place twice, by half an

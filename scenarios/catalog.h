@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// All entries of one kind (scenarios, contenders, metrics, writers ...), each joined from its own file:
+/// All entries of one kind (scenarios, engines, metrics, writers ...), each joined from its own file:
 ///
 ///     const Catalog<Scenario>::Entry entry{bounce()};
 ///

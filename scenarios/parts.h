@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 /// Pieces that scenes are put together from.
 namespace plumb {

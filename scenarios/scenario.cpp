@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "scenarios/nearest.h"
+#include "scenarios/scene/nearest.h"
 
 namespace plumb {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scenarios/catalog.h"
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 
@@ -24,7 +24,7 @@ struct Parameter {
 /// Values by parameter name, complete: every parameter of the family has one.
 using Parameters = std::map<std::string, double>;
 
-/// What a contender states of how it steps: enough to predict its errors. Stated, never measured.
+/// What a engine states of how it steps: enough to predict its errors. Stated, never measured.
 struct Stepping {
   double dt = 0;  // s, of a call to step
   double h = 0;   // s, of one integration sub-step
@@ -84,12 +84,11 @@ struct Expectation {
   std::string other;  // load: of contacts with this body alone; "" for those with any
   Quantity quantity = Quantity::x;
   Relation relation = Relation::equal;
-  std::optional<double> time;      // s; nothing means the end
-  double over = 0;                 // s up to then that the reading is the mean of; 0: that moment's
-  int index = 0;                   // apex, landing: the how-manieth, from 1
-  std::optional<double> expected;  // nothing: what the scenario's closed form says at that time
-  std::function<double(const Stepping&)>
-      allowed;                                  // largest error, in the quantity's unit, from how the contender steps
+  std::optional<double> time;                      // s; nothing means the end
+  double over = 0;                                 // s up to then that the reading is the mean of; 0: that moment's
+  int index = 0;                                   // apex, landing: the how-manieth, from 1
+  std::optional<double> expected;                  // nothing: what the scenario's closed form says at that time
+  std::function<double(const Stepping&)> allowed;  // largest error, in the quantity's unit, from how the engine steps
   std::optional<double> within = std::nullopt;  // largest error whoever steps, round-off and all, instead of `allowed`
   std::string source;                           // the formula, and why that much is allowed
 };

@@ -36,7 +36,7 @@
 #include "reference/loads.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
@@ -387,7 +387,7 @@ std::string unsupported(const Scene& scene, const Settings&) {
   return "";
 }
 
-const Contender& self() { return *Catalog<Contender>::find("box2d"); }
+const Engine& self() { return *Catalog<Engine>::find("box2d"); }
 
 Stepping stepping(const Settings& given, double dt) {
   const Settings settings = complete(self(), given);
@@ -416,7 +416,7 @@ std::vector<std::pair<std::string, std::string>> on_or_off(const char* on, const
   return {{"on", on}, {"off", off}};
 }
 
-const Catalog<Contender>::Entry entry{{
+const Catalog<Engine>::Entry entry{{
     .name = "box2d",
     .about = "Box2D 2.4: sequential impulses, symplectic Euler, float",
     .source = "Box2D, Erin Catto, box2d.org; says it is " + version() + ", as 2.4.1 does too",

@@ -38,7 +38,7 @@
 #include "reference/loads.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
@@ -340,7 +340,7 @@ std::string unsupported(const Scene& scene, const Settings&) {
   return "";
 }
 
-const Contender& self() { return *Catalog<Contender>::find("box2d-v3"); }
+const Engine& self() { return *Catalog<Engine>::find("box2d-v3"); }
 
 // A force stays the same through n sub-steps: x' = x + v dt - (1 + 1/n)/2 k^2 x and v' dt = v dt - k^2 x, with k = w
 // dt, whose determinant 1 + k^2 (n - 1)/(2 n) is above 1 for n > 1: a spring gains energy, whatever the step.
@@ -371,7 +371,7 @@ std::vector<std::pair<std::string, std::string>> on_or_off(const char* on, const
   return {{"on", on}, {"off", off}};
 }
 
-const Catalog<Contender>::Entry entry{{
+const Catalog<Engine>::Entry entry{{
     .name = "box2d-v3",
     .about = "Box2D 3: soft contacts in sub-steps, float",
     .source = "Box2D " + version() + ", Erin Catto, box2d.org",

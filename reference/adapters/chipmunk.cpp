@@ -38,7 +38,7 @@
 #include "reference/loads.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
@@ -292,7 +292,7 @@ std::string unsupported(const Scene& scene, const Settings&) {
   return "";
 }
 
-const Contender& self() { return *Catalog<Contender>::find("chipmunk"); }
+const Engine& self() { return *Catalog<Engine>::find("chipmunk"); }
 
 Stepping stepping(const Settings& settings, double dt) {
   Stepping stated;
@@ -327,7 +327,7 @@ void hear_greeting() {
   close(nowhere);
 }
 
-Contender chipmunk() {
+Engine chipmunk() {
   hear_greeting();
   return {
       .name = "chipmunk",
@@ -351,7 +351,7 @@ Contender chipmunk() {
   };
 }
 
-const Catalog<Contender>::Entry entry{chipmunk};
+const Catalog<Engine>::Entry entry{chipmunk};
 
 }  // namespace
 }  // namespace plumb

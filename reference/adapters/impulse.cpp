@@ -14,7 +14,7 @@
 namespace plumb {
 namespace {
 
-const Contender& self() { return *Catalog<Contender>::find("impulse"); }
+const Engine& self() { return *Catalog<Engine>::find("impulse"); }
 
 ImpulseEngine in_precision_of(const Settings& settings) {
   return settings.at("precision") == "float" ? single_precision::impulse_engine() : double_precision::impulse_engine();
@@ -55,13 +55,13 @@ std::vector<Option> all_options() {
 
 // Every solver with what makes it work harder, sub-steps where it cuts the step up and iterations where it does not;
 // and every integrator, with contacts solved exactly, so that what is seen is its own error.
-std::vector<WorkLadder> ladders_of(const Contender& contender) {
+std::vector<WorkLadder> ladders_of(const Engine& engine) {
   const std::string integrated = "exact";  // which has nothing to work harder at
   const auto stepping_with = [&](const Settings& settings) {
-    return double_precision::impulse_engine().stepping(complete(contender, settings), 1);
+    return double_precision::impulse_engine().stepping(complete(engine, settings), 1);
   };
   std::vector<WorkLadder> ladders;
-  for (const Option& option : contender.options) {
+  for (const Option& option : engine.options) {
     for (const auto& [choice, about] : option.choices) {
       if (choice == "accurate-scalar") continue;  // the oracle of another, and no method of its own
       const Settings method = choice == option.value ? Settings{} : Settings{{option.key, choice}};
@@ -82,31 +82,31 @@ std::vector<WorkLadder> ladders_of(const Contender& contender) {
   return ladders;
 }
 
-Contender impulse() {
-  Contender contender;
-  contender.name = "impulse";
-  contender.about = "our own engine";
-  contender.source = "this repository, engine/";
-  contender.options = all_options();
-  contender.also = {{{"solver", "article"}}};
-  contender.ladders = ladders_of(contender);
-  contender.stepping = [](const Settings& given, double dt) {
+Engine impulse() {
+  Engine engine;
+  engine.name = "impulse";
+  engine.about = "our own engine";
+  engine.source = "this repository, engine/";
+  engine.options = all_options();
+  engine.also = {{{"solver", "article"}}};
+  engine.ladders = ladders_of(engine);
+  engine.stepping = [](const Settings& given, double dt) {
     const Settings settings = complete(self(), given);
     return in_precision_of(settings).stepping(settings, dt);
   };
-  contender.unsupported = [](const Scene& scene, const Settings& given) {
+  engine.unsupported = [](const Scene& scene, const Settings& given) {
     const Settings settings = chosen_for(scene, given);
     return in_precision_of(settings).unsupported(reduced(scene, settings), settings);
   };
-  contender.build = [](const Scene& scene, const Settings& given) {
+  engine.build = [](const Scene& scene, const Settings& given) {
     const Settings settings = chosen_for(scene, given);
     return slowed(in_precision_of(settings).build(reduced(scene, settings), settings));
   };
-  contender.chooses = choices_of;
-  return contender;
+  engine.chooses = choices_of;
+  return engine;
 }
 
-const Catalog<Contender>::Entry entry{impulse};
+const Catalog<Engine>::Entry entry{impulse};
 
 }  // namespace
 }  // namespace plumb

@@ -1,6 +1,6 @@
 // The faults inside our engine: it is built as always, with the faulty method's name where the right one's was.
 
-#include "engine/faults/fault.h"
+#include "reference/faults/engine/fault.h"
 
 #include "reference/fault.h"
 

@@ -87,7 +87,6 @@ impulse::Settings settings_of(const Settings& settings) {
   made.position_iterations = static_cast<int>(std::stod(settings.at("position-iterations")));
   made.substeps = static_cast<int>(std::stod(settings.at("substeps")));
   made.workers = static_cast<int>(std::stod(settings.at("workers")));
-  made.fused = settings.at("fused") == "on";
   made.contacts = settings.at("contacts") == "on";
   made.continuous = continuous_of(settings.at("continuous"));
   made.sleeping = settings.at("sleeping") == "on";
@@ -254,11 +253,6 @@ std::vector<Option> options() {
            .min = 1,
            .max = 256,
            .whole = true},
-          {.key = "fused",
-           .value = standard.fused ? "on" : "off",
-           .choices = {{"off", "each product and each sum is rounded"},
-                       {"on", "a product that is added to something is rounded with the sum, as std::fma has it"}},
-           .about = "arithmetic of piles under `accurate`; each of both gives its own bits, the same everywhere"},
           {.key = "sleeping",
            .value = standard.sleeping ? "on" : "off",
            .choices = {{"off", "every body is solved in every step: a sleeping stack has perfect energy"},

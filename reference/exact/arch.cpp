@@ -7,29 +7,33 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
 
 /// What must be true of the thrust through the first joint: k . (fx, fy, m) + c >= 0, m about the origin.
-struct Row {
+struct Inequality {
   std::array<double, 3> k{};
   double c = 0;
 
   double at(const std::array<double, 3>& x) const { return k[0] * x[0] + k[1] * x[1] + k[2] * x[2] + c; }
 };
 
-Row scaled(const Row& row, double by) { return {{by * row.k[0], by * row.k[1], by * row.k[2]}, by * row.c}; }
+Inequality scaled(const Inequality& row, double by) {
+  return {{by * row.k[0], by * row.k[1], by * row.k[2]}, by * row.c};
+}
 
-Row operator-(const Row& a, const Row& b) { return {{a.k[0] - b.k[0], a.k[1] - b.k[1], a.k[2] - b.k[2]}, a.c - b.c}; }
+Inequality operator-(const Inequality& a, const Inequality& b) {
+  return {{a.k[0] - b.k[0], a.k[1] - b.k[1], a.k[2] - b.k[2]}, a.c - b.c};
+}
 
 double determinant(const std::array<double, 3>& a, const std::array<double, 3>& b, const std::array<double, 3>& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
 // Where three rows are zero (Cramer); false for planes that do not meet in a point.
-bool meet(const Row& a, const Row& b, const Row& c, std::array<double, 3>& x) {
+bool meet(const Inequality& a, const Inequality& b, const Inequality& c, std::array<double, 3>& x) {
   const double whole = determinant(a.k, b.k, c.k);
   if (std::abs(whole) < 1e-12) return false;  // rows are of length 1
   for (std::size_t i = 0; i < 3; ++i) {
@@ -43,14 +47,15 @@ bool meet(const Row& a, const Row& b, const Row& c, std::array<double, 3>& x) {
 }
 
 // A set of half-spaces that holds no line is empty or has a corner: three of its planes meet where no row is broken.
-bool feasible(const std::vector<Row>& rows) {
+bool feasible(const std::vector<Inequality>& rows) {
   constexpr double rounding = 1e-9;  // of numbers about 1
   std::array<double, 3> x{};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       for (std::size_t l = 0; l < j; ++l) {
         if (!meet(rows[i], rows[j], rows[l], x)) continue;
-        if (std::all_of(rows.begin(), rows.end(), [&](const Row& row) { return row.at(x) >= -rounding; })) return true;
+        if (std::all_of(rows.begin(), rows.end(), [&](const Inequality& row) { return row.at(x) >= -rounding; }))
+          return true;
       }
     }
   }
@@ -70,8 +75,8 @@ bool Arch::stands() const {
   double size = 0;
   for (const Stone& stone : stones_) weight += length(stone.weight);
   for (const Bed& joint : joints_) size = std::max(size, length(joint.from - joints_.front().from));
-  std::vector<Row> rows;
-  const auto add = [&rows](const Row& row) {
+  std::vector<Inequality> rows;
+  const auto add = [&rows](const Inequality& row) {
     rows.push_back(scaled(row, 1 / std::hypot(row.k[0], row.k[1], row.k[2])));
   };
   Vec force;          // of the weights so far, in units of all
@@ -82,9 +87,9 @@ bool Arch::stands() const {
     const double extent = length(joint.to - joint.from) / size;
     const Vec t = (1 / (extent * size)) * (joint.to - joint.from);
     const Vec n = joint.forward;
-    const auto along = [&force](Vec d) { return Row{{d.x, d.y, 0}, dot(force, d)}; };
+    const auto along = [&force](Vec d) { return Inequality{{d.x, d.y, 0}, dot(force, d)}; };
     const double side = cross(t, n);
-    const Row about = scaled(Row{{p.y, -p.x, 1}, moment - cross(p, force)}, side);  // m - p x F
+    const Inequality about = scaled(Inequality{{p.y, -p.x, 1}, moment - cross(p, force)}, side);  // m - p x F
     add(about);
     add(scaled(along(n), extent) - about);
     add(scaled(along(n), friction_) - along(t));
@@ -121,7 +126,7 @@ std::optional<Bed> side(const std::vector<Vec>& of, Vec towards, There there) {
   return Bed{ends[0], ends[1], dot(normal, towards - ends[0]) < 0 ? -normal : normal};
 }
 
-Recognised<StandingArch> recognise(const Scene& scene) {
+Recognised<StandingArch> recognise_arch(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   if (scene.bodies.size() < 2) return "solves stones between abutments";
   const Body& ground = scene.bodies.front();
@@ -157,12 +162,12 @@ Recognised<StandingArch> recognise(const Scene& scene) {
   return StandingArch{start_of(scene)};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<StandingArch>(
+const Catalog<Engine>::Entry arch_entry{closed_form<StandingArch>(
     {.name = "arch",
      .about = "Stones of an arch at rest: some line of thrust stays within all joints",
      .source = "Heyman, The Stone Skeleton, Int. J. Solids Struct. 2 (1966); t/R >= 0.1075 for a semicircle: "
                "Milankovitch, Z. Math. Phys. 55 (1907)"},
-    recognise)};
+    recognise_arch)};
 
 }  // namespace
 }  // namespace plumb

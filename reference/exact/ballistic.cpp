@@ -21,7 +21,7 @@ bool may_meet(const Body& a, const Body& b) {
   return moves && (a.layers & b.layers) != 0 && !a.shapes.empty() && !b.shapes.empty();
 }
 
-Recognised<Ballistic> recognise(const Scene& scene) {
+Recognised<Ballistic> recognise_ballistic(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   std::vector<Vec> acceleration;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -33,11 +33,11 @@ Recognised<Ballistic> recognise(const Scene& scene) {
   return Ballistic(start_of(scene), std::move(acceleration));
 }
 
-const Catalog<Contender>::Entry entry{
+const Catalog<Engine>::Entry ballistic_entry{
     closed_form<Ballistic>({.name = "ballistic",
                             .about = "Free fall of bodies that meet nothing: r = r0 + v0 t + g t^2/2, angle = a0 + w t",
                             .source = "Galileo, Discorsi (1638), fourth day; Goldstein, Classical Mechanics, ch. 1"},
-                           recognise)};
+                           recognise_ballistic)};
 
 }  // namespace
 }  // namespace plumb

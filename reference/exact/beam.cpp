@@ -6,7 +6,7 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 
@@ -30,7 +30,7 @@ struct LyingBeam {
   }
 };
 
-Recognised<LyingBeam> recognise(const Scene& scene) {
+Recognised<LyingBeam> recognise_beam(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   std::optional<std::size_t> beam;
   std::vector<std::size_t> supports;
@@ -69,11 +69,11 @@ Recognised<LyingBeam> recognise(const Scene& scene) {
                    Beam(mass_of(body).mass * length(gravity), a, b)};
 }
 
-const Catalog<Contender>::Entry entry{
+const Catalog<Engine>::Entry beam_entry{
     closed_form<LyingBeam>({.name = "beam",
                             .about = "A beam on two supports: they carry m g b/(a + b) and m g a/(a + b)",
                             .source = "Archimedes, On the Equilibrium of Planes, I, 6"},
-                           recognise)};
+                           recognise_beam)};
 
 }  // namespace
 }  // namespace plumb

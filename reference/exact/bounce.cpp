@@ -72,7 +72,7 @@ struct BouncingDisc {
   }
 };
 
-Recognised<BouncingDisc> recognise(const Scene& scene) {
+Recognised<BouncingDisc> recognise_bounce(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   const std::optional<Pair> pair = one_on_ground(scene);
   if (!pair) return "solves one disc over fixed ground";
@@ -97,11 +97,11 @@ Recognised<BouncingDisc> recognise(const Scene& scene) {
                       Bounce(height, dot(start.velocity, floor->normal), g, mixed.restitution)};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<BouncingDisc>(
+const Catalog<Engine>::Entry bounce_entry{closed_form<BouncingDisc>(
     {.name = "bounce",
      .about = "A disc that bounces on a level floor: apex n = e^(2n) h, at rest after a finite time",
      .source = "Newton's law of restitution, Principia (1687), Scholium to the laws; geometric series of flights"},
-    recognise)};
+    recognise_bounce)};
 
 }  // namespace
 }  // namespace plumb

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -14,6 +15,9 @@
 
 /// The road that every closed form takes: recognise a scene, then evaluate.
 namespace plumb {
+
+/// s, when what does not happen happens.
+constexpr double never = std::numeric_limits<double>::infinity();
 
 /// What a closed form makes of a scene: the motion it can solve, or why it cannot.
 template <class Motion>
@@ -78,29 +82,28 @@ struct ClosedFormText {
 
 /// The catalog's entry of a closed form; `recognise` reads nothing but the scene.
 template <class Motion>
-Contender closed_form(ClosedFormText text, Recognised<Motion> (*recognise)(const Scene&)) {
-  Contender contender;
-  contender.name = std::move(text.name);
-  contender.about = std::move(text.about);
-  contender.source = std::move(text.source);
-  contender.exact = true;
-  contender.stepping = [](const Settings&, double dt) {
+Engine closed_form(ClosedFormText text, Recognised<Motion> (*recognise)(const Scene&)) {
+  Engine engine;
+  engine.name = std::move(text.name);
+  engine.about = std::move(text.about);
+  engine.source = std::move(text.source);
+  engine.exact = true;
+  engine.stepping = [](const Settings&, double dt) {
     return Stepping{.dt = dt, .h = 0, .impact_lag = 0, .epsilon = 0x1p-53};
   };
-  contender.unsupported = [recognise](const Scene& scene, const Settings&) -> std::string {
+  engine.unsupported = [recognise](const Scene& scene, const Settings&) -> std::string {
     const Recognised<Motion> answer = recognise(scene);
     const std::string* reason = std::get_if<std::string>(&answer);
     return reason ? *reason : "";
   };
-  contender.build = [recognise, name = contender.name](const Scene& scene,
-                                                       const Settings&) -> std::unique_ptr<Simulation> {
+  engine.build = [recognise, name = engine.name](const Scene& scene, const Settings&) -> std::unique_ptr<Simulation> {
     Recognised<Motion> answer = recognise(scene);
     if (const std::string* reason = std::get_if<std::string>(&answer)) {
       throw std::invalid_argument(name + " cannot run " + scene.name + ": " + *reason);
     }
     return std::make_unique<ClosedForm<Motion>>(std::get<Motion>(std::move(answer)));
   };
-  return contender;
+  return engine;
 }
 
 }  // namespace plumb

@@ -4,7 +4,7 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/impact_law.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 
@@ -66,7 +66,7 @@ struct ImpactingBody {
   double valid_until() const { return motion.valid_until(); }
 };
 
-Recognised<ImpactingBody> recognise(const Scene& scene) {
+Recognised<ImpactingBody> recognise_first_impact(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   const std::optional<Pair> pair = one_on_ground(scene);
   if (!pair) return "solves one body over fixed ground";
@@ -92,12 +92,12 @@ Recognised<ImpactingBody> recognise(const Scene& scene) {
   return ImpactingBody{start_of(scene), pair->body, std::get<FirstImpact>(motion)};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<ImpactingBody>(
+const Catalog<Engine>::Entry first_impact_entry{closed_form<ImpactingBody>(
     {.name = "first-impact",
      .about = "A body that flies, hits a plane with one corner, and flies on to its second contact",
      .source = "Newton's restitution with Coulomb's friction where all classical laws agree; Brach, Mechanical Impact "
                "Dynamics (1991); Stronge, Impact Mechanics (2000)"},
-    recognise)};
+    recognise_first_impact)};
 
 }  // namespace
 }  // namespace plumb

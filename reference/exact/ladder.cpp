@@ -6,7 +6,7 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 
@@ -150,7 +150,7 @@ std::optional<Vec> touching(const Polygon& polygon, const Body& body, const Floo
   return only;
 }
 
-Recognised<LeaningLadder> recognise(const Scene& scene) {
+Recognised<LeaningLadder> recognise_ladder(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   std::optional<std::size_t> ladder;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -197,12 +197,12 @@ Recognised<LeaningLadder> recognise(const Scene& scene) {
   return LeaningLadder{start_of(scene), *ladder, floor->body, wall->body, corner, out, up, half, mass.mass, motion};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<LeaningLadder>(
+const Catalog<Engine>::Entry ladder_entry{closed_form<LeaningLadder>(
     {.name = "ladder",
      .about = "A ladder on a smooth wall: stands iff tan a >= 1/(2 mu), else slides and leaves the wall",
      .source = "Statics and energy: e.g. Goldstein, Classical Mechanics, ch. 1 and 2; without friction it leaves at "
                "sin a = (2/3) sin a0"},
-    recognise)};
+    recognise_ladder)};
 
 }  // namespace
 }  // namespace plumb

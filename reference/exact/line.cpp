@@ -7,14 +7,13 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
 
 constexpr std::size_t most_impacts = 20000;  // past that they pile up (inelastic collapse)
 constexpr double at_once = 1e-12;            // s, within which impacts of one body cannot be put in order
-constexpr double never = std::numeric_limits<double>::infinity();
 
 using Particles = std::vector<Line::Particle>;
 
@@ -151,7 +150,7 @@ std::variant<std::vector<Found>, std::string> row_of(const Scene& scene) {
   return row;
 }
 
-Recognised<Row> recognise(const Scene& scene) {
+Recognised<Row> recognise_line(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   const auto found = row_of(scene);
   if (const std::string* reason = std::get_if<std::string>(&found)) return *reason;
@@ -184,11 +183,11 @@ Recognised<Row> recognise(const Scene& scene) {
   return Row{start_of(scene), bodies, {1, 0}, places, Line(particles, walls, restitution, scene.duration)};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<Row>(
+const Catalog<Engine>::Entry line_entry{closed_form<Row>(
     {.name = "line",
      .about = "Impacts along one line, two bodies at a time: v' = ((m1 - e m2) v1 + (1 + e) m2 v2)/(m1 + m2)",
      .source = "Newton's law of restitution; Galperin, Playing pool with pi (2003)"},
-    recognise)};
+    recognise_line)};
 
 }  // namespace
 }  // namespace plumb

@@ -63,7 +63,7 @@ struct Planet {
   }
 };
 
-Recognised<Planet> recognise(const Scene& scene) {
+Recognised<Planet> recognise_orbit(const Scene& scene) {
   const std::optional<Pair> pair = one_on_ground(scene);
   if (!scene.joints.empty() || !pair || scene.forces.size() != 1) return "solves one body about one fixed attractor";
   const Attraction* pull = std::get_if<Attraction>(&scene.forces.front());
@@ -81,11 +81,11 @@ Recognised<Planet> recognise(const Scene& scene) {
   return Planet{start, pair->body, pair->ground, Orbit(place, velocity, pull->strength)};
 }
 
-const Catalog<Contender>::Entry entry{
+const Catalog<Engine>::Entry orbit_entry{
     closed_form<Planet>({.name = "orbit",
                          .about = "A body on an ellipse about a fixed centre: T = 2 pi sqrt(a^3/k)",
                          .source = "Kepler, Newton; Battin, Mathematics and Methods of Astrodynamics, ch. 3 and 4"},
-                        recognise)};
+                        recognise_orbit)};
 
 }  // namespace
 }  // namespace plumb

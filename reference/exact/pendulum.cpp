@@ -6,7 +6,7 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
@@ -82,7 +82,7 @@ struct Hinged {
   }
 };
 
-Recognised<Hinged> recognise(const Scene& scene) {
+Recognised<Hinged> recognise_pendulum(const Scene& scene) {
   const std::optional<Pair> pair = one_on_ground(scene);
   if (!scene.forces.empty() || !pair || scene.joints.size() != 1) return "solves one body hinged to a fixed one";
   const Revolute* hinge = std::get_if<Revolute>(&scene.joints.front());
@@ -103,11 +103,11 @@ Recognised<Hinged> recognise(const Scene& scene) {
   return Hinged{start_of(scene), pair->body, hinge->anchor, arm, swing, Pendulum(swing, small)};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<Hinged>(
+const Catalog<Engine>::Entry pendulum_entry{closed_form<Hinged>(
     {.name = "pendulum",
      .about = "A hinged body let go at rest: sin(angle/2) = k cd(w t), T = 4 K(k)/w",
      .source = "Huygens, Legendre, Jacobi; Abramowitz & Stegun 16.4 and 17.6; Landau & Lifshitz, Mechanics, par. 11"},
-    recognise)};
+    recognise_pendulum)};
 
 }  // namespace
 }  // namespace plumb

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "reference/simulation.h"
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 /// Vectors of the plane, as the formulas are written.
 namespace plumb {

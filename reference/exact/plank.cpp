@@ -5,7 +5,7 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 
@@ -46,7 +46,7 @@ struct PulledPlank {
 
 bool at_rest(const Body& body) { return body.velocity == Vec{} && body.angular_velocity == 0; }
 
-Recognised<PulledPlank> recognise(const Scene& scene) {
+Recognised<PulledPlank> recognise_plank(const Scene& scene) {
   if (scene.bodies.size() != 3 || !scene.joints.empty()) return "solves a floor, a plank and a disc";
   std::optional<std::size_t> ground, plank, disc;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -100,12 +100,12 @@ Recognised<PulledPlank> recognise(const Scene& scene) {
   return PulledPlank{start_of(scene), *plank, *disc, along, force < 0 ? -1.0 : 1.0, motion, until};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<PulledPlank>(
+const Catalog<Engine>::Entry plank_entry{closed_form<PulledPlank>(
     {.name = "plank",
      .about = "A disc on a plank that is pulled: rolls with a third of the plank's F/(M + m/3), or slips",
      .source = "Newton and Euler for both, friction between them; e.g. Beer & Johnston, Vector Mechanics: Dynamics, "
                "ch. 16"},
-    recognise)};
+    recognise_plank)};
 
 }  // namespace
 }  // namespace plumb

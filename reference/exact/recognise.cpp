@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {

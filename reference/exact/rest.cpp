@@ -6,7 +6,7 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 
@@ -57,7 +57,7 @@ std::variant<std::vector<Storey>, std::string> storeys(const Scene& scene, std::
   return tower;
 }
 
-Recognised<Rest> recognise(const Scene& scene) {
+Recognised<Rest> recognise_rest(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   const auto fixed = std::find_if(scene.bodies.begin(), scene.bodies.end(),
                                   [](const Body& body) { return body.type == BodyType::fixed; });
@@ -94,11 +94,11 @@ Recognised<Rest> recognise(const Scene& scene) {
   return Rest(start_of(scene), std::move(bearings), floor->normal);
 }
 
-const Catalog<Contender>::Entry entry{closed_form<Rest>(
+const Catalog<Engine>::Entry rest_entry{closed_form<Rest>(
     {.name = "rest",
      .about = "A tower in equilibrium: nothing moves, each surface carries the weight above it",
      .source = "Statics of rigid bodies, e.g. Meriam & Kraige, Statics, ch. 3; lever rule (Archimedes)"},
-    recognise)};
+    recognise_rest)};
 
 }  // namespace
 }  // namespace plumb

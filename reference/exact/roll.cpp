@@ -6,7 +6,7 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 
@@ -55,7 +55,7 @@ struct RollingDisc {
   }
 };
 
-Recognised<RollingDisc> recognise(const Scene& scene) {
+Recognised<RollingDisc> recognise_roll(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   const std::optional<Pair> pair = one_on_ground(scene);
   if (!pair) return "solves one disc on fixed ground";
@@ -86,11 +86,11 @@ Recognised<RollingDisc> recognise(const Scene& scene) {
                            .dynamic_friction = mixed.dynamic_friction})};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<RollingDisc>(
+const Catalog<Engine>::Entry roll_entry{closed_form<RollingDisc>(
     {.name = "roll",
      .about = "A disc on a plane: slips until it rolls, rolls with (2/3) g sin a if mu >= tan(a)/3",
      .source = "Beer & Johnston, Vector Mechanics: Dynamics, ch. 16; Coriolis, Theorie du jeu de billard (1835)"},
-    recognise)};
+    recognise_roll)};
 
 }  // namespace
 }  // namespace plumb

@@ -11,8 +11,6 @@
 namespace plumb {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
-
 // From rest, Coulomb: no motion while |drive| <= mu_s load, else friction mu_d load against it.
 double from_rest(double drive, double load, double static_friction, double dynamic_friction) {
   if (std::abs(drive) <= static_friction * load) return 0;
@@ -78,7 +76,7 @@ struct SlidingBox {
   double valid_until() const { return until; }
 };
 
-Recognised<SlidingBox> recognise(const Scene& scene) {
+Recognised<SlidingBox> recognise_slide(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   const std::optional<OnFloor> found = one_on_floor(scene);
   if (!found) return "solves one box on a floor made of one half-space, or of boxes laid flush";
@@ -108,11 +106,11 @@ Recognised<SlidingBox> recognise(const Scene& scene) {
   return SlidingBox{start_of(scene), found->body, floor.along(), slide, until};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<SlidingBox>(
+const Catalog<Engine>::Entry slide_entry{closed_form<SlidingBox>(
     {.name = "slide",
      .about = "A box on a plane: sticks up to tan a = mu, else g (sin a - mu cos a); stops after v/(mu g) on the level",
      .source = "Coulomb, Theorie des machines simples (1785); Beer & Johnston, Vector Mechanics, ch. 8 and 12"},
-    recognise)};
+    recognise_slide)};
 
 }  // namespace
 }  // namespace plumb

@@ -4,7 +4,7 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 
@@ -44,7 +44,7 @@ struct SpringMass {
   }
 };
 
-Recognised<SpringMass> recognise(const Scene& scene) {
+Recognised<SpringMass> recognise_spring(const Scene& scene) {
   if (!scene.joints.empty() || scene.bodies.size() != 1 || scene.forces.size() != 1)
     return "solves one body on one spring";
   const Spring* spring = std::get_if<Spring>(&scene.forces.front());
@@ -68,11 +68,11 @@ Recognised<SpringMass> recognise(const Scene& scene) {
   return SpringMass{{start}, 0, spring->anchor_a, along, spring->length, oscillator};
 }
 
-const Catalog<Contender>::Entry entry{
+const Catalog<Engine>::Entry spring_entry{
     closed_form<SpringMass>({.name = "spring",
                              .about = "A mass on a spring: e^(-d t) (A cos w t + B sin w t)",
                              .source = "Hooke (1678); Landau & Lifshitz, Mechanics, par. 21 and 25"},
-                            recognise)};
+                            recognise_spring)};
 
 }  // namespace
 }  // namespace plumb

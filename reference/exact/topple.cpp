@@ -6,12 +6,11 @@
 
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double grain = 1e-3;  // s; what holds at one and fails at the next fails between them
 
 double frequency(const Topple::Case& c) { return std::sqrt(c.gravity * c.arm / (c.gyration + c.arm * c.arm)); }
@@ -83,7 +82,7 @@ struct TopplingBox {
   double valid_until() const { return topple.valid_until(); }
 };
 
-Recognised<TopplingBox> recognise(const Scene& scene) {
+Recognised<TopplingBox> recognise_topple(const Scene& scene) {
   if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
   const std::optional<Pair> pair = one_on_ground(scene);
   if (!pair) return "solves one box on fixed ground";
@@ -117,11 +116,11 @@ Recognised<TopplingBox> recognise(const Scene& scene) {
   return TopplingBox{start_of(scene), pair->body, start.position - arm, arm, drive < 0 ? 1.0 : -1.0, topple};
 }
 
-const Catalog<Contender>::Entry entry{closed_form<TopplingBox>(
+const Catalog<Engine>::Entry topple_entry{closed_form<TopplingBox>(
     {.name = "topple",
      .about = "A box on a rough slope: stands while tan a <= b/h, else turns about its lower edge",
      .source = "An upside-down pendulum until its edge slips: Landau & Lifshitz, Mechanics, par. 11; forces by Newton"},
-    recognise)};
+    recognise_topple)};
 
 }  // namespace
 }  // namespace plumb

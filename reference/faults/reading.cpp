@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "reference/fault.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {

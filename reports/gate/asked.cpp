@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reports/asked_cases.h"
-#include "reports/environment.h"
-#include "reports/progress_line.h"
+#include "reports/study/asked_cases.h"
+#include "reports/system/environment.h"
+#include "reports/system/progress_line.h"
 
 namespace plumb {
 namespace {
@@ -19,8 +19,8 @@ bool in_plan(const RunKey& key, const KeptRun& run, const Plan& plan) {
   const bool asked = std::any_of(plan.cases.begin(), plan.cases.end(), [&](const Case& one) {
     return one.scenario->name == key.scenario && one.variant == key.variant;
   });
-  const bool entered = run.exact || std::any_of(plan.entrants.begin(), plan.entrants.end(), [&](const Entrant& one) {
-                         return one.contender->name == key.engine && one.method() == key.method;
+  const bool entered = run.exact || std::any_of(plan.configs.begin(), plan.configs.end(), [&](const EngineConfig& one) {
+                         return one.engine->name == key.engine && one.method() == key.method;
                        });
   return asked && entered;
 }
@@ -39,8 +39,8 @@ void must_know_cases(const Baseline& baseline, const Plan& plan) {
 
 void must_know_engines(const Baseline& baseline, const Plan& plan) {
   const std::vector<std::string> known = engines_of(baseline);
-  for (const Entrant& one : plan.entrants) {
-    const std::string label = label_of(one.contender->name, one.method());
+  for (const EngineConfig& one : plan.configs) {
+    const std::string label = label_of(one.engine->name, one.method());
     if (std::find(known.begin(), known.end(), label) == known.end()) {
       throw std::invalid_argument(fmt::format("{} {}", label, cure));
     }
@@ -96,8 +96,8 @@ Baseline chosen(const Baseline& baseline, const GateAsked& asked, const Plan& pl
   Baseline some = baseline;
   std::erase_if(some.runs, [&](const auto& kept) { return !in_plan(kept.first, kept.second, plan); });
   std::erase_if(some.engines, [&](const auto& engine) {
-    return std::none_of(plan.entrants.begin(), plan.entrants.end(),
-                        [&](const Entrant& one) { return one.contender->name == engine.first; });
+    return std::none_of(plan.configs.begin(), plan.configs.end(),
+                        [&](const EngineConfig& one) { return one.engine->name == engine.first; });
   });
   return some;
 }

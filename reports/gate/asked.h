@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "reports/experiment.h"
 #include "reports/gate/baseline.h"
-#include "reports/jobs.h"
+#include "reports/run/experiment.h"
+#include "reports/system/jobs.h"
 
 namespace plumb {
 

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "reports/beyond.h"
+#include "reports/run/beyond.h"
 
 namespace plumb {
 namespace {
@@ -42,7 +42,7 @@ void put(std::map<std::string, KeptNumber>& numbers, const std::string& name, Ke
 }
 
 Standing standing_of(const TruthCheck& check) {
-  if (!check.revealed) return Standing::not_revealed;
+  if (!check.reported) return Standing::not_reported;
   return check.passed ? Standing::held : Standing::broken;
 }
 

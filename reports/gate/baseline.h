@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +12,9 @@
 
 /// What runs came to when somebody last looked and said: so it shall be.
 namespace plumb {
+
+/// By how much a number may move where no bound is known: any amount.
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Who was asked what.
 struct RunKey {

@@ -8,21 +8,20 @@
 #include <set>
 #include <stdexcept>
 
-#include "reports/files.h"
 #include "reports/gate/report_json.h"
 #include "reports/gate/words.h"
-#include "scenarios/json_parse.h"
-#include "scenarios/json_reader.h"
+#include "reports/system/files.h"
+#include "scenarios/scene/json_parse.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;  // grows when a reader of the old one would be misled
+constexpr int baseline_format = 1;  // grows when a reader of the old one would be misled
 constexpr std::size_t largest_file = std::size_t{64} << 20;
 constexpr const char* any = "any";
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A change of a bound in its third digit is no news.
 double rounded(double bound) { return bound == 0 ? 0 : std::stod(fmt::format("{:.1e}", bound)); }
@@ -95,7 +94,7 @@ void run_from(const JsonReader& from, Baseline& baseline) {
 
 Baseline baseline_from(const JsonReader& from) {
   from.must_have("plumb_baseline");
-  from["plumb_baseline"].number({format, format});
+  from["plumb_baseline"].number({baseline_format, baseline_format});
   from.object({"plumb_baseline", "dt", "all", "scenarios", "platform", "engines", "runs"});
   Baseline baseline{.dt = from["dt"].number({std::numeric_limits<double>::min(), 1, "s"}),
                     .all = from["all"].boolean(),
@@ -114,7 +113,7 @@ nlohmann::json parsed(const std::string& path) { return parse_json(read_text(pat
 
 std::string to_text(const Baseline& baseline) {
   std::string text = fmt::format("{{\n \"plumb_baseline\": {},\n \"dt\": {},\n \"all\": {},\n \"scenarios\": {},\n",
-                                 format, dumped(baseline.dt), baseline.all, dumped(baseline.words));
+                                 baseline_format, dumped(baseline.dt), baseline.all, dumped(baseline.words));
   text += fmt::format(" \"platform\": {},\n \"engines\": {},\n \"runs\": [", dumped(Json(baseline.platform)),
                       dumped(Json(baseline.engines)));
   const char* separator = "\n";

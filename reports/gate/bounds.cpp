@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "reports/examine.h"
 #include "reports/gate/rounding.h"
-#include "reports/jobs.h"
+#include "reports/run/examine.h"
+#include "reports/system/jobs.h"
 #include "reports/vec.h"
 #include "scenarios/perturbed.h"
 
@@ -37,7 +37,6 @@ double smallest_step(const Scene& scene, const Stepping& stepping) {
   return 8 * stepping.epsilon * farthest;
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 double variance(double value, const std::vector<const KeptNumber*>& others) {
@@ -92,7 +91,7 @@ class Witnessed {
  public:
   Witnessed(const Case& asked, double dt) {
     if (asked.closed_form == nullptr) return;
-    const Entrant closed_form{asked.closed_form, complete(*asked.closed_form, {})};
+    const EngineConfig closed_form{asked.closed_form, complete(*asked.closed_form, {})};
     const Outcome outcome = run(*asked.scene, closed_form, dt);
     if (outcome.status != Status::ok) return;
     truth_.emplace(*asked.closed_form, *asked.scene);
@@ -108,20 +107,20 @@ class Witnessed {
   Known known_;
 };
 
-void find_bounds(const Case& asked, const Entrant& entrant, double dt, KeptRun& kept_run) {
-  const Outcome itself = run(*asked.scene, entrant, dt);
+void find_bounds(const Case& asked, const EngineConfig& config, double dt, KeptRun& kept_run) {
+  const Outcome itself = run(*asked.scene, config, dt);
   if (!itself.trace || itself.status != Status::ok) return;
-  const Stepping stepping = entrant.contender->stepping(entrant.settings, dt);
+  const Stepping stepping = config.engine->stepping(config.settings, dt);
   const Rounding rounding(*asked.scene, *itself.trace, stepping);
   std::vector<KeptRun> others;
   // A closed form is evaluated, not stepped: nothing grows in it.
-  if (!entrant.contender->exact) {
+  if (!config.engine->exact) {
     const Witnessed witnessed(asked, dt);
     const double size = smallest_step(*asked.scene, stepping);
     for (int seed = 1; seed <= neighbours; ++seed) {
       Case next = asked;
       next.scene = std::make_shared<const Scene>(perturbed(*asked.scene, size, static_cast<std::uint64_t>(seed)));
-      others.push_back(kept(examine(next, entrant, dt, run(*next.scene, entrant, dt), witnessed.known())));
+      others.push_back(kept(examine(next, config, dt, run(*next.scene, config, dt), witnessed.known())));
     }
   }
   set_bounds(kept_run, others, rounding, dt);
@@ -132,17 +131,17 @@ void find_bounds(const Case& asked, const Entrant& entrant, double dt, KeptRun& 
 void find_bounds(const Plan& plan, Baseline& baseline, const Progress& progress) {
   struct Job {
     const Case* asked;
-    Entrant entrant;
+    EngineConfig config;
     KeptRun* run;
   };
   std::vector<Job> todo;
   for (const Case& asked : plan.cases) {
-    std::vector<Entrant> entrants = plan.entrants;
-    if (asked.closed_form != nullptr) entrants.push_back({asked.closed_form, complete(*asked.closed_form, {})});
-    for (const Entrant& entrant : entrants) {
+    std::vector<EngineConfig> configs = plan.configs;
+    if (asked.closed_form != nullptr) configs.push_back({asked.closed_form, complete(*asked.closed_form, {})});
+    for (const EngineConfig& config : configs) {
       const auto found =
-          baseline.runs.find({asked.scenario->name, asked.variant, entrant.contender->name, entrant.method()});
-      if (found != baseline.runs.end()) todo.push_back({&asked, entrant, &found->second});
+          baseline.runs.find({asked.scenario->name, asked.variant, config.engine->name, config.method()});
+      if (found != baseline.runs.end()) todo.push_back({&asked, config, &found->second});
     }
   }
   std::mutex telling;
@@ -152,10 +151,10 @@ void find_bounds(const Plan& plan, Baseline& baseline, const Progress& progress)
     {
       const std::lock_guard alone(telling);
       progress(fmt::format("{} {}: starts next to that of {}", job.asked->scenario->name, job.asked->variant,
-                           job.entrant.contender->name),
+                           job.config.engine->name),
                done++, todo.size());
     }
-    find_bounds(*job.asked, job.entrant, plan.dt, *job.run);
+    find_bounds(*job.asked, job.config, plan.dt, *job.run);
   });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "reports/experiment.h"
 #include "reports/gate/baseline.h"
+#include "reports/run/experiment.h"
 
 /// How far a number may lie off on another platform.
 namespace plumb {

@@ -7,13 +7,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reports/metric.h"
+#include "reports/judge/metric.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // What may be believed the less the higher it stands. What cannot be told to its end is as plausible as another run of
 // it would be; to refuse is honest, to be wrong is not.
@@ -38,7 +36,7 @@ int rank(Standing standing) {
   switch (standing) {
     case Standing::held:
       return 0;
-    case Standing::not_revealed:
+    case Standing::not_reported:
       return 1;
     case Standing::broken:
       return 2;

@@ -5,10 +5,10 @@
 namespace plumb {
 namespace {
 
-constexpr int format = 1;  // see writers/json.cpp
+constexpr int report_format = 1;  // see writers/json.cpp
 
 TruthCheck check_from(const JsonReader& from) {
-  for (const char* key : {"body", "quantity", "unit", "time", "error", "tolerance", "passed", "revealed"})
+  for (const char* key : {"body", "quantity", "unit", "time", "error", "tolerance", "passed", "reported"})
     from.must_have(key);
   return {.body = any_text(from["body"]),
           .quantity = any_text(from["quantity"]),
@@ -17,7 +17,7 @@ TruthCheck check_from(const JsonReader& from) {
           .error = number_or_null(from["error"]),
           .tolerance = number_or_null(from["tolerance"]),
           .passed = from["passed"].boolean(),
-          .revealed = from["revealed"].boolean()};
+          .reported = from["reported"].boolean()};
 }
 
 InvariantCheck invariant_from(const JsonReader& from) {
@@ -55,7 +55,7 @@ RunRecord run_from(const JsonReader& from) {
 
 Report report_from(const JsonReader& from) {
   for (const char* key : {"plumb", "environment", "engines", "runs"}) from.must_have(key);
-  from["plumb"].number({format, format});
+  from["plumb"].number({report_format, report_format});
   Report report{.environment = texts_from(from["environment"])};
   const JsonReader engines = from["engines"];
   for (std::size_t i = 0; i < engines.list(); ++i) {

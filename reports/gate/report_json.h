@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/report.h"
-#include "scenarios/json_reader.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/energy_range.h"
+#include "reports/judge/energy_range.h"
 #include "reports/vec.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 

@@ -39,7 +39,7 @@ Verdict verdict_from(const JsonReader& from) {
 }
 
 Standing standing_from(const JsonReader& from) {
-  constexpr std::array all{Standing::held, Standing::broken, Standing::not_revealed};
+  constexpr std::array all{Standing::held, Standing::broken, Standing::not_reported};
   static const auto words = words_of(all);
   return from.one_of<Standing>(words);
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "reports/report.h"
-#include "scenarios/json_reader.h"
+#include "scenarios/scene/json_reader.h"
 
 /// What baselines and reports have in common as files. All throw std::invalid_argument, naming the place.
 namespace plumb {

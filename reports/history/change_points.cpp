@@ -12,8 +12,8 @@
 namespace plumb {
 namespace {
 
-constexpr int orders = 499;       // the smallest p is 1/500
-constexpr std::size_t least = 3;  // values on each side; of fewer, nothing can be said of how they scatter
+constexpr int orders = 499;              // the smallest p is 1/500
+constexpr std::size_t least_values = 3;  // values on each side; of fewer, nothing can be said of how they scatter
 
 struct Split {
   std::size_t at = 0;
@@ -29,7 +29,7 @@ struct Split {
 Split best_split(std::span<const double> x) {
   const std::size_t size = x.size();
   Split best;
-  if (size < 2 * least) return best;
+  if (size < 2 * least_values) return best;
   std::vector<double> sums((size + 1) * (size + 1));
   const auto within = [&](std::size_t from, std::size_t to) -> double& { return sums[from * (size + 1) + to]; };
   for (std::size_t to = 1; to < size; ++to) {
@@ -39,8 +39,8 @@ Split best_split(std::span<const double> x) {
       within(from, to + 1) = within(from, to) + of_last;
     }
   }
-  for (std::size_t at = least; at + least <= size; ++at) {
-    for (std::size_t end = at + least; end <= size; ++end) {
+  for (std::size_t at = least_values; at + least_values <= size; ++at) {
+    for (std::size_t end = at + least_values; end <= size; ++end) {
       const auto m = static_cast<double>(at), n = static_cast<double>(end - at);
       const double first = within(0, at), second = within(at, end);
       const double between = within(0, end) - first - second;

@@ -9,7 +9,7 @@
 
 #include "reports/gate/words.h"
 #include "reports/history/snapshot.h"
-#include "scenarios/json_parse.h"
+#include "scenarios/scene/json_parse.h"
 
 namespace plumb {
 namespace {
@@ -32,18 +32,18 @@ std::optional<double> share_of_allowed(const JsonReader& run) {
   const auto see = [&](double share) {
     if (!worst || (!std::isnan(*worst) && !(share <= *worst))) worst = share;
   };
-  for_each_entry(run["truth"], {"revealed", "error", "tolerance"}, [&](const JsonReader& check) {
+  for_each_entry(run["truth"], {"reported", "error", "tolerance"}, [&](const JsonReader& check) {
     const double error = number_or_null(check["error"]);
-    if (check["revealed"].boolean()) see(error == 0 ? 0 : error / number_or_null(check["tolerance"]));
+    if (check["reported"].boolean()) see(error == 0 ? 0 : error / number_or_null(check["tolerance"]));
   });
   for_each_entry(run["invariants"], {"standing", "ratio"}, [&](const JsonReader& law) {
-    if (standing_from(law["standing"]) != Standing::not_revealed) see(number_or_null(law["ratio"]));
+    if (standing_from(law["standing"]) != Standing::not_reported) see(number_or_null(law["ratio"]));
   });
   if (worst && !std::isfinite(*worst)) worst = std::numeric_limits<double>::quiet_NaN();
   return worst;
 }
 
-Answered answered_of(const JsonReader& run) {
+Answered answered_in_report(const JsonReader& run) {
   Answered answered{.verdict = name_of(verdict_from(run["verdict"]))};
   for_each_member(run["metrics"], [&](const std::string& name, const JsonReader& metric) {
     metric.object({"value", "unit"});
@@ -80,9 +80,9 @@ Snapshot snapshot_of_report(const std::string& text, const std::string& name) {
                  {"scenario", "variant", "engine", "method", "dt", "verdict", "metrics", "truth", "invariants"},
                  [&](const JsonReader& run) {
                    const Place place = place_of(run);
-                   const auto& [scenario, variant, contender] = place;
-                   const Subject subject{scenario, variant, contender, run["dt"].number({0, 1, "s"})};
-                   const auto [found, added] = snapshot.answers.emplace(subject, answered_of(run));
+                   const auto& [scenario, variant, engine] = place;
+                   const Subject subject{scenario, variant, engine, run["dt"].number({0, 1, "s"})};
+                   const auto [found, added] = snapshot.answers.emplace(subject, answered_in_report(run));
                    if (!added) run.refuse("is there twice");
                    timed[place] = &found->second;
                  });

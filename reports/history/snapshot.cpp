@@ -8,22 +8,22 @@
 #include "reports/gate/words.h"
 #include "reports/history/moment.h"
 #include "reports/history/sha256.h"
-#include "scenarios/json_parse.h"
+#include "scenarios/scene/json_parse.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;  // of a line; grows when a reader of the old one would be misled
+constexpr int line_format = 1;  // of a line; grows when a reader of the old one would be misled
 
 // A negative zero is a zero, in a database as well.
 double plain(double value) { return value + 0.0; }
 
 Json json_of(const Subject& subject, const Answered& answered) {
-  Json json{{"scenario", subject.scenario},   {"variant", subject.variant},
-            {"contender", subject.contender}, {"dt", subject.dt},
-            {"verdict", answered.verdict},    {"metrics", Json::object()}};
+  Json json{{"scenario", subject.scenario}, {"variant", subject.variant},
+            {"contender", subject.engine},  {"dt", subject.dt},
+            {"verdict", answered.verdict},  {"metrics", Json::object()}};
   for (const auto& [name, measured] : answered.metrics) {
     json["metrics"][name] = {plain(measured.value), measured.unit};
   }
@@ -59,7 +59,7 @@ Answered answered_of(const JsonReader& from) {
 }  // namespace
 
 std::string to_line(const Snapshot& snapshot) {
-  Json json{{"plumb_history", format},
+  Json json{{"plumb_history", line_format},
             {"commit", snapshot.commit},
             {"at", snapshot.at},
             {"command", snapshot.command},
@@ -74,7 +74,7 @@ Snapshot snapshot_of_line(const std::string& line, const std::string& name) {
   const nlohmann::json json = parse_json(line, name);
   const JsonReader whole(json, name);
   whole.must_have("plumb_history");
-  whole["plumb_history"].number({format, format});
+  whole["plumb_history"].number({line_format, line_format});
   whole.object({"plumb_history", "commit", "at", "command", "environment", "answers"});
   Snapshot snapshot{.commit = any_text(whole["commit"]),
                     .at = any_text(whole["at"]),

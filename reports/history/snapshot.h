@@ -16,8 +16,8 @@ class JsonReader;
 /// Who answered what.
 struct Subject {
   std::string scenario, variant;
-  std::string contender;  // see label_of
-  double dt = 0;          // s
+  std::string engine;  // see label_of
+  double dt = 0;       // s
 
   auto operator<=>(const Subject&) const = default;
 };

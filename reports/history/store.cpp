@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "reports/gate/words.h"
-#include "scenarios/json_parse.h"
+#include "scenarios/scene/json_parse.h"
 
 namespace plumb {
 namespace {
@@ -48,7 +48,7 @@ bool History::add(const Snapshot& snapshot) {
   Statement add_verdict = database_.ask("INSERT INTO verdicts (subject, snapshot, verdict) VALUES (?, ?, ?)");
   Statement add_timed = database_.ask("INSERT INTO verdicts VALUES (?, ?, ?, ?, ?, ?, ?)");
   for (const auto& [who, answered] : snapshot.answers) {
-    const auto subject = number_of(add_subject, find_subject, who.scenario, who.variant, who.contender, who.dt);
+    const auto subject = number_of(add_subject, find_subject, who.scenario, who.variant, who.engine, who.dt);
     if (const auto& time = answered.time) {
       add_timed.with(subject, number, answered.verdict, time->median, time->low, time->high, time->repetitions).next();
     } else {

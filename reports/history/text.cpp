@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t widest = 60;  // columns of a course; older values are left out
 
 std::string name_of(const Subject& subject) {
-  return fmt::format("{} {}, {}, dt {:.4g}", subject.scenario, subject.variant, subject.contender, subject.dt);
+  return fmt::format("{} {}, {}, dt {:.4g}", subject.scenario, subject.variant, subject.engine, subject.dt);
 }
 
 std::string name_of(const Series& series) { return name_of(series.subject) + ": " + series.metric; }

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;  // of the page's data
+constexpr int page_format = 1;  // of the page's data
 
 // What a time hangs on beside the code.
 std::string machine_of(const SnapshotHead& head) {
@@ -29,10 +29,8 @@ Trend trend_of(Series series, std::string machine) {
 }
 
 Json json_of(const Subject& subject) {
-  return {{"scenario", subject.scenario},
-          {"variant", subject.variant},
-          {"contender", subject.contender},
-          {"dt", subject.dt}};
+  return {
+      {"scenario", subject.scenario}, {"variant", subject.variant}, {"contender", subject.engine}, {"dt", subject.dt}};
 }
 
 // A point of a study's document.
@@ -117,7 +115,7 @@ Json history_document(const History& history) {
     }
   }
   for (const VerdictChange& change : verdict_changes(history.verdicts())) verdicts.push_back(json_of(change));
-  return {{"plumb", format},
+  return {{"plumb", page_format},
           {"study", "history"},
           {"about", "What reports said from commit to commit, and where it changed"},
           {"configuration", {{"level", change_level}}},

@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "reports/phases.h"
-#include "reports/truth.h"
+#include "reports/judge/truth.h"
+#include "reports/run/phases.h"
 
 namespace plumb {
 namespace {
@@ -60,19 +60,19 @@ Alarm alarm_of(const Case& asked, Means means, std::string metric) {
 
 }  // namespace
 
-Examined examine_twice(const Case& asked, const Entrant& entrant, double dt) {
+Examined examine_twice(const Case& asked, const EngineConfig& config, double dt) {
   const Scene& scene = *asked.scene;
-  const Outcome outcome = run(scene, entrant, dt, asked.first_step);
+  const Outcome outcome = run(scene, config, dt, asked.first_step);
   Examined examined{.status = outcome.status, .reason = outcome.reason};
   if (outcome.trace) examined.bits = bits_of(*outcome.trace);
   if (outcome.status != Status::ok) return examined;
-  const Outcome again = run(scene, entrant, dt, asked.first_step);
+  const Outcome again = run(scene, config, dt, asked.first_step);
   examined.same_twice = again.trace && bits_of(*again.trace) == examined.bits;
   std::optional<Truth> truth;
   if (asked.closed_form != nullptr && asked.closed_form->unsupported(scene, complete(*asked.closed_form, {})).empty()) {
     truth.emplace(*asked.closed_form, scene);
   }
-  examined.judgement = judge_case(asked, entrant, dt, *outcome.trace, truth ? &*truth : nullptr);
+  examined.judgement = judge_case(asked, config, dt, *outcome.trace, truth ? &*truth : nullptr);
   return examined;
 }
 
@@ -100,7 +100,7 @@ std::vector<Alarm> physics_alarms(const Case& asked, const Examined& right, cons
   }
   const auto& checks = suspect.judgement.checks;
   for (std::size_t i = 0; i < checks.size(); ++i) {
-    if (!right.judgement.checks[i].passed || checks[i].passed || !checks[i].revealed) continue;
+    if (!right.judgement.checks[i].passed || checks[i].passed || !checks[i].reported) continue;
     Alarm off = alarm_of(asked, Means::truth,
                          checks[i].body.empty() ? checks[i].quantity : checks[i].body + " " + checks[i].quantity);
     off.unit = checks[i].unit;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/run.h"
-#include "reports/verdict.h"
+#include "reports/judge/verdict.h"
+#include "reports/run/run.h"
 
 namespace plumb {
 
@@ -19,7 +19,7 @@ struct Examined {
 };
 
 /// Runs a case twice, and in all its phases, and judges it by its truths and invariants.
-Examined examine_twice(const Case&, const Entrant&, double dt);
+Examined examine_twice(const Case&, const EngineConfig&, double dt);
 
 /// How a fault shows. The first three need nothing to be held against; the last says only that something changed.
 enum class Means { truth, invariant, repeat, bits };

@@ -5,9 +5,9 @@
 #include <mutex>
 #include <set>
 
-#include "reports/cli.h"
-#include "reports/jobs.h"
 #include "reports/prove/variation.h"
+#include "reports/run/selection.h"
+#include "reports/system/jobs.h"
 
 namespace plumb {
 namespace {
@@ -43,14 +43,14 @@ class RightOnes {
  public:
   explicit RightOnes(const std::vector<Fault>& faults) {
     for (const Fault& fault : faults) {
-      if (number_.emplace(key_of(fault), contenders_.size()).second) {
-        contenders_.push_back(right_one(fault));
+      if (number_.emplace(key_of(fault), engines_.size()).second) {
+        engines_.push_back(right_one(fault));
         settings_.push_back(settings_of(fault));
       }
     }
   }
-  std::size_t size() const { return contenders_.size(); }
-  Entrant entrant(std::size_t i) const { return {&contenders_[i], settings_[i]}; }
+  std::size_t size() const { return engines_.size(); }
+  EngineConfig config(std::size_t i) const { return {&engines_[i], settings_[i]}; }
   std::size_t number_of(const Fault& fault) const { return number_.at(key_of(fault)); }
 
  private:
@@ -61,7 +61,7 @@ class RightOnes {
     return key;
   }
   std::map<std::string, std::size_t> number_;
-  std::vector<Contender> contenders_;
+  std::vector<Engine> engines_;
   std::vector<Settings> settings_;
 };
 
@@ -108,10 +108,10 @@ std::vector<Proof> prove(const std::vector<Fault>& faults, const std::vector<Cas
   do_all(known.size(), jobs, [&](std::size_t i) {
     const Case& asked = cases[i % cases.size()];
     counter.begin(label_of(asked));
-    known[i] = examine_twice(asked, right.entrant(i / cases.size()), dt);
+    known[i] = examine_twice(asked, right.config(i / cases.size()), dt);
   });
 
-  std::vector<Contender> faulty;
+  std::vector<Engine> faulty;
   for (const Fault& fault : faults) faulty.push_back(faulty_one(fault));
   std::vector<std::vector<Alarm>> found(faults.size() * cases.size());
   do_all(found.size(), jobs, [&](std::size_t i) {
@@ -158,8 +158,8 @@ std::vector<std::string> fewest_scenarios(const std::vector<Proof>& proofs) {
 
 std::vector<CleanRun> clean_runs(int count, const std::vector<Case>& cases, double dt, int jobs,
                                  const ProveProgress& progress) {
-  const Contender& ours = *Catalog<Contender>::find("impulse");
-  const Entrant usual{&ours, complete(ours, {})};
+  const Engine& ours = *Catalog<Engine>::find("impulse");
+  const EngineConfig usual{&ours, complete(ours, {})};
   const auto runs = static_cast<std::size_t>(count);
   Counter counter(progress, (runs + 1) * cases.size());
   std::vector<Examined> known(cases.size());

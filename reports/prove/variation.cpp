@@ -14,13 +14,11 @@ Variation variation_of(std::uint64_t seed) {
   constexpr std::array broad_phases{"auto", "brute", "grid", "tree"};
   constexpr std::array workers{"1", "2", "3", "4"};
   constexpr std::array lanes{"accurate", "accurate-scalar"};
-  constexpr std::array fused{"off", "on"};
   return {.seed = seed,
           .settings = {{"precision", one_of(precisions)},
                        {"broad-phase", one_of(broad_phases)},
                        {"workers", one_of(workers)},
-                       {"solver", one_of(lanes)},
-                       {"fused", one_of(fused)}}};
+                       {"solver", one_of(lanes)}}};
 }
 
 Case Variation::of(const Case& asked) const {

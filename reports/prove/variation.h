@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "reports/run.h"
+#include "reports/run/run.h"
 
 namespace plumb {
 

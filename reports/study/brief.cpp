@@ -4,9 +4,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "reports/environment.h"
 #include "reports/study/document.h"
 #include "reports/study/runner.h"
+#include "reports/system/environment.h"
 
 namespace plumb {
 namespace {

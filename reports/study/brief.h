@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "reports/study.h"
+#include "reports/study/study.h"
 
 namespace plumb {
 

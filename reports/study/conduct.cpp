@@ -8,14 +8,14 @@
 #include <optional>
 #include <stdexcept>
 
-#include "reports/environment.h"
-#include "reports/output.h"
-#include "reports/progress_line.h"
 #include "reports/study/document.h"
-#include "reports/study/interrupt.h"
 #include "reports/study/results_file.h"
 #include "reports/study/runner.h"
 #include "reports/study/shard.h"
+#include "reports/system/environment.h"
+#include "reports/system/interrupt.h"
+#include "reports/system/progress_line.h"
+#include "reports/writers/output.h"
 
 namespace plumb {
 namespace {
@@ -62,9 +62,9 @@ std::string duration_of(double seconds) {
   return s < 6000 ? fmt::format("{} min {} s", s / 60, s % 60) : fmt::format("{} h {} min", s / 3600, s / 60 % 60);
 }
 
-class Progress {
+class ProgressTable {
  public:
-  Progress(std::size_t known, std::size_t all) : known_(known), done_(known), all_(all) { show(""); }
+  ProgressTable(std::size_t known, std::size_t all) : known_(known), done_(known), all_(all) { show(""); }
 
   void add(std::span<const PointResult> results) {
     done_ += results.size();
@@ -148,7 +148,7 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
   bool complete = false;
   {
     const Interrupt interrupt;
-    Progress progress(known.size(), head.points);
+    ProgressTable progress(known.size(), head.points);
     const std::vector<std::span<const Point>> units(left.begin(), left.end());
     complete = execute(units, how, [&](std::span<const PointResult> results) {
       file.add(results);

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "reports/jobs.h"
-#include "reports/study.h"
+#include "reports/study/study.h"
+#include "reports/system/jobs.h"
 
 namespace plumb {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/csv.h"
+#include "reports/system/csv.h"
 #include "reports/writers/html.h"
 #include "reports/writers/page.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;  // grows when a reader of the old one would be misled
+constexpr int document_format = 1;  // grows when a reader of the old one would be misled
 
 void add_new(std::vector<std::string>& names, const Json& object) {
   for (const auto& [name, value] : object.items()) {
@@ -48,7 +48,7 @@ Json document_of(const Study& study, const ResultsHead& head, const std::vector<
   }
   Json timings = found.timings;
   timings["points"] = std::move(times);
-  return {{"plumb", format},
+  return {{"plumb", document_format},
           {"study", study.name},
           {"about", study.about},
           {"configuration", head.configuration},

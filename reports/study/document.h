@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "reports/output.h"
-#include "reports/study.h"
 #include "reports/study/results_file.h"
+#include "reports/study/study.h"
+#include "reports/writers/output.h"
 
 namespace plumb {
 

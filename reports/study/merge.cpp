@@ -8,7 +8,7 @@
 
 #include "reports/study/runner.h"
 #include "scenarios/catalog.h"
-#include "scenarios/nearest.h"
+#include "scenarios/scene/nearest.h"
 
 namespace plumb {
 namespace {

@@ -31,7 +31,7 @@ const char* name_of(Ending asked) {
 }
 
 std::string to_line(const PointResult& result) {
-  // What a contender says need not be UTF-8.
+  // What a engine says need not be UTF-8.
   return Json{{"key", result.key},
               {"ending", name_of(result.ending)},
               {"reason", result.reason},

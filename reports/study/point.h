@@ -12,7 +12,7 @@ struct Row {
   nlohmann::ordered_json times = nlohmann::ordered_json::object();   // what hangs on the clock
 };
 
-/// One thing to find out. It is found out in a child process of its own, so that nothing a contender does, crash or
+/// One thing to find out. It is found out in a child process of its own, so that nothing a engine does, crash or
 /// hang, ends more than this point.
 struct Point {
   std::string key;           // unique in its study, and the same wherever that is run: "speed|bounce/e=0.8|box2d|..."

@@ -30,25 +30,23 @@ bool locks(int file) {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;  // of a results file
+constexpr int results_format = 1;  // of a results file
 
 // These tell where points were found out, and not what.
 const std::set<std::string> of_the_place{"system", "processor", "processors"};
 
 Json json_of(const ResultsHead& head) {
-  return {{"plumb_study", format},
-          {"study", head.study},
-          {"configuration", head.configuration},
-          {"plan", head.plan},
-          {"shard", head.shard.name()},
-          {"points", head.points},
+  return {{"plumb_study", results_format},        {"study", head.study},
+          {"configuration", head.configuration},  {"plan", head.plan},
+          {"shard", head.shard.name()},           {"points", head.points},
           {"environment", Json(head.environment)}};
 }
 
 ResultsHead head_of(const std::string& line) {
   const Json json = Json::parse(line);
-  if (json.at("plumb_study") != format) {
-    throw std::invalid_argument(fmt::format("is of format {}, not {}", json.at("plumb_study").dump(), format));
+  if (json.at("plumb_study") != results_format) {
+    throw std::invalid_argument(
+        fmt::format("is of results_format {}, not {}", json.at("plumb_study").dump(), results_format));
   }
   return {.study = json.at("study"),
           .configuration = json.at("configuration"),

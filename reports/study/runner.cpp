@@ -16,7 +16,7 @@ using Children = std::vector<std::unique_ptr<Child>>;
 // than `wide` of the median, more are asked for, and the point is marked if that does not help.
 constexpr std::size_t fewest = 5;
 constexpr std::size_t fewest_of_slow = 3;
-constexpr std::size_t most = 15;
+constexpr std::size_t most_repetitions = 15;
 constexpr double slow = 0.1;    // s of turns of one point, after which few will do
 constexpr double costly = 1.5;  // s, after which a wide one is left as it is
 constexpr double wide = 0.1;
@@ -37,7 +37,7 @@ bool wants_turn(const Child& child) {
   const std::span<const double> times = counted(child);
   if (times.size() < fewest_of_slow) return true;
   if (times.size() < fewest && child.spent_on_turns() < slow) return true;
-  return times.size() < most && child.spent_on_turns() < costly && is_wide(spread(times));
+  return times.size() < most_repetitions && child.spent_on_turns() < costly && is_wide(spread(times));
 }
 
 PointResult result_of(const Child& child) {

@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-constexpr int most = 100000;
+constexpr int most_shards = 100000;
 
 std::optional<int> whole_number(std::string_view text) {
   int number = 0;
@@ -26,7 +26,7 @@ Shard parse_shard(std::string_view text) {
   if (bar != std::string_view::npos) {
     const auto k = whole_number(text.substr(0, bar));
     const auto n = whole_number(text.substr(bar + 1));
-    if (k && n && *k >= 1 && *k <= *n && *n <= most) return {*k, *n};
+    if (k && n && *k >= 1 && *k <= *n && *n <= most_shards) return {*k, *n};
   }
   throw std::invalid_argument(fmt::format("--shard: \"{}\" should read k/n with 1 <= k <= n, as 1/4", text));
 }

@@ -8,8 +8,8 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t width = 100;  // columns
-constexpr std::size_t shown = 3;    // failed checks of a run; the files have them all
+constexpr std::size_t console_width = 100;  // columns
+constexpr std::size_t most_failures = 3;    // failed checks of a run; the files have them all
 
 const char* colour_of(Verdict verdict) {
   switch (verdict) {
@@ -37,9 +37,9 @@ std::string cut(const std::string& text, std::size_t columns) {
   return text.size() <= columns ? text : text.substr(0, columns - 3) + "...";
 }
 
-// Words in lines of at most `width`, each indented; a word that is too long for a line is broken.
+// Words in lines of at most `console_width`, each indented; a word that is too long for a line is broken.
 std::string wrapped(const std::string& text, std::size_t indent) {
-  const std::size_t room = width - indent;
+  const std::size_t room = console_width - indent;
   std::istringstream words(text);
   std::string lines;
   std::string line;
@@ -74,11 +74,11 @@ std::string step_cost(const Report& report, const RunRecord& run) {
 }
 
 std::string passed(const RunRecord& run) {
-  const auto revealed =
-      std::count_if(run.truth.begin(), run.truth.end(), [](const auto& check) { return check.revealed; });
-  if (revealed == 0) return "-";
+  const auto reported =
+      std::count_if(run.truth.begin(), run.truth.end(), [](const auto& check) { return check.reported; });
+  if (reported == 0) return "-";
   const auto count = std::count_if(run.truth.begin(), run.truth.end(), [](const auto& check) { return check.passed; });
-  return fmt::format("{}/{}", count, revealed);
+  return fmt::format("{}/{}", count, reported);
 }
 
 // Times what is allowed.
@@ -97,7 +97,7 @@ std::string table_row(const std::string& engine, const std::string& verdict, con
 std::string in_words(const TruthCheck& check) {
   const std::string of = check.body.empty() ? "" : " of " + check.body;
   const std::string what = fmt::format("{}{} at {:.4g} s: ", check.quantity, of, check.time);
-  if (!check.revealed) return what + "not revealed";
+  if (!check.reported) return what + "not reported";
   const std::string side = check.relation == Relation::equal ? "" : name_of(check.relation) + std::string(" ");
   const std::string phases = !check.spread ? ""
                                            : fmt::format(" (worst of {} phases; off by {:.2g} ... {:.2g})",
@@ -126,9 +126,9 @@ std::string row(const Report& report, const RunRecord& run, bool colour) {
   if (!run.reason.empty()) text += wrapped(run.reason, 8);
   std::size_t failed = 0;
   for (const TruthCheck& check : run.truth) {
-    if (!check.passed && ++failed <= shown) text += wrapped(in_words(check), 8);
+    if (!check.passed && ++failed <= most_failures) text += wrapped(in_words(check), 8);
   }
-  if (failed > shown) text += wrapped(fmt::format("and {} more", failed - shown), 8);
+  if (failed > most_failures) text += wrapped(fmt::format("and {} more", failed - most_failures), 8);
   for (const InvariantCheck& check : run.invariants) {
     if (check.standing == Standing::broken) text += wrapped(in_words(check), 8);
   }

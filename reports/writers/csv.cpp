@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "reports/csv.h"
-#include "reports/writer.h"
+#include "reports/system/csv.h"
+#include "reports/writers/writer.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -28,12 +28,12 @@ std::string table(const Report& report) {
           fmt::format("{},truth,{},{},{},{},{},{},{},{},{}\n", begin, csv_field(check.quantity), csv_field(check.body),
                       csv_field(check.time), csv_field(check.measured), csv_field(check.unit),
                       csv_field(check.expected), csv_field(check.error), csv_field(check.tolerance),
-                      !check.revealed ? "not revealed"
+                      !check.reported ? "not reported"
                       : check.passed  ? "yes"
                                       : "no");
     }
     for (const InvariantCheck& check : run.invariants) {
-      const bool shown = check.standing != Standing::not_revealed;
+      const bool shown = check.standing != Standing::not_reported;
       text += fmt::format("{},invariant,{},{},{},{},{},,,{},{}\n", begin, csv_field(check.name), csv_field(check.where),
                           csv_field(check.time), shown ? csv_field(check.value) : "", csv_field(check.unit),
                           shown ? csv_field(check.allowed) : "",
@@ -45,7 +45,7 @@ std::string table(const Report& report) {
   return text;
 }
 
-const Catalog<Writer>::Entry entry{
+const Catalog<Writer>::Entry csv_entry{
     {.name = "csv", .file = "report.csv", .text = [](const Report& report, std::string&) -> std::optional<std::string> {
        return table(report);
      }}};

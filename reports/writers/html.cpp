@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "reports/conserved.h"
-#include "reports/writer.h"
+#include "reports/judge/conserved.h"
 #include "reports/writers/json.h"
 #include "reports/writers/page.h"
 #include "reports/writers/replay.h"
+#include "reports/writers/writer.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -50,7 +50,7 @@ Json series_of(const Course& course, std::size_t most) {
   return series;
 }
 
-const Catalog<Writer>::Entry entry{
+const Catalog<Writer>::Entry html_entry{
     {.name = "html", .file = "index.html", .text = [](const Report& report, std::string& why_not) {
        return fill_page(page_template(), report, why_not);
      }}};

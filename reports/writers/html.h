@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "reports/report.h"
-#include "reports/writers/course.h"
+#include "reports/timing/course.h"
 
 namespace plumb {
 

@@ -1,6 +1,6 @@
 #include "reports/writers/json.h"
 
-#include "reports/writer.h"
+#include "reports/writers/writer.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -40,7 +40,7 @@ Json of(const TruthCheck& check) {
           {"error", check.error},
           {"tolerance", check.tolerance},
           {"passed", check.passed},
-          {"revealed", check.revealed},
+          {"reported", check.reported},
           {"phases", phases_of(check)},
           {"source", check.source}};
 }
@@ -126,11 +126,11 @@ Json of(const InvariantNote& note) {
 
 const auto as_json = [](const auto& item) { return of(item); };
 
-const Catalog<Writer>::Entry entry{{.name = "json",
-                                    .file = "report.json",
-                                    .text = [](const Report& report, std::string&) -> std::optional<std::string> {
-                                      return to_json(report).dump(1) + "\n";
-                                    }}};
+const Catalog<Writer>::Entry json_entry{{.name = "json",
+                                         .file = "report.json",
+                                         .text = [](const Report& report, std::string&) -> std::optional<std::string> {
+                                           return to_json(report).dump(1) + "\n";
+                                         }}};
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "reports/writers/course.h"
+#include "reports/timing/course.h"
 
 /// What the page replays: the bodies' outlines, and what each run did with them, quantised and packed.
 namespace plumb {

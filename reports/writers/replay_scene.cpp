@@ -6,10 +6,10 @@
 #include <tuple>
 #include <variant>
 
-#include "reports/conserved.h"
-#include "reports/outline.h"
+#include "reports/judge/conserved.h"
+#include "reports/judge/outline.h"
 #include "reports/vec.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {

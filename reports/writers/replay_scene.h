@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 

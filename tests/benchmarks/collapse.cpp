@@ -1,4 +1,4 @@
-#include "tests/benchmarks/collapse.h"
+#include "collapse.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <variant>
 
-#include "reports/overlap.h"
+#include "reports/judge/overlap.h"
 #include "reports/vec.h"
 
 namespace plumb::benchmarks {

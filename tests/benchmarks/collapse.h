@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
+#include "course.h"
 #include "reference/simulation.h"
-#include "tests/benchmarks/course.h"
 
 namespace plumb::benchmarks {
 

@@ -1,12 +1,12 @@
-#include "tests/benchmarks/collapse.h"
+#include "collapse.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "reports/conserved.h"
+#include "courses/pyramid.h"
+#include "reports/judge/conserved.h"
 #include "scenarios/parts.h"
-#include "tests/benchmarks/courses/pyramid.h"
 
 namespace plumb::benchmarks {
 namespace {

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "tests/benchmarks/figures.h"
-#include "tests/benchmarks/race.h"
+#include "figures.h"
+#include "race.h"
 
 namespace plumb::benchmarks {
 
 /// One scene's race, ready to be written.
 struct Contest {
   struct Row {
-    std::string contender;
+    std::string engine;
     Finish finish;
     Figures figures;
   };
@@ -25,11 +25,11 @@ struct Contest {
   std::vector<Row> rows;
 };
 
-/// For people: a line for each contender.
+/// For people: a line for each engine.
 std::string table(const Contest&);
 
 /// In the shape of Google Benchmark's JSON, which its tools compare: every round, and the median over rounds as an
-/// aggregate; times in us a step. A contender without a result has `error_occurred` and `error_message`.
+/// aggregate; times in us a step. A engine without a result has `error_occurred` and `error_message`.
 std::string google_json(const std::vector<Contest>&);
 
 }  // namespace plumb::benchmarks

@@ -1,4 +1,4 @@
-#include "tests/benchmarks/contest.h"
+#include "contest.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ Contest small() {
   Contest contest{.scene = "heap", .about = "of things", .window = {5, 15}, .rounds = 2, .against = "slow"};
   const auto enter = [&](const char* name, const std::vector<Lap>& laps) {
     Contest::Row& row = contest.rows.emplace_back();
-    row.contender = name;
+    row.engine = name;
     row.finish.laps = laps;
     row.finish.overlap = {0.004, 0.05};
     row.figures = figures(laps, slow, 10, Basis::cpu);

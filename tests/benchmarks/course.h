@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "scenarios/catalog.h"
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
-/// What a step costs each contender, on scenes that engines are commonly timed on.
+/// What a step costs each engine, on scenes that engines are commonly timed on.
 namespace plumb::benchmarks {
 
 /// Steps `from` ... `to` - 1 of a run, counted from its start.

@@ -1,12 +1,12 @@
-#include "tests/benchmarks/course.h"
+#include "course.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "reports/conserved.h"
-#include "tests/benchmarks/collapse.h"
+#include "collapse.h"
+#include "reports/judge/conserved.h"
 
 namespace plumb::benchmarks {
 namespace {

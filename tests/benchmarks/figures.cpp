@@ -1,4 +1,4 @@
-#include "tests/benchmarks/figures.h"
+#include "figures.h"
 
 #include <algorithm>
 #include <cmath>

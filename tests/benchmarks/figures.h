@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "race.h"
 #include "reports/statistics.h"
-#include "tests/benchmarks/race.h"
 
 namespace plumb::benchmarks {
 

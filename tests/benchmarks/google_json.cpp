@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "reports/writers/google_benchmark.h"
-#include "tests/benchmarks/contest.h"
+#include "contest.h"
+#include "reports/timing/google_benchmark.h"
 
 namespace plumb::benchmarks {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 using google_benchmark::Json;
 
 Json entry(const Contest& contest, const Contest::Row& row, const char* type) {
-  return google_benchmark::entry(contest.scene + "/" + row.contender, type, contest.rounds, contest.threads,
+  return google_benchmark::entry(contest.scene + "/" + row.engine, type, contest.rounds, contest.threads,
                                  static_cast<std::size_t>(contest.window.steps()));
 }
 

@@ -7,17 +7,17 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "reports/cli.h"
-#include "reports/files.h"
-#include "scenarios/nearest.h"
-#include "tests/benchmarks/contest.h"
+#include "contest.h"
+#include "reports/run/selection.h"
+#include "reports/system/files.h"
+#include "scenarios/scene/nearest.h"
 
 namespace plumb::benchmarks {
 namespace {
 
 struct Asked {
   std::vector<std::string> scenes;
-  std::vector<std::string> contenders;
+  std::vector<std::string> engines;
   std::string against;
   std::string window;
   std::string json;
@@ -27,47 +27,47 @@ struct Asked {
   bool settled = false, moving = false, list = false;
 };
 
-// "workers" is what contenders call their number of threads.
-bool takes_threads(const Contender& contender) {
-  return std::any_of(contender.options.begin(), contender.options.end(),
+// "workers" is what engines call their number of threads.
+bool takes_threads(const Engine& engine) {
+  return std::any_of(engine.options.begin(), engine.options.end(),
                      [](const Option& option) { return option.key == "workers"; });
 }
 
-std::string label(const Entrant& entrant) {
-  const std::string method = entrant.method();
-  return method.empty() ? entrant.contender->name : entrant.contender->name + ":" + method;
+std::string label(const EngineConfig& config) {
+  const std::string method = config.method();
+  return method.empty() ? config.engine->name : config.engine->name + ":" + method;
 }
 
 // Every engine with its defaults, in float where it can choose, as games run it.
-std::vector<std::string> usual_contenders() {
+std::vector<std::string> usual_engines() {
   std::vector<std::string> words;
-  for (const Entrant& entrant : default_entrants()) {
-    const Contender& contender = *entrant.contender;
-    if (!entrant.method().empty()) continue;
-    const bool chooses = entrant.settings.contains("precision");
-    words.push_back(contender.name + (chooses ? ":precision=float" : ""));
+  for (const EngineConfig& config : default_engines()) {
+    const Engine& engine = *config.engine;
+    if (!config.method().empty()) continue;
+    const bool chooses = config.settings.contains("precision");
+    words.push_back(engine.name + (chooses ? ":precision=float" : ""));
   }
   return words;
 }
 
 struct Named {
   std::string name;
-  Entrant entrant;
+  EngineConfig config;
 };
 
-std::vector<Named> contenders(const Asked& asked) {
+std::vector<Named> engines(const Asked& asked) {
   std::vector<Named> all;
-  for (const std::string& word : asked.contenders.empty() ? usual_contenders() : asked.contenders) {
-    Entrant entrant = parse_entrant(word);
-    std::string name = label(entrant);
+  for (const std::string& word : asked.engines.empty() ? usual_engines() : asked.engines) {
+    EngineConfig config = parse_engine(word);
+    std::string name = label(config);
     if (asked.threads > 1) {
-      if (!takes_threads(*entrant.contender)) {
-        fmt::print(stderr, "{} has one thread: left out\n", entrant.contender->name);
+      if (!takes_threads(*config.engine)) {
+        fmt::print(stderr, "{} has one thread: left out\n", config.engine->name);
         continue;
       }
-      entrant.settings["workers"] = std::to_string(asked.threads);
+      config.settings["workers"] = std::to_string(asked.threads);
     }
-    all.push_back({std::move(name), std::move(entrant)});
+    all.push_back({std::move(name), std::move(config)});
   }
   return all;
 }
@@ -76,16 +76,16 @@ std::vector<Named> contenders(const Asked& asked) {
 std::size_t reference_of(const std::vector<Named>& all, const std::string& against) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].name == against || all[i].entrant.contender->name == against) return i;
+    if (all[i].name == against || all[i].config.engine->name == against) return i;
     names.push_back(all[i].name);
   }
-  throw std::invalid_argument("--against: " + unknown("contender", against, names));
+  throw std::invalid_argument("--against: " + unknown("engine", against, names));
 }
 
 std::string usual_reference(const std::vector<Named>& all) {
   for (const char* const name : {"box2d-v3", "box2d"}) {
     for (const Named& one : all) {
-      if (one.entrant.contender->name == name) return name;
+      if (one.config.engine->name == name) return name;
     }
   }
   return all.front().name;
@@ -128,10 +128,10 @@ std::vector<std::pair<std::string, Window>> windows(const Course& course, const 
 
 Contest contest_of(const std::string& scene, const Course& course, const Start& start, Window window,
                    const std::vector<Named>& all, const Asked& asked) {
-  std::vector<Entrant> entrants;
-  entrants.reserve(all.size());
-  for (const Named& one : all) entrants.push_back(one.entrant);
-  const std::vector<Finish> finishes = race(start, window, entrants, asked.rounds, asked.patience);
+  std::vector<EngineConfig> configs;
+  configs.reserve(all.size());
+  for (const Named& one : all) configs.push_back(one.config);
+  const std::vector<Finish> finishes = race(start, window, configs, asked.rounds, asked.patience);
   Contest contest{.scene = scene,
                   .about = course.about,
                   .window = window,
@@ -159,7 +159,7 @@ NewFile written(const std::string& path, const std::string& text) {
 
 void carry_out(Asked asked) {
   if (asked.list) return list();
-  const std::vector<Named> all = contenders(asked);
+  const std::vector<Named> all = engines(asked);
   if (all.empty()) throw std::invalid_argument("nobody is left to be timed");
   if (asked.against.empty()) asked.against = usual_reference(all);
   reference_of(all, asked.against);
@@ -183,17 +183,17 @@ int program(int argc, char** argv) {
   Asked asked;
   CLI::App app{"What a step costs on scenes that engines are commonly timed on. Sleeping is off, a step is 1/60 s."};
   app.add_option("--scenes", asked.scenes, "Which; all by default (see --list)")->type_name("NAME");
-  app.add_option("--contenders", asked.contenders, "NAME or NAME:key=value,...; every engine in float by default")
+  app.add_option("--engines", asked.engines, "NAME or NAME:key=value,...; every engine in float by default")
       ->type_name("NAME");
   app.add_option("--against", asked.against, "Whose time the others' are told against; box2d-v3 where it is there")
       ->type_name("NAME");
   app.add_option("--rounds", asked.rounds, "From how many the medians are")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--threads", asked.threads, "Of those contenders that can have several")
+  app.add_option("--threads", asked.threads, "Of those engines that can have several")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  app.add_option("--patience", asked.patience, "After how many seconds over a round's steps a contender drops out")
+  app.add_option("--patience", asked.patience, "After how many seconds over a round's steps a engine drops out")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("--settled", asked.settled, "Only what has come to rest");

@@ -1,4 +1,4 @@
-#include "tests/benchmarks/race.h"
+#include "race.h"
 
 #include <fmt/format.h>
 
@@ -10,12 +10,12 @@
 #include <memory>
 #include <stdexcept>
 
-#include "reports/readout.h"
+#include "reports/run/readout.h"
 
 namespace plumb::benchmarks {
 namespace {
 
-constexpr int turns = 10;  // of each contender in a window
+constexpr int turns = 10;  // of each engine in a window
 
 double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -27,9 +27,9 @@ double cpu_now() {
 
 class Runner {
  public:
-  Runner(const Start& start, const Entrant& entrant, double patience)
-      : start_(start), entrant_(entrant), patience_(patience) {
-    finish_.no_result = entrant.contender->unsupported(start.scene, entrant.settings);
+  Runner(const Start& start, const EngineConfig& config, double patience)
+      : start_(start), config_(config), patience_(patience) {
+    finish_.no_result = config.engine->unsupported(start.scene, config.settings);
   }
 
   /// Does it, unless there is no result already; whatever it throws is why there is none.
@@ -45,7 +45,7 @@ class Runner {
 
   void begin(int steps_before) {
     attempt([&] {
-      simulation_ = entrant_.contender->build(start_.scene, entrant_.settings);
+      simulation_ = config_.engine->build(start_.scene, config_.settings);
       spent_ = 0;
       for (int i = 0; i < steps_before; ++i) {
         const double wall = wall_now();
@@ -87,7 +87,7 @@ class Runner {
     if (spent_ > patience_) throw std::runtime_error(fmt::format("takes more than {:g} s a round", patience_));
   }
 
-  // Most contenders repeat themselves to the bit; then so does the verdict.
+  // Most engines repeat themselves to the bit; then so does the verdict.
   void judge() {
     Readout readout(start_.scene);
     const std::span<const BodyState> states = readout.states(*simulation_);
@@ -102,7 +102,7 @@ class Runner {
   }
 
   const Start& start_;
-  const Entrant& entrant_;
+  const EngineConfig& config_;
   Finish finish_;
   std::unique_ptr<Simulation> simulation_;
   std::vector<BodyState> judged_;
@@ -113,11 +113,11 @@ class Runner {
 
 }  // namespace
 
-std::vector<Finish> race(const Start& start, Window window, std::span<const Entrant> entrants, int rounds,
+std::vector<Finish> race(const Start& start, Window window, std::span<const EngineConfig> configs, int rounds,
                          double patience) {
   std::vector<Runner> runners;
-  runners.reserve(entrants.size());
-  for (const Entrant& entrant : entrants) runners.emplace_back(start, entrant, patience);
+  runners.reserve(configs.size());
+  for (const EngineConfig& config : configs) runners.emplace_back(start, config, patience);
 
   for (int round = 0; round < rounds; ++round) {
     for (Runner& runner : runners) runner.begin(window.from);

@@ -1,4 +1,4 @@
-#include "tests/benchmarks/race.h"
+#include "race.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reports/conserved.h"
+#include "reports/judge/conserved.h"
 #include "scenarios/parts.h"
 
 namespace plumb::benchmarks {
@@ -42,7 +42,7 @@ class Stepper : public Simulation {
   int breaks_at_, made_ = 0;
 };
 
-Contender stepper(char name, Log& log, int breaks_at = -1) {
+Engine stepper(char name, Log& log, int breaks_at = -1) {
   return {.name = std::string(1, name),
           .unsupported = [](const Scene& scene,
                             const Settings&) { return std::string(scene.joints.empty() ? "" : "knows no joints"); },
@@ -58,9 +58,9 @@ Start one_disc() {
 
 TEST(Race, LetsAllTakeTurnsInAnOrderThatMovesOn) {
   Log log;
-  const Contender a = stepper('a', log);
-  const Contender b = stepper('b', log);
-  const std::vector<Finish> finishes = race(one_disc(), {5, 25}, std::vector<Entrant>{{&a, {}}, {&b, {}}}, 2, 60);
+  const Engine a = stepper('a', log);
+  const Engine b = stepper('b', log);
+  const std::vector<Finish> finishes = race(one_disc(), {5, 25}, std::vector<EngineConfig>{{&a, {}}, {&b, {}}}, 2, 60);
   EXPECT_EQ(log.steps, 2 * 2 * 25);
   // Before the window one after the other; in it ab, ba, ab ...; the second round begins with b.
   EXPECT_EQ(log.turns.substr(0, 8), "abababab");
@@ -70,18 +70,18 @@ TEST(Race, LetsAllTakeTurnsInAnOrderThatMovesOn) {
 
 TEST(Race, MakesEveryStepOfAWindowThatTenDoesNotDivide) {
   Log log;
-  const Contender a = stepper('a', log);
-  race(one_disc(), {0, 7}, std::vector<Entrant>{{&a, {}}}, 1, 60);
+  const Engine a = stepper('a', log);
+  race(one_disc(), {0, 7}, std::vector<EngineConfig>{{&a, {}}}, 1, 60);
   EXPECT_EQ(log.steps, 7);
 }
 
 TEST(Race, GivesNoTimeToWhoBreaksOffOrLosesTheScene) {
   Log log;
-  const Contender sound = stepper('a', log);
-  const Contender breaks = stepper('b', log, 3);
-  const Contender loses = stepper('x', log);
+  const Engine sound = stepper('a', log);
+  const Engine breaks = stepper('b', log, 3);
+  const Engine loses = stepper('x', log);
   const std::vector<Finish> finishes =
-      race(one_disc(), {0, 10}, std::vector<Entrant>{{&sound, {}}, {&breaks, {}}, {&loses, {}}}, 2, 60);
+      race(one_disc(), {0, 10}, std::vector<EngineConfig>{{&sound, {}}, {&breaks, {}}, {&loses, {}}}, 2, 60);
   EXPECT_EQ(finishes[0].no_result, "");
   EXPECT_EQ(finishes[1].no_result, "too much for it");
   EXPECT_EQ(finishes[2].no_result, "body 0 is nowhere");
@@ -91,8 +91,8 @@ TEST(Race, GivesNoTimeToWhoBreaksOffOrLosesTheScene) {
 
 TEST(Race, LosesPatience) {
   Log log;
-  const Contender a = stepper('a', log);
-  const std::vector<Finish> finishes = race(one_disc(), {9, 10}, std::vector<Entrant>{{&a, {}}}, 3, 1e-12);
+  const Engine a = stepper('a', log);
+  const std::vector<Finish> finishes = race(one_disc(), {9, 10}, std::vector<EngineConfig>{{&a, {}}}, 3, 1e-12);
   EXPECT_EQ(finishes[0].no_result, "takes more than 1e-12 s a round");
   EXPECT_EQ(log.steps, 1);
 }
@@ -101,8 +101,8 @@ TEST(Race, SaysWhoCannotRunIt) {
   Log log;
   Start start = one_disc();
   start.scene.joints = {Revolute{}};
-  const Contender a = stepper('a', log);
-  EXPECT_EQ(race(start, {0, 10}, std::vector<Entrant>{{&a, {}}}, 1, 60)[0].no_result, "knows no joints");
+  const Engine a = stepper('a', log);
+  EXPECT_EQ(race(start, {0, 10}, std::vector<EngineConfig>{{&a, {}}}, 1, 60)[0].no_result, "knows no joints");
   EXPECT_EQ(log.steps, 0);
 }
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "tests/benchmarks/contest.h"
+#include "contest.h"
 
 namespace plumb::benchmarks {
 namespace {
@@ -19,7 +19,7 @@ std::string times(double speed) { return fmt::format("{:.2f}", speed); }
 
 std::string line(const Contest& contest, const Contest::Row& row) {
   if (!row.finish.no_result.empty()) {
-    return fmt::format("  {:<34} no result: {}\n", row.contender, row.finish.no_result);
+    return fmt::format("  {:<34} no result: {}\n", row.engine, row.finish.no_result);
   }
   const Figures& all = row.figures;
   const Quartiles& main = contest.basis == Basis::cpu ? all.cpu : all.wall;
@@ -27,7 +27,7 @@ std::string line(const Contest& contest, const Contest::Row& row) {
   const bool compared = all.speed.median > 0;
   const std::string busy = all.disturbed > 0 ? fmt::format("{} of {}", all.disturbed, contest.rounds) : "";
   const Depth& overlap = row.finish.overlap;
-  return fmt::format(row_format, row.contender, micro(main.median), spread(main, micro), micro(other.median),
+  return fmt::format(row_format, row.engine, micro(main.median), spread(main, micro), micro(other.median),
                      compared ? times(all.speed.median) : "-", compared ? spread(all.speed, times) : "-",
                      fmt::format("{:.2f}", 1e3 * overlap.mean), fmt::format("{:.1f}", 1e3 * overlap.most), busy);
 }

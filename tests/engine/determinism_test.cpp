@@ -228,10 +228,9 @@ TEST(Determinism, TenScenesEndInTheSameBitsWithEveryCompiler) {
   EXPECT_EQ(hash.value(), expected) << std::hex << "0x" << hash.value();
 }
 
-std::uint64_t hash_of_piles(bool fused) {
+std::uint64_t hash_of_piles() {
   StateHash hash;
   Settings settings = with("accurate");
-  settings.fused = fused;
   for (const auto& make : {pyramid, hail}) {
     World world = make(settings);
     run(world, 90);
@@ -242,13 +241,7 @@ std::uint64_t hash_of_piles(bool fused) {
 
 TEST(Determinism, PilesEndInTheSameBitsWithEveryCompiler) {
   constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x781c7165dfed8c45U : 0xefe2ac6c72f3f904U;
-  const std::uint64_t hash = hash_of_piles(false);
-  EXPECT_EQ(hash, expected) << std::hex << "0x" << hash;
-}
-
-TEST(Determinism, FusedPilesEndInBitsOfTheirOwn) {
-  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x9c0b73f75d149ad3U : 0x621ddc83082aeb99U;
-  const std::uint64_t hash = hash_of_piles(true);
+  const std::uint64_t hash = hash_of_piles();
   EXPECT_EQ(hash, expected) << std::hex << "0x" << hash;
 }
 

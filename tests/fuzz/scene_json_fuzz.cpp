@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "scenarios/scene_json.h"
+#include "scenarios/scene/scene_json.h"
 
 // libFuzzer's entry. Whatever the bytes: refused by std::invalid_argument, or read whole, and then what is written can
 // be read and is written the same. Anything else ends the program, which the fuzzer reports.

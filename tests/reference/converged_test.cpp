@@ -6,11 +6,11 @@
 #include <cmath>
 #include <string>
 
-#include "reports/run.h"
-#include "reports/truth.h"
+#include "exact/integrate.h"
+#include "reports/judge/truth.h"
+#include "reports/run/run.h"
 #include "reports/vec.h"
 #include "scenarios/scenario.h"
-#include "tests/reference/exact/integrate.h"
 
 namespace plumb {
 namespace {
@@ -72,7 +72,7 @@ TEST(Converged, MeetsEveryClosedFormWithinItsOwnError) {
     if (scenario->closed_form.empty()) continue;
     for (const Variant& variant : scenario->variants) {
       const Scene scene = scenario->scene(complete(*scenario, variant.changes));
-      const Contender& closed_form = *Catalog<Contender>::find(scenario->closed_form);
+      const Engine& closed_form = *Catalog<Engine>::find(scenario->closed_form);
       if (!closed_form.unsupported(scene, {}).empty()) continue;
       const Converged converged(scene, frames(scene.duration));
       const Worst worst = worst_of(scene, converged, Truth(closed_form, scene));
@@ -147,7 +147,7 @@ TEST(Converged, TakesMomentsInOrderOnly) {
 TEST(Converged, IsASimulationThatEndsWhereItKnowsNoMore) {
   const Scene scene = scene_of("double-pendulum", {});
   const ConvergedTruth truth = converged_truth(scene, frames(5), {});
-  const Outcome outcome = run(scene, {&truth.contender, {}}, frame);
+  const Outcome outcome = run(scene, {&truth.engine, {}}, frame);
   ASSERT_EQ(outcome.status, Status::ok);
   EXPECT_DOUBLE_EQ(outcome.trace->times().back(), truth.answer->valid_until());
   EXPECT_EQ(outcome.trace->state_at(2, 1).angle, truth.answer->states(60)[2].angle);
@@ -156,7 +156,7 @@ TEST(Converged, IsASimulationThatEndsWhereItKnowsNoMore) {
 TEST(Converged, WhatIsRefusedSupportsNoScene) {
   const Scene scene = scene_of("pyramid", {});
   const ConvergedTruth truth = converged_truth(scene, frames(3), {.budget = 1000});
-  const Outcome outcome = run(scene, {&truth.contender, {}}, frame);
+  const Outcome outcome = run(scene, {&truth.engine, {}}, frame);
   EXPECT_EQ(outcome.status, Status::not_supported);
   EXPECT_THAT(outcome.reason, StartsWith("over budget"));
 }

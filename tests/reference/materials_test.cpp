@@ -1,4 +1,4 @@
-#include "scenarios/materials.h"
+#include "scenarios/scene/materials.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/cli.h"
+#include "reports/run/selection.h"
 #include "scenarios/parts.h"
 
 namespace plumb {
@@ -92,7 +92,7 @@ TEST(WhyNoneMeet, HoldsForWhatTurnsAboutAPointOfItsRim) {
 TEST(WhyNoneMeet, IsRightOfEveryScenarioThatItClaims) {
   for (const Case& one : default_cases(true)) {
     if (!none_meets(*one.scene)) continue;
-    const Entrant engine = parse_entrant("impulse");
+    const EngineConfig engine = parse_engine("impulse");
     const Outcome outcome = run(*one.scene, engine, 1.0 / 60);
     ASSERT_EQ(outcome.status, Status::ok) << one.scenario->name;
     for (std::size_t moment = 0; moment < outcome.trace->size(); ++moment) {

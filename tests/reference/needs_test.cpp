@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include "reports/cli.h"
-#include "reports/truth.h"
-#include "reports/verdict.h"
+#include "reports/judge/truth.h"
+#include "reports/judge/verdict.h"
+#include "reports/run/selection.h"
 #include "scenarios/parts.h"
 
 namespace plumb {
@@ -64,8 +64,8 @@ TEST(Needless, IsEveryContactOfWhatFliesAlone) {
 // Its promise, on every scenario there is. Where bodies touch, the whole model may turn a smooth disc a little, since
 // arms are those of a step's start: to leave that out changes the run, for the better; nothing may be judged worse.
 TEST(Needless, MakesNoScenarioWorse) {
-  const Entrant whole = parse_entrant("impulse");
-  const Entrant chosen = parse_entrant("impulse:auto");
+  const EngineConfig whole = parse_engine("impulse");
+  const EngineConfig chosen = parse_engine("impulse:auto");
   for (const Case& one : default_cases(true)) {
     const std::vector<Choice> choices = needless(*one.scene);
     if (one.scene->bodies.size() > 200 || choices.empty()) continue;
@@ -79,7 +79,7 @@ TEST(Needless, MakesNoScenarioWorse) {
     }
     const auto verdict_of = [&](const Outcome& outcome) {
       return judge(*one.scene, one.scenario->expectations(one.parameters), *outcome.trace,
-                   whole.contender->stepping(whole.settings, 1.0 / 60), truth ? &*truth : nullptr)
+                   whole.engine->stepping(whole.settings, 1.0 / 60), truth ? &*truth : nullptr)
           .verdict;
     };
     EXPECT_EQ(verdict_of(b), verdict_of(a)) << one.scenario->name << " " << one.variant;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {

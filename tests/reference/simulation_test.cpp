@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-const Contender engine{
+const Engine engine{
     .name = "engine",
     .options = {{.key = "iterations", .value = "8", .min = 1, .max = 100},
                 {.key = "solver", .value = "plain", .choices = {{"plain", "as printed"}, {"soft", "with springs"}}}}};
@@ -40,7 +40,7 @@ TEST(CompleteSettings, RefuseWhatIsNoNumberInRange) {
 }
 
 TEST(CompleteSettings, RefuseBrokenNumbersWhereWholeOnesAreMeant) {
-  const Contender counting{.name = "counting", .options = {{.key = "n", .value = "8", .max = 9, .whole = true}}};
+  const Engine counting{.name = "counting", .options = {{.key = "n", .value = "8", .max = 9, .whole = true}}};
   EXPECT_EQ(complete(counting, {{"n", "7"}}).at("n"), "7");
   try {
     complete(counting, {{"n", "7.5"}});

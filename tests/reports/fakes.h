@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "reports/conserved.h"
-#include "reports/run.h"
+#include "reports/judge/conserved.h"
+#include "reports/run/run.h"
 #include "reports/trace.h"
 #include "reports/vec.h"
 #include "scenarios/scenario.h"
@@ -87,7 +87,7 @@ class Stepper : public Simulation {
   double time_ = 0;
 };
 
-inline Contender engine(const std::string& name, Stepper::Fault fault = Stepper::Fault::none) {
+inline Engine engine(const std::string& name, Stepper::Fault fault = Stepper::Fault::none) {
   return {.name = name,
           .about = "symplectic Euler",
           .source = "these tests",
@@ -101,7 +101,7 @@ inline Contender engine(const std::string& name, Stepper::Fault fault = Stepper:
           }};
 }
 
-inline Contender free_flight(double valid = std::numeric_limits<double>::infinity()) {
+inline Engine free_flight(double valid = std::numeric_limits<double>::infinity()) {
   return {.name = "free-flight",
           .about = "r = r0 + v0 t + g t^2/2",
           .source = "Galileo",
@@ -127,7 +127,7 @@ inline Scenario throwing() {
           }};
 }
 
-inline Case case_of(const Scenario& scenario, const Contender* closed_form) {
+inline Case case_of(const Scenario& scenario, const Engine* closed_form) {
   return {.scenario = &scenario,
           .variant = scenario.variants.front().label,
           .scene = std::make_shared<const Scene>(scenario.scene({})),

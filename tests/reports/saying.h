@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/program.h"
+#include "reports/cli/program.h"
 
 namespace plumb {
 

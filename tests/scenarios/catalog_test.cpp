@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/mass.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "scenarios/scene_json.h"
+#include "scenarios/scene/scene_json.h"
 
 /// Scenes of no sense but of every kind, the same for the same seed with any standard library.
 namespace plumb {

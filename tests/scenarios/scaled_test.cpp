@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "reference/simulation.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
 
 std::vector<BodyState> end_of(const Scene& scene) {
-  const Contender& engine = *Catalog<Contender>::find("impulse");
+  const Engine& engine = *Catalog<Engine>::find("impulse");
   const auto simulation = engine.build(scene, complete(engine, {}));
   for (int i = 0; i < 60; ++i) simulation->step(1.0 / 60);
   std::vector<BodyState> states(scene.bodies.size());

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "scenarios/scene_json.h"
+#include "scenarios/scene/scene_json.h"
 
 /// All of a scene, its numbers by their bits: two scenes with the same words are the same, -0 and 0 told apart.
 namespace plumb {

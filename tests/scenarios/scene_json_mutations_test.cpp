@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "random_scene.h"
 #include "scenarios/catalog.h"
-#include "scenarios/scene_json.h"
-#include "tests/scenarios/random_scene.h"
+#include "scenarios/scene/scene_json.h"
 
 namespace plumb {
 namespace {

@@ -29,9 +29,6 @@ struct Settings {
   int position_iterations = 3;                  // for solvers that correct positions apart from velocities
   int substeps = 4;                             // for solvers that cut a step into sub-steps
   int workers = 1;                              // threads to share islands among; the bits are the same for any number
-  /// Whether `accurate` solves piles with fused multiply-adds: other bits, again the same for every compiler, level,
-  /// instruction set and number of workers. Faster where the processor has them; where not, far slower.
-  bool fused = false;
   bool contacts = true;  // whether bodies meet at all; else they pass through each other, and no pair is looked for
   Continuous continuous = Continuous::automatic;
   bool contact_events = false;  // whether World::contact_events() is kept up; else it costs nothing

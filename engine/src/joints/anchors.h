@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "finite.h"
-#include "joint_set.h"
+#include "core/finite.h"
+#include "joints/joint_set.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -8,7 +8,7 @@
 
 #include "reference/adapters/box2d_v3/vectors.h"
 #include "reference/scene_facts.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb::box2d_v3 {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb::box2d_v3 {
 

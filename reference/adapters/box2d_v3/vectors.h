@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scenarios/scene.h"
+#include "scenarios/scene/scene.h"
 
 /// The scene's vectors and angles in Box2D's types. In a namespace of their own: 2.4 has types of the same names.
 namespace plumb::box2d_v3 {

@@ -5,7 +5,7 @@
 
 #include "reports/gate/writer.h"
 #include "scenarios/catalog.h"
-#include "scenarios/json_parse.h"
+#include "scenarios/scene/json_parse.h"
 
 namespace plumb {
 namespace {
@@ -68,8 +68,8 @@ std::string junit(const GateResult& result) {
   return text + "</system-out>\n  </testsuite>\n</testsuites>\n";
 }
 
-const Catalog<GateWriter>::Entry entry{
-    {.name = "junit", .about = "JUnit XML, a test case for every case and contender", .text = junit}};
+const Catalog<GateWriter>::Entry junit_entry{
+    {.name = "junit", .about = "JUnit XML, a test case for every case and engine", .text = junit}};
 
 }  // namespace
 }  // namespace plumb

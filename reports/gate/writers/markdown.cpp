@@ -4,7 +4,7 @@
 
 #include "reports/gate/writer.h"
 #include "scenarios/catalog.h"
-#include "scenarios/json_parse.h"
+#include "scenarios/scene/json_parse.h"
 
 namespace plumb {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_rows = 100;  // a comment on a pull request holds 65536 letters
 
 // What Markdown or HTML would take for its own goes as a character reference, which both show as that character.
-std::string escaped(const std::string& text) {
+std::string in_cell(const std::string& text) {
   constexpr std::string_view special = "&<>|`*_[]@#~\\!";
   std::string out;
   for (const char letter : printable(text, text.npos)) {
@@ -26,25 +26,26 @@ std::string escaped(const std::string& text) {
 }
 
 std::string markdown(const GateResult& result) {
-  std::string text = fmt::format("### Plumb: {}\n", escaped(result.verdict));
+  std::string text = fmt::format("### Plumb: {}\n", in_cell(result.verdict));
   if (!result.passed()) {
     text += "\n| | run | what | before | now | allowed | why |\n|---|---|---|---|---|---|---|\n";
     for (std::size_t i = 0; i < result.offences.size() && i < most_rows; ++i) {
       const Offence& one = result.offences[i];
-      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", name_of(one.change), escaped(one.run.text()),
-                          escaped(one.metric), escaped(one.before), escaped(one.now), escaped(one.allowed),
-                          escaped(one.why));
+      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", name_of(one.change), in_cell(one.run.text()),
+                          in_cell(one.metric), in_cell(one.before), in_cell(one.now), in_cell(one.allowed),
+                          in_cell(one.why));
     }
     if (result.offences.size() > most_rows) {
       text += fmt::format("\nAnd {} more.\n", result.offences.size() - most_rows);
     }
     text += "\nIf this is as it should be, `plumb accept` makes it the baseline.\n";
   }
-  for (const std::string& note : result.notes) text += "\n" + escaped(note) + "\n";
+  for (const std::string& note : result.notes) text += "\n" + in_cell(note) + "\n";
   return text;
 }
 
-const Catalog<GateWriter>::Entry entry{{.name = "markdown", .about = "a summary for a pull request", .text = markdown}};
+const Catalog<GateWriter>::Entry markdown_entry{
+    {.name = "markdown", .about = "a summary for a pull request", .text = markdown}};
 
 }  // namespace
 }  // namespace plumb

@@ -2,7 +2,7 @@
 
 #include "reports/gate/writer.h"
 #include "scenarios/catalog.h"
-#include "scenarios/json_parse.h"
+#include "scenarios/scene/json_parse.h"
 
 namespace plumb {
 
@@ -25,7 +25,7 @@ std::string text_of(const GateResult& result, std::size_t most) {
 
 namespace {
 
-const Catalog<GateWriter>::Entry entry{
+const Catalog<GateWriter>::Entry text_entry{
     {.name = "text", .about = "everything that is not as accepted, a line each", .text = [](const GateResult& result) {
        return text_of(result, result.offences.size());
      }}};

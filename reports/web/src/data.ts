@@ -20,12 +20,12 @@ export interface TruthCheck {
   tolerance: number | null;
   relation: "equal" | "at least" | "at most"; // of measured to expected
   passed: boolean;
-  revealed: boolean; // false: the engine does not show it
+  reported: boolean; // false: the engine does not show it
   source: string;
   unit: string;
 }
 
-export const standings = ["held", "broken", "not revealed"] as const;
+export const standings = ["held", "broken", "not reported"] as const;
 export type Standing = (typeof standings)[number];
 
 /** How an invariant fared over a run, where it was missed most. */
@@ -148,7 +148,7 @@ export const format = 1;
 
 const measured = record({ value: number, unit: text });
 const place = { scenario: text, variant: text };
-const contender = { ...place, engine: text, method: text };
+const engine = { ...place, engine: text, method: text };
 
 const report_rule = record({
   title: text,
@@ -160,7 +160,7 @@ const report_rule = record({
   invariants: list(record({ name: text, unit: text, definition: text })),
   runs: list(
     record({
-      ...contender,
+      ...engine,
       parameters: map(finite),
       exact: yes_no,
       dt: finite,
@@ -178,7 +178,7 @@ const report_rule = record({
           tolerance: number,
           relation: one_of("equal", "at least", "at most"),
           passed: yes_no,
-          revealed: yes_no,
+          reported: yes_no,
           source: text,
           unit: text,
         }),
@@ -204,7 +204,7 @@ const report_rule = record({
   timings: record({
     steps: list(
       record({
-        ...contender,
+        ...engine,
         step_us: number,
         step_us_low: number,
         step_us_high: number,
@@ -218,7 +218,7 @@ const report_rule = record({
 
 const columns = ["energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference", "overlap"] as const;
 
-const series_shape = record({ ...contender, t: list(finite), ...Object.fromEntries(columns.map((column) => [column, list(number)])) });
+const series_shape = record({ ...engine, t: list(finite), ...Object.fromEntries(columns.map((column) => [column, list(number)])) });
 
 const series_rule: Rule = (value, problems) => {
   const before = problems.length;

@@ -1,9 +1,9 @@
-// The report as the page thinks of it: contenders with a look of their own, and cases (a scenario in one variant) with
+// The report as the page thinks of it: engines with a look of their own, and cases (a scenario in one variant) with
 // everything that is known about them.
 import type { Comparison, InvariantCheck, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
 import type { Replay } from "./replay/data";
 
-export interface Contender {
+export interface Engine {
   label: string; // as --engine takes it; "truth" for the closed forms
   engine: string;
   method: string;
@@ -14,7 +14,7 @@ export interface Contender {
 }
 
 export interface Entry {
-  contender: Contender;
+  engine: Engine;
   run: Run;
   series: Series | undefined;
   timing: Timing | undefined;
@@ -39,7 +39,7 @@ export interface Chapter {
 
 export interface Model {
   page: Page;
-  contenders: Contender[];
+  engines: Engine[];
   chapters: Chapter[];
 }
 
@@ -50,8 +50,8 @@ const symbols = ["circle", "square", "triangle", "diamond", "wye", "star"];
 const dashes = ["", "7 3", "2 3", "9 3 2 3", "12 4", "4 2"];
 const colors = 6;
 
-/** Of the index-th contender; the first 36 differ. */
-export function look(index: number): Pick<Contender, "color" | "symbol" | "dash"> {
+/** Of the index-th engine; the first 36 differ. */
+export function look(index: number): Pick<Engine, "color" | "symbol" | "dash"> {
   const turn = index + Math.floor(index / colors);
   return {
     color: `var(--engine-${(index % colors) + 1})`,
@@ -60,8 +60,8 @@ export function look(index: number): Pick<Contender, "color" | "symbol" | "dash"
   };
 }
 
-function contenders_of(runs: Run[]): Contender[] {
-  const found = new Map<string, Contender>();
+function engines_of(runs: Run[]): Engine[] {
+  const found = new Map<string, Engine>();
   const first_ours = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
   let index = 0;
   for (const run of first_ours) {
@@ -87,8 +87,8 @@ export function ratio(check: TruthCheck): number {
 export const law_ratio = (check: InvariantCheck): number => check.ratio ?? Infinity;
 
 function worst(run: Run): number {
-  const readings = run.truth.filter((check) => check.revealed).map(ratio);
-  const laws = run.invariants.filter(({ standing }) => standing !== "not revealed").map(law_ratio);
+  const readings = run.truth.filter((check) => check.reported).map(ratio);
+  const laws = run.invariants.filter(({ standing }) => standing !== "not reported").map(law_ratio);
   const all = [...readings, ...laws];
   return all.length ? Math.max(...all) : NaN;
 }
@@ -99,16 +99,16 @@ const run_key = (of: { scenario: string; variant: string; engine: string; method
 
 export function model_of(page: Page): Model {
   const { report } = page;
-  const contenders = contenders_of(report.runs);
-  const by_label = new Map(contenders.map((contender) => [contender.label, contender]));
+  const engines = engines_of(report.runs);
+  const by_label = new Map(engines.map((engine) => [engine.label, engine]));
   const series = new Map(page.series.map((item) => [run_key(item), item]));
   const timings = new Map(report.timings.steps.map((item) => [run_key(item), item]));
 
   const chapters = new Map<string, Chapter>();
   const cases = new Map<string, Case>();
   for (const run of report.runs) {
-    const contender = by_label.get(run.exact ? "truth" : label_of(run));
-    if (!contender) continue;
+    const engine = by_label.get(run.exact ? "truth" : label_of(run));
+    if (!engine) continue;
     let chapter = chapters.get(run.scenario);
     if (!chapter) {
       chapter = { name: run.scenario, note: report.scenarios.find(({ name }) => name === run.scenario), cases: [] };
@@ -132,11 +132,11 @@ export function model_of(page: Page): Model {
       chapter.cases.push(place);
     }
     const found = { series: series.get(run_key(run)), timing: timings.get(run_key(run)) };
-    place.entries.push({ contender, run, worst: worst(run), ...found });
+    place.entries.push({ engine, run, worst: worst(run), ...found });
   }
-  const order = new Map(contenders.map((contender, index) => [contender, index]));
+  const order = new Map(engines.map((engine, index) => [engine, index]));
   for (const place of cases.values()) {
-    place.entries.sort((a, b) => (order.get(a.contender) ?? 0) - (order.get(b.contender) ?? 0));
+    place.entries.sort((a, b) => (order.get(a.engine) ?? 0) - (order.get(b.engine) ?? 0));
   }
-  return { page, contenders, chapters: [...chapters.values()] };
+  return { page, engines, chapters: [...chapters.values()] };
 }

@@ -1,8 +1,8 @@
 // Balls and boxes that go on bouncing in a pen, without friction: what impacts cost.
 
+#include "../course.h"
 #include "scenarios/parts.h"
 #include "scenarios/random.h"
-#include "tests/benchmarks/course.h"
 
 namespace plumb::benchmarks {
 namespace {

@@ -1,7 +1,7 @@
 // Scenes of a few bodies at rest: what a step costs before any body does.
 
+#include "../course.h"
 #include "scenarios/parts.h"
-#include "tests/benchmarks/course.h"
 
 namespace plumb::benchmarks {
 namespace {

@@ -1,7 +1,7 @@
 // Bodies that fall and spin and never meet: what a body costs.
 
+#include "../course.h"
 #include "scenarios/parts.h"
-#include "tests/benchmarks/course.h"
 
 namespace plumb::benchmarks {
 namespace {

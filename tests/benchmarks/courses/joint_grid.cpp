@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
+#include "../course.h"
 #include "scenarios/parts.h"
-#include "tests/benchmarks/course.h"
 
 namespace plumb::benchmarks {
 namespace {

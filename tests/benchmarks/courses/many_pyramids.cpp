@@ -1,7 +1,7 @@
 // Box2D 3's benchmark "many_pyramids": 20 floors, one above the other, with 20 pyramids of ten rows on each.
 
+#include "pyramid.h"
 #include "scenarios/parts.h"
-#include "tests/benchmarks/courses/pyramid.h"
 
 namespace plumb::benchmarks {
 namespace {

@@ -1,6 +1,6 @@
 // Box2D 3's benchmark "large_pyramid": neighbours touch, so that a base of 100 makes 14 950 contacts of two points.
 
-#include "tests/benchmarks/courses/pyramid.h"
+#include "pyramid.h"
 
 #include "scenarios/parts.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/benchmarks/course.h"
+#include "../course.h"
 
 namespace plumb::benchmarks {
 

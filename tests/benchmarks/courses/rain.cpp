@@ -1,9 +1,9 @@
 // 1000 discs and 1000 boxes of any size and angle fall into a box, as Plumb's own first measurements had them (Box2D's
 // benchmark of that name is of ragdolls).
 
+#include "../course.h"
 #include "scenarios/parts.h"
 #include "scenarios/random.h"
-#include "tests/benchmarks/course.h"
 
 namespace plumb::benchmarks {
 namespace {

@@ -1,8 +1,8 @@
 // Box2D 3's benchmark "smash": without gravity, a heavy box flies into a wall of small ones. There the wall sleeps
 // until it is hit; here nothing sleeps.
 
+#include "../course.h"
 #include "scenarios/parts.h"
-#include "tests/benchmarks/course.h"
 
 namespace plumb::benchmarks {
 namespace {

@@ -1,8 +1,8 @@
 // 2000 discs without friction, of any size, fall into a box: nothing turns, and every contact has one row.
 
+#include "../course.h"
 #include "scenarios/parts.h"
 #include "scenarios/random.h"
-#include "tests/benchmarks/course.h"
 
 namespace plumb::benchmarks {
 namespace {

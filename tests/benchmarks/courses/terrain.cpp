@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "../course.h"
 #include "scenarios/parts.h"
 #include "scenarios/random.h"
-#include "tests/benchmarks/course.h"
 
 namespace plumb::benchmarks {
 namespace {

@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-const Contender& box2d() { return *Catalog<Contender>::find("box2d"); }
+const Engine& box2d() { return *Catalog<Engine>::find("box2d"); }
 
 Body body(BodyType type, Vec position, Geometry geometry, double restitution = 0) {
   Body made;

@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-const Contender* box2d() { return Catalog<Contender>::find("box2d-v3"); }
+const Engine* box2d() { return Catalog<Engine>::find("box2d-v3"); }
 
 // The library is optional: without it there is nothing to test.
 class Box2dV3 : public testing::Test {

@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-const Contender* chipmunk() { return Catalog<Contender>::find("chipmunk"); }
+const Engine* chipmunk() { return Catalog<Engine>::find("chipmunk"); }
 
 // The library is optional: without it there is nothing to test.
 class Chipmunk : public testing::Test {

@@ -1,4 +1,4 @@
-// What every engine's adapter owes, whoever wrote the engine: each test runs for every contender that is not a closed
+// What every engine's adapter owes, whoever wrote the engine: each test runs for every engine that is not a closed
 // form, with its default settings and with every other solver, broad phase and precision that it offers.
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "scenarios/mass.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
@@ -44,19 +44,19 @@ Scene scene_of(std::vector<Body> bodies) {
   return scene;
 }
 
-struct Entrant {
+struct EngineConfig {
   std::string name;
   Settings settings;
 };
 
-void PrintTo(const Entrant& entrant, std::ostream* out) {
-  *out << entrant.name;
-  for (const auto& [key, value] : entrant.settings) *out << ' ' << key << '=' << value;
+void PrintTo(const EngineConfig& config, std::ostream* out) {
+  *out << config.name;
+  for (const auto& [key, value] : config.settings) *out << ' ' << key << '=' << value;
 }
 
-class EveryEngine : public testing::TestWithParam<Entrant> {
+class EveryEngine : public testing::TestWithParam<EngineConfig> {
  protected:
-  const Contender& engine() const { return *Catalog<Contender>::find(GetParam().name); }
+  const Engine& engine() const { return *Catalog<Engine>::find(GetParam().name); }
   Stepping stated() const { return engine().stepping(GetParam().settings, dt); }
   std::string refusal(const Scene& scene) const { return engine().unsupported(scene, GetParam().settings); }
 
@@ -393,22 +393,22 @@ TEST_P(EveryEngine, StatesWhereItComesFrom) {
   EXPECT_GT(stated().epsilon, 0);
 }
 
-std::vector<Entrant> entrants() {
-  std::vector<Entrant> all;
-  for (const Contender* contender : Catalog<Contender>::all()) {
-    if (contender->exact) continue;
-    all.push_back({contender->name, {}});
-    for (const Option& option : contender->options) {
+std::vector<EngineConfig> configs() {
+  std::vector<EngineConfig> all;
+  for (const Engine* engine : Catalog<Engine>::all()) {
+    if (engine->exact) continue;
+    all.push_back({engine->name, {}});
+    for (const Option& option : engine->options) {
       if (option.key != "solver" && option.key != "broad-phase" && option.key != "precision") continue;
       for (const auto& [choice, about] : option.choices) {
-        if (choice != option.value) all.push_back({contender->name, {{option.key, choice}}});
+        if (choice != option.value) all.push_back({engine->name, {{option.key, choice}}});
       }
     }
   }
   return all;
 }
 
-std::string test_name(const testing::TestParamInfo<Entrant>& info) {
+std::string test_name(const testing::TestParamInfo<EngineConfig>& info) {
   std::string name = testing::PrintToString(info.param);
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
@@ -416,7 +416,7 @@ std::string test_name(const testing::TestParamInfo<Entrant>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Adapters, EveryEngine, testing::ValuesIn(entrants()), test_name);
+INSTANTIATE_TEST_SUITE_P(Adapters, EveryEngine, testing::ValuesIn(configs()), test_name);
 
 }  // namespace
 }  // namespace plumb

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "reports/cli.h"
-#include "reports/experiment.h"
+#include "reports/run/experiment.h"
+#include "reports/run/selection.h"
 
 namespace plumb {
 namespace {
 
 constexpr double dt = 1.0 / 60;
 
-const Contender& engine() { return *Catalog<Contender>::find("impulse"); }
+const Engine& engine() { return *Catalog<Engine>::find("impulse"); }
 
 const Option& option(const std::string& key) {
   for (const Option& known : engine().options) {
@@ -83,27 +83,6 @@ TEST(Impulse, TunnelsOnlyIfToldTo) {
   EXPECT_GT(end("off"), 10);
   EXPECT_LT(end("auto"), 10);
   EXPECT_LT(end("on"), 10);
-}
-
-TEST(Impulse, IsRightWithFusedPilesToo) {
-  for (const char* precision : {"double", "float"}) {
-    const std::string engine = std::string("impulse:precision=") + precision;
-    Plan plan{.cases = {parse_case("pyramid:ten"), parse_case("disc-pile")}, .ensemble = 0};
-    for (const std::string& word : {engine, engine + ",fused=on"}) plan.entrants.push_back(parse_entrant(word));
-    const Report report = carry_out(plan, [](const std::string&, std::size_t, std::size_t) {});
-    ASSERT_EQ(report.runs.size(), 4U);
-    for (std::size_t i = 0; i < 4; i += 2) {
-      const RunRecord& plain = report.runs[i];
-      const RunRecord& fused = report.runs[i + 1];
-      EXPECT_EQ(plain.verdict, Verdict::right) << plain.scenario;
-      EXPECT_EQ(fused.verdict, Verdict::right) << fused.scenario;
-      const auto differs = [&](const auto& metric) {
-        const auto other = plain.metrics.find(metric.first);
-        return other != plain.metrics.end() && other->second.value != metric.second.value;
-      };
-      EXPECT_TRUE(std::any_of(fused.metrics.begin(), fused.metrics.end(), differs)) << "no pile in " << fused.scenario;
-    }
-  }
 }
 
 TEST(Impulse, SleepsOnlyWhenAskedTo) {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "scenarios/mass.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
@@ -88,7 +88,7 @@ TEST(Arch, OfTwoStonesNeedsTheThrustThatMomentsGive) {
 
 TEST(ArchScene, IsRefusedWhereItFallsOrHasAGap) {
   const Scenario& family = *Catalog<Scenario>::find("arch");
-  const Contender& arch = *Catalog<Contender>::find("arch");
+  const Engine& arch = *Catalog<Engine>::find("arch");
   Scene scene = family.scene(complete(family, {}));
   EXPECT_EQ(arch.unsupported(scene, {}), "");
   EXPECT_THAT(arch.unsupported(family.scene(complete(family, {{"thickness", 0.107}})), {}),

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "integrate.h"
 #include "reference/exact/plane.h"
-#include "tests/reference/exact/integrate.h"
 
 namespace plumb {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "scenarios/mass.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
@@ -32,7 +32,7 @@ TEST(Beam, ScalesWithItsWeightAloneWhateverTheLengthsAreMeasuredIn) {
 TEST(BeamScene, GivesTheImpulsesOfAStepToTheSupports) {
   const Scenario& family = *Catalog<Scenario>::find("beam");
   const Scene scene = family.scene(complete(family, {}));
-  const auto simulation = Catalog<Contender>::find("beam")->build(scene, {});
+  const auto simulation = Catalog<Engine>::find("beam")->build(scene, {});
   simulation->step(0.5);
   std::vector<ContactState> contacts;
   simulation->read_contacts(contacts);
@@ -48,7 +48,7 @@ TEST(BeamScene, IsRefusedWithItsCentreBeyondASupport) {
   const Scenario& family = *Catalog<Scenario>::find("beam");
   Scene scene = family.scene(complete(family, {}));
   scene.bodies[0].position.x = 1;
-  EXPECT_NE(Catalog<Contender>::find("beam")->unsupported(scene, {}), "");
+  EXPECT_NE(Catalog<Engine>::find("beam")->unsupported(scene, {}), "");
 }
 
 }  // namespace

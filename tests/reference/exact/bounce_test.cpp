@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/reference/exact/integrate.h"
+#include "integrate.h"
 
 namespace plumb {
 namespace {

@@ -17,16 +17,16 @@ namespace {
 
 TEST(ClosedForms, AreAllHere) {
   std::vector<std::string> names;
-  for (const Contender* contender : Catalog<Contender>::all()) {
-    if (contender->exact) names.push_back(contender->name);
+  for (const Engine* engine : Catalog<Engine>::all()) {
+    if (engine->exact) names.push_back(engine->name);
   }
   EXPECT_THAT(names, testing::ElementsAre("arch", "ballistic", "beam", "bounce", "first-impact", "ladder", "line",
                                           "orbit", "pendulum", "plank", "rest", "roll", "slide", "spring", "topple"));
 }
 
-TEST(Contenders, NameTheirSource) {
-  for (const Contender* contender : Catalog<Contender>::all()) {
-    EXPECT_NE(contender->source, "") << contender->name;
+TEST(Engines, NameTheirSource) {
+  for (const Engine* engine : Catalog<Engine>::all()) {
+    EXPECT_NE(engine->source, "") << engine->name;
   }
 }
 
@@ -39,7 +39,7 @@ bool asks(const Scenario& scenario, const Variant& variant) {
 TEST(ClosedForms, AcceptEveryVariantThatAsksThem) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     if (scenario->closed_form.empty()) continue;
-    const Contender* form = Catalog<Contender>::find(scenario->closed_form);
+    const Engine* form = Catalog<Engine>::find(scenario->closed_form);
     ASSERT_NE(form, nullptr) << scenario->name;
     for (const Variant& variant : scenario->variants) {
       if (!asks(*scenario, variant)) continue;
@@ -56,7 +56,7 @@ TEST(ClosedForms, StartWhereTheirSceneDoesAndHoldUntilTheLastExpectation) {
       if (!asks(*scenario, variant)) continue;
       const Parameters parameters = complete(*scenario, variant.changes);
       const Scene scene = scenario->scene(parameters);
-      const auto simulation = Catalog<Contender>::find(scenario->closed_form)->build(scene, {});
+      const auto simulation = Catalog<Engine>::find(scenario->closed_form)->build(scene, {});
       std::vector<BodyState> states(scene.bodies.size());
       simulation->read(states);
       for (std::size_t i = 0; i < states.size(); ++i) {
@@ -75,7 +75,7 @@ TEST(ClosedForms, StartWhereTheirSceneDoesAndHoldUntilTheLastExpectation) {
 }
 
 TEST(ClosedForm, RefusesToBuildWhatItDoesNotSupport) {
-  EXPECT_THROW(Catalog<Contender>::find("bounce")->build(Scene{.name = "empty"}, {}), std::invalid_argument);
+  EXPECT_THROW(Catalog<Engine>::find("bounce")->build(Scene{.name = "empty"}, {}), std::invalid_argument);
 }
 
 TEST(Elapsed, DoesNotDriftOverAMillionSteps) {

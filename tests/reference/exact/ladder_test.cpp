@@ -9,10 +9,10 @@
 #include <numbers>
 #include <vector>
 
+#include "integrate.h"
 #include "reference/exact/pendulum.h"
-#include "scenarios/mass.h"
 #include "scenarios/scenario.h"
-#include "tests/reference/exact/integrate.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
@@ -129,7 +129,7 @@ TEST(LadderScene, IsTheSameLeaningTheOtherWay) {
   const Scenario& family = *Catalog<Scenario>::find("sliding-ladder");
   Scene scene = family.scene(complete(family, {}));
   const auto state = [](const Scene& of) {
-    const auto simulation = Catalog<Contender>::find("ladder")->build(of, {});
+    const auto simulation = Catalog<Engine>::find("ladder")->build(of, {});
     simulation->step(0.3);
     std::vector<BodyState> states(3);
     simulation->read(states);

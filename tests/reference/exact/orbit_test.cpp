@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/reference/exact/integrate.h"
+#include "integrate.h"
 
 namespace plumb {
 namespace {

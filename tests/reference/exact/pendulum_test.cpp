@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
+#include "integrate.h"
 #include "reference/exact/plane.h"
 #include "scenarios/scenario.h"
-#include "tests/reference/exact/integrate.h"
 
 namespace plumb {
 namespace {
@@ -58,7 +58,7 @@ TEST(Pendulum, KeepsItsEnergy) {
 TEST(Pendulum, OfATopplingRodTurnsAsItsEnergySays) {
   const Scenario& toppling = *Catalog<Scenario>::find("rod-toppling");
   const Scene scene = toppling.scene(complete(toppling, {}));
-  const auto simulation = Catalog<Contender>::find("pendulum")->build(scene, {});
+  const auto simulation = Catalog<Engine>::find("pendulum")->build(scene, {});
   simulation->step(scene.duration);
   std::vector<BodyState> states(scene.bodies.size());
   simulation->read(states);

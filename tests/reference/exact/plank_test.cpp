@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
+#include "integrate.h"
 #include "reference/simulation.h"
 #include "scenarios/scenario.h"
-#include "tests/reference/exact/integrate.h"
 
 namespace plumb {
 namespace {
@@ -88,7 +88,7 @@ TEST(Plank, ScalesAsItsUnitsDo) {
 TEST(PlankScene, IsRefusedWithFrictionOnTheFloor) {
   const Scenario& family = *Catalog<Scenario>::find("pushed-plank");
   Scene scene = family.scene(complete(family, {}));
-  const Contender& plank = *Catalog<Contender>::find("plank");
+  const Engine& plank = *Catalog<Engine>::find("plank");
   EXPECT_EQ(plank.unsupported(scene, {}), "");
   scene.bodies[0].shapes[0].surface.dynamic_friction = 0.1;
   EXPECT_NE(plank.unsupported(scene, {}), "");

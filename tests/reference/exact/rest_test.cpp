@@ -22,7 +22,7 @@ Scene tower(const std::vector<double>& middles) {
   return scene;
 }
 
-const Contender& rest() { return *Catalog<Contender>::find("rest"); }
+const Engine& rest() { return *Catalog<Engine>::find("rest"); }
 
 std::vector<ContactState> loads(const Scene& scene) {
   const std::unique_ptr<Simulation> simulation = rest().build(scene, {});

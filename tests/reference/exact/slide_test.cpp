@@ -101,7 +101,7 @@ Scene tiled(int tiles) {
 }
 
 TEST(SlideScene, TakesTilesLaidFlushForOneFloor) {
-  const Contender& slide = *Catalog<Contender>::find("slide");
+  const Engine& slide = *Catalog<Engine>::find("slide");
   const auto simulation = slide.build(tiled(6), {});
   simulation->step(1);
   std::vector<BodyState> states(7);
@@ -112,7 +112,7 @@ TEST(SlideScene, TakesTilesLaidFlushForOneFloor) {
 }
 
 TEST(SlideScene, RefusesTilesThatAreNotFlushOrRubDifferently) {
-  const Contender& slide = *Catalog<Contender>::find("slide");
+  const Engine& slide = *Catalog<Engine>::find("slide");
   ASSERT_EQ(slide.unsupported(tiled(6), {}), "");
   Scene step = tiled(6);
   step.bodies[3].position.y -= 1e-6;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/reference/exact/integrate.h"
+#include "integrate.h"
 
 namespace plumb {
 namespace {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "integrate.h"
 #include "scenarios/scenario.h"
-#include "tests/reference/exact/integrate.h"
 
 namespace plumb {
 namespace {

@@ -6,11 +6,11 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "../cli/commands/scene_files.h"
+#include "../writers/sample.h"
 #include "reports/gate/compare.h"
 #include "reports/writers/json.h"
-#include "tests/reports/commands/scene_files.h"
-#include "tests/reports/gate/sample.h"
-#include "tests/reports/writers/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {

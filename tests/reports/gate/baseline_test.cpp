@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/reports/writers/sample.h"
+#include "../writers/sample.h"
 
 namespace plumb {
 namespace {
@@ -50,7 +50,7 @@ TEST(KeptNumbers, AreAllThatWasMeasuredOrJudged) {
   EXPECT_EQ(run.verdict, Verdict::wrong);
   EXPECT_EQ(run.numbers.at("energy_rise").unit, "1");
   EXPECT_EQ(run.numbers.at("truth: x of box, \"the\" first at 2 s").standing, Standing::broken);
-  EXPECT_EQ(run.numbers.at("invariant: cone").standing, Standing::not_revealed);
+  EXPECT_EQ(run.numbers.at("invariant: cone").standing, Standing::not_reported);
   EXPECT_EQ(run.numbers.at("invariant: push").value, 0.5);
   EXPECT_EQ(run.numbers.size(), 5u);
 }

@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "../fakes.h"
 #include "reports/gate/compare.h"
-#include "tests/reports/fakes.h"
 
 namespace plumb {
 namespace {
@@ -15,8 +15,8 @@ constexpr auto silent = [](const std::string&, std::size_t, std::size_t) {};
 // The throw, its gravity and its start changed a little.
 struct Thrown {
   Scenario scenario = fakes::throwing();
-  Contender free_flight = fakes::free_flight();
-  Contender engine = fakes::engine("ours");
+  Engine free_flight = fakes::free_flight();
+  Engine engine = fakes::engine("ours");
 
   Plan plan(double gravity = 1, double moved = 0) const {
     Case asked = fakes::case_of(scenario, &free_flight);
@@ -24,7 +24,7 @@ struct Thrown {
     scene.gravity.y *= gravity;
     scene.bodies[0].position.y += moved;
     asked.scene = std::make_shared<const Scene>(scene);
-    return {.cases = {asked}, .entrants = {{&engine, {}}}, .timed = false};
+    return {.cases = {asked}, .configs = {{&engine, {}}}, .timed = false};
   }
   static Baseline on(const char* platform, const Plan& plan) {
     Report report = carry_out(plan, silent);

@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "../cli/commands/scene_files.h"
+#include "../writers/sample.h"
 #include "reports/gate/baseline_json.h"
-#include "tests/reports/commands/scene_files.h"
-#include "tests/reports/writers/sample.h"
 
 namespace plumb {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/reports/gate/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {

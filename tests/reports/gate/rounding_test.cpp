@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/reports/fakes.h"
+#include "../fakes.h"
 
 namespace plumb {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "tests/reports/history/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {

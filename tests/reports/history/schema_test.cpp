@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "reports/history/store.h"
-#include "tests/reports/history/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {
@@ -152,8 +152,7 @@ TEST_F(Schema, BringsVersion1UpToDateWithAllItHolds) {
         old.ask(
                "INSERT INTO answers (number, snapshot, scenario, variant, contender, dt, verdict) VALUES (?, ?, ?, ?, "
                "?, ?, ?)")
-            .with(++answer, snapshot, subject.scenario, subject.variant, subject.contender, subject.dt,
-                  answered.verdict)
+            .with(++answer, snapshot, subject.scenario, subject.variant, subject.engine, subject.dt, answered.verdict)
             .next();
         if (answered.time) {
           old.ask("UPDATE answers SET step_us = ?, step_us_low = ?, step_us_high = ?, repetitions = ? WHERE number = ?")

@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
+#include "../writers/sample.h"
 #include "reports/writers/json.h"
-#include "tests/reports/history/sample.h"
-#include "tests/reports/writers/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {
@@ -72,15 +72,15 @@ TEST(Snapshot, KeepsOfAReportItsMetricsVerdictsTimesAndWorstShare) {
   for (const auto& [subject, answered] : snapshot.answers) {
     if (answered.verdict != "wrong") continue;
     // A reading that is no number, and a law without any allowance broken.
-    EXPECT_TRUE(std::isnan(answered.metrics.at("share_of_allowed").value)) << subject.contender;
+    EXPECT_TRUE(std::isnan(answered.metrics.at("share_of_allowed").value)) << subject.engine;
   }
 }
 
-TEST(Snapshot, KeepsTheWorstOfWhatIsRevealed) {
+TEST(Snapshot, KeepsTheWorstOfWhatIsReported) {
   RunRecord run{.scenario = "fall", .variant = "one", .engine = "e", .dt = 0.01, .verdict = Verdict::right};
   run.truth = {{.error = 1, .tolerance = 4, .passed = true},
-               {.error = 9, .tolerance = 1, .passed = false, .revealed = false}};
-  run.invariants = {{.name = "energy", .ratio = 0.5}, {.name = "push", .standing = Standing::not_revealed, .ratio = 3}};
+               {.error = 9, .tolerance = 1, .passed = false, .reported = false}};
+  run.invariants = {{.name = "energy", .ratio = 0.5}, {.name = "push", .standing = Standing::not_reported, .ratio = 3}};
   Report report;
   report.runs = {run};
   report.timings = {{.scenario = "fall",

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/reports/history/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {
@@ -53,7 +53,7 @@ TEST_F(Store, TellsASeriesInTheOrderOfMoments) {
   for (const int i : {12, 3, 7}) history.add(sample_snapshot(i));
   const auto all = history.series("energy_rise");
   ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].subject.contender, "impulse");
+  EXPECT_EQ(all[0].subject.engine, "impulse");
   EXPECT_EQ(all[0].unit, "J");
   ASSERT_EQ(all[0].values.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(all[0].values[i].snapshot, i);

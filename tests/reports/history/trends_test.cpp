@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "tests/reports/history/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {
@@ -32,7 +32,7 @@ TEST_F(Trends, TellWhereANumberAndAVerdictChange) {
   EXPECT_EQ(rise.series.values[rise.changes[0].at].snapshot, 10u);
   const auto verdicts = verdict_changes(history_.verdicts());
   ASSERT_EQ(verdicts.size(), 1u);
-  EXPECT_EQ(verdicts[0].subject.contender, "impulse");
+  EXPECT_EQ(verdicts[0].subject.engine, "impulse");
   EXPECT_EQ(verdicts[0].snapshot, 10u);
   EXPECT_EQ(verdicts[0].before + " " + verdicts[0].after, "right wrong");
 }

@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "reports/cli.h"
 #include "reports/prove/document.h"
+#include "reports/run/selection.h"
 
 namespace plumb {
 namespace {
@@ -54,7 +54,7 @@ TEST(Faults, HoldEveryMisprintOfTheSeed) {
 }
 
 TEST(Faults, AreNotOfferedAsMethods) {
-  const Contender& ours = *Catalog<Contender>::find("impulse");
+  const Engine& ours = *Catalog<Engine>::find("impulse");
   for (const Fault& fault : all_faults()) {
     for (const Option& option : ours.options) {
       for (const auto& [choice, about] : option.choices) EXPECT_NE(choice, fault.name);

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "reports/cli.h"
+#include "reports/run/selection.h"
 
 namespace plumb {
 namespace {

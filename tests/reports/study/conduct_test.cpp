@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "tests/reports/study/study_files.h"
+#include "study_files.h"
 
 namespace plumb {
 namespace {

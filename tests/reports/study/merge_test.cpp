@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/reports/study/study_files.h"
+#include "study_files.h"
 
 namespace plumb {
 namespace {

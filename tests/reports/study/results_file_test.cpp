@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/reports/study/study_files.h"
+#include "study_files.h"
 
 namespace plumb {
 namespace {

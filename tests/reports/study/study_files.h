@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/reports/saying.h"
+#include "../saying.h"
 
 namespace plumb {
 

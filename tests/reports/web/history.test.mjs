@@ -17,8 +17,8 @@ function history() {
     reason: "",
     values: { commit: `c0ffee${String(i).padStart(2, "0")}a`, at: `2026-01-${String(i + 1).padStart(2, "0")}T00:00:00Z`, verdicts: { right: 2 } },
   }));
-  const line = (contender, metric, unit, values, machine, changes) => ({
-    ...{ ...subject, contender, metric, unit, machine, changes, values },
+  const line = (engine, metric, unit, values, machine, changes) => ({
+    ...{ ...subject, engine, metric, unit, machine, changes, values },
     ...{ snapshots: range, low: values.map((value) => value * (machine ? 0.98 : 1)), high: values.map((value) => value * (machine ? 1.03 : 1)) },
   });
   const noise = (i) => 0.01 * Math.sin(37 * i);
@@ -32,7 +32,7 @@ function history() {
       points: snapshots,
       findings: {
         unchanged: 12,
-        verdicts: [{ ...subject, contender: "impulse", snapshot: 10, before: "right", after: "wrong" }],
+        verdicts: [{ ...subject, engine: "impulse", snapshot: 10, before: "right", after: "wrong" }],
         trends: [line("impulse", "energy_rise", "J", range.map((i) => (i < 10 ? 1 : 2)), "", [{ at: 10, before: 1, after: 2, p: 0 }])],
       },
       timings: {

@@ -152,7 +152,7 @@ test("the method says what is not supported, and why", async () => {
   const { page } = await open(file);
   const said = await page.locator("#method").innerText();
   assert.match(said, /box2d: has one friction coefficient only\s+stacking \(tilted\)/);
-  assert.match(said, /impulse does not reveal what would tell of push/);
+  assert.match(said, /impulse does not report what would tell of push/);
   await page.close();
 });
 

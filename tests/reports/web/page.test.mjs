@@ -31,7 +31,7 @@ for (const [name, file] of Object.entries(reports)) {
   }
 }
 
-test("every contender has its line in each chart, and every run its mark against cost", async () => {
+test("every engine has its line in each chart, and every run its mark against cost", async () => {
   const { page } = await open(reports["the sample"]);
   await draw_all(page);
   const first = page.locator("article").first();
@@ -46,7 +46,7 @@ test("every contender has its line in each chart, and every run its mark against
   await page.close();
 });
 
-test("the pointer is told what every contender says at that time", async () => {
+test("the pointer is told what every engine says at that time", async () => {
   const { page } = await open(reports["the sample"]);
   const chart = page.locator("article .charts svg").first();
   await page.locator(".charts").first().scrollIntoViewIfNeeded();
@@ -129,7 +129,7 @@ test("what holds in any case has a row for each run, and what is broken says whe
   const { page, trouble } = await open(await write(data));
   const table = page.locator('[aria-label="What holds in any case"]');
   await until(() => table.count(), 3);
-  assert.match(await table.first().textContent(), /impulse[^]*0\.25[^]*not revealed/);
+  assert.match(await table.first().textContent(), /impulse[^]*0\.25[^]*not reported/);
   assert.match(await table.last().textContent(), /5\.00[^]*of floor - box 1 at/);
   assert.match(await page.locator("h1").innerText(), /impulse is furthest off, in stacking \(10 boxes\): 5\.00 times/);
   assert.deepEqual(trouble, []);

@@ -7,15 +7,15 @@ const dt = 1 / 60;
 const g = 10;
 
 const times = Array.from({ length: steps + 1 }, (_, i) => i * dt);
-const contenders = [
+const engines = [
   { engine: "impulse", method: "", exact: false, off: 0.5, cost: 0.4 },
   { engine: "box2d", method: "", exact: false, off: -0.5, cost: 0.7 },
   { engine: "free fall", method: "", exact: true, off: 0, cost: 0.01 },
 ];
 
-function fall(height, contender) {
-  const at = (t) => height - (g * t * t) / 2 - contender.off * g * t * dt;
-  const error = Math.abs(contender.off) * g * 2 * dt;
+function fall(height, engine) {
+  const at = (t) => height - (g * t * t) / 2 - engine.off * g * t * dt;
+  const error = Math.abs(engine.off) * g * 2 * dt;
   const check = {
     body: "ball",
     quantity: "y",
@@ -27,23 +27,23 @@ function fall(height, contender) {
     tolerance: error * 1.25 + 1e-9,
     relation: "equal",
     passed: true,
-    revealed: true,
+    reported: true,
     source: "h - g t^2/2; symplectic Euler is off by g t dt/2",
   };
   return {
     metrics: { truth_error_rms: { value: error / 1.7, unit: "m" }, energy_rise: { value: 0, unit: "J" } },
-    truth: contender.exact ? [] : [check],
+    truth: engine.exact ? [] : [check],
     invariants: [
       { name: "energy", unit: "J", standing: "held", value: 0.1, allowed: 0.4, ratio: 0.25, time: 1.5, where: "" },
-      { name: "push", unit: "N s", standing: "not revealed", value: 0, allowed: 0, ratio: 0, time: 0, where: "" },
+      { name: "push", unit: "N s", standing: "not reported", value: 0, allowed: 0, ratio: 0, time: 0, where: "" },
     ],
     series: {
       t: times,
-      energy: times.map((t) => g * height + contender.off * g * t),
+      energy: times.map((t) => g * height + engine.off * g * t),
       momentum_x: times.map(() => 0),
       momentum_y: times.map((t) => -g * t),
       angular_momentum: times.map(() => 0),
-      pose_difference: times.map((t) => Math.abs(contender.off) * g * t * dt),
+      pose_difference: times.map((t) => Math.abs(engine.off) * g * t * dt),
       overlap: times.map(() => 0),
     },
   };
@@ -107,16 +107,16 @@ export function sample(scenario = "free-fall") {
   const { report } = page;
   for (const height of [5, 50]) {
     const variant = `height ${height}`;
-    for (const contender of contenders) {
-      const { series, ...result } = fall(height, contender);
-      const of = place(scenario, variant, contender);
-      report.runs.push({ ...of, parameters: { height }, exact: contender.exact, dt, status: "ok", reason: "", ...result, verdict: "right" });
+    for (const engine of engines) {
+      const { series, ...result } = fall(height, engine);
+      const of = place(scenario, variant, engine);
+      report.runs.push({ ...of, parameters: { height }, exact: engine.exact, dt, status: "ok", reason: "", ...result, verdict: "right" });
       page.series.push({ ...of, ...series });
-      if (contender.exact) continue;
-      const cost = { step_us: contender.cost * height ** 0.2, step_us_low: contender.cost, step_us_high: contender.cost * 2 };
+      if (engine.exact) continue;
+      const cost = { step_us: engine.cost * height ** 0.2, step_us_low: engine.cost, step_us_high: engine.cost * 2 };
       report.timings.steps.push({ ...of, ...cost, real_time_factor: 40000, repetitions: 5 });
     }
-    page.replays.push({ scenario, variant, scene: pack(JSON.stringify(scene)), runs: contenders.map((contender) => replay_of(height, contender)) });
+    page.replays.push({ scenario, variant, scene: pack(JSON.stringify(scene)), runs: engines.map((engine) => replay_of(height, engine)) });
     report.comparisons.push({
       scenario,
       variant,
@@ -132,12 +132,12 @@ export function sample(scenario = "free-fall") {
     report.comparisons.push({ scenario, variant, a: "impulse", b: "free fall", metrics: parted, verdict: "right", reason: "" });
   }
   const other = { parameters: { boxes: 10 }, exact: false, dt, metrics: {}, truth: [], invariants: [] };
-  const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, relation: "equal", passed: false, revealed: true, source: "nothing moves" };
+  const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, relation: "equal", passed: false, reported: true, source: "nothing moves" };
   report.runs.push(
-    { ...other, ...place("stacking", "10 boxes", contenders[0]), status: "ok", reason: "", verdict: "wrong", truth: [wrong] },
-    { ...other, ...place("stacking", "10 boxes", contenders[1]), status: "failed", reason: "diverged at t = 0.42 s", verdict: "failed" },
-    { ...other, ...place("stacking", "tilted", contenders[0]), status: "ok", reason: "", verdict: "plausible" },
-    { ...other, ...place("stacking", "tilted", contenders[1]), status: "not supported", reason: "has one friction coefficient only", verdict: "not supported" },
+    { ...other, ...place("stacking", "10 boxes", engines[0]), status: "ok", reason: "", verdict: "wrong", truth: [wrong] },
+    { ...other, ...place("stacking", "10 boxes", engines[1]), status: "failed", reason: "diverged at t = 0.42 s", verdict: "failed" },
+    { ...other, ...place("stacking", "tilted", engines[0]), status: "ok", reason: "", verdict: "plausible" },
+    { ...other, ...place("stacking", "tilted", engines[1]), status: "not supported", reason: "has one friction coefficient only", verdict: "not supported" },
   );
   return page;
 }

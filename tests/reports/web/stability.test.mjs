@@ -56,7 +56,7 @@ function sample() {
   points.push({ key: "stability|hill|<b>wild</b>|y=1", ending: "crashed", reason: "ended by signal 11", values: {} });
   const x = { name: "boxes", unit: "", from: 1, to: 30, logarithmic: true, whole: false, values: xs };
   const boundary = { name: "stands", failing: [], grain: 0.01, source: "", agreement: 0, natural: false };
-  const agreement = { contender: "impulse", boundary: "stands", rows: 3, agree: 3, measured: 3, worst: 0.004 };
+  const agreement = { engine: "impulse", boundary: "stands", rows: 3, agree: 3, measured: 3, worst: 0.004 };
   const map = (name, y, more) => ({ name, question: `How high is the ${name}?`, x, y, typical: 0.5, metrics: ["topples: turns by more than 11 deg"], boundaries: [boundary], agreements: [], stands: [], ...more });
   return {
     study: {
@@ -72,7 +72,7 @@ function sample() {
           map("tower", null, {}),
           map("hill", { name: "friction", unit: "", from: 0.1, to: 0.9, logarithmic: false, whole: false }, {
             boundaries: [{ ...boundary, source: "Coulomb", agreement: 0.1, natural: true }],
-            agreements: [agreement, { ...agreement, contender: "box2d", rows: 1, agree: 0, worst: 0.1 }],
+            agreements: [agreement, { ...agreement, engine: "box2d", rows: 1, agree: 0, worst: 0.1 }],
           }),
         ],
       },

@@ -22,8 +22,8 @@ export function study_sample() {
       scenario,
       variant: "plain",
       front: fronts[1],
-      contenders: ["box2d", "impulse", "never"].map((contender, index) => ({
-        contender,
+      engines: ["box2d", "impulse", "never"].map((engine, index) => ({
+        engine,
         front: fronts[index] ?? [],
         time_for_error: index < 2 ? [{ value: 3e-4, bound: true }, { value: 4e-4 * (index + 1), bound: false }, null] : [null, null, null],
         error_for_time: [null, index < 2 ? { value: 2e-2, bound: false } : null],
@@ -45,9 +45,9 @@ export function study_sample() {
       findings: {
         order_tolerance: 0.2,
         orders: [
-          { ...order, contender: "box2d", stated: 1, order: 1.01, half_width: 0.02, finding: "as stated" },
-          { ...order, contender: "impulse", stated: 2, order: null, half_width: null, finding: "exact" },
-          { ...order, contender: "impulse", scenario: "heap", stated: null, order: 0.5, half_width: 0.3, finding: "measured" },
+          { ...order, engine: "box2d", stated: 1, order: 1.01, half_width: 0.02, finding: "as stated" },
+          { ...order, engine: "impulse", stated: 2, order: null, half_width: null, finding: "exact" },
+          { ...order, engine: "impulse", scenario: "heap", stated: null, order: 0.5, half_width: 0.3, finding: "measured" },
         ],
       },
       timings: {

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "tests/reports/writers/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {
@@ -29,14 +29,14 @@ TEST(Console, ShowsVerdictsReasonsAndTheChecksThatFailed) {
   EXPECT_THAT(text, HasSubstr("parted at 0.5 s"));
 }
 
-TEST(Console, SaysOnWhichSideAValueMustBeAndWhatIsNotRevealed) {
+TEST(Console, SaysOnWhichSideAValueMustBeAndWhatIsNotReported) {
   Report report = sample_report();
   TruthCheck& check = report.runs[1].truth[0];
   check.relation = Relation::at_most;
   EXPECT_THAT(console_text(report, false), HasSubstr("expected at most 0.333333 +- 0.1 m"));
-  check.revealed = false;
+  check.reported = false;
   const std::string text = console_text(report, false);
-  EXPECT_THAT(text, HasSubstr("not revealed"));
+  EXPECT_THAT(text, HasSubstr("not reported"));
   EXPECT_THAT(text, Not(HasSubstr("0/1")));
 }
 

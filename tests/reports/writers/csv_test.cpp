@@ -2,9 +2,9 @@
 
 #include <sstream>
 
-#include "reports/writer.h"
+#include "reports/writers/writer.h"
+#include "sample.h"
 #include "scenarios/catalog.h"
-#include "tests/reports/writers/sample.h"
 
 namespace plumb {
 namespace {

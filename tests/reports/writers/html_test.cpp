@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "reports/writers/json.h"
-#include "tests/reports/writers/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/reports/writers/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/reports/writers/unpacking.h"
+#include "unpacking.h"
 
 namespace plumb {
 namespace {

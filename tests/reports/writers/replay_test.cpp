@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tests/reports/writers/sample.h"
-#include "tests/reports/writers/unpacking.h"
+#include "sample.h"
+#include "unpacking.h"
 
 namespace plumb {
 namespace {

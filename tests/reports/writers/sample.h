@@ -50,7 +50,7 @@ inline Report sample_report() {
                        .ratio = std::numeric_limits<double>::infinity(),
                        .time = 1.5,
                        .where = "box, \"the\" first - ground"},
-                      {.name = "cone", .unit = "N s", .standing = Standing::not_revealed}};
+                      {.name = "cone", .unit = "N s", .standing = Standing::not_reported}};
   RunRecord failed = exact;
   failed.engine = "lost";
   failed.exact = false;

@@ -23,9 +23,9 @@ const same = 1e-3;
 
 /** "At the end: impulse at 12.3 J, box2d at 12.1 J and the truth at 12.4 J." */
 function ends(entries: Entry[], column: Column, unit: string): string {
-  const found = entries.flatMap(({ contender, series }) => {
+  const found = entries.flatMap(({ engine, series }) => {
     const value = series ? last(series[column]) : null;
-    return value === null ? [] : [{ name: contender.exact ? "the truth" : contender.label, value }];
+    return value === null ? [] : [{ name: engine.exact ? "the truth" : engine.label, value }];
   });
   if (!found.length) return "";
   const values = found.map(({ value }) => value);
@@ -75,10 +75,10 @@ function momenta({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
 }
 
 function pose({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
-  const engines = entries.filter(({ contender, series }) => !contender.exact && series);
-  const parts = engines.map(({ contender, series }) => `${contender.label} ${number(largest(series?.pose_difference ?? []), "m")}`);
+  const engines = entries.filter(({ engine, series }) => !engine.exact && series);
+  const parts = engines.map(({ engine, series }) => `${engine.label} ${number(largest(series?.pose_difference ?? []), "m")}`);
   const apart = engines.some(({ series }) => largest(series?.pose_difference ?? []) > 0);
-  const against = entries.some(({ contender }) => contender.exact) ? "from the truth" : "between the engines";
+  const against = entries.some(({ engine }) => engine.exact) ? "from the truth" : "between the engines";
   return figure({
     title: `Pose difference ${against}`,
     note: apart ? `At most: ${enumerate(parts)}.` : "None at any time.",
@@ -90,11 +90,11 @@ function pose({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
 
 /** None where bodies never overlap. */
 function overlap({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
-  const engines = entries.filter(({ contender, series }) => !contender.exact && series);
-  const most = engines.map(({ contender, series }) => ({ contender, depth: largest(series?.overlap ?? []) }));
+  const engines = entries.filter(({ engine, series }) => !engine.exact && series);
+  const most = engines.map(({ engine, series }) => ({ engine, depth: largest(series?.overlap ?? []) }));
   if (!most.some(({ depth }) => depth > 0)) return [];
   const chart: OverTime = { quantity: "overlap", unit: "m", entries, column: "overlap", horizon, cursor };
-  const parts = most.map(({ contender, depth }) => `${contender.label} ${number(depth, "m", 2)}`);
+  const parts = most.map(({ engine, depth }) => `${engine.label} ${number(depth, "m", 2)}`);
   return [
     figure({
       title: "Deepest overlap of two bodies",

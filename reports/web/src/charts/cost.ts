@@ -24,7 +24,7 @@ function marks_of(model: Model): Mark[] {
       for (const entry of entries) {
         const cost = entry.timing?.step_us;
         const error = entry.run.metrics[metric]?.value;
-        if (entry.contender.exact || !cost || typeof error !== "number") continue;
+        if (entry.engine.exact || !cost || typeof error !== "number") continue;
         found.push({
           entry,
           place: `${scenario}, ${variant}`,
@@ -41,7 +41,7 @@ function marks_of(model: Model): Mark[] {
 
 const described = ({ entry, place, cost, error }: Mark): string =>
   [
-    entry.contender.label,
+    entry.engine.label,
     place,
     `${number(error, "m")} from the truth`,
     `${number(cost, "\u00b5s")} a step of ${time_step(entry.run.dt)}`,
@@ -56,7 +56,7 @@ export function cost_chart(model: Model): HTMLElement | null {
     "time per step (\u00b5s), median",
   );
   const height_of = ({ error }: Mark) => Math.max(floor, error);
-  const by_contender = model.contenders.map((contender) => marks.filter(({ entry }) => entry.contender === contender));
+  const by_engine = model.engines.map((engine) => marks.filter(({ entry }) => entry.engine === engine));
   const draw = (width: number) =>
     Plot.plot({
       ...plot_look(width, 400),
@@ -70,18 +70,18 @@ export function cost_chart(model: Model): HTMLElement | null {
           x2: "high",
           y1: height_of,
           y2: height_of,
-          stroke: ({ entry }: Mark) => entry.contender.color,
+          stroke: ({ entry }: Mark) => entry.engine.color,
           strokeOpacity: 0.5,
         }),
-        ...by_contender.flatMap((own) =>
+        ...by_engine.flatMap((own) =>
           own.slice(0, 1).map(({ entry }) =>
             Plot.dot(own, {
               x: "cost",
               y: height_of,
               r: 5,
-              ...dot_look(entry.contender),
+              ...dot_look(entry.engine),
               className: "marks",
-              ariaDescription: entry.contender.label,
+              ariaDescription: entry.engine.label,
             }),
           ),
         ),

@@ -9,9 +9,9 @@ import { name_axis } from "./name_axis";
 
 const row_height = 26;
 
-const described = ({ contender, median, low, high, reached, cases }: Factor): string =>
+const described = ({ engine, median, low, high, reached, cases }: Factor): string =>
   [
-    contender.label,
+    engine.label,
     `${number(median, "", 2)} times, middle half ${number(low, "", 2)} to ${number(high, "", 2)}`,
     `gets there in ${reached} of ${cases} cases`,
   ].join("\n");
@@ -19,9 +19,9 @@ const described = ({ contender, median, low, high, reached, cases }: Factor): st
 /** `over`: "all cases", or which. */
 export function equal_error_chart(standard: string, factors: Factor[], over: string): HTMLElement {
   const found = factors.filter(({ median }) => median !== null).sort((a, b) => (a.median ?? 0) - (b.median ?? 0));
-  const never = factors.filter(({ median }) => median === null).map(({ contender }) => contender.label);
+  const never = factors.filter(({ median }) => median === null).map(({ engine }) => engine.label);
   const height = 70 + row_height * found.length;
-  const name = ({ contender, reached, cases }: Factor) => `${contender.label}  ${reached}/${cases}`;
+  const name = ({ engine, reached, cases }: Factor) => `${engine.label}  ${reached}/${cases}`;
   const draw = (width: number) => {
     const values = found.flatMap(({ low, high }) => [low ?? 1, high ?? 1]);
     const { domain, ticks } = decades([1, ...values]);
@@ -35,9 +35,9 @@ export function equal_error_chart(standard: string, factors: Factor[], over: str
       marks: [
         axis,
         Plot.ruleX([1], { stroke: "var(--faint)" }),
-        Plot.link(found, { x1: "low", x2: "high", y1: name, y2: name, stroke: ({ contender }: Factor) => contender.color, strokeWidth: 3, strokeOpacity: 0.5 }),
+        Plot.link(found, { x1: "low", x2: "high", y1: name, y2: name, stroke: ({ engine }: Factor) => engine.color, strokeWidth: 3, strokeOpacity: 0.5 }),
         ...found.map((factor) =>
-          Plot.dot([factor], { x: "median", y: name, r: 5, ...dot_look(factor.contender), className: "factor", ariaDescription: factor.contender.label }),
+          Plot.dot([factor], { x: "median", y: name, r: 5, ...dot_look(factor.engine), className: "factor", ariaDescription: factor.engine.label }),
         ),
         Plot.tip(found, Plot.pointerY({ x: "median", y: name, title: described, ...tip_look })),
       ],

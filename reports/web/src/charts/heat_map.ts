@@ -87,7 +87,7 @@ export function heat_map(map: StabilityMap, panel: Panel, note: string): HTMLEle
     return Plot.plot({
       ...look,
       marginLeft: (panel.y ? 50 : 12) * size,
-      ariaLabel: `How each cell went: ${panel.contender}`,
+      ariaLabel: `How each cell went: ${panel.engine}`,
       x: {
         type: x.logarithmic ? "log" : "linear",
         domain: [across[0] ?? 0, across[across.length - 1] ?? 1],
@@ -143,5 +143,5 @@ export function heat_map(map: StabilityMap, panel: Panel, note: string): HTMLEle
       ],
     });
   };
-  return figure({ title: panel.contender, note, height, draw: (width) => [draw(width)] });
+  return figure({ title: panel.engine, note, height, draw: (width) => [draw(width)] });
 }

@@ -1,17 +1,17 @@
-// How a contender looks in every chart and legend.
+// How a engine looks in every chart and legend.
 import * as Plot from "@observablehq/plot";
 import { h } from "../dom";
-import type { Contender } from "../model";
+import type { Engine } from "../model";
 
 /** The truth is a broad pale band that engines are drawn upon. */
-export const line_look = (contender: Contender) =>
-  contender.exact
-    ? { stroke: contender.color, strokeWidth: 7, strokeLinecap: "round" as const }
-    : { stroke: contender.color, strokeWidth: 1.75, strokeDasharray: contender.dash };
+export const line_look = (engine: Engine) =>
+  engine.exact
+    ? { stroke: engine.color, strokeWidth: 7, strokeLinecap: "round" as const }
+    : { stroke: engine.color, strokeWidth: 1.75, strokeDasharray: engine.dash };
 
-export const dot_look = (contender: Contender) => ({
-  symbol: contender.symbol as Plot.SymbolType,
-  fill: contender.color,
+export const dot_look = (engine: Engine) => ({
+  symbol: engine.symbol as Plot.SymbolType,
+  fill: engine.color,
   stroke: "var(--paper)",
   strokeWidth: 1,
 });
@@ -38,21 +38,21 @@ export const tip_look = { fill: "var(--paper)", stroke: "var(--faint)", lineHeig
 
 const marks = new Map<string, Element>();
 
-/** Line and shape of a contender; drawn once, for a long page has hundreds. */
-export function legend_mark(contender: Contender): Element {
-  const known = marks.get(contender.label) ?? draw_mark(contender);
-  marks.set(contender.label, known);
+/** Line and shape of a engine; drawn once, for a long page has hundreds. */
+export function legend_mark(engine: Engine): Element {
+  const known = marks.get(engine.label) ?? draw_mark(engine);
+  marks.set(engine.label, known);
   return known.cloneNode(true) as Element;
 }
 
 /** Its shape alone, about the origin: the data of a path. */
-export function shape_of(contender: Contender): string {
-  const mark = legend_mark(contender);
+export function shape_of(engine: Engine): string {
+  const mark = legend_mark(engine);
   const radius = Number(mark.querySelector("circle")?.getAttribute("r") ?? 0);
   return mark.querySelector("path")?.getAttribute("d") ?? `M${radius},0A${radius},${radius},0,1,1,${-radius},0A${radius},${radius},0,1,1,${radius},0`;
 }
 
-function draw_mark(contender: Contender): Element {
+function draw_mark(engine: Engine): Element {
   const drawn = Plot.plot({
     width: 36,
     height: 16,
@@ -60,8 +60,8 @@ function draw_mark(contender: Contender): Element {
     x: { domain: [0, 36], axis: null },
     y: { domain: [0, 16], axis: null },
     marks: [
-      Plot.ruleY([8], { ...line_look(contender), x1: 4, x2: 32 }),
-      contender.exact ? null : Plot.dot([[18, 8]], { ...dot_look(contender), r: 4 }),
+      Plot.ruleY([8], { ...line_look(engine), x1: 4, x2: 32 }),
+      engine.exact ? null : Plot.dot([[18, 8]], { ...dot_look(engine), r: 4 }),
     ],
   });
   drawn.setAttribute("aria-hidden", "true");
@@ -69,12 +69,12 @@ function draw_mark(contender: Contender): Element {
 }
 
 /** A long name may go on in a new line after a comma. */
-function name_of({ label }: Contender): HTMLElement {
+function name_of({ label }: Engine): HTMLElement {
   const parts = label.split(/(?<=,)/).flatMap((part) => [h("wbr"), part]);
   return h("span", {}, ...parts);
 }
 
-/** Line, shape and name of each contender. */
-export function legend(contenders: Contender[]): HTMLElement {
-  return h("ul", { class: "legend" }, ...contenders.map((contender) => h("li", {}, legend_mark(contender), name_of(contender))));
+/** Line, shape and name of each engine. */
+export function legend(engines: Engine[]): HTMLElement {
+  return h("ul", { class: "legend" }, ...engines.map((engine) => h("li", {}, legend_mark(engine), name_of(engine))));
 }

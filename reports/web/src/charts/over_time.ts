@@ -1,7 +1,7 @@
-// One quantity over time: a line a contender, with its shape set on it now and then.
+// One quantity over time: a line a engine, with its shape set on it now and then.
 import * as Plot from "@observablehq/plot";
 import { given, number, pretty_unit } from "../format";
-import type { Contender, Entry } from "../model";
+import type { Engine, Entry } from "../model";
 import type { Cursor } from "../replay/cursor";
 import { playhead } from "../replay/playhead";
 import { decades } from "./decades";
@@ -10,7 +10,7 @@ import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
 export interface Point {
   t: number;
   value: number;
-  contender: Contender;
+  engine: Engine;
 }
 
 export interface OverTime {
@@ -29,14 +29,14 @@ const shapes_per_line = 5;
 const most_points = 1500;
 
 function points_of(entry: Entry, column: OverTime["column"], log: boolean): Point[] {
-  const { series, contender } = entry;
+  const { series, engine } = entry;
   if (!series) return [];
   const stride = Math.max(1, Math.ceil(series.t.length / most_points));
   const points: Point[] = [];
   series.t.forEach((t, index) => {
     const value = series[column][index];
     const wanted = index % stride === 0 || index === series.t.length - 1;
-    if (wanted && typeof value === "number" && (!log || value > 0)) points.push({ t, value, contender });
+    if (wanted && typeof value === "number" && (!log || value > 0)) points.push({ t, value, engine });
   });
   return points;
 }
@@ -54,7 +54,7 @@ function moments_of(points: Point[]): Moment[] {
 }
 
 const told = ({ t, points }: Moment, unit: string): string =>
-  [`at ${given(t, "s", 4)}`, ...points.map(({ contender, value }) => `${contender.label}: ${number(value, unit, 4)}`)].join("\n");
+  [`at ${given(t, "s", 4)}`, ...points.map(({ engine, value }) => `${engine.label}: ${number(value, unit, 4)}`)].join("\n");
 
 /** Shapes of several lines stand at different times, so that lines upon each other still show who they are. */
 function shapes(points: Point[], index: number, lines: number): Point[] {
@@ -76,13 +76,13 @@ function linear_domain(points: Point[]): [number, number] {
 
 export function over_time(width: number, { quantity, unit, entries, column, log = false, horizon, cursor }: OverTime): Element {
   const lines = entries
-    .filter((entry) => !log || !entry.contender.exact)
-    .map((entry) => ({ contender: entry.contender, points: points_of(entry, column, log) }))
+    .filter((entry) => !log || !entry.engine.exact)
+    .map((entry) => ({ engine: entry.engine, points: points_of(entry, column, log) }))
     .filter((line) => line.points.length > 0);
   const all = lines.flatMap((line) => line.points);
   const moments = moments_of(all);
-  const engines = lines.filter((line) => !line.contender.exact);
-  const drawn = [...lines].sort((a, b) => Number(b.contender.exact) - Number(a.contender.exact));
+  const engines = lines.filter((line) => !line.engine.exact);
+  const drawn = [...lines].sort((a, b) => Number(b.engine.exact) - Number(a.engine.exact));
   const chart = Plot.plot({
     ...plot_look(width, height),
     ariaLabel: `${quantity} over time`,
@@ -101,11 +101,11 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
             Plot.ruleX([horizon], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
             Plot.text([horizon], { x: (t: number) => t, text: () => "horizon", frameAnchor: "top", textAnchor: "start", dx: 4, fill: "var(--faint)" }),
           ]),
-      ...drawn.map(({ contender, points }) =>
-        Plot.line(points, { x: "t", y: "value", ...line_look(contender), className: "line", ariaDescription: contender.label }),
+      ...drawn.map(({ engine, points }) =>
+        Plot.line(points, { x: "t", y: "value", ...line_look(engine), className: "line", ariaDescription: engine.label }),
       ),
-      ...engines.map(({ contender, points }, index) =>
-        Plot.dot(shapes(points, index, engines.length), { x: "t", y: "value", r: 3.5, ...dot_look(contender), ariaHidden: "true" }),
+      ...engines.map(({ engine, points }, index) =>
+        Plot.dot(shapes(points, index, engines.length), { x: "t", y: "value", r: 3.5, ...dot_look(engine), ariaHidden: "true" }),
       ),
       Plot.ruleX(moments, Plot.pointerX({ x: "t", stroke: "var(--faint)" })),
       Plot.tip(moments, Plot.pointerX({ x: "t", frameAnchor: "top-left", title: (moment: Moment) => told(moment, unit), ...tip_look })),

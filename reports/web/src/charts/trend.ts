@@ -1,8 +1,8 @@
-// A metric from snapshot to snapshot: a line a contender, times with the middle half of their repetitions, and a mark
+// A metric from snapshot to snapshot: a line a engine, times with the middle half of their repetitions, and a mark
 // where a line changes for good.
 import * as Plot from "@observablehq/plot";
 import { given, number, pretty_unit } from "../format";
-import type { Contender } from "../model";
+import type { Engine } from "../model";
 import { day, metric_name, short_commit, type Panel, type Snapshot, type Trend } from "../studies/history_model";
 import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
 
@@ -13,7 +13,7 @@ interface Point {
   value: number;
   low: number;
   high: number;
-  contender: Contender;
+  engine: Engine;
 }
 
 interface Change extends Point {
@@ -22,13 +22,13 @@ interface Change extends Point {
   p: number;
 }
 
-const points_of = (trend: Trend, contender: Contender): Point[] =>
+const points_of = (trend: Trend, engine: Engine): Point[] =>
   trend.values.map((value, index) => ({
     snapshot: trend.snapshots[index] ?? 0,
     value,
     low: trend.low[index] ?? value,
     high: trend.high[index] ?? value,
-    contender,
+    engine,
   }));
 
 const changes_of = (trend: Trend, points: Point[]): Change[] =>
@@ -40,21 +40,21 @@ const changes_of = (trend: Trend, points: Point[]): Change[] =>
 /** "exact" where the numbers repeat to the bit. */
 export const certainty = (p: number): string => (p === 0 ? "exact" : `p ${number(p, "", 1)}`);
 
-function told(snapshot: Snapshot | undefined, { contender, value, low, high }: Point, unit: string, change: Change | undefined): string {
+function told(snapshot: Snapshot | undefined, { engine, value, low, high }: Point, unit: string, change: Change | undefined): string {
   return [
     snapshot ? `${day(snapshot)}  ${short_commit(snapshot)}` : "",
-    `${contender.label}: ${number(value, unit, 4)}${high > low ? ` (${number(low, "", 3)} \u2013 ${number(high, "", 3)})` : ""}`,
+    `${engine.label}: ${number(value, unit, 4)}${high > low ? ` (${number(low, "", 3)} \u2013 ${number(high, "", 3)})` : ""}`,
     change ? `changes from ${number(change.before, unit, 4)} to ${number(change.after, unit, 4)}, ${certainty(change.p)}` : "",
   ]
     .filter(Boolean)
     .join("\n");
 }
 
-export function trend_chart(width: number, { metric, unit, trends }: Panel, snapshots: Snapshot[], contender_of: (label: string) => Contender): Element {
+export function trend_chart(width: number, { metric, unit, trends }: Panel, snapshots: Snapshot[], engine_of: (label: string) => Engine): Element {
   const lines = trends.map((trend) => {
-    const contender = contender_of(trend.contender);
-    const points = points_of(trend, contender);
-    return { contender, points, changes: changes_of(trend, points) };
+    const engine = engine_of(trend.engine);
+    const points = points_of(trend, engine);
+    return { engine, points, changes: changes_of(trend, points) };
   });
   const all = lines.flatMap(({ points }) => points);
   const changes = lines.flatMap((line) => line.changes);
@@ -64,7 +64,7 @@ export function trend_chart(width: number, { metric, unit, trends }: Panel, snap
   const low = Math.min(...all.map((point) => point.low));
   const high = Math.max(...all.map((point) => point.high));
   const lack = high > low ? 0 : Math.abs(high) * 0.02 || 1;
-  const change_at = new Map(changes.map((change) => [`${change.contender.label} ${change.snapshot}`, change]));
+  const change_at = new Map(changes.map((change) => [`${change.engine.label} ${change.snapshot}`, change]));
   return Plot.plot({
     ...plot_look(width, height),
     ariaLabel: `${metric_name(metric)} from snapshot to snapshot`,
@@ -85,13 +85,13 @@ export function trend_chart(width: number, { metric, unit, trends }: Panel, snap
     },
     marks: [
       Plot.ruleX([...new Set(changes.map(({ snapshot }) => snapshot))], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
-      ...lines.map(({ contender, points }) =>
-        Plot.areaY(points, { x: "snapshot", y1: "low", y2: "high", fill: contender.color, fillOpacity: 0.15, ariaHidden: "true" }),
+      ...lines.map(({ engine, points }) =>
+        Plot.areaY(points, { x: "snapshot", y1: "low", y2: "high", fill: engine.color, fillOpacity: 0.15, ariaHidden: "true" }),
       ),
-      ...lines.map(({ contender, points }) =>
-        Plot.line(points, { x: "snapshot", y: "value", ...line_look(contender), className: "line", ariaDescription: contender.label }),
+      ...lines.map(({ engine, points }) =>
+        Plot.line(points, { x: "snapshot", y: "value", ...line_look(engine), className: "line", ariaDescription: engine.label }),
       ),
-      ...lines.map(({ contender, points }) => Plot.dot(points, { x: "snapshot", y: "value", r: 2.5, ...dot_look(contender), ariaHidden: "true" })),
+      ...lines.map(({ engine, points }) => Plot.dot(points, { x: "snapshot", y: "value", r: 2.5, ...dot_look(engine), ariaHidden: "true" })),
       Plot.dot(changes, { x: "snapshot", y: "value", r: 7, stroke: "var(--wrong)", strokeWidth: 2, className: "change" }),
       Plot.tip(
         all,
@@ -99,7 +99,7 @@ export function trend_chart(width: number, { metric, unit, trends }: Panel, snap
           x: "snapshot",
           y: "value",
           title: (point: Point) =>
-            told(snapshots[point.snapshot], point, unit, change_at.get(`${point.contender.label} ${point.snapshot}`)),
+            told(snapshots[point.snapshot], point, unit, change_at.get(`${point.engine.label} ${point.snapshot}`)),
           ...tip_look,
         }),
       ),

@@ -8,9 +8,9 @@ import { dot_look, line_look, plot_look, tip_look } from "./look";
 
 const height = 460;
 
-const described = ({ contender, setting, dt, time, error, wide }: SpeedMark): string =>
+const described = ({ engine, setting, dt, time, error, wide }: SpeedMark): string =>
   [
-    contender.label,
+    engine.label,
     [setting, `step ${time_step(dt)}`].filter(Boolean).join(", "),
     `${number(error, "m")} from the truth`,
     `${number(time * 1e6, "\u00b5s")} for a simulated second${wide ? ", unsteady" : ""}`,
@@ -42,12 +42,12 @@ export function work_precision(place: SpeedCase, choose: (mark: SpeedMark) => vo
           : null,
         Plot.dot(
           marks.filter(({ on_front }) => !on_front),
-          { ...at, r: 1.5, fill: ({ contender }: SpeedMark) => contender.color, fillOpacity: 0.45, ariaHidden: "true" },
+          { ...at, r: 1.5, fill: ({ engine }: SpeedMark) => engine.color, fillOpacity: 0.45, ariaHidden: "true" },
         ),
-        ...curves.map(({ contender, front: own }) =>
-          Plot.line(own, { ...at, ...line_look(contender), className: "line", ariaDescription: contender.label }),
+        ...curves.map(({ engine, front: own }) =>
+          Plot.line(own, { ...at, ...line_look(engine), className: "line", ariaDescription: engine.label }),
         ),
-        ...curves.map(({ contender, front: own }) => Plot.dot(own, { ...at, r: 4, ...dot_look(contender), ariaHidden: "true" })),
+        ...curves.map(({ engine, front: own }) => Plot.dot(own, { ...at, r: 4, ...dot_look(engine), ariaHidden: "true" })),
         Plot.dot(
           marks.filter(({ wide, on_front }) => wide && on_front),
           { ...at, r: 7, stroke: "var(--faint)", strokeDasharray: "2 2", className: "unsteady", ariaDescription: "time not steady" },

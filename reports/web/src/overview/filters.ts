@@ -72,7 +72,7 @@ const named = (names: string[]): { value: string; name: string }[] => names.map(
 export function filters(model: Model): Control {
   let view: View = new URLSearchParams();
   const present: Present = () => view;
-  const engines = model.contenders.filter(({ exact }) => !exact);
+  const engines = model.engines.filter(({ exact }) => !exact);
   const distinct = (values: string[]): string[] => [...new Set(values)];
   const orders = keys(engines).flatMap(({ id, name }) => [
     { value: id, name },

@@ -1,16 +1,16 @@
 // Every case against every engine: verdicts, each with a number, each leading to its evidence.
 import { show, type View } from "../address";
 import { h, slug } from "../dom";
-import type { Case, Contender, Entry, Model } from "../model";
+import type { Case, Engine, Entry, Model } from "../model";
 import { badge } from "../sections/pieces";
 import type { Measure } from "./measures";
 import { key_of, ordered, scenario, sorting, variant, type Key } from "./order";
 
 function cell(entry: Entry | undefined, place: Case, head: string, measure: Measure): HTMLTableCellElement {
   if (!entry) return h("td", { class: "none", "data-label": head }, "\u2013");
-  const { run, contender } = entry;
+  const { run, engine } = entry;
   const why = run.status === "ok" ? null : h("span", { class: "reason" }, run.reason);
-  const link = h("a", { href: `#${slug(place.scenario, place.variant, contender.label)}` }, badge(run.verdict), measure.shown(entry), why);
+  const link = h("a", { href: `#${slug(place.scenario, place.variant, engine.label)}` }, badge(run.verdict), measure.shown(entry), why);
   return h("td", { "data-label": head, "data-verdict": run.verdict }, link);
 }
 
@@ -34,7 +34,7 @@ function head(key: Key, view: View): HTMLTableCellElement {
   return h("th", { scope: "col", "aria-sort": mine ? (down ? "descending" : "ascending") : "none" }, button);
 }
 
-export function matrix(model: Model, engines: Contender[], view: View, measure: Measure): HTMLElement {
+export function matrix(model: Model, engines: Engine[], view: View, measure: Measure): HTMLElement {
   const asked = sorting(view);
   let above = "";
   const rows = ordered(model, asked, measure).map((place) => {
@@ -44,7 +44,7 @@ export function matrix(model: Model, engines: Contender[], view: View, measure: 
     const to_case = h("a", { href: `#${slug(place.scenario, place.variant)}` }, place.variant);
     const row = h("tr", first ? { class: "first" } : {}, name, h("td", { class: "variant" }, to_case));
     for (const engine of engines) {
-      row.append(cell(place.entries.find(({ contender }) => contender === engine), place, engine.label, measure));
+      row.append(cell(place.entries.find(({ engine }) => engine === engine), place, engine.label, measure));
     }
     return row;
   });

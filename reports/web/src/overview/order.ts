@@ -1,6 +1,6 @@
 // The order of the overview's rows. A view names what they are sorted by; "-" before it turns the order around.
 import type { View } from "../address";
-import type { Case, Contender, Model } from "../model";
+import type { Case, Engine, Model } from "../model";
 import type { Measure } from "./measures";
 
 export interface Key {
@@ -11,9 +11,9 @@ export interface Key {
 export const largest: Key = { id: "largest", name: "largest of a row" };
 export const scenario: Key = { id: "scenario", name: "scenario" };
 export const variant: Key = { id: "case", name: "case" };
-export const key_of = ({ label }: Contender): Key => ({ id: `of ${label}`, name: label });
+export const key_of = ({ label }: Engine): Key => ({ id: `of ${label}`, name: label });
 
-export const keys = (engines: Contender[]): Key[] => [scenario, variant, largest, ...engines.map(key_of)];
+export const keys = (engines: Engine[]): Key[] => [scenario, variant, largest, ...engines.map(key_of)];
 
 export interface Sorting {
   id: string; // "": as listed
@@ -42,9 +42,9 @@ function compare(model: Model, { id, down }: Sorting, measure: Measure): Compare
   const turn = down ? -1 : 1;
   if (id === scenario.id) return (a, b) => turn * text(a.scenario, b.scenario);
   if (id === variant.id) return (a, b) => turn * text(a.variant, b.variant);
-  const wanted = model.contenders.filter((contender) => !contender.exact && (id === largest.id || id === key_of(contender).id));
+  const wanted = model.engines.filter((engine) => !engine.exact && (id === largest.id || id === key_of(engine).id));
   const value = (place: Case): number => {
-    const found = place.entries.filter(({ contender }) => wanted.includes(contender)).map(measure.of);
+    const found = place.entries.filter(({ engine }) => wanted.includes(engine)).map(measure.of);
     const known = found.filter((one) => !Number.isNaN(one));
     return known.length ? Math.max(...known) : NaN;
   };

@@ -17,7 +17,7 @@ export function overall(model: Model): { element: HTMLElement; take: (view: View
   const holder = h("div", {});
   const take = (view: View): void => {
     const shown = cases.filter((place) => matching(view, place));
-    const factors = factors_over(shown).filter(({ contender }) => chosen(view, contender));
+    const factors = factors_over(shown).filter(({ engine }) => chosen(view, engine));
     const over = shown.length === cases.length ? "all cases" : count(shown.length, "case");
     holder.replaceChildren(
       factors.length ? equal_error_chart(standard, factors, over) : h("p", { class: "absence" }, "The study of speed has nothing like that."),

@@ -16,9 +16,9 @@ export class Bars {
     this.floor = Math.min(...ranges.map(({ floor }) => floor));
     this.span = Math.max(...ranges.map(({ top }) => top)) - this.floor || 1;
     this.rows = films.map((film) => {
-      const segments = parts.map((part) => h("i", { class: part, style: `background-color: ${film.contender.color}` }));
+      const segments = parts.map((part) => h("i", { class: part, style: `background-color: ${film.engine.color}` }));
       const sum = h("span", { class: "sum" });
-      const row = h("div", { class: "bar" }, h("span", {}, film.contender.label), h("span", { class: "track", "aria-hidden": "true" }, ...segments), sum);
+      const row = h("div", { class: "bar" }, h("span", {}, film.engine.label), h("span", { class: "track", "aria-hidden": "true" }, ...segments), sum);
       return { film, row, segments, sum };
     });
     const key = h("p", { class: "key" }, ...parts.flatMap((part) => [h("i", { class: part }), part]), " (from its lowest)");

@@ -1,5 +1,5 @@
 // What one run did, ready to be asked for any time.
-import type { Contender } from "../model";
+import type { Engine } from "../model";
 import type { ReplayRun } from "./data";
 import { Numbers, unpack } from "./unpack";
 
@@ -25,7 +25,7 @@ export class Film {
   private share = 0; // of the way to the next moment
 
   private constructor(
-    readonly contender: Contender,
+    readonly engine: Engine,
     readonly run: ReplayRun,
     readonly bodies: number,
     poses: Numbers,
@@ -46,9 +46,9 @@ export class Film {
     this.touches = touches ? touches_of(touches, run) : [];
   }
 
-  static async of(contender: Contender, run: ReplayRun, bodies: number): Promise<Film> {
+  static async of(engine: Engine, run: ReplayRun, bodies: number): Promise<Film> {
     const touches = run.touches ? new Numbers(await unpack(run.touches)) : undefined;
-    return new Film(contender, run, bodies, new Numbers(await unpack(run.poses)), touches);
+    return new Film(engine, run, bodies, new Numbers(await unpack(run.poses)), touches);
   }
 
   get end(): number {

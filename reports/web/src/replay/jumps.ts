@@ -25,14 +25,14 @@ function largest(films: Film[], peak: (film: Film) => { time: number; value: num
   for (const film of films) {
     const at = peak(film);
     if (at && (!found || at.value > found.value)) {
-      found = { film, time: at.time, value: at.value, text: `${number(at.value, "m", 2)}, ${film.contender.label}` };
+      found = { film, time: at.time, value: at.value, text: `${number(at.value, "m", 2)}, ${film.engine.label}` };
     }
   }
   return found;
 }
 
 export function jumps_of({ comparisons, entries }: Case): Jump[] {
-  const reference = (entries.find(({ contender, run }) => contender.exact && run.status === "ok") ?? entries.find(({ run }) => run.status === "ok"))?.run;
+  const reference = (entries.find(({ engine, run }) => engine.exact && run.status === "ok") ?? entries.find(({ run }) => run.status === "ok"))?.run;
   const name = reference ? (reference.method ? `${reference.engine}:${reference.method}` : reference.engine) : "";
   const parted = (film: Film): number | undefined => {
     const label = label_of(film);
@@ -49,7 +49,7 @@ export function jumps_of({ comparisons, entries }: Case): Jump[] {
         let found: Found | undefined;
         for (const film of films) {
           const time = parted(film);
-          if (time !== undefined && (!found || time < found.time)) found = { film, time, text: film.contender.label };
+          if (time !== undefined && (!found || time < found.time)) found = { film, time, text: film.engine.label };
         }
         return found;
       },

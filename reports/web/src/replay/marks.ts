@@ -11,12 +11,12 @@ const apart = 9; // px from the centre
 
 const shapes = new Map<string, Path2D>();
 
-export function draw_shape(context: CanvasRenderingContext2D, { contender }: Film, x: number, y: number, color: Color): void {
-  const shape = shapes.get(contender.symbol) ?? new Path2D(shape_of(contender));
-  shapes.set(contender.symbol, shape);
+export function draw_shape(context: CanvasRenderingContext2D, { engine }: Film, x: number, y: number, color: Color): void {
+  const shape = shapes.get(engine.symbol) ?? new Path2D(shape_of(engine));
+  shapes.set(engine.symbol, shape);
   context.save();
   context.translate(x, y);
-  context.fillStyle = color(contender.color);
+  context.fillStyle = color(engine.color);
   context.strokeStyle = color("var(--paper)");
   context.lineWidth = 2;
   context.stroke(shape);

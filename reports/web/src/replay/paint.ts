@@ -26,20 +26,20 @@ const least_arrow = 3; // px
 
 /** Returns which were drawn. `layers`: how many are upon each other; their fills together are to tint, not to hide. */
 function bodies(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, layers: number, color: Color): number[] {
-  const { contender } = film;
+  const { engine } = film;
   const shown = figures.in_view(view, film, (body) => figures.scene.bodies[body]?.type !== "fixed");
   const crowded = shown.length > crowd;
-  const ink = color(contender.color);
+  const ink = color(engine.color);
   context.save();
   context.lineJoin = "round";
   context.strokeStyle = ink;
   context.fillStyle = ink;
-  context.lineWidth = contender.exact ? 5 : 1.75;
-  if (contender.dash && !contender.exact) context.setLineDash(contender.dash.split(" ").map(Number));
+  context.lineWidth = engine.exact ? 5 : 1.75;
+  if (engine.dash && !engine.exact) context.setLineDash(engine.dash.split(" ").map(Number));
   for (let start = 0; start < shown.length; start += path_length) {
     const path = new Path2D();
     for (const body of shown.slice(start, start + path_length)) figures.add(path, view, film, body, crowded ? gap : 0);
-    context.globalAlpha = contender.exact ? 0.6 : (crowded ? 0.75 : 0.16) / layers;
+    context.globalAlpha = engine.exact ? 0.6 : (crowded ? 0.75 : 0.16) / layers;
     context.fill(path);
     context.globalAlpha = 1;
     if (!crowded) context.stroke(path);
@@ -81,7 +81,7 @@ function ties(context: CanvasRenderingContext2D, all: Tie[], view: View, film: F
     end(view.x(ax), view.y(ay));
     end(view.x(bx), view.y(by));
   }
-  context.strokeStyle = color(film.contender.color);
+  context.strokeStyle = color(film.engine.color);
   context.lineWidth = 1.25;
   context.stroke(path);
 }
@@ -107,7 +107,7 @@ function velocities(context: CanvasRenderingContext2D, figures: Figures, view: V
     const y = view.y(film.now[body * 3 + 1] ?? 0);
     arrow(path, x, y, reach * (film.velocity[body * 2] ?? 0), -reach * (film.velocity[body * 2 + 1] ?? 0));
   });
-  context.strokeStyle = color(film.contender.color);
+  context.strokeStyle = color(film.engine.color);
   context.lineWidth = 1.5;
   context.stroke(path);
 }
@@ -125,8 +125,8 @@ function contacts(context: CanvasRenderingContext2D, view: View, film: Film, lar
     points.arc(x, y, 2.5, 0, 2 * Math.PI);
     arrow(arrows, x, y, reach * (found[i + 2] ?? 0), -reach * (found[i + 3] ?? 0));
   }
-  context.fillStyle = color(film.contender.color);
-  context.strokeStyle = color(film.contender.color);
+  context.fillStyle = color(film.engine.color);
+  context.strokeStyle = color(film.engine.color);
   context.lineWidth = 1.5;
   context.stroke(arrows);
   context.fill(points);
@@ -176,7 +176,7 @@ function name_pane(context: CanvasRenderingContext2D, { pane }: View, film: Film
   context.fillStyle = color("var(--ink)");
   context.textAlign = "left";
   context.textBaseline = "middle";
-  context.fillText(film.contender.label, pane.x + 26, pane.y + 16);
+  context.fillText(film.engine.label, pane.x + 26, pane.y + 16);
   draw_shape(context, film, pane.x + 15, pane.y + 16, color);
 }
 
@@ -187,14 +187,14 @@ export function paint(context: CanvasRenderingContext2D, view: View, picture: Pi
   context.beginPath();
   context.rect(pane.x, pane.y, pane.width, pane.height);
   context.clip();
-  const engines = films.filter(({ contender }) => !contender.exact);
+  const engines = films.filter(({ engine }) => !engine.exact);
   const seen = new Map<Film, number[]>();
   const [first] = films;
   if (first) ground(context, figures, view, first, color);
-  for (const film of [...films].sort((a, b) => Number(b.contender.exact) - Number(a.contender.exact))) {
+  for (const film of [...films].sort((a, b) => Number(b.engine.exact) - Number(a.engine.exact))) {
     seen.set(film, bodies(context, figures, view, film, Math.max(1, engines.length), color));
     ties(context, figures.scene.ties, view, film, color);
-    if (film.contender.exact) continue;
+    if (film.engine.exact) continue;
     if (shown.contacts) contacts(context, view, film, picture.largest, color);
     if (shown.velocities) velocities(context, figures, view, film, color);
   }

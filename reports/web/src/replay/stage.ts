@@ -108,8 +108,8 @@ export class Stage {
     const { films, apart, ring, ...shown } = this.showing();
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
-    const truths = films.filter(({ contender }) => contender.exact);
-    const engines = films.filter(({ contender }) => !contender.exact);
+    const truths = films.filter(({ engine }) => engine.exact);
+    const engines = films.filter(({ engine }) => !engine.exact);
     const split = apart && engines.length > 1;
     const parts = split ? engines.map((film) => [...truths, film]) : [films];
     this.panes = grid(parts.length, width, height);

@@ -29,9 +29,9 @@ async function scene_of(replay: Replay): Promise<Scene> {
 }
 
 async function films_of(place: Case, replay: Replay, bodies: number): Promise<Film[]> {
-  const found = place.entries.flatMap(({ contender, run }) => {
+  const found = place.entries.flatMap(({ engine, run }) => {
     const own = replay.runs.find(({ engine, method }) => engine === run.engine && method === run.method);
-    return own ? [Film.of(contender, own, bodies)] : [];
+    return own ? [Film.of(engine, own, bodies)] : [];
   });
   return Promise.all(found);
 }
@@ -40,9 +40,9 @@ async function films_of(place: Case, replay: Replay, bodies: number): Promise<Fi
 function fidelity(films: Film[]): string {
   const longest = Math.max(...films.map(({ run }) => run.length));
   const every = films.filter(({ run }) => run.every > 1);
-  const thinned = every.map(({ contender, run }) => `${contender.label} ${run.every} (between them up to ${number(run.between, "m", 2)} off)`);
-  const missing = films.filter(({ contender, run }) => !contender.exact && run.contacts !== "kept");
-  const none = missing.map(({ contender, run }) => `${contender.label} (${run.contacts === "none" ? "shows none" : "too many to keep"})`);
+  const thinned = every.map(({ engine, run }) => `${engine.label} ${run.every} (between them up to ${number(run.between, "m", 2)} off)`);
+  const missing = films.filter(({ engine, run }) => !engine.exact && run.contacts !== "kept");
+  const none = missing.map(({ engine, run }) => `${engine.label} (${run.contacts === "none" ? "shows none" : "too many to keep"})`);
   return [
     `Positions are rounded by up to ${number(longest / 2, "m", 2)}.`,
     thinned.length ? `One step is kept of so many: ${thinned.join(", ")}.` : "Every step is kept.",
@@ -73,7 +73,7 @@ class Replayer {
     private readonly cursor: Cursor,
   ) {
     const figures = new Figures(scene);
-    const reference = films.find(({ contender }) => contender.exact) ?? films[0];
+    const reference = films.find(({ engine }) => engine.exact) ?? films[0];
     if (!reference) throw new Error("there is no run to show");
     this.shown = new Set(films);
     this.view = { apart: scene.bodies.length > most_overlaid, contacts: scene.bodies.length <= most_overlaid, velocities: false, ring: undefined };
@@ -118,12 +118,12 @@ class Replayer {
   }
 
   private choose(film: Film): HTMLElement {
-    const box = check(film.contender.label, true, (on) => {
+    const box = check(film.engine.label, true, (on) => {
       if (on) this.shown.add(film);
       else this.shown.delete(film);
       this.change({});
     });
-    return h("label", {}, box, legend_mark(film.contender), film.contender.label);
+    return h("label", {}, box, legend_mark(film.engine), film.engine.label);
   }
 
   private transport(): HTMLElement {

@@ -24,7 +24,7 @@ function parameters(place: Case, chapter: Chapter): HTMLElement {
 function section(place: Case, chapter: Chapter, { page }: Model): HTMLElement {
   const ends = place.entries.flatMap(({ series }) => series?.t[series.t.length - 1] ?? []);
   const cursor = new Cursor(Math.max(0, ...ends));
-  const drawn = place.entries.filter(({ series }) => series).map(({ contender }) => contender);
+  const drawn = place.entries.filter(({ series }) => series).map(({ engine }) => engine);
   return h(
     "article",
     { id: slug(place.scenario, place.variant), class: "case" },

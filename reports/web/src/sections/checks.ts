@@ -20,7 +20,7 @@ const most_open = 12;
 function readings(place: Case): Answer[][] {
   const groups = new Map<string, Answer[]>();
   for (const entry of place.entries) {
-    if (entry.contender.exact) continue;
+    if (entry.engine.exact) continue;
     const seen = new Map<string, number>();
     for (const check of entry.run.truth) {
       const kind = JSON.stringify([check.body, check.quantity, check.source]);
@@ -47,14 +47,14 @@ function cells({ entry, check }: Answer): HTMLElement[] {
   const difference = Math.max(check.error ?? 0, check.tolerance ?? 0);
   const contents = [
     (check.relation === "equal" ? "" : `${check.relation} `) + to_within(check.expected, difference, unit),
-    check.revealed ? to_within(check.measured, difference, unit) : "not revealed",
-    check.revealed ? number(check.error, unit, 2) : "",
+    check.reported ? to_within(check.measured, difference, unit) : "not reported",
+    check.reported ? number(check.error, unit, 2) : "",
     number(check.tolerance, unit, 2),
-    check.revealed ? h("span", { class: "share" }, gauge(ratio(check)), share(ratio(check))) : "",
-    check.revealed ? badge(check.passed ? "right" : "wrong") : "",
+    check.reported ? h("span", { class: "share" }, gauge(ratio(check)), share(ratio(check))) : "",
+    check.reported ? badge(check.passed ? "right" : "wrong") : "",
   ];
   return [
-    h("th", { scope: "row" }, entry.contender.label),
+    h("th", { scope: "row" }, entry.engine.label),
     ...contents.map((content, index) => h("td", { "data-label": heads[index + 2] }, content)),
   ];
 }
@@ -62,14 +62,14 @@ function cells({ entry, check }: Answer): HTMLElement[] {
 const rows = (answers: Answer[]): HTMLTableRowElement[] =>
   answers.map((answer, index) => {
     const first = index === 0;
-    return h("tr", { "data-of": answer.entry.contender.label, ...(first ? { class: "first" } : {}) }, first ? subject(answers, answer.check) : null, ...cells(answer));
+    return h("tr", { "data-of": answer.entry.engine.label, ...(first ? { class: "first" } : {}) }, first ? subject(answers, answer.check) : null, ...cells(answer));
   });
 
 export function checks(place: Case): HTMLElement | null {
   const groups = readings(place);
   const all = groups.flat();
   if (!all.length) return null;
-  const failed = all.filter(({ check }) => check.revealed && !check.passed).length;
+  const failed = all.filter(({ check }) => check.reported && !check.passed).length;
   const outcome = failed ? `${failed} outside what is allowed` : "all within what is allowed";
   return folded(
     `Against the truth: ${count(all.length, "check")}, ${outcome}`,

@@ -13,13 +13,13 @@ interface Miss {
 
 function misses({ run }: Entry): Miss[] {
   const readings = run.truth
-    .filter(({ revealed }) => revealed)
+    .filter(({ reported }) => reported)
     .map((check) => ({
       ratio: ratio(check),
       words: `${check.body ? `${check.body}, ` : ""}${words(check.quantity)} at ${given(check.time, "s", 4)}: off by ${number(check.error, check.unit, 2)}, allowed ${number(check.tolerance, check.unit, 2)}`,
     }));
   const laws = run.invariants
-    .filter(({ standing }) => standing !== "not revealed")
+    .filter(({ standing }) => standing !== "not reported")
     .map((check) => ({ ratio: law_ratio(check), words: `${words(check.name)}: ${told(check)}` }));
   return [...readings, ...laws];
 }
@@ -34,10 +34,10 @@ function reason(entry: Entry): string {
 }
 
 export function evidence(place: Case): HTMLElement | null {
-  const engines = place.entries.filter(({ contender }) => !contender.exact);
+  const engines = place.entries.filter(({ engine }) => !engine.exact);
   if (!engines.length) return null;
   const items = engines.map((entry) => {
-    const { label } = entry.contender;
+    const { label } = entry.engine;
     const id = slug(place.scenario, place.variant, label);
     return h("li", { id, "data-asks": label }, badge(entry.run.verdict), h("span", {}, h("strong", {}, label), ` ${reason(entry)}`));
   });

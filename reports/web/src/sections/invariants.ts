@@ -15,7 +15,7 @@ export function evidence({ value, allowed, unit, where, time }: InvariantCheck):
 function cell(name: string, check: InvariantCheck | undefined): HTMLTableCellElement {
   const attributes = { "data-label": words(name) };
   if (!check) return h("td", attributes, "does not apply");
-  if (check.standing === "not revealed") return h("td", attributes, "not revealed");
+  if (check.standing === "not reported") return h("td", attributes, "not reported");
   const ratio = law_ratio(check);
   const title = evidence(check);
   const size = h("span", { class: "share", title }, gauge(ratio), share(ratio));
@@ -26,9 +26,9 @@ export function invariants(place: Case): HTMLElement | null {
   const runs = place.entries.filter(({ run }) => run.invariants.length);
   if (!runs.length) return null;
   const names = [...new Set(runs.flatMap(({ run }) => run.invariants.map(({ name }) => name)))].sort();
-  const rows = () => runs.map(({ contender, run }) => {
+  const rows = () => runs.map(({ engine, run }) => {
     const of = new Map(run.invariants.map((check) => [check.name, check]));
-    return h("tr", { "data-of": contender.label }, h("th", { scope: "row" }, contender.label), ...names.map((name) => cell(name, of.get(name))));
+    return h("tr", { "data-of": engine.label }, h("th", { scope: "row" }, engine.label), ...names.map((name) => cell(name, of.get(name))));
   });
   const broken = runs.flatMap(({ run }) => run.invariants).filter(({ standing }) => standing === "broken").length;
   const caption = "What holds in any case";

@@ -43,11 +43,11 @@ function unanswered({ chapters }: Model): Map<string, string[]> {
   const found = new Map<string, string[]>();
   const add = (reason: string, place: string) => found.set(reason, [...new Set([...(found.get(reason) ?? []), place])]);
   for (const { scenario, variant, entries } of chapters.flatMap(({ cases }) => cases)) {
-    for (const { contender, run } of entries) {
+    for (const { engine, run } of entries) {
       const place = `${scenario} (${variant})`;
-      if (run.status === "not supported") add(`${contender.label}: ${run.reason}`, place);
-      for (const check of run.truth) if (!check.revealed) add(`${contender.label} does not reveal ${words(check.quantity)}`, place);
-      for (const law of run.invariants) if (law.standing === "not revealed") add(`${contender.label} does not reveal what would tell of ${words(law.name)}`, place);
+      if (run.status === "not supported") add(`${engine.label}: ${run.reason}`, place);
+      for (const check of run.truth) if (!check.reported) add(`${engine.label} does not report ${words(check.quantity)}`, place);
+      for (const law of run.invariants) if (law.standing === "not reported") add(`${engine.label} does not report what would tell of ${words(law.name)}`, place);
     }
   }
   return found;
@@ -58,7 +58,7 @@ function not_supported(model: Model): HTMLElement[] {
   if (!found.size) return [];
   const about = "What an engine cannot be asked, or does not show, is neither right nor wrong: it is left out, and said here.";
   const cases = [...found].map(([reason, places]): [string, string] => [reason, places.join(", ")]);
-  return [h("h3", {}, "Not supported, or not revealed"), h("p", { class: "lede" }, about), entries(cases, "definitions")];
+  return [h("h3", {}, "Not supported, or not reported"), h("p", { class: "lede" }, about), entries(cases, "definitions")];
 }
 
 /** The whole report, each of its cases, each study: as lines to copy. */

@@ -26,14 +26,14 @@ function metric_table(caption: string, columns: Column[], about: Map<string, str
 }
 
 function tables(place: Case, report: Report): (HTMLElement | null)[] {
-  const runs = place.entries.map(({ contender, run, timing }) => {
+  const runs = place.entries.map(({ engine, run, timing }) => {
     const cost: Record<string, Measured> = timing
       ? {
           "time per step, median": { value: timing.step_us, unit: "\u00b5s" },
           "real-time factor": { value: timing.real_time_factor, unit: "" },
         }
       : {};
-    return { head: contender.label, metrics: { ...run.metrics, ...cost } };
+    return { head: engine.label, metrics: { ...run.metrics, ...cost } };
   });
   const pairs = place.comparisons.map(({ a, b, metrics }) => ({ head: `${a} against ${b}`, metrics }));
   const about = new Map(report.metrics.map(({ name, definition }) => [name, definition]));

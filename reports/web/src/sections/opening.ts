@@ -17,12 +17,12 @@ export function mark(): SVGElement {
 export function opening(model: Model): HTMLElement {
   const { report } = model.page;
   const cases = model.chapters.reduce((sum, chapter) => sum + chapter.cases.length, 0);
-  const engines = model.contenders.filter(({ exact }) => !exact).map(({ label }) => label);
+  const engines = model.engines.filter(({ exact }) => !exact).map(({ label }) => label);
   const steps = [...new Set(report.runs.filter(({ exact, dt }) => !exact && dt > 0).map(({ dt }) => time_step(dt)))];
   const basis = [
     `${count(model.chapters.length, "scenario")} in ${count(cases, "case")}`,
     engines.length ? enumerate(engines) : "",
-    model.contenders.some(({ exact }) => exact) ? "the closed form as truth" : "",
+    model.engines.some(({ exact }) => exact) ? "the closed form as truth" : "",
     steps.length ? `time step ${enumerate(steps)}` : "",
   ];
   return h(

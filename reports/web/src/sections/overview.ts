@@ -24,7 +24,7 @@ export function overview(model: Model): HTMLElement {
   const total = cases_in(model);
   watch((view) => {
     const part = narrowed(model, view);
-    const engines = part.contenders.filter(({ exact }) => !exact);
+    const engines = part.engines.filter(({ exact }) => !exact);
     const measure = measures.find(({ name }) => name === view.get("show")) ?? measures[0];
     const cases = cases_in(part);
     about.textContent = `${measure.about} A cell leads to its evidence.`;

@@ -10,7 +10,7 @@ const most_shown = 200;
 /** Keys have numbers to their last digit. */
 const readable = (key: string): string => key.replaceAll("|", ", ").replace(/\d*\.\d{4,}(e[-+]?\d+)?/g, (digits) => given(Number(digits), "", 4));
 
-/** Points that no contender finished: outcomes as well. */
+/** Points that no engine finished: outcomes as well. */
 function endings(study: Study): HTMLElement | null {
   const broken = study.points.filter(({ ending }) => ending !== "done");
   if (!broken.length) return null;

@@ -1,9 +1,9 @@
 // How many times as long as the standard a method takes to be as accurate, over some of a study's cases.
-import type { Contender } from "../model";
+import type { Engine } from "../model";
 import type { SpeedCase } from "./speed_model";
 
 export interface Factor {
-  contender: Contender;
+  engine: Engine;
   median: number | null; // of those that get there; so the quartiles
   low: number | null;
   high: number | null;
@@ -20,13 +20,13 @@ function quantile(sorted: number[], share: number): number | null {
 }
 
 export function factors_over(cases: SpeedCase[]): Factor[] {
-  const found = new Map<Contender, (number | null)[]>();
+  const found = new Map<Engine, (number | null)[]>();
   for (const { curves } of cases) {
-    for (const { contender, factor } of curves) found.set(contender, [...(found.get(contender) ?? []), factor]);
+    for (const { engine, factor } of curves) found.set(engine, [...(found.get(engine) ?? []), factor]);
   }
-  return [...found].map(([contender, factors]) => {
+  return [...found].map(([engine, factors]) => {
     const sorted = factors.filter((factor) => factor !== null).sort((a, b) => a - b);
     const at = (share: number): number | null => quantile(sorted, share);
-    return { contender, median: at(0.5), low: at(0.25), high: at(0.75), cases: factors.length, reached: sorted.length };
+    return { engine, median: at(0.5), low: at(0.25), high: at(0.75), cases: factors.length, reached: sorted.length };
   });
 }

@@ -5,7 +5,7 @@ import { certainty, trend_chart } from "../charts/trend";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, number, time_step } from "../format";
-import { look, type Contender } from "../model";
+import { look, type Engine } from "../model";
 import type { Study, StudyView } from "../study";
 import { day, history_of, metric_name, panels_of, short_commit, step_time, type HistoryModel, type Panel } from "./history_model";
 
@@ -33,7 +33,7 @@ const percent = (before: number, after: number): string => {
 /** The newest first, the largest of each snapshot first. */
 function rows_of({ trends, verdicts }: HistoryModel): Row[] {
   const of_verdicts = verdicts.map(
-    ({ snapshot, before, after, contender, ...place }): Row => ({ snapshot, size: Infinity, what: place_of(place), who: contender, metric: "verdict", before, after, by: "", sure: "exact" }),
+    ({ snapshot, before, after, engine, ...place }): Row => ({ snapshot, size: Infinity, what: place_of(place), who: engine, metric: "verdict", before, after, by: "", sure: "exact" }),
   );
   const of_trends = trends.flatMap((trend) =>
     trend.changes.map(({ at, before, after, p }): Row => {
@@ -42,7 +42,7 @@ function rows_of({ trends, verdicts }: HistoryModel): Row[] {
         snapshot: trend.snapshots[at] ?? 0,
         size: least === 0 ? Number.MAX_VALUE : Math.abs(after - before) / least,
         what: place_of(trend),
-        who: trend.contender,
+        who: trend.engine,
         metric: metric_name(trend.metric),
         before: number(before, trend.unit, 4),
         after: number(after, trend.unit, 4),
@@ -90,20 +90,20 @@ function changes(model: HistoryModel, rows: Row[]): HTMLElement {
 /** Where there is but one, what it is stands at the page's end. */
 const machines_of = ({ trends }: HistoryModel): number => new Set(trends.flatMap(({ machine }) => machine || [])).size;
 
-function chart_of(panel: Panel, model: HistoryModel, contender_of: (label: string) => Contender): HTMLElement {
+function chart_of(panel: Panel, model: HistoryModel, engine_of: (label: string) => Engine): HTMLElement {
   return figure({
     title: `${panel.variant || panel.scenario}: ${metric_name(panel.metric)}`,
     note: [`Time step ${time_step(panel.dt)}.`, machines_of(model) > 1 ? panel.machine : ""].filter(Boolean).join(" "),
     height: 240,
-    draw: (width) => [trend_chart(width, panel, model.snapshots, contender_of)],
+    draw: (width) => [trend_chart(width, panel, model.snapshots, engine_of)],
   });
 }
 
-function course(scenario: string, panels: Panel[], model: HistoryModel, contender_of: (label: string) => Contender): HTMLElement {
+function course(scenario: string, panels: Panel[], model: HistoryModel, engine_of: (label: string) => Engine): HTMLElement {
   const moving = panels.filter(({ trends }) => trends.some((trend) => trend.changes.length));
   const steady = panels.filter((panel) => !moving.includes(panel));
-  const shown = [...new Set(panels.flatMap(({ trends }) => trends.map(({ contender }) => contender)))].map(contender_of);
-  const charts = (some: Panel[]) => h("div", { class: "charts" }, ...some.map((panel) => chart_of(panel, model, contender_of)));
+  const shown = [...new Set(panels.flatMap(({ trends }) => trends.map(({ engine }) => engine)))].map(engine_of);
+  const charts = (some: Panel[]) => h("div", { class: "charts" }, ...some.map((panel) => chart_of(panel, model, engine_of)));
   return h(
     "section",
     { id: slug("course", scenario), class: "chapter" },
@@ -127,9 +127,9 @@ function sentence(model: HistoryModel, rows: Row[]): string {
 export function history(study: Study): StudyView {
   const model = history_of(study);
   const rows = rows_of(model);
-  const labels = [...new Set(model.trends.map(({ contender }) => contender))];
-  const contenders = new Map(labels.map((label, index): [string, Contender] => [label, { label, engine: label, method: "", exact: false, ...look(index) }]));
-  const contender_of = (label: string): Contender => contenders.get(label) ?? { label, engine: label, method: "", exact: false, ...look(0) };
+  const labels = [...new Set(model.trends.map(({ engine }) => engine))];
+  const engines = new Map(labels.map((label, index): [string, Engine] => [label, { label, engine: label, method: "", exact: false, ...look(index) }]));
+  const engine_of = (label: string): Engine => engines.get(label) ?? { label, engine: label, method: "", exact: false, ...look(0) };
   const panels = panels_of(model.trends);
   const scenarios = [...new Set(panels.map(({ scenario }) => scenario))];
   return {
@@ -139,7 +139,7 @@ export function history(study: Study): StudyView {
       ...scenarios.map((scenario) => ({
         id: slug("course", scenario),
         name: scenario,
-        content: () => course(scenario, panels.filter((panel) => panel.scenario === scenario), model, contender_of),
+        content: () => course(scenario, panels.filter((panel) => panel.scenario === scenario), model, engine_of),
       })),
     ],
   };

@@ -13,7 +13,7 @@ export interface Snapshot {
 interface Subject {
   scenario: string;
   variant: string;
-  contender: string;
+  engine: string;
   dt: number;
 }
 

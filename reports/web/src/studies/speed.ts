@@ -28,11 +28,11 @@ function readings(caption: string, place: SpeedCase, columns: Column[], unit: (v
   const shown = columns.filter((column) => column.readings.some((one) => one !== null));
   if (!shown.length) return null;
   const least = shown.map((column) => Math.min(...column.readings.map((one) => one?.value ?? Infinity)));
-  const rows = place.curves.map(({ contender }, row) =>
+  const rows = place.curves.map(({ engine }, row) =>
     h(
       "tr",
       {},
-      h("th", { scope: "row" }, contender.label),
+      h("th", { scope: "row" }, engine.label),
       ...shown.map((column, index) => {
         const found = column.readings[row] ?? null;
         return reading(found, unit, found?.value === least[index], column.head);
@@ -58,7 +58,7 @@ function case_section(model: SpeedModel, place: SpeedCase): HTMLElement {
     { id: slug(place.scenario, place.variant), class: "case" },
     h("h3", {}, place.variant ? `${place.scenario}, ${place.variant}` : place.scenario),
     h("p", {}, `Weighed against ${truth}${place.phases > 1 ? `; each error is the RMS over ${place.phases} phases of a step, since impacts fall anywhere in it` : ""}. Timed: its first ${given(place.timed, "s", 3)}.`),
-    legend(place.curves.map(({ contender }) => contender)),
+    legend(place.curves.map(({ engine }) => engine)),
     work_precision(place, chosen.choose),
     chosen.element,
     folded("Time for a given error, and error for a given time", () => [
@@ -81,7 +81,7 @@ function order_table(caption: string, rows: OrderRow[]): HTMLElement {
         "tr",
         { "data-finding": row.finding },
         h("th", { scope: "row" }, `${row.scenario}, ${row.variant}`),
-        h("td", { "data-label": "method" }, row.contender + (row.option && !row.standard ? `, ${row.option}=${row.setting}` : "")),
+        h("td", { "data-label": "method" }, row.engine + (row.option && !row.standard ? `, ${row.option}=${row.setting}` : "")),
         h("td", { "data-label": "stated" }, row.stated === null ? "\u2013" : String(row.stated)),
         h("td", { "data-label": "measured" }, interval(row)),
         h("td", { "data-label": "steps" }, String(row.points)),
@@ -124,13 +124,13 @@ function overall(model: SpeedModel): HTMLElement {
 }
 
 function sentence(model: SpeedModel): string {
-  const ranked = factors_over(model.cases).filter(({ median, contender }) => median !== null && contender.label !== model.standard);
+  const ranked = factors_over(model.cases).filter(({ median, engine }) => median !== null && engine.label !== model.standard);
   const best = [...ranked].sort((a, b) => b.reached - a.reached || (a.median ?? 0) - (b.median ?? 0))[0];
   const steps = [...new Set(model.cases.flatMap(({ marks }) => marks.map(({ dt }) => dt)))];
   const range = steps.length ? `, steps from ${time_step(Math.max(...steps))} to ${time_step(Math.min(...steps))}` : "";
   if (!best || best.median === null) return `${count(model.cases.length, "case")} measured${range}.`;
   const factor = best.median <= 1 ? `${number(1 / best.median, "", 2)} times as fast as` : `${number(best.median, "", 2)} times as slow as`;
-  return `At equal error ${best.contender.label} is ${factor} ${model.standard} (median of the ${best.reached} of ${best.cases} cases where it gets there)${range}.`;
+  return `At equal error ${best.engine.label} is ${factor} ${model.standard} (median of the ${best.reached} of ${best.cases} cases where it gets there)${range}.`;
 }
 
 export function speed(study: Study): StudyView {

@@ -1,5 +1,5 @@
 // The speed study as its page thinks of it.
-import { look, type Contender } from "../model";
+import { look, type Engine } from "../model";
 import type { Study } from "../study";
 
 export interface Reading {
@@ -9,7 +9,7 @@ export interface Reading {
 
 export interface SpeedMark {
   key: string;
-  contender: Contender;
+  engine: Engine;
   setting: string;
   dt: number;
   time: number; // s per simulated second
@@ -17,11 +17,11 @@ export interface SpeedMark {
   high: number;
   wide: boolean; // its time is not to be relied on
   error: number; // m
-  on_front: boolean; // of its own contender
+  on_front: boolean; // of its own engine
 }
 
 export interface SpeedCurve {
-  contender: Contender;
+  engine: Engine;
   front: SpeedMark[];
   time_for_error: (Reading | null)[];
   error_for_time: (Reading | null)[];
@@ -43,7 +43,7 @@ export interface SpeedCase {
 export interface OrderRow {
   scenario: string;
   variant: string;
-  contender: string;
+  engine: string;
   option: string;
   setting: string;
   standard: boolean;
@@ -88,7 +88,7 @@ interface Told {
     scenario: string;
     variant: string;
     front: string[];
-    contenders: { contender: string; front: string[]; time_for_error: (Reading | null)[]; error_for_time: (Reading | null)[]; factor: number | null }[];
+    engines: { engine: string; front: string[]; time_for_error: (Reading | null)[]; error_for_time: (Reading | null)[]; factor: number | null }[];
   }[];
 }
 
@@ -104,18 +104,18 @@ const label_of = ({ engine, method }: Values): string => (method ? `${engine}:${
 export function speed_model(study: Study): SpeedModel {
   const told = study.timings as unknown as Told;
   const findings = study.findings as unknown as { order_tolerance: number; orders: OrderRow[] };
-  const contenders = new Map<string, Contender>();
-  const contender_of = (label: string, engine: string, method: string): Contender => {
-    const known = contenders.get(label);
+  const engines = new Map<string, Engine>();
+  const engine_of = (label: string, engine: string, method: string): Engine => {
+    const known = engines.get(label);
     if (known) return known;
-    const made = { label, engine, method, exact: false, ...look(contenders.size) };
-    contenders.set(label, made);
+    const made = { label, engine, method, exact: false, ...look(engines.size) };
+    engines.set(label, made);
     return made;
   };
   // Engines as they come look most unlike each other; their other methods follow.
   for (const { values } of study.points) {
     const { engine, method } = values as unknown as Values;
-    if (engine && !method) contender_of(engine, engine, "");
+    if (engine && !method) engine_of(engine, engine, "");
   }
   const all = new Map<string, { values: Values; mark: SpeedMark }>();
   const without_truth = new Set<string>();
@@ -126,7 +126,7 @@ export function speed_model(study: Study): SpeedModel {
     if (typeof values.error !== "number" || !time?.median) continue;
     const mark: SpeedMark = {
       key,
-      contender: contender_of(label_of(values), values.engine, values.method),
+      engine: engine_of(label_of(values), values.engine, values.method),
       setting: values.option ? `${values.option}=${values.setting}` : "",
       dt: values.dt,
       time: time.median,
@@ -139,13 +139,13 @@ export function speed_model(study: Study): SpeedModel {
     all.set(key, { values, mark });
   }
   const marks_at = (keys: string[]): SpeedMark[] => keys.flatMap((key) => all.get(key)?.mark ?? []);
-  const cases = told.cases.map(({ scenario, variant, front, contenders: curves }): SpeedCase => {
+  const cases = told.cases.map(({ scenario, variant, front, engines: curves }): SpeedCase => {
     const here = [...all.values()].filter(({ values }) => values.scenario === scenario && values.variant === variant);
     const first = here[0]?.values;
-    const made = curves.map(({ contender, front: own, ...readings }): SpeedCurve => {
+    const made = curves.map(({ engine, front: own, ...readings }): SpeedCurve => {
       const marks = marks_at(own);
       for (const mark of marks) mark.on_front = true;
-      return { ...readings, contender: contender_of(contender, contender, ""), front: marks };
+      return { ...readings, engine: engine_of(engine, engine, ""), front: marks };
     });
     return {
       scenario,

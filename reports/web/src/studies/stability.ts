@@ -30,11 +30,11 @@ function agreement_table(map: StabilityMap): HTMLElement | null {
   if (!map.agreements.length) return null;
   const unit = map.x.logarithmic ? "" : map.x.unit;
   const off = (value: number): string => (map.x.logarithmic ? `${given(100 * value, "", 2)} %` : given(value, unit, 2));
-  const rows = () => map.agreements.map(({ contender, boundary, rows, agree, worst }) =>
+  const rows = () => map.agreements.map(({ engine, boundary, rows, agree, worst }) =>
     h(
       "tr",
       {},
-      h("th", { scope: "row" }, contender),
+      h("th", { scope: "row" }, engine),
       h("td", { "data-label": "boundary" }, boundary),
       h("td", { "data-label": "rows as theory says" }, `${agree} of ${rows}`),
       h("td", { "data-label": "off by at most" }, worst === null ? "\u2013" : off(worst)),
@@ -64,7 +64,7 @@ function map_section(model: StabilityModel, map: StabilityMap): HTMLElement {
         `Left is easy, right is hard. The solid line is the bisected boundary, as wide as its bracket${theories.length ? "; the broken line is theory\u2019s" : ""}.`,
       ),
       h("div", { class: "charts maps" }, ...shown.map((panel) => heat_map(map, panel, note_of(map, panel)))),
-      absent.length ? h("p", { class: "absence" }, `Cannot run it: ${enumerate(absent.map(({ contender }) => contender))}.`) : null,
+      absent.length ? h("p", { class: "absence" }, `Cannot run it: ${enumerate(absent.map(({ engine }) => engine))}.`) : null,
       folded("What counts as failing, and what theory says", () => [
         h("ul", { class: "metrics" }, ...map.metrics.map((metric) => h("li", {}, metric)), ...theories.map((theory) => h("li", {}, `theory, ${theory}`))),
       ]),
@@ -77,7 +77,7 @@ function map_section(model: StabilityModel, map: StabilityMap): HTMLElement {
 function compared(model: StabilityModel): string[] {
   const labels = new Map<string, number>();
   for (const { panels } of model.maps) {
-    for (const { contender } of panels) labels.set(contender, (labels.get(contender) ?? 0) + 1);
+    for (const { engine } of panels) labels.set(engine, (labels.get(engine) ?? 0) + 1);
   }
   return [...labels].filter(([, maps]) => maps > 1 || model.maps.length === 1).map(([label]) => label);
 }
@@ -95,7 +95,7 @@ function overall(model: StabilityModel): HTMLElement {
       {},
       h("th", { scope: "row" }, label),
       ...columns.map(({ map, head, best }) => {
-        const panel = map.panels.find(({ contender }) => contender === label);
+        const panel = map.panels.find(({ engine }) => engine === label);
         const bracket = panel && typical_row(panel)?.brackets[0];
         const name = `${words(map.name)}: ${head}`;
         if (!bracket || (bracket.low === null && bracket.high === null)) return h("td", { class: "none", "data-label": name }, "\u2013");

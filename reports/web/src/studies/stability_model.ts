@@ -52,14 +52,14 @@ export interface MapRow {
 
 /** One method in one map. */
 export interface Panel {
-  contender: string;
+  engine: string;
   y: Axis | null; // null where the method has nothing to vary
   rows: MapRow[];
   why: string; // not supported
 }
 
 export interface Agreement {
-  contender: string;
+  engine: string;
   boundary: string;
   rows: number;
   agree: number;
@@ -123,12 +123,12 @@ export function stability_model(study: Study): StabilityModel {
     for (const { key, ending, values: raw } of study.points) {
       const values = raw as unknown as Values;
       if (ending !== "done" || values.map !== told.name) continue;
-      const contender = label_of(values);
+      const engine = label_of(values);
       const work: Axis | null = values.option
         ? { name: values.option, unit: "", from: 1, to: 1, logarithmic: true, whole: true }
         : null;
-      const panel = panels.get(contender) ?? { contender, y: told.y ?? work, rows: [], why: values.why };
-      panels.set(contender, panel);
+      const panel = panels.get(engine) ?? { engine, y: told.y ?? work, rows: [], why: values.why };
+      panels.set(engine, panel);
       panel.rows.push({
         key,
         y: values.y,
@@ -158,13 +158,13 @@ function extent({ from, to, logarithmic }: Axis, { low }: Bracket): number {
 /** Where methods are compared: the row at their own settings, or at the map's typical y. */
 export const typical_row = (panel: Panel): MapRow | undefined => panel.rows.find(({ typical }) => typical);
 
-/** Who of the contenders stands most in a map: what nature does, where that is known, else the farthest. */
-export function best_of(map: StabilityMap, contenders: string[]): Set<string> {
+/** Who of the engines stands most in a map: what nature does, where that is known, else the farthest. */
+export function best_of(map: StabilityMap, engines: string[]): Set<string> {
   const found = map.panels.flatMap((panel) => {
     const bracket = typical_row(panel)?.brackets[0];
-    return bracket && contenders.includes(panel.contender) ? { contender: panel.contender, bracket, reach: extent(map.x, bracket) } : [];
+    return bracket && engines.includes(panel.engine) ? { engine: panel.engine, bracket, reach: extent(map.x, bracket) } : [];
   });
   const farthest = Math.max(0, ...found.map(({ reach }) => reach));
   const good = map.boundaries[0]?.natural ? found.filter(({ bracket }) => bracket.agrees) : found.filter(({ reach }) => reach >= farthest);
-  return new Set(good.map(({ contender }) => contender));
+  return new Set(good.map(({ engine }) => engine));
 }

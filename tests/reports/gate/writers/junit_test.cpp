@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "reports/gate/writer.h"
+#include "sample.h"
 #include "scenarios/catalog.h"
-#include "tests/reports/gate/writers/sample.h"
 
 namespace plumb {
 namespace {

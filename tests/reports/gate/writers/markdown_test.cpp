@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "reports/gate/writer.h"
+#include "sample.h"
 #include "scenarios/catalog.h"
-#include "tests/reports/gate/writers/sample.h"
 
 namespace plumb {
 namespace {

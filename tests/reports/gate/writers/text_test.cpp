@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "reports/gate/writer.h"
-#include "tests/reports/gate/writers/sample.h"
+#include "sample.h"
 
 namespace plumb {
 namespace {

@@ -1,0 +1,148 @@
+#include "methods/lcp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// Columns: w (0 ... n-1), z (n ... 2n-1), the artificial variable (2n), the right-hand side (2n + 1). The rows hold
+/// w - M z - d z0 = q, in terms of the present basis; the columns of w are then the inverse of the basis.
+class Tableau {
+ public:
+  Tableau(std::span<const double> m, std::span<const double> q, double noise)
+      : n_(q.size()), width_(2 * n_ + 2), noise_(std::max(noise, lcp_round_off)), cell_(n_ * width_) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      at(i, i) = 1;
+      for (std::size_t j = 0; j < n_; ++j) at(i, n_ + j) = -m[i * n_ + j];
+      // Scaled as the row is, so that rows of other units weigh alike.
+      const double slope = std::max(largest(m.subspan(i * n_, n_)), std::numeric_limits<double>::min());
+      at(i, artificial()) = -slope;
+      steepest_ = std::max(steepest_, slope);
+      at(i, right()) = q[i];
+      basis_.push_back(i);
+    }
+    negligible_ = noise_ * largest(q);
+  }
+
+  std::optional<std::vector<double>> solve() {
+    std::optional<std::size_t> row = first_row();
+    if (!row) return std::vector<double>(n_, 0);  // q >= 0
+    std::size_t entering = artificial();
+    // Lexicographic pivoting visits no basis twice; the bound is against what rounding could do.
+    for (std::size_t pivots = 0; pivots < 50 * n_ + 100; ++pivots) {
+      const std::size_t leaving = basis_[*row];
+      pivot(*row, entering);
+      // Solved as soon as the artificial variable is gone, or adds to no w more than rounding leaves of a zero.
+      if (leaving == artificial() || steepest_ * excess() <= negligible_) return values();
+      entering = leaving < n_ ? leaving + n_ : leaving - n_;
+      row = blocking_row(entering);
+      if (!row) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::size_t artificial() const { return 2 * n_; }
+  std::size_t right() const { return 2 * n_ + 1; }
+  double& at(std::size_t row, std::size_t column) { return cell_[row * width_ + column]; }
+  double at(std::size_t row, std::size_t column) const { return cell_[row * width_ + column]; }
+
+  static double largest(std::span<const double> values) {
+    double most = 0;
+    for (const double value : values) most = std::max(most, std::abs(value));
+    return most;
+  }
+
+  /// The value of the artificial variable.
+  double excess() const {
+    const auto row = std::find(basis_.begin(), basis_.end(), artificial());
+    return row == basis_.end() ? 0 : at(static_cast<std::size_t>(row - basis_.begin()), right());
+  }
+
+  /// Whether row r leaves before row s as `column` grows: r / |column| is lexicographically smaller. Ties, which is
+  /// what the rule is for, are told by what rounding may have made of them.
+  bool before(std::size_t r, std::size_t s, std::size_t column) const {
+    const double by_r = std::abs(at(r, column));
+    const double by_s = std::abs(at(s, column));
+    const auto differ = [relative = noise_](double x, double y, double floor) {
+      return std::abs(x - y) > relative * std::max(std::abs(x), std::abs(y)) + floor;
+    };
+    const double x = at(r, right()) / by_r;
+    const double y = at(s, right()) / by_s;
+    if (differ(x, y, negligible_)) return x < y;
+    for (std::size_t k = 0; k < n_; ++k) {
+      const double u = at(r, k) / by_r;
+      const double v = at(s, k) / by_s;
+      if (differ(u, v, noise_)) return u < v;
+    }
+    return false;
+  }
+
+  /// Where the artificial variable enters, just large enough to make every w >= 0.
+  std::optional<std::size_t> first_row() const {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (at(i, right()) < 0 && (!best || before(i, *best, artificial()))) best = i;
+    }
+    return best;
+  }
+
+  /// The first basic variable that falls to 0 as the entering one grows; the artificial one wherever it is among them.
+  std::optional<std::size_t> blocking_row(std::size_t entering) const {
+    double scale = 0;
+    for (std::size_t i = 0; i < n_; ++i) scale = std::max(scale, std::abs(at(i, entering)));
+    const double nothing = scale * noise_;
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (at(i, entering) > nothing && (!best || before(i, *best, entering))) best = i;
+    }
+    if (!best) return best;
+    const double least = at(*best, right()) / at(*best, entering);
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (basis_[i] != artificial() || at(i, entering) <= nothing) continue;
+      if (at(i, right()) / at(i, entering) <= least + negligible_) return i;
+    }
+    return best;
+  }
+
+  void pivot(std::size_t row, std::size_t column) {
+    const double by = at(row, column);
+    for (std::size_t k = 0; k < width_; ++k) at(row, k) /= by;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double factor = at(i, column);
+      if (i == row || factor == 0) continue;
+      for (std::size_t k = 0; k < width_; ++k) at(i, k) -= factor * at(row, k);
+      at(i, column) = 0;
+    }
+    basis_[row] = column;
+  }
+
+  std::vector<double> values() const {
+    std::vector<double> z(n_, 0);
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (basis_[i] >= n_ && basis_[i] < 2 * n_) z[basis_[i] - n_] = std::max(at(i, right()), 0.0);
+    }
+    return z;
+  }
+
+  std::size_t n_, width_;
+  double noise_;
+  double negligible_ = 0;  // as a w
+  double steepest_ = 0;    // growth of a w with the artificial variable
+  std::vector<double> cell_;
+  std::vector<std::size_t> basis_;  // the variable of each row
+};
+
+}  // namespace
+
+std::optional<std::vector<double>> solve_lcp(std::span<const double> m, std::span<const double> q, double noise) {
+  if (m.size() != q.size() * q.size()) throw std::invalid_argument("solve_lcp: M must have as many rows as q, squared");
+  return Tableau(m, q, noise).solve();
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,63 @@
+#include "methods/sequential_impulses.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+void SequentialImpulses::step(StepData& data) {
+  const Real dt = data.settings.dt;
+  start_ = data.bodies.pose;
+  start_angle_ = data.bodies.angle;
+  data.integrator.begin(data.bodies, data.forces, dt);
+  prepare(data);
+  const Real joint_share = steer(rows_, dt);
+  warm_start(data);
+  for (int i = 0; i < data.settings.iterations; ++i) iterate(data, joint_share);
+  for (ImpulseRow& row : rows_) {
+    for (RowPoint& p : row.points) {
+      p.total_normal = p.normal_impulse;
+      p.total_tangent = p.tangent_impulse;
+    }
+    store_row(row, data.contacts);
+  }
+  data.integrator.finish(data.bodies, data.forces, dt);
+  correct(data, rows_, {start_, start_angle_});
+}
+
+void SequentialImpulses::prepare(StepData& data) {
+  prepare_rows(data.bodies, data.contacts, plain_rows_);
+  rows_.clear();
+  for (const ContactRow& plain : plain_rows_) {
+    ImpulseRow& row = rows_.emplace_back(ImpulseRow{plain, {}});
+    const ContactFrame frame(row, data.bodies.velocity[row.a], data.bodies.velocity[row.b]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const Real vn = frame.normal_velocity(row.points[i]);
+      if (vn < -restitution_threshold) row.rebound[i] = -row.restitution * vn;
+    }
+  }
+}
+
+void SequentialImpulses::warm_start(StepData& data) {
+  std::vector<Velocity>& velocity = data.bodies.velocity;
+  for (const ActiveJoint& joint : data.joints) {
+    impulse::warm_start(joint.block, 1, velocity[joint.block.a], velocity[joint.block.b]);
+  }
+  for (const ImpulseRow& row : rows_) {
+    ContactFrame frame(row, velocity[row.a], velocity[row.b]);
+    impulse::warm_start(row, frame);
+    frame.leave(row, velocity[row.a], velocity[row.b]);
+  }
+}
+
+// Joints and friction first: what comes last is fulfilled best, and that bodies do not pass through each other matters
+// most.
+void SequentialImpulses::iterate(StepData& data, Real joint_share) {
+  std::vector<Velocity>& velocity = data.bodies.velocity;
+  for (ActiveJoint& joint : data.joints) solve_joint(joint.block, data.settings.dt, joint_share, data.bodies);
+  for (ImpulseRow& row : rows_) {
+    ContactFrame frame(row, velocity[row.a], velocity[row.b]);
+    rub(row, frame);
+    push_apart(row, frame);
+    frame.leave(row, velocity[row.a], velocity[row.b]);
+  }
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

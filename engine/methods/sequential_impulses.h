@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contacts/contact_rows.h"
+#include "methods/position_correction.h"
+#include "solver/solver.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// A row, and the speed of parting (m/s) that each of its points is to have.
+struct ImpulseRow : ContactRow {
+  std::array<Real, 2> rebound{};
+};
+
+/// What the methods of sequential impulses share: one step of the chosen integrator, between whose halves the contacts
+/// are solved one after the other, over and over (projected Gauss-Seidel). Impulses are accumulated: each iteration may
+/// take back what an earlier one gave too much, and only the sum must push; and the sums are where the next step begins
+/// (warm starting).
+///
+/// Restitution as Newton has it, on the velocities that the contacts are first met with.
+class SequentialImpulses : public Solver {
+ public:
+  void step(StepData& data) final;
+  /// Of an overlap beyond the slop a share goes in each step: a hundredth of the slop is what time has not yet taken.
+  void state(const Settings&, StatedErrors& errors) const final {
+    errors.gap = slop + slop / 100;
+    errors.restitution_threshold = restitution_threshold;
+    errors.joints = true;
+  }
+
+ protected:
+  static constexpr Real slop = static_cast<Real>(.005);  // m, overlap left so that contacts persist
+  static constexpr Real restitution_threshold = 1;       // m/s, of approach
+
+  /// Non-penetration at the points of one row.
+  virtual void push_apart(ImpulseRow& row, ContactFrame& frame) const = 0;
+  /// Adds to the speeds of parting, and says how much of a joint's error its velocities are to take away in a step.
+  virtual Real steer(std::vector<ImpulseRow>&, Real /*dt*/) const { return 0; }
+  /// After the bodies have moved; the rows are of where they started.
+  virtual void correct(StepData&, const std::vector<ImpulseRow>&, const StartPoses&) {}
+
+ private:
+  void prepare(StepData& data);
+  void warm_start(StepData& data);
+  void iterate(StepData& data, Real joint_share);
+
+  std::vector<ContactRow> plain_rows_;
+  std::vector<ImpulseRow> rows_;
+  std::vector<Pose> start_;
+  std::vector<Real> start_angle_;
+};
+
+/// vn >= rebound at one point, by the accumulated impulse.
+inline void push_apart(ImpulseRow& row, std::size_t point, ContactFrame& frame) {
+  RowPoint& p = row.points[point];
+  const Real push = p.normal_mass * (row.rebound[point] - frame.normal_velocity(p));
+  push_to(row, p, frame, p.normal_impulse + push > 0 ? p.normal_impulse + push : Real{0});
+}
+
+/// The same at all points, one after the other.
+inline void push_apart_in_turn(ImpulseRow& row, ContactFrame& frame) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) push_apart(row, i, frame);
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

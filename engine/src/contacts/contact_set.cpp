@@ -1,0 +1,262 @@
+#include "contacts/contact_set.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <tuple>
+
+#include "contacts/contact_order.h"
+#include "core/stages.h"
+#include "narrow_phase/ghosts.h"
+#include "solver/resting_piles.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+bool in_order(const Contact& left, const Contact& right) { return ContactOrder(left) < ContactOrder(right); }
+
+bool of_sleepers(const Contact& c, const BodySet& bodies) {
+  return bodies.asleep[c.body_a] != 0 || bodies.asleep[c.body_b] != 0;
+}
+
+void take_points(Contact& contact, const BodySet& bodies, const PairPoints& found) {
+  contact.normal = {found.normal[0], found.normal[1]};
+  contact.found_a = bodies.pose[contact.body_a];
+  contact.found_b = bodies.pose[contact.body_b];
+  contact.found_separation = {};
+  contact.count = found.count;
+  contact.points = {};
+  for (std::size_t p = 0; p < static_cast<std::size_t>(found.count); ++p) {
+    ContactPoint& point = contact.points[p];
+    const Real* arms = found.arms[p];
+    point.arm_a = {arms[0], arms[1]};
+    point.arm_b = {arms[2], arms[3]};
+    point.separation = found.separation[p];
+    point.feature = found.feature[p];
+    contact.found_separation[p] = found.separation[p];
+  }
+}
+
+/// One without points.
+Contact begin(const Proxy& a, const Proxy& b, const Shape& shape_a, const Shape& shape_b) {
+  Contact contact;
+  contact.body_a = a.body;
+  contact.body_b = b.body;
+  contact.part_a = a.part;
+  contact.part_b = b.part;
+  contact.radius_a = shape_a.radius();
+  contact.radius_b = shape_b.radius();
+  const auto disc = [](const Shape& shape) { return shape.type() == ShapeType::circle && shape.vertex(0) == Vec2{}; };
+  contact.disc_a = disc(shape_a);
+  contact.disc_b = disc(shape_b);
+  return contact;
+}
+
+void mix_materials(Contact& contact, const Material& a, const Material& b, const Settings& settings) {
+  contact.static_friction = mix(settings.friction_mixing, a.static_friction, b.static_friction);
+  contact.dynamic_friction = mix(settings.friction_mixing, a.dynamic_friction, b.dynamic_friction);
+  contact.restitution = mix(settings.restitution_mixing, a.restitution, b.restitution);
+}
+
+void carry_impulses(Contact& contact, std::span<const ContactPoint> last) {
+  for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+    ContactPoint& point = contact.points[p];
+    for (const ContactPoint& before : last) {
+      if (point.feature != before.feature) continue;
+      point.normal_impulse = before.normal_impulse;
+      point.tangent_impulse = before.tangent_impulse;
+      point.fresh = false;
+    }
+  }
+}
+
+/// A contact that was there before, with the points that the search found of it now.
+void go_on(Contact& contact, const BodySet& bodies, const PairPoints& found) {
+  ++contact.age;
+  const std::array<ContactPoint, 2> last = contact.points;
+  const int last_count = contact.count;
+  take_points(contact, bodies, found);
+  carry_impulses(contact, std::span(last).first(static_cast<std::size_t>(last_count)));
+}
+
+}  // namespace
+
+void ContactSet::find(const SearchInput& input) {
+  const bool same_rules = mixed_by_ && mixed_by_->friction == input.settings.friction_mixing &&
+                          mixed_by_->restitution == input.settings.restitution_mixing;
+  if (!same_rules) mix_again(input.bodies, input.settings);
+  search_.search(input, rows_, !disturbed_);
+  write_rows(input);
+  end_stage("write rows");
+  remove_ghosts(input.bodies, input.margin);
+  end_stage("remove ghosts");
+}
+
+void ContactSet::write_rows(const SearchInput& input) {
+  if (!disturbed_ && search_.found_the_same()) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const std::uint32_t pair = search_.touching()[i];
+      if (search_.keeps(pair)) continue;
+      const int before = rows_[i].count;
+      go_on(rows_[i], input.bodies, search_.points(pair));
+      if (rows_[i].count != before) ++changes_;
+    }
+    return;
+  }
+  ++changes_;
+  std::swap(rows_, last_rows_);
+  rows_.resize(search_.touching().size());
+  on_ground_.clear();
+  disturbed_ = false;
+  std::size_t next = 0;
+  for (const std::uint32_t pair : search_.touching()) {
+    const Proxy& a = search_.first(pair);
+    const Proxy& b = search_.second(pair);
+    if (a.moves != b.moves) {
+      const Proxy& moving = a.moves ? a : b;
+      on_ground_.push_back({moving.body, moving.part, a.moves, (a.moves ? b : a).body, next});
+    }
+    Contact& row = rows_[next++];
+    if (search_.last_of(pair) != ContactSearch::none) {
+      row = last_rows_[search_.last_of(pair)];
+      if (!search_.keeps(pair)) go_on(row, input.bodies, search_.points(pair));
+      continue;
+    }
+    const Part& part_a = search_.first_part(pair);
+    const Part& part_b = search_.second_part(pair);
+    row = begin(a, b, part_a.shape, part_b.shape);
+    mix_materials(row, part_a.material, part_b.material, input.settings);
+    take_points(row, input.bodies, search_.points(pair));
+  }
+}
+
+/// The rules of mixing have changed.
+void ContactSet::mix_again(const BodySet& bodies, const Settings& settings) {
+  mixed_by_ = {settings.friction_mixing, settings.restitution_mixing};
+  ++changes_;
+  for (Contact& contact : rows_) {
+    mix_materials(contact, bodies.detail[contact.body_a].parts[contact.part_a].material,
+                  bodies.detail[contact.body_b].parts[contact.part_b].material, settings);
+  }
+}
+
+// Only a part that meets several fixed shapes can meet a join of them.
+void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
+  const auto part = [](const OnGround& meets) { return std::tie(meets.body, meets.part); };
+  const auto before = [&](const OnGround& left, const OnGround& right) { return part(left) < part(right); };
+  // In order already on a single floor, and sorting takes memory.
+  if (!std::is_sorted(on_ground_.begin(), on_ground_.end(), before)) {
+    std::stable_sort(on_ground_.begin(), on_ground_.end(), before);
+  }
+  bool removed = false;
+  for (auto first = on_ground_.cbegin(), next = first; first != on_ground_.cend(); first = next) {
+    next = std::find_if(first, on_ground_.cend(), [&](const OnGround& meets) { return part(meets) != part(*first); });
+    if (next - first > 1) removed |= remove_ghosts({first, next}, bodies, margin);
+  }
+  if (!removed) return;
+  std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; });
+  disturb();
+}
+
+// A face that has taken the place of a ghost hides others in turn: those two joins ahead.
+bool ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin) {
+  // Only ground that stands still has joins.
+  const auto stands = [&](const OnGround& meets) { return !bodies.stirs(meets.ground); };
+  supports_.clear();
+  std::copy_if(of_part.begin(), of_part.end(), std::back_inserter(supports_), stands);
+  if (supports_.size() < 2) return false;
+  bool removed = false;
+  for (std::size_t i = 0; i < supports_.size(); ++i) {
+    const OnGround below = supports_[i];
+    if (rows_[below.row].count == 0) continue;
+    const std::optional<Plane> plane = face_under(Meeting(rows_[below.row], bodies, below.dynamic_first), bodies);
+    if (!plane) continue;
+    for (const OnGround& ahead : of_part) {
+      Contact& contact = rows_[ahead.row];
+      if (ahead.row == below.row || contact.count == 0 || !stands(ahead)) continue;
+      const std::optional<Manifold> instead =
+          without_ghost(Meeting(contact, bodies, ahead.dynamic_first), *plane, bodies, margin);
+      if (!instead) continue;
+      const Contact was = contact;
+      take_points(contact, bodies, points_of(*instead, bodies.pose[contact.body_a].p, bodies.pose[contact.body_b].p));
+      carry_impulses(contact, std::span(was.points).first(static_cast<std::size_t>(was.count)));
+      supports_.push_back(ahead);
+      removed |= contact.count == 0;
+    }
+  }
+  return removed;
+}
+
+void ContactSet::forget(std::size_t body) {
+  disturb();
+  const auto of_it = [body](const Contact& c) { return c.body_a == body || c.body_b == body; };
+  std::erase_if(rows_, of_it);
+  std::erase_if(resting_, of_it);
+}
+
+void ContactSet::lay_to_rest(const BodySet& bodies) {
+  disturb();
+  const auto passed_by = [&](std::uint32_t body) { return bodies.dynamic(body) && bodies.asleep[body] == 0; };
+  std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(resting_), [&](const Contact& c) {
+    return of_sleepers(c, bodies) && !passed_by(c.body_a) && !passed_by(c.body_b);
+  });
+  std::sort(resting_.begin(), resting_.end(), in_order);
+  std::erase_if(rows_, [&](const Contact& c) { return of_sleepers(c, bodies); });
+}
+
+void ContactSet::take_back(const BodySet& bodies) {
+  disturb();
+  const auto woken =
+      std::stable_partition(resting_.begin(), resting_.end(), [&](const Contact& c) { return of_sleepers(c, bodies); });
+  const auto awake = static_cast<std::ptrdiff_t>(rows_.size());
+  rows_.insert(rows_.end(), woken, resting_.end());
+  resting_.erase(woken, resting_.end());
+  mixed_by_.reset();  // they may be from before a change
+  std::inplace_merge(rows_.begin(), rows_.begin() + awake, rows_.end(), in_order);
+}
+
+void ContactSet::forget_new() {
+  disturb();
+  std::erase_if(rows_, [](const Contact& contact) { return contact.age == 0; });
+}
+
+void ContactSet::leave_to_piles(const BodySet& bodies) {
+  disturb();
+  std::erase_if(rows_, [&](const Contact& contact) { return kept_by_pile(bodies, contact); });
+}
+
+void ContactSet::put_in(std::span<const Contact> contacts) {
+  if (contacts.empty()) return;
+  disturb();
+  const auto before = static_cast<std::ptrdiff_t>(rows_.size());
+  rows_.insert(rows_.end(), contacts.begin(), contacts.end());
+  std::sort(rows_.begin() + before, rows_.end(), in_order);
+  std::inplace_merge(rows_.begin(), rows_.begin() + before, rows_.end(), in_order);
+}
+
+void ContactSet::stretch_rest(Real times) {
+  for (Contact& contact : resting_) {
+    for (ContactPoint& point : contact.points) {
+      point.total_normal_impulse *= times;
+      point.total_tangent_impulse *= times;
+    }
+  }
+}
+
+std::vector<const Contact*> ContactSet::all(std::span<const Contact> more) const {
+  std::vector<const Contact*> merged;
+  merged.reserve(rows_.size() + resting_.size() + more.size());
+  for (const std::span<const Contact> some :
+       {std::span<const Contact>(rows_), std::span<const Contact>(resting_), more}) {
+    for (const Contact& contact : some) merged.push_back(&contact);
+  }
+  std::sort(merged.begin(), merged.end(),
+            [](const Contact* left, const Contact* right) { return in_order(*left, *right); });
+  return merged;
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "bodies/body_set.h"
+#include "contacts/contact_rows.h"
+#include "solver/island_joints.h"
+#include "solver/motion.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// The impulses at two points that are solved together by what they do to the velocities there: the inverse of the
+/// matrix of inverse effective masses k.
+struct PairMatrix {
+  Real i11 = 0, i22 = 0, i12 = 0;  // kg
+  bool usable = false;  // not of two points almost in one place: k says nothing about the difference of their loads
+
+  PairMatrix() = default;
+  PairMatrix(Real k11, Real k22, Real k12) {
+    const Real determinant = k11 * k22 - k12 * k12;
+    constexpr Real worst_condition = 1000;
+    usable = k11 * k22 <= worst_condition * determinant;
+    if (!usable) return;
+    const Real inverse = 1 / determinant;
+    i11 = k22 * inverse;
+    i22 = k11 * inverse;
+    i12 = -k12 * inverse;
+  }
+  Vec2 operator*(Vec2 v) const { return {i11 * v.x + i12 * v.y, i12 * v.x + i22 * v.y}; }
+};
+
+/// Two points that are solved together.
+struct PointPair {
+  Real strength = 0;                   // of the springs that this was made for; 0: none
+  std::array<Real, 2> inverse_mass{};  // 1/kg, effective, of each alone
+  Real coupling = 0;                   // 1/kg, what the impulse of one does to the other
+  std::array<Real, 2> give{};          // 1/kg, that their springs add
+  PairMatrix rigid;
+  PairMatrix soft;  // both points in their springs
+
+  PairMatrix matrix(const std::array<Real, 2>& springs) const {
+    return {inverse_mass[0] + springs[0], inverse_mass[1] + springs[1], coupling};
+  }
+};
+
+/// A row, and what the sub-step of `accurate` needs to know beside it.
+struct ImpactRow : ContactRow {
+  Real offset = 0;           // m, standing correction of the separation (see accurate.cpp)
+  Real disc_distance = 0;    // m, sum of radii when both are discs about their centres: their normal turns as they move
+  Vec2 between;              // of those centres at the start of the step
+  std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
+  Vec2 acted;                // N s, what the contact gave in this step, if its normal turns
+  int age = 0;               // steps since the contact began
+  bool made = false;         // of the points that the contact still has, if these are as they were then:
+  Pose found_a, found_b;
+  std::array<Real, 2> found_separation{};
+  bool stirs_a = true;  // the body can move, see BodySet::stirs
+  bool stirs_b = true;
+  bool turns = false;  // its normal follows the bodies within a step
+  bool active = true;  // takes part in this sub-step's solve
+  bool fresh = false;  // first step of the contact
+  bool web = false;    // a body of it touches more than two others, as in a pyramid and not in a column
+  bool block = false;  // its two points are solved together:
+  PointPair pair;
+
+  /// Adds what a point gave along a normal and its tangent to the sums of the step.
+  void note(RowPoint& p, Vec2 impulse, Vec2 along) {
+    p.total_normal += impulse.x;
+    p.total_tangent += impulse.y;
+    if (turns) acted += impulse.x * along + impulse.y * perpendicular(along);
+  }
+  /// Makes of the sums, given along a normal that turned, what acted along one, which it returns.
+  Vec2 join() {
+    Vec2 given;
+    for (const RowPoint& p : points) given += Vec2{p.total_normal, p.total_tangent};
+    const Real sum = length(given);
+    const Real effect = length(acted);
+    if (sum == 0 || effect == 0) return normal;
+    for (RowPoint& p : points) {
+      p.total_normal *= effect / sum;
+      p.total_tangent *= effect / sum;
+    }
+    return normalized(Rotation(given.x, given.y).inverse() * acted);
+  }
+};
+
+/// m/s; slower approaches are left to the contact solve, which ends the infinite sequence of ever smaller bounces
+/// ("Zeno"). What rests under an acceleration a falls by a h within a sub-step: 1.2 to 5 times that let every stack of
+/// boxes settle. Where nothing presses only rounding is to be told from a blow.
+inline Real slow_impact(Real acceleration, Real h) { return static_cast<Real>(2.4) * acceleration * h + Real{1e-4F}; }
+
+/// Newton's impact law at the very moment of touching, inside a sub-step of h seconds.
+///
+/// Between impacts a body moves as d + v t + a t^2/2. At the earliest impact time tau the impulse J changes v by J/m;
+/// shifting the start of the path by -tau J/m makes the whole sub-step come out as if it had been split at tau, without
+/// splitting it. Repeats in order of time until no contact with restitution hits before h. Rows that still approach
+/// afterwards hit in a later sub-step and are made inactive for this one.
+///
+/// Where bodies hang on joints, the joints pass the blow on at once: impulse and joints are solved in turn until both
+/// laws hold, before the paths are shifted.
+class Impacts {
+ public:
+  /// `members` are the bodies that the rows and joints act on; `slow` is the approach (m/s) that is no impact yet.
+  void resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members, BodySet& bodies,
+               std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h, Real slow);
+
+ private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  /// A row with restitution.
+  struct Candidate {
+    std::uint32_t row = 0;
+    std::uint32_t aims = 0;                            // how often its next impact was sought
+    std::array<std::uint32_t, 2> next = {none, none};  // in the list of candidates of body a, of body b
+  };
+  struct Event {
+    Real time = 0;   // of impact
+    Real speed = 0;  // of approach then
+    std::uint32_t candidate = 0;
+    std::uint32_t aims = 0;  // the candidate's when this was found: out of date if it has more now
+  };
+  static bool later(const Event& left, const Event& right);
+  void list_candidates(std::span<ImpactRow> rows, std::size_t body_count);
+  void aim(std::span<const ImpactRow> rows, std::uint32_t candidate, const BodySet& bodies,
+           const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real now, Real h);
+  void strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
+              std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau);
+
+  Real slow_ = 0;
+  std::vector<Candidate> candidates_;
+  std::vector<std::uint32_t> first_of_;  // of each body's candidates; set only where there are any
+  std::vector<Event> events_;            // a heap
+  std::vector<Velocity> before_;         // of the bodies struck
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

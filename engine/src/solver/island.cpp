@@ -1,0 +1,168 @@
+#include "solver/island.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+constexpr int most_substeps = 32;
+
+constexpr std::size_t most_more_sweeps = 60;
+
+constexpr Real fast = static_cast<Real>(0.1);  // m/s
+
+/// Budget of one island and step: large piles keep the base number of sub-steps, and of sweeps.
+constexpr std::size_t most_body_substeps = 4000;
+
+}  // namespace
+
+void Island::cut(const Settings& settings, int into) {
+  constexpr Real damping_ratio = 10;
+  substeps = into;
+  h = settings.dt / static_cast<Real>(into);
+  const Real finer = static_cast<Real>(into) / static_cast<Real>(settings.substeps);
+  offset_scale = 1 / (finer * finer);
+  const auto at = [this](Real frequency) {
+    return Softnesses{Softness::of(frequency, damping_ratio, h), Softness::of(2 * frequency, damping_ratio, h)};
+  };
+  column = at(1 / (8 * h));
+  if (webbed) web = at(1 / (12 * h));
+  if (heap) {
+    offsets = OffsetRule::passive(settings.dt, damping_ratio);
+  } else {
+    // A pyramid's layers, and those of most piles; a column has one for each body.
+    const auto count = static_cast<Real>(bodies.size());
+    const Real layers = webbed ? std::sqrt(2 * count) : count;
+    offsets = OffsetRule::lifting(settings.dt, layers, damping_ratio, (webbed ? web : column).movable);
+  }
+}
+
+void Island::share(Real by) {
+  for (ImpactRow& row : rows) {
+    for (RowPoint& p : row.points) {
+      p.normal_impulse *= by;
+      p.tangent_impulse *= by;
+    }
+  }
+  joints.share(by);
+}
+
+bool closed(const BodySet& bodies, std::span<const std::uint32_t> island) {
+  return std::all_of(island.begin(), island.end(),
+                     [&](std::uint32_t body) { return bodies.inverse_mass[body].m + bodies.inverse_mass[body].i > 0; });
+}
+
+bool is_heap(const StepData& data, const Island& island) {
+  const bool large = !may_need_substeps(island.bodies.size(), data.settings);
+  if (!island.webbed || (!large && few(island))) return false;
+  const auto most = [&](std::size_t tenths, auto test) {
+    const auto count = std::count_if(island.contacts.begin(), island.contacts.end(), test);
+    return 10 * static_cast<std::size_t>(count) >= tenths * island.contacts.size();
+  };
+  const auto rubs = [&](const Tie& tie) { return data.contacts[tie.contact].static_friction > 0; };
+  if (!large && most(5, rubs)) return false;
+  return !most(9, [](const Tie& tie) { return tie.points == 2; });
+}
+
+bool settles(const StepData& data, const Island& island) {
+  const BodySet& bodies = data.bodies;
+  const auto is_new = [&](const Tie& tie) { return data.contacts[tie.contact].age == 0; };
+  if (island.contacts.empty() || !std::all_of(island.contacts.begin(), island.contacts.end(), is_new)) return false;
+  const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
+  return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
+    const Velocity& v = bodies.velocity[body];
+    return length(v.v) + std::abs(v.w) * bodies.reach[body] <= slow;
+  });
+}
+
+void Bearing::add(const ContactRow& row) {
+  if (row.mass_a.m == 0 || row.mass_b.m == 0) points += row.count;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    lightest = std::min(lightest, row.points[i].normal_mass);
+  }
+}
+
+// load / (2 m w^2), with what was given in the whole step.
+void Bearing::add_load(const ImpactRow& row, Real offset, const Settings& settings) {
+  const Real swing = Island::swing(row.web, row.mass_a.m == 0 || row.mass_b.m == 0);
+  const Real n = static_cast<Real>(settings.substeps);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const RowPoint& p = row.points[i];
+    const Real depth = p.normal_impulse / p.normal_mass * settings.dt / (2 * swing * swing * n * n);
+    deepest = std::max(deepest, depth - offset);
+  }
+}
+
+bool may_need_substeps(std::size_t bodies, const Settings& settings) {
+  return static_cast<std::size_t>(2 * settings.substeps) * bodies <= most_body_substeps;
+}
+
+// sink = weight / (points on the ground) * k_max / (2 w^2), k the inverse effective mass; and sink ~ h^2. With w of a
+// column: a web may sink (12/8)^2 times as far until its offsets lift it, and still settles soonest with these.
+int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, const BodySet& bodies,
+                 const std::vector<Velocity>& acceleration, const Settings& settings) {
+  const int base = settings.substeps;
+  Real weight = 0;
+  for (const std::uint32_t body : island) {
+    const Real m = bodies.inverse_mass[body].m;
+    if (m > 0) weight += length(acceleration[body].v) / m;
+  }
+  const Real omega = Island::swing(false, false) * static_cast<Real>(base) / settings.dt;
+  const Real bears = static_cast<Real>(bearing.points) * (2 * omega * omega) * tolerated_sink;
+  // Powers of two: for the weight the nearest by ratio, and for the load that is known to press one point in down to
+  // half of the tolerated sink. The other half is for what that load becomes: it is known a step late, in which a point
+  // goes 1 - exp(-n w h / (2 zeta)) = 15 % of its way to where the new load presses it, so that may be several times as
+  // deep. Both are within it in nearly every step: no division then.
+  const bool light = bearing.points == 0 || weight <= 2 * bearing.lightest * bears;
+  if (light && 2 * bearing.deepest <= tolerated_sink) return base;
+  const Real weighs = light ? Real{0} : weight / (bearing.lightest * bears);
+  const Real presses = bearing.deepest / tolerated_sink;
+  const Real wanted = std::max(weighs / 2, 2 * presses) * static_cast<Real>(base * base);
+  int n = base;
+  while (2 * n <= most_substeps && static_cast<Real>(n * n) < wanted &&
+         static_cast<std::size_t>(2 * n) * island.size() <= most_body_substeps) {
+    n *= 2;
+  }
+  return n;
+}
+
+int settling_sweeps_for(std::size_t bodies) {
+  constexpr std::size_t least = 30;
+  constexpr std::size_t most = 300;  // boxes each ten times as heavy as the one below need as many
+  return static_cast<int>(std::clamp(most_body_substeps / bodies, least, most));
+}
+
+int more_sweeps_for(std::size_t bodies) {
+  if (bodies == 0) return 0;
+  return static_cast<int>(std::min(most_body_substeps / bodies, most_more_sweeps));
+}
+
+bool few(const Island& island) { return island.bodies.size() * most_more_sweeps <= most_body_substeps; }
+
+bool plain(const Island& island) {
+  return island.joints.empty() && !island.bounces && !island.settling && !island.turning && island.sweeps == 1 &&
+         island.press_sweeps == 0 && island.more_sweeps == 0;
+}
+
+bool new_or_deep(const Contact& contact) {
+  constexpr Real deep = static_cast<Real>(0.005);  // m
+  return contact.age == 0 || std::min(contact.points[0].separation, contact.points[1].separation) <= -deep;
+}
+
+bool at_speed(const ContactRow& row, const BodySet& bodies) {
+  const auto& [p, q] = row.points;
+  const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+  return std::max(std::abs(frame.normal_velocity(p)), std::abs(frame.normal_velocity(q))) > fast;
+}
+
+bool closes(const ContactRow& row, const BodySet& bodies, Real dt) {
+  const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+  return std::any_of(row.points.begin(), row.points.begin() + row.count, [&](const RowPoint& p) {
+    const Real v = frame.normal_velocity(p);
+    return v < -fast && p.separation + v * dt < 0;
+  });
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,262 @@
+#include "solver/island_joints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/energy_bound.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// m or rad, by which joints may be off and still fit.
+constexpr Real slack = static_cast<Real>(1e-5);
+
+/// A joint is a spring with w h = 1/sqrt(give), 1000. What hangs on it sinks by g h^2 give, 2e-10 m at 240 Hz; a taut
+/// chain's forces stay finite.
+constexpr Real give = static_cast<Real>(1e-6);
+/// The damping, as Levenberg's (1944), of a step towards joints that do not fit: nothing springs back from w h = 3.
+constexpr Real give_when_unfit = static_cast<Real>(0.1);
+
+/// Multiplications for one factoring, from which joints are swept: nearly a millisecond, five times in a step. A net of
+/// k x k discs in order takes 8.7 k^4 of them, so that 18 x 18 are still factored (4 ms a step) and 19 x 19 are not; a
+/// swept one takes .1 us a hinge and sub-step. A chain's cost is proportional to its length: 10 000 links are factored.
+constexpr std::uint64_t dear = 1000000;
+
+}  // namespace
+
+IslandJoints::IslandJoints(std::span<ActiveJoint* const> joints, std::span<const std::uint32_t> members,
+                           BodySet& bodies, const std::vector<Pose>& start, const std::vector<Motion>& motion,
+                           JointWorkspace& work)
+    : joints_(joints),
+      members_(members),
+      bodies_(bodies),
+      start_(start),
+      motion_(motion),
+      work_(work),
+      swept_(!joints.empty() && work.system.cost(joints, motion.size(), dear) > dear) {}
+
+Softness softness_of_swept(Real h) {
+  constexpr Real damping_ratio = 5;
+  return Softness::of(1 / (6 * h), damping_ratio, h);
+}
+
+JointPose IslandJoints::pose(std::uint32_t body, Real ahead) const {
+  Motion there = motion_[body];
+  if (ahead > 0) there.advance(bodies_.velocity[body], ahead);
+  return {there.from(start_[body]), bodies_.angle[body] + there.turn};
+}
+
+void IslandJoints::share(Real by) {
+  for (ActiveJoint* joint : joints_) {
+    for_each_row(joint->block, [by](JointRow& row) { row.impulse *= by; });
+  }
+}
+
+void IslandJoints::halve() {
+  for (ActiveJoint* joint : joints_) {
+    for_each_row(joint->block, [](JointRow& row) {
+      row.half = row.impulse / 2;
+      row.impulse = 0;
+    });
+  }
+}
+
+void IslandJoints::forget() {
+  for (ActiveJoint* joint : joints_) forget_impulses(joint->block);
+}
+
+void IslandJoints::kick() {
+  for (ActiveJoint* joint : joints_) {
+    JointBlock& block = joint->block;
+    for_each_row(block, [&](JointRow& row) {
+      apply(block, row, row.half, bodies_.velocity[block.a], bodies_.velocity[block.b]);
+      row.impulse += row.half;
+    });
+  }
+}
+
+JointBlock IslandJoints::ahead(const ActiveJoint& joint, Real h) const {
+  JointBlock block = joint.block;
+  joint.model->write(pose(block.a, h), pose(block.b, h), block);
+  return block;
+}
+
+/// By how much the joints will not fit after a drift of h: the sum of the squares of their errors. The bias that would
+/// mend it in a linear world, rate + bias = error / h, is left in the workspace.
+Real IslandJoints::miss(Real h) {
+  work_.bias.clear();
+  Real sum = 0;
+  for (const ActiveJoint* joint : joints_) {
+    const JointBlock& block = joint->block;
+    if (block.equations == 0) continue;
+    const JointBlock there = ahead(*joint, h);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.equations); ++i) {
+      const Real error = there.equation[i].error + h * work_.system.give(work_.bias.size()) * block.equation[i].impulse;
+      sum += error * error;
+      work_.bias.push_back(error / h - rate(block.equation[i], bodies_.velocity[block.a], bodies_.velocity[block.b]));
+    }
+  }
+  return sum;
+}
+
+void IslandJoints::press(Real h) {
+  if (swept_) return press_by_sweep(h);
+  for (ActiveJoint* joint : joints_) {
+    JointBlock& block = joint->block;
+    solve_motor(block, h, bodies_.velocity[block.a], bodies_.velocity[block.b]);
+  }
+  const Real most = most_energy();
+  if (fit_) {
+    remember();
+    fit_ = fit_by_present_rows(h) && kinetic_energy(members_, bodies_) <= most;
+    if (!fit_) take_back();
+  }
+  if (!fit_) approach_by_rows_ahead(h, most);
+  for (ActiveJoint* joint : joints_) {
+    JointBlock& block = joint->block;
+    if (block.stops == 0) continue;
+    Velocity& a = bodies_.velocity[block.a];
+    Velocity& b = bodies_.velocity[block.b];
+    const JointBlock there = ahead(*joint, h);
+    std::array<Real, 2> bias{};
+    for (std::size_t i = 0; i < 2; ++i) bias[i] = there.stop[i].error / h - rate(block.stop[i], a, b);
+    solve_stops(block, bias, a, b);
+  }
+}
+
+/// J, that the bodies may have after a press. Bringing rates to zero is a projection, which takes energy; only mending
+/// errors and bending paths can add some. More than as much again is no mending but a jump to elsewhere.
+Real IslandJoints::most_energy() const {
+  constexpr Real mending = 1;  // m/s
+  Real sum = 2 * kinetic_energy(members_, bodies_);
+  for (const std::uint32_t body : members_) {
+    const Real m = bodies_.inverse_mass[body].m;
+    if (m > 0) sum += mending * mending / (2 * m);
+  }
+  return sum;
+}
+
+void IslandJoints::remember() {
+  work_.before.clear();
+  for (const ActiveJoint* joint : joints_) {
+    for_each_row(joint->block, [&](const JointRow& row) { work_.before.push_back(row.impulse); });
+  }
+}
+
+void IslandJoints::take_back() {
+  std::size_t next = 0;
+  for (ActiveJoint* joint : joints_) {
+    JointBlock& block = joint->block;
+    for_each_row(block, [&](JointRow& row) {
+      const Real before = work_.before[next++];
+      apply(block, row, before - row.impulse, bodies_.velocity[block.a], bodies_.velocity[block.b]);
+      row.impulse = before;
+    });
+  }
+}
+
+/// A sum of squares of errors at which the joints fit: slack, and what rounding makes of places so far from the origin.
+Real IslandJoints::good_enough() const {
+  constexpr Real rounding = 4 * std::numeric_limits<Real>::epsilon();
+  Real sum = 0;
+  for (const ActiveJoint* joint : joints_) {
+    const JointBlock& block = joint->block;
+    const Real each = slack + rounding * (length(start_[block.a].p) + length(start_[block.b].p));
+    sum += static_cast<Real>(block.equations) * each * each;
+  }
+  return sum;
+}
+
+/// Newton's method on error(x + h v) = 0 with the matrix of the present rows. Each round gains a factor of about h w;
+/// five are below round-off. Where a round gains little the joints are too taut for these rows (nothing that pulls
+/// along a straight chain bends it): then that round is taken back, and what is left decides.
+bool IslandJoints::fit_by_present_rows(Real h) {
+  constexpr int rounds = 5;
+  constexpr Real least_gain = static_cast<Real>(.25);
+  const Real enough = good_enough();
+  Real left = miss(h);
+  for (int round = 0; round < rounds && left > 0; ++round) {
+    work_.system.solve(joints_, bodies_, work_.bias);
+    work_.system.push(joints_, bodies_, 1, true);
+    const Real now = miss(h);
+    if (!(now <= least_gain * left || now <= enough)) {
+      work_.system.push(joints_, bodies_, -1, true);
+      break;
+    }
+    left = now;
+  }
+  return left <= enough;
+}
+
+/// One damped step towards error(x + h v) = 0 along the rows of the place ahead, as implicit Euler has them: these pull
+/// back what leaves the joints, and take energy where the present rows would give it.
+void IslandJoints::approach_by_rows_ahead(Real h, Real most) {
+  write_rows(h, give_when_unfit);
+  work_.bias.clear();
+  for (const ActiveJoint* joint : joints_) {
+    const JointBlock& block = joint->block;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.equations); ++i) {
+      const JointRow& row = block.equation[i];
+      work_.bias.push_back(row.error / h - rate(row, bodies_.velocity[block.a], bodies_.velocity[block.b]));
+    }
+  }
+  work_.system.solve(joints_, bodies_, work_.bias);
+  work_.system.push(joints_, bodies_, 1, true);
+  const Real energy = kinetic_energy(members_, bodies_);
+  if (energy > most) work_.system.push(joints_, bodies_, std::sqrt(most / energy) - 1, true);
+}
+
+void IslandJoints::write_rows(Real ahead, Real give_way) {
+  for (ActiveJoint* joint : joints_) {
+    joint->model->write(pose(joint->block.a, ahead), pose(joint->block.b, ahead), joint->block);
+  }
+  if (!swept_) work_.system.factor(joints_, motion_.size(), give_way);
+}
+
+void IslandJoints::write() {
+  fit_ = true;
+  write_rows(0, give);
+}
+
+void IslandJoints::press_by_sweep(Real h) {
+  const Softness soft = softness_of_swept(h);
+  for (ActiveJoint* joint : joints_) solve_soft_joint(joint->block, h, soft, bodies_);
+}
+
+/// In the order opposite to that of press, so that a load is passed on both ways.
+void IslandJoints::relax_by_sweep(Real h) {
+  for (std::size_t i = joints_.size(); i-- > 0;) solve_joint(joints_[i]->block, h, 0, bodies_);
+}
+
+void IslandJoints::relax(Real h) {
+  if (swept_) return relax_by_sweep(h);
+  for (ActiveJoint* joint : joints_) {
+    JointBlock& block = joint->block;
+    Velocity& a = bodies_.velocity[block.a];
+    Velocity& b = bodies_.velocity[block.b];
+    std::array<Real, 2> bias{};
+    for (std::size_t i = 0; i < 2; ++i) bias[i] = std::max(block.stop[i].error / h, Real{0});
+    solve_motor(block, h, a, b);
+    solve_stops(block, bias, a, b);
+  }
+  work_.bias.assign(work_.system.equations(), 0);
+  work_.system.solve(joints_, bodies_, work_.bias);
+  work_.system.push(joints_, bodies_, 1, true);
+}
+
+void IslandJoints::absorb_impact() {
+  if (swept_) {
+    for (const ActiveJoint* joint : joints_) {
+      JointBlock block = joint->block;
+      solve_equations(block, {}, bodies_.velocity[block.a], bodies_.velocity[block.b]);
+    }
+    return;
+  }
+  work_.bias.assign(work_.system.equations(), 0);
+  work_.system.solve(joints_, bodies_, work_.bias);
+  work_.system.push(joints_, bodies_, 1, false);
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

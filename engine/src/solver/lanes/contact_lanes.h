@@ -1,0 +1,178 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "bodies/body_set.h"
+#include "contacts/contact.h"
+#include "impulse/math.h"
+#include "solver/tie.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// One number of each of `width` contacts: eight, or sixteen where a register holds so many.
+template <std::size_t width>
+struct Row {
+  alignas(width * sizeof(Real)) Real lane[width]{};
+};
+
+/// The points that are one of each of `width` contacts; the numbers are those of RowPoint (contact_rows.h).
+template <std::size_t width>
+struct SmoothPointLanes {
+  using Row = impulse::Row<width>;
+  Row separation;      // m, at the start of the step, less the contact's offset
+  Row total_normal;    // N s, of the whole step
+  Row gap;             // m, separation now
+  Row normal_mass;     // effective, kg
+  Row normal_impulse;  // N s, of one sub-step
+};
+template <std::size_t width>
+struct PointLanes : SmoothPointLanes<width> {
+  using Row = impulse::Row<width>;
+  Row cross_a, cross_b;  // r x n, m
+  Row dot_a, dot_b;      // r . n, m
+  Row tangent_mass;      // effective, kg
+  Row tangent_impulse;   // N s, of one sub-step
+  Row total_tangent;     // N s, of the whole step
+};
+
+/// Contacts that share no movable body, so that they are solved at once as if one after the other. A lane that holds no
+/// contact names a body that nothing moves, and has all numbers 0.
+///
+/// Large piles do not fit into the caches, and each pass takes as long as what it touches: what is the same for many
+/// lanes is one bit of each or is left to SoftRule, and masses come with the bodies.
+template <std::size_t width>
+struct NormalLanes {
+  using Row = impulse::Row<width>;
+  Row offset;  // m, standing correction of the separation
+  // Bit i tells of lane i.
+  std::uint32_t web = 0;                 // see ImpactRow
+  std::uint32_t fixed = 0;               // against what cannot move
+  std::uint32_t aged = 0;                // old enough that the offset follows the depth
+  std::uint32_t fresh = 0;               // in its first step
+  bool rounded = false;                  // whether some shape is, see ContactLanes
+  std::uint32_t a[width]{}, b[width]{};  // where the bodies' rows of four begin
+  Row normal_x, normal_y;
+};
+
+/// Those of `points` points.
+template <std::size_t points, std::size_t width>
+struct ContactLanes : NormalLanes<width> {
+  using Row = impulse::Row<width>;
+  Row inertia_a, inertia_b;  // inverse, 1/(kg m^2)
+  Row static_friction, dynamic_friction;
+  PointLanes<width> point[points];
+  Row radius_a, radius_b;  // m, by which the shapes are rounded: that part of r . n does not turn with the body
+};
+
+/// Those of one point that turn nothing: a disc about its centre of mass has r x n = 0, and without friction nothing
+/// acts along r . n.
+template <std::size_t width>
+struct SmoothLanes : NormalLanes<width> {
+  SmoothPointLanes<width> point[1];
+};
+
+/// Those of discs about their centres of mass: the normal is that of their centres as they move.
+template <class Lanes>
+struct DiscsOf : Lanes {
+  using Row = typename Lanes::Row;
+  Row between_x, between_y;  // m, from centre a to centre b at the start of the step
+  Row distance;              // m, sum of the radii
+};
+template <std::size_t width>
+using DiscLanes = DiscsOf<ContactLanes<1, width>>;
+template <std::size_t width>
+using SmoothDiscLanes = DiscsOf<SmoothLanes<width>>;
+
+/// How lanes are solved.
+enum class LanesKind : std::uint8_t {
+  one,           // one point
+  discs,         // one point, and the normal turns
+  two,           // two points in turn, in a web
+  block,         // two points at once, in a column
+  smooth,        // one point that turns nothing
+  smooth_discs,  // the same, and the normal turns
+};
+constexpr std::size_t lanes_kinds = 6;
+
+/// All lanes of one colour and kind: none of them shares a movable body with another.
+struct LanesRun {
+  LanesKind kind;
+  std::uint32_t begin, end;
+};
+
+/// The contacts of an island in the order in which they are solved.
+template <std::size_t width>
+struct ContactTable {
+  ContactLanes<1, width>* one;
+  DiscLanes<width>* discs;
+  ContactLanes<2, width>* two;
+  ContactLanes<2, width>* block;
+  SmoothLanes<width>* smooth;
+  SmoothDiscLanes<width>* smooth_discs;
+  const LanesRun* runs;
+  const LanesRun* runs_end;
+};
+
+/// Bodies as rows of four numbers. Their number is a multiple of sixteen; rows of no body are 0.
+struct BodyRows {
+  std::uint32_t count;
+  Real* velocity;            // x, y (m/s), angular (rad/s), inverse mass (1/kg)
+  Real* before;              // the velocity at the start of the sub-step
+  Real* kick;                // what is given before and again after the drift; 0
+  Real* motion;              // x, y (m), sine and cosine - 1 of the turn since the start of the step
+  Real* turn;                // rad, one number a row
+  const Real* acceleration;  // x, y, angular, 0
+};
+
+/// How soft the contacts of a pile are: by [web][against what cannot move].
+struct SoftRule {
+  using Choice = Real[2][2];
+  Choice strength, rate, relief;  // see softness.h
+  Choice give;                    // m of depth that a load of 1 m/s (impulse / effective mass) explains
+  Choice gain;                    // see OffsetRule
+  Real leak;
+};
+
+/// What contacts are laid out by.
+struct LayoutInput {
+  const Slot* slots[lanes_kinds];     // of each LanesKind, a multiple of the width
+  std::uint32_t groups[lanes_kinds];  // how many widths
+  Contact* contacts;
+  const Contact* no_contact;
+  const InverseMass* masses;  // of the bodies of the world
+  const Pose* poses;
+  const std::uint32_t* row_of;  // where in BodyRows
+  std::uint32_t nobody;         // a row of no body
+  int offset_from_age;          // at which offsets follow
+  Real substeps;
+};
+
+/// What is done with all contacts of an island.
+template <std::size_t width>
+struct ContactPasses {
+  /// Contacts into lanes, with their effective masses.
+  void (*lay_out)(const ContactTable<width>&, const LayoutInput&);
+  /// Of contacts that were just laid out, but whose bodies have moved before: their motions count from now on.
+  void (*begin_late)(const ContactTable<width>&, const BodyRows&);
+  /// Adds to each body's kick half of what its contacts gave in the last sub-step; of this step they gave nothing yet.
+  void (*kick)(const ContactTable<width>&, const BodyRows&);
+  /// Contacts as damped springs on their depth; `h` s is the sub-step.
+  void (*press)(const ContactTable<width>&, const BodyRows&, const SoftRule&, Real h);
+  /// Rigid contacts with friction. `again`: not the first sweep of this sub-step.
+  void (*relax)(const ContactTable<width>&, const BodyRows&, bool again);
+  /// What part of the depth the standing load explains becomes the offset; all of it at once where `settling`.
+  void (*settle)(const ContactTable<width>&, const SoftRule&, bool settling);
+  /// Impulses and offsets back into the contacts.
+  void (*store)(const ContactTable<width>&, const LayoutInput&);
+};
+
+/// Before the first sub-step: the kick of the forces alone.
+using KickByForces = void(const BodyRows&, Real h);
+/// First half of the kick: after the first sub-step it is half of all that the last one changed, but for impacts.
+using KickBodies = void(const BodyRows&, bool first);
+/// x += h v, then the second half of the kick. Returns whether some body has turned too far for the series within; its
+/// sine and cosine must be made anew.
+using DriftBodies = bool(const BodyRows&, Real h);
+
+}  // namespace impulse::inline IMPULSE_PRECISION

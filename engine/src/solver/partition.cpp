@@ -1,0 +1,128 @@
+#include "solver/partition.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+bool pushable(const BodySet& bodies, std::size_t i) { return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0; }
+
+constexpr std::uint32_t nobody = ~std::uint32_t{0};
+
+// What kinds of bodies are told apart by.
+constexpr std::uint8_t stirs = 1;
+constexpr std::uint8_t is_pushable = 2;
+
+/// Whether nothing that the contact gives can turn a body, and no turning is felt by it.
+bool smooth(const Contact& contact, bool stirs_a, bool stirs_b) {
+  return contact.static_friction == 0 && (contact.disc_a || !stirs_a) && (contact.disc_b || !stirs_b);
+}
+
+}  // namespace
+
+// Neighbours are often of one island: they are counted and put there together.
+template <class Item>
+template <class Source, class IslandOf>
+void Partition::ByIsland<Item>::sort(const Source& source, std::size_t islands, IslandOf island_of) {
+  const auto for_runs = [&](auto act) {
+    for (auto first = source.begin(), end = first; first != source.end(); first = end) {
+      const std::size_t island = island_of(*first);
+      end = std::find_if(first, source.end(), [&](const Item& item) { return island_of(item) != island; });
+      act(island, first, end);
+    }
+  };
+  start.assign(islands + 1, 0);
+  for_runs(
+      [&](std::size_t island, auto first, auto end) { start[island + 1] += static_cast<std::size_t>(end - first); });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  next.assign(start.begin(), start.end() - 1);
+  items.resize(source.size());
+  for_runs([&](std::size_t island, auto first, auto end) {
+    std::copy(first, end, items.begin() + static_cast<std::ptrdiff_t>(next[island]));
+    next[island] += static_cast<std::size_t>(end - first);
+  });
+}
+
+void Partition::split(const StepData& data, bool together) {
+  const bool only_contacts = data.joints.empty() && !together;
+  if (nothing_changed(data) && only_contacts && only_contacts_) return;
+  std::swap(tied_, last_tied_);
+  list_ties(data);
+  const bool same_bodies = crowd_.size() == data.bodies.size() &&
+                           std::exchange(pile_changes_, data.bodies.pile_changes) == data.bodies.pile_changes;
+  if (same_bodies && only_contacts && only_contacts_ && tied_ == last_tied_) return;
+  only_contacts_ = only_contacts;
+  ++version_;
+  find_islands(data, together);
+}
+
+/// Whether ties listed now would be those of the last step.
+bool Partition::nothing_changed(const StepData& data) {
+  std::swap(kinds_, last_kinds_);
+  kinds_.resize(data.bodies.size());
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    kinds_[i] =
+        static_cast<std::uint8_t>((data.bodies.stirs(i) ? stirs : 0) | (pushable(data.bodies, i) ? is_pushable : 0));
+  }
+  const std::uint64_t before = std::exchange(contact_changes_, data.contact_changes);
+  return before != 0 && before == contact_changes_ && kinds_ == last_kinds_;
+}
+
+void Partition::list_ties(const StepData& data) {
+  tied_.clear();
+  for (std::uint32_t c = 0; c < data.contacts.size(); ++c) {
+    const Contact& contact = data.contacts[c];
+    const std::uint32_t a = contact.body_a;
+    const std::uint32_t b = contact.body_b;
+    const bool pushes_a = (kinds_[a] & is_pushable) != 0;
+    const bool pushes_b = (kinds_[b] & is_pushable) != 0;
+    if (contact.count == 0 || !(pushes_a || pushes_b)) continue;
+    const bool stirs_a = (kinds_[a] & stirs) != 0;
+    const bool stirs_b = (kinds_[b] & stirs) != 0;
+    tied_.push_back({c, a, b, pushes_a, pushes_b, stirs_a && stirs_b, static_cast<std::uint8_t>(contact.count),
+                     contact.discs(), smooth(contact, stirs_a, stirs_b)});
+  }
+}
+
+void Partition::find_islands(const StepData& data, bool together) {
+  const BodySet& bodies = data.bodies;
+  islands_.clear(bodies.size());
+  crowd_.assign(bodies.size(), 0);
+  first_of_.clear();
+  for (std::uint32_t body = 0; body < bodies.size(); ++body) {
+    const std::uint32_t pile = bodies.pile[body];
+    if (pile == 0) continue;
+    crowd_[body] = 3;  // by the contacts that the pile keeps
+    if (first_of_.size() < pile) first_of_.resize(pile, nobody);
+    std::uint32_t& first = first_of_[pile - 1];
+    if (first == nobody) first = body;
+    islands_.tie(first, body);
+  }
+  const auto add = [this](std::uint32_t body) {
+    crowd_[body] = static_cast<std::uint8_t>(std::min(crowd_[body] + 1, 3));
+  };
+  for (const Tie& tie : tied_) {
+    if (tie.moves_both) islands_.tie(tie.a, tie.b);
+    if (tie.pushes_a) add(tie.a);
+    if (tie.pushes_b) add(tie.b);
+  }
+  all_joints_.clear();
+  for (ActiveJoint& joint : data.joints) {
+    all_joints_.push_back(&joint);
+    if (bodies.stirs(joint.block.a) && bodies.stirs(joint.block.b)) islands_.tie(joint.block.a, joint.block.b);
+  }
+  if (together) {
+    for (std::uint32_t body = 1; body < bodies.size(); ++body) islands_.tie(0, body);
+  }
+  islands_.number();
+
+  contacts_.sort(tied_, islands_.size(), [&](const Tie& tied) { return islands_.of(tied.pushes_a ? tied.a : tied.b); });
+  joints_.sort(all_joints_, islands_.size(), [&](const ActiveJoint* joint) {
+    return islands_.of(pushable(bodies, joint->block.a) ? joint->block.a : joint->block.b);
+  });
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "islands/islands.h"
+#include "solver/solver.h"
+#include "solver/tie.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// Bodies that must be stepped together, with the contacts and joints among them. Contacts without points, or between
+/// bodies that nothing can push, belong to no island.
+class Partition {
+ public:
+  /// Finds the islands of a step. Where nothing but contacts ties bodies, and the same ones as in the last step (as in
+  /// whatever rests), they are those of the last step.
+  ///
+  /// Bodies share an island if something ties them and both move, or a pile at rest holds both; `together` puts them
+  /// all into one.
+  void split(const StepData& data, bool together);
+
+  /// Contacts have other points than they were found with: the next step lists them again.
+  void forget_points() { contact_changes_ = 0; }
+
+  /// Changes whenever the islands may be others than before.
+  std::uint64_t version() const { return version_; }
+
+  std::size_t size() const { return islands_.size(); }
+  std::size_t body_count() const { return crowd_.size(); }
+  std::span<const std::uint32_t> bodies(std::size_t island) const { return islands_.bodies(island); }
+  /// In the order of the step's contacts.
+  std::span<const Tie> contacts(std::size_t island) const { return contacts_.of(island); }
+  /// Where the island's contacts begin among those of all islands.
+  std::size_t first_contact(std::size_t island) const { return contacts_.start[island]; }
+  std::size_t contact_count() const { return contacts_.items.size(); }
+  std::span<ActiveJoint* const> joints(std::size_t island) const { return joints_.of(island); }
+  /// Whether one of the bodies can be pushed and has more than two contacts, as in a pyramid and not in a column.
+  bool in_web(const Tie& tie) const { return crowd_[tie.a] > 2 || crowd_[tie.b] > 2; }
+
+ private:
+  /// Items sorted by island, in their own order within each.
+  template <class Item>
+  struct ByIsland {
+    std::vector<Item> items;
+    std::vector<std::size_t> start;  // of each island, and the end
+    std::vector<std::size_t> next;   // free place of each island while items are put there
+
+    std::span<const Item> of(std::size_t island) const {
+      return std::span(items).subspan(start[island], start[island + 1] - start[island]);
+    }
+    template <class Source, class IslandOf>
+    void sort(const Source& source, std::size_t islands, IslandOf island_of);
+  };
+
+  bool nothing_changed(const StepData& data);
+  void list_ties(const StepData& data);
+  void find_islands(const StepData& data, bool together);
+
+  std::uint64_t version_ = 0;
+  bool only_contacts_ = false;  // tied bodies in the last step
+  Islands islands_;
+  std::uint64_t contact_changes_ = 0;     // when ties were listed
+  std::uint64_t pile_changes_ = 0;        // of the bodies, when they were last split
+  std::vector<std::uint32_t> first_of_;   // body of each pile at rest
+  std::vector<std::uint8_t> kinds_;       // of bodies: whether they can be pushed, and stir
+  std::vector<std::uint8_t> last_kinds_;  // the same of the step before
+  std::vector<Tie> tied_;                 // contacts that belong to an island
+  std::vector<Tie> last_tied_;            // the same of the step before
+  std::vector<std::uint8_t> crowd_;       // contacts of each body that can be pushed, up to 3
+  ByIsland<Tie> contacts_;
+  ByIsland<ActiveJoint*> joints_;
+  std::vector<ActiveJoint*> all_joints_;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

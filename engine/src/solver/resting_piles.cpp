@@ -1,0 +1,256 @@
+#include "solver/resting_piles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "contacts/contact_order.h"
+#include "solver/lanes/kernels.h"
+#include "solver/pile_island.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// Steps from one look at what is calm to the next. Calm is what moves so little between two that it would last for
+/// sixteen times as long; and twice in turn, lest what turns back counts.
+constexpr int look_every = 8;
+constexpr Real calm_way = RestingPile::tremor / 16;
+constexpr std::uint8_t long_calm = 2;
+
+/// Whether keeping so many contacts pays, beside so many others that are laid out in every step.
+constexpr std::size_t least_kept = 64;
+bool pays(std::size_t kept, std::size_t others) { return kept >= least_kept && kept >= 3 * others; }
+
+/// A pile is let go, and begins anew with more, where others have become calm: so many times as many of them. Between
+/// there are up to look_every steps without.
+constexpr std::size_t worth_beginning_anew = 16;
+
+/// m, that no point of a body can have come farther than between two poses.
+Real way(const Pose& then, const Pose& now, Real reach) {
+  return length(now.p - then.p) + std::abs((now.q * then.q.inverse()).s) * reach;
+}
+
+std::vector<std::uint32_t> bodies_of(std::span<const Tie> ties) {
+  std::vector<std::uint32_t> bodies;
+  for (const Tie& tie : ties) {
+    if (tie.pushes_a) bodies.push_back(tie.a);
+    if (tie.pushes_b) bodies.push_back(tie.b);
+  }
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
+bool something_drives(const BodySet& bodies) {
+  bool drives = false;
+  for (std::size_t i = 0; i < bodies.size(); ++i) drives |= !bodies.pushable(i) && bodies.stirs(i);
+  return drives;
+}
+
+bool in_order(const Contact& left, const Contact& right) { return ContactOrder(left) < ContactOrder(right); }
+
+/// Two discs touch along the line of their centres.
+void meet_again(Contact& contact, const BodySet& bodies) {
+  const Vec2 between = bodies.pose[contact.body_b].p - bodies.pose[contact.body_a].p;
+  const Real distance = length(between);
+  if (distance == 0) return;
+  ContactPoint& point = contact.points[0];
+  contact.normal = between / distance;
+  point.separation = distance - (contact.radius_a + contact.radius_b);
+  point.arm_a = (contact.radius_a + point.separation / 2) * contact.normal;
+  point.arm_b = -(contact.radius_b + point.separation / 2) * contact.normal;
+}
+
+}  // namespace
+
+bool kept_by_pile(const BodySet& bodies, const Contact& contact) {
+  const std::uint32_t a = contact.body_a;
+  const std::uint32_t b = contact.body_b;
+  return (bodies.pile[a] != 0 || !bodies.pushable(a)) && (bodies.pile[b] != 0 || !bodies.pushable(b)) &&
+         (bodies.pile[a] != 0 || bodies.pile[b] != 0);
+}
+
+RestingPile::RestingPile(const StepData& data, const Partition& parts, const Island& island, std::vector<Tie> kept,
+                         std::vector<Tie> others, Pile::RowOf& row_of)
+    : members_(bodies_of(kept)),
+      ties_(std::move(kept)),
+      others_(std::move(others)),
+      last_(members_.size()),
+      pile_(pile_kernels()),
+      substeps_(island.substeps),
+      offset_scale_(island.offset_scale),
+      webbed_(island.webbed),
+      heap_(island.heap) {
+  for (Tie& tie : ties_) {
+    contacts_.push_back(data.contacts[tie.contact]);
+    contacts_.back().offset *= offset_scale_;
+    tie.contact = static_cast<std::uint32_t>(contacts_.size() - 1);
+  }
+  Island own = island;
+  own.bodies = members_;
+  own.contacts = ties_;
+  pile_.keep(contacts_, data.bodies, parts, own, row_of);
+}
+
+void RestingPile::step(StepData& data, const Partition& parts, Island island, const std::vector<Velocity>& acceleration,
+                       std::vector<Motion>& motion, Pile::RowOf& row_of) {
+  island.webbed = webbed_;
+  island.heap = heap_;
+  island.cut(data.settings, substeps_);
+  relax_blows(data, island);
+  pile_.step(data, parts, island, acceleration, motion, row_of);
+  ++steps_;
+  rests_ = pays(contacts_.size(), island.contacts.size());
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const std::uint32_t body = members_[i];
+    const Motion now = motion[body];
+    const Motion then = std::exchange(last_[i], now);
+    motion[body].d = now.d - then.d;
+    motion[body].turn = now.turn - then.turn;
+    const Velocity& v = data.bodies.velocity[body];
+    const Real reach = data.bodies.reach[body];
+    const Real next = data.settings.dt * (length(v.v) + std::abs(v.w) * reach);
+    rests_ &= length(now.d) + std::abs(now.turn) * reach + next <= tremor;
+  }
+}
+
+std::vector<Contact> RestingPile::contacts(const BodySet& bodies) {
+  pile_.store_kept();
+  std::vector<Contact> now = contacts_;
+  std::vector<std::uint32_t> all(now.size());
+  std::iota(all.begin(), all.end(), 0U);
+  std::vector<std::uint8_t> kept(now.size());
+  kernels().keep_points(now.data(), all.data(), static_cast<std::uint32_t>(now.size()), bodies.pose.data(),
+                        bodies.reach.data(), std::numeric_limits<Real>::infinity(), kept.data());
+  for (Contact& contact : now) {
+    contact.offset /= offset_scale_;
+    contact.age += steps_ - 1;  // one was counted when they were measured
+    if (contact.discs()) meet_again(contact, bodies);
+  }
+  return now;
+}
+
+// What moves without being pushed meets bodies that a search takes for standing still: nothing rests then.
+void RestingPiles::rouse(BodySet& bodies, std::vector<Contact>& to) {
+  if (empty()) return;
+  if (something_drives(bodies)) return let_go(bodies, to);
+  for (std::uint32_t i = 0; i < piles_.size(); ++i) {
+    if (piles_[i] != nullptr && !piles_[i]->rests()) let_go(i + 1, bodies, to);
+  }
+}
+
+void RestingPiles::let_go(std::uint32_t pile, BodySet& bodies, std::vector<Contact>& to) {
+  std::unique_ptr<RestingPile>& gone = piles_[pile - 1];
+  if (gone == nullptr) return;
+  const std::vector<Contact> contacts = gone->contacts(bodies);
+  to.insert(to.end(), contacts.begin(), contacts.end());
+  for (const std::uint32_t body : gone->members()) bodies.pile[body] = 0;
+  ++bodies.pile_changes;
+  gone = nullptr;
+  --count_;
+}
+
+void RestingPiles::let_go(BodySet& bodies, std::vector<Contact>& to) {
+  for (std::uint32_t i = 0; i < piles_.size(); ++i) let_go(i + 1, bodies, to);
+}
+
+void RestingPiles::append(const BodySet& bodies, std::vector<Contact>& to) const {
+  for (const std::unique_ptr<RestingPile>& pile : piles_) {
+    if (pile == nullptr) continue;
+    const std::vector<Contact> contacts = pile->contacts(bodies);
+    to.insert(to.end(), contacts.begin(), contacts.end());
+  }
+}
+
+void RestingPiles::watch(const StepData& data, bool forces_vary) {
+  const BodySet& bodies = data.bodies;
+  due_ = false;
+  if (data.contacts.size() < least_kept && empty()) return calm_.clear();
+  if (++steps_ % look_every != 0) return;
+  seen_.resize(bodies.size());
+  calm_.resize(bodies.size());
+  due_ = data.may_rest && !forces_vary && !something_drives(bodies);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Pose then = std::exchange(seen_[i], bodies.pose[i]);
+    const bool calm = way(then, bodies.pose[i], bodies.reach[i]) <= calm_way;
+    calm_[i] = calm ? static_cast<std::uint8_t>(std::min(calm_[i] + 1, int{long_calm})) : std::uint8_t{0};
+  }
+}
+
+bool RestingPiles::let_go_hindered(StepData& data, const Partition& parts, bool forces_vary) {
+  BodySet& bodies = data.bodies;
+  std::vector<Contact> contacts;
+  if (forces_vary || !data.may_rest) let_go(bodies, contacts);
+  for (std::size_t island = 0; island < parts.size() && !empty(); ++island) {
+    std::vector<std::uint32_t> held;
+    for (const std::uint32_t body : parts.bodies(island)) {
+      const std::uint32_t pile = bodies.pile[body];
+      if (pile != 0 && std::find(held.begin(), held.end(), pile) == held.end()) held.push_back(pile);
+    }
+    if (held.empty()) continue;
+    const std::span<const Tie> met = parts.contacts(island);
+    const bool rebounds =
+        std::any_of(met.begin(), met.end(), [&](const Tie& tie) { return data.contacts[tie.contact].restitution > 0; });
+    const bool cut_finer = !met.empty() && may_need_substeps(parts.bodies(island).size(), data.settings);
+    if (held.size() == 1 && parts.joints(island).empty() && !rebounds && !cut_finer) continue;
+    for (const std::uint32_t pile : held) let_go(pile, bodies, contacts);
+  }
+  if (contacts.empty()) return false;
+  data.contacts.insert(data.contacts.end(), contacts.begin(), contacts.end());
+  std::sort(data.contacts.begin(), data.contacts.end(), in_order);
+  data.contact_changes = 0;
+  return true;
+}
+
+bool RestingPiles::calm(const BodySet& bodies, const Tie& tie) const {
+  const auto still = [&](std::uint32_t body) { return calm_[body] == long_calm || !bodies.pushable(body); };
+  return still(tie.a) && still(tie.b);
+}
+
+bool RestingPiles::may_grow(const StepData& data, const Island& island, const RestingPile& pile) const {
+  if (!due_) return false;
+  const auto calm_ones = std::count_if(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
+    return calm(data.bodies, tie) && data.contacts[tie.contact].age >= OffsetRule::from_age;
+  });
+  return static_cast<std::size_t>(calm_ones) * worth_beginning_anew > pile.size();
+}
+
+RestingPile* RestingPiles::of(const BodySet& bodies, std::span<const std::uint32_t> island) const {
+  if (empty()) return nullptr;
+  const auto member =
+      std::find_if(island.begin(), island.end(), [&](std::uint32_t body) { return bodies.pile[body] != 0; });
+  return member == island.end() ? nullptr : piles_[bodies.pile[*member] - 1].get();
+}
+
+std::unique_ptr<RestingPile> RestingPiles::part_at_rest(const StepData& data, const Partition& parts,
+                                                        const Island& island, Pile::RowOf& row_of) {
+  if (!due_ || island.settling || island.more_sweeps > 0) return nullptr;
+  const BodySet& bodies = data.bodies;
+  for (const Tie& tie : island.contacts) {
+    const Contact& contact = data.contacts[tie.contact];
+    if (contact.age >= OffsetRule::from_age) continue;
+    if (tie.pushes_a) calm_[tie.a] = 0;
+    if (tie.pushes_b) calm_[tie.b] = 0;
+  }
+  std::vector<Tie> kept;
+  std::vector<Tie> others;
+  for (const Tie& tie : island.contacts) (calm(bodies, tie) ? kept : others).push_back(tie);
+  if (!pays(kept.size(), others.size())) return nullptr;
+  if (!others.empty() && may_need_substeps(island.bodies.size(), data.settings)) return nullptr;
+  return std::make_unique<RestingPile>(data, parts, island, std::move(kept), std::move(others), row_of);
+}
+
+void RestingPiles::add(std::unique_ptr<RestingPile> pile, BodySet& bodies) {
+  auto place = std::find(piles_.begin(), piles_.end(), nullptr);
+  if (place == piles_.end()) place = piles_.insert(place, nullptr);
+  const auto number = static_cast<std::uint32_t>(place - piles_.begin() + 1);
+  for (const std::uint32_t body : pile->members()) bodies.pile[body] = number;
+  *place = std::move(pile);
+  ++count_;
+  ++bodies.pile_changes;
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,224 @@
+#include "solver/scalar_contacts.h"
+
+#include <algorithm>
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// Both points at once, to these changes of velocity; not if a point would pull.
+template <class Frame>
+[[gnu::always_inline]] inline bool push_both(const PairMatrix& masses, ImpactRow& row, Frame& frame, Vec2 change) {
+  if (!masses.usable) return false;
+  auto& [p, q] = row.points;
+  const Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + masses * change;
+  if (total.x < 0 || total.y < 0) return false;
+  push_to(row, p, frame, total.x);
+  push_to(row, q, frame, total.y);
+  return true;
+}
+
+}  // namespace
+
+template <class Solve>
+void ScalarContacts::in_frame(ImpactRow& row, std::vector<Velocity>& velocity, Solve solve) {
+  Velocity& a = velocity[row.a];
+  Velocity& b = velocity[row.b];
+  const auto solve_in = [&](auto frame) {
+    solve(row, frame);
+    frame.leave(row, a, b);
+  };
+  if (!row.stirs_a) return solve_in(FrameOf<false, true>(row, a, b));
+  if (!row.stirs_b) return solve_in(FrameOf<true, false>(row, a, b));
+  solve_in(ContactFrame(row, a, b));
+}
+
+template <class Solve>
+void ScalarContacts::each(const Island& island, Solve solve) {
+  for (ImpactRow& row : island.rows) {
+    if (row.active) in_frame(row, bodies_.velocity, solve);
+  }
+}
+
+template <class Frame>
+Real ScalarContacts::gap(const ImpactRow& row, const RowPoint& p) const {
+  return separation<Frame>(row, p, motion_[row.a], motion_[row.b]) - row.offset;
+}
+
+void ScalarContacts::halve(const Island& island, std::vector<Velocity>& kicks) {
+  for (const std::uint32_t body : island.bodies) kicks[body] = {};
+  for (ImpactRow& row : island.rows) {
+    const auto count = static_cast<std::size_t>(row.count);
+    for (std::size_t i = 0; i < count; ++i) {
+      RowPoint& p = row.points[i];
+      row.half[i] = row.active ? Vec2{p.normal_impulse / 2, p.tangent_impulse / 2} : Vec2{};
+      p.normal_impulse = 0;
+      p.tangent_impulse = 0;
+    }
+    if (!row.active) continue;
+    in_frame(row, kicks, [count](ImpactRow& halved, auto& frame) {
+      for (std::size_t i = 0; i < count; ++i) {
+        frame.push_normal(halved, halved.points[i], halved.half[i].x);
+        frame.push_tangent(halved, halved.points[i], halved.half[i].y);
+      }
+    });
+  }
+}
+
+void ScalarContacts::count_halves(const Island& island) {
+  for (ImpactRow& row : island.rows) {
+    if (!row.active) continue;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      row.points[i].normal_impulse += row.half[i].x;
+      row.points[i].tangent_impulse += row.half[i].y;
+    }
+    if (row.disc_distance > 0) turn_normal(row);
+  }
+}
+
+/// The normal of two discs follows them, and with it what was given along it in this sub-step. What press gave and
+/// relax takes back would else leave a push across, which no contact shows.
+void ScalarContacts::turn_normal(ImpactRow& row) {
+  RowPoint& p = row.points[0];
+  const Vec2 before = row.normal;
+  row.normal = normalized(row.between + (motion_[row.b].d - motion_[row.a].d));
+  // gap() measures along the normal from `between`: for discs that is their distance less the radii.
+  p.separation = dot(row.normal, row.between) - row.disc_distance;
+  const Vec2 change = row.normal - before;
+  const Vec2 more = p.normal_impulse * change + p.tangent_impulse * perpendicular(change);
+  if (row.mass_a.m > 0) bodies_.velocity[row.a].v -= row.mass_a.m * more;
+  if (row.mass_b.m > 0) bodies_.velocity[row.b].v += row.mass_b.m * more;
+}
+
+void ScalarContacts::press(const Island& island) { press<false>(island); }
+
+void ScalarContacts::press_rigidly(const Island& island) { press<true>(island); }
+
+template <bool rigidly>
+void ScalarContacts::press(const Island& island) {
+  each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
+    if (!row.block || !press_pair<rigidly>(island, row, frame)) {
+      const Softness& soft = rigidly ? island.softness(row).rigid() : island.softness(row);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+        RowPoint& p = row.points[i];
+        const Real s = gap<Frame>(row, p);
+        const Real v = frame.normal_velocity(p);
+        const Real push = s > 0 ? -p.normal_mass * (v + s / island.h)
+                                : -p.normal_mass * soft.strength * (v + soft.rate * s) - soft.relief * p.normal_impulse;
+        push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+      }
+    }
+    if (row.fresh) rub(row, frame);
+  });
+}
+
+void ScalarContacts::relax(const Island& island) {
+  each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
+    if (!row.block || !relax_pair(row, frame)) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+        RowPoint& p = row.points[i];
+        if (p.normal_impulse == 0 && gap<Frame>(row, p) > 0) continue;
+        const Real push = -p.normal_mass * frame.normal_velocity(p);
+        push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+      }
+    }
+    rub(row, frame);
+  });
+}
+
+Real ScalarContacts::deepening(const Island& island, bool held) const {
+  Real most = 0;
+  for (const ImpactRow& row : island.rows) {
+    if (!row.active) continue;
+    const ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const RowPoint& p = row.points[i];
+      const Real closing = -island.h * frame.normal_velocity(p);
+      if (closing <= most) continue;  // it comes deeper by that at most
+      const Real s = gap<ContactFrame>(row, p);
+      if (held && p.normal_impulse == 0 && s > 0) continue;
+      most = std::max(most, held ? closing : std::min(s, Real{0}) - (s - closing));
+    }
+  }
+  return most;
+}
+
+PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
+  const auto& [p, q] = row.points;
+  const Real strength = island.softness(row).strength;
+  const Real weakness = 1 / strength - 1;
+  PointPair pair{.strength = strength,
+                 .inverse_mass = {1 / p.normal_mass, 1 / q.normal_mass},
+                 .coupling = row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a +
+                             row.mass_b.i * p.cross_b * q.cross_b,
+                 .give = {weakness / p.normal_mass, weakness / q.normal_mass}};
+  pair.rigid = pair.matrix({});
+  pair.soft = pair.matrix(pair.give);
+  return pair;
+}
+
+/// (K + G) d = -(v + bias + G lambda) with G the give of those springs that are pressed.
+template <bool rigidly, class Frame>
+[[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, ImpactRow& row,
+                                                              Frame& frame) const {
+  const PointPair& pair = row.pair;
+  const auto& [p, q] = row.points;
+  const Real rate = island.softness(row).rate;
+  const std::array<Real, 2> s{gap<Frame>(row, p), gap<Frame>(row, q)};
+  const auto change = [&](const RowPoint& point, Real gap, Real give) {
+    const Real bias = (gap > 0 ? gap / island.h : rate * gap) + give * point.normal_impulse;
+    return -(frame.normal_velocity(point) + bias);
+  };
+  if constexpr (rigidly) {
+    return push_both(pair.rigid, row, frame, {change(p, s[0], 0), change(q, s[1], 0)});
+  }
+  if (!(s[0] > 0) && !(s[1] > 0)) {
+    return push_both(pair.soft, row, frame, {change(p, s[0], pair.give[0]), change(q, s[1], pair.give[1])});
+  }
+  const std::array<Real, 2> give{s[0] > 0 ? 0 : pair.give[0], s[1] > 0 ? 0 : pair.give[1]};
+  return push_both(pair.matrix(give), row, frame, {change(p, s[0], give[0]), change(q, s[1], give[1])});
+}
+
+template <class Frame>
+[[gnu::always_inline]] inline bool ScalarContacts::relax_pair(ImpactRow& row, Frame& frame) const {
+  const auto& [p, q] = row.points;
+  for (const RowPoint& point : row.points) {
+    if (point.normal_impulse == 0 && gap<Frame>(row, point) > 0) return false;
+  }
+  return push_both(row.pair.rigid, row, frame, {-frame.normal_velocity(p), -frame.normal_velocity(q)});
+}
+
+/// A standing load presses its springs in. The offset, one for both points of a contact (one each would take away the
+/// stiffness that keeps a column upright), slowly moves the springs' rest length until the surfaces just touch; it
+/// never exceeds the depth that the load explains, load / (2 m_eff w^2), and goes with the load (see OffsetRule). Each
+/// point counts by its load: what leans on one corner has the other in the air. Near an even load that is the mean, and
+/// takes away no stiffness.
+void ScalarContacts::settle_offsets(const Island& island) {
+  for (ImpactRow& row : island.rows) {
+    const Softness& soft = island.softness(row);
+    Real load = 0;
+    Real speed = 0;  // lambda / m_eff
+    Real depth = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const RowPoint& p = row.points[i];
+      load += p.normal_impulse;
+      speed += p.normal_impulse * (p.normal_impulse / p.normal_mass);
+      depth -= p.normal_impulse * separation(row, p, motion_[row.a], motion_[row.b]);
+    }
+    // Not by 1 / load: a load may be so small that this is infinite.
+    if (load > 0) {
+      speed /= load;
+      depth /= load;
+    }
+    const Real explained = speed / (2 * island.h * soft.omega * soft.omega);
+    if (island.settling) {
+      row.offset = explained;
+    } else if (row.age >= OffsetRule::from_age) {
+      constexpr Real headroom = static_cast<Real>(1.05);
+      const Real change = island.offsets.gain(soft) * depth - island.offsets.leak() * row.offset;
+      row.offset = clamp(row.offset + change, 0, headroom * explained);
+    }
+  }
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

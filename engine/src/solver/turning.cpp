@@ -1,0 +1,248 @@
+#include "solver/turning.h"
+
+#include <cmath>
+#include <limits>
+
+#include "contacts/closing.h"
+#include "narrow_phase/collide.h"
+#include "solver/scalar_contacts.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+// m; a corner that comes up meanwhile is met too late by no more than its sine of the way.
+constexpr Real far = static_cast<Real>(0.002);
+
+// m, of the search within a step.
+constexpr Real margin = static_cast<Real>(0.05);
+
+// Vectors here are seen from the row's first frame: x along its normal n, y along t = perpendicular(n); an arm r is
+// (r . n, -(r x n)).
+
+Rotation rotation(const Motion& by) { return {1 + by.drop, by.sine}; }
+
+/// How a body moved since it had moved so far.
+Motion moved_since(const Motion& then, const Motion& now) {
+  Motion since;
+  since.d = now.d - then.d;
+  since.turn_by(now.turn - then.turn);
+  return since;
+}
+
+Vec2 turned_arm(Real turn, Real cross, const Motion& by) { return rotation(by) * Vec2{turn, -cross}; }
+
+/// Whether a shape, turned by q, has a face of that normal.
+bool has_face(const Shape& shape, Rotation q, Vec2 normal) {
+  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+  if (shape.type() == ShapeType::circle) return false;
+  const int faces = shape.type() == ShapeType::half_space ? 1 : shape.count();
+  const Vec2 sought = q.inverse() * normal;
+  for (int i = 0; i < faces; ++i) {
+    const Vec2 face = shape.normal(i);
+    if (std::abs(cross(face, sought)) <= rounding && dot(face, sought) > 0) return true;
+  }
+  return false;
+}
+
+NormalOf owner(const Contact& contact, const BodySet& bodies) {
+  const auto shape = [&](std::uint32_t body, std::uint16_t part) -> const Shape& {
+    return bodies.detail[body].parts[part].shape;
+  };
+  if (has_face(shape(contact.body_a, contact.part_a), contact.found_a.q, contact.normal)) return NormalOf::a;
+  if (has_face(shape(contact.body_b, contact.part_b), contact.found_b.q, -contact.normal)) return NormalOf::b;
+  return NormalOf::between;
+}
+
+/// A disc keeps its place above a face that stands still, however it rolls.
+bool stands_still(const Contact& contact, const ImpactRow& row, NormalOf normal_of) {
+  return (normal_of == NormalOf::a && !row.stirs_a && contact.disc_b) ||
+         (normal_of == NormalOf::b && !row.stirs_b && contact.disc_a);
+}
+
+}  // namespace
+
+Stir stir_of(const Contact& contact, const BodySet& bodies) {
+  const Velocity& a = bodies.velocity[contact.body_a];
+  const Velocity& b = bodies.velocity[contact.body_b];
+  const Vec2 apart = b.v - a.v;
+  Stir stir;
+  stir.speed = std::abs(apart.x) + std::abs(apart.y);
+  if (!contact.disc_a) {
+    stir.speed += rim_speed(bodies, contact.body_a);
+    stir.turning += std::abs(a.w);
+  }
+  if (!contact.disc_b) {
+    stir.speed += rim_speed(bodies, contact.body_b);
+    stir.turning += std::abs(b.w);
+  }
+  return stir;
+}
+
+bool turns(const Contact& contact, const Stir& stir, const BodySet& bodies, Real dt) {
+  constexpr Real felt = static_cast<Real>(6e-4);  // m/s
+  if (stir.turning * stir.speed * dt > felt) return true;
+  // What is round rolls over corners.
+  const Real round = contact.radius_a + contact.radius_b;
+  return round > 0 && (stir.turning + stir.speed / round) * stir.speed * dt > felt &&
+         owner(contact, bodies) == NormalOf::between;
+}
+
+void Turning::begin(const Island& island, const StepData& data) {
+  turned_.clear();
+  if (!island.turning) return;
+  for (ImpactRow& row : island.rows) {
+    const Contact& contact = data.contacts[row.contact];
+    if (row.disc_distance > 0) continue;
+    if (!island.struck && !turns(contact, stir_of(contact, data.bodies), data.bodies, data.settings.dt)) continue;
+    const NormalOf normal_of = owner(contact, data.bodies);
+    if (stands_still(contact, row, normal_of)) continue;
+    row.turns = true;
+    row.made = false;  // anew in the next step
+    turned_.push_back(
+        {&row, normal_of, row.normal, contact.radius_a, contact.radius_b, {row.points[0], row.points[1]}});
+  }
+}
+
+Turning::Pair Turning::Turned::since(const Pair& now) const {
+  if (!again) return now;
+  return {moved_since(found.a, now.a), moved_since(found.b, now.b)};
+}
+
+/// m, that points of its bodies may have gone past each other since the contact was found, at most.
+Real Turning::way(const Turned& turned, const Pair& now, const BodySet& bodies) {
+  const Pair gone = turned.since(now);
+  return length(gone.b.d - gone.a.d) + std::abs(gone.a.turn) * bodies.reach[turned.row->a] +
+         std::abs(gone.b.turn) * bodies.reach[turned.row->b];
+}
+
+/// From the core of a to that of b: what is rounded there is left out.
+Vec2 Turning::between(const Turned& turned, const PointPlace& p, const Pair& by) {
+  const Vec2 n = turned.normal;
+  const Vec2 apart = by.b.d - by.a.d;
+  const Vec2 at_first{turned.radius_a + turned.radius_b + p.separation, 0};
+  const Vec2 moved{dot(n, apart), dot(perpendicular(n), apart)};
+  return at_first + moved + (turned_arm(p.turn_b, p.cross_b, by.b) - Vec2{p.turn_b, -p.cross_b}) -
+         (turned_arm(p.turn_a, p.cross_a, by.a) - Vec2{p.turn_a, -p.cross_a});
+}
+
+Vec2 Turning::direction(const Turned& turned, const Pair& by) {
+  if (turned.normal_of == NormalOf::a) return {1 + by.a.drop, by.a.sine};
+  if (turned.normal_of == NormalOf::b) return {1 + by.b.drop, by.b.sine};
+  const Vec2 cores = between(turned, turned.points[0], by);
+  // Corners that pass each other have no direction.
+  return cores.x > std::abs(cores.y) ? normalized(cores) : Vec2{1, 0};
+}
+
+void Turning::turn(const Island& island, const Turned& turned, const Pair& at, const Pair& by_then, bool from_start) {
+  ImpactRow& row = *turned.row;
+  const Pair now = turned.since(at);
+  const Pair then = turned.since(by_then);
+  const Vec2 n = direction(turned, then);
+  const Vec2 t = perpendicular(n);
+  const Vec2 facing = direction(turned, now);
+  row.normal = n.x * turned.normal + n.y * perpendicular(turned.normal);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const PointPlace& place = turned.points[i];
+    RowPoint& p = row.points[i];
+    Vec2 a = turned_arm(place.turn_a, place.cross_a, then.a);
+    Vec2 b = turned_arm(place.turn_b, place.cross_b, then.b);
+    // The face is met where the other body's point is by then.
+    const auto slid = [&] { return dot(t, between(turned, place, then)) * t; };
+    if (turned.normal_of == NormalOf::a && row.stirs_a) a += slid();
+    if (turned.normal_of == NormalOf::b && row.stirs_b) b -= slid();
+    if (from_start) {
+      a = rotation(by_then.a).inverse() * a;
+      b = rotation(by_then.b).inverse() * b;
+    }
+    p.turn_a = dot(n, a);
+    p.turn_b = dot(n, b);
+    p.cross_a = -dot(t, a);
+    p.cross_b = -dot(t, b);
+    p.dot_a = p.turn_a + turned.radius_a;
+    p.dot_b = p.turn_b - turned.radius_b;
+    p.normal_mass = effective_mass(row, p.cross_a, p.cross_b);
+    p.tangent_mass = effective_mass(row, p.dot_a, p.dot_b);
+    const Real s = dot(facing, between(turned, place, now)) - (turned.radius_a + turned.radius_b);
+    p.separation += s - separation(row, p, at.a, at.b);
+  }
+  if (row.block) row.pair = ScalarContacts::pair_of(island, row);
+}
+
+// What lies on ground keeps its points: the next step's search takes care of the joins of ground.
+void Turning::find_again(StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion) {
+  for (Turned& turned : turned_) {
+    const ImpactRow& row = *turned.row;
+    const Pair now{motion[row.a], motion[row.b]};
+    if (row.mass_a.m == 0 || row.mass_b.m == 0 || way(turned, now, data.bodies) < far) continue;
+    Contact& contact = data.contacts[row.contact];
+    const Pose pose_a = now.a.from(start[row.a]);
+    const Pose pose_b = now.b.from(start[row.b]);
+    const Manifold m = collide(data.bodies.detail[row.a].parts[contact.part_a].shape, pose_a,
+                               data.bodies.detail[row.b].parts[contact.part_b].shape, pose_b, margin);
+    if (m.count == 0) continue;
+    contact.found_a = pose_a;
+    contact.found_b = pose_b;
+    take_points(turned, contact, m);
+    turned.normal_of = owner(contact, data.bodies);
+    turned.again = true;
+    turned.found = now;
+  }
+}
+
+/// What a point bore, the one of the same feature bears. What the step's points gave, they keep; a point that is gone
+/// leaves it to the other.
+void Turning::take_points(Turned& turned, Contact& contact, const Manifold& found) {
+  ImpactRow& row = *turned.row;
+  const auto last_count = static_cast<std::size_t>(row.count);
+  const std::array<ContactPoint, 2> last = contact.points;
+  const std::array<RowPoint, 2> given = row.points;
+  if (found.count < row.count) {
+    row.points[0].total_normal += given[1].total_normal;
+    row.points[0].total_tangent += given[1].total_tangent;
+    row.points[1] = {};
+  }
+  if (found.count != row.count) {
+    contact.count = row.count = found.count;
+    row.block = !row.web && row.count == 2;
+    counts_changed_ = true;
+  }
+  contact.normal = turned.normal = found.normal;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    ContactPoint& p = contact.points[i];
+    p = {};
+    p.arm_a = found.points[i].point - contact.found_a.p;
+    p.arm_b = found.points[i].point - contact.found_b.p;
+    p.separation = contact.found_separation[i] = found.points[i].separation;
+    p.feature = found.points[i].feature;
+    turned.points[i] = place_of(contact, i);
+    RowPoint& point = row.points[i];
+    point.normal_impulse = point.tangent_impulse = 0;
+    for (std::size_t j = 0; j < last_count; ++j) {
+      if (last[j].feature != p.feature) continue;
+      p.fresh = last[j].fresh;
+      point.normal_impulse = given[j].normal_impulse;
+      point.tangent_impulse = given[j].tangent_impulse;
+    }
+  }
+}
+
+void Turning::follow(const Island& island, const std::vector<Motion>& motion) {
+  for (const Turned& turned : turned_) {
+    const Pair now{motion[turned.row->a], motion[turned.row->b]};
+    turn(island, turned, now, now, true);
+  }
+}
+
+void Turning::lead(const Island& island, const BodySet& bodies, const std::vector<Motion>& motion) {
+  for (const Turned& turned : turned_) {
+    const ImpactRow& row = *turned.row;
+    const Pair now{motion[row.a], motion[row.b]};
+    Pair then = now;
+    then.a.advance(bodies.velocity[row.a], island.h / 2);
+    then.b.advance(bodies.velocity[row.b], island.h / 2);
+    turn(island, turned, now, then, false);
+  }
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

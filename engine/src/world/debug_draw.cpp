@@ -1,0 +1,83 @@
+#include "impulse/debug_draw.h"
+
+#include <array>
+
+#include "world/world_state.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+constexpr Real normal_share = static_cast<Real>(0.02);  // of the view's diagonal: how long a contact's normal is drawn
+
+DrawRole role_of(BodyType type, bool awake) {
+  if (type == BodyType::fixed) return DrawRole::fixed;
+  if (type == BodyType::kinematic) return DrawRole::kinematic;
+  return awake ? DrawRole::awake : DrawRole::asleep;
+}
+
+/// The boundary as far as the view can show it: the diagonal long, either way from the place nearest its middle.
+void draw_half_space(DebugDraw& draw, const Shape& shape, const Pose& pose, const Aabb& view, DrawRole role) {
+  const Vec2 normal = pose.q * shape.normal(0);
+  const Vec2 middle = Real{0.5} * (view.low + view.high);
+  const Vec2 nearest = middle - (dot(middle - pose.p, normal) - shape.offset()) * normal;
+  const Vec2 reach = length(view.high - view.low) * perpendicular(normal);
+  draw.segment(nearest - reach, nearest + reach, role);
+}
+
+void draw_shape(DebugDraw& draw, const Shape& shape, const Pose& pose, const Aabb& view, DrawRole role) {
+  std::array<Vec2, Shape::max_vertices> corners;
+  const auto count = static_cast<std::size_t>(shape.count());
+  for (std::size_t i = 0; i < count; ++i) corners[i] = to_world(pose, shape.vertex(static_cast<int>(i)));
+  const Vec2 axis = pose.q * Vec2{1, 0};
+  switch (shape.type()) {
+    case ShapeType::circle:
+      draw.circle(corners[0], shape.radius(), axis, role);
+      return;
+    case ShapeType::box:
+    case ShapeType::polygon:
+      draw.polygon(std::span(corners).first(count), role);
+      return;
+    case ShapeType::capsule: {
+      const Vec2 out = shape.radius() * (pose.q * shape.normal(0));
+      draw.circle(corners[0], shape.radius(), axis, role);
+      draw.circle(corners[1], shape.radius(), axis, role);
+      draw.segment(corners[0] + out, corners[1] + out, role);
+      draw.segment(corners[0] - out, corners[1] - out, role);
+      return;
+    }
+    case ShapeType::segment:
+      draw.segment(corners[0], corners[1], role);
+      return;
+    case ShapeType::half_space:
+      draw_half_space(draw, shape, pose, view, role);
+      return;
+  }
+}
+
+}  // namespace
+
+void World::debug_draw(DebugDraw& draw, const Aabb& view) {
+  const State::CallbackScope scope(*state_);
+  const BodySet& bodies = state_->bodies;
+  query_aabb(view, [&](BodyId id, const Part& part) {
+    const Body seen = body(id);
+    const Pose pose = bodies.pose[id.index];  // a copy: drawing may create bodies
+    draw_shape(draw, part.shape, pose, view, role_of(seen.type(), seen.awake()));
+    return true;
+  });
+  const auto tied = state_->joints.tied();  // a copy: drawing may end joints
+  for (const auto& [a, b] : tied) {
+    if (bodies.detail[a].inserted && bodies.detail[b].inserted) {
+      draw.segment(bodies.pose[a].p, bodies.pose[b].p, DrawRole::joint);
+    }
+  }
+  const Real normal_length = normal_share * length(view.high - view.low);
+  for (const ContactInfo& contact : contacts()) {
+    if (!impulse::contains(view, contact.point)) continue;
+    draw.point(contact.point, DrawRole::contact);
+    draw.segment(contact.point, contact.point + normal_length * contact.normal, DrawRole::contact);
+  }
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+#include "core/finite.h"
+#include "world/world_state.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// Calls back for each part of the inserted bodies that passes the test, until told to stop. Bodies that the callback
+/// creates are not inserted before it returns, so they are not among them.
+template <class Test>
+void visit(const BodySet& bodies, const World::QueryCallback& callback, const Test& test) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.detail[i].inserted) continue;
+    for (std::size_t p = 0; p < bodies.detail[i].parts.size(); ++p) {
+      const Part& part = bodies.detail[i].parts[p];
+      if (test(part.shape, bodies.pose[i]) && !callback(bodies.id(i), part)) return;
+    }
+  }
+}
+
+/// All parts that the ray enters, in order of bodies and parts.
+std::vector<BodyHit> hits(const BodySet& bodies, Vec2 from, Vec2 to, std::uint32_t layers) {
+  if (!finite(from) || !finite(to)) throw std::invalid_argument("World::ray_cast: both points must be finite");
+  std::vector<BodyHit> found;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyDetail& body = bodies.detail[i];
+    if (!body.inserted || (body.def.layers & layers) == 0) continue;
+    const Pose& pose = bodies.pose[i];
+    for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      RayHit hit;
+      if (!ray_cast(body.parts[p].shape, to_local(pose, from), to_local(pose, to), hit)) continue;
+      found.push_back({bodies.id(i), p, hit.fraction, to_world(pose, hit.point), pose.q * hit.normal});
+    }
+  }
+  return found;
+}
+
+// Of two at the same place the first body's comes first, whatever the sorting.
+bool nearer(const BodyHit& left, const BodyHit& right) {
+  return std::tie(left.fraction, left.body.index, left.part) < std::tie(right.fraction, right.body.index, right.part);
+}
+
+}  // namespace
+
+void World::ray_cast(Vec2 from, Vec2 to, const RayCallback& callback) {
+  const State::CallbackScope scope(*state_);
+  std::vector<BodyHit> found = hits(state_->bodies, from, to, ~std::uint32_t{0});
+  std::sort(found.begin(), found.end(), nearer);
+  for (const BodyHit& hit : found) {
+    if (!callback(hit)) return;
+  }
+}
+
+std::optional<BodyHit> World::ray_cast(Vec2 from, Vec2 to, std::uint32_t layers) const {
+  const std::vector<BodyHit> found = hits(state_->bodies, from, to, layers);
+  const auto first = std::min_element(found.begin(), found.end(), nearer);
+  if (first == found.end()) return std::nullopt;
+  return *first;
+}
+
+void World::query_aabb(const Aabb& box, const QueryCallback& callback) {
+  const State::CallbackScope scope(*state_);
+  visit(state_->bodies, callback,
+        [&box](const Shape& shape, const Pose& pose) { return overlap(box, shape.bounds(pose)); });
+}
+
+void World::query_point(Vec2 point, const QueryCallback& callback) {
+  const State::CallbackScope scope(*state_);
+  visit(state_->bodies, callback,
+        [point](const Shape& shape, const Pose& pose) { return shape.contains(to_local(pose, point)); });
+}
+
+std::vector<ContactInfo> World::contacts() const {
+  const BodySet& bodies = state_->bodies;
+  std::vector<ContactInfo> infos;
+  std::vector<Contact> of_piles;
+  if (const RestingPiles* resting = state_->solver->resting()) resting->append(bodies, of_piles);
+  for (const Contact* contact : state_->contacts.all(of_piles)) {
+    for (std::size_t p = 0; p < static_cast<std::size_t>(contact->count); ++p) {
+      const ContactPoint& point = contact->points[p];
+      if (point.separation > 0 && point.total_normal_impulse == 0) continue;
+      const Vec2 on_a = bodies.pose[contact->body_a].p + point.arm_a;
+      const Vec2 on_b = bodies.pose[contact->body_b].p + point.arm_b;
+      infos.push_back({bodies.id(contact->body_a), bodies.id(contact->body_b), Real{0.5} * (on_a + on_b),
+                       contact->normal, point.separation, point.total_normal_impulse, point.total_tangent_impulse});
+    }
+  }
+  return infos;
+}
+
+ContactEvents World::contact_events() const {
+  if (!state_->settings.contact_events) {
+    throw std::logic_error("World::contact_events: turn on Settings::contact_events first");
+  }
+  return state_->touches.events();
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

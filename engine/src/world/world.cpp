@@ -1,0 +1,248 @@
+#include "impulse/world.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "core/method_list.h"
+#include "core/stages.h"
+#include "world/world_state.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+World::World(const Settings& settings) : state_(std::make_unique<State>(settings)) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::step() {
+  State& s = *state_;
+  if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
+  start_stages();
+  s.forces.gravity = s.settings.gravity;
+  const bool sweeps = s.settings.contacts && s.settings.continuous != Continuous::off;
+  if (sweeps) s.sweep.remember(s.bodies);
+  const Margin margin = s.solver->margin(s.settings);
+  if (s.settings.sleeping && !s.sleep.rouse(margin)) {
+    if (s.settings.contact_events) s.touches.note(s.bodies, {});
+    s.bodies.clear_forces();
+    return;
+  }
+  end_stage("begin");
+  if (s.settings.contacts) s.find_contacts(margin);
+  const bool others_ask = s.settings.sleeping || s.settings.contact_events || s.integrator->asks_what_is_held();
+  StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces,   *s.integrator,
+                s.settings, *s.workers,        s.contacts.changes(),        !others_ask};
+  end_stage("activate joints");
+  const std::uint64_t pile_changes = s.bodies.pile_changes;
+  s.solver->step(data);
+  if (pile_changes != s.bodies.pile_changes) s.contacts.leave_to_piles(s.bodies);
+  if (sweeps) s.sweep.hold_back(s.bodies, s.joints, s.settings.continuous);
+  end_stage("hold back");
+  s.joints.store();
+  if (s.integrator->asks_what_is_held()) s.bodies.mark_held(s.contacts.rows(), data.joints);
+  if (s.settings.contact_events) s.touches.note(s.bodies, s.contacts.rows());
+  end_stage("note touches");
+  s.bodies.clear_forces();
+  if (s.settings.sleeping) s.sleep.settle(s.settings, margin);
+  end_stage("settle");
+}
+
+const Settings& World::settings() const { return state_->settings; }
+
+void World::set_settings(const Settings& settings) { state_->adopt(settings); }
+
+void World::set_gravity(Vec2 gravity) {
+  Settings changed = settings();
+  changed.gravity = gravity;
+  set_settings(changed);
+}
+
+void World::set_dt(Real dt) {
+  Settings changed = settings();
+  changed.dt = dt;
+  set_settings(changed);
+}
+
+BodyId World::create_body(const BodyDef& def, std::span<const Part> parts) {
+  const BodyId id = state_->bodies.add(def, parts);
+  insert_body(id);
+  return id;
+}
+
+BodyId World::create_body(const BodyDef& def, const Shape& shape, const Material& material) {
+  const Part part{shape, material};
+  return create_body(def, std::span(&part, 1));
+}
+
+void World::remove_body(BodyId id) { state_->change(State::Change::remove, id); }
+void World::insert_body(BodyId id) { state_->change(State::Change::insert, id); }
+void World::destroy_body(BodyId id) { state_->change(State::Change::destroy, id); }
+
+ForceId World::add_force(const Force& force) {
+  const ForceId id = state_->forces.add(force, state_->bodies);
+  for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->wake(i);
+  return id;
+}
+
+void World::remove_force(ForceId id) {
+  for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->wake(i);
+  state_->forces.remove(id);
+}
+
+bool World::contains(ForceId id) const { return state_->forces.contains(id); }
+
+JointId World::create_joint(const Joint& joint) {
+  const JointId id = state_->joints.add(joint, state_->bodies, state_->forces);
+  state_->wake_ends(id);
+  return id;
+}
+
+void World::destroy_joint(JointId id) {
+  state_->wake_ends(id);
+  state_->joints.remove(id, state_->forces);
+}
+
+bool World::contains(JointId id) const { return state_->joints.contains(id); }
+Vec2 World::joint_impulse(JointId id) const { return state_->joints.impulse(id); }
+
+bool World::contains(BodyId id) const { return state_->bodies.contains(id); }
+
+Body World::body(BodyId id) {
+  state_->row(id);
+  return {*this, id};
+}
+
+std::vector<BodyId> World::bodies() const {
+  std::vector<BodyId> ids;
+  for (std::size_t i = 0; i < state_->bodies.size(); ++i) {
+    if (state_->bodies.detail[i].inserted) ids.push_back(state_->bodies.id(i));
+  }
+  return ids;
+}
+
+std::size_t World::body_count() const {
+  std::size_t count = 0;
+  for (const BodyDetail& body : state_->bodies.detail) count += body.inserted ? 1 : 0;
+  return count;
+}
+
+std::size_t World::awake_count() const {
+  const auto& masses = state_->bodies.inverse_mass;
+  return static_cast<std::size_t>(std::count_if(masses.begin(), masses.end(), [](InverseMass m) { return m.m > 0; }));
+}
+
+void World::State::adopt(const Settings& chosen) {
+  validate(chosen);
+  const bool first = solver == nullptr;
+  if (!first) let_go();
+  if (!first && chosen.dt != settings.dt) contacts.stretch_rest(chosen.dt / settings.dt);
+  // What a body rests by, and not how finely a step is cut.
+  if (!chosen.sleeping || chosen.gravity != settings.gravity || chosen.solver != settings.solver ||
+      chosen.friction_mixing != settings.friction_mixing || chosen.contacts != settings.contacts) {
+    sleep.wake_all();
+  }
+  if (settings.contacts && !chosen.contacts) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) contacts.forget(i);
+  }
+  if (first || chosen.solver != settings.solver) {
+    solver = MethodList<Solver>::make(chosen.solver);
+  }
+  if (first || chosen.integrator != settings.integrator) integrator = MethodList<Integrator>::make(chosen.integrator);
+  if (first || chosen.broad_phase != settings.broad_phase)
+    broad_phase = MethodList<BroadPhase>::make(chosen.broad_phase);
+  if (!chosen.contact_events) touches = {};
+  if (first || chosen.workers != settings.workers) workers = std::make_unique<Workers>(chosen.workers);
+  settings = chosen;
+}
+
+void World::State::wake_ends(JointId id) {
+  const auto [a, b] = joints.bodies_of(id);
+  wake(a);
+  wake(b);
+}
+
+void World::State::find_contacts(const Margin& margin) {
+  const SearchInput input{bodies, *broad_phase, settings, margin, solver->recycles(), joints};
+  RestingPiles* resting = solver->resting();
+  if (resting == nullptr) return contacts.find(input);
+  std::vector<Contact> given_back;
+  resting->rouse(bodies, given_back);
+  contacts.put_in(given_back);
+  contacts.find(input);
+  while (!contacts.struck_piles().empty()) {
+    given_back.clear();
+    for (const std::uint32_t pile : contacts.struck_piles()) resting->let_go(pile, bodies, given_back);
+    contacts.forget_new();
+    contacts.put_in(given_back);
+    contacts.find(input);
+  }
+}
+
+void World::State::let_go() {
+  RestingPiles* resting = solver->resting();
+  if (resting == nullptr) return;
+  std::vector<Contact> kept;
+  resting->let_go(bodies, kept);
+  contacts.put_in(kept);
+}
+
+void World::State::let_go(std::size_t i) {
+  if (bodies.pile[i] == 0) return;
+  std::vector<Contact> kept;
+  solver->resting()->let_go(bodies.pile[i], bodies, kept);
+  contacts.put_in(kept);
+}
+
+void World::State::wake(std::size_t i) {
+  let_go(i);
+  sleep.wake(i);
+}
+
+// What rests on one that is not dynamic may be of any pile.
+void World::State::disturb(std::size_t i) {
+  bodies.dynamic(i) ? let_go(i) : let_go();
+  sleep.disturb(i);
+}
+
+std::size_t World::State::row(BodyId id) const {
+  if (!bodies.contains(id)) {
+    throw std::out_of_range("World: no body " + std::to_string(id.index) + " of generation " +
+                            std::to_string(id.generation) + "; it was destroyed or never of this world");
+  }
+  return id.index;
+}
+
+void World::State::change(Change what, BodyId id) {
+  row(id);
+  if (callbacks_running > 0) {
+    deferred.emplace_back(what, id);
+  } else {
+    apply(what, id);
+  }
+}
+
+void World::State::apply(Change what, BodyId id) {
+  const std::size_t i = id.index;
+  if (what == Change::insert) {
+    bodies.insert(i);
+    return disturb(i);
+  }
+  if (bodies.detail[i].inserted) disturb(i);
+  contacts.forget(i);
+  if (what == Change::remove) return bodies.remove(i);
+  joints.forget(id);
+  forces.forget(id);
+  bodies.destroy(i);
+}
+
+World::State::CallbackScope::~CallbackScope() {
+  if (--state_.callbacks_running > 0) return;
+  // A body may have been destroyed twice in one callback: the second time finds it gone.
+  for (const auto& [what, id] : state_.deferred) {
+    if (state_.bodies.contains(id)) state_.apply(what, id);
+  }
+  state_.deferred.clear();
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "bodies/body_set.h"
+#include "bodies/force_field.h"
+#include "bodies/integrator.h"
+#include "broad_phase/broad_phase.h"
+#include "contacts/contact_set.h"
+#include "contacts/touch_log.h"
+#include "core/workers.h"
+#include "impulse/world.h"
+#include "islands/sleep.h"
+#include "joints/joint_set.h"
+#include "solver/resting_piles.h"
+#include "solver/solver.h"
+#include "world/sweep.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+struct World::State {
+  enum class Change : std::uint8_t { insert, remove, destroy };
+
+  Settings settings;
+  std::unique_ptr<Solver> solver;
+  std::unique_ptr<Integrator> integrator;
+  std::unique_ptr<BroadPhase> broad_phase;
+  std::unique_ptr<Workers> workers;
+  BodySet bodies;
+  ContactSet contacts;
+  TouchLog touches;
+  Sweep sweep;
+  ForceField forces;
+  JointSet joints;
+  Sleep sleep{bodies, contacts, joints, forces};
+  int callbacks_running = 0;
+  std::vector<std::pair<Change, BodyId>> deferred;
+
+  explicit State(const Settings& chosen) { adopt(chosen); }
+
+  /// Takes these settings, or throws and changes nothing.
+  void adopt(const Settings& chosen);
+
+  /// The row of a living body. Throws std::out_of_range.
+  std::size_t row(BodyId id) const;
+
+  void wake_ends(JointId id);
+  /// See Sleep; what lies still in a pile is let go as well.
+  void wake(std::size_t i);
+  void disturb(std::size_t i);
+  /// Takes up the contacts that piles at rest keep, or those of a body's.
+  void let_go();
+  void let_go(std::size_t i);
+
+  void find_contacts(const Margin& margin);
+
+  /// Does it now, or when the running callback has returned.
+  void change(Change what, BodyId id);
+  void apply(Change what, BodyId id);
+
+  /// While one of these lives, changes wait.
+  class CallbackScope {
+   public:
+    explicit CallbackScope(State& state) : state_(state) { ++state_.callbacks_running; }
+    CallbackScope(const CallbackScope&) = delete;
+    CallbackScope& operator=(const CallbackScope&) = delete;
+    ~CallbackScope();
+
+   private:
+    State& state_;
+  };
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,26 @@
+#include "reference/faults/engine/fault.h"
+
+#include <algorithm>
+
+#include "reference/faults/engine/faulty.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+std::vector<Fault>& noted() {
+  static std::vector<Fault> list;
+  return list;
+}
+
+}  // namespace
+
+void note(Fault fault) { noted().push_back(std::move(fault)); }
+
+std::vector<Fault> faults() {
+  std::vector<Fault> sorted = noted();
+  std::sort(sorted.begin(), sorted.end(), [](const Fault& a, const Fault& b) { return a.name < b.name; });
+  return sorted;
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

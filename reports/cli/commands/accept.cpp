@@ -1,0 +1,108 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "reports/cli/command.h"
+#include "reports/gate/asked.h"
+#include "reports/gate/baseline_json.h"
+#include "reports/gate/bounds.h"
+#include "reports/gate/compare.h"
+#include "reports/gate/writer.h"
+#include "reports/run/selection.h"
+#include "reports/study/asked_cases.h"
+#include "reports/system/files.h"
+#include "reports/system/progress_line.h"
+#include "scenarios/catalog.h"
+
+namespace plumb::commands::accept {
+namespace {
+
+struct Accept {
+  GateAsked gate;
+  std::string dt;
+};
+
+// What is there already says who is asked what, as far as the user does not.
+struct Scope {
+  bool all = false;
+  std::vector<std::string> scenarios;
+  Plan plan;
+};
+
+Scope scope_of(const Accept& asked, const std::optional<Baseline>& before) {
+  const GateAsked& gate = asked.gate;
+  if (!gate.scenarios.empty() && gate.baseline.empty()) {
+    throw std::invalid_argument("a baseline of chosen scenarios needs a file of its own: --baseline FILE");
+  }
+  Scope scope{.all = gate.all, .scenarios = gate.scenarios};
+  if (before && gate.scenarios.empty()) {
+    scope.all = before->all;
+    scope.scenarios = before->words;
+  }
+  scope.plan =
+      plan_asked(scope.scenarios, scope.all, before && gate.engines.empty() ? engines_of(*before) : gate.engines);
+  if (before) scope.plan.dt = before->dt;
+  if (!asked.dt.empty()) scope.plan.dt = parse_dt(asked.dt);
+  scope.plan.jobs = gate.jobs;
+  scope.plan.timed = false;
+  return scope;
+}
+
+Baseline present(const Plan& plan) {
+  Baseline now = baseline_of(carried_out(plan));
+  const ProgressLine line;
+  find_bounds(plan, now, [&](const std::string& what, std::size_t done, std::size_t of) {
+    line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
+  });
+  return now;
+}
+
+void say_what_changes(const std::optional<Baseline>& before, const Baseline& now) {
+  if (!before) {
+    fmt::print("new baseline: {} runs\n", now.runs.size());
+  } else if (before->dt != now.dt) {
+    fmt::print("other steps: {} s, was {} s\n", now.dt, before->dt);
+  } else {
+    const GateResult changes = compare(*before, now);
+    fmt::print("{}", text_of(changes, changes.offences.size()));
+  }
+}
+
+int accept(const Accept& asked) {
+  const std::string path = asked.gate.file();
+  std::optional<Baseline> before;
+  if (std::filesystem::exists(path)) before = read_baseline(path);
+  const Scope scope = scope_of(asked, before);
+  NewFile file(path);
+  if (!file.write("")) throw std::invalid_argument(path + ": cannot be written; is its folder there?");
+
+  Baseline now = present(scope.plan);
+  now.all = scope.all;
+  now.words = scope.scenarios;
+  if (!file.write(to_text(now))) throw std::runtime_error(path + ": the disk is full");
+  file.put_in_place();
+  say_what_changes(before, now);
+  fmt::print("{}\n", path);
+  return 0;
+}
+
+const Catalog<Command>::Entry entry{
+    {.name = "accept",
+     .about = "Make what runs give now the baseline of `plumb check`, and show what changes",
+     .examples = "  plumb accept                                 the canonical scenarios, the engines that are in it\n"
+                 "  plumb accept --all                           a baseline of every scenario\n"
+                 "  plumb accept bounce mine.json --engine impulse --baseline mine-gate.json\n",
+     .attach = [](CLI::App& app) {
+       const auto asked = std::make_shared<Accept>();
+       asked->gate.attach_to(app);
+       app.add_option("--dt", asked->dt,
+                      "Time step in s, a number or a fraction; default: that of the baseline, or 1/60")
+           ->type_name("STEP");
+       return [asked] { return accept(*asked); };
+     }}};
+
+}  // namespace
+}  // namespace plumb::commands::accept

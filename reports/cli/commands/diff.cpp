@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "reports/cli/command.h"
+#include "reports/compare/divergence.h"
+#include "reports/run/run.h"
+#include "reports/run/scene_case.h"
+#include "reports/run/selection.h"
+#include "reports/system/files.h"
+#include "scenarios/catalog.h"
+
+namespace plumb::commands::diff {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Asked {
+  std::string scenario, a, b;
+  std::string dt = "1/60";
+  std::string tolerance;
+  std::string json;
+};
+
+// A run, and what it is compared as.
+struct Contestant {
+  EngineConfig config;
+  Outcome outcome;
+  Side side;
+};
+
+EngineConfig config_of(const std::string& word, const Case& asked) {
+  if (word != "exact") return parse_engine(word);
+  if (asked.closed_form == nullptr) throw std::invalid_argument(asked.scenario->name + " has no closed form");
+  return {asked.closed_form, complete(*asked.closed_form, {})};
+}
+
+Contestant run_of(const std::string& word, const Case& asked, double dt) {
+  const EngineConfig config = config_of(word, asked);
+  Outcome outcome = run(*asked.scene, config, dt);
+  if (!outcome.trace || outcome.trace->size() < 2) {
+    throw std::invalid_argument(
+        fmt::format("{} does not run {}: {}", word, asked.scenario->name,
+                    outcome.reason.empty() ? "its answer ends before the first step" : outcome.reason));
+  }
+  Side side{word, outcome.trace.get(), config.engine->stepping(config.settings, dt)};
+  return {config, std::move(outcome), std::move(side)};
+}
+
+std::optional<double> tolerance_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const double tolerance = parse_number("--tolerance", text);
+  if (tolerance >= 0) return tolerance;
+  throw std::invalid_argument("--tolerance: \"" + text + "\" must not be below 0");
+}
+
+std::string number(const std::optional<double>& value) { return value ? fmt::format("{:.12g}", *value) : "-"; }
+
+std::string row(const Figure& figure) {
+  const bool both = figure.a && figure.b;
+  return fmt::format("  {:<44}{:>20}{:>20}{:>12}{:>12}\n",
+                     figure.what + (figure.unit.empty() ? "" : ", " + figure.unit), number(figure.a), number(figure.b),
+                     both ? fmt::format("{:.3g}", figure.difference) : "-", fmt::format("{:.2g}", figure.allowed));
+}
+
+std::string text_of(const Asked& asked, const Compared& compared) {
+  const std::string why = asked.tolerance.empty() ? "round-off explains" : "the tolerance is";
+  if (!compared.parted) {
+    return fmt::format(
+        "{} and {} never part in {} steps ({:.4g} s): nearest to it comes {}, by {:.3g} {}; {} {:.2g}.\n", asked.a,
+        asked.b, compared.steps, compared.until, compared.largest.what, compared.largest.difference,
+        compared.largest.unit, why, compared.largest.allowed);
+  }
+  const Divergence& parted = *compared.parted;
+  std::string text = fmt::format("{} and {} part in step {} of {} ({:.4g} s): {} differs by {:.3g} {}; {} {:.2g}.\n",
+                                 asked.a, asked.b, parted.step, compared.steps, parted.time, parted.first.what,
+                                 parted.first.difference, parted.first.unit, why, parted.first.allowed);
+  text += fmt::format("Stage: {}. {}\n\n", name_of(parted.stage), parted.advice);
+  text += fmt::format("  {:<44}{:>20}{:>20}{:>12}{:>12}\n", fmt::format("after step {}", parted.step), "first",
+                      "second", "apart", "allowed");
+  for (const Figure& figure : parted.figures) text += row(figure);
+  text += fmt::format("\n  {:>13}{:>8}{:>10}{:>12} {}\n", "grown to", "step", "s", "apart,", parted.first.unit);
+  for (const Growth& growth : parted.growth) {
+    text += fmt::format("  {:>12.4g}x{:>8}{:>10.4g}{:>12.3g}{}\n", growth.factor, growth.step, growth.time,
+                        growth.difference, growth.step == compared.steps ? " at the end" : "");
+  }
+  return text;
+}
+
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json json_of(const Figure& figure) {
+  return {{"what", figure.what},
+          {"unit", figure.unit},
+          {"a", json_of(figure.a)},
+          {"b", json_of(figure.b)},
+          {"difference", figure.difference},
+          {"allowed", figure.allowed}};
+}
+
+Json json_of(const Divergence& parted) {
+  Json figures = Json::array();
+  for (const Figure& figure : parted.figures) figures.push_back(json_of(figure));
+  Json growth = Json::array();
+  for (const Growth& one : parted.growth) {
+    growth.push_back({{"factor", one.factor}, {"step", one.step}, {"time", one.time}, {"difference", one.difference}});
+  }
+  return {{"step", parted.step}, {"time", parted.time},     {"stage", name_of(parted.stage)},
+          {"body", parted.body}, {"other", parted.other},   {"first", json_of(parted.first)},
+          {"figures", figures},  {"advice", parted.advice}, {"growth", growth}};
+}
+
+Json json_of(const Asked& asked, const Compared& compared, double dt) {
+  return {{"scenario", asked.scenario},
+          {"a", asked.a},
+          {"b", asked.b},
+          {"dt", dt},
+          {"steps", compared.steps},
+          {"until", compared.until},
+          {"largest", compared.parted ? Json(nullptr) : json_of(compared.largest)},
+          {"parted", compared.parted ? json_of(*compared.parted) : Json(nullptr)}};
+}
+
+int diff(const Asked& asked) {
+  const double dt = parse_dt(asked.dt);
+  const std::optional<double> tolerance = tolerance_of(asked.tolerance);
+  const Case one = means_file(asked.scenario) ? case_of_file(asked.scenario) : parse_case(asked.scenario);
+  std::optional<NewFile> file;
+  if (!asked.json.empty()) {
+    file.emplace(asked.json);
+    if (std::filesystem::is_directory(asked.json) || !file->write(""))
+      throw std::invalid_argument("--json: \"" + asked.json + "\" cannot be written");
+  }
+  const Contestant a = run_of(asked.a, one, dt);
+  const Contestant b = run_of(asked.b, one, dt);
+  const Compared compared = compare_steps(*one.scene, a.side, b.side, tolerance);
+  fmt::print("{}", text_of(asked, compared));
+  for (const Contestant* contestant : {&a, &b}) {
+    if (contestant->outcome.status == Status::failed) {
+      fmt::print("{} failed: {}\n", contestant->side.name, contestant->outcome.reason);
+    }
+  }
+  if (file) {
+    if (!file->write(json_of(asked, compared, dt).dump(1) + "\n")) {
+      throw std::invalid_argument("--json: \"" + asked.json + "\" cannot be written");
+    }
+    file->put_in_place();
+  }
+  const bool failed = a.outcome.status == Status::failed || b.outcome.status == Status::failed;
+  return compared.parted || failed ? 1 : 0;
+}
+
+const Catalog<Command>::Entry entry{
+    {.name = "diff",
+     .about =
+         "Find the first step in which two runs part, and over what; exit code 0 where they never do, 1 where they do",
+     .examples = "  plumb diff spring impulse:integrator=rk4 impulse:integrator=explicit-euler   two methods\n"
+                 "  plumb diff stacking impulse impulse:solver=article                           two solvers\n"
+                 "  plumb diff bounce:e=0.5 impulse box2d --tolerance 0.01                       two engines\n"
+                 "  plumb diff mine.json box2d exact --dt 1/240 --json diff.json                 one and the truth\n",
+     .attach = [](CLI::App& app) {
+       const auto asked = std::make_shared<Asked>();
+       app.add_option("scenario", asked->scenario, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json")
+           ->required()
+           ->type_name("SCENARIO");
+       app.add_option("first", asked->a, "NAME[:key=value,...], or exact for the closed form")
+           ->required()
+           ->type_name("ENGINE");
+       app.add_option("second", asked->b, "The same")->required()->type_name("ENGINE");
+       app.add_option("--dt", asked->dt, "Time step in s, a number or a fraction")
+           ->capture_default_str()
+           ->type_name("STEP");
+       app.add_option("--tolerance", asked->tolerance,
+                      "In m, rad, m/s and rad/s alike; default: what round-off explains")
+           ->type_name("T");
+       app.add_option("--json", asked->json, "File to write the same to, for machines")->type_name("FILE");
+       return [asked] { return diff(*asked); };
+     }}};
+
+}  // namespace
+}  // namespace plumb::commands::diff

@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "reports/cli/command.h"
+#include "reports/prove/document.h"
+#include "reports/prove/prove.h"
+#include "reports/run/selection.h"
+#include "reports/system/files.h"
+#include "reports/system/jobs.h"
+#include "reports/system/progress_line.h"
+#include "scenarios/scene/nearest.h"
+
+namespace plumb::commands::prove_command {
+namespace {
+
+struct Asked {
+  std::vector<std::string> faults;
+  std::vector<std::string> scenarios;
+  int clean = 10;
+  std::string dt = "1/60";
+  std::string out;
+  int jobs = default_jobs();
+};
+
+std::vector<Fault> faults_of(const std::vector<std::string>& words) {
+  std::vector<Fault> all = all_faults();
+  if (words.empty()) return all;
+  std::vector<std::string> names;
+  for (const Fault& fault : all) names.push_back(fault.name);
+  std::vector<Fault> chosen;
+  for (const std::string& word : words) {
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) throw std::invalid_argument(unknown("fault", word, names));
+    chosen.push_back(all[static_cast<std::size_t>(found - names.begin())]);
+  }
+  return chosen;
+}
+
+std::vector<Case> cases_of(const std::vector<std::string>& words, double dt) {
+  if (words.empty()) return cases_to_prove_by(dt);
+  std::vector<Case> cases;
+  for (const std::string& word : words) {
+    for (Case& one : parse_cases(word)) cases.push_back(std::move(one));
+  }
+  return cases;
+}
+
+int put_to_the_test(const Asked& asked) {
+  const double dt = parse_dt(asked.dt);
+  const std::vector<Fault> faults = faults_of(asked.faults);
+  const std::vector<Case> cases = cases_of(asked.scenarios, dt);
+  std::optional<NewFile> file;
+  if (!asked.out.empty()) {
+    file.emplace(asked.out);
+    if (std::filesystem::is_directory(asked.out) || !file->write(""))
+      throw std::invalid_argument("--out: \"" + asked.out + "\" cannot be written");
+  }
+  Proven proven;
+  {
+    const ProgressLine line;
+    const auto show = [&](const std::string& what, std::size_t done, std::size_t of) {
+      line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
+    };
+    proven.proofs = prove(faults, cases, dt, asked.jobs, show);
+    proven.clean = clean_runs(asked.clean, cases, dt, asked.jobs, show);
+  }
+  proven.cases = cases.size();
+  fmt::print("{}", text_of(proven));
+  if (file) {
+    if (!file->write(to_json(proven).dump(1) + "\n")) {
+      throw std::invalid_argument("--out: \"" + asked.out + "\" cannot be written");
+    }
+    file->put_in_place();
+  }
+  return proven.holds() ? 0 : 1;
+}
+
+const Catalog<Command>::Entry entry{
+    {.name = "prove",
+     .about = "Test the harness: inject faults into our engine and see that each is caught, and the right one never; "
+              "exit code 1 where not",
+     .examples = "  plumb prove                                  every fault, and 10 runs of the right engine\n"
+                 "  plumb prove --clean 100 --out prove.json     more of these, and all figures as JSON\n"
+                 "  plumb prove gravity-twice energy-leak --scenario bounce --clean 0\n",
+     .attach = [](CLI::App& app) {
+       const auto asked = std::make_shared<Asked>();
+       app.add_option("fault", asked->faults, "Names of faults; default: all")->type_name("FAULT");
+       app.add_option("--scenario", asked->scenarios,
+                      "NAME, NAME:LABEL or NAME:parameter=value,...; may be repeated. Default: all that are small")
+           ->allow_extra_args(false)
+           ->type_name("NAME");
+       app.add_option("--clean", asked->clean,
+                      "Runs of the right engine with other seeds, precision, threads, lanes, fusing and broad phases; "
+                      "none may alarm")
+           ->capture_default_str()
+           ->check(CLI::Range(0, 100000))
+           ->type_name("N");
+       app.add_option("--dt", asked->dt, "Time step in s, a number or a fraction")
+           ->capture_default_str()
+           ->type_name("STEP");
+       app.add_option("--jobs", asked->jobs, "Runs at once; the results are the same for any number")
+           ->capture_default_str()
+           ->check(CLI::Range(1, 1024))
+           ->type_name("N");
+       app.add_option("--out", asked->out, "File for all figures as JSON")->type_name("FILE");
+       return [asked] { return put_to_the_test(*asked); };
+     }}};
+
+}  // namespace
+}  // namespace plumb::commands::prove_command

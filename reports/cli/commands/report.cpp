@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "reports/cli/command.h"
+#include "reports/cli/session.h"
+#include "reports/gate/asked.h"
+#include "reports/gate/changes.h"
+#include "reports/history/trends.h"
+#include "reports/run/experiment.h"
+#include "reports/run/selection.h"
+#include "reports/study/asked_cases.h"
+#include "reports/study/brief.h"
+#include "reports/study/study.h"
+#include "reports/system/progress_line.h"
+#include "reports/writers/pictures.h"
+#include "reports/writers/preview.h"
+#include "scenarios/catalog.h"
+
+namespace plumb::commands::report {
+namespace {
+
+struct Asked {
+  Session session;
+  bool no_studies = false;
+  bool svg = false;
+  std::string preview;  // of which case; "": none
+  std::string history;
+};
+
+void add_studies(Report& report, int jobs) {
+  const ProgressLine line;
+  for (const Study* study : Catalog<Study>::all()) {
+    if (!study->brief) continue;
+    report.studies.push_back(
+        brief_document(*study, jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
+          line.show(fmt::format("study {} [{}/{}] {}", study->name, done, of, key));
+        }));
+  }
+}
+
+// The first case that a word means, whether the report has it or not.
+Preview preview_of_case(const std::string& word, const Session& session) {
+  Plan plan = plan_asked({word}, false, session.engines);
+  plan.cases.erase(plan.cases.begin() + 1, plan.cases.end());
+  plan.dt = parse_dt(session.dt);
+  plan.refine = session.converged;
+  plan.timed = false;
+  return preview_of(carry_out(plan, [](const std::string&, std::size_t, std::size_t) {}));
+}
+
+int report(const Asked& asked) {
+  nlohmann::ordered_json history;
+  if (!asked.history.empty()) history = history_document(History::of(asked.history));
+  // What is missing is said before anything runs.
+  if (asked.svg) check_pictures();
+  std::optional<Preview> preview;
+  if (!asked.preview.empty()) {
+    check_preview();
+    preview = preview_of_case(asked.preview, asked.session);
+  }
+  asked.session.conduct("report", [&](Report& report) {
+    GateAsked gate;
+    gate.all = asked.session.all;
+    if (auto changes = changes_since(gate.file(), report)) report.studies.push_back(std::move(*changes));
+    if (asked.no_studies) {
+      report.command.emplace_back("--no-studies");
+    } else {
+      add_studies(report, asked.session.jobs);
+    }
+    if (!history.is_null()) report.studies.push_back(history);
+  });
+  const std::filesystem::path out = asked.session.out;
+  if (asked.svg) take_pictures(out / "index.html", out / "svg");
+  if (preview) {
+    write_preview(*preview, out / "preview.gif");
+    fmt::print("{}\n", (out / "preview.gif").string());
+  }
+  return 0;
+}
+
+const Catalog<Command>::Entry entry{
+    {.name = "report",
+     .about = "Run everything and write the page to look at; exit code 0 whatever it finds",
+     .examples = "  plumb report                     page, JSON and CSV in out/, with a short form of each study\n"
+                 "  plumb report --no-studies        in a second or two\n"
+                 "  plumb report --out results       somewhere else\n"
+                 "  plumb report --all --dt 1/120    every scenario, at half the step\n"
+                 "  plumb report --svg               also each chart as an SVG, in out/svg\n"
+                 "  plumb report --preview stacking:ten   also a case, of these or not, as a moving picture\n",
+     .attach = [](CLI::App& app) {
+       const auto asked = std::make_shared<Asked>();
+       asked->session.attach_to(app);
+       app.add_option("--history", asked->history, "A file of plumb history, to be shown on the page")
+           ->type_name("FILE");
+       app.add_flag("--no-studies", asked->no_studies, "Leave out the short forms of the studies");
+       app.add_flag("--svg", asked->svg, "Also write each chart as an SVG, in the output folder's svg/; needs Node.js");
+       app.add_option("--preview", asked->preview, "Also write a case as a moving picture, preview.gif; needs ffmpeg")
+           ->type_name("NAME:LABEL");
+       return [asked] { return report(*asked); };
+     }}};
+
+}  // namespace
+}  // namespace plumb::commands::report

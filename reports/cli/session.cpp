@@ -1,0 +1,99 @@
+#include "reports/cli/session.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <utility>
+
+#include "reports/run/experiment.h"
+#include "reports/run/selection.h"
+#include "reports/study/asked_cases.h"
+#include "reports/system/environment.h"
+#include "reports/system/progress_line.h"
+#include "reports/writers/console.h"
+#include "reports/writers/output.h"
+
+namespace plumb {
+namespace {
+
+// https://no-color.org: any value but the empty one says no.
+bool wants_colour() {
+  const char* no = std::getenv("NO_COLOR");
+  return (no == nullptr || *no == '\0') && isatty(STDOUT_FILENO) != 0;
+}
+
+Report carry_out_with_progress(const Plan& plan) {
+  const ProgressLine line;
+  try {
+    return carry_out(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
+      line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
+    });
+  } catch (const std::invalid_argument& error) {
+    // Everything the user said was checked before: this is a mistake of ours.
+    throw std::runtime_error(error.what());
+  }
+}
+
+Plan plan_of(const Session& session) {
+  Plan plan = plan_asked(session.scenarios, session.all, session.engines);
+  plan.dt = parse_dt(session.dt);
+  plan.jobs = session.jobs;
+  plan.refine = session.converged;
+  plan.ensemble = session.ensemble;
+  return plan;
+}
+
+}  // namespace
+
+void Session::attach_to(CLI::App& app) {
+  app.add_flag("--all", all, "Every scenario, not only the canonical ones");
+  app.add_flag(
+      "--converged", converged,
+      "Where no closed form knows the answer, a truth by refinement, as far as it converges; about 1 s a scene");
+  app.add_option("--ensemble", ensemble,
+                 "Runs of each engine that are compared where a scene cannot be told to its end; 0: not looked into")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N");
+  app.add_option("--engine", engines, "NAME[:key=value,...]; may be repeated. Default: every engine")
+      ->allow_extra_args(false)
+      ->type_name("ENGINE");
+  app.add_option("--dt", dt, "Time step in s, a number or a fraction")->capture_default_str()->type_name("STEP");
+  app.add_option("--jobs", jobs, "Scenes run at once; the results are the same for any number")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  app.add_option("--out", out, "Folder for report.json, report.csv and index.html")
+      ->capture_default_str()
+      ->type_name("DIR");
+}
+
+Report Session::conduct(const std::string& command, const std::function<void(Report&)>& complete) const {
+  const Plan plan = plan_of(*this);
+  const OutputFolder folder(out);
+
+  Report report = carry_out_with_progress(plan);
+  report.title = "Plumb: " + command;
+  report.command = {"plumb", command};
+  report.command.insert(report.command.end(), scenarios.begin(), scenarios.end());
+  if (all) report.command.emplace_back("--all");
+  if (converged) report.command.emplace_back("--converged");
+  if (ensemble != Session().ensemble)
+    report.command.insert(report.command.end(), {"--ensemble", std::to_string(ensemble)});
+  for (const std::string& engine : engines) report.command.insert(report.command.end(), {"--engine", engine});
+  report.command.insert(report.command.end(), {"--dt", dt});
+  report.environment = environment();
+  complete(report);
+
+  const auto [files, skipped] = folder.write(report);
+  fmt::print("{}", console_text(report, wants_colour()));
+  fmt::print("{:.1f} % of the runs' time was spent outside step.\n", 100 * report.clock.at("outside_step"));
+  for (const auto& file : files) fmt::print("{}\n", file.string());
+  for (const auto& [file, why] : skipped) fmt::print("No {}: {}.\n", file, why);
+  return report;
+}
+
+}  // namespace plumb

@@ -1,0 +1,15 @@
+#include "reports/judge/metric.h"
+
+#include "scenarios/catalog.h"
+
+namespace plumb {
+
+std::map<std::string, Measured> measure(const MetricContext& context) {
+  std::map<std::string, Measured> measured;
+  for (const Metric* metric : Catalog<Metric>::all()) {
+    if (const auto value = metric->measure(context)) measured[metric->name] = {*value, metric->unit};
+  }
+  return measured;
+}
+
+}  // namespace plumb

@@ -1,0 +1,186 @@
+#include "reports/run/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+
+#include "reports/run/readout.h"
+#include "reports/statistics.h"
+#include "reports/vec.h"
+
+namespace plumb {
+namespace {
+
+// A scene of this size, in SI units, that plays for minutes under Earth's gravity reaches 1e3 m/s and 1e5 m. Beyond a
+// hundred times as much an engine has blown up, though its numbers may still be finite.
+constexpr double absurd_speed = 1e6;     // m/s, and rad/s
+constexpr double absurd_distance = 1e7;  // m
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+// Comparisons with NaN are false, so what is not finite is not sane.
+bool sane(const BodyState& state) {
+  return std::abs(state.position.x) <= absurd_distance && std::abs(state.position.y) <= absurd_distance &&
+         std::abs(state.velocity.x) <= absurd_speed && std::abs(state.velocity.y) <= absurd_speed &&
+         std::abs(state.angular_velocity) <= absurd_speed && std::isfinite(state.angle);
+}
+
+std::string divergence(const Body& body, const BodyState& lost, double time) {
+  return fmt::format(
+      "diverged at t = {:.4g} s: body \"{}\" at ({:.3g}, {:.3g}) m, {:.3g} rad, {:.3g} m/s, {:.3g} rad/s", time,
+      body.name, lost.position.x, lost.position.y, lost.angle, length(lost.velocity), lost.angular_velocity);
+}
+
+void step_to_the_end(const Scene& scene, Simulation& simulation, double dt, double first_step, Readout& readout,
+                     const Observer& show, Outcome& outcome) {
+  if (!show(0, readout.states(simulation))) return;
+
+  const double valid = simulation.valid_until();
+  const double missing = 1 - first_step;
+  const bool cut = missing > 0;
+  const std::size_t steps = steps_in(scene.duration + missing * dt, dt);
+  for (std::size_t i = 1; i <= steps; ++i) {
+    // Not the sum of many dt, which would carry the rounding of each.
+    const double whole = (static_cast<double>(i) - missing) * dt;
+    const double time = cut && i == steps ? scene.duration : whole;
+    if (time > valid) return;
+    const double step = cut && (i == 1 || i == steps) ? time - outcome.time : dt;
+    outcome.time = time;
+    const Stopwatch in_step;
+    simulation.step(step);
+    outcome.stepping += in_step.seconds();
+
+    const std::span<const BodyState> states = readout.states(simulation);
+    const auto lost = std::find_if_not(states.begin(), states.end(), sane);
+    if (lost != states.end()) {
+      outcome.status = Status::failed;
+      outcome.lost = static_cast<std::size_t>(lost - states.begin());
+      outcome.reason = divergence(scene.bodies[*outcome.lost], *lost, time);
+      return;
+    }
+    if (!show(time, states)) return;
+  }
+}
+
+// `look_at` makes the observer of a simulation that was built, from how it is read.
+template <class LookAt>
+Outcome carry_out(const Scene& scene, const EngineConfig& config, double dt, double first_step, LookAt look_at) {
+  const Stopwatch all;
+  Outcome outcome;
+  try {
+    outcome.reason = config.engine->unsupported(scene, config.settings);
+    if (!outcome.reason.empty()) {
+      outcome.status = Status::not_supported;
+      return outcome;
+    }
+    const auto simulation = config.engine->build(scene, config.settings);
+    Readout readout(scene);
+    step_to_the_end(scene, *simulation, dt, first_step, readout, look_at(outcome, *simulation, readout), outcome);
+  } catch (const std::domain_error& beyond) {
+    // Some methods can only tell under way that a scene is too much for them.
+    outcome.status = Status::not_supported;
+    outcome.reason = beyond.what();
+    outcome.trace = nullptr;
+  } catch (const std::exception& error) {
+    outcome.status = Status::failed;
+    outcome.reason = error.what();
+  }
+  outcome.wall = all.seconds();
+  return outcome;
+}
+
+}  // namespace
+
+std::string EngineConfig::method() const {
+  std::string text;
+  for (const Option& option : engine->options) {
+    const std::string& value = settings.at(option.key);
+    if (value != option.value) text += (text.empty() ? "" : ",") + option.key + "=" + value;
+  }
+  return text;
+}
+
+std::size_t steps_in(double duration, double dt) {
+  // 2 s at 1/60 s are 120 steps, though 2 / (1/60.) may round to a little more.
+  return static_cast<std::size_t>(std::max(0.0, std::ceil(duration / dt * (1 - 1e-12))));
+}
+
+Outcome run(const Scene& scene, const EngineConfig& config, double dt, double first_step) {
+  return carry_out(
+      scene, config, dt, first_step, [&](Outcome& outcome, const Simulation& simulation, Readout& readout) -> Observer {
+        outcome.trace = std::make_shared<Trace>(scene.bodies.size());
+        return [&](double time, std::span<const BodyState> states) {
+          const bool start = outcome.trace->size() == 0;
+          outcome.trace->record(time, states, start ? std::span<const ContactState>{} : readout.contacts(simulation));
+          return true;
+        };
+      });
+}
+
+Outcome watch(const Scene& scene, const EngineConfig& config, double dt, double first_step, const Observer& observer) {
+  return carry_out(scene, config, dt, first_step,
+                   [&](Outcome&, const Simulation&, Readout&) -> const Observer& { return observer; });
+}
+
+double time_of_steps(const Scene& scene, const EngineConfig& config, double dt) {
+  const std::size_t steps = steps_in(scene.duration, dt);
+  try {
+    const auto simulation = config.engine->build(scene, config.settings);
+    const Stopwatch only_steps;
+    for (std::size_t i = 0; i < steps; ++i) simulation->step(dt);
+    return only_steps.seconds();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format(
+        "{} ran {} and then, asked once more to see what it costs, did not: {}. Each simulation must start afresh",
+        config.engine->name, scene.name, error.what()));
+  }
+}
+
+std::vector<Timing> time_steps(const Case& asked, std::span<const EngineConfig> configs, double dt) {
+  // Enough for a median and quartiles; more for scenes so short that a single interruption would show.
+  constexpr int fewest = 5;
+  constexpr int most = 15;
+  constexpr double budget = 0.05;  // s of stepping per config, beyond the fewest repetitions
+
+  const Scene& scene = *asked.scene;
+  const std::size_t steps = steps_in(scene.duration, dt);
+  std::vector<std::vector<double>> seconds(configs.size());
+  double spent = 0;
+  for (int round = 0; round <= most; ++round) {
+    if (round > fewest && spent > budget * static_cast<double>(configs.size())) break;
+    for (std::size_t e = 0; e < configs.size(); ++e) {
+      const double took = time_of_steps(scene, configs[e], dt);
+      spent += took;
+      if (round > 0) seconds[e].push_back(took);
+    }
+  }
+
+  std::vector<Timing> timings;
+  for (std::size_t e = 0; e < configs.size(); ++e) {
+    const Quartiles all = quartiles(seconds[e]);
+    const double us = 1e6 / static_cast<double>(steps);
+    timings.push_back({.scenario = asked.scenario->name,
+                       .variant = asked.variant,
+                       .engine = configs[e].engine->name,
+                       .method = configs[e].method(),
+                       .step_us = all.median * us,
+                       .step_us_low = all.low * us,
+                       .step_us_high = all.high * us,
+                       .real_time_factor = static_cast<double>(steps) * dt / all.median,
+                       .repetitions = static_cast<int>(seconds[e].size())});
+  }
+  return timings;
+}
+
+}  // namespace plumb

@@ -1,0 +1,181 @@
+#include "reports/run/selection.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "reports/run/scene_case.h"
+#include "scenarios/catalog.h"
+#include "scenarios/scene/nearest.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view home = "impulse";
+
+// What stands before and after the first `mark`; all of it before, where there is none.
+std::pair<std::string, std::string> split(std::string_view text, char mark) {
+  const auto place = text.find(mark);
+  if (place == std::string_view::npos) return {std::string(text), ""};
+  return {std::string(text.substr(0, place)), std::string(text.substr(place + 1))};
+}
+
+std::vector<std::string> pieces(std::string_view text) {
+  std::vector<std::string> all;
+  while (!text.empty()) {
+    all.push_back(split(text, ',').first);
+    text.remove_prefix(std::min(text.size(), all.back().size() + 1));
+  }
+  return all;
+}
+
+// "key=value"
+std::pair<std::string, std::string> assignment(const std::string& context, const std::string& text) {
+  auto both = split(text, '=');
+  if (!both.first.empty() && !both.second.empty()) return both;
+  throw std::invalid_argument(fmt::format("{}: \"{}\" should read key=value", context, text));
+}
+
+// The same, or one word that is a choice of a single option; of those that have it by default none is meant.
+std::pair<std::string, std::string> setting(const Engine& engine, const std::string& text) {
+  std::vector<std::string> keys;
+  for (const Option& option : engine.options) {
+    const bool offered = std::any_of(option.choices.begin(), option.choices.end(),
+                                     [&](const auto& choice) { return choice.first == text; });
+    if (offered && option.value != text) keys.push_back(option.key);
+  }
+  if (keys.empty()) return assignment(engine.name, text);
+  if (keys.size() == 1) return {keys.front(), text};
+  throw std::invalid_argument(
+      fmt::format("{}: \"{}\" may mean {}={}", engine.name, text, fmt::join(keys, fmt::format("={} or ", text)), text));
+}
+
+double parse_plain(std::string_view what, std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(number)) return number;
+  throw std::invalid_argument(std::string(what) + ": \"" + std::string(text) +
+                              "\" is not a number; write 0.01 or 1/60");
+}
+
+template <class T>
+const T& find(const char* kind, const std::string& name, bool (*offered)(const T&)) {
+  const T* found = Catalog<T>::find(name);
+  if (found != nullptr && offered(*found)) return *found;
+  std::vector<std::string> names;
+  for (const T* entry : Catalog<T>::all()) {
+    if (offered(*entry)) names.push_back(entry->name);
+  }
+  throw std::invalid_argument(unknown(kind, name, names));
+}
+
+const Engine* closed_form_of(const Scenario& scenario) {
+  if (scenario.closed_form.empty()) return nullptr;
+  const Engine* closed_form = Catalog<Engine>::find(scenario.closed_form);
+  if (closed_form != nullptr) return closed_form;
+  throw std::logic_error(scenario.name + ": there is no closed form \"" + scenario.closed_form + "\"");
+}
+
+Case case_of(const Scenario& scenario, const std::string& label, const Parameters& changes) {
+  const Parameters parameters = complete(scenario, changes);
+  return {.scenario = &scenario,
+          .variant = label,
+          .parameters = parameters,
+          .scene = std::make_shared<const Scene>(scenario.scene(parameters)),
+          .closed_form = closed_form_of(scenario)};
+}
+
+const Scenario& find_scenario(const std::string& name) {
+  return find<Scenario>("scenario", name, [](const Scenario&) { return true; });
+}
+
+std::vector<Case> all_variants(const Scenario& scenario) {
+  std::vector<Case> cases;
+  for (const Variant& variant : scenario.variants) cases.push_back(case_of(scenario, variant.label, variant.changes));
+  return cases;
+}
+
+}  // namespace
+
+double parse_number(std::string_view what, std::string_view text) {
+  const auto [over, under] = split(text, '/');
+  if (under.empty()) return parse_plain(what, text);
+  const double divisor = parse_plain(what, under);
+  if (divisor == 0) throw std::invalid_argument(std::string(what) + ": \"" + std::string(text) + "\" divides by zero");
+  return parse_plain(what, over) / divisor;
+}
+
+double parse_dt(std::string_view text) {
+  const double dt = parse_number("--dt", text);
+  if (dt > 0 && dt <= 1) return dt;
+  throw std::invalid_argument("--dt: \"" + std::string(text) + "\" must be above 0 and at most 1 s");
+}
+
+std::vector<Case> parse_cases(std::string_view word) {
+  if (means_file(word)) return {case_of_file(std::string(word))};
+  const auto [name, rest] = split(word, ':');
+  const Scenario& scenario = find_scenario(name);
+  if (rest.empty()) return all_variants(scenario);
+  for (const Variant& variant : scenario.variants) {
+    if (variant.label == rest) return {case_of(scenario, variant.label, variant.changes)};
+  }
+  if (rest.find('=') == std::string::npos) {
+    std::vector<std::string> labels;
+    for (const Variant& variant : scenario.variants) labels.push_back(variant.label);
+    throw std::invalid_argument(name + ": " + unknown("variant", rest, labels) + " Or write parameter=value.");
+  }
+  Parameters changes;
+  for (const std::string& piece : pieces(rest)) {
+    const auto [key, value] = assignment(name, piece);
+    changes[key] = parse_number(fmt::format("{}: {}", name, key), value);
+  }
+  return {case_of(scenario, rest, changes)};
+}
+
+Case parse_case(std::string_view word) {
+  const auto [name, rest] = split(word, ':');
+  if (!rest.empty()) return parse_cases(word).front();
+  return case_of(find_scenario(name), "", {});
+}
+
+std::vector<Case> default_cases(bool all) {
+  std::vector<Case> cases;
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    if (!all && !scenario->canonical) continue;
+    for (Case& one : all_variants(*scenario)) cases.push_back(std::move(one));
+  }
+  return cases;
+}
+
+EngineConfig parse_engine(std::string_view word) {
+  const auto [name, rest] = split(word, ':');
+  const Engine* closed_form = Catalog<Engine>::find(name);
+  if (closed_form != nullptr && closed_form->exact) {
+    throw std::invalid_argument("\"" + name + "\" is a closed form, not an engine; it answers its scenarios unasked");
+  }
+  const Engine& engine = find<Engine>("engine", name, [](const Engine& offered) { return !offered.exact; });
+  Settings settings;
+  for (const std::string& piece : pieces(rest)) {
+    const auto [key, value] = setting(engine, piece);
+    settings[key] = value;
+  }
+  return {&engine, complete(engine, settings)};
+}
+
+std::vector<EngineConfig> default_engines() {
+  std::vector<EngineConfig> configs;
+  for (const Engine* engine : Catalog<Engine>::all()) {
+    if (engine->exact) continue;
+    configs.push_back({engine, complete(*engine, {})});
+    for (const Settings& other : engine->also) configs.push_back({engine, complete(*engine, other)});
+  }
+  std::stable_partition(configs.begin(), configs.end(),
+                        [](const EngineConfig& config) { return config.engine->name == home; });
+  return configs;
+}
+
+}  // namespace plumb

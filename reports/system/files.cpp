@@ -1,0 +1,52 @@
+#include "reports/system/files.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace plumb {
+
+NewFile::NewFile(NewFile&& other) noexcept
+    : place_(std::move(other.place_)), path_(std::move(other.path_)), ours_(std::exchange(other.ours_, false)) {}
+
+NewFile::~NewFile() {
+  std::error_code ignored;
+  if (ours_) std::filesystem::remove(path_, ignored);
+}
+
+bool NewFile::write(const std::string& text) {
+  std::ofstream out(path_, std::ios::binary | std::ios::trunc);
+  ours_ = out.is_open();
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  return out.good();
+}
+
+std::filesystem::path NewFile::put_in_place() {
+  std::filesystem::rename(path_, place_);
+  ours_ = false;
+  return place_;
+}
+
+std::string read_text(const std::string& path, std::size_t most) {
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::string text(most + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  // A folder can be opened, but not read.
+  if (!in.eof() && in.gcount() == 0) {
+    throw std::invalid_argument(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  }
+  if (in.gcount() > static_cast<std::streamsize>(most)) {
+    throw std::invalid_argument(fmt::format("{}: is larger than {} MiB", path, most >> 20));
+  }
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+}  // namespace plumb

@@ -1,0 +1,47 @@
+#include "reports/timing/google_benchmark.h"
+
+#include <fmt/chrono.h>
+
+#include <ctime>
+#include <thread>
+#include <utility>
+
+#include "reports/system/environment.h"
+
+namespace plumb::google_benchmark {
+
+Json entry(const std::string& name, const char* type, int repetitions, int threads, std::size_t iterations) {
+  return {{"name", name},       {"run_name", name},        {"run_type", type}, {"repetitions", repetitions},
+          {"threads", threads}, {"iterations", iterations}};
+}
+
+void add_times(Json& to, double wall, double cpu) {
+  constexpr double micro = 1e6;
+  to["real_time"] = micro * wall;
+  to["cpu_time"] = micro * cpu;
+  to["time_unit"] = "us";
+}
+
+void name_median(Json& entry) {
+  entry["name"] = entry["run_name"].get<std::string>() + "_median";
+  entry["aggregate_name"] = "median";
+  entry["aggregate_unit"] = "time";
+}
+
+void add_error(Json& to, const std::string& why) {
+  to["error_occurred"] = true;
+  to["error_message"] = why;
+}
+
+std::string text_of(Json entries, const Json& facts) {
+  Json context{{"date", fmt::format("{:%Y-%m-%dT%H:%M:%S+00:00}", fmt::gmtime(std::time(nullptr)))},
+               {"num_cpus", std::thread::hardware_concurrency()}};
+  for (const auto& [key, value] : environment()) context[key] = value;
+  context["library_build_type"] = context["build_type"] == "Release" ? "release" : "debug";
+  context.update(facts);
+  return Json{{"context", std::move(context)}, {"benchmarks", std::move(entries)}}.dump(
+             2, ' ', false, Json::error_handler_t::replace) +
+         "\n";
+}
+
+}  // namespace plumb::google_benchmark

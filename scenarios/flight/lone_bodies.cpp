@@ -1,0 +1,146 @@
+#include <cmath>
+#include <utility>
+
+#include "scenarios/allowance.h"
+#include "scenarios/parts.h"
+#include "scenarios/scenario.h"
+#include "scenarios/scene/mass.h"
+
+namespace plumb::scenarios::lone_bodies {
+namespace {
+
+constexpr double duration = 1;    // s
+constexpr double gravity = 10;    // m/s^2
+constexpr double pitch = 20;      // m, from body to body: they never meet
+constexpr double scale = 0.5;     // of gravity
+constexpr double pull = 3;        // m/s^2, force on a unit of mass
+constexpr double turn = 2;        // rad/s^2, torque on a unit of inertia
+constexpr double whisper = 0.05;  // m/s^2; less than 1 mm/s in a step
+constexpr double start = 4;       // m/s and rad/s, of what has a speed
+constexpr double density = 3;     // kg/m^2; not 1, that mass and area differ
+
+enum Who : std::size_t { light, pushed, slow, upright, damped, bent };
+
+// An L of two boxes, of which one is twice as dense; its frame is the first one's.
+Body bent_body() {
+  Body made = box("bent", {static_cast<double>(bent) * pitch, 0}, {1, 0.5}, surface(0.5, 0, density));
+  made.shapes.push_back(
+      {.geometry = Box{.size = {0.5, 1}, .center = {0.75, 0.25}}, .surface = surface(0.5, 0, 2 * density)});
+  made.gravity_scale = 0;
+  made.angular_velocity = start;
+  return made;
+}
+
+Vec place_of(Who who) { return {static_cast<double>(who) * pitch, 0}; }
+
+Scene scene(const Parameters& p) {
+  Scene scene{.name = "lone-bodies",
+              .about = "Bodies far apart, each moved by something else.",
+              .gravity = {0, -gravity},
+              .duration = duration};
+  for (const auto& [who, name] : {std::pair{light, "light"}, std::pair{pushed, "pushed"}, std::pair{slow, "slow"},
+                                  std::pair{upright, "upright"}, std::pair{damped, "damped"}}) {
+    Body one = box(name, place_of(who), {1, 0.5}, surface(0.5, 0, density));
+    one.gravity_scale = who == light ? scale : 0;
+    scene.bodies.push_back(one);
+  }
+  const Mass mass = mass_of(scene.bodies[pushed]);
+  scene.forces.push_back(Constant{.body = pushed, .force = {pull * mass.mass, 0}, .torque = turn * mass.inertia});
+  scene.forces.push_back(Constant{.body = slow, .force = {whisper * mass.mass, 0}});
+  scene.forces.push_back(Constant{.body = upright, .torque = turn * mass.inertia});
+  scene.bodies[upright].fixed_rotation = true;
+  Body& air = scene.bodies[damped];
+  air.velocity = {start, 0};
+  air.angular_velocity = start;
+  air.linear_damping = air.angular_damping = p.at("damping");
+  scene.bodies.push_back(bent_body());
+  scene.forces.push_back(Constant{.body = bent, .torque = turn * mass_of(scene.bodies[bent]).inertia});
+  return scene;
+}
+
+// Constant accelerations, off by the drift a t h. Damping c: v0 e^(-ct). Steps v/(1 + c h) are first order and, of the
+// usual ones, the farthest off: (1 + c h)^(-t/h) is e^(-ct) times e^(c^2 t h/2) at most; the way is off by the time
+// times that, and by a step of the start.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const double t = duration;
+  const double c = p.at("damping");
+  const double reach = 5 * pitch + gravity * t;
+  const auto exact = [=](const Stepping& s) { return round_off(s, t, reach); };
+  const auto drift = [=](double a) { return [=](const Stepping& s) { return drifted(s, a, t) + exact(s); }; };
+  const auto slower = [=](const Stepping& s) {
+    return start * std::exp(-c * t) * std::expm1(c * c * t * s.h / 2) + exact(s);
+  };
+  const auto way = [=](const Stepping& s) {
+    return start * (t * std::expm1(c * c * t * s.h / 2) + c * t * s.h) + exact(s);
+  };
+  const Vec corner = mass_of(bent_body()).center;
+  const double left = std::exp(-c * t);
+  const double gone = start * (1 - left) / c;
+  return {{.body = "light",
+           .quantity = Quantity::y,
+           .expected = -scale * gravity * t * t / 2,
+           .allowed = drift(scale * gravity),
+           .source = "gravity's scale times g t^2/2; drift"},
+          {.body = "pushed",
+           .quantity = Quantity::x,
+           .expected = place_of(pushed).x + pull * t * t / 2,
+           .allowed = drift(pull),
+           .source = "F/m t^2/2; drift"},
+          {.body = "pushed", .quantity = Quantity::y, .expected = 0, .allowed = exact, .source = "no gravity"},
+          {.body = "pushed",
+           .quantity = Quantity::angle,
+           .expected = turn * t * t / 2,
+           .allowed = drift(turn),
+           .source = "T/I t^2/2; drift"},
+          {.body = "slow",
+           .quantity = Quantity::x,
+           .expected = place_of(slow).x + whisper * t * t / 2,
+           .allowed = drift(whisper),
+           .source = "F/m t^2/2, however little; drift"},
+          {.body = "upright",
+           .quantity = Quantity::angle,
+           .expected = 0,
+           .allowed = exact,
+           .source = "what may not turn does not"},
+          {.body = "damped",
+           .quantity = Quantity::vx,
+           .expected = start * left,
+           .allowed = slower,
+           .source = "v0 e^(-ct); first order in h"},
+          {.body = "damped",
+           .quantity = Quantity::x,
+           .expected = place_of(damped).x + gone,
+           .allowed = way,
+           .source = "v0 (1 - e^(-ct))/c; first order in h"},
+          {.body = "damped",
+           .quantity = Quantity::angular_velocity,
+           .expected = start * left,
+           .allowed = slower,
+           .source = "w0 e^(-ct); first order in h"},
+          {.body = "bent",
+           .quantity = Quantity::x,
+           .expected = place_of(bent).x + corner.x,
+           .allowed = exact,
+           .source = "turns about its centre of mass, which stays"},
+          {.body = "bent",
+           .quantity = Quantity::y,
+           .expected = corner.y,
+           .allowed = exact,
+           .source = "turns about its centre of mass, which stays"},
+          {.body = "bent",
+           .quantity = Quantity::angle,
+           .expected = start * t + turn * t * t / 2,
+           .allowed = drift(turn),
+           .source = "w0 t + T/I t^2/2, I by parallel axes; drift"}};
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "lone-bodies",
+     .question = "Does each thing that moves a lone body move it as it should: gravity's scale, forces, torques, air?",
+     .parameters = {{.name = "damping", .value = 0.8, .min = 0.1, .max = 5, .unit = "1/s", .about = "of one of them"}},
+     .variants = {{"each", {}}},
+     .scene = scene,
+     .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::lone_bodies

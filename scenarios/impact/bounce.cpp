@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scenarios/allowance.h"
+#include "scenarios/parts.h"
+#include "scenarios/scenario.h"
+#include "scenarios/scene/mass.h"
+
+namespace plumb::scenarios::bounce {
+namespace {
+
+constexpr double gravity = 10;   // m/s^2
+constexpr double duration = 10;  // s
+constexpr int apexes = 3;
+constexpr double shortest = 0.1;  // s, of half a flight that moments of 1/60 s show
+
+Scene scene(const Parameters& p) {
+  const double radius = p.at("radius");
+  const Surface bouncy = surface(0, p.at("restitution"));
+  Scene scene{
+      .name = "bounce", .about = "A disc dropped on level ground.", .gravity = {0, -gravity}, .duration = duration};
+  scene.bodies.push_back(level_ground(bouncy));
+  scene.bodies.push_back(disc("disc", {0, p.at("height") + radius}, radius, bouncy));
+  return scene;
+}
+
+// How high a engine may come, from below and above, flight by flight. In terms of the apex H a flight would reach,
+// an impact that is noticed at a depth d, with the speed V that goes with it, V^2 = 2 g (H + d):
+//   turned round where it is        H' = e^2 (H + d) - d
+//   lifted out of the ground first  H' = e^2 (H + d)
+// so that H' lies between e^2 H - (1 - e^2) d and e^2 (H + d), with d <= V lag.
+// Drift: a step with drift D keeps v^2/(2 g) + y - D h v exactly (v upwards), which jumps by D h (V + e V) as the speed
+// turns round; the turn's share in H' is D h V (e^2 + e). Gap: touching may be seen a gap early or late and the disc
+// put down that much off: (1 + e^2) gap. Threshold: an impact slower than it may not bounce at all.
+struct Flight {
+  double low = 0, high = 0;  // m, of the apex above the ground
+};
+
+Flight after_impact(Flight before, double e, const Stepping& s) {
+  const double slack = gravity * s.h * (s.impact_lag + std::abs(s.drift));  // m/s, on the speed itself
+  const double fastest = std::sqrt(2 * gravity * before.high) + slack;
+  const double slowest = std::sqrt(2 * gravity * std::max(before.low, 0.0)) - slack;
+  const double depth = fastest * lag(s);
+  const double off = std::abs(s.drift) * s.h * fastest * (e * e + e) + (1 + e * e) * s.gap;
+  const bool sure = slowest > s.restitution_threshold;
+  return {sure ? e * e * before.low - (1 - e * e) * depth - off : -depth - s.gap, e * e * (before.high + depth) + off};
+}
+
+Flight flight(int n, double height, double e, const Stepping& s) {
+  Flight now{height, height};
+  for (int k = 0; k < n; ++k) now = after_impact(now, e, s);
+  return now;
+}
+
+// Apex n, read off moments dt apart: the highest of them is at most dt/2 from the top, g dt^2/8 lower.
+double allowed_apex(int n, double height, double e, const Stepping& s) {
+  const double expected = std::pow(e, 2 * n) * height;
+  const Flight now = flight(n, height, e, s);
+  const double time = (2 * n + 1) * std::sqrt(2 * height / gravity);
+  return std::max(now.high - expected, expected - now.low) + gravity * s.dt * s.dt / 8 +
+         round_off(s, time, height + gravity * time * time);
+}
+
+// Landing n, read off moments dt apart: the lowest of them is at most dt away. Each landing may come a lag late, half a
+// step off by the drift, and a gap early or late; each flight lasts 2 sqrt(2 H/g), whatever H the impacts made of it.
+double allowed_landing(int n, double height, double e, const Stepping& s) {
+  const double fall = std::sqrt(2 * height / gravity);
+  const double each = lag(s) + std::abs(s.drift) * s.h + std::sqrt(2 * s.gap / gravity);
+  double late = each;
+  double early = each;
+  Flight now{height, height};
+  for (int k = 1; k < n; ++k) {
+    now = after_impact(now, e, s);
+    const double exact = 2 * std::pow(e, k) * fall;
+    late += 2 * std::sqrt(2 * now.high / gravity) - exact + each;
+    early += exact - 2 * std::sqrt(2 * std::max(now.low, 0.0) / gravity) + each;
+  }
+  return std::max(late, early) + s.dt + round_off(s, 2 * n * fall, 2 * n * fall);
+}
+
+// At the end the disc rests; a engine may be in as late a flight as its longest possible flights leave time for.
+double allowed_rest(double height, double e, const Stepping& s) {
+  constexpr double settled = 1e-15;  // m
+  Flight now{height, height};
+  double time = std::sqrt(2 * height / gravity) + s.h;
+  while (time < duration && now.high > settled) {
+    const double before = now.high;
+    now = after_impact(now, e, s);
+    time += 2 * std::sqrt(2 * now.high / gravity) + s.h;
+    if (now.high > before) return std::numeric_limits<double>::infinity();  // so coarse a step settles never
+  }
+  return std::max(now.high, -now.low) + s.gap + round_off(s, duration, height + gravity * duration * duration);
+}
+
+// For e = 1 the energy is m g times the apex, but for the drift's part m g D h |v| within a flight. The first impact is
+// at sqrt(2h/g), the others twice that apart; one more than that may have been by the end.
+double allowed_energy(double weight, double height, const Stepping& s) {
+  const int impacts = static_cast<int>(std::ceil(duration / (2 * std::sqrt(2 * height / gravity)) + 0.5));
+  const Flight last = flight(impacts, height, 1, s);
+  const double fastest = std::sqrt(2 * gravity * last.high);
+  return weight * (std::max(last.high - height, height - last.low) + std::abs(s.drift) * s.h * fastest) +
+         weight * round_off(s, duration, height + gravity * duration * duration);
+}
+
+std::vector<Expectation> expectations(const Parameters& p) {
+  const double height = p.at("height");
+  const double e = p.at("restitution");
+  const double radius = p.at("radius");
+  std::vector<Expectation> all;
+  for (int n = 1; n <= apexes; ++n) {
+    all.push_back({.body = "disc",
+                   .quantity = Quantity::apex,
+                   .index = n,
+                   .expected = radius + std::pow(e, 2 * n) * height,
+                   .allowed = [=](const Stepping& s) { return allowed_apex(n, height, e, s); },
+                   .source = "e^(2n) h; impacts noticed late, drift, gap"});
+  }
+  const double fall = std::sqrt(2 * height / gravity);
+  double landed = fall;
+  for (int n = 1; n <= apexes && landed < duration; ++n) {
+    all.push_back({.body = "disc",
+                   .quantity = Quantity::landing,
+                   .index = n,
+                   .expected = landed,
+                   .allowed = [=](const Stepping& s) { return allowed_landing(n, height, e, s); },
+                   .source = "sqrt(2h/g) (1 + 2 sum e^k); impacts noticed late, drift, gap, and a moment's step"});
+    landed += 2 * std::pow(e, n) * fall;
+    if (std::pow(e, n) * fall < shortest) break;
+  }
+  const double last_impact = std::sqrt(2 * height / gravity) * (1 + e) / (1 - e);
+  if (e < 1 && last_impact < duration) {
+    all.push_back({.body = "disc",
+                   .quantity = Quantity::y,
+                   .allowed = [=](const Stepping& s) { return allowed_rest(height, e, s); },
+                   .source = "at rest since sqrt(2h/g) (1+e)/(1-e); hops that late impacts may leave"});
+  }
+  if (e == 1) {
+    const double weight = mass_of(scene(p).bodies[1]).mass * gravity;
+    all.push_back({.quantity = Quantity::energy,
+                   .allowed = [=](const Stepping& s) { return allowed_energy(weight, height, s); },
+                   .source = "e = 1 keeps the energy; impacts noticed late, drift, gap"});
+  }
+  return all;
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "bounce",
+     .question = "Does a dropped disc come back as high as its restitution says, and rest when it should?",
+     .parameters =
+         {{.name = "restitution", .value = 0.8, .min = 0, .max = 1, .about = "of disc and ground"},
+          {.name = "height", .value = 4, .min = 0.1, .max = 20, .unit = "m", .about = "of the disc's lowest point"},
+          {.name = "radius", .value = 0.5, .min = 0.05, .max = 2, .unit = "m", .about = "of the disc"}},
+     .variants = {{"e=0.5", {{"restitution", 0.5}}}, {"e=0.8", {}}, {"e=1", {{"restitution", 1}}}},
+     .closed_form = "bounce",
+     .scene = scene,
+     .expectations = expectations,
+     .canonical = true,
+     .phased = true}};
+
+}  // namespace
+}  // namespace plumb::scenarios::bounce

@@ -1,0 +1,60 @@
+#include <numbers>
+
+#include "scenarios/allowance.h"
+#include "scenarios/parts.h"
+#include "scenarios/scenario.h"
+
+namespace plumb::scenarios::dominoes {
+namespace {
+
+constexpr double thick = 0.2;  // m
+constexpr double height = 1;   // m
+
+double duration(const Parameters& p) { return 3 + p.at("count") / 5; }  // s; a tenth and more of a second for each
+
+std::string name(int i) { return "domino " + std::to_string(i); }
+
+// The first is let go turning about the foot it falls over, fast enough to pass its highest point.
+Scene scene(const Parameters& p) {
+  const Surface wood = surface(0.4, 0);
+  const double push = p.at("push");
+  Scene scene{.name = "dominoes", .about = "A row of dominoes, the first given a push.", .duration = duration(p)};
+  scene.bodies.push_back(level_ground(wood));
+  for (int i = 1; i <= static_cast<int>(p.at("count")); ++i) {
+    scene.bodies.push_back(box(name(i), {(i - 1) * p.at("spacing"), height / 2}, {thick, height}, wood));
+  }
+  Body& first = scene.bodies[1];
+  first.angular_velocity = -push;
+  first.velocity = {push * height / 2, push * thick / 2};
+  return scene;
+}
+
+// Each falls against the next, with more energy than it needs to tip, and the last has nothing to lean on: it lies
+// flat, within a gap at either end.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const double end = duration(p);
+  return {{.body = name(static_cast<int>(p.at("count"))),
+           .quantity = Quantity::angle,
+           .expected = -std::numbers::pi / 2,
+           .allowed = [=](const Stepping& s) { return 2 * s.gap / height + round_off(s, end, height); },
+           .source = "the last one lies on its side"}};
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "dominoes",
+     .question = "Does a row of dominoes fall to the last?",
+     .parameters =
+         {{.name = "count", .value = 10, .min = 2, .max = 100, .about = "in the row", .whole = true},
+          {.name = "spacing", .value = 0.6, .min = 0.3, .max = 0.8, .unit = "m", .about = "from one to the next"},
+          {.name = "push",
+           .value = 2,
+           .min = 1,
+           .max = 5,
+           .unit = "rad/s",
+           .about = "how fast the first begins to fall"}},
+     .variants = {{"ten", {}}},
+     .scene = scene,
+     .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::dominoes

@@ -1,0 +1,95 @@
+#include <cmath>
+#include <numbers>
+
+#include "scenarios/allowance.h"
+#include "scenarios/parts.h"
+#include "scenarios/random.h"
+#include "scenarios/scenario.h"
+#include "scenarios/scene/mass.h"
+
+namespace plumb::scenarios::gas {
+namespace {
+
+constexpr double duration = 10;  // s
+constexpr double mixed = 5;      // s of it, from when on the speeds are looked at
+constexpr double speed = 2;      // m/s, of every disc at the start
+constexpr double radius = 0.1;   // m
+constexpr double spacing = 0.5;  // m
+
+int side(const Parameters& p) { return static_cast<int>(p.at("side")); }
+
+Scene scene(const Parameters& p) {
+  const Surface elastic = surface(0, 1);
+  Scene scene{.name = "gas",
+              .about = "Discs fly about in a box, all equally fast at first, without friction or loss.",
+              .gravity = {0, 0},
+              .duration = duration};
+  const double half = side(p) * spacing / 2;
+  const std::pair<const char*, Vec> walls[] = {
+      {"floor", {0, 1}}, {"lid", {0, -1}}, {"left", {1, 0}}, {"right", {-1, 0}}};
+  for (const auto& [name, normal] : walls) {
+    Body wall = level_ground(elastic);
+    wall.name = name;
+    wall.shapes[0].geometry = HalfSpace{.normal = normal, .offset = -half};
+    scene.bodies.push_back(wall);
+  }
+  Random random(20);
+  for (int i = 0; i < side(p) * side(p); ++i) {
+    const int row = i / side(p);
+    const int column = i % side(p);
+    const Vec place{(column + 0.5) * spacing - half, (row + 0.5) * spacing - half};
+    Body one = disc("disc " + std::to_string(i + 1), place, radius, elastic);
+    const double direction = random.between(0, 2 * std::numbers::pi);
+    one.velocity = {speed * std::cos(direction), speed * std::sin(direction)};
+    scene.bodies.push_back(one);
+  }
+  return scene;
+}
+
+// Energy: constant, whenever impacts are noticed. Impacts slower than a threshold are inelastic: each loses m u^2/4 at
+// most, u the threshold; of all impacts (u/v)^2/2 are that slow (the normal speed of meeting discs has the density
+// g exp(-g^2/(2 v^2))/v^2 at equilibrium), and each disc meets sqrt(2) n 2d v a second, n discs on a square metre.
+// Where a disc is struck twice in a step, sweeps leave a share of both energies unsolved: at worst always.
+//
+// Speeds: in the long run every state of that energy is as likely as another. Then the N squares of speed are spread
+// evenly over the simplex sum v^2 = const, with moments
+//   E<v^4>/<v^2>^2 = 2N/(N+1),   Var = 4 N^2 (N-1)/((N+1)^2 (N+2) (N+3)):
+// Maxwell's 2 for many. A mean over time deviates by no more than that of a moment: five sigma.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const double n = side(p) * side(p);
+  const double mass = mass_of(scene(p).bodies.back()).mass;
+  const double energy = n * mass * speed * speed / 2;
+  const double meetings = n / 2 * duration * std::numbers::sqrt2 / (spacing * spacing) * 4 * radius * speed;
+  const double sigma = 2 * n / (n + 1) * std::sqrt((n - 1) / ((n + 2) * (n + 3)));
+  const auto lost = [=](const Stepping& s) {
+    const double u = s.restitution_threshold;
+    const double slow = meetings * u * u / (2 * speed * speed);
+    const double coincident = 2 * meetings * mass * speed * speed * unsolved(s, 2);
+    return slow * mass * u * u / 4 + coincident + 2 * energy / speed * round_off(s, duration, speed);
+  };
+  return {{.quantity = Quantity::energy,
+           .expected = energy,
+           .allowed = lost,
+           .source = "N m v^2/2, constant as e = 1; impacts slower than a threshold"},
+          {.quantity = Quantity::speed_spread,
+           .over = duration - mixed,
+           .expected = 2 * n / (n + 1),
+           .allowed = [=](const Stepping& s) { return 5 * sigma + round_off(s, duration, 1); },
+           .source = "Maxwell's law in a plane: <v^4>/<v^2>^2 = 2N/(N+1); five sigma of N discs"}};
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "gas",
+     .question = "Do elastic discs keep their energy and come to Maxwell's distribution of speeds?",
+     .parameters = {{.name = "side",
+                     .value = 16,
+                     .min = 4,
+                     .max = 40,
+                     .about = "discs along each side of the box at the start",
+                     .whole = true}},
+     .variants = {{"256", {}}},
+     .scene = scene,
+     .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::gas

@@ -1,0 +1,160 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// The neutral question that every engine is given. SI units (m, kg, s, rad, N; density in kg/m^2), double
+/// precision, angles counter-clockwise, y up. No engine's own idea lives here.
+namespace plumb {
+
+struct Vec {
+  double x = 0;
+  double y = 0;
+  friend bool operator==(const Vec&, const Vec&) = default;
+};
+
+struct Surface {
+  double density = 1;           // kg/m^2
+  double static_friction = 0;   // Coulomb coefficient while sticking
+  double dynamic_friction = 0;  // Coulomb coefficient while sliding; differs from static only where a scene says so
+  double restitution = 0;       // 0 ... 1
+};
+
+struct Circle {
+  double radius = 0.5;
+  Vec center;  // body frame
+};
+
+struct Box {
+  Vec size{1, 1};    // full width and height
+  Vec center;        // body frame
+  double angle = 0;  // against the body frame
+};
+
+struct Polygon {
+  std::vector<Vec> vertices;  // body frame, convex, any winding
+};
+
+struct Capsule {
+  Vec from, to;  // body frame
+  double radius = 0.5;
+};
+
+struct Segment {
+  Vec from, to;  // body frame
+};
+
+/// The points p with normal . p <= offset are solid, in the body frame.
+struct HalfSpace {
+  Vec normal{0, 1};  // unit length
+  double offset = 0;
+};
+
+using Geometry = std::variant<Circle, Box, Polygon, Capsule, Segment, HalfSpace>;
+
+struct Shape {
+  Geometry geometry;
+  Surface surface;
+};
+
+enum class BodyType { fixed, kinematic, dynamic };
+
+struct Body {
+  std::string name;
+  BodyType type = BodyType::dynamic;
+  Vec position;  // of the body frame's origin; the centre of mass follows from the shapes
+  double angle = 0;
+  Vec velocity;  // of the centre of mass
+  double angular_velocity = 0;
+  double gravity_scale = 1;
+  bool fixed_rotation = false;
+  bool bullet = false;
+  std::uint32_t layers = ~std::uint32_t{0};  // two bodies collide only if their masks share a bit
+  double linear_damping = 0;                 // 1/s
+  double angular_damping = 0;                // 1/s
+  std::vector<Shape> shapes;
+};
+
+/// Bodies are named by their index in Scene::bodies.
+struct Revolute {
+  std::size_t a = 0, b = 0;
+  Vec anchor;  // world frame, at the start
+};
+
+struct Distance {
+  std::size_t a = 0, b = 0;
+  Vec anchor_a, anchor_b;  // world frame, at the start
+  double length = 0;
+  double stiffness = 0;  // N/m; 0 means rigid
+  double damping = 0;    // N s/m
+};
+
+struct Prismatic {
+  std::size_t a = 0, b = 0;
+  Vec anchor;  // world frame, at the start
+  Vec axis{1, 0};
+};
+
+struct Weld {
+  std::size_t a = 0, b = 0;
+  Vec anchor;  // world frame, at the start
+};
+
+/// Two bodies that share a joint do not collide with each other.
+using Joint = std::variant<Revolute, Distance, Prismatic, Weld>;
+
+/// Every other dynamic body is accelerated towards `from` by strength / r^exponent.
+struct Attraction {
+  std::size_t from = 0;
+  double strength = 0;  // m^(1+exponent)/s^2
+  double exponent = 2;
+  bool mutual = false;  // `from` feels the opposite force
+};
+
+/// Force along the line between two anchors: stiffness (distance - length) + damping d(distance)/dt.
+struct Spring {
+  std::optional<std::size_t> a;  // nothing: anchor_a is a point of the world
+  std::size_t b = 0;
+  Vec anchor_a, anchor_b;  // frame of the body; world frame where there is no body
+  double stiffness = 0;    // N/m
+  double length = 0;       // m
+  double damping = 0;      // N s/m
+};
+
+struct Constant {
+  std::size_t body = 0;
+  Vec force;  // N at the centre of mass, world frame
+  double torque = 0;
+};
+
+using Force = std::variant<Attraction, Spring, Constant>;
+
+enum class FrictionMixing { geometric, pythagorean, average, min, max, multiply };
+enum class RestitutionMixing { max, min, average, multiply };
+
+struct Mixing {
+  FrictionMixing friction = FrictionMixing::geometric;
+  RestitutionMixing restitution = RestitutionMixing::max;
+};
+
+struct Scene {
+  std::string name;
+  std::string about;
+  Vec gravity{0, -10};
+  double duration = 1;  // s
+  Mixing mixing;
+  std::vector<Body> bodies;
+  std::vector<Joint> joints;
+  std::vector<Force> forces;
+};
+
+/// The coefficients every engine must use between two surfaces of this scene.
+double mixed_static_friction(const Mixing&, const Surface&, const Surface&);
+double mixed_dynamic_friction(const Mixing&, const Surface&, const Surface&);
+double mixed_restitution(const Mixing&, const Surface&, const Surface&);
+
+}  // namespace plumb

@@ -1,0 +1,99 @@
+#include <cmath>
+
+#include "scenarios/allowance.h"
+#include "scenarios/parts.h"
+#include "scenarios/scenario.h"
+
+namespace plumb::scenarios::card_house {
+namespace {
+
+constexpr double duration = 3;  // s
+constexpr double length = 2;    // m, of a card
+constexpr double thick = 0.1;   // m
+
+// Two cards lean on each other, by the angle a from the vertical, touching with the inner corners of their tops; they
+// stand on the inner corners of their feet and carry on the outer corners of their tops.
+struct Measures {
+  explicit Measures(double a)
+      : lean(a),
+        center{thick / 2 * std::cos(a) + length / 2 * std::sin(a), thick / 2 * std::sin(a) + length / 2 * std::cos(a)},
+        top(2 * center.y),
+        bearing(thick * std::cos(a)),
+        apart(2 * (length * std::sin(a) + bearing) + thick) {}
+
+  double lean;
+  Vec center;      // of a card, from the foot of the line of symmetry
+  double top;      // m, height of the outer corner
+  double bearing;  // m, the outer corner's distance from the line of symmetry
+  double apart;    // m, from pair to pair
+};
+
+int levels_of(const Parameters& p) { return static_cast<int>(p.at("levels")); }
+double floor_of(int level, const Measures& m) { return level * (m.top + thick); }
+std::string label(int level, const std::string& what, int place) {
+  return std::to_string(level + 1) + ": " + what + " " + std::to_string(place + 1);
+}
+
+// On level k stand n - k pairs; a lying card reaches from the middle of each pair to that of the next and carries a
+// pair.
+Scene scene(const Parameters& p) {
+  const Measures m(p.at("lean") * degree);
+  const Surface paper = surface(p.at("friction"), 0);
+  const int levels = levels_of(p);
+  Scene scene{.name = "card-house", .about = "Leaning pairs of cards, storey upon storey.", .duration = duration};
+  scene.bodies.push_back(level_ground(paper));
+  for (int level = 0; level < levels; ++level) {
+    const int pairs = levels - level;
+    for (int i = 0; i < pairs; ++i) {
+      const double x = (i - (pairs - 1) / 2.0) * m.apart;
+      const double y = floor_of(level, m) + m.center.y;
+      for (const double side : {-1.0, 1.0}) {
+        Body card =
+            box(label(level, side < 0 ? "left" : "right", i), {x + side * m.center.x, y}, {thick, length}, paper);
+        card.angle = side * m.lean;
+        scene.bodies.push_back(card);
+      }
+      if (i + 1 == pairs) continue;
+      const Vec middle{x + m.apart / 2, floor_of(level + 1, m) - thick / 2};
+      scene.bodies.push_back(box(label(level, "roof", i), middle, {m.apart - m.bearing / 5, thick}, paper));
+    }
+  }
+  return scene;
+}
+
+// It stands if friction >= tan a: a card of weight W with P on its top needs (W/2 + P) tan a from the side, of which
+// its partner gives (W/2) tan a and the roof, held by friction under P, P tan a; its foot W + P holds it all.
+// A storey may settle by a gap under the feet, a gap under the roof, and as the tops come a gap nearer, or the feet
+// creep outwards, by tan a of that.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const Measures m(p.at("lean") * degree);
+  const double slope = std::tan(m.lean);
+  std::vector<Expectation> all;
+  for (const Body& card : scene(p).bodies) {
+    if (card.type == BodyType::fixed || card.name.find("right") != std::string::npos) continue;
+    const double storeys = std::ceil(card.position.y / (m.top + thick));
+    all.push_back({.body = card.name,
+                   .quantity = Quantity::y,
+                   .expected = card.position.y,
+                   .allowed =
+                       [=, y = card.position.y](const Stepping& s) {
+                         return storeys * ((2 + slope) * s.gap + slope * s.creep * duration) +
+                                round_off(s, duration, y);
+                       },
+                   .source = "equilibrium: friction above tan a; gaps and creep, storey by storey"});
+  }
+  return all;
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "card-house",
+     .question = "Does a house of cards stand by friction alone?",
+     .parameters = {{.name = "levels", .value = 2, .min = 1, .max = 8, .about = "storeys", .whole = true},
+                    {.name = "lean", .value = 20, .min = 5, .max = 25, .unit = "deg", .about = "from the vertical"},
+                    {.name = "friction", .value = 0.6, .min = 0.5, .max = 1, .about = "between cards and ground"}},
+     .variants = {{"pair", {{"levels", 1}}}, {"two", {}}, {"three", {{"levels", 3}}}},
+     .scene = scene,
+     .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::card_house

@@ -1,0 +1,44 @@
+#include "solver/impacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../support.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+namespace {
+
+// The corner it stands on carries it all the while, although the other one is on its way to a bounce.
+TEST(Impacts, ABoxThatTipsOntoItsFaceIsHeldAtTheCornerItStandsOn) {
+  constexpr double half = 0.15;
+  constexpr double turn = 2;  // rad/s
+  constexpr double lean = 0.6;
+  World world{Settings{}};
+  const Material bouncing{1, real(.5), real(.5), real(.1)};
+  add_floor(world, bouncing);
+  // Turns about its lower right corner, which touches the floor.
+  const double across = half * (std::cos(lean) - std::sin(lean));
+  const double up = half * (std::cos(lean) + std::sin(lean));
+  BodyDef def = at(0, up, turn * -up, turn * -across);
+  def.angle = real(-lean);
+  def.angular_velocity = real(turn);
+  const BodyId box = world.create_body(def, Shape::box({real(half), real(half)}), bouncing);
+  const auto lowest = [&] {
+    const Body body = world.body(box);
+    Real low = 1;
+    for (const double x : {-half, half})
+      low = std::min(low, (body.position() + body.rotation() * Vec2{real(x), real(-half)}).y);
+    return static_cast<double>(low);
+  };
+  double deepest = 0;
+  for (int step = 0; step < 12; ++step) {
+    world.step();
+    deepest = std::min(deepest, lowest());
+  }
+  EXPECT_GT(deepest, -1e-4);
+}
+
+}  // namespace
+}  // namespace impulse::inline IMPULSE_PRECISION

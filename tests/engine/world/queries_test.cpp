@@ -1,0 +1,229 @@
+#include <gmock/gmock.h>
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "../support.h"
+
+namespace {
+
+using namespace impulse;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<BodyId> found_at(World& world, Vec2 point) {
+  std::vector<BodyId> found;
+  world.query_point(point, [&found](BodyId id, const Part&) {
+    found.push_back(id);
+    return true;
+  });
+  return found;
+}
+
+std::vector<BodyId> found_in(World& world, const Aabb& box) {
+  std::vector<BodyId> found;
+  world.query_aabb(box, [&found](BodyId id, const Part&) {
+    found.push_back(id);
+    return true;
+  });
+  return found;
+}
+
+TEST(QueryPoint, FindsWhatContainsIt) {
+  World world;
+  const BodyId disc = world.create_body(at(0, 0), Shape::circle(1));
+  BodyDef turned = at(1, 0);
+  turned.angle = pi / 4;
+  const BodyId box = world.create_body(turned, Shape::box({1, 1}));
+  EXPECT_THAT(found_at(world, {Real{0.5}, 0}), ElementsAre(disc, box));
+  EXPECT_THAT(found_at(world, {Real{2.25}, 0}), ElementsAre(box));  // inside only because it is turned
+  EXPECT_THAT(found_at(world, {Real{1.75}, real(.8)}), IsEmpty());
+  world.remove_body(box);
+  EXPECT_THAT(found_at(world, {Real{2.25}, 0}), IsEmpty());
+}
+
+TEST(QueryPoint, FollowsABodyThatWasMoved) {
+  World world;
+  const BodyId disc = world.create_body(at(0, 0), Shape::circle(1));
+  world.body(disc).set_pose({50, 0}, 0);
+  EXPECT_THAT(found_at(world, {50, 0}), ElementsAre(disc));
+}
+
+TEST(QueryAabb, FindsEveryPartWhoseBoundsItMeets) {
+  World world;
+  const std::array parts{Part{Shape::circle(1, {-5, 0}), {}}, Part{Shape::circle(1, {5, 0}), {}}};
+  const BodyId dumbbell = world.create_body({}, parts);
+  EXPECT_THAT(found_in(world, {{-10, -1}, {10, 1}}), ElementsAre(dumbbell, dumbbell));
+  EXPECT_THAT(found_in(world, {{3, -1}, {10, 1}}), ElementsAre(dumbbell));
+  EXPECT_THAT(found_in(world, {{-1, -1}, {1, 1}}), IsEmpty());
+}
+
+TEST(QueryAabb, StopsWhenTold) {
+  World world;
+  for (int i = 0; i < 5; ++i) world.create_body(at(i, 0), Shape::circle(1));
+  int calls = 0;
+  world.query_aabb({{-10, -10}, {10, 10}}, [&calls](BodyId, const Part&) { return ++calls < 2; });
+  EXPECT_EQ(calls, 2);
+}
+
+TEST(RayCast, FindsTheNearestPartAndWhereItIsHit) {
+  World world;
+  world.create_body(at(8, 0), Shape::circle(1));
+  BodyDef turned = at(4, 0);
+  turned.angle = pi / 2;
+  const std::array parts{Part{Shape::circle(Real{0.5}, {0, 5}), {}}, Part{Shape::box({1, 2}), {}}};
+  const BodyId near = world.create_body(turned, parts);
+  // Lying down, the box reaches from x = 2 to 6 and y = -1 to 1; the circle is behind the ray.
+  const std::optional<BodyHit> hit = world.ray_cast({0, 0}, {10, 0});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->body, near);
+  EXPECT_EQ(hit->part, 1U);
+  EXPECT_NEAR(hit->point.x, 2, 32 * round_off);
+  const std::optional<BodyHit> lower = world.ray_cast({4, -10}, {4, 10});
+  ASSERT_TRUE(lower);
+  EXPECT_NEAR(lower->point.y, -1, 32 * round_off);
+  EXPECT_NEAR(lower->fraction, .45, 8 * round_off);
+  EXPECT_NEAR(lower->normal.y, -1, 8 * round_off);
+  EXPECT_FALSE(world.ray_cast({0, 9}, {10, 9}));
+}
+
+TEST(RayCast, MeetsPartsInOrderAndStopsWhenTold) {
+  World world;
+  const BodyId far = world.create_body(at(6, 0), Shape::circle(1));
+  const BodyId near = world.create_body(at(3, 0), Shape::circle(1));
+  world.create_body(at(0, 0), Shape::circle(1));  // holds the ray's start
+  std::vector<BodyId> met;
+  world.ray_cast({0, 0}, {10, 0}, [&met](const BodyHit& hit) {
+    met.push_back(hit.body);
+    return true;
+  });
+  EXPECT_THAT(met, ElementsAre(near, far));
+  met.clear();
+  world.ray_cast({0, 0}, {10, 0}, [&](const BodyHit& hit) {
+    met.push_back(hit.body);
+    world.destroy_body(hit.body);
+    return false;
+  });
+  EXPECT_THAT(met, ElementsAre(near));
+  EXPECT_EQ(world.ray_cast({0, 0}, {10, 0})->body, far);
+}
+
+TEST(RayCast, SeesOnlyTheLayersAskedFor) {
+  World world;
+  BodyDef glass = at(2, 0);
+  glass.layers = 0b01;
+  world.create_body(glass, Shape::circle(1));
+  BodyDef wall = at(6, 0);
+  wall.layers = 0b10;
+  const BodyId seen = world.create_body(wall, Shape::circle(1));
+  EXPECT_EQ(world.ray_cast({0, 0}, {10, 0}, 0b10)->body, seen);
+}
+
+TEST(RayCast, RefusesPointsThatAreNotFinite) {
+  World world;
+  const Real infinite = std::numeric_limits<Real>::infinity();
+  EXPECT_THROW(world.ray_cast({0, 0}, {infinite, 0}), std::invalid_argument);
+}
+
+TEST(Callback, MayDestroyEveryBodyItIsShown) {
+  World world;
+  for (int i = 0; i < 5; ++i) world.create_body(at(i, 0), Shape::circle(1));
+  int calls = 0;
+  world.query_aabb({{-10, -10}, {10, 10}}, [&](BodyId id, const Part& part) {
+    world.destroy_body(id);
+    world.destroy_body(id);           // twice does no harm
+    EXPECT_TRUE(world.contains(id));  // until the query returns
+    EXPECT_EQ(part.shape.radius(), 1);
+    ++calls;
+    return true;
+  });
+  EXPECT_EQ(calls, 5);
+  EXPECT_EQ(world.body_count(), 0U);
+}
+
+TEST(Callback, GetsHandlesOfNewBodiesAtOnceButMeetsThemLater) {
+  World world;
+  world.create_body(at(0, 0), Shape::circle(1));
+  std::vector<BodyId> made;
+  int calls = 0;
+  world.query_point({0, 0}, [&](BodyId, const Part&) {
+    ++calls;
+    for (int i = 0; i < 100; ++i) made.push_back(world.create_body(at(0, 0, 1, 2), Shape::circle(1)));
+    EXPECT_TRUE(world.contains(made.back()));
+    EXPECT_EQ(world.body(made.back()).velocity(), (Vec2{1, 2}));
+    EXPECT_EQ(world.body_count(), 1U);
+    return true;
+  });
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(world.body_count(), 101U);
+}
+
+TEST(Callback, MayRemoveAndInsert) {
+  World world;
+  const BodyId a = world.create_body(at(0, 0), Shape::circle(1));
+  const BodyId b = world.create_body(at(0, 0), Shape::circle(1));
+  world.remove_body(b);
+  world.query_point({0, 0}, [&](BodyId id, const Part&) {
+    world.remove_body(id);
+    world.insert_body(b);
+    EXPECT_THAT(world.bodies(), ElementsAre(a));
+    return true;
+  });
+  EXPECT_THAT(world.bodies(), ElementsAre(b));
+}
+
+TEST(Callback, ThatThrowsLeavesTheWorldInOrder) {
+  World world;
+  const BodyId a = world.create_body(at(0, 0), Shape::circle(1));
+  const auto fail = [&](BodyId id, const Part&) -> bool {
+    world.destroy_body(id);
+    throw std::runtime_error("no");
+  };
+  EXPECT_THROW(world.query_point({0, 0}, fail), std::runtime_error);
+  EXPECT_FALSE(world.contains(a));
+  world.step();
+}
+
+TEST(Callback, MayAskAgain) {
+  World world;
+  const BodyId a = world.create_body(at(0, 0), Shape::circle(1));
+  const BodyId b = world.create_body(at(0, 0), Shape::circle(1));
+  world.query_point({0, 0}, [&](BodyId id, const Part&) {
+    EXPECT_THAT(found_at(world, {0, 0}), ElementsAre(a, b));
+    world.destroy_body(id);
+    return true;
+  });
+  EXPECT_EQ(world.body_count(), 0U);
+}
+
+TEST(Callback, MayNotStep) {
+  World world;
+  world.create_body(at(0, 0), Shape::circle(1));
+  const auto step = [&world](BodyId, const Part&) {
+    world.step();
+    return true;
+  };
+  EXPECT_THROW(world.query_point({0, 0}, step), std::logic_error);
+}
+
+TEST(Contacts, TellWhereAndHowHardBodiesTouch) {
+  World world;
+  const BodyId floor = add_floor(world);
+  const BodyId disc = world.create_body(at(3, .5), Shape::circle(Real{0.5}));
+  const Real mass = world.body(disc).mass().mass;
+  run(world, 60);
+  const std::vector<ContactInfo> contacts = world.contacts();
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts[0].a, floor);
+  EXPECT_EQ(contacts[0].b, disc);
+  EXPECT_EQ(contacts[0].normal, (Vec2{0, 1}));
+  EXPECT_NEAR(contacts[0].point.x, 3, 8 * round_off);
+  EXPECT_NEAR(contacts[0].point.y, 0, .01);
+  // It carries the weight: m g dt, to what ten iterations of rounding leave.
+  EXPECT_NEAR(contacts[0].normal_impulse, mass * 10 * world.dt(), 32 * round_off);
+  EXPECT_NEAR(contacts[0].tangent_impulse, 0, 32 * round_off);
+}
+
+}  // namespace

@@ -1,0 +1,47 @@
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "../../saying.h"
+
+namespace plumb {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(ProveCommand, PrintsWhatCaughtAFaultAndWritesIt) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / ("plumb-prove-" + std::to_string(getpid()) + ".json");
+  const Said said =
+      say({"prove", "energy-leak", "--scenario", "spinning-obb:flight", "--clean", "2", "--out", file.string()});
+  EXPECT_EQ(said.code, 0) << said.out << said.err;
+  EXPECT_THAT(
+      said.out,
+      HasSubstr("1 of 1 faults caught, 1 of them by truth or invariant; 0 false alarms in 2 clean runs; cases: 1."));
+  EXPECT_THAT(said.out, HasSubstr("spinning-obb flight"));
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(file))["faults"][0]["name"], "energy-leak");
+  std::filesystem::remove(file);
+}
+
+TEST(ProveCommand, EndsWithOneWhereAFaultIsNotSeen) {
+  const Said said = say({"prove", "joints-lost", "--scenario", "spinning-obb:flight", "--clean", "0"});
+  EXPECT_EQ(said.code, 1);
+  EXPECT_THAT(said.out, HasSubstr("NOT SEEN: the same bits everywhere"));
+}
+
+TEST(ProveCommand, NamesTheNearestFault) {
+  const Said said = say({"prove", "energy-leek"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("did you mean \"energy-leak\"?"));
+}
+
+TEST(ProveCommand, RefusesAFileThatCannotBeWritten) {
+  const Said said = say({"prove", "energy-leak", "--out", "/nowhere/at/all.json"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("cannot be written"));
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "scene_files.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+class RunFile : public SceneFiles {
+ protected:
+  // What a run said, by engine: final poses and verdict.
+  Json answers(const std::string& scenario, const char* out) const {
+    say({"run", scenario, "--out", at(out)});
+    const Json report = json(at(out) + "/report.json");
+    Json all;
+    for (const Json& run : report["runs"]) {
+      if (!run["exact"].get<bool>())
+        all[run["engine"].get<std::string>() + run["method"].get<std::string>()] = {run["final_pose"], run["verdict"]};
+    }
+    return all;
+  }
+};
+
+TEST_F(RunFile, AgreesWithTheCatalogueOnWhatItExported) {
+  EXPECT_EQ(say({"export", "bounce:e=0.8", "--out", at("f.json")}).code, 0);
+  EXPECT_EQ(answers(at("f.json"), "file").dump(1), answers("bounce:e=0.8", "built-in").dump(1));
+}
+
+TEST_F(RunFile, MixesFilesWithScenarios) {
+  say({"export", "spring", "--out", at("f.json")});
+  const Said said = say({"run", at("f.json"), "orbit:round", "--engine", "impulse", "--out", at("out")});
+  EXPECT_EQ(said.code, 0) << said.out << said.err;
+  const Json report = json(at("out/report.json"));
+  EXPECT_EQ(report["scenarios"].size(), 2u);
+  EXPECT_THAT(report["command"].dump(), HasSubstr("f.json"));
+}
+
+TEST_F(RunFile, FindsTheReadmesExampleRight) {
+  std::ostringstream readme;
+  readme << std::ifstream(PLUMB_SOURCE_DIR "/README.md").rdbuf();
+  const std::string fence = "```json\n";
+  const auto begin = readme.str().find(fence) + fence.size();
+  const std::string scene = readme.str().substr(begin, readme.str().find("```", begin) - begin);
+  const Said said = say({"run", put("slope.json", scene), "--out", at("out")});
+  EXPECT_EQ(said.code, 0) << said.out << said.err;
+  EXPECT_THAT(said.out, HasSubstr("slide (exact)"));
+  const Json report = json(at("out/report.json"));
+  for (const Json& run : report["runs"]) EXPECT_EQ(run["verdict"], "right") << run["engine"];
+}
+
+TEST_F(RunFile, ExitsWith2ForAFileItDoesNotTake) {
+  say({"export", "spring", "--out", at("f.json")});
+  Json scene = json(at("f.json"));
+  scene["bodies"][0]["shapes"][0]["radius"] = -1;
+  const std::pair<std::string, const char*> wrong[] = {
+      {at("none.json"), "none.json: cannot be read: No such file or directory"},
+      {folder_.string(), "cannot be read: Is a directory"},
+      {put("broken.json", "{\"plumb\": 1,}"), "broken.json: line 1, column 13: "},
+      {put("empty.json", ""), "empty.json: line 1, column 1: "},
+      {put("negative.json", scene.dump()), "negative.json: bodies[0].shapes[0].radius: expected a number from 1e-06"},
+      {"/dev/zero", "/dev/zero: is larger than 16 MiB"},
+  };
+  for (const auto& [path, advice] : wrong) {
+    const Said said = say({"run", "bounce", path, "--out", at("out")});
+    EXPECT_EQ(said.code, 2) << path;
+    EXPECT_THAT(said.err, HasSubstr(advice));
+    EXPECT_FALSE(fs::exists(at("out"))) << "nothing was run";
+  }
+}
+
+TEST_F(RunFile, TakesNamesFromAFileAsText) {
+  say({"export", "spring", "--out", at("f.json")});
+  Json scene = json(at("f.json"));
+  const std::string name = "</script><b>{0} %s,\"\u00fc\"";
+  scene["name"] = name;
+  scene["about"] = name;
+  const Said said = say({"run", put("odd.json", scene.dump()), "--engine", "impulse", "--out", at("out")});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr(name));
+  EXPECT_EQ(json(at("out/report.json"))["runs"][0]["scenario"], name);
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,129 @@
+#include "reports/cli/program.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "../saying.h"
+#include "reports/cli/command.h"
+#include "scenarios/catalog.h"
+
+namespace plumb {
+namespace {
+
+using ::testing::HasSubstr;
+
+// A folder of this process's own, gone after the test.
+class ProgramRun : public ::testing::Test {
+ protected:
+  ~ProgramRun() override { std::filesystem::remove_all(out_); }
+
+  nlohmann::ordered_json report() const { return nlohmann::ordered_json::parse(std::ifstream(out_ / "report.json")); }
+
+  std::filesystem::path out_ = std::filesystem::path(::testing::TempDir()) / ("plumb-run-" + std::to_string(getpid()));
+};
+
+TEST_F(ProgramRun, WritesTheSameReportTwiceTimesAside) {
+  const auto text = [&] {
+    say({"run", "bounce", "--out", out_.string()});
+    auto json = report();
+    json.erase("timings");
+    return json.dump();
+  };
+  EXPECT_EQ(text(), text());
+}
+
+TEST_F(ProgramRun, ExitsWith0WhereAllIsRight) {
+  const Said said = say({"run", "spinning-obb:free-fall", "--engine", "impulse", "--out", out_.string()});
+  EXPECT_EQ(said.code, 0) << said.out;
+  EXPECT_THAT(said.out, HasSubstr("report.json"));
+  EXPECT_THAT(said.out, HasSubstr("outside step"));
+}
+
+// w dt = 15: the spring's energy grows by 226 with every step.
+TEST_F(ProgramRun, ExitsWith1WhereARunDiverges) {
+  const Said said =
+      say({"run", "spring:w=15", "--engine", "impulse:integrator=explicit-euler", "--dt", "1", "--out", out_.string()});
+  EXPECT_EQ(said.code, 1) << said.out;
+  EXPECT_THAT(said.out, HasSubstr("diverged at t = "));
+}
+
+TEST_F(ProgramRun, KeepsWhatIsAskedInTheReportButNotTheFolder) {
+  say({"run", "bounce:restitution=0.5", "--engine", "impulse", "--dt", "1/120", "--out", out_.string()});
+  EXPECT_EQ(report()["command"].dump(),
+            R"(["plumb","run","bounce:restitution=0.5","--engine","impulse","--dt","1/120"])");
+  EXPECT_EQ(report()["runs"][0]["dt"], 1.0 / 120);
+}
+
+TEST_F(ProgramRun, WantsEachCaseAndEngineOnce) {
+  EXPECT_EQ(say({"run", "bounce", "bounce", "--out", out_.string()}).code, 2);
+  EXPECT_EQ(say({"run", "--engine", "impulse", "--engine", "impulse", "--out", out_.string()}).code, 2);
+}
+
+TEST(Program, KnowsTheseCommands) {
+  std::vector<std::string> names;
+  for (const Command* command : Catalog<Command>::all()) names.push_back(command->name);
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"accept", "check", "diff", "export", "history", "list", "merge", "open",
+                                              "prove", "report", "run", "study"}));
+}
+
+TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
+  const Said said = say({"list"});
+  EXPECT_EQ(said.code, 0);
+  for (const char* word : {"bounce", "restitution", "impulse", "integrator", "box2d", "energy_rise"}) {
+    EXPECT_THAT(said.out, HasSubstr(word));
+  }
+  EXPECT_THAT(say({"list", "invariants"}).out, HasSubstr("momentum_of_bodies"));
+  EXPECT_THAT(say({"list", "metrics"}).out, ::testing::Not(HasSubstr("integrator")));
+}
+
+TEST(Program, HelpsWithExamples) {
+  for (const char* command :
+       {"run", "report", "list", "export", "history", "diff", "study", "merge", "prove", "open"}) {
+    const Said said = say({command, "--help"});
+    EXPECT_EQ(said.code, 0);
+    EXPECT_THAT(said.out, HasSubstr(std::string("plumb ") + command)) << "an example";
+  }
+  const Said said = say({"--help"});
+  EXPECT_EQ(said.code, 0);
+  EXPECT_THAT(said.out, HasSubstr("Exit codes"));
+}
+
+TEST(Program, TellsItsVersion) {
+  const Said said = say({"--version"});
+  EXPECT_EQ(said.code, 0);
+  EXPECT_THAT(said.out, HasSubstr("plumb 0."));
+}
+
+TEST(Program, SuggestsTheNearestNameAndExitsWith2) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> slips{
+      {{"reprot"}, "unknown command \"reprot\", did you mean \"report\"?"},
+      {{"run", "--engin", "impulse"}, "unknown option \"--engin\", did you mean \"--engine\"?"},
+      {{"study", "spede"}, "unknown study \"spede\", did you mean \"speed\"?"},
+      {{"study", "speed", "--scenario", "x"}, "unknown option \"--scenario\", did you mean \"--scenarios\"?"},
+      {{"list", "engine"}, "unknown list \"engine\", did you mean \"engines\"?"}};
+  for (const auto& [words, advice] : slips) {
+    const Said said = say(words);
+    EXPECT_EQ(said.code, 2);
+    EXPECT_THAT(said.err, HasSubstr(advice));
+    EXPECT_EQ(said.out, "");
+  }
+}
+
+TEST(Program, ExitsWith2WhereItCannotWrite) {
+  const Said said = say({"run", "--out", "/dev/null/out"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("/dev/null/out"));
+}
+
+TEST(Program, ExitsWith2ForAStepThatIsNone) {
+  EXPECT_EQ(say({"run", "--dt", "0"}).code, 2);
+  EXPECT_EQ(say({"run", "--dt"}).code, 2);
+  EXPECT_EQ(say({}).code, 2);
+}
+
+}  // namespace
+}  // namespace plumb

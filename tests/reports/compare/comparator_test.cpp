@@ -1,0 +1,84 @@
+#include "reports/compare/comparator.h"
+
+#include <gmock/gmock.h>
+
+#include "../fakes.h"
+
+namespace plumb {
+namespace {
+
+RunRecord record(const std::string& engine, std::initializer_list<double> xs, Verdict verdict = Verdict::plausible) {
+  const auto trace = std::make_shared<Trace>(1);
+  for (const double x : xs) {
+    const BodyState state{.position = {x, 0}, .velocity = {x, 0}};
+    trace->record(static_cast<double>(trace->size()), std::span(&state, 1), {});
+  }
+  return {.scenario = "slide",
+          .variant = "one",
+          .engine = engine,
+          .verdict = verdict,
+          .scene = std::make_shared<const Scene>(
+              Scene{.gravity = {0, 0}, .bodies = {{.name = "box", .shapes = {{.geometry = Box{.size = {1, 2}}}}}}}),
+          .trace = trace};
+}
+
+TEST(Compare, TakesEveryTwoEnginesAgainstEachOtherAndAllAgainstTheTruth) {
+  RunRecord truth = record("exact", {0, 0}, Verdict::right);
+  truth.exact = true;
+  RunRecord method = record("ours", {0, 0});
+  method.method = "solver=b";
+  const std::vector<RunRecord> runs{truth, record("ours", {0, 0}), record("rival", {0, 0}), method};
+  std::vector<std::string> pairs;
+  for (const Comparison& one : compare(runs)) pairs.push_back(one.a + " - " + one.b);
+  EXPECT_THAT(pairs, ::testing::ElementsAre("ours - exact", "rival - exact", "ours:solver=b - exact", "ours - rival",
+                                            "ours - ours:solver=b", "rival - ours:solver=b"));
+}
+
+TEST(Compare, MeasuresDifferencesOverTimeAndAtTheEnd) {
+  RunRecord a = record("ours", {0, 3, 4});
+  RunRecord b = record("rival", {0, 0, 3});
+  a.metrics["penetration_max"] = {0.3, "m"};
+  b.metrics["penetration_max"] = {0.1, "m"};
+  const Comparison one = compare(std::vector{a, b}).at(0);
+  EXPECT_DOUBLE_EQ(one.metrics.at("position_difference_max").value, 3);
+  EXPECT_DOUBLE_EQ(one.metrics.at("position_difference_rms").value, std::sqrt(10 / 3.0));
+  EXPECT_DOUBLE_EQ(one.metrics.at("position_difference_end").value, 1);
+  EXPECT_DOUBLE_EQ(one.metrics.at("energy_difference_max").value, 9);  // 2 kg: E = v^2
+  EXPECT_DOUBLE_EQ(one.metrics.at("energy_difference_end").value, 16 - 9);
+  EXPECT_DOUBLE_EQ(one.metrics.at("momentum_difference_max").value, 6);
+  EXPECT_DOUBLE_EQ(one.metrics.at("parted_at").value, 1);
+  EXPECT_DOUBLE_EQ(one.metrics.at("penetration_max_difference").value, 0.3 - 0.1);
+}
+
+TEST(Compare, KeepsTogetherWhatNeverParts) {
+  const auto one = compare(std::vector{record("ours", {0, 1}), record("rival", {0, 1.001})}).at(0);
+  EXPECT_EQ(one.metrics.count("parted_at"), 0u);
+}
+
+TEST(Compare, ComparesOnlyWhereBothHaveBeen) {
+  const auto one = compare(std::vector{record("ours", {0, 0, 0, 9}), record("rival", {0, 0})}).at(0);
+  EXPECT_EQ(one.metrics.at("position_difference_max").value, 0);
+}
+
+TEST(Compare, IsAsGoodAsTheWorseOfTheTwo) {
+  const auto verdict = [](Verdict a, Verdict b) {
+    return compare(std::vector{record("ours", {0, 0}, a), record("rival", {0, 0}, b)}).at(0);
+  };
+  EXPECT_EQ(verdict(Verdict::right, Verdict::right).verdict, Verdict::right);
+  EXPECT_EQ(verdict(Verdict::right, Verdict::plausible).verdict, Verdict::plausible);
+  EXPECT_EQ(verdict(Verdict::right, Verdict::wrong).verdict, Verdict::wrong);
+  EXPECT_EQ(verdict(Verdict::right, Verdict::wrong).reason, "rival: wrong");
+}
+
+TEST(Compare, MeasuresNothingOnARunThatFailed) {
+  RunRecord failed = record("rival", {0, 0}, Verdict::failed);
+  failed.status = Status::failed;
+  failed.reason = "diverged";
+  const Comparison one = compare(std::vector{record("ours", {0, 0}), failed}).at(0);
+  EXPECT_EQ(one.verdict, Verdict::failed);
+  EXPECT_EQ(one.reason, "rival: diverged");
+  EXPECT_TRUE(one.metrics.empty());
+}
+
+}  // namespace
+}  // namespace plumb

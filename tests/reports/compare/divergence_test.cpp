@@ -1,0 +1,305 @@
+#include "reports/compare/divergence.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+#include "../fakes.h"
+#include "reports/vec.h"
+
+namespace plumb {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double dt = 0.125;  // s; exact in binary
+constexpr std::size_t steps = 16;
+
+/// A disc above the ground and another on top; nothing moves but what a test moves.
+Scene two_discs() {
+  const auto disc = [](const char* name, double y) {
+    return Body{.name = name, .position = {0, y}, .shapes = {{.geometry = Circle{.radius = 0.5}}}};
+  };
+  return {.name = "discs",
+          .bodies = {{.name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}}}},
+                     disc("low", 0.5),
+                     disc("high", 1.5)}};
+}
+
+using Meddle = std::function<void(std::size_t step, std::vector<BodyState>&, std::vector<ContactState>&)>;
+
+const ContactState low_on_ground{.a = 0, .b = 1, .point = {0, 0}, .normal = {0, 1}, .normal_impulse = 2};
+const ContactState high_on_low{.a = 1, .b = 2, .point = {0, 1}, .normal = {0, 1}, .normal_impulse = 1};
+
+/// A run as it would be with both contacts all along, but for what a test makes of it.
+class Told {
+ public:
+  explicit Told(const char* name, const Meddle& meddle = nullptr, double epsilon = 0x1p-53) : trace_(3) {
+    for (std::size_t step = 0; step <= steps; ++step) {
+      std::vector<BodyState> states = initial_states(two_discs());
+      std::vector<ContactState> contacts;
+      if (step > 0) contacts = {low_on_ground, high_on_low};
+      if (meddle) meddle(step, states, contacts);
+      trace_.record(static_cast<double>(step) * dt, states, contacts);
+    }
+    side_ = {name, &trace_, {.dt = dt, .h = dt, .drift = 0.5, .epsilon = epsilon}};
+  }
+  Told(const Told&) = delete;
+  const Side& side() const { return side_; }
+
+ private:
+  Trace trace_;
+  Side side_;
+};
+
+Compared compared(const Told& a, const Told& b, std::optional<double> tolerance = std::nullopt) {
+  return compare_steps(two_discs(), a.side(), b.side(), tolerance);
+}
+
+Divergence parted(const Meddle& a, const Meddle& b) {
+  const Compared both = compared(Told("one", a), Told("other", b));
+  if (!both.parted) throw std::logic_error("they should part");
+  return *both.parted;
+}
+
+void shift(std::vector<BodyState>& states, double by) { states[2].velocity.x += by; }
+
+TEST(CompareSteps, FindsThatEqualRunsNeverPart) {
+  const Compared same = compared(Told("one"), Told("other"));
+  EXPECT_FALSE(same.parted);
+  EXPECT_EQ(same.steps, steps);
+  EXPECT_EQ(same.until, steps * dt);
+  EXPECT_EQ(same.largest.difference, 0);
+}
+
+TEST(CompareSteps, TakesRoundOffForTheSameAndNothingMore) {
+  const auto off = [](double by) -> Meddle { return [by](auto, auto& states, auto&) { shift(states, by); }; };
+  constexpr double single = 0x1p-24;
+  EXPECT_FALSE(compared(Told("one"), Told("other", off(1e-15))).parted);
+  EXPECT_TRUE(compared(Told("one"), Told("other", off(1e-12))).parted);
+  EXPECT_FALSE(compared(Told("one"), Told("other", off(1e-7), single)).parted);
+  EXPECT_TRUE(compared(Told("one"), Told("other", off(1e-3), single)).parted);
+}
+
+TEST(CompareSteps, HoldsToAToleranceInstead) {
+  const Meddle off = [](auto, auto& states, auto&) { shift(states, 0.01); };
+  EXPECT_FALSE(compared(Told("one"), Told("other", off), 0.02).parted);
+  EXPECT_EQ(compared(Told("one"), Told("other", off), 0.02).largest.what, "vx of high");
+  EXPECT_TRUE(compared(Told("one"), Told("other", off), 0.005).parted);
+}
+
+TEST(CompareSteps, SaysWhenTheyDoNotBeginAlike) {
+  const Divergence found = parted(nullptr, [](auto, auto& states, auto&) { states[1].position.x = 0.1; });
+  EXPECT_EQ(found.stage, Stage::start);
+  EXPECT_EQ(found.step, 0u);
+  EXPECT_EQ(found.first.what, "x of low");
+}
+
+TEST(CompareSteps, BlamesTheIntegrationOfWhatNothingTouches) {
+  const Meddle flies = [](auto, auto&, auto& contacts) { contacts.clear(); };
+  const Divergence found = parted(flies, [](std::size_t step, auto& states, auto& contacts) {
+    if (!contacts.empty()) contacts = {low_on_ground};
+    if (step >= 3) states[2].angle = 0.25;
+  });
+  EXPECT_EQ(found.stage, Stage::integration);
+  EXPECT_EQ(found.step, 3u);
+  EXPECT_EQ(found.time, 3 * dt);
+  EXPECT_EQ(found.body, "high");
+  EXPECT_EQ(found.first.what, "angle of high");
+  EXPECT_EQ(found.first.a, 0);
+  EXPECT_EQ(found.first.b, 0.25);
+  EXPECT_THAT(found.advice, HasSubstr("Nothing touches high"));
+}
+
+TEST(CompareSteps, BlamesTheContactSetWhereOneTouchesWhatTheOtherDoesNot) {
+  const Divergence found = parted(nullptr, [](std::size_t step, auto& states, auto& contacts) {
+    if (step < 4) return;
+    contacts = {high_on_low};
+    shift(states, 1);
+  });
+  EXPECT_EQ(found.stage, Stage::contact_set);
+  EXPECT_EQ(found.step, 4u);
+  EXPECT_THAT(found.advice, HasSubstr("one has ground touch low and other has not"));
+}
+
+TEST(CompareSteps, BlamesTheEventTimeWhereTheOtherMeetsItSoon) {
+  const auto meets_in = [](std::size_t first) -> Meddle {
+    return [first](std::size_t step, auto& states, auto& contacts) {
+      if (step < first) contacts.clear();
+      if (step >= first) shift(states, 1);
+    };
+  };
+  const Divergence found = parted(meets_in(6), meets_in(5));
+  EXPECT_EQ(found.stage, Stage::event_time);
+  EXPECT_EQ(found.step, 5u);
+  EXPECT_EQ(found.other, "low");
+  EXPECT_THAT(found.advice, HasSubstr("other has low meet high in step 5, one in step 6"));
+  EXPECT_EQ(parted(meets_in(9), meets_in(5)).stage, Stage::contact_set) << "that late it is no matter of time";
+}
+
+TEST(CompareSteps, BlamesTheEventTimeWithinAStepToo) {
+  const auto meets_and_is_at = [](double x) -> Meddle {
+    return [x](std::size_t step, auto& states, auto& contacts) {
+      if (step < 5) contacts.clear();
+      if (step < 5) states[2].velocity.y = -20;
+      if (step >= 5) states[2].position.x = x;
+    };
+  };
+  const Divergence found = parted(meets_and_is_at(0), meets_and_is_at(0.25));
+  EXPECT_EQ(found.stage, Stage::event_time);
+  EXPECT_THAT(found.advice, HasSubstr("at different moments of the step"));
+}
+
+TEST(CompareSteps, KnowsASkinFromAContactThatWasReportedAfterTheMove) {
+  const auto lifted = [](double reported) {
+    return parted(nullptr, [reported](std::size_t step, auto& states, auto& contacts) {
+      if (step < 2) return;
+      contacts[1].separation = reported;
+      states[2].position.y += 0.01;
+    });
+  };
+  EXPECT_EQ(lifted(0.01).stage, Stage::not_reported) << "as far off as it moved";
+  EXPECT_EQ(lifted(-0.01).stage, Stage::manifold) << "deeper at first, hence the move";
+}
+
+TEST(CompareSteps, BlamesTheManifoldWhereTheSameBodiesTouchOtherwise) {
+  const auto with = [](const std::function<void(ContactState&)>& change) {
+    return parted(nullptr, [&](std::size_t step, auto& states, auto& contacts) {
+      if (step < 2) return;
+      change(contacts[1]);
+      states[2].velocity.x = 1e-3;
+    });
+  };
+  for (const Divergence& found :
+       {with([](ContactState& contact) { contact.point.x = 0.25; }),
+        with([](ContactState& contact) { contact.separation = -0.01; }), with([](ContactState& contact) {
+          contact.normal = {0.6, 0.8};
+        })}) {
+    EXPECT_EQ(found.stage, Stage::manifold);
+    EXPECT_EQ(found.step, 2u);
+    EXPECT_EQ(found.other, "low");
+  }
+}
+
+TEST(CompareSteps, BlamesTheImpulseWhereTheContactIsTheSame) {
+  const auto with = [](double ContactState::*which) {
+    return parted(nullptr, [&](std::size_t step, auto& states, auto& contacts) {
+      if (step < 7) return;
+      contacts[1].*which += 0.5;
+      contacts[1].point.x += 1e-3;  // as reported after a move at the speed that parted
+      states[2].velocity.x = 0.5;
+    });
+  };
+  EXPECT_EQ(with(&ContactState::normal_impulse).stage, Stage::impulse);
+  EXPECT_EQ(with(&ContactState::tangent_impulse).stage, Stage::impulse);
+  EXPECT_EQ(with(&ContactState::normal_impulse).step, 7u);
+}
+
+TEST(CompareSteps, FollowsContactsFromBodyToBodyButNotThroughTheGround) {
+  const Meddle below = [](std::size_t step, auto& states, auto& contacts) {
+    if (step < 2) return;
+    contacts[0].normal_impulse = 3;  // of low alone
+    shift(states, 1);                // shows in high
+  };
+  const Divergence found = parted(nullptr, below);
+  EXPECT_EQ(found.body, "high");
+  EXPECT_EQ(found.stage, Stage::impulse);
+  EXPECT_EQ(found.other, "ground") << "where it came from";
+  const Meddle elsewhere = [&](std::size_t step, auto& states, auto& contacts) {
+    below(step, states, contacts);
+    if (contacts.size() == 2) contacts.pop_back();  // nothing ties high to low
+  };
+  EXPECT_EQ(parted([](auto, auto&, auto& contacts) { contacts.resize(contacts.empty() ? 0 : 1); }, elsewhere).stage,
+            Stage::integration);
+}
+
+TEST(CompareSteps, SaysWhenTheRunsDoNotRevealIt) {
+  const Divergence same = parted(nullptr, [](std::size_t step, auto& states, auto&) {
+    if (step > 0) shift(states, 1);
+  });
+  EXPECT_EQ(same.stage, Stage::not_reported);
+  EXPECT_THAT(same.advice, HasSubstr("same contacts and impulses"));
+
+  const Divergence silent = parted(nullptr, [](std::size_t step, auto& states, auto& contacts) {
+    contacts.clear();
+    if (step > 0) shift(states, 1);
+  });
+  EXPECT_EQ(silent.stage, Stage::not_reported);
+  EXPECT_THAT(silent.advice, HasSubstr("other tells of no contacts"));
+}
+
+TEST(CompareSteps, DoesNotCareWhichBodyAnEngineCallsA) {
+  EXPECT_FALSE(compared(Told("one"), Told("other",
+                                          [](auto, auto&, auto& contacts) {
+                                            for (ContactState& contact : contacts) {
+                                              std::swap(contact.a, contact.b);
+                                              contact.normal = -1 * contact.normal;
+                                            }
+                                          }))
+                   .parted);
+  const Divergence found = parted(nullptr, [](std::size_t step, auto& states, auto& contacts) {
+    for (ContactState& contact : contacts) {
+      std::swap(contact.a, contact.b);
+      contact.normal = -1 * contact.normal;
+    }
+    if (step > 0) shift(states, 1);
+  });
+  EXPECT_EQ(found.stage, Stage::not_reported) << "contacts are alike";
+}
+
+TEST(CompareSteps, TellsHowTheyPartOverTime) {
+  const Divergence found = parted(nullptr, [](std::size_t step, auto& states, auto&) {
+    if (step > 0) shift(states, 1e-6 * std::ldexp(1.0, static_cast<int>(step)));
+  });
+  ASSERT_EQ(found.growth.size(), 6u);
+  EXPECT_EQ(found.growth[0].step, 1u);
+  EXPECT_EQ(found.growth[0].factor, 1);
+  EXPECT_EQ(found.growth[1].step, 5u) << "2^4 is the first power of two above 10";
+  EXPECT_DOUBLE_EQ(found.growth[1].factor, 16);
+  EXPECT_EQ(found.growth[4].step, 15u);
+  EXPECT_EQ(found.growth[5].step, steps) << "the end is told whatever it is";
+}
+
+TEST(CompareSteps, NoticesThatMostOfItWasThereBefore) {
+  const auto of = [](double first) {
+    const Told slow("slow", [first](std::size_t step, auto& states, auto&) {
+      if (step > 0) shift(states, step == 1 ? first : 1);
+    });
+    return compared(Told("one"), slow, 0.95).parted.value().advice;
+  };
+  EXPECT_THAT(of(0.9), HasSubstr("there a step before"));
+  EXPECT_THAT(of(0.1), ::testing::Not(HasSubstr("there a step before")));
+}
+
+TEST(CompareSteps, RecognisesWhatTheStatedDriftsExplain) {
+  const Scene scene = fakes::thrown_box();
+  const Trace exact = fakes::flight_of(scene, dt);
+  Trace stepped(1);
+  fakes::Stepper stepper(scene, fakes::Stepper::Fault::none);
+  std::vector<BodyState> states(1);
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    if (i > 0) stepper.step(dt);
+    stepper.read(states);
+    stepped.record(exact.time(i), states, {});
+  }
+  const auto advice = [&](double drift) {
+    const Side a{"exact", &exact, {.dt = dt, .epsilon = 0x1p-53}};
+    const Side b{"stepped", &stepped, {.dt = dt, .h = dt, .drift = drift, .epsilon = 0x1p-53}};
+    return compare_steps(scene, a, b, std::nullopt).parted.value().advice;
+  };
+  EXPECT_THAT(advice(0.5), HasSubstr("Their integrators explain it"));
+  EXPECT_THAT(advice(0), ::testing::Not(HasSubstr("explain")));
+}
+
+TEST(CompareSteps, WantsRunsOfOneSceneAtTheSameMoments) {
+  const Told run("one");
+  Trace later(3);
+  later.record(1, run.side().trace->states(0), {});
+  EXPECT_THROW(compare_steps(two_discs(), run.side(), {"later", &later, {}}, std::nullopt), std::invalid_argument);
+  EXPECT_THROW(compare_steps(fakes::thrown_box(), run.side(), run.side(), std::nullopt), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace plumb

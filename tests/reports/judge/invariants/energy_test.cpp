@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../../fakes.h"
+#include "holding.h"
+
+namespace plumb {
+namespace {
+
+constexpr double h = 0.01;
+const Stepping symplectic{.dt = h, .h = h, .drift = 0.5, .impact_lag = 1};
+const Stepping second_order{.dt = h, .h = h, .drift = 0, .impact_lag = 0};
+
+Trace speeds(double before, double after) {
+  return forged(h, {{box_at({0, 5}, {before, 0})}, {box_at({0, 5}, {after, 0})}});
+}
+
+TEST(EnergyInvariant, NeverRisesWhereNothingActs) {
+  const Scene scene = box_on_ground();
+  EXPECT_EQ(standing("energy", scene, speeds(1, 1), symplectic), Standing::held);
+  EXPECT_EQ(standing("energy", scene, speeds(1, 0.5), symplectic), Standing::held);
+  const auto check = checked("energy", scene, speeds(1, 1.1), symplectic).value();
+  EXPECT_EQ(check.standing, Standing::broken);
+  EXPECT_NEAR(check.value, (1.21 - 1) / 2, 1e-12);
+  EXPECT_DOUBLE_EQ(check.time, h);
+}
+
+TEST(EnergyInvariant, AllowsWhatRoundingTakesAndNoMore) {
+  Stepping rounded = second_order;
+  rounded.epsilon = 1e-7;  // three steps' roundings of m v^2: 1 J
+  EXPECT_EQ(standing("energy", box_on_ground(), speeds(1, 1 + 2e-7), rounded), Standing::held);
+  EXPECT_EQ(standing("energy", box_on_ground(), speeds(1, 1 + 4e-7), rounded), Standing::broken);
+}
+
+// From 1 m/s upwards: symplectic Euler loses g v h/2 of it, explicit Euler gains as much, and a second-order method
+// neither.
+Trace thrown(double order) {
+  Trace trace(2);
+  for (int i = 0; i <= 100; ++i) {
+    const double t = i * h;
+    trace.record(t, box_at({0, 9 + t - 5 * t * t - order * 10 * t * h}, {0, 1 - 10 * t}), {});
+  }
+  return trace;
+}
+
+TEST(EnergyInvariant, TakesTheMethodsOwnOrderForWhatItIs) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  Stepping before = symplectic;
+  Stepping after = symplectic;
+  after.drift = -0.5;
+  before.epsilon = after.epsilon = 1e-16;
+  EXPECT_EQ(standing("energy", scene, thrown(0.5), before), Standing::held);
+  EXPECT_EQ(standing("energy", scene, thrown(-0.5), after), Standing::held);
+  EXPECT_EQ(standing("energy", scene, thrown(-0.5), before), Standing::broken);
+  EXPECT_EQ(standing("energy", scene, thrown(-0.5), second_order), Standing::broken);
+  EXPECT_EQ(standing("energy", scene, thrown(-0.51), after), Standing::broken);
+}
+
+// A spring of w = 2 stretched by 1 m, stepped by explicit Euler: E grows by 1 + (w h)^2 a step; by symplectic Euler.
+Trace on_a_spring(bool explicitly) {
+  Trace trace(1);
+  double x = 1;
+  double v = 0;
+  for (int i = 0; i <= 2000; ++i) {
+    const BodyState state{.position = {2 + x, 0}, .velocity = {v, 0}};
+    trace.record(i * h, std::span(&state, 1), {});
+    const double was = v;
+    v -= 4 * h * x;
+    x += h * (explicitly ? was : v);
+  }
+  return trace;
+}
+
+TEST(EnergyInvariant, CallsExplicitEulersGrowthOnASpringWrong) {
+  const Scene scene{.gravity = {},
+                    .bodies = {{.name = "box", .position = {3, 0}, .shapes = {{Box{}, {.density = 1}}}}},
+                    .forces = {Spring{.b = 0, .stiffness = 4, .length = 2}}};
+  EXPECT_EQ(standing("energy", scene, on_a_spring(false), symplectic), Standing::held);
+  EXPECT_EQ(standing("energy", scene, on_a_spring(true), symplectic), Standing::broken);
+}
+
+// Met 1 cm late at 1 m/s, and lifted out of it: m g v h.
+TEST(EnergyInvariant, LetsALateImpactBePushedOut) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  const auto lifted = [](double by) {
+    return forged(h, {{box_at({0, 0.5}, {0, -1})}, {box_at({0, 0.5 + by}, {0, 1})}});
+  };
+  // m g by <= (|d| + lag) h m g (1 + 1), and the modified energy has lost d h m g (1 + 1)
+  const double allowed = (1.5 + 0.5) * h * 2;
+  EXPECT_EQ(standing("energy", scene, lifted(0.99 * allowed), symplectic), Standing::held);
+  EXPECT_EQ(standing("energy", scene, lifted(1.01 * allowed), symplectic), Standing::broken);
+  EXPECT_EQ(standing("energy", scene, lifted(0.1 * allowed), second_order), Standing::broken);
+}
+
+TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfBodiesThatMoveWhateverComes) {
+  Scene pulled = box_on_ground();
+  pulled.forces = {Constant{.body = 1, .force = {2, 0}}};
+  // From rest over 1 m with 2 N: 2 J.
+  const auto after = [](double speed) { return forged(1, {{box_at({0, 5})}, {box_at({1, 5}, {speed, 0})}}); };
+  const Stepping exact{.dt = 1};
+  EXPECT_EQ(standing("energy", pulled, after(1.999), exact), Standing::held);
+  EXPECT_EQ(standing("energy", pulled, after(2.001), exact), Standing::broken);
+
+  Scene driven = box_on_ground();
+  driven.bodies[0].type = BodyType::kinematic;
+  driven.bodies[0].velocity = {0, 3};
+  const auto hit = [](double speed, std::vector<ContactState> contacts) {
+    const BodyState context{.velocity = {0, 3}};
+    return forged(h, {{{context, box_at({0, 5})[1]}}, {{context, box_at({0, 5}, {0, speed})[1]}, std::move(contacts)}});
+  };
+  EXPECT_EQ(standing("energy", driven, hit(3, {pushing(3)}), exact), Standing::held);
+  EXPECT_EQ(standing("energy", driven, hit(4.3, {pushing(3)}), exact), Standing::broken);
+  EXPECT_EQ(standing("energy", driven, hit(3, {}), exact), Standing::not_reported);
+}
+
+}  // namespace
+}  // namespace plumb

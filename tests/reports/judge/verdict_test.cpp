@@ -1,0 +1,174 @@
+#include "reports/judge/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../fakes.h"
+
+namespace plumb {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Expectation at_end(double expected, double allowed) {
+  return {.body = "box",
+          .quantity = Quantity::x,
+          .expected = expected,
+          .allowed = [allowed](const Stepping&) { return allowed; },
+          .source = "x0 + v t"};
+}
+
+// x ends at 1 + 3 * 2 = 7.
+Judgement judge_end(double expected, double allowed, double epsilon = 0) {
+  const Scene scene = fakes::thrown_box();
+  const std::vector<Expectation> expectations{at_end(expected, allowed)};
+  return judge(scene, expectations, fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5, .epsilon = epsilon}, nullptr);
+}
+
+TEST(Judge, IsRightWithinWhatIsAllowedAndWrongOutside) {
+  EXPECT_EQ(judge_end(7.25, 0.25).verdict, Verdict::right);
+  EXPECT_EQ(judge_end(7.25, 0.2499).verdict, Verdict::wrong);
+  const TruthCheck check = judge_end(7.25, 0.2499).checks.at(0);
+  EXPECT_EQ(check.measured, 7);
+  EXPECT_EQ(check.error, 0.25);
+  EXPECT_EQ(check.tolerance, 0.2499);
+  EXPECT_EQ(check.quantity, "x");
+  EXPECT_EQ(check.unit, "m");
+  EXPECT_EQ(check.time, 2);
+  EXPECT_FALSE(check.passed);
+}
+
+TEST(Judge, TakesAnAbsoluteToleranceAsItStands) {
+  const Scene scene = fakes::thrown_box();
+  Expectation stated = at_end(7.25, 100);
+  stated.within = 0.25;
+  const auto judged = [&](double epsilon) {
+    return judge(scene, std::vector{stated}, fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5, .epsilon = epsilon},
+                 nullptr);
+  };
+  EXPECT_EQ(judged(0.1).checks.at(0).tolerance, 0.25);  // no round-off on top
+  EXPECT_EQ(judged(0).verdict, Verdict::right);
+  stated.within = 0.2499;
+  EXPECT_EQ(judged(0.1).verdict, Verdict::wrong);
+}
+
+TEST(Judge, NeverPassesAValueThatIsNotFinite) {
+  EXPECT_EQ(judge_end(nan, 1).verdict, Verdict::wrong);
+  EXPECT_EQ(judge_end(infinity, 1).verdict, Verdict::wrong);
+  EXPECT_EQ(judge_end(7, nan).verdict, Verdict::wrong);
+  EXPECT_EQ(judge_end(7, infinity).verdict, Verdict::wrong);
+  EXPECT_EQ(judge_end(infinity, infinity).verdict, Verdict::wrong);
+
+  const Scene scene = fakes::thrown_box();
+  Trace trace(1);
+  const BodyState lost{.position = {nan, 0}};
+  trace.record(0, std::span(&lost, 1), {});
+  trace.record(2, std::span(&lost, 1), {});
+  const std::vector<Expectation> expectations{at_end(7, 1e9)};
+  EXPECT_EQ(judge(scene, expectations, trace, {.dt = 2, .h = 2}, nullptr).verdict, Verdict::wrong);
+}
+
+TEST(Judge, NeverPassesWhatItCouldNotRead) {
+  const Scene scene = fakes::thrown_box();
+  Expectation late = at_end(7, 1e9);
+  late.time = 3;
+  Expectation second_apex = at_end(7, 1e9);
+  second_apex.quantity = Quantity::apex;
+  second_apex.index = 2;
+  for (const Expectation& expectation : {late, second_apex}) {
+    const auto judgement =
+        judge(scene, std::span(&expectation, 1), fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5}, nullptr);
+    EXPECT_EQ(judgement.verdict, Verdict::wrong);
+    EXPECT_TRUE(std::isnan(judgement.checks[0].measured));
+    EXPECT_TRUE(std::isfinite(judgement.checks[0].time));
+  }
+}
+
+TEST(Judge, HasNoOpinionWithoutExpectations) {
+  const Scene scene = fakes::thrown_box();
+  EXPECT_EQ(judge(scene, {}, fakes::flight_of(scene, 0.5), {}, nullptr).verdict, Verdict::plausible);
+}
+
+TEST(Judge, AsksTheClosedFormForTheValue) {
+  const Scene scene = fakes::thrown_box();
+  const Engine closed_form = fakes::free_flight();
+  const Truth truth(closed_form, scene);
+  const auto expectations = fakes::throwing().expectations({});
+  const Stepping stepping{.dt = 0.5, .h = 0.5, .drift = 0.5};
+  const auto judgement = judge(scene, expectations, fakes::flight_of(scene, 0.5), stepping, &truth);
+  EXPECT_EQ(judgement.verdict, Verdict::right);
+  EXPECT_DOUBLE_EQ(judgement.checks[0].expected, 2 + 16 - 20);
+  EXPECT_EQ(judge(scene, expectations, fakes::flight_of(scene, 0.5), stepping, nullptr).verdict, Verdict::wrong);
+}
+
+TEST(Judge, AllowsForTheRoundOffOfTheArithmetic) {
+  EXPECT_EQ(judge_end(7 + 1e-6, 0).verdict, Verdict::wrong);
+  EXPECT_EQ(judge_end(7 + 1e-6, 0, std::numeric_limits<float>::epsilon()).verdict, Verdict::right);
+  EXPECT_EQ(judge_end(7 + 1e-3, 0, std::numeric_limits<float>::epsilon()).verdict, Verdict::wrong);
+}
+
+// 7 is measured.
+TEST(Judge, HoldsABoundOnOneSideOnly) {
+  const Scene scene = fakes::thrown_box();
+  const auto judged = [&](Relation relation, double expected, double allowed) {
+    Expectation one = at_end(expected, allowed);
+    one.relation = relation;
+    return judge(scene, std::span(&one, 1), fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5}, nullptr);
+  };
+  EXPECT_EQ(judged(Relation::at_least, 2, 0).verdict, Verdict::right);
+  EXPECT_EQ(judged(Relation::at_least, 7.25, 0.25).verdict, Verdict::right);
+  EXPECT_EQ(judged(Relation::at_least, 7.25, 0.2).verdict, Verdict::wrong);
+  EXPECT_EQ(judged(Relation::at_most, 20, 0).verdict, Verdict::right);
+  EXPECT_EQ(judged(Relation::at_most, 6.75, 0.25).verdict, Verdict::right);
+  EXPECT_EQ(judged(Relation::at_most, 6.75, 0.2).verdict, Verdict::wrong);
+  EXPECT_EQ(judged(Relation::at_least, 2, 0).checks[0].error, 0);
+  EXPECT_EQ(judged(Relation::at_most, 6.75, 0.2).checks[0].error, 0.25);
+  for (const double none : {nan, infinity, -infinity}) {
+    EXPECT_EQ(judged(Relation::at_least, none, 1).verdict, Verdict::wrong);
+    EXPECT_EQ(judged(Relation::at_most, none, 1).verdict, Verdict::wrong);
+  }
+}
+
+TEST(Judge, CountsWhatIsNotReportedNeitherWay) {
+  const Scene scene = fakes::thrown_box();
+  const Expectation load{.body = "box",
+                         .quantity = Quantity::load,
+                         .over = 2,
+                         .expected = 20,
+                         .allowed = [](const Stepping&) { return 1.0; },
+                         .source = "m g"};
+  const auto verdict = [&](std::vector<Expectation> all) {
+    return judge(scene, all, fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5}, nullptr).verdict;
+  };
+  EXPECT_EQ(verdict({load}), Verdict::plausible);
+  EXPECT_EQ(verdict({load, at_end(7, 0.1)}), Verdict::right);
+  EXPECT_EQ(verdict({load, at_end(8, 0.1)}), Verdict::wrong);
+}
+
+// A float engine that only adds: the bound holds, and is not so wide that it could hide an error of the method.
+TEST(RoundOff, BoundsWhatFloatsLose) {
+  const Scene scene = fakes::thrown_box();
+  constexpr double dt = 1e-3;
+  Trace trace(1);
+  float y = 2;
+  float v = 8;
+  for (int i = 0; i <= 2000; ++i) {
+    const BodyState state{.position = {0, y}, .velocity = {0, v}};
+    trace.record(i * dt, std::span(&state, 1), {});
+    v += static_cast<float>(dt) * -10.0F;
+    y += static_cast<float>(dt) * v;
+  }
+  const Stepping stepping{.dt = dt, .h = dt, .epsilon = std::numeric_limits<float>::epsilon() / 2};
+  const double exact = 2 + 8 * 2 - 10 * 2 * 2 / 2.0 - 10 * 2 * dt / 2;  // symplectic Euler's own answer
+  const double lost = std::abs(trace.states(2000)[0].position.y - exact);
+  const double bound = round_off(Quantity::y, 0, scene, trace, stepping);
+  EXPECT_GT(lost, 0);
+  EXPECT_LE(lost, bound);
+  EXPECT_LT(bound, 0.003);
+}
+
+}  // namespace
+}  // namespace plumb

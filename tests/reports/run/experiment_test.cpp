@@ -1,0 +1,93 @@
+#include "reports/run/experiment.h"
+
+#include <gmock/gmock.h>
+
+#include "../fakes.h"
+#include "reports/run/selection.h"
+#include "reports/writers/json.h"
+
+namespace plumb {
+namespace {
+
+using fakes::Stepper;
+
+class Throwing : public ::testing::Test {
+ protected:
+  Report carry_out(const std::vector<const Engine*>& engines) {
+    Plan plan{.cases = {fakes::case_of(scenario_, &closed_form_)}};
+    for (const Engine* engine : engines) plan.configs.push_back({engine, {}});
+    return plumb::carry_out(plan, [](const std::string&, std::size_t, std::size_t) {});
+  }
+
+  Scenario scenario_ = fakes::throwing();
+  Engine closed_form_ = fakes::free_flight();
+  Engine ours_ = fakes::engine("ours");
+  Engine lost_ = fakes::engine("lost", Stepper::Fault::nan);
+  Engine rival_ = fakes::engine("rival");
+};
+
+TEST_F(Throwing, SymplecticEulerIsRightWithinItsOwnDrift) {
+  const Report report = carry_out({&ours_});
+  ASSERT_EQ(report.runs.size(), 2u);
+  EXPECT_TRUE(report.runs[0].exact);
+  const RunRecord& run = report.runs[1];
+  EXPECT_EQ(run.verdict, Verdict::right);
+  ASSERT_EQ(run.truth.size(), 2u);
+  EXPECT_NEAR(run.truth[0].error, 10 * 2 / 60.0 / 2, 1e-12);
+  EXPECT_NEAR(run.metrics.at("truth_error_max").value, 10 * 2 / 60.0 / 2, 1e-12);
+}
+
+TEST_F(Throwing, AnEngineThatClaimsToBeExactIsFoundOut) {
+  ours_.stepping = [](const Settings&, double dt) { return Stepping{.dt = dt, .h = dt, .epsilon = 1e-16}; };
+  EXPECT_EQ(carry_out({&ours_}).runs[1].verdict, Verdict::wrong);
+}
+
+TEST_F(Throwing, TheOthersGoOnWhenOneDiverges) {
+  const Report report = carry_out({&ours_, &lost_, &rival_});
+  ASSERT_EQ(report.runs.size(), 4u);
+  EXPECT_EQ(report.runs[2].status, Status::failed);
+  EXPECT_EQ(report.runs[2].verdict, Verdict::failed);
+  EXPECT_THAT(report.runs[2].reason, ::testing::StartsWith("diverged at t = 1 s"));
+  EXPECT_EQ(report.runs[3].verdict, Verdict::right);
+  EXPECT_EQ(report.timings.size(), 2u) << "time on a failed run is no result";
+}
+
+TEST_F(Throwing, IsTheSameToTheByteTimesAside) {
+  const auto text = [&] {
+    auto json = to_json(carry_out({&ours_, &lost_, &rival_}));
+    json.erase("timings");
+    return json.dump();
+  };
+  EXPECT_EQ(text(), text());
+}
+
+TEST(CarryOut, IsTheSameToTheByteForAnyNumberOfJobs) {
+  const auto text = [](int jobs) {
+    const Plan plan{.cases = default_cases(false), .configs = default_engines(), .jobs = jobs};
+    auto json = to_json(carry_out(plan, [](const std::string&, std::size_t, std::size_t) {}));
+    json.erase("timings");
+    return json.dump();
+  };
+  const std::string alone = text(1);
+  EXPECT_EQ(alone, text(2));
+  EXPECT_EQ(alone, text(5));
+}
+
+TEST_F(Throwing, SaysWhatTheNamesInItMean) {
+  const Report report = carry_out({&ours_});
+  ASSERT_EQ(report.scenarios.size(), 1u);
+  EXPECT_EQ(report.scenarios[0].question, "Does a thrown box fly as Galileo says?");
+  ASSERT_EQ(report.engines.size(), 2u);
+  EXPECT_EQ(report.engines[0].name, "ours");
+  EXPECT_TRUE(report.engines[1].exact);
+  EXPECT_FALSE(report.metrics.empty());
+}
+
+TEST_F(Throwing, TellsWhatShareOfTheRunsWasSpentOutsideStep) {
+  const double share = carry_out({&ours_}).clock.at("outside_step");
+  EXPECT_GT(share, 0);
+  EXPECT_LT(share, 1);
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,144 @@
+#include "reports/run/run.h"
+
+#include <gmock/gmock.h>
+
+#include "../fakes.h"
+
+namespace plumb {
+namespace {
+
+using fakes::Stepper;
+using ::testing::StartsWith;
+
+Outcome run_with(const Engine& engine, double dt = 1.0 / 60) {
+  static const Scene scene = fakes::thrown_box();
+  return run(scene, {&engine, {}}, dt);
+}
+
+TEST(Run, RecordsTheStartAndEveryStep) {
+  const Outcome outcome = run_with(fakes::engine("ours"));
+  EXPECT_EQ(outcome.status, Status::ok);
+  EXPECT_EQ(outcome.trace->size(), 121u);
+  EXPECT_EQ(outcome.trace->time(0), 0);
+  EXPECT_DOUBLE_EQ(outcome.trace->times().back(), 2);
+  EXPECT_EQ(outcome.trace->states(0)[0].position, (Vec{1, 2}));
+}
+
+TEST(Run, CoversADurationThatIsNoMultipleOfTheStep) {
+  EXPECT_EQ(steps_in(1, 0.3), 4u);
+  EXPECT_EQ(steps_in(2, 1.0 / 60), 120u);
+  EXPECT_EQ(steps_in(0.7, 0.1), 7u);
+  EXPECT_EQ(steps_in(0, 0.1), 0u);
+}
+
+TEST(Run, EndsWhereAClosedFormEnds) {
+  const Outcome outcome = run_with(fakes::free_flight(1.01), 0.1);
+  EXPECT_EQ(outcome.status, Status::ok);
+  EXPECT_DOUBLE_EQ(outcome.trace->times().back(), 1);
+}
+
+TEST(Run, TellsWhenAndWhichBodyWasLost) {
+  const Outcome nan = run_with(fakes::engine("bad", Stepper::Fault::nan), 0.25);
+  EXPECT_EQ(nan.status, Status::failed);
+  EXPECT_THAT(nan.reason, StartsWith("diverged at t = 1 s: body \"box\""));
+  EXPECT_EQ(nan.trace->size(), 4u) << "what was sane is kept";
+
+  const Outcome explosion = run_with(fakes::engine("bad", Stepper::Fault::explosion), 0.25);
+  EXPECT_EQ(explosion.status, Status::failed);
+  EXPECT_THAT(explosion.reason, StartsWith("diverged at t = 1 s: body \"box\""));
+}
+
+TEST(Run, ReportsWhatAnEngineThrows) {
+  const Outcome outcome = run_with(fakes::engine("bad", Stepper::Fault::exception));
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_EQ(outcome.reason, "the engine gave up");
+}
+
+TEST(Run, SaysWhyASceneIsNotSupported) {
+  Engine engine = fakes::engine("picky");
+  engine.unsupported = [](const Scene&, const Settings&) { return "knows no boxes"; };
+  const Outcome outcome = run_with(engine);
+  EXPECT_EQ(outcome.status, Status::not_supported);
+  EXPECT_EQ(outcome.reason, "knows no boxes");
+  EXPECT_EQ(outcome.trace, nullptr);
+}
+
+TEST(Run, SaysWhyASceneTurnsOutToBeNotSupported) {
+  const Outcome outcome = run_with(fakes::engine("small", Stepper::Fault::beyond));
+  EXPECT_EQ(outcome.status, Status::not_supported);
+  EXPECT_EQ(outcome.reason, "too much for it");
+  EXPECT_EQ(outcome.trace, nullptr);
+}
+
+TEST(Watch, ShowsTheStartAndEveryStepUntilToldToStop) {
+  const Scene scene = fakes::thrown_box();
+  const Engine ours = fakes::engine("ours");
+  std::vector<double> heights;
+  const auto seen = [&](double time, std::span<const BodyState> states) {
+    heights.push_back(states[0].position.y);
+    return time < 0.45;
+  };
+  const Outcome outcome = watch(scene, {&ours, {}}, 0.1, 1, seen);
+  EXPECT_EQ(outcome.status, Status::ok);
+  EXPECT_DOUBLE_EQ(outcome.time, 0.5);
+  EXPECT_EQ(outcome.trace, nullptr);
+  const Trace record = *run(scene, {&ours, {}}, 0.1).trace;
+  ASSERT_EQ(heights.size(), 6u);
+  for (std::size_t i = 0; i < heights.size(); ++i) EXPECT_EQ(heights[i], record.states(i)[0].position.y);
+}
+
+TEST(Watch, TellsWhichBodyWasLostAndWhen) {
+  const Scene scene = fakes::thrown_box();
+  const Engine bad = fakes::engine("bad", Stepper::Fault::nan);
+  const Outcome outcome = watch(scene, {&bad, {}}, 0.25, 1, [](double, std::span<const BodyState>) { return true; });
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_EQ(outcome.lost, std::optional<std::size_t>(0));
+  EXPECT_DOUBLE_EQ(outcome.time, 1);
+}
+
+TEST(Run, SpendsNoMoreInStepsThanInAll) {
+  const Outcome outcome = run_with(fakes::engine("ours"));
+  EXPECT_GT(outcome.stepping, 0);
+  EXPECT_LT(outcome.stepping, outcome.wall);
+}
+
+TEST(TimeSteps, GivesEveryEngineAMedianBetweenItsQuartiles) {
+  const Scenario scenario = fakes::throwing();
+  const Engine one = fakes::engine("one");
+  const Engine two = fakes::engine("two");
+  const std::vector<EngineConfig> configs{{&one, {}}, {&two, {}}};
+  const auto timings = time_steps(fakes::case_of(scenario, nullptr), configs, 1.0 / 60);
+  ASSERT_EQ(timings.size(), 2u);
+  EXPECT_EQ(timings[1].engine, "two");
+  for (const Timing& timing : timings) {
+    EXPECT_GT(timing.step_us_low, 0);
+    EXPECT_LE(timing.step_us_low, timing.step_us);
+    EXPECT_LE(timing.step_us, timing.step_us_high);
+    EXPECT_GE(timing.repetitions, 5);
+    EXPECT_GT(timing.real_time_factor, 1);
+  }
+}
+
+TEST(TimeSteps, NamesAnEngineThatRunsOnlyOnce) {
+  const Scenario scenario = fakes::throwing();
+  const Engine once = fakes::engine("once", Stepper::Fault::exception);
+  const std::vector<EngineConfig> configs{{&once, {}}};
+  try {
+    time_steps(fakes::case_of(scenario, nullptr), configs, 1.0 / 60);
+    FAIL() << "it gave up";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "once ran thrown and then, asked once more to see what it costs, did not: the engine gave up. Each "
+                 "simulation must start afresh");
+  }
+}
+
+TEST(EngineConfig, IsNamedByWhatDiffersFromTheDefaults) {
+  Engine engine = fakes::engine("ours");
+  engine.options = {{.key = "solver", .value = "a"}, {.key = "steps", .value = "4"}};
+  EXPECT_EQ((EngineConfig{&engine, {{"solver", "a"}, {"steps", "4"}}}.method()), "");
+  EXPECT_EQ((EngineConfig{&engine, {{"solver", "b"}, {"steps", "8"}}}.method()), "solver=b,steps=8");
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,127 @@
+#include "reports/study/stability/row.h"
+
+#include <gtest/gtest.h>
+
+#include "../../fakes.h"
+
+namespace plumb {
+namespace {
+
+constexpr double limit = 3.3;
+
+// Drifts beyond `limit` and topples beyond 7; what the engine does plays no part.
+StabilityMap map_of(Axis axis) {
+  return {
+      .name = "fake",
+      .x = std::move(axis),
+      .trials =
+          [](double x, double, const EngineConfig&) {
+            Trial trial{.scene = std::make_shared<const Scene>(fakes::thrown_box()), .dt = 0.5};
+            trial.watches.push_back({"", [x](const Moment& now) {
+                                       const Fate fate = x > 7 ? Fate::topples : Fate::drifts;
+                                       const bool fails = x > limit && now.time > 0.9;
+                                       return fails ? std::optional(Symptom{fate, 0}) : std::nullopt;
+                                     }});
+            return std::vector<Trial>{trial};
+          },
+      .boundaries = {{.name = "stays", .grain = 0.01}, {.name = "stands", .failing = {Fate::topples}, .grain = 0.01}}};
+}
+
+MapRow found(const StabilityMap& map, const std::vector<double>& xs, Engine by = fakes::engine("ours")) {
+  return row_of(map, xs, 0, {&by, {}});
+}
+
+TEST(MapRow, TellsHowEachCellWentWhenAndWithWhom) {
+  const MapRow row = found(map_of({.from = 1, .to = 9}), {1, 5, 9});
+  EXPECT_EQ(row.cells[0].fate, Fate::holds);
+  EXPECT_EQ(row.cells[1].fate, Fate::drifts);
+  EXPECT_EQ(row.cells[1].body, "box");
+  EXPECT_EQ(row.cells[1].time, 1);
+  EXPECT_EQ(row.cells[2].fate, Fate::topples);
+}
+
+TEST(MapRow, BisectsEachBoundaryToItsGrain) {
+  const MapRow row = found(map_of({.from = 1, .to = 9}), {1, 5, 9});
+  EXPECT_LE(*row.brackets[0].low, limit);
+  EXPECT_GT(*row.brackets[0].high, limit);
+  EXPECT_LE(*row.brackets[0].high - *row.brackets[0].low, 0.01);
+  EXPECT_EQ(row.brackets[0].seen.fate, Fate::drifts);
+  EXPECT_NEAR(*row.brackets[1].low, 7, 0.01);
+  EXPECT_EQ(row.brackets[1].seen.fate, Fate::topples);
+}
+
+TEST(MapRow, BisectsWholeNumbersUntilNothingIsBetween) {
+  const MapRow row = found(map_of({.from = 1, .to = 9, .whole = true}), {1, 9});
+  EXPECT_EQ(row.brackets[0].low, 3);
+  EXPECT_EQ(row.brackets[0].high, 4);
+}
+
+TEST(MapRow, LeavesABracketOpenWhereNothingBoundsIt) {
+  const MapRow all_hold = found(map_of({.from = 1, .to = 3}), {1, 2, 3});
+  EXPECT_EQ(all_hold.brackets[0].low, 3);
+  EXPECT_FALSE(all_hold.brackets[0].high);
+  const MapRow none = found(map_of({.from = 4, .to = 9}), {4, 9});
+  EXPECT_FALSE(none.brackets[0].low);
+  EXPECT_EQ(none.brackets[0].high, 4);
+}
+
+TEST(MapRow, TellsWhatIsNotSupportedFromWhatFails) {
+  Engine picky = fakes::engine("picky");
+  picky.unsupported = [](const Scene&, const Settings&) { return "knows no boxes"; };
+  const MapRow row = found(map_of({.from = 1, .to = 9}), {1, 9}, picky);
+  EXPECT_EQ(row.cells[0].fate, Fate::not_supported);
+  EXPECT_EQ(row.cells[0].why, "knows no boxes");
+  EXPECT_FALSE(row.brackets[0].low || row.brackets[0].high);
+}
+
+TEST(MapRow, TellsDivergenceFromErrors) {
+  const StabilityMap map = map_of({.from = 1, .to = 2});
+  const MapRow lost = found(map, {1, 2}, fakes::engine("lost", fakes::Stepper::Fault::explosion));
+  EXPECT_EQ(lost.cells[0].fate, Fate::diverges);
+  EXPECT_EQ(lost.cells[0].body, "box");
+  EXPECT_EQ(lost.cells[0].time, 1);
+  const MapRow thrown = found(map, {1, 2}, fakes::engine("thrown", fakes::Stepper::Fault::exception));
+  EXPECT_EQ(thrown.cells[0].fate, Fate::fails);
+  EXPECT_EQ(thrown.cells[0].why, "the engine gave up");
+}
+
+TEST(MapRow, TakesTheWorstRunOfACell) {
+  StabilityMap map = map_of({.from = 1, .to = 9});
+  const auto one = map.trials;
+  map.trials = [one](double x, double y, const EngineConfig& by) {
+    std::vector<Trial> both = one(x, y, by);
+    both.push_back(one(x + 5, y, by).front());
+    both.push_back(one(1, y, by).front());
+    return both;
+  };
+  EXPECT_EQ(found(map, {1, 3}).cells[1].fate, Fate::topples);
+}
+
+TEST(Agreement, MeasuresFromTheBracketsMiddle) {
+  const Boundary boundary{.agreement = 0.1};
+  const Agreement near = agreement_of({.from = 0, .to = 9}, boundary, 4.0, 4.2, 4.15);
+  EXPECT_TRUE(near.agrees);
+  EXPECT_NEAR(*near.off, 0.05, 1e-12);
+  EXPECT_FALSE(agreement_of({.from = 0, .to = 9}, boundary, 4.0, 4.2, 4.3).agrees);
+  const Agreement relative = agreement_of({.from = 1, .to = 9, .logarithmic = true}, boundary, 4.0, 4.2, 4.5);
+  EXPECT_TRUE(relative.agrees);
+  EXPECT_NEAR(*relative.off, 0.4 / 4.5, 1e-12);
+}
+
+TEST(Agreement, AsksOfAnOpenBracketThatTheoryIsOnItsOpenSide) {
+  const Boundary boundary{.agreement = 0.1};
+  const Axis up{.from = 1, .to = 9};
+  const double never = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(agreement_of(up, boundary, 9.0, std::nullopt, 12).agrees);
+  EXPECT_FALSE(agreement_of(up, boundary, 9.0, std::nullopt, 5).agrees);
+  EXPECT_TRUE(agreement_of(up, boundary, 9.0, std::nullopt, never).agrees);
+  EXPECT_FALSE(agreement_of(up, boundary, 4.0, 4.1, never).agrees);
+  EXPECT_TRUE(agreement_of(up, boundary, std::nullopt, 1.0, 0).agrees) << "fails at any x";
+  EXPECT_FALSE(agreement_of(up, boundary, std::nullopt, 1.0, 5).agrees);
+  const Axis down{.from = 9, .to = 1};
+  EXPECT_TRUE(agreement_of(down, boundary, 1.0, std::nullopt, 0.5).agrees);
+  EXPECT_FALSE(agreement_of(down, boundary, 1.0, std::nullopt, 5).agrees);
+}
+
+}  // namespace
+}  // namespace plumb

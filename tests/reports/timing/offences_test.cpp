@@ -1,0 +1,59 @@
+#include "reports/timing/offences.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace plumb {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+JudgedTime judged(const std::string& name, double ratio, Pace pace) {
+  JudgedTime one{.pace = pace, .time = {ratio, 0.001, 1}};
+  one.pair = {.name = name, .steps = 10, .of = 10};
+  one.pair.before.cpu = {1e-4, 1e-4};
+  one.pair.now.cpu = {1e-4 * ratio, 1e-4 * ratio};
+  return one;
+}
+
+GateResult accepted() { return {.verdict = "as accepted", .runs = {{"bounce", "e=1", "impulse", ""}}}; }
+
+TEST(TimingOffences, NameWhatIsSlowerByHowMuch) {
+  GateResult result = accepted();
+  add_times(result, {.cases = {judged("heap", 1.05, Pace::slower), judged("fall", 1.01, Pace::same)}}, "impulse");
+  EXPECT_FALSE(result.passed());
+  EXPECT_EQ(result.verdict, "as accepted; steps take LONGER in 1 of 2 cases");
+  EXPECT_THAT(result.runs, SizeIs(3));
+  ASSERT_THAT(result.offences, SizeIs(1));
+  const Offence& slow = result.offences[0];
+  EXPECT_EQ(slow.run, (RunKey{"time", "heap", "impulse", ""}));
+  EXPECT_EQ(slow.before, "100 us a step");
+  EXPECT_EQ(slow.now, "105 us a step");
+  EXPECT_EQ(slow.rule, Rule::time);
+  EXPECT_EQ(slow.change, Change::worse);
+  EXPECT_NEAR(slow.times, 2, 1e-9);
+  EXPECT_THAT(slow.why, HasSubstr("+5.0 %"));
+}
+
+TEST(TimingOffences, AreNoneWhereNothingIsSlower) {
+  GateResult result = accepted();
+  add_times(result, {.cases = {judged("heap", 0.9, Pace::faster)}}, "impulse");
+  EXPECT_TRUE(result.passed());
+  EXPECT_EQ(result.verdict, "as accepted; no step takes longer");
+  EXPECT_THAT(result.notes, IsEmpty());
+}
+
+TEST(TimingOffences, TellWhatCouldNotBeTimed) {
+  GateResult result = accepted();
+  JudgedTime lost{.pace = Pace::no_result};
+  lost.pair = {.name = "lost", .no_result = "refused"};
+  add_times(result, {.cases = {lost}}, "impulse");
+  EXPECT_TRUE(result.passed());
+  EXPECT_THAT(result.notes, ElementsAre("No time of lost: refused"));
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,33 @@
+#include "scenarios/scene/nearest.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace plumb {
+namespace {
+
+const std::vector<std::string> names{"height", "radius", "restitution"};
+
+TEST(Nearest, FindsTheNameWithTheFewestChanges) {
+  EXPECT_EQ(nearest("hieght", names), "height");
+  EXPECT_EQ(nearest("restituton", names), "restitution");
+  EXPECT_EQ(nearest("radios", names), "radius");
+}
+
+TEST(Nearest, DoesNotMindCapitals) { EXPECT_EQ(nearest("RADIUS", names), "radius"); }
+
+TEST(Nearest, TakesTheFirstOfEquals) { EXPECT_EQ(nearest("xx", std::vector<std::string>{"ab", "cd"}), "ab"); }
+
+TEST(Nearest, HasNothingToSayWithoutNames) {
+  EXPECT_EQ(nearest("height", {}), "");
+  EXPECT_EQ(unknown("parameter", "height", {}), "unknown parameter \"height\"");
+}
+
+TEST(Unknown, SaysWhatWasMeant) {
+  EXPECT_EQ(unknown("parameter", "hieght", names), "unknown parameter \"hieght\", did you mean \"height\"?");
+}
+
+}  // namespace
+}  // namespace plumb
