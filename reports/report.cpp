@@ -36,13 +36,13 @@ const char* name_of(Verdict verdict) {
   return "";
 }
 
-const char* name_of(Standing standing) {
-  switch (standing) {
-    case Standing::held:
+const char* name_of(CheckStatus status) {
+  switch (status) {
+    case CheckStatus::held:
       return "held";
-    case Standing::broken:
+    case CheckStatus::broken:
       return "broken";
-    case Standing::not_reported:
+    case CheckStatus::not_reported:
       return "not reported";
   }
   return "";
@@ -57,7 +57,7 @@ std::optional<double> times_allowed(const RunRecord& run) {
     see(std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity());
   }
   for (const InvariantCheck& check : run.invariants) {
-    if (check.standing != Standing::not_reported) see(check.ratio);
+    if (check.status != CheckStatus::not_reported) see(check.ratio);
   }
   return worst;
 }

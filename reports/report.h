@@ -44,15 +44,15 @@ struct TruthCheck {
 };
 
 /// held: within what is allowed. not_reported: the engine does not show what would tell; never a pass.
-enum class Standing { held, broken, not_reported };
+enum class CheckStatus { held, broken, not_reported };
 
 /// How an invariant fared over a run: where it was missed most, against what is allowed there.
 struct InvariantCheck {
   std::string name;
   std::string unit;
-  Standing standing = Standing::held;
-  double value = 0, allowed = 0;
-  double ratio = 0;   // value / allowed; infinite where nothing is allowed
+  CheckStatus status = CheckStatus::held;
+  double value = 0, tolerance = 0;
+  double ratio = 0;   // value / tolerance; infinite where nothing is allowed
   double time = 0;    // s
   std::string where;  // body, or "a - b"; "" for the whole scene
 };
@@ -147,7 +147,7 @@ const char* name_of(Status);
 const char* name_of(Verdict);
 
 /// "held", "broken", "not reported".
-const char* name_of(Standing);
+const char* name_of(CheckStatus);
 
 /// How many times what is allowed a run is off where it is worst, by truth or invariant; nothing where nothing judged
 /// it.

@@ -18,7 +18,7 @@ struct StateNumber {
   const char* name;
   const char* unit;
   double (*of)(const BodyState&);
-  double SameEnough::*allowed;
+  double SameEnough::*tolerance;
 };
 
 constexpr StateNumber state_numbers[] = {
@@ -82,7 +82,7 @@ class StepComparison {
             .a = number.of(a_.trace->states(k)[body]),
             .b = number.of(b_.trace->states(k)[body]),
             .difference = difference(number, body, k),
-            .allowed = allowed_[k].*number.allowed};
+            .tolerance = allowed_[k].*number.tolerance};
   }
 
   Worst worst_at(std::size_t k) const {
@@ -91,7 +91,7 @@ class StepComparison {
       if (scene_.bodies[body].type == BodyType::fixed) continue;
       for (const StateNumber& number : state_numbers) {
         const double apart = difference(number, body, k);
-        const double share = apart == 0 ? 0 : apart / (allowed_[k].*number.allowed);
+        const double share = apart == 0 ? 0 : apart / (allowed_[k].*number.tolerance);
         if (share > worst.share) worst = {body, &number, share};
       }
     }
@@ -131,7 +131,7 @@ class StepComparison {
     const Vec g = scene_.bodies[worst.body].gravity_scale * scene_.gravity;
     const double along = worst.number->of({.position = g});  // 0 but for x and y
     const double predicted = std::abs(drift * along) * a_.trace->time(k);
-    if (predicted == 0 || std::abs(figure.difference - predicted) > figure.allowed) return "";
+    if (predicted == 0 || std::abs(figure.difference - predicted) > figure.tolerance) return "";
     return fmt::format(" Their integrators explain it: by what they state, free fall differs by {:.3g} m here.",
                        predicted);
   }
@@ -143,7 +143,7 @@ class StepComparison {
       if (scene_.bodies[body].type == BodyType::fixed) continue;
       double squares = 0;
       for (const StateNumber& kin : state_numbers) {
-        if (kin.allowed != number.allowed) continue;
+        if (kin.tolerance != number.tolerance) continue;
         const double one = difference(kin, body, k);
         squares += one * one;
       }

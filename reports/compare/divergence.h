@@ -36,7 +36,7 @@ struct Figure {
   std::string unit;
   std::optional<double> a, b;  // nothing where that run does not know it
   double difference = 0;       // |a - b|
-  double allowed = 0;          // below which it counts as the same
+  double tolerance = 0;        // below which it counts as the same
 };
 
 /// When the first difference had grown to so many times its size.

@@ -251,7 +251,7 @@ class Search {
     const Touching* b = find(in_b_, pair);
     const std::string of = fmt::format(", {} and {}", name(pair.first), name(pair.second));
     const auto figure = [&](const char* what, const char* unit, double allowed, double (*read)(const Touching&)) {
-      Figure made{.what = what + of, .unit = unit, .allowed = allowed};
+      Figure made{.what = what + of, .unit = unit, .tolerance = allowed};
       if (a) made.a = read(*a);
       if (b) made.b = read(*b);
       if (a && b) made.difference = std::abs(*made.a - *made.b);

@@ -41,9 +41,9 @@ void put(std::map<std::string, KeptNumber>& numbers, const std::string& name, Ke
   numbers.emplace(std::move(unique), std::move(number));
 }
 
-Standing standing_of(const TruthCheck& check) {
-  if (!check.reported) return Standing::not_reported;
-  return check.passed ? Standing::held : Standing::broken;
+CheckStatus standing_of(const TruthCheck& check) {
+  if (!check.reported) return CheckStatus::not_reported;
+  return check.passed ? CheckStatus::held : CheckStatus::broken;
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ KeptRun kept(const RunRecord& run) {
     put(all.numbers, name_of_check(check), {check.unit, check.error, standing_of(check), check.tolerance});
   }
   for (const InvariantCheck& check : run.invariants) {
-    put(all.numbers, "invariant: " + check.name, {check.unit, check.value, check.standing, check.allowed});
+    put(all.numbers, "invariant: " + check.name, {check.unit, check.value, check.status, check.tolerance});
   }
   return all;
 }

@@ -35,8 +35,8 @@ struct KeptNumber {
   std::string unit;
   double value = 0;
   /// Of a check: whether it held, and how much it was allowed.
-  std::optional<Standing> standing = std::nullopt;
-  double allowed = 0;
+  std::optional<CheckStatus> status = std::nullopt;
+  double tolerance = 0;
   /// How far from `value` another platform may find it by rounding (see bounds.h); infinite: it may as well be missing;
   /// nothing: not known.
   std::optional<double> moves = std::nullopt;

@@ -30,9 +30,9 @@ std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::er
 
 Json of(const KeptNumber& number) {
   Json json{{"value", number.value}, {"unit", number.unit}};
-  if (number.standing) {
-    json["standing"] = name_of(*number.standing);
-    json["allowed"] = number.allowed;
+  if (number.status) {
+    json["status"] = name_of(*number.status);
+    json["tolerance"] = number.tolerance;
   }
   if (number.moves) json["moves"] = *number.moves == infinity ? Json(any) : Json(rounded(*number.moves));
   if (number.wavers) json["wavers"] = true;
@@ -60,12 +60,12 @@ std::string text_of(const RunKey& key, const KeptRun& run) {
 }
 
 KeptNumber number_from(const JsonReader& from) {
-  from.object({"value", "unit"}, {"standing", "allowed", "moves", "wavers"});
+  from.object({"value", "unit"}, {"status", "tolerance", "moves", "wavers"});
   KeptNumber number{.unit = any_text(from["unit"]), .value = number_or_null(from["value"])};
-  if (from.has("standing")) {
-    number.standing = standing_from(from["standing"]);
-    from.must_have("allowed");
-    number.allowed = number_or_null(from["allowed"]);
+  if (from.has("status")) {
+    number.status = check_status_from(from["status"]);
+    from.must_have("tolerance");
+    number.tolerance = number_or_null(from["tolerance"]);
   }
   if (from.has("moves")) {
     const JsonReader moves = from["moves"];

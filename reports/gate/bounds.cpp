@@ -82,7 +82,7 @@ void set_bounds(KeptRun& run, const std::vector<KeptRun>& others, const Rounding
   for (auto& [name, number] : run.numbers) {
     const auto same = same_in(others, name);
     if (!number.moves) number.moves = may_move(number, same, rounding, dt);
-    for (const KeptNumber* one : same) number.wavers |= one != nullptr && one->standing != number.standing;
+    for (const KeptNumber* one : same) number.wavers |= one != nullptr && one->status != number.status;
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json of(const Offence& one) {
+Json of(const Regression& one) {
   return {{"scenario", one.run.scenario},
           {"variant", one.run.variant},
           {"engine", one.run.engine},
@@ -18,7 +18,7 @@ Json of(const Offence& one) {
           {"metric", one.metric},
           {"before", one.before},
           {"now", one.now},
-          {"allowed", one.allowed},
+          {"tolerance", one.tolerance},
           {"why", one.why},
           {"change", name_of(one.change)}};
 }
@@ -38,18 +38,20 @@ std::optional<Json> changes_since(const std::string& file, const Report& report)
   keep_shared(before.runs, now.runs);
   keep_shared(before.engines, now.engines);  // an engine that one of the two does not have is no other engine
   const GateResult result = compare(before, now);
-  Json offences = Json::array();
-  for (const Offence& one : result.offences) offences.push_back(of(one));
-  return Json{
-      {"plumb", 1},
-      {"study", "baseline"},
-      {"about", "Against what was accepted"},
-      {"configuration", {{"baseline", std::filesystem::path(file).filename().string()}}},
-      {"environment", report.environment},
-      {"points", Json::array()},
-      {"findings",
-       {{"verdict", result.verdict}, {"notes", result.notes}, {"runs", result.runs.size()}, {"offences", offences}}},
-      {"timings", {{"points", Json::object()}}}};
+  Json regressions = Json::array();
+  for (const Regression& one : result.regressions) regressions.push_back(of(one));
+  return Json{{"plumb", 1},
+              {"study", "baseline"},
+              {"about", "Against what was accepted"},
+              {"configuration", {{"baseline", std::filesystem::path(file).filename().string()}}},
+              {"environment", report.environment},
+              {"points", Json::array()},
+              {"findings",
+               {{"verdict", result.verdict},
+                {"notes", result.notes},
+                {"runs", result.runs.size()},
+                {"regressions", regressions}}},
+              {"timings", {{"points", Json::object()}}}};
 }
 
 }  // namespace plumb

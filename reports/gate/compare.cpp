@@ -32,13 +32,13 @@ int rank(Verdict verdict) {
   return 4;
 }
 
-int rank(Standing standing) {
-  switch (standing) {
-    case Standing::held:
+int rank(CheckStatus status) {
+  switch (status) {
+    case CheckStatus::held:
       return 0;
-    case Standing::not_reported:
+    case CheckStatus::not_reported:
       return 1;
-    case Standing::broken:
+    case CheckStatus::broken:
       return 2;
   }
   return 2;
@@ -57,7 +57,7 @@ bool same_number(double a, double b) { return a == b || (!std::isfinite(a) && !s
 bool comes_and_goes(const KeptNumber& number) { return number.moves == infinity; }
 
 bool same(const KeptNumber& a, const KeptNumber& b) {
-  return same_number(a.value, b.value) && same_number(a.allowed, b.allowed) && a.standing == b.standing;
+  return same_number(a.value, b.value) && same_number(a.tolerance, b.tolerance) && a.status == b.status;
 }
 
 std::string in_words(double value, const std::string& unit) {
@@ -81,7 +81,7 @@ double times_moved(const KeptNumber& before, const KeptNumber& now) {
 // Checks tell how far something is off; what a metric's direction means, it says itself.
 Change direction(const std::string& name, const KeptNumber& before, const KeptNumber& now) {
   const Metric* metric = Catalog<Metric>::find(name);
-  const Better better = before.standing ? Better::lower : metric == nullptr ? Better::neither : metric->better;
+  const Better better = before.status ? Better::lower : metric == nullptr ? Better::neither : metric->better;
   if (better == Better::neither) return Change::changed;
   if (std::isfinite(before.value) != std::isfinite(now.value))
     return std::isfinite(now.value) ? Change::better : Change::worse;
@@ -95,12 +95,12 @@ class RunComparison {
   RunComparison(const RunKey& key, const KeptRun& before, const KeptRun& now, bool same_platform)
       : key_(key), before_(before), now_(now), same_platform_(same_platform) {}
 
-  std::vector<Offence> offences() {
+  std::vector<Regression> regressions() {
     compare_verdicts();
     // What did not come to its end has nothing to measure.
     if (now_.numbers.empty() || before_.numbers.empty()) {
       if (same_platform_) compare_bits();
-      return std::move(offences_);
+      return std::move(regressions_);
     }
     for (const auto& [name, number] : before_.numbers) {
       const auto found = now_.numbers.find(name);
@@ -114,7 +114,7 @@ class RunComparison {
       if (before_.numbers.count(name) == 0) come(name, number);
     }
     if (same_platform_) compare_bits();
-    return std::move(offences_);
+    return std::move(regressions_);
   }
 
   std::size_t unjudged() const { return unjudged_; }
@@ -123,13 +123,13 @@ class RunComparison {
   void compare_verdicts() {
     if (before_.verdict == now_.verdict) return;
     if (!same_platform_ && before_.neighbours.count(now_.verdict) != 0) return;
-    offences_.push_back({.run = key_,
-                         .metric = "verdict",
-                         .before = name_of(before_.verdict),
-                         .now = name_of(now_.verdict),
-                         .why = now_.reason.empty() ? "what physics says of the run is another" : now_.reason,
-                         .rule = Rule::verdict,
-                         .change = change_between(before_.verdict, now_.verdict)});
+    regressions_.push_back({.run = key_,
+                            .metric = "verdict",
+                            .before = name_of(before_.verdict),
+                            .now = name_of(now_.verdict),
+                            .why = now_.reason.empty() ? "what physics says of the run is another" : now_.reason,
+                            .rule = Rule::verdict,
+                            .change = change_between(before_.verdict, now_.verdict)});
   }
 
   void compare_numbers(const std::string& name, const KeptNumber& before, const KeptNumber& now) {
@@ -142,56 +142,56 @@ class RunComparison {
       times = times_moved(before, now);
     }
     if (times > 1) {
-      offences_.push_back({.run = key_,
-                           .metric = name,
-                           .before = in_words(before.value, before.unit),
-                           .now = in_words(now.value, now.unit),
-                           .allowed = fmt::format("{:.2g}", *before.moves) + " off",
-                           .why = fmt::format("{:.3g} times farther off than rounding explains", times),
-                           .rule = Rule::bound,
-                           .change = direction(name, before, now),
-                           .times = times});
+      regressions_.push_back({.run = key_,
+                              .metric = name,
+                              .before = in_words(before.value, before.unit),
+                              .now = in_words(now.value, now.unit),
+                              .tolerance = fmt::format("{:.2g}", *before.moves) + " off",
+                              .why = fmt::format("{:.3g} times farther off than rounding explains", times),
+                              .rule = Rule::bound,
+                              .change = direction(name, before, now),
+                              .times = times});
     }
     if (bits_differ) differ(name, before, now, times);
   }
 
   void compare_standings(const std::string& name, const KeptNumber& before, const KeptNumber& now) {
-    if (before.standing == now.standing || !before.standing || !now.standing) return;
+    if (before.status == now.status || !before.status || !now.status) return;
     if (!same_platform_ && before.wavers) return;
     const auto words = [](const KeptNumber& one) {
-      return fmt::format("{} ({})", name_of(*one.standing), in_words(one.value, one.unit));
+      return fmt::format("{} ({})", name_of(*one.status), in_words(one.value, one.unit));
     };
-    offences_.push_back({.run = key_,
-                         .metric = name,
-                         .before = words(before),
-                         .now = words(now),
-                         .allowed = in_words(now.allowed, now.unit),
-                         .why = "what was held to is another",
-                         .rule = Rule::verdict,
-                         .change = change_between(*before.standing, *now.standing),
-                         .times = share_of(now.value, now.allowed)});
+    regressions_.push_back({.run = key_,
+                            .metric = name,
+                            .before = words(before),
+                            .now = words(now),
+                            .tolerance = in_words(now.tolerance, now.unit),
+                            .why = "what was held to is another",
+                            .rule = Rule::verdict,
+                            .change = change_between(*before.status, *now.status),
+                            .times = share_of(now.value, now.tolerance)});
   }
 
   void gone(const std::string& name, const KeptNumber& before) {
     if (comes_and_goes(before) && !std::isfinite(before.value)) return;
     differ(name, before, {}, 0);
     if (comes_and_goes(before)) return;
-    offences_.push_back({.run = key_,
-                         .metric = name,
-                         .before = in_words(before.value, before.unit),
-                         .why = "it is no longer measured",
-                         .rule = Rule::bound,
-                         .change = Change::missing});
+    regressions_.push_back({.run = key_,
+                            .metric = name,
+                            .before = in_words(before.value, before.unit),
+                            .why = "it is no longer measured",
+                            .rule = Rule::bound,
+                            .change = Change::missing});
   }
 
   void come(const std::string& name, const KeptNumber& now) {
     differ(name, {}, now, 0);
-    offences_.push_back({.run = key_,
-                         .metric = name,
-                         .now = in_words(now.value, now.unit),
-                         .why = "it was not measured before",
-                         .rule = Rule::bound,
-                         .change = Change::added});
+    regressions_.push_back({.run = key_,
+                            .metric = name,
+                            .now = in_words(now.value, now.unit),
+                            .why = "it was not measured before",
+                            .rule = Rule::bound,
+                            .change = Change::added});
   }
 
   // Remembers the number that differs the most.
@@ -200,7 +200,7 @@ class RunComparison {
     most_times_ = times;
     most_ =
         same_number(before.value, now.value)
-            ? fmt::format("{}: allowed {:.10g}, now {:.10g}", name, before.allowed, now.allowed)
+            ? fmt::format("{}: allowed {:.10g}, now {:.10g}", name, before.tolerance, now.tolerance)
             : fmt::format("{}: {}, now {}", name, in_words(before.value, before.unit), in_words(now.value, now.unit));
   }
 
@@ -213,21 +213,21 @@ class RunComparison {
     why += differing_ == 0 ? "; no number of it differs"
                            : fmt::format("; {} number{} of it differ{}, {}", differing_, differing_ == 1 ? "" : "s",
                                          differing_ == 1 ? "s" : "", most_);
-    offences_.push_back({.run = key_,
-                         .metric = "bits",
-                         .before = before_.bits,
-                         .now = now_.bits,
-                         .allowed = "the same",
-                         .why = why,
-                         .rule = Rule::bits,
-                         .times = most_times_});
+    regressions_.push_back({.run = key_,
+                            .metric = "bits",
+                            .before = before_.bits,
+                            .now = now_.bits,
+                            .tolerance = "the same",
+                            .why = why,
+                            .rule = Rule::bits,
+                            .times = most_times_});
   }
 
   const RunKey& key_;
   const KeptRun& before_;
   const KeptRun& now_;
   bool same_platform_;
-  std::vector<Offence> offences_;
+  std::vector<Regression> regressions_;
   std::size_t unjudged_ = 0, differing_ = 0;
   double most_times_ = 0;
   std::string most_;
@@ -247,7 +247,7 @@ std::string differences(const std::map<std::string, std::string>& before,
   return text;
 }
 
-Offence presence(const RunKey& key, const KeptRun& run, Change change) {
+Regression presence(const RunKey& key, const KeptRun& run, Change change) {
   const bool gone = change == Change::missing;
   return {.run = key,
           .metric = "run",
@@ -258,11 +258,11 @@ Offence presence(const RunKey& key, const KeptRun& run, Change change) {
           .change = change};
 }
 
-std::string counted(const std::vector<Offence>& offences) {
+std::string counted(const std::vector<Regression>& regressions) {
   std::string text;
   for (const Change change : {Change::worse, Change::missing, Change::changed, Change::better, Change::added}) {
-    const auto count =
-        std::count_if(offences.begin(), offences.end(), [&](const Offence& one) { return one.change == change; });
+    const auto count = std::count_if(regressions.begin(), regressions.end(),
+                                     [&](const Regression& one) { return one.change == change; });
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name_of(change));
   }
   return text;
@@ -274,9 +274,9 @@ std::string verdict_of(const GateResult& result, bool same_platform) {
                        same_platform ? "to the bit" : "within what rounding explains on another platform");
   }
   std::set<RunKey> runs;
-  for (const Offence& one : result.offences) runs.insert(one.run);
+  for (const Regression& one : result.regressions) runs.insert(one.run);
   return fmt::format("NOT as accepted: {} of {} runs differ ({})", runs.size(), result.runs.size(),
-                     counted(result.offences));
+                     counted(result.regressions));
 }
 
 }  // namespace
@@ -301,24 +301,24 @@ GateResult compare(const Baseline& before, const Baseline& now) {
     result.runs.push_back(key);
     const auto found = now.runs.find(key);
     if (found == now.runs.end()) {
-      result.offences.push_back(presence(key, run, Change::missing));
+      result.regressions.push_back(presence(key, run, Change::missing));
       continue;
     }
     const bool same = platform.empty() && engine_of(before, key.engine) == engine_of(now, key.engine);
     RunComparison comparison(key, run, found->second, same);
-    for (Offence& one : comparison.offences()) result.offences.push_back(std::move(one));
+    for (Regression& one : comparison.regressions()) result.regressions.push_back(std::move(one));
     unjudged += comparison.unjudged();
   }
   for (const auto& [key, run] : now.runs) {
     if (before.runs.count(key) != 0) continue;
     result.runs.push_back(key);
-    result.offences.push_back(presence(key, run, Change::added));
+    result.regressions.push_back(presence(key, run, Change::added));
   }
   if (unjudged > 0) {
     result.notes.push_back(fmt::format(
         "{} numbers are of another platform, and nobody said how far they may move: they are not judged.", unjudged));
   }
-  sort(result.offences);
+  sort(result.regressions);
   result.verdict = verdict_of(result, platform.empty() && engines.empty());
   return result;
 }

@@ -21,12 +21,12 @@ TruthCheck check_from(const JsonReader& from) {
 }
 
 InvariantCheck invariant_from(const JsonReader& from) {
-  for (const char* key : {"name", "unit", "standing", "value", "allowed"}) from.must_have(key);
+  for (const char* key : {"name", "unit", "status", "value", "tolerance"}) from.must_have(key);
   return {.name = any_text(from["name"]),
           .unit = any_text(from["unit"]),
-          .standing = standing_from(from["standing"]),
+          .status = check_status_from(from["status"]),
           .value = number_or_null(from["value"]),
-          .allowed = number_or_null(from["allowed"])};
+          .tolerance = number_or_null(from["tolerance"])};
 }
 
 RunRecord run_from(const JsonReader& from) {

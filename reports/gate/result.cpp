@@ -39,15 +39,15 @@ const char* name_of(Change change) {
 
 std::optional<Rule> caught_by(const GateResult& result, const RunKey& run) {
   std::optional<Rule> crudest;
-  for (const Offence& one : result.offences) {
+  for (const Regression& one : result.regressions) {
     if (one.run == run && (!crudest || one.rule < *crudest)) crudest = one.rule;
   }
   return crudest;
 }
 
 // A verdict's change for the worse leads, then what is gone, then numbers by how far they are off.
-void sort(std::vector<Offence>& offences) {
-  const auto rank = [](const Offence& one) {
+void sort(std::vector<Regression>& regressions) {
+  const auto rank = [](const Regression& one) {
     const bool verdict_worse = one.rule == Rule::verdict && one.change == Change::worse;
     const int group = verdict_worse                   ? 0
                       : one.change == Change::missing ? 1
@@ -58,7 +58,8 @@ void sort(std::vector<Offence>& offences) {
                                                       : 6;
     return std::tuple<int, double, const RunKey&, const std::string&>(group, -one.times, one.run, one.metric);
   };
-  std::sort(offences.begin(), offences.end(), [&](const Offence& a, const Offence& b) { return rank(a) < rank(b); });
+  std::sort(regressions.begin(), regressions.end(),
+            [&](const Regression& a, const Regression& b) { return rank(a) < rank(b); });
 }
 
 }  // namespace plumb

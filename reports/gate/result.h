@@ -8,9 +8,9 @@
 
 namespace plumb {
 
-/// What caught an offence, the crudest first. presence: a run has come or gone. verdict: what physics says of it became
-/// another. bound: a number moved farther than the rounding of another platform explains. bits: on the same platform
-/// not every bit is the same. time: steps take longer than in another build that they were timed beside.
+/// What caught an regression, the crudest first. presence: a run has come or gone. verdict: what physics says of it
+/// became another. bound: a number moved farther than the rounding of another platform explains. bits: on the same
+/// platform not every bit is the same. time: steps take longer than in another build that they were timed beside.
 enum class Rule { presence, verdict, bound, bits, time };
 enum class Change { worse, changed, better, missing, added };
 
@@ -21,11 +21,11 @@ const char* name_of(Rule);
 const char* name_of(Change);
 
 /// One thing that is not as accepted.
-struct Offence {
+struct Regression {
   RunKey run;
-  std::string metric;                // "verdict", "bits", "run", or the name of a number
-  std::string before, now, allowed;  // with unit; "" where there is nothing to say
-  std::string why;                   // a sentence
+  std::string metric;                  // "verdict", "bits", "run", or the name of a number
+  std::string before, now, tolerance;  // with unit; "" where there is nothing to say
+  std::string why;                     // a sentence
   Rule rule = Rule::bits;
   Change change = Change::changed;
   double times = 0;  // the difference against what is allowed; 0 where that says nothing
@@ -35,16 +35,16 @@ struct Offence {
 struct GateResult {
   std::string verdict;  // one line
   std::vector<RunKey> runs;
-  std::vector<Offence> offences;   // worst first
-  std::vector<std::string> notes;  // on what the comparison rests
+  std::vector<Regression> regressions;  // worst first
+  std::vector<std::string> notes;       // on what the comparison rests
 
-  bool passed() const { return offences.empty(); }
+  bool passed() const { return regressions.empty(); }
 };
 
 /// The crudest rule that caught a run; nothing where none did.
 std::optional<Rule> caught_by(const GateResult&, const RunKey&);
 
 /// Worst first, and always in the same order.
-void sort(std::vector<Offence>&);
+void sort(std::vector<Regression>&);
 
 }  // namespace plumb

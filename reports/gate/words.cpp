@@ -38,10 +38,10 @@ Verdict verdict_from(const JsonReader& from) {
   return from.one_of<Verdict>(words);
 }
 
-Standing standing_from(const JsonReader& from) {
-  constexpr std::array all{Standing::held, Standing::broken, Standing::not_reported};
+CheckStatus check_status_from(const JsonReader& from) {
+  constexpr std::array all{CheckStatus::held, CheckStatus::broken, CheckStatus::not_reported};
   static const auto words = words_of(all);
-  return from.one_of<Standing>(words);
+  return from.one_of<CheckStatus>(words);
 }
 
 }  // namespace plumb

@@ -18,7 +18,7 @@ std::string any_text(const JsonReader&);
 std::map<std::string, std::string> texts_from(const JsonReader&);
 
 Verdict verdict_from(const JsonReader&);
-Standing standing_from(const JsonReader&);
+CheckStatus check_status_from(const JsonReader&);
 
 /// Calls `take(name, value)` for every member of an object.
 template <class Take>

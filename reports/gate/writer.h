@@ -15,9 +15,9 @@ struct GateWriter {
 };
 
 /// "worse: bounce e=0.5, impulse: energy_drift: 0.1 J, now 0.2 J, allowed 1e-09 off: why"
-std::string in_words(const Offence&);
+std::string in_words(const Regression&);
 
-/// The verdict, the worst `most` offences and on what it rests, a line each.
+/// The verdict, the worst `most` regressions and on what it rests, a line each.
 std::string text_of(const GateResult&, std::size_t most);
 
 }  // namespace plumb

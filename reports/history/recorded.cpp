@@ -36,8 +36,8 @@ std::optional<double> share_of_allowed(const JsonReader& run) {
     const double error = number_or_null(check["error"]);
     if (check["reported"].boolean()) see(error == 0 ? 0 : error / number_or_null(check["tolerance"]));
   });
-  for_each_entry(run["invariants"], {"standing", "ratio"}, [&](const JsonReader& law) {
-    if (standing_from(law["standing"]) != Standing::not_reported) see(number_or_null(law["ratio"]));
+  for_each_entry(run["invariants"], {"status", "ratio"}, [&](const JsonReader& law) {
+    if (check_status_from(law["status"]) != CheckStatus::not_reported) see(number_or_null(law["ratio"]));
   });
   if (worst && !std::isfinite(*worst)) worst = std::numeric_limits<double>::quiet_NaN();
   return worst;

@@ -16,11 +16,11 @@ double Worst::times_allowed(double value, double allowed) {
 
 InvariantCheck Worst::result() const {
   InvariantCheck check = check_;
-  check.standing = check.ratio <= 1 ? Standing::held : Standing::broken;
+  check.status = check.ratio <= 1 ? CheckStatus::held : CheckStatus::broken;
   return check;
 }
 
-InvariantCheck not_reported() { return {.standing = Standing::not_reported}; }
+InvariantCheck not_reported() { return {.status = CheckStatus::not_reported}; }
 
 bool reports_contacts(const Trace& trace) {
   for (std::size_t i = 0; i < trace.size(); ++i) {

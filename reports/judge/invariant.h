@@ -29,7 +29,7 @@ class Worst {
     if (seen_ && !(ratio > check_.ratio)) return;
     seen_ = true;
     check_.value = value;
-    check_.allowed = allowed;
+    check_.tolerance = allowed;
     check_.ratio = ratio;
     check_.time = time;
     check_.where = where();

@@ -147,7 +147,7 @@ double round_off(Quantity quantity, std::size_t body, const Scene& scene, const 
 // What is broken is wrong whatever the truth says. Where motions can no longer be predicted, that comes between the
 // two.
 Verdict concluded(std::span<const TruthCheck> readings, std::span<const InvariantCheck> invariants) {
-  const auto broken = [](const InvariantCheck& one) { return one.standing == Standing::broken; };
+  const auto broken = [](const InvariantCheck& one) { return one.status == CheckStatus::broken; };
   const auto failed = [](const TruthCheck& one) { return one.reported && !one.passed; };
   const auto passed = [](const TruthCheck& one) { return one.passed; };
   if (std::any_of(invariants.begin(), invariants.end(), broken)) return Verdict::wrong;

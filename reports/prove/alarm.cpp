@@ -105,7 +105,7 @@ std::vector<Alarm> physics_alarms(const Case& asked, const Examined& right, cons
                          checks[i].body.empty() ? checks[i].quantity : checks[i].body + " " + checks[i].quantity);
     off.unit = checks[i].unit;
     off.off = checks[i].error;
-    off.allowed = checks[i].tolerance;
+    off.tolerance = checks[i].tolerance;
     off.ratio = ratio_of(checks[i]);
     all.push_back(off);
   }
@@ -116,7 +116,7 @@ std::vector<Alarm> physics_alarms(const Case& asked, const Examined& right, cons
     Alarm broken = alarm_of(asked, Means::invariant, invariants[i].name);
     broken.unit = invariants[i].unit;
     broken.off = invariants[i].value;
-    broken.allowed = invariants[i].allowed;
+    broken.tolerance = invariants[i].tolerance;
     broken.ratio = invariants[i].ratio;
     all.push_back(broken);
   }

@@ -34,8 +34,8 @@ struct Alarm {
   Means means = Means::truth;
   std::string metric;  // "box y", "energy"
   std::string unit;
-  double off = 0, allowed = 0;
-  double ratio = 0;  // off / allowed; infinite where nothing is allowed, or the run did not come to its end
+  double off = 0, tolerance = 0;
+  double ratio = 0;  // off / tolerance; infinite where nothing is allowed, or the run did not come to its end
 };
 
 /// What `suspect` misses and `right` does not. Nothing where the right one does not run the case: then no one is told

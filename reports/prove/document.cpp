@@ -36,9 +36,9 @@ std::string row(const Proof& proof) {
 
 Json json_of(const Alarm& alarm) {
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
-  return {{"scenario", alarm.scenario}, {"variant", alarm.variant},    {"means", name_of(alarm.means)},
-          {"metric", alarm.metric},     {"unit", alarm.unit},          {"off", number(alarm.off)},
-          {"allowed", alarm.allowed},   {"ratio", number(alarm.ratio)}};
+  return {{"scenario", alarm.scenario},   {"variant", alarm.variant},    {"means", name_of(alarm.means)},
+          {"metric", alarm.metric},       {"unit", alarm.unit},          {"off", number(alarm.off)},
+          {"tolerance", alarm.tolerance}, {"ratio", number(alarm.ratio)}};
 }
 
 Json json_of(const std::vector<Alarm>& alarms) {
@@ -79,7 +79,7 @@ std::string text_of(const Proven& proven) {
   for (const CleanRun& run : proven.clean) {
     for (const Alarm& alarm : run.alarms) {
       text += fmt::format("FALSE ALARM in {}: {}, {}, {:.3g} {} where {:.3g} is allowed\n", run.settings, where(alarm),
-                          alarm.metric, alarm.off, alarm.unit, alarm.allowed);
+                          alarm.metric, alarm.off, alarm.unit, alarm.tolerance);
     }
   }
   return text;

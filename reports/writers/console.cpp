@@ -109,7 +109,7 @@ std::string in_words(const TruthCheck& check) {
 std::string in_words(const InvariantCheck& check) {
   const std::string where = check.where.empty() ? "" : " of " + check.where;
   return fmt::format("breaks {}{} at {:.4g} s: {:.3g}, allowed {:.2g} {} ({:.3g} times)", check.name, where, check.time,
-                     check.value, check.allowed, check.unit, check.ratio);
+                     check.value, check.tolerance, check.unit, check.ratio);
 }
 
 // A truth by refinement is as exact as it says.
@@ -130,7 +130,7 @@ std::string row(const Report& report, const RunRecord& run, bool colour) {
   }
   if (failed > most_failures) text += wrapped(fmt::format("and {} more", failed - most_failures), 8);
   for (const InvariantCheck& check : run.invariants) {
-    if (check.standing == Standing::broken) text += wrapped(in_words(check), 8);
+    if (check.status == CheckStatus::broken) text += wrapped(in_words(check), 8);
   }
   return text;
 }

@@ -33,13 +33,13 @@ std::string table(const Report& report) {
                                       : "no");
     }
     for (const InvariantCheck& check : run.invariants) {
-      const bool shown = check.standing != Standing::not_reported;
+      const bool shown = check.status != CheckStatus::not_reported;
       text += fmt::format("{},invariant,{},{},{},{},{},,,{},{}\n", begin, csv_field(check.name), csv_field(check.where),
                           csv_field(check.time), shown ? csv_field(check.value) : "", csv_field(check.unit),
-                          shown ? csv_field(check.allowed) : "",
-                          check.standing == Standing::held     ? "yes"
-                          : check.standing == Standing::broken ? "no"
-                                                               : name_of(check.standing));
+                          shown ? csv_field(check.tolerance) : "",
+                          check.status == CheckStatus::held     ? "yes"
+                          : check.status == CheckStatus::broken ? "no"
+                                                                : name_of(check.status));
     }
   }
   return text;

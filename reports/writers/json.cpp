@@ -46,8 +46,8 @@ Json of(const TruthCheck& check) {
 }
 
 Json of(const InvariantCheck& check) {
-  return {{"name", check.name},   {"unit", check.unit},       {"standing", name_of(check.standing)},
-          {"value", check.value}, {"allowed", check.allowed}, {"ratio", check.ratio},
+  return {{"name", check.name},   {"unit", check.unit},           {"status", name_of(check.status)},
+          {"value", check.value}, {"tolerance", check.tolerance}, {"ratio", check.ratio},
           {"time", check.time},   {"where", check.where}};
 }
 

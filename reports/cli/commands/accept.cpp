@@ -67,7 +67,7 @@ void say_what_changes(const std::optional<Baseline>& before, const Baseline& now
     fmt::print("other steps: {} s, was {} s\n", now.dt, before->dt);
   } else {
     const GateResult changes = compare(*before, now);
-    fmt::print("{}", text_of(changes, changes.offences.size()));
+    fmt::print("{}", text_of(changes, changes.regressions.size()));
   }
 }
 

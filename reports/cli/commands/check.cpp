@@ -12,14 +12,14 @@
 #include "reports/gate/compare.h"
 #include "reports/gate/writer.h"
 #include "reports/system/files.h"
-#include "reports/timing/offences.h"
 #include "reports/timing/options.h"
+#include "reports/timing/regressions.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::commands::check {
 namespace {
 
-constexpr std::size_t shown = 10;  // offences; the files have them all
+constexpr std::size_t shown = 10;  // regressions; the files have them all
 
 struct Check {
   GateAsked gate;

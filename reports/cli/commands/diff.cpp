@@ -64,7 +64,7 @@ std::string row(const Figure& figure) {
   const bool both = figure.a && figure.b;
   return fmt::format("  {:<44}{:>20}{:>20}{:>12}{:>12}\n",
                      figure.what + (figure.unit.empty() ? "" : ", " + figure.unit), number(figure.a), number(figure.b),
-                     both ? fmt::format("{:.3g}", figure.difference) : "-", fmt::format("{:.2g}", figure.allowed));
+                     both ? fmt::format("{:.3g}", figure.difference) : "-", fmt::format("{:.2g}", figure.tolerance));
 }
 
 std::string text_of(const Asked& asked, const Compared& compared) {
@@ -73,15 +73,15 @@ std::string text_of(const Asked& asked, const Compared& compared) {
     return fmt::format(
         "{} and {} never part in {} steps ({:.4g} s): nearest to it comes {}, by {:.3g} {}; {} {:.2g}.\n", asked.a,
         asked.b, compared.steps, compared.until, compared.largest.what, compared.largest.difference,
-        compared.largest.unit, why, compared.largest.allowed);
+        compared.largest.unit, why, compared.largest.tolerance);
   }
   const Divergence& parted = *compared.parted;
   std::string text = fmt::format("{} and {} part in step {} of {} ({:.4g} s): {} differs by {:.3g} {}; {} {:.2g}.\n",
                                  asked.a, asked.b, parted.step, compared.steps, parted.time, parted.first.what,
-                                 parted.first.difference, parted.first.unit, why, parted.first.allowed);
+                                 parted.first.difference, parted.first.unit, why, parted.first.tolerance);
   text += fmt::format("Stage: {}. {}\n\n", name_of(parted.stage), parted.advice);
   text += fmt::format("  {:<44}{:>20}{:>20}{:>12}{:>12}\n", fmt::format("after step {}", parted.step), "first",
-                      "second", "apart", "allowed");
+                      "second", "apart", "tolerance");
   for (const Figure& figure : parted.figures) text += row(figure);
   text += fmt::format("\n  {:>13}{:>8}{:>10}{:>12} {}\n", "grown to", "step", "s", "apart,", parted.first.unit);
   for (const Growth& growth : parted.growth) {
@@ -99,7 +99,7 @@ Json json_of(const Figure& figure) {
           {"a", json_of(figure.a)},
           {"b", json_of(figure.b)},
           {"difference", figure.difference},
-          {"allowed", figure.allowed}};
+          {"tolerance", figure.tolerance}};
 }
 
 Json json_of(const Divergence& parted) {

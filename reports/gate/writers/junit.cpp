@@ -43,8 +43,8 @@ std::string test_case(const GateResult& result, const RunKey& run) {
   std::string text =
       fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", escaped(about), escaped(name));
   std::string lines;
-  const Offence* worst = nullptr;
-  for (const Offence& one : result.offences) {
+  const Regression* worst = nullptr;
+  for (const Regression& one : result.regressions) {
     if (one.run != run) continue;
     if (worst == nullptr) worst = &one;
     lines += escaped(in_words(one)) + "\n";
@@ -57,7 +57,7 @@ std::string test_case(const GateResult& result, const RunKey& run) {
 // As https://github.com/testmoapp/junitxml describes what readers of continuous integration take.
 std::string junit(const GateResult& result) {
   std::set<RunKey> failed;
-  for (const Offence& one : result.offences) failed.insert(one.run);
+  for (const Regression& one : result.regressions) failed.insert(one.run);
   const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"0\"",
                                          result.runs.size(), failed.size());
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";

@@ -29,14 +29,14 @@ std::string markdown(const GateResult& result) {
   std::string text = fmt::format("### Plumb: {}\n", in_cell(result.verdict));
   if (!result.passed()) {
     text += "\n| | run | what | before | now | allowed | why |\n|---|---|---|---|---|---|---|\n";
-    for (std::size_t i = 0; i < result.offences.size() && i < most_rows; ++i) {
-      const Offence& one = result.offences[i];
+    for (std::size_t i = 0; i < result.regressions.size() && i < most_rows; ++i) {
+      const Regression& one = result.regressions[i];
       text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", name_of(one.change), in_cell(one.run.text()),
-                          in_cell(one.metric), in_cell(one.before), in_cell(one.now), in_cell(one.allowed),
+                          in_cell(one.metric), in_cell(one.before), in_cell(one.now), in_cell(one.tolerance),
                           in_cell(one.why));
     }
-    if (result.offences.size() > most_rows) {
-      text += fmt::format("\nAnd {} more.\n", result.offences.size() - most_rows);
+    if (result.regressions.size() > most_rows) {
+      text += fmt::format("\nAnd {} more.\n", result.regressions.size() - most_rows);
     }
     text += "\nIf this is as it should be, `plumb accept` makes it the baseline.\n";
   }

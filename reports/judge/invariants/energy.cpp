@@ -105,7 +105,7 @@ double load_of(const InvariantContext& context, const Acting& acting) {
 
 // Columns over the run, J: what must not rise, and what it may rise by up to each moment.
 struct Account {
-  std::vector<double> modified, allowed;
+  std::vector<double> modified, tolerance;
   double coming_and_going = 0;
 };
 
@@ -116,7 +116,7 @@ Account account_of(const InvariantContext& context, double drift) {
   const double nu = roundings(trace, stepping);
   Account account;
   double work = 0;
-  double allowed = 0;
+  double tolerance = 0;
   double bending = 0;                                              // largest |dF/dt . v|
   double low = std::numeric_limits<double>::infinity(), high = 0;  // of |F|^2/m
   double size = 0;                                                 // J, largest of what is rounded
@@ -144,7 +144,7 @@ Account account_of(const InvariantContext& context, double drift) {
       const BodyState& then = trace.states(moment - 1)[i];
       const Change change{0.5 * (before[i].force + pushes[i].force), now.velocity - then.velocity,
                           (before[i].torque + pushes[i].torque) / 2, now.angular_velocity - then.angular_velocity};
-      allowed += (std::abs(stepping.drift) + stepping.impact_lag) * stepping.h * impact_work(change, mass, dt);
+      tolerance += (std::abs(stepping.drift) + stepping.impact_lag) * stepping.h * impact_work(change, mass, dt);
       bend += (std::abs(dot(pushes[i].force - before[i].force, 0.5 * (now.velocity + then.velocity))) +
                std::abs((pushes[i].torque - before[i].torque) * now.angular_velocity)) /
               dt;
@@ -153,7 +153,7 @@ Account account_of(const InvariantContext& context, double drift) {
     if (moment > 0) {
       const Driven by = driven(context, moment);
       work += by.work + dt * (power + now_power) / 2;
-      allowed += by.unsure;
+      tolerance += by.unsure;
       power_change = std::max(power_change, std::abs(now_power - power) * dt);
     }
     power = now_power;
@@ -164,7 +164,7 @@ Account account_of(const InvariantContext& context, double drift) {
     size = std::max(size, sizes);
     account.modified.push_back(acting.conserved().energy(states).total() + acting.potential(states) +
                                drift * stepping.h * swing - work);
-    account.allowed.push_back(allowed);
+    account.tolerance.push_back(tolerance);
   }
   // The trapezium over dt misses dt^2/12 of what the power's slope changes by: at most its largest, there and back.
   account.coming_and_going = stepping.h * stepping.h / 12 * (2 * bending + high - low) + power_change / 6 +
@@ -178,9 +178,9 @@ InvariantCheck rise(const InvariantContext& context, double drift) {
   std::size_t lowest = 0;
   for (std::size_t i = 1; i < account.modified.size(); ++i) {
     worst.see(account.modified[i] - account.modified[lowest],
-              account.allowed[i] - account.allowed[lowest] + account.coming_and_going, context.trace.time(i),
+              account.tolerance[i] - account.tolerance[lowest] + account.coming_and_going, context.trace.time(i),
               [] { return ""; });
-    if (account.modified[i] - account.allowed[i] < account.modified[lowest] - account.allowed[lowest]) lowest = i;
+    if (account.modified[i] - account.tolerance[i] < account.modified[lowest] - account.tolerance[lowest]) lowest = i;
   }
   return worst.result();
 }

@@ -117,7 +117,7 @@ Watch gives_way(const SharedScene& scene, std::size_t a, std::size_t b, double l
 
 // A body that has come down or to the side by half its size stands no more where it stood. Jitter of 0.02 m a second
 // can be seen, and is an eighth of what the speed that gravity gives in a step of 1/60 s would make.
-std::vector<Watch> standing(const SharedScene& scene, double size, double gap) {
+std::vector<Watch> status(const SharedScene& scene, double size, double gap) {
   constexpr double turned = 0.2;      // rad; toppled blocks may come to lean on the ground at 0.45
   constexpr double lifted = 0.1;      // of the energy that a fall would set free
   constexpr double pressed = 0.1;     // of a body's size, beyond the stated gap

@@ -28,6 +28,6 @@ Watch is_restless(const SharedScene&, double still_way);
 Watch gives_way(const SharedScene&, std::size_t a, std::size_t b, double length);
 
 /// A structure of bodies about `size` m large that should stand still, if contacts may stand off by `gap`, m.
-std::vector<Watch> standing(const SharedScene&, double size, double gap);
+std::vector<Watch> status(const SharedScene&, double size, double gap);
 
 }  // namespace plumb

@@ -32,9 +32,9 @@ export type Standing = (typeof standings)[number];
 export interface InvariantCheck {
   name: string;
   unit: string;
-  standing: Standing;
+  status: Standing;
   value: number | null;
-  allowed: number | null;
+  tolerance: number | null;
   ratio: number | null; // null: nothing is allowed
   time: number;
   where: string;
@@ -187,9 +187,9 @@ const report_rule = record({
         record({
           name: text,
           unit: text,
-          standing: one_of(...standings),
+          status: one_of(...standings),
           value: number,
-          allowed: number,
+          tolerance: number,
           ratio: number,
           time: finite,
           where: text,

@@ -88,7 +88,7 @@ export const law_ratio = (check: InvariantCheck): number => check.ratio ?? Infin
 
 function worst(run: Run): number {
   const readings = run.truth.filter((check) => check.reported).map(ratio);
-  const laws = run.invariants.filter(({ standing }) => standing !== "not reported").map(law_ratio);
+  const laws = run.invariants.filter(({ status }) => status !== "not reported").map(law_ratio);
   const all = [...readings, ...laws];
   return all.length ? Math.max(...all) : NaN;
 }

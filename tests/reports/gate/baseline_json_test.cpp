@@ -109,7 +109,7 @@ TEST_F(BaselineFile, TakesAReport) {
   EXPECT_EQ(back.runs.size(), before.runs.size());
   for (auto& [key, run] : before.runs) run.reason = run.bits = "";  // not in a report
   const GateResult result = compare(before, back);
-  EXPECT_TRUE(result.passed()) << result.offences.at(0).why;
+  EXPECT_TRUE(result.passed()) << result.regressions.at(0).why;
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ TEST(KeptNumbers, AreAllThatWasMeasuredOrJudged) {
   const KeptRun run = kept(report.runs[1]);
   EXPECT_EQ(run.verdict, Verdict::wrong);
   EXPECT_EQ(run.numbers.at("energy_rise").unit, "1");
-  EXPECT_EQ(run.numbers.at("truth: x of box, \"the\" first at 2 s").standing, Standing::broken);
-  EXPECT_EQ(run.numbers.at("invariant: cone").standing, Standing::not_reported);
+  EXPECT_EQ(run.numbers.at("truth: x of box, \"the\" first at 2 s").status, CheckStatus::broken);
+  EXPECT_EQ(run.numbers.at("invariant: cone").status, CheckStatus::not_reported);
   EXPECT_EQ(run.numbers.at("invariant: push").value, 0.5);
   EXPECT_EQ(run.numbers.size(), 5u);
 }

@@ -18,19 +18,19 @@ TEST_F(Changes, AreNoneWhereAllIsAsAccepted) {
   EXPECT_EQ((*changes)["configuration"]["baseline"], "canonical.json");
   const auto& found = (*changes)["findings"];
   EXPECT_EQ(found["runs"], 3);
-  EXPECT_TRUE(found["offences"].empty()) << found.dump(1);
+  EXPECT_TRUE(found["regressions"].empty()) << found.dump(1);
 }
 
 TEST_F(Changes, NameTheRunAndWhatItWas) {
   const std::string file = put("canonical.json", to_text(baseline_of(sample_report())));
   Report report = sample_report();
   report.runs[0].verdict = Verdict::wrong;
-  const auto offences = changes_since(file, report).value()["findings"]["offences"];
-  ASSERT_FALSE(offences.empty());
-  EXPECT_EQ(offences[0]["scenario"], "slide");
-  EXPECT_EQ(offences[0]["before"], "right");
-  EXPECT_EQ(offences[0]["now"], "wrong");
-  EXPECT_EQ(offences[0]["change"], "worse");
+  const auto regressions = changes_since(file, report).value()["findings"]["regressions"];
+  ASSERT_FALSE(regressions.empty());
+  EXPECT_EQ(regressions[0]["scenario"], "slide");
+  EXPECT_EQ(regressions[0]["before"], "right");
+  EXPECT_EQ(regressions[0]["now"], "wrong");
+  EXPECT_EQ(regressions[0]["change"], "worse");
 }
 
 TEST_F(Changes, LeaveOutRunsThatOnlyOneOfTheTwoHas) {
@@ -39,7 +39,7 @@ TEST_F(Changes, LeaveOutRunsThatOnlyOneOfTheTwoHas) {
   const std::string file = put("canonical.json", to_text(baseline_of(before)));
   const auto found = changes_since(file, sample_report()).value()["findings"];
   EXPECT_EQ(found["runs"], 2);
-  EXPECT_TRUE(found["offences"].empty()) << found.dump(1);
+  EXPECT_TRUE(found["regressions"].empty()) << found.dump(1);
 }
 
 TEST_F(Changes, AreNothingWithoutABaselineOrWithAnotherStep) {

@@ -37,9 +37,9 @@ TEST(Compare, CountsEveryBitOnTheSamePlatform) {
   now = baseline();
   run_of(now).bits = "00000000000000ab";
   const GateResult result = compare(baseline(), now);
-  ASSERT_EQ(result.offences.size(), 1u);
-  EXPECT_EQ(result.offences[0].metric, "bits");
-  EXPECT_THAT(result.offences[0].why, HasSubstr("no number of it differs"));
+  ASSERT_EQ(result.regressions.size(), 1u);
+  EXPECT_EQ(result.regressions[0].metric, "bits");
+  EXPECT_THAT(result.regressions[0].why, HasSubstr("no number of it differs"));
   EXPECT_TRUE(compare(baseline(), elsewhere(now)).passed());
 }
 
@@ -49,21 +49,21 @@ TEST(Compare, LetsNumbersMoveAsFarAsTheirBoundOnAnotherPlatform) {
   EXPECT_TRUE(compare(baseline(), now).passed());
   metric_of(now).value = std::nextafter(1.5, 2.0);
   const GateResult result = compare(baseline(), now);
-  ASSERT_EQ(result.offences.size(), 1u);
-  EXPECT_EQ(result.offences[0].rule, Rule::bound);
-  EXPECT_EQ(result.offences[0].change, Change::worse) << "less penetration is better";
-  EXPECT_EQ(result.offences[0].allowed, "0.5 off");
+  ASSERT_EQ(result.regressions.size(), 1u);
+  EXPECT_EQ(result.regressions[0].rule, Rule::bound);
+  EXPECT_EQ(result.regressions[0].change, Change::worse) << "less penetration is better";
+  EXPECT_EQ(result.regressions[0].tolerance, "0.5 off");
   metric_of(now).value = 0.25;
-  EXPECT_EQ(compare(baseline(), now).offences.at(0).change, Change::better);
+  EXPECT_EQ(compare(baseline(), now).regressions.at(0).change, Change::better);
 }
 
 TEST(Compare, TellsTheSamePlatformWhatABoundWouldHaveCaught) {
   Baseline now = baseline();
   metric_of(now).value = 3;
   const GateResult result = compare(baseline(), now);
-  ASSERT_EQ(result.offences.size(), 2u);
-  EXPECT_EQ(result.offences[0].times, 4);
-  EXPECT_EQ(result.offences[1].rule, Rule::bits);
+  ASSERT_EQ(result.regressions.size(), 2u);
+  EXPECT_EQ(result.regressions[0].times, 4);
+  EXPECT_EQ(result.regressions[1].rule, Rule::bits);
   EXPECT_EQ(caught_by(result, run_key()), Rule::bound);
 }
 
@@ -72,10 +72,10 @@ TEST(Compare, LetsNoVerdictGetWorseWhateverThePlatform) {
     Baseline now = elsewhere(baseline());
     run_of(now).verdict = worse;
     const GateResult result = compare(baseline(), now);
-    ASSERT_EQ(result.offences.size(), 1u) << name_of(worse);
-    EXPECT_EQ(result.offences[0].change, Change::worse) << name_of(worse);
-    EXPECT_EQ(result.offences[0].before, "right");
-    EXPECT_EQ(result.offences[0].now, name_of(worse));
+    ASSERT_EQ(result.regressions.size(), 1u) << name_of(worse);
+    EXPECT_EQ(result.regressions[0].change, Change::worse) << name_of(worse);
+    EXPECT_EQ(result.regressions[0].before, "right");
+    EXPECT_EQ(result.regressions[0].now, name_of(worse));
     EXPECT_EQ(caught_by(result, run_key()), Rule::verdict);
   }
 }
@@ -85,8 +85,8 @@ TEST(Compare, ReportsABetterVerdictToBeAccepted) {
   run_of(before).verdict = Verdict::wrong;
   run_of(before).neighbours = {Verdict::wrong};
   const GateResult result = compare(before, elsewhere(baseline()));
-  ASSERT_EQ(result.offences.size(), 1u);
-  EXPECT_EQ(result.offences[0].change, Change::better);
+  ASSERT_EQ(result.regressions.size(), 1u);
+  EXPECT_EQ(result.regressions[0].change, Change::better);
   EXPECT_FALSE(result.passed());
 }
 
@@ -101,11 +101,11 @@ TEST(Compare, TakesAVerdictThatNeighboursHadFromAnotherPlatformOnly) {
 
 TEST(Compare, HoldsEveryCheckToWhetherItHeld) {
   Baseline now = elsewhere(baseline());
-  check_of(now).standing = Standing::broken;
+  check_of(now).status = CheckStatus::broken;
   const GateResult result = compare(baseline(), now);
-  ASSERT_EQ(result.offences.size(), 1u);
-  EXPECT_EQ(result.offences[0].before, "held (0.25 m)");
-  EXPECT_EQ(result.offences[0].change, Change::worse);
+  ASSERT_EQ(result.regressions.size(), 1u);
+  EXPECT_EQ(result.regressions[0].before, "held (0.25 m)");
+  EXPECT_EQ(result.regressions[0].change, Change::worse);
   Baseline wavering = baseline();
   check_of(wavering).wavers = true;
   EXPECT_TRUE(compare(wavering, now).passed());
@@ -113,10 +113,10 @@ TEST(Compare, HoldsEveryCheckToWhetherItHeld) {
 
 TEST(Compare, NoticesAWiderTolerance) {
   Baseline now = baseline();
-  check_of(now).allowed = 1;
+  check_of(now).tolerance = 1;
   const GateResult result = compare(baseline(), now);
-  ASSERT_EQ(result.offences.size(), 1u);
-  EXPECT_THAT(result.offences[0].why, HasSubstr("allowed 0.5, now 1"));
+  ASSERT_EQ(result.regressions.size(), 1u);
+  EXPECT_THAT(result.regressions[0].why, HasSubstr("allowed 0.5, now 1"));
 }
 
 TEST(Compare, NoticesWhatIsNoNumberAnyMore) {
@@ -124,17 +124,17 @@ TEST(Compare, NoticesWhatIsNoNumberAnyMore) {
     Baseline now = elsewhere(baseline());
     metric_of(now).value = lost;
     const GateResult result = compare(baseline(), now);
-    ASSERT_EQ(result.offences.size(), 1u);
-    EXPECT_EQ(result.offences[0].change, Change::worse);
-    EXPECT_EQ(result.offences[0].times, infinity);
+    ASSERT_EQ(result.regressions.size(), 1u);
+    EXPECT_EQ(result.regressions[0].change, Change::worse);
+    EXPECT_EQ(result.regressions[0].times, infinity);
   }
 }
 
 TEST(Compare, NoticesNumbersThatGoOrComeUnlessTheyDoSoAnyway) {
   Baseline without = elsewhere(baseline());
   run_of(without).numbers.erase("penetration_max");
-  EXPECT_EQ(compare(baseline(), without).offences.at(0).change, Change::missing);
-  EXPECT_EQ(compare(without, baseline()).offences.at(0).change, Change::added);
+  EXPECT_EQ(compare(baseline(), without).regressions.at(0).change, Change::missing);
+  EXPECT_EQ(compare(without, baseline()).regressions.at(0).change, Change::added);
 
   Baseline loose = baseline();
   metric_of(loose).moves = infinity;
@@ -149,10 +149,10 @@ TEST(Compare, NoticesRunsThatGoOrCome) {
   Baseline more = baseline();
   more.runs[run_key("other")] = run_of(more);
   const GateResult gone = compare(more, baseline());
-  EXPECT_EQ(gone.offences.at(0).change, Change::missing);
+  EXPECT_EQ(gone.regressions.at(0).change, Change::missing);
   EXPECT_EQ(gone.verdict, "NOT as accepted: 1 of 2 runs differ (1 missing)");
   const GateResult came = compare(baseline(), more);
-  EXPECT_EQ(came.offences.at(0).change, Change::added);
+  EXPECT_EQ(came.regressions.at(0).change, Change::added);
   EXPECT_EQ(came.runs.size(), 2u);
   EXPECT_EQ(caught_by(came, run_key("other")), Rule::presence);
 }
@@ -181,8 +181,8 @@ TEST(Compare, SaysOfARunThatFailsThatItFails) {
   Baseline now = baseline();
   run_of(now) = {.verdict = Verdict::failed, .reason = "diverged at t = 1 s", .bits = "00000000000000ab"};
   const GateResult result = compare(baseline(), now);
-  ASSERT_EQ(result.offences.size(), 2u) << "the verdict and the bits, not every number that is missing";
-  EXPECT_EQ(result.offences[0].why, "diverged at t = 1 s");
+  ASSERT_EQ(result.regressions.size(), 2u) << "the verdict and the bits, not every number that is missing";
+  EXPECT_EQ(result.regressions[0].why, "diverged at t = 1 s");
 }
 
 TEST(Compare, RefusesOtherSteps) {
@@ -200,10 +200,10 @@ TEST(Compare, PutsTheWorstFirst) {
   now.runs[run_key("b")].numbers["penetration_max"].value = 4;
   now.runs[run_key("c")].verdict = Verdict::wrong;
   const GateResult result = compare(before, now);
-  ASSERT_EQ(result.offences.size(), 3u);
-  EXPECT_EQ(result.offences[0].run.engine, "c");
-  EXPECT_EQ(result.offences[1].run.engine, "b");
-  EXPECT_EQ(result.offences[2].run.engine, "a");
+  ASSERT_EQ(result.regressions.size(), 3u);
+  EXPECT_EQ(result.regressions[0].run.engine, "c");
+  EXPECT_EQ(result.regressions[1].run.engine, "b");
+  EXPECT_EQ(result.regressions[2].run.engine, "a");
 }
 
 }  // namespace

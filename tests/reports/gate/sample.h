@@ -11,7 +11,7 @@ inline Baseline baseline() {
   KeptRun run{.verdict = Verdict::right, .bits = "00000000000000aa", .neighbours = {Verdict::right}};
   run.numbers["penetration_max"] = {.unit = "m", .value = 1, .moves = 0.5};
   run.numbers["truth: y of box at 2 s"] = {
-      .unit = "m", .value = 0.25, .standing = Standing::held, .allowed = 0.5, .moves = 0.125};
+      .unit = "m", .value = 0.25, .status = CheckStatus::held, .tolerance = 0.5, .moves = 0.125};
   Baseline all{
       .dt = 1.0 / 64, .platform = {{"architecture", "one"}, {"libm", "this"}}, .engines = {{"impulse", "here"}}};
   all.runs[run_key()] = run;

@@ -80,7 +80,8 @@ TEST(Snapshot, KeepsTheWorstOfWhatIsReported) {
   RunRecord run{.scenario = "fall", .variant = "one", .engine = "e", .dt = 0.01, .verdict = Verdict::right};
   run.truth = {{.error = 1, .tolerance = 4, .passed = true},
                {.error = 9, .tolerance = 1, .passed = false, .reported = false}};
-  run.invariants = {{.name = "energy", .ratio = 0.5}, {.name = "push", .standing = Standing::not_reported, .ratio = 3}};
+  run.invariants = {{.name = "energy", .ratio = 0.5},
+                    {.name = "push", .status = CheckStatus::not_reported, .ratio = 3}};
   Report report;
   report.runs = {run};
   report.timings = {{.scenario = "fall",

@@ -32,7 +32,7 @@ TEST(Worst, KeepsWhatIsWorstAgainstWhatIsAllowedThere) {
   EXPECT_EQ(check.ratio, 2);
   EXPECT_EQ(check.where, "second");
   EXPECT_EQ(check.time, 2);
-  EXPECT_EQ(check.standing, Standing::broken);
+  EXPECT_EQ(check.status, CheckStatus::broken);
 }
 
 TEST(Worst, NeverPassesWhatIsNotFinite) {
@@ -40,13 +40,13 @@ TEST(Worst, NeverPassesWhatIsNotFinite) {
   EXPECT_EQ(Worst::times_allowed(1, infinity), infinity);
   EXPECT_EQ(Worst::times_allowed(1, 0), infinity);
   EXPECT_EQ(Worst::times_allowed(0, 0), 0);
-  EXPECT_EQ(Worst().result().standing, Standing::held);
+  EXPECT_EQ(Worst().result().status, CheckStatus::held);
 }
 
 TEST(Concluded, IsWrongWhereAnInvariantIsBrokenWhateverTheTruthSays) {
   const std::vector<TruthCheck> passed{{.passed = true}};
-  const std::vector<InvariantCheck> held{{.standing = Standing::held}, {.standing = Standing::not_reported}};
-  const std::vector<InvariantCheck> broken{{.standing = Standing::held}, {.standing = Standing::broken}};
+  const std::vector<InvariantCheck> held{{.status = CheckStatus::held}, {.status = CheckStatus::not_reported}};
+  const std::vector<InvariantCheck> broken{{.status = CheckStatus::held}, {.status = CheckStatus::broken}};
   EXPECT_EQ(concluded(passed, held), Verdict::right);
   EXPECT_EQ(concluded(passed, broken), Verdict::wrong);
   EXPECT_EQ(concluded({}, held), Verdict::plausible);
@@ -60,11 +60,11 @@ Trace shown(const std::vector<ContactState>& contacts) {
 TEST(Invariants, NeverPassWhatIsNotReported) {
   const Scene scene = box_on_ground();
   for (const char* name : {"push", "cone", "complementarity", "sticking", "momentum_of_bodies"}) {
-    EXPECT_EQ(standing(name, scene, shown({}), {.dt = 0.01}), Standing::not_reported) << name;
+    EXPECT_EQ(status(name, scene, shown({}), {.dt = 0.01}), CheckStatus::not_reported) << name;
   }
   const Stepping parts{.dt = 0.01, .whole_impulses = false};
   for (const char* name : {"cone", "sticking", "momentum_of_bodies"}) {
-    EXPECT_EQ(standing(name, scene, shown({pushing(1)}), parts), Standing::not_reported) << name;
+    EXPECT_EQ(status(name, scene, shown({pushing(1)}), parts), CheckStatus::not_reported) << name;
   }
 }
 
@@ -80,10 +80,10 @@ TEST(Invariants, AreHeldByEveryClosedForm) {
       const Outcome outcome = run(scene, {&closed_form, {}}, dt);
       if (outcome.status != Status::ok) continue;
       for (const InvariantCheck& check : check_invariants({scene, *outcome.trace, closed_form.stepping({}, dt)})) {
-        EXPECT_NE(check.standing, Standing::broken)
+        EXPECT_NE(check.status, CheckStatus::broken)
             << scenario->name << ' ' << variant.label << ": " << check.name << ' ' << check.value << " of "
-            << check.allowed << ' ' << check.where << " at " << check.time;
-        if (check.standing == Standing::held) seen.insert(check.name);
+            << check.tolerance << ' ' << check.where << " at " << check.time;
+        if (check.status == CheckStatus::held) seen.insert(check.name);
       }
     }
   }

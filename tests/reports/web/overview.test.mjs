@@ -158,8 +158,8 @@ test("the method says what is not supported, and why", async () => {
 
 test("what changed since the baseline is told, with its place", async () => {
   const data = sample();
-  const offence = { scenario: "stacking", variant: "10 boxes", engine: "impulse", method: "", metric: "verdict", before: "right", now: "wrong", allowed: "", why: "It was right.", change: "worse" };
-  const findings = { verdict: "1 of 8 runs is not as accepted.", notes: [], runs: 8, offences: [offence] };
+  const regression = { scenario: "stacking", variant: "10 boxes", engine: "impulse", method: "", metric: "verdict", before: "right", now: "wrong", tolerance: "", why: "It was right.", change: "worse" };
+  const findings = { verdict: "1 of 8 runs is not as accepted.", notes: [], runs: 8, regressions: [regression] };
   data.studies = [
     { plumb: 1, study: "baseline", about: "Against what was accepted", configuration: { baseline: "canonical.json" }, environment: {}, points: [], findings, timings: { points: {} } },
   ];

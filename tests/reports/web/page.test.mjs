@@ -125,7 +125,7 @@ test("what is folded can be searched once the browser had time", async () => {
 test("what holds in any case has a row for each run, and what is broken says where", async () => {
   const data = sample();
   const run = data.report.runs.find(({ scenario, engine }) => scenario === "stacking" && engine === "impulse");
-  run.invariants = [{ name: "push", unit: "N s", standing: "broken", value: 0.5, allowed: 0.1, ratio: 5, time: 1.5, where: "floor - box 1" }];
+  run.invariants = [{ name: "push", unit: "N s", status: "broken", value: 0.5, tolerance: 0.1, ratio: 5, time: 1.5, where: "floor - box 1" }];
   const { page, trouble } = await open(await write(data));
   const table = page.locator('[aria-label="What holds in any case"]');
   await until(() => table.count(), 3);

@@ -34,8 +34,8 @@ function fall(height, engine) {
     metrics: { truth_error_rms: { value: error / 1.7, unit: "m" }, energy_rise: { value: 0, unit: "J" } },
     truth: engine.exact ? [] : [check],
     invariants: [
-      { name: "energy", unit: "J", standing: "held", value: 0.1, allowed: 0.4, ratio: 0.25, time: 1.5, where: "" },
-      { name: "push", unit: "N s", standing: "not reported", value: 0, allowed: 0, ratio: 0, time: 0, where: "" },
+      { name: "energy", unit: "J", status: "held", value: 0.1, tolerance: 0.4, ratio: 0.25, time: 1.5, where: "" },
+      { name: "push", unit: "N s", status: "not reported", value: 0, tolerance: 0, ratio: 0, time: 0, where: "" },
     ],
     series: {
       t: times,

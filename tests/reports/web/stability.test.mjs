@@ -156,7 +156,7 @@ test("theory is a line of its own where there is one", async () => {
   await page.close();
 });
 
-test("one table tells what each method stands, the best standing out", async () => {
+test("one table tells what each method stands, the best status out", async () => {
   const { page } = await open(pages["the sample"]);
   const text = await page.locator("#stands table").innerText();
   assert.match(text, /impulse\s+8\s+10/);

@@ -44,13 +44,13 @@ inline Report sample_report() {
   wrong.invariants = {{.name = "energy", .unit = "J", .value = 1},
                       {.name = "push",
                        .unit = "N s",
-                       .standing = Standing::broken,
+                       .status = CheckStatus::broken,
                        .value = 0.5,
-                       .allowed = 0,
+                       .tolerance = 0,
                        .ratio = std::numeric_limits<double>::infinity(),
                        .time = 1.5,
                        .where = "box, \"the\" first - ground"},
-                      {.name = "cone", .unit = "N s", .standing = Standing::not_reported}};
+                      {.name = "cone", .unit = "N s", .status = CheckStatus::not_reported}};
   RunRecord failed = exact;
   failed.engine = "lost";
   failed.exact = false;

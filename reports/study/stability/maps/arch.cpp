@@ -8,7 +8,7 @@ constexpr double radius = 10;  // m
 
 std::vector<Trial> trials(double thickness, double, const EngineConfig& config) {
   Trial trial{.scene = std::make_shared<const Scene>(scene_of("arch", {{"thickness", thickness}})), .dt = usual_dt};
-  trial.watches = standing(trial.scene, thickness * radius, stated_gap(config, usual_dt));
+  trial.watches = status(trial.scene, thickness * radius, stated_gap(config, usual_dt));
   return {trial};
 }
 

@@ -8,7 +8,7 @@ std::vector<Trial> trials(double ratio, double, const EngineConfig& config) {
   Scene scene = scene_of("stacking", {{"boxes", 3}, {"duration", 5}});
   scene.bodies.back().shapes[0].surface.density = ratio;
   Trial trial{.scene = std::make_shared<const Scene>(std::move(scene)), .dt = usual_dt};
-  trial.watches = standing(trial.scene, 1, stated_gap(config, usual_dt));
+  trial.watches = status(trial.scene, 1, stated_gap(config, usual_dt));
   return {trial};
 }
 

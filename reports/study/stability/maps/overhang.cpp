@@ -10,7 +10,7 @@ std::vector<Trial> trials(double fraction, double blocks, const EngineConfig& co
   Trial trial{
       .scene = std::make_shared<const Scene>(scene_of("overhang", {{"fraction", fraction}, {"blocks", blocks}})),
       .dt = usual_dt};
-  trial.watches = standing(trial.scene, thin, stated_gap(config, usual_dt));
+  trial.watches = status(trial.scene, thin, stated_gap(config, usual_dt));
   return {trial};
 }
 

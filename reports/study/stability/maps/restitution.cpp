@@ -14,7 +14,7 @@ constexpr int phases = 4;       // of a step, in which impacts fall
 // Apex n is at e^(2n) h. Moments dt apart show it g dt^2/8 too low at most, and never too high. Noticed a step late,
 // the disc may be as deep as it falls in that.
 Watch bounces_wrong(double dt, double e) {
-  constexpr double allowed = 0.1 * height;  // m
+  constexpr double tolerance = 0.1 * height;  // m
   const double deepest = (std::sqrt(2 * gravity * height) + gravity * dt) * dt + radius;
   return {
       "gains energy: a bounce is higher than restitution allows by more than a tenth of the drop; sinks: the disc is "
@@ -24,7 +24,7 @@ Watch bounces_wrong(double dt, double e) {
         const bool was_falling = std::exchange(falling, y < before || (falling && y == before));
         if (was_falling && !falling) apex *= e * e;  // it has turned round
         before = y;
-        if (y > apex + allowed) return std::optional(Symptom{Fate::gains_energy, 1});
+        if (y > apex + tolerance) return std::optional(Symptom{Fate::gains_energy, 1});
         return y < -deepest ? std::optional(Symptom{Fate::sinks, 1}) : std::nullopt;
       }};
 }

@@ -6,7 +6,7 @@ namespace {
 
 std::vector<Trial> trials(double boxes, double, const EngineConfig& config) {
   Trial trial{.scene = std::make_shared<const Scene>(scene_of("stacking", {{"boxes", boxes}})), .dt = usual_dt};
-  trial.watches = standing(trial.scene, 1, stated_gap(config, usual_dt));
+  trial.watches = status(trial.scene, 1, stated_gap(config, usual_dt));
   return {trial};
 }
 

@@ -11,7 +11,7 @@ interface Answer {
   check: TruthCheck;
 }
 
-const heads = ["reading", "engine", "expected", "measured", "error", "allowed", "share of allowed", "verdict"];
+const heads = ["reading", "engine", "expected", "measured", "error", "tolerance", "share of allowed", "verdict"];
 
 /** Longer tables open when asked, or when something is wrong. */
 const most_open = 12;

@@ -19,7 +19,7 @@ function misses({ run }: Entry): Miss[] {
       words: `${check.body ? `${check.body}, ` : ""}${words(check.quantity)} at ${given(check.time, "s", 4)}: off by ${number(check.error, check.unit, 2)}, allowed ${number(check.tolerance, check.unit, 2)}`,
     }));
   const laws = run.invariants
-    .filter(({ standing }) => standing !== "not reported")
+    .filter(({ status }) => status !== "not reported")
     .map((check) => ({ ratio: law_ratio(check), words: `${words(check.name)}: ${told(check)}` }));
   return [...readings, ...laws];
 }

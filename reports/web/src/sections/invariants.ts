@@ -15,11 +15,11 @@ export function evidence({ value, allowed, unit, where, time }: InvariantCheck):
 function cell(name: string, check: InvariantCheck | undefined): HTMLTableCellElement {
   const attributes = { "data-label": words(name) };
   if (!check) return h("td", attributes, "does not apply");
-  if (check.standing === "not reported") return h("td", attributes, "not reported");
+  if (check.status === "not reported") return h("td", attributes, "not reported");
   const ratio = law_ratio(check);
   const title = evidence(check);
   const size = h("span", { class: "share", title }, gauge(ratio), share(ratio));
-  return h("td", attributes, size, check.standing === "broken" ? h("span", { class: "reason" }, title) : null);
+  return h("td", attributes, size, check.status === "broken" ? h("span", { class: "reason" }, title) : null);
 }
 
 export function invariants(place: Case): HTMLElement | null {
@@ -30,7 +30,7 @@ export function invariants(place: Case): HTMLElement | null {
     const of = new Map(run.invariants.map((check) => [check.name, check]));
     return h("tr", { "data-of": engine.label }, h("th", { scope: "row" }, engine.label), ...names.map((name) => cell(name, of.get(name))));
   });
-  const broken = runs.flatMap(({ run }) => run.invariants).filter(({ standing }) => standing === "broken").length;
+  const broken = runs.flatMap(({ run }) => run.invariants).filter(({ status }) => status === "broken").length;
   const caption = "What holds in any case";
   return folded(
     `${caption}: ${broken ? `${count(broken, "time")} broken` : "nothing broken"}`,

@@ -14,7 +14,7 @@ const definitions: [string, string][] = [
   ["not supported", "the engine cannot be asked this; the reason stands beside it"],
   ["failed", "the run diverged or broke off; the reason stands beside it"],
   [
-    "allowed",
+    "tolerance",
     "how far off a correct engine may be: from the order of its method, its step, the gaps it states and the round-off of its arithmetic. No limit is set by what an engine happened to do.",
   ],
   ["energy", "kinetic, rotational and gravitational, of all dynamic bodies, from the scene and the read-out states; no engine is asked"],
@@ -47,7 +47,7 @@ function unanswered({ chapters }: Model): Map<string, string[]> {
       const place = `${scenario} (${variant})`;
       if (run.status === "not supported") add(`${engine.label}: ${run.reason}`, place);
       for (const check of run.truth) if (!check.reported) add(`${engine.label} does not report ${words(check.quantity)}`, place);
-      for (const law of run.invariants) if (law.standing === "not reported") add(`${engine.label} does not report what would tell of ${words(law.name)}`, place);
+      for (const law of run.invariants) if (law.status === "not reported") add(`${engine.label} does not report what would tell of ${words(law.name)}`, place);
     }
   }
   return found;

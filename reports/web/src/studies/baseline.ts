@@ -5,7 +5,7 @@ import { label_of } from "../model";
 import { command } from "../sections/command";
 import type { Study, StudyView } from "../study";
 
-interface Offence {
+interface Regression {
   scenario: string;
   variant: string;
   engine: string;
@@ -13,7 +13,7 @@ interface Offence {
   metric: string;
   before: string;
   now: string;
-  allowed: string;
+  tolerance: string;
   why: string;
   change: string; // "worse", "changed", "better"
 }
@@ -22,32 +22,32 @@ interface Changes {
   verdict: string;
   notes: string[];
   runs: number; // that both have
-  offences: Offence[]; // worst first
+  regressions: Regression[]; // worst first
 }
 
 const most_shown = 100;
-const heads = ["case", "engine", "what", "before", "now", "allowed", "why"];
+const heads = ["case", "engine", "what", "before", "now", "tolerance", "why"];
 
 const changes_of = (study: Study): Changes => study.findings as unknown as Changes;
 
 export const sentence = (study: Study): string => changes_of(study).verdict;
 
-function row(one: Offence): HTMLTableRowElement {
-  const cells = [label_of(one), words(one.metric), one.before, one.now, one.allowed, one.why].map((text, index) =>
+function row(one: Regression): HTMLTableRowElement {
+  const cells = [label_of(one), words(one.metric), one.before, one.now, one.tolerance, one.why].map((text, index) =>
     h("td", { "data-label": heads[index + 1], ...(index === 5 ? { class: "reason" } : {}) }, text),
   );
   return h("tr", { "data-change": one.change }, h("th", { scope: "row" }, `${one.scenario}, ${one.variant}`), ...cells);
 }
 
 export function baseline(study: Study): StudyView {
-  const { offences, notes, runs } = changes_of(study);
-  const more = offences.length - most_shown;
+  const { regressions, notes, runs } = changes_of(study);
+  const more = regressions.length - most_shown;
   const about = `${study.about}: ${count(runs, "run")} that ${String(study.configuration["baseline"])} has as well. ${notes.join(" ")}`;
   const content = () => h(
     "section",
     { id: slug("changes") },
     h("p", { class: "lede" }, about),
-    offences.length ? table("What changed since the baseline", heads, offences.slice(0, most_shown).map(row)) : null,
+    regressions.length ? table("What changed since the baseline", heads, regressions.slice(0, most_shown).map(row)) : null,
     more > 0 ? h("p", { class: "basis" }, `And ${count(more, "more change")}.`) : null,
     command("./plumb check"),
   );

@@ -32,7 +32,7 @@ TEST(Markdown, ShowsNamesAsTextAndInOneCell) {
 
 TEST(Markdown, StaysWithinACommentOnAPullRequest) {
   GateResult many = sample_gate_result();
-  many.offences.assign(10'000, many.offences[0]);
+  many.regressions.assign(10'000, many.regressions[0]);
   const std::string text = markdown(many);
   EXPECT_LT(text.size(), 65'536u);
   EXPECT_THAT(text, HasSubstr("And 9900 more."));

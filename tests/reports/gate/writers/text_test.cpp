@@ -20,7 +20,7 @@ TEST(GateText, IsOneLineWhereAllIsAsAccepted) {
 }
 
 TEST(GateText, SaysWhatWasAllowed) {
-  EXPECT_THAT(in_words(sample_gate_result().offences[1]),
+  EXPECT_THAT(in_words(sample_gate_result().regressions[1]),
               ::testing::HasSubstr("energy_drift: 0.1 J, now 0.2 J, allowed 1e-09 off; 1e+08 times"));
 }
 

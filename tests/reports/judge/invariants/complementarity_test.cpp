@@ -16,8 +16,8 @@ TEST(ComplementarityInvariant, ForbidsAPushFromAfar) {
   Stepping with_gap = exact;
   with_gap.gap = 0.01;
   // Twice the gap, and what 1 N s gives 1 kg in 0.01 s.
-  EXPECT_EQ(standing("complementarity", scene, apart(0.0299), with_gap), Standing::held);
-  EXPECT_EQ(standing("complementarity", scene, apart(0.0301), with_gap), Standing::broken);
+  EXPECT_EQ(status("complementarity", scene, apart(0.0299), with_gap), CheckStatus::held);
+  EXPECT_EQ(status("complementarity", scene, apart(0.0301), with_gap), CheckStatus::broken);
 }
 
 TEST(ComplementarityInvariant, KnowsThatAPushAtACornerTurnsItAway) {
@@ -26,8 +26,8 @@ TEST(ComplementarityInvariant, KnowsThatAPushAtACornerTurnsItAway) {
   corner.point = {0.5, 0};
   const auto apart = [&](double gap) { return forged(dt, {{box_at({0, 0.5})}, {box_at({0, 0.5 + gap}), {corner}}}); };
   // 1 m/s, and at an arm of about (.5, -.5) 1 N s x .5 m / (1/6) kg m^2 = 3 rad/s: 1 + 3 x .72 m/s.
-  EXPECT_EQ(standing("complementarity", scene, apart(0.031), exact), Standing::held);
-  EXPECT_EQ(standing("complementarity", scene, apart(0.033), exact), Standing::broken);
+  EXPECT_EQ(status("complementarity", scene, apart(0.031), exact), CheckStatus::held);
+  EXPECT_EQ(status("complementarity", scene, apart(0.033), exact), CheckStatus::broken);
 }
 
 TEST(ComplementarityInvariant, KnowsThatAThirdBodyMayStopWhatThePushSetInMotion) {
@@ -45,8 +45,8 @@ TEST(ComplementarityInvariant, KnowsThatAThirdBodyMayStopWhatThePushSetInMotion)
   above.point = {0, 1};
   const auto apart = [&](double gap) { return forged(dt, {{boxes(0.5)}, {boxes(0.5 + gap), {pushing(1), above}}}); };
   // Each pushes the lower box by 1 m/s.
-  EXPECT_EQ(standing("complementarity", scene, apart(0.0199), exact), Standing::held);
-  EXPECT_EQ(standing("complementarity", scene, apart(0.0201), exact), Standing::broken);
+  EXPECT_EQ(status("complementarity", scene, apart(0.0199), exact), CheckStatus::held);
+  EXPECT_EQ(status("complementarity", scene, apart(0.0201), exact), CheckStatus::broken);
 }
 
 }  // namespace

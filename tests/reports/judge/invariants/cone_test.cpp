@@ -15,9 +15,9 @@ Trace shown(const std::vector<ContactState>& contacts, Vec velocity = {}) {
 
 TEST(ConeInvariant, HoldsFrictionToItsCoefficient) {
   const Scene scene = box_on_ground(0.5);
-  EXPECT_EQ(standing("cone", scene, shown({pushing(2, -1)}), exact), Standing::held);
-  EXPECT_EQ(standing("cone", scene, shown({pushing(2, -1 - 1e-14)}), exact), Standing::held);
-  EXPECT_EQ(standing("cone", scene, shown({pushing(2, -1 - 2e-14)}), exact), Standing::broken);
+  EXPECT_EQ(status("cone", scene, shown({pushing(2, -1)}), exact), CheckStatus::held);
+  EXPECT_EQ(status("cone", scene, shown({pushing(2, -1 - 1e-14)}), exact), CheckStatus::held);
+  EXPECT_EQ(status("cone", scene, shown({pushing(2, -1 - 2e-14)}), exact), CheckStatus::broken);
 }
 
 TEST(ConeInvariant, LetsAFirstOrderMethodTakeThePushOfTheStepBefore) {
@@ -25,9 +25,9 @@ TEST(ConeInvariant, LetsAFirstOrderMethodTakeThePushOfTheStepBefore) {
   const auto falling_off = [](double tangent) {
     return forged(dt, {{box_at({0, 0.5}), {pushing(3, 1)}}, {box_at({0, 0.5}), {pushing(2, tangent)}}});
   };
-  EXPECT_EQ(standing("cone", scene, falling_off(1.499), first_order), Standing::held);
-  EXPECT_EQ(standing("cone", scene, falling_off(1.501), first_order), Standing::broken);
-  EXPECT_EQ(standing("cone", scene, falling_off(1.499), exact), Standing::broken);
+  EXPECT_EQ(status("cone", scene, falling_off(1.499), first_order), CheckStatus::held);
+  EXPECT_EQ(status("cone", scene, falling_off(1.501), first_order), CheckStatus::broken);
+  EXPECT_EQ(status("cone", scene, falling_off(1.499), exact), CheckStatus::broken);
 }
 
 }  // namespace

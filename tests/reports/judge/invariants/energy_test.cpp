@@ -18,10 +18,10 @@ Trace speeds(double before, double after) {
 
 TEST(EnergyInvariant, NeverRisesWhereNothingActs) {
   const Scene scene = box_on_ground();
-  EXPECT_EQ(standing("energy", scene, speeds(1, 1), symplectic), Standing::held);
-  EXPECT_EQ(standing("energy", scene, speeds(1, 0.5), symplectic), Standing::held);
+  EXPECT_EQ(status("energy", scene, speeds(1, 1), symplectic), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, speeds(1, 0.5), symplectic), CheckStatus::held);
   const auto check = checked("energy", scene, speeds(1, 1.1), symplectic).value();
-  EXPECT_EQ(check.standing, Standing::broken);
+  EXPECT_EQ(check.status, CheckStatus::broken);
   EXPECT_NEAR(check.value, (1.21 - 1) / 2, 1e-12);
   EXPECT_DOUBLE_EQ(check.time, h);
 }
@@ -29,8 +29,8 @@ TEST(EnergyInvariant, NeverRisesWhereNothingActs) {
 TEST(EnergyInvariant, AllowsWhatRoundingTakesAndNoMore) {
   Stepping rounded = second_order;
   rounded.epsilon = 1e-7;  // three steps' roundings of m v^2: 1 J
-  EXPECT_EQ(standing("energy", box_on_ground(), speeds(1, 1 + 2e-7), rounded), Standing::held);
-  EXPECT_EQ(standing("energy", box_on_ground(), speeds(1, 1 + 4e-7), rounded), Standing::broken);
+  EXPECT_EQ(status("energy", box_on_ground(), speeds(1, 1 + 2e-7), rounded), CheckStatus::held);
+  EXPECT_EQ(status("energy", box_on_ground(), speeds(1, 1 + 4e-7), rounded), CheckStatus::broken);
 }
 
 // From 1 m/s upwards: symplectic Euler loses g v h/2 of it, explicit Euler gains as much, and a second-order method
@@ -50,11 +50,11 @@ TEST(EnergyInvariant, TakesTheMethodsOwnOrderForWhatItIs) {
   Stepping after = symplectic;
   after.drift = -0.5;
   before.epsilon = after.epsilon = 1e-16;
-  EXPECT_EQ(standing("energy", scene, thrown(0.5), before), Standing::held);
-  EXPECT_EQ(standing("energy", scene, thrown(-0.5), after), Standing::held);
-  EXPECT_EQ(standing("energy", scene, thrown(-0.5), before), Standing::broken);
-  EXPECT_EQ(standing("energy", scene, thrown(-0.5), second_order), Standing::broken);
-  EXPECT_EQ(standing("energy", scene, thrown(-0.51), after), Standing::broken);
+  EXPECT_EQ(status("energy", scene, thrown(0.5), before), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, thrown(-0.5), after), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, thrown(-0.5), before), CheckStatus::broken);
+  EXPECT_EQ(status("energy", scene, thrown(-0.5), second_order), CheckStatus::broken);
+  EXPECT_EQ(status("energy", scene, thrown(-0.51), after), CheckStatus::broken);
 }
 
 // A spring of w = 2 stretched by 1 m, stepped by explicit Euler: E grows by 1 + (w h)^2 a step; by symplectic Euler.
@@ -76,8 +76,8 @@ TEST(EnergyInvariant, CallsExplicitEulersGrowthOnASpringWrong) {
   const Scene scene{.gravity = {},
                     .bodies = {{.name = "box", .position = {3, 0}, .shapes = {{Box{}, {.density = 1}}}}},
                     .forces = {Spring{.b = 0, .stiffness = 4, .length = 2}}};
-  EXPECT_EQ(standing("energy", scene, on_a_spring(false), symplectic), Standing::held);
-  EXPECT_EQ(standing("energy", scene, on_a_spring(true), symplectic), Standing::broken);
+  EXPECT_EQ(status("energy", scene, on_a_spring(false), symplectic), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, on_a_spring(true), symplectic), CheckStatus::broken);
 }
 
 // Met 1 cm late at 1 m/s, and lifted out of it: m g v h.
@@ -88,9 +88,9 @@ TEST(EnergyInvariant, LetsALateImpactBePushedOut) {
   };
   // m g by <= (|d| + lag) h m g (1 + 1), and the modified energy has lost d h m g (1 + 1)
   const double allowed = (1.5 + 0.5) * h * 2;
-  EXPECT_EQ(standing("energy", scene, lifted(0.99 * allowed), symplectic), Standing::held);
-  EXPECT_EQ(standing("energy", scene, lifted(1.01 * allowed), symplectic), Standing::broken);
-  EXPECT_EQ(standing("energy", scene, lifted(0.1 * allowed), second_order), Standing::broken);
+  EXPECT_EQ(status("energy", scene, lifted(0.99 * allowed), symplectic), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, lifted(1.01 * allowed), symplectic), CheckStatus::broken);
+  EXPECT_EQ(status("energy", scene, lifted(0.1 * allowed), second_order), CheckStatus::broken);
 }
 
 TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfBodiesThatMoveWhateverComes) {
@@ -99,8 +99,8 @@ TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfBodiesThatMoveWhateverCo
   // From rest over 1 m with 2 N: 2 J.
   const auto after = [](double speed) { return forged(1, {{box_at({0, 5})}, {box_at({1, 5}, {speed, 0})}}); };
   const Stepping exact{.dt = 1};
-  EXPECT_EQ(standing("energy", pulled, after(1.999), exact), Standing::held);
-  EXPECT_EQ(standing("energy", pulled, after(2.001), exact), Standing::broken);
+  EXPECT_EQ(status("energy", pulled, after(1.999), exact), CheckStatus::held);
+  EXPECT_EQ(status("energy", pulled, after(2.001), exact), CheckStatus::broken);
 
   Scene driven = box_on_ground();
   driven.bodies[0].type = BodyType::kinematic;
@@ -109,9 +109,9 @@ TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfBodiesThatMoveWhateverCo
     const BodyState context{.velocity = {0, 3}};
     return forged(h, {{{context, box_at({0, 5})[1]}}, {{context, box_at({0, 5}, {0, speed})[1]}, std::move(contacts)}});
   };
-  EXPECT_EQ(standing("energy", driven, hit(3, {pushing(3)}), exact), Standing::held);
-  EXPECT_EQ(standing("energy", driven, hit(4.3, {pushing(3)}), exact), Standing::broken);
-  EXPECT_EQ(standing("energy", driven, hit(3, {}), exact), Standing::not_reported);
+  EXPECT_EQ(status("energy", driven, hit(3, {pushing(3)}), exact), CheckStatus::held);
+  EXPECT_EQ(status("energy", driven, hit(4.3, {pushing(3)}), exact), CheckStatus::broken);
+  EXPECT_EQ(status("energy", driven, hit(3, {}), exact), CheckStatus::not_reported);
 }
 
 }  // namespace

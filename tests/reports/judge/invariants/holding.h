@@ -16,8 +16,8 @@ inline std::optional<InvariantCheck> checked(const std::string& name, const Scen
   return Catalog<Invariant>::find(name)->check({scene, trace, stepping});
 }
 
-inline Standing standing(const std::string& name, const Scene& scene, const Trace& trace, const Stepping& stepping) {
-  return checked(name, scene, trace, stepping).value().standing;
+inline CheckStatus status(const std::string& name, const Scene& scene, const Trace& trace, const Stepping& stepping) {
+  return checked(name, scene, trace, stepping).value().status;
 }
 
 /// A moment of a forged trace.

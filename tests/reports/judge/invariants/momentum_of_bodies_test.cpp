@@ -14,10 +14,10 @@ TEST(BodyMomentumInvariant, HoldsBodiesToTheImpulsesShown) {
   const auto moved = [&](double vy) {
     return forged(dt, {{box_at({0, 0.5}, {0, -1})}, {box_at({0, 0.5}, {0, vy}), {pushing(1.1, 0)}}});
   };
-  EXPECT_EQ(standing("momentum_of_bodies", scene, moved(0), exact), Standing::held);
-  EXPECT_EQ(standing("momentum_of_bodies", scene, moved(2e-14), exact), Standing::held);
+  EXPECT_EQ(status("momentum_of_bodies", scene, moved(0), exact), CheckStatus::held);
+  EXPECT_EQ(status("momentum_of_bodies", scene, moved(2e-14), exact), CheckStatus::held);
   const auto broken = checked("momentum_of_bodies", scene, moved(1e-12), exact).value();
-  EXPECT_EQ(broken.standing, Standing::broken);
+  EXPECT_EQ(broken.status, CheckStatus::broken);
   EXPECT_EQ(broken.where, "box");
 }
 
@@ -31,9 +31,9 @@ TEST(BodyMomentumInvariant, KnowsThatRoundBodiesMayPassEachOtherWithinAStep) {
   const auto carried = [&](double way, double vx) {
     return forged(dt, {{box_at({0, 2})}, {box_at({way, 2}, {vx, 0}), {pushing(2 * mass, 0)}}});
   };
-  EXPECT_EQ(standing("momentum_of_bodies", scene, carried(1e-3, 0.9e-3), exact), Standing::held);
-  EXPECT_EQ(standing("momentum_of_bodies", scene, carried(1e-3, 1.1e-3), exact), Standing::broken);
-  EXPECT_EQ(standing("momentum_of_bodies", scene, carried(0, 1e-5), exact), Standing::broken);
+  EXPECT_EQ(status("momentum_of_bodies", scene, carried(1e-3, 0.9e-3), exact), CheckStatus::held);
+  EXPECT_EQ(status("momentum_of_bodies", scene, carried(1e-3, 1.1e-3), exact), CheckStatus::broken);
+  EXPECT_EQ(status("momentum_of_bodies", scene, carried(0, 1e-5), exact), CheckStatus::broken);
 }
 
 TEST(BodyMomentumInvariant, LetsSleepStopABodyThatIsSlowerThanStated) {
@@ -43,10 +43,10 @@ TEST(BodyMomentumInvariant, LetsSleepStopABodyThatIsSlowerThanStated) {
   const auto stopped = [&](double before, double after) {
     return forged(dt, {{box_at({0, 0.5}, {before, 0})}, {box_at({0, 0.5}, {after, 0}), {pushing(0.1, 0)}}});
   };
-  EXPECT_EQ(standing("momentum_of_bodies", scene, stopped(0.009, 0), sleeping), Standing::held);
-  EXPECT_EQ(standing("momentum_of_bodies", scene, stopped(0.009, 0), exact), Standing::broken);
-  EXPECT_EQ(standing("momentum_of_bodies", scene, stopped(0.021, 0), sleeping), Standing::broken);
-  EXPECT_EQ(standing("momentum_of_bodies", scene, stopped(0.009, 0.001), sleeping), Standing::broken);
+  EXPECT_EQ(status("momentum_of_bodies", scene, stopped(0.009, 0), sleeping), CheckStatus::held);
+  EXPECT_EQ(status("momentum_of_bodies", scene, stopped(0.009, 0), exact), CheckStatus::broken);
+  EXPECT_EQ(status("momentum_of_bodies", scene, stopped(0.021, 0), sleeping), CheckStatus::broken);
+  EXPECT_EQ(status("momentum_of_bodies", scene, stopped(0.009, 0.001), sleeping), CheckStatus::broken);
 }
 
 }  // namespace

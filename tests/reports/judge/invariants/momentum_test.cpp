@@ -23,18 +23,18 @@ Trace after_a_push(Vec a, Vec b, double spin = 0) {
 TEST(MomentumInvariant, IsBrokenByAnUnequalPush) {
   Stepping rounded = exact;
   rounded.epsilon = 1e-3;  // three roundings of 2 kg m/s
-  EXPECT_EQ(standing("momentum", two_boxes(), after_a_push({1, 0}, {-1, 0}), exact), Standing::held);
-  EXPECT_EQ(standing("momentum", two_boxes(), after_a_push({1, 0}, {-1.005, 0}), rounded), Standing::held);
-  EXPECT_EQ(standing("momentum", two_boxes(), after_a_push({1, 0}, {-1.007, 0}), rounded), Standing::broken);
+  EXPECT_EQ(status("momentum", two_boxes(), after_a_push({1, 0}, {-1, 0}), exact), CheckStatus::held);
+  EXPECT_EQ(status("momentum", two_boxes(), after_a_push({1, 0}, {-1.005, 0}), rounded), CheckStatus::held);
+  EXPECT_EQ(status("momentum", two_boxes(), after_a_push({1, 0}, {-1.007, 0}), rounded), CheckStatus::broken);
 }
 
 TEST(MomentumInvariant, SeesAPushThatTurnsTheWhole) {
-  EXPECT_EQ(standing("angular_momentum", two_boxes(), after_a_push({1, 0}, {-1, 0}), exact), Standing::held);
-  EXPECT_EQ(standing("momentum", two_boxes(), after_a_push({0, 1}, {0, -1}), exact), Standing::held);
-  EXPECT_EQ(standing("angular_momentum", two_boxes(), after_a_push({0, 1}, {0, -1}), exact), Standing::broken);
+  EXPECT_EQ(status("angular_momentum", two_boxes(), after_a_push({1, 0}, {-1, 0}), exact), CheckStatus::held);
+  EXPECT_EQ(status("momentum", two_boxes(), after_a_push({0, 1}, {0, -1}), exact), CheckStatus::held);
+  EXPECT_EQ(status("angular_momentum", two_boxes(), after_a_push({0, 1}, {0, -1}), exact), CheckStatus::broken);
   // 3 m apart: I = 1/6 turns against it.
-  EXPECT_EQ(standing("angular_momentum", two_boxes(), after_a_push({0, 1}, {0, -1}, 18), {.epsilon = 1e-15}),
-            Standing::held);
+  EXPECT_EQ(status("angular_momentum", two_boxes(), after_a_push({0, 1}, {0, -1}, 18), {.epsilon = 1e-15}),
+            CheckStatus::held);
 }
 
 TEST(MomentumInvariant, SaysNothingWhereSomethingImmovableIs) {

@@ -14,11 +14,11 @@ TEST(OverlapInvariant, AllowsTheGapAndTheWayOfAHitNoticedLate) {
   const auto sunk = [](double depth) {
     return forged(dt, {{box_at({0, 0.6}, {0, -2})}, {box_at({0, 0.5 - depth}, {0, 0})}});
   };
-  EXPECT_EQ(standing("overlap", scene, sunk(0.0249), first_order), Standing::held);
+  EXPECT_EQ(status("overlap", scene, sunk(0.0249), first_order), CheckStatus::held);
   const auto broken = checked("overlap", scene, sunk(0.0251), first_order).value();
-  EXPECT_EQ(broken.standing, Standing::broken);
+  EXPECT_EQ(broken.status, CheckStatus::broken);
   EXPECT_EQ(broken.where, "context - box");
-  EXPECT_EQ(standing("overlap", scene, sunk(0.0001), exact), Standing::broken);
+  EXPECT_EQ(status("overlap", scene, sunk(0.0001), exact), CheckStatus::broken);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ Trace shown(const std::vector<ContactState>& contacts, Vec velocity = {}) {
 
 TEST(PushInvariant, ForbidsPullingByMoreThanRoundOff) {
   const Scene scene = box_on_ground();
-  EXPECT_EQ(standing("push", scene, shown({pushing(1), pushing(-6e-15)}), exact), Standing::held);
+  EXPECT_EQ(status("push", scene, shown({pushing(1), pushing(-6e-15)}), exact), CheckStatus::held);
   const auto broken = checked("push", scene, shown({pushing(1), pushing(-7e-15)}), exact).value();
-  EXPECT_EQ(broken.standing, Standing::broken);
+  EXPECT_EQ(broken.status, CheckStatus::broken);
   EXPECT_EQ(broken.where, "context - box");
 }
 

@@ -16,12 +16,12 @@ Trace lying(Vec by) {
 
 TEST(RestInvariant, ForbidsToCreepWhatHasComeToRest) {
   const Scene scene = box_on_ground(0.5, {0, -10});
-  EXPECT_EQ(standing("rest", scene, lying({0.0049, 0}), first_order), Standing::held);
-  EXPECT_EQ(standing("rest", scene, lying({0.0051, 0}), first_order), Standing::broken);
-  EXPECT_EQ(standing("rest", scene, lying({0, -0.0051}), first_order), Standing::broken);
+  EXPECT_EQ(status("rest", scene, lying({0.0049, 0}), first_order), CheckStatus::held);
+  EXPECT_EQ(status("rest", scene, lying({0.0051, 0}), first_order), CheckStatus::broken);
+  EXPECT_EQ(status("rest", scene, lying({0, -0.0051}), first_order), CheckStatus::broken);
   Stepping creeping = first_order;
   creeping.creep = 0.001;  // m/s, over 1.99 s
-  EXPECT_EQ(standing("rest", scene, lying({0.0054, 0}), creeping), Standing::held);
+  EXPECT_EQ(status("rest", scene, lying({0.0054, 0}), creeping), CheckStatus::held);
 }
 
 TEST(RestInvariant, LetsRoundThingsRoll) {

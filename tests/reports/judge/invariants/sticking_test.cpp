@@ -19,9 +19,9 @@ TEST(StickingInvariant, ForbidsToSlideWithFrictionToSpare) {
   // The impulse itself changes a speed by hypot(1, 0.25) (1 + 0.5^2 6) m/s at the contact, 0.5 m from the centre.
   const auto sliding = [&](double speed, double tangent) { return shown({pushing(1, tangent)}, {speed, 0}); };
   const double allowed = std::hypot(1, 0.25) * (1 + 6 * 0.25);
-  EXPECT_EQ(standing("sticking", scene, sliding(0.99 * allowed, 0.25), exact), Standing::held);
-  EXPECT_EQ(standing("sticking", scene, sliding(1.01 * allowed, 0.25), exact), Standing::broken);
-  EXPECT_EQ(standing("sticking", scene, sliding(100, 0.5), exact), Standing::held);
+  EXPECT_EQ(status("sticking", scene, sliding(0.99 * allowed, 0.25), exact), CheckStatus::held);
+  EXPECT_EQ(status("sticking", scene, sliding(1.01 * allowed, 0.25), exact), CheckStatus::broken);
+  EXPECT_EQ(status("sticking", scene, sliding(100, 0.5), exact), CheckStatus::held);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class Watches : public ::testing::Test {
 };
 
 TEST_F(Watches, SeeNothingInWhatStandsStill) {
-  for (Watch& watch : standing(scene_, 1, 0)) {
+  for (Watch& watch : status(scene_, 1, 0)) {
     for (int i = 0; i <= 120; ++i) EXPECT_FALSE(look(watch, i / 60.0, i == 120)) << watch.metric;
   }
 }

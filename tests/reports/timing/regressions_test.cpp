@@ -1,4 +1,4 @@
-#include "reports/timing/offences.h"
+#include "reports/timing/regressions.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ TEST(TimingOffences, NameWhatIsSlowerByHowMuch) {
   EXPECT_FALSE(result.passed());
   EXPECT_EQ(result.verdict, "as accepted; steps take LONGER in 1 of 2 cases");
   EXPECT_THAT(result.runs, SizeIs(3));
-  ASSERT_THAT(result.offences, SizeIs(1));
-  const Offence& slow = result.offences[0];
+  ASSERT_THAT(result.regressions, SizeIs(1));
+  const Regression& slow = result.regressions[0];
   EXPECT_EQ(slow.run, (RunKey{"time", "heap", "impulse", ""}));
   EXPECT_EQ(slow.before, "100 us a step");
   EXPECT_EQ(slow.now, "105 us a step");
