@@ -32,6 +32,10 @@ add_part(reference OBJECTS plumb_reference ${adapters} USES plumb::scenarios ${e
 add_part(reports OBJECTS plumb_reports plumb_page USES plumb::reference CLI11::CLI11 fmt::fmt OpenSSL::Crypto SQLite::SQLite3 ZLIB::ZLIB)
 add_part(main OBJECTS plumb_main USES plumb::reports)
 
+# What `cmake --install` needs, without the tests.
+add_custom_target(installable DEPENDS plumb plumb_scenarios_archive plumb_reference_archive plumb_reports_archive plumb_main_archive
+  impulse_archive impulse_double_archive impulse_methods_archive impulse_methods_double_archive)
+
 foreach(folder scenarios reference reports)
   install(DIRECTORY ${folder} DESTINATION ${headers} COMPONENT plumb
     FILES_MATCHING PATTERN *.h PATTERN adapters EXCLUDE PATTERN web EXCLUDE)

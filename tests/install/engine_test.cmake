@@ -1,4 +1,4 @@
-# Builds the README's example of an engine of one's own, whose friction is wrong, and sees Plumb say so.
+# Builds the example engine of reference/README.md, whose friction is wrong, and checks that Plumb says so.
 include(${CMAKE_CURRENT_LIST_DIR}/readme.cmake)
 set(work ${BUILD}/engine_example)
 file(REMOVE_RECURSE ${work})
@@ -11,8 +11,8 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --component impulse --prefix ${work}/installed)
 run(${CMAKE_COMMAND} --install ${BUILD} --component plumb --prefix ${work}/installed)
-extract("Add your engine" cmake ${work}/CMakeLists.txt)
-extract("Add your engine" cpp ${work}/discs.cpp)
+extract(reference/README.md "Add your engine" cmake ${work}/CMakeLists.txt)
+extract(reference/README.md "Add your engine" cpp ${work}/discs.cpp)
 build_example(${work})
 
 execute_process(COMMAND ${work}/build/mine run bounce --engine discs --out ${work}/out RESULT_VARIABLE code OUTPUT_QUIET)
@@ -21,13 +21,13 @@ execute_process(COMMAND ${work}/build/mine run slope-disc --engine discs --out $
   RESULT_VARIABLE code OUTPUT_VARIABLE said)
 expect("exit code of slope-disc" ${code} 1)
 
-# What the README shows of that is what is said.
-extract("Add your engine" text ${work}/shown.txt)
+# The output that the README shows.
+extract(reference/README.md "Add your engine" text ${work}/shown.txt)
 file(STRINGS ${work}/shown.txt shown)
 foreach(line ${shown})
   string(FIND "${said}" "${line}" place)
   if(place EQUAL -1)
-    message(FATAL_ERROR "The README shows\n${line}\nbut this is said:\n${said}")
+    message(FATAL_ERROR "The README shows\n${line}\nbut the output is:\n${said}")
   endif()
 endforeach()
 
@@ -48,7 +48,7 @@ foreach(i RANGE ${last})
     expect("${scenario} ${variant}" ${verdict} right)
   elseif(scenario STREQUAL slope)
     expect("${scenario} ${variant}" ${verdict} "not supported")
-    expect("${scenario} ${variant}" ${reason} "knows nothing but discs on half-spaces")
+    expect("${scenario} ${variant}" ${reason} "supports only discs on half-spaces")
   else()
     expect("${scenario} ${variant}" ${verdict} wrong)
     string(JSON quantity GET "${report}" runs ${i} truth 3 quantity)
@@ -59,6 +59,6 @@ foreach(i RANGE ${last})
 endforeach()
 foreach(rival impulse box2d)
   if(NOT rival IN_LIST rivals)
-    message(FATAL_ERROR "${rival} does not run beside the engine of one's own")
+    message(FATAL_ERROR "${rival} does not run beside the example engine")
   endif()
 endforeach()

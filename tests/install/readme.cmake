@@ -1,18 +1,18 @@
 cmake_minimum_required(VERSION 3.25)
 
-# What the tests of an installed tree share. They are given PROJECT (source tree), BUILD (built tree), COMPILER and FLAGS
-# (those of the built tree).
+# Shared by the tests of an installed tree, which get PROJECT (source tree), BUILD (build tree), COMPILER and FLAGS (those
+# of the build tree).
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# Writes the README's first block of a language after a heading into a file.
-function(extract heading language file)
-  file(READ ${PROJECT}/README.md block)
+# Writes the first block of a language after a heading of a README into a file.
+function(extract readme heading language file)
+  file(READ ${PROJECT}/${readme} block)
   foreach(mark "## ${heading}\n" "```${language}\n")
     string(FIND "${block}" "${mark}" start)
     if(start EQUAL -1)
-      message(FATAL_ERROR "README.md has no ${mark} where it should")
+      message(FATAL_ERROR "${readme} has no ${mark} where it should")
     endif()
     string(LENGTH "${mark}" length)
     math(EXPR start "${start} + ${length}")
@@ -23,7 +23,7 @@ function(extract heading language file)
   file(WRITE ${file} "${block}")
 endfunction()
 
-# A project in `work` as the README has it, built against what is installed there.
+# Builds the README's project in `work` against what is installed there.
 function(build_example work)
   run(${CMAKE_COMMAND} -S ${work} -B ${work}/build -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS}
       -DCMAKE_PREFIX_PATH=${work}/installed)
