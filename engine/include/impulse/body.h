@@ -28,8 +28,8 @@ struct Part {
   Material material;
 };
 
-/// The initial state of a body. Position and angle are those of the body's own frame; velocity is that of the centre of
-/// mass.
+/// The initial state of a body. Position and angle are those of the body's frame, the velocity is that of the centre of
+/// mass of all its parts.
 struct BodyDef {
   BodyType type = BodyType::dynamic;
   Vec2 position;              // m

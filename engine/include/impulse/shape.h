@@ -23,8 +23,8 @@ constexpr int shape_type_count = 6;
 /// A convex shape in its body's frame. A value type: copy it freely.
 ///
 /// Every shape except the half-space is the convex hull of `count` vertices, rounded by `radius`: one vertex makes a
-/// circle, two a capsule or a segment, more a polygon (vertices counter-clockwise; normal i points out of the edge from
-/// vertex i to i+1).
+/// circle, two a capsule or a segment, more a polygon (vertices counter-clockwise; normal i points out of the edge
+/// from vertex i to i+1).
 class Shape {
  public:
   static constexpr int max_vertices = 8;

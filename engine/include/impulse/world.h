@@ -122,8 +122,8 @@ class World {
   /// The impulse (N s, world frame) on body b in the last sub-step; body a received the opposite.
   Vec2 joint_impulse(JointId id) const;
 
-  /// Advances by dt(). Throws std::domain_error, without moving anything, if the solver cannot solve this world (only
-  /// `exact` does).
+  /// Advances by dt(). Throws std::domain_error and moves nothing if the solver cannot solve this world (only `exact`
+  /// ever does).
   void step();
 
   /// Calls back for every part whose bounds overlap the box, or that contains the point. Return false to stop.

@@ -21,8 +21,8 @@ class ForceField {
   ///
   /// Damping is -d v at the velocity after `implicit` seconds: v' = v + h (a - d v') is v' = v + h (a - d v)/(1 + h d).
   /// That is stable for any damping, and the terminal velocity a/d is exact, but it is of first order in h. A method of
-  /// higher order passes 0 and gets -d v at the current velocity. The damping of springs always uses the current
-  /// velocity.
+  /// higher order passes 0 and gets -d v at the current velocity. Springs always use the current velocity for
+  /// their damping.
   void accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out) const;
 
   /// Whether accelerations depend on positions or velocities.

@@ -16,8 +16,8 @@ constexpr double quarter_3 = 0x1.3198a2e037073p-69;
 /// rad; up to this angle the number of quarter turns stays below 2^20.
 constexpr double exact_range = 1.6e6;
 
-/// An angle minus a whole number of quarter turns, within pi/4 of zero, as a sum: the tail holds what is below the
-/// head's last bit.
+/// An angle minus a whole number of quarter turns, within pi/4 of zero, as a sum: the tail extends the head below its
+/// last bit.
 template <class N>
 struct Reduced {
   N head;

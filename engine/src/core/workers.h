@@ -29,8 +29,8 @@ class Workers {
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
   /// Calls work(piece, worker) for every piece in 0 ... pieces - 1, with worker in 0 ... count() - 1, and returns when
-  /// all are done. Rethrows the first exception thrown by a piece. Throws std::invalid_argument for 2^32 or more
-  /// pieces.
+  /// all are done. Rethrows the first exception thrown by a piece. Throws std::invalid_argument for more than
+  /// 2^32 - 1 pieces.
   using Work = std::function<void(std::size_t piece, std::size_t worker)>;
   void share_out(std::size_t pieces, const Work& work);
 

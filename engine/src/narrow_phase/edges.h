@@ -115,8 +115,7 @@ constexpr bool beats(Real second, Real first, bool opposite_faces) {
   return second > first + least - first / 64;
 }
 
-/// Adds the incident edge's deeper end, for shapes that overlap although the preferred face just misses the other's
-/// edge.
+/// Adds the incident edge's deeper end: for overlapping shapes whose preferred face just misses the other's edge.
 inline void add_deepest(Manifold& m, const Edge& reference, const Edge& incident, const Overlay& over, Real margin) {
   const bool low = over.low.y < over.high.y;
   const Real separation = (low ? over.low.y : over.high.y) - reference.radius - incident.radius;

@@ -84,8 +84,8 @@ struct ContinuousCollision::MovingShape {
   ///
   ///     t += d / (speed of a along n + speed of b along -n).
   ///
-  /// Stops at an overlap of `depth` (m), or just short of touching if that is 0. Returns nullopt if the two touch at
-  /// the start.
+  /// Stops at an overlap of `depth` (m), or just short of touching if that is 0. Returns nullopt if they touch at the
+  /// start.
   static std::optional<Real> time_of_impact(const MovingShape& a, const MovingShape& b, Real depth) {
     Real t = 0;
     for (int i = 0; i < most_advances; ++i) {

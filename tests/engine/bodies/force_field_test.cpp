@@ -37,8 +37,8 @@ Vec2 fall_in_engine(Real mass, Vec2 gravity, Real dt) {
   return world.body(body).velocity();
 }
 
-// As the article prints it: velocity += force * (1.0f / mass + gravity) * dt, componentwise. The force is the weight or
-// zero.
+// As the article prints it: velocity += force * (1.0f / mass + gravity) * dt, componentwise, where the force is the
+// weight or zero.
 Vec2 printed_fall_with_weight(Real mass, Vec2 gravity, Real dt) {
   const Vec2 force = mass * gravity;
   return {force.x * (1 / mass + gravity.x) * dt, force.y * (1 / mass + gravity.y) * dt};

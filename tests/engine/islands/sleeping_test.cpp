@@ -56,8 +56,7 @@ TEST_P(Sleeping, AWokenColumnContinuesAsIfItHadNotSlept) {
     world_.step();
     const std::vector<BodyState> now = states(world_);
     for (std::size_t k = 0; k < now.size(); ++k) {
-      // It was slower than this when it fell asleep; a step without its warm-start impulses would give it g dt = 0.17
-      // m/s.
+      // It was slower than this when it fell asleep. Without warm starting, a step would give it g dt = 0.17 m/s.
       EXPECT_LE(length(now[k].velocity), world_.settings().sleep_linear_speed) << k << " in step " << i;
       EXPECT_LE(std::abs(now[k].spin), world_.settings().sleep_angular_speed);
       EXPECT_NEAR(length(now[k].position - asleep[k].position), 0, .001);

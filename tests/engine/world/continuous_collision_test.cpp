@@ -88,8 +88,8 @@ void expect_no_tunnelling(World (*make)(), const AddObstacle& add_obstacle, bool
 }
 
 TEST_P(Fast, BodiesNeverTunnelThroughAThinWall) {
-  // Methods that solve one point at a time may leave a box spinning at the wall, with corners that always move away
-  // from it.
+  // Methods that solve one point at a time may leave a box spinning at the wall, its corners always moving away from
+  // it.
   const std::array look_ahead{"accurate", "soft-step", "xpbd"};
   const bool must_bounce = std::find(look_ahead.begin(), look_ahead.end(), GetParam()) != look_ahead.end();
   expect_no_tunnelling(
@@ -190,8 +190,8 @@ TEST(ContinuousCollision, IfOnEveryBodyIsABullet) {
   }
 }
 
-// A wheel that rolls far in a step is fast, but its core circle hits nothing; the contact at its rim is left to the
-// solver.
+// A wheel that rolls far in a step is fast, but its core circle hits nothing; the solver handles the contact at its
+// rim.
 TEST(ContinuousCollision, DoesNotAffectSlowOrRollingBodies) {
   const auto end = [](Continuous mode, Shape shape, double speed) {
     Settings settings;
