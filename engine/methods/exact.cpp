@@ -174,7 +174,7 @@ void Exact::prepare(StepData& data) {
 void Exact::tie_islands(const BodySet& bodies) {
   islands_.clear(bodies.size());
   for (const ContactRow& row : rows_) {
-    if (row.mass_a.m + row.mass_a.i > 0 && row.mass_b.m + row.mass_b.i > 0) islands_.tie(row.a, row.b);
+    if (row.mass_a.m + row.mass_a.i > 0 && row.mass_b.m + row.mass_b.i > 0) islands_.connect(row.a, row.b);
   }
   islands_.number();
   island_rows_.assign(islands_.size(), {});

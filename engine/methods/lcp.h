@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "impulse/real.h"
+#include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -1,7 +1,6 @@
 #include "reference/adapters/impulse_world.h"
 
 #include <impulse/impulse.h>
-#include <impulse/looks_ahead.h>
 
 #include <cmath>
 #include <limits>
@@ -285,7 +284,7 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.rest_speed = with_dt.sleeping ? with_dt.sleep_linear_speed : 0;
   stated.restitution_threshold = errors.restitution_threshold;
   stated.epsilon = std::numeric_limits<Real>::epsilon() / 2;
-  stated.looks_ahead = impulse::looks_ahead(with_dt);
+  stated.looks_ahead = errors.looks_ahead;
   stated.spring_limit = spring_limit(errors, dt);
   return stated;
 }

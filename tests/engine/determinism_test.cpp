@@ -1,4 +1,4 @@
-// Same input, same bits: ten mixed scenes end in one state, whatever the compiler and its level.
+// Same input, same bits: ten mixed scenes end in the same state with every compiler and optimization level.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -54,7 +54,7 @@ Material material(double friction, double restitution) {
   return {1, real(friction), real(friction), real(restitution)};
 }
 
-/// One call a number: compilers choose in which order they evaluate arguments.
+/// Draws each number in a statement of its own, because the order in which arguments are evaluated is unspecified.
 Shape shape(RandomShapes& random, int kind) {
   const Real a = random.number(.2, 1);
   const Real b = random.number(.2, 1);
@@ -75,7 +75,7 @@ World pyramid(const Settings& settings) {
   return world;
 }
 
-World heap(const Settings& settings, unsigned seed) {
+World mixed_pile(const Settings& settings, unsigned seed) {
   World world(settings);
   add_floor(world);
   RandomShapes random(seed);
@@ -169,7 +169,7 @@ World orbits() {
 }
 
 World mixer() {
-  World world = heap(with("accurate", "grid"), 7);
+  World world = mixed_pile(with("accurate", "grid"), 7);
   BodyDef paddle = at(8, 1.2);
   paddle.type = BodyType::kinematic;
   paddle.angular_velocity = 2;
@@ -186,7 +186,7 @@ World mixer() {
   return world;
 }
 
-/// A pile of all kinds of contacts that lanes know.
+/// A pile with all types of contacts that lanes handle.
 World hail(const Settings& settings) {
   World world(settings);
   add_floor(world, frictionless());
@@ -203,14 +203,14 @@ World hail(const Settings& settings) {
   return world;
 }
 
-// Constants change only together with what the engine computes. That is news for the change log, told with the numbers.
+// These constants change only if the engine's results change; then the change log must say so.
 TEST(Determinism, TenScenesEndInTheSameBitsWithEveryCompiler) {
   StateHash hash;
   const std::array<std::function<World()>, 10> scenes{
       [] { return pyramid(with("accurate")); },
       [] { return pyramid(with("soft-step")); },
-      [] { return heap(with("accurate"), 1); },
-      [] { return heap(with("article", "auto", "velocity-verlet"), 2); },
+      [] { return mixed_pile(with("accurate"), 1); },
+      [] { return mixed_pile(with("article", "auto", "velocity-verlet"), 2); },
       billiards,
       bridge,
       [] { return machine("soft-step"); },

@@ -8,7 +8,7 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// The corners of a regular polygon around the origin.
+/// The corners of a regular polygon centred at the origin.
 inline std::vector<Vec2> ring(int corners, Real radius) {
   std::vector<Vec2> points(static_cast<std::size_t>(corners));
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -17,13 +17,13 @@ inline std::vector<Vec2> ring(int corners, Real radius) {
   return points;
 }
 
-/// Shapes and poses for property tests; the same seed gives the same ones.
+/// Random shapes and poses for property tests; the same seed gives the same sequence.
 class RandomShapes {
  public:
   explicit RandomShapes(unsigned seed) : random_(seed) {}
 
   Real number(double low, double high) {
-    // Not std::uniform_real_distribution<Real>: both precisions should see the same shapes.
+    // Not std::uniform_real_distribution<Real>, so that both precisions get the same shapes.
     const double unit = static_cast<double>(random_() >> 11) * 0x1p-53;
     return static_cast<Real>(low + (high - low) * unit);
   }
@@ -35,7 +35,7 @@ class RandomShapes {
   Vec2 point(double reach) { return {number(-reach, reach), number(-reach, reach)}; }
   Pose pose(double reach) { return {point(reach), Rotation(number(-4, 4))}; }
 
-  // In braces, arguments are evaluated from left to right by every compiler; in a call they need not be.
+  // The elements of a braced list are evaluated from left to right; the arguments of a call need not be.
   Shape shape(ShapeType type) {
     switch (type) {
       case ShapeType::circle: {

@@ -6,7 +6,7 @@
 
 #include "impulse/impulse.h"
 
-/// Worlds for the engine's tests.
+/// Worlds and helpers for the engine's tests.
 namespace impulse::inline IMPULSE_PRECISION {
 
 /// Half the distance between 1 and the next number up: the largest relative error of one operation.
@@ -16,7 +16,7 @@ inline Real real(double x) { return static_cast<Real>(x); }
 
 inline Settings weightless(double dt = 1.0 / 60) {
   Settings settings;
-  settings.solver = "article";  // one step of the integrator in a step of the world: closed forms stay short
+  settings.solver = "article";  // takes one integrator step per world step, which keeps closed forms short
   settings.gravity = {};
   settings.dt = real(dt);
   return settings;
@@ -43,7 +43,7 @@ inline void run(World& world, int steps) {
   for (int i = 0; i < steps; ++i) world.step();
 }
 
-/// A disc of 1 kg or so on a spring of no length to the origin, with angular frequency 1 rad/s.
+/// A disc on a spring of rest length 0 to the origin, with an angular frequency of 1 rad/s.
 struct Oscillator {
   World world;
   BodyId body;
@@ -66,7 +66,7 @@ struct Oscillator {
   Real energy() { return (x() * x() + v() * v()) / 2; }
 };
 
-/// log2 of how much the error of the state (x, v) at time 2 shrinks when the step is halved.
+/// log2 of the factor by which the error of the state (x, v) at time 2 shrinks when the step is halved.
 inline double order_of_convergence(const char* integrator, int steps, double damping = 0) {
   const double half = damping / 2;
   const double frequency = std::sqrt(1 - half * half);
@@ -81,7 +81,7 @@ inline double order_of_convergence(const char* integrator, int steps, double dam
   return std::log2(error(steps) / error(2 * steps));
 }
 
-/// How far a body has fallen short of g t^2/2 after a second at 10 m/s^2 and 1/64 s, a step that binary holds exactly.
+/// m, how far a body falls short of g t^2/2 in 1 s at 10 m/s^2 with steps of 1/64 s, which is exact in binary.
 inline double fall_error(const char* integrator) {
   Settings settings;
   settings.solver = "article";

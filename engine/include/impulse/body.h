@@ -15,58 +15,59 @@ struct BodySet;
 
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
-/// Names a body for as long as it lives; a handle whose body is gone is detected, never followed.
+/// A handle to a body. Using a handle after its body was destroyed is detected.
 struct BodyId {
   std::uint32_t index = ~std::uint32_t{0};
   std::uint32_t generation = 0;
   friend bool operator==(const BodyId&, const BodyId&) = default;
 };
 
-/// One shape of a body and what it is made of.
+/// One shape of a body and its material.
 struct Part {
   Shape shape;
   Material material;
 };
 
-/// How a body starts. Positions and angles are of the body's own frame; the velocity is of the centre of mass.
+/// The initial state of a body. Position and angle are those of the body's frame, the velocity is that of the centre of
+/// mass of all its parts.
 struct BodyDef {
   BodyType type = BodyType::dynamic;
-  Vec2 position;
-  Real angle = 0;
-  Vec2 velocity;
-  Real angular_velocity = 0;
+  Vec2 position;              // m
+  Real angle = 0;             // rad
+  Vec2 velocity;              // m/s
+  Real angular_velocity = 0;  // rad/s
   Real gravity_scale = 1;
   Real linear_damping = 0;   // 1/s
   Real angular_damping = 0;  // 1/s
   bool fixed_rotation = false;
-  bool bullet = false;  // continuous collision against moving bodies too
+  bool bullet = false;  // continuous collision against dynamic bodies too
   std::uint32_t layers = ~std::uint32_t{0};
   void* user_data = nullptr;
 };
 
-/// A light view of a body in a world: copy it, don't keep it across steps in which the body may die (keep the BodyId).
-/// Every call on a view of a dead body throws std::out_of_range.
+/// A lightweight view of a body in a world. Copy it freely, but store a BodyId, not a Body, across steps in which the
+/// body may be destroyed. Every call on a view of a destroyed body throws std::out_of_range.
 class Body {
  public:
   BodyId id() const { return id_; }
   BodyType type() const;
-  Vec2 position() const;  // of the body's frame
-  Real angle() const;
+  Vec2 position() const;  // of the body's frame, m
+  Real angle() const;     // rad
   Rotation rotation() const;
-  Vec2 center() const;                  // of mass, world frame
+  Vec2 center() const;                  // centre of mass, world frame
   Vec2 velocity() const;                // of the centre of mass, m/s
   Real angular_velocity() const;        // rad/s
-  MassData mass() const;                // of all parts, body frame; 0 where immovable
+  MassData mass() const;                // of all parts, body frame; 0 for fixed and kinematic bodies
   std::span<const Part> parts() const;  // shapes relative to the centre of mass
   std::uint32_t layers() const;
-  bool awake() const;  // in the world, and not asleep
+  bool awake() const;  // in the world and not asleep
   void* user_data() const;
 
-  /// Wakes the body and its island (see World); if they are awake, their time to fall asleep starts over.
+  /// Wakes the body and its island (see World). If they are awake, restarts their sleep timer.
   void wake();
-  /// Puts the body and its island to sleep at once, even in mid-air, until something wakes them. Throws
-  /// std::logic_error where Settings::sleeping is off and std::invalid_argument for a body that is not dynamic. A body
-  /// out of the world stays as it is.
+  /// Puts the body and its island to sleep immediately, even in mid-air, until something wakes them. Does nothing to a
+  /// body that is not in the world. Throws std::logic_error if Settings::sleeping is off, std::invalid_argument for a
+  /// body that is not dynamic.
   void sleep();
 
   void set_pose(Vec2 position, Real angle);
@@ -74,11 +75,11 @@ class Body {
   void set_gravity_scale(Real scale);
   void set_layers(std::uint32_t mask);
 
-  /// Forces are summed until the next step uses and clears them. N, world frame; points in the world.
+  /// Forces accumulate until the next step, which applies and clears them. N; force and point in the world frame.
   void apply_force(Vec2 force);
   void apply_force(Vec2 force, Vec2 point);
-  void apply_torque(Real torque);
-  /// v += J/m; w += (r x J)/I, at once. N s, world frame; point in the world.
+  void apply_torque(Real torque);  // N m
+  /// Immediately changes the velocity: v += J/m; w += (r x J)/I. N s; impulse and point in the world frame.
   void apply_impulse(Vec2 impulse, Vec2 point);
 
  private:

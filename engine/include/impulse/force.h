@@ -8,23 +8,23 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Every other dynamic body is accelerated towards the centre of `from` by strength / r^exponent: the article's heavy
-/// object. Bodies whose centres coincide with it feel nothing.
+/// Accelerates every other dynamic body towards the centre of mass of `from` by strength / r^exponent: the article's
+/// heavy object. Bodies exactly at that centre are not accelerated.
 struct Attraction {
   BodyId from;
   Real strength = 0;    // m^(1 + exponent)/s^2; negative repels
-  Real exponent = 2;    // a multiple of 1/2 from -16 to 16, so that the power is made of products and roots alone
-  bool mutual = false;  // `from` feels the opposite forces
-  Real reach = std::numeric_limits<Real>::infinity();  // m, bodies farther away feel nothing (`CloseEnoughTo`)
+  Real exponent = 2;    // a multiple of 1/2 from -16 to 16, so that powers need only products and square roots
+  bool mutual = false;  // whether the opposite forces act on `from`
+  Real reach = std::numeric_limits<Real>::infinity();  // m, bodies farther away are not accelerated
 };
 
-/// Pulls two anchors together with stiffness (distance - length) + damping d(distance)/dt. With BodyId{} for one of the
-/// bodies, its anchor is a point of the world.
+/// Pulls two anchors together with the force stiffness (distance - length) + damping d(distance)/dt. If one of the
+/// bodies is BodyId{}, its anchor is a point in the world.
 struct Spring {
   BodyId a, b;
-  Vec2 anchor_a, anchor_b;  // frame of the body; world frame where there is none
+  Vec2 anchor_a, anchor_b;  // body frame; world frame for BodyId{}
   Real stiffness = 0;       // N/m
-  Real length = 0;          // m, at which it pulls nothing
+  Real length = 0;          // m, rest length
   Real damping = 0;         // N s/m
 };
 
@@ -34,8 +34,7 @@ struct ConstantForce {
   Real torque = 0;  // N m
 };
 
-/// What acts on bodies in every step until it is removed. A body that is taken out of the world neither exerts nor
-/// feels it.
+/// A force that acts in every step until it is removed. A body that is not in the world neither exerts nor feels it.
 using Force = std::variant<Attraction, Spring, ConstantForce>;
 
 struct ForceId {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Everything a game needs.
+/// The whole engine API.
 #include "impulse/body.h"
 #include "impulse/clock.h"
 #include "impulse/debug_draw.h"

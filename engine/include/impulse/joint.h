@@ -8,19 +8,19 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Bodies that a joint ties do not collide with each other. At least one of the two must be dynamic. Anchors and axes
-/// are given in the world frame, as the bodies stand when the joint is created.
+/// Two bodies connected by a joint do not collide with each other. At least one of them must be dynamic. Anchors and
+/// axes are given in the world frame, at the bodies' poses when the joint is created.
 
 struct Limits {
-  Real low = 0, high = 0;  // rad or m, of b against a, 0 as the bodies stand at creation; low <= high
+  Real low = 0, high = 0;  // rad or m, of b relative to a, 0 at the initial poses; low <= high
 };
 
 struct Motor {
-  Real speed = 0;     // rad/s or m/s, of b against a
-  Real strength = 0;  // N m or N, the most it gives
+  Real speed = 0;     // rad/s or m/s, of b relative to a
+  Real strength = 0;  // N m or N, maximum
 };
 
-/// A hinge: one point in common.
+/// A hinge: the bodies share one point.
 struct RevoluteJoint {
   BodyId a, b;
   Vec2 anchor;
@@ -28,16 +28,16 @@ struct RevoluteJoint {
   std::optional<Motor> motor = {};
 };
 
-/// Two points a fixed length apart; with a stiffness, a damped spring of that length instead.
+/// Keeps two points at a fixed distance; with a stiffness, connects them by a damped spring instead.
 struct DistanceJoint {
   BodyId a, b;
   Vec2 anchor_a, anchor_b;
   Real length = 0;     // m
   Real stiffness = 0;  // N/m; 0 is rigid
-  Real damping = 0;    // N s/m, with a stiffness
+  Real damping = 0;    // N s/m, used with a stiffness
 };
 
-/// A slider: b moves along an axis fixed in a and does not turn against it.
+/// A slider: b moves along an axis fixed in a and does not rotate relative to a.
 struct PrismaticJoint {
   BodyId a, b;
   Vec2 anchor;
@@ -46,7 +46,7 @@ struct PrismaticJoint {
   std::optional<Motor> motor = {};
 };
 
-/// Two bodies as one.
+/// Two bodies move as one.
 struct WeldJoint {
   BodyId a, b;
   Vec2 anchor;

@@ -3,11 +3,11 @@
 #include <span>
 #include <string_view>
 
-#include "impulse/real.h"
+#include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// What a shape is made of.
+/// The surface and density of a shape.
 struct Material {
   Real density = 1;                               // kg/m^2; 0 gives no mass
   Real static_friction = static_cast<Real>(.6);   // Coulomb coefficient while sticking
@@ -20,10 +20,10 @@ struct NamedMaterial {
   Material material;
 };
 
-/// Rock, Wood, Metal, BouncyBall, SuperBall, Pillow, Static, as the article lists them (density and restitution).
+/// The article's table of densities and restitutions: Rock, Wood, Metal, BouncyBall, SuperBall, Pillow, Static.
 std::span<const NamedMaterial> materials();
 
-/// The material of that name (as listed, or in lower case with dashes), or null.
+/// Returns the material with this name (as listed, or in lower case with dashes), or null.
 const Material* find_material(std::string_view name);
 
 enum class FrictionMixing { geometric, pythagorean, average, min, max, multiply };

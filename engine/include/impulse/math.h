@@ -3,9 +3,24 @@
 #include <cmath>
 #include <cstdint>
 
-#include "impulse/real.h"
+/// Precision is chosen here and nowhere else. The same source is compiled once for float and once for double; an
+/// inline namespace keeps the two apart, so one program can link both. Users write impulse::World and link
+/// impulse::impulse (float) or impulse::impulse_double (which defines IMPULSE_DOUBLE).
+#ifdef IMPULSE_DOUBLE
+#define IMPULSE_PRECISION double_precision
+#else
+#define IMPULSE_PRECISION single_precision
+#endif
 
 namespace impulse::inline IMPULSE_PRECISION {
+
+#ifdef IMPULSE_DOUBLE
+using Real = double;
+#else
+using Real = float;
+#endif
+
+constexpr Real pi = static_cast<Real>(3.14159265358979323846);
 
 struct Vec2 {
   Real x = 0;
@@ -23,24 +38,27 @@ struct Vec2 {
   constexpr Vec2& operator*=(Real s) { return *this = *this * s; }
 };
 
+inline bool is_finite(Real x) { return std::isfinite(x); }
+inline bool is_finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+
 constexpr Real dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 
-/// The z component of the product in space: |a| |b| sin of the angle from a to b.
+/// The z component of the 3D cross product: |a| |b| times the sine of the angle from a to b.
 constexpr Real cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// w z x r: the velocity of a point at arm r of a body that turns at w (rad/s). v = w x r.
+/// v = w x r: the velocity of a point at arm r on a body with angular velocity w (rad/s).
 constexpr Vec2 cross(Real w, Vec2 r) { return {-w * r.y, w * r.x}; }
 
-/// r x w z.
+/// r x w, the opposite of w x r.
 constexpr Vec2 cross(Vec2 r, Real w) { return {w * r.y, -w * r.x}; }
 
-/// a turned by +90 degrees.
+/// a rotated by +90 degrees.
 constexpr Vec2 perpendicular(Vec2 a) { return {-a.y, a.x}; }
 
 constexpr Real length_squared(Vec2 a) { return dot(a, a); }
 inline Real length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
-/// a at unit length; the zero vector stays zero.
+/// a scaled to unit length; the zero vector stays zero.
 inline Vec2 normalized(Vec2 a) {
   const Real l = length(a);
   return l > 0 ? a / l : Vec2{};
@@ -50,14 +68,15 @@ constexpr Vec2 min(Vec2 a, Vec2 b) { return {a.x < b.x ? a.x : b.x, a.y < b.y ? 
 constexpr Vec2 max(Vec2 a, Vec2 b) { return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y}; }
 constexpr Real clamp(Real x, Real low, Real high) { return x < low ? low : (x > high ? high : x); }
 
-/// Sine and cosine from + - * / alone, so that every compiler and library gives the same bits.
 struct SinCos {
   Real sin = 0;
   Real cos = 1;
 };
+/// Sine and cosine computed from + - * / alone, so the bits are the same with every compiler and standard library.
+/// Not a number if the angle (rad) is not finite.
 SinCos sin_cos(Real angle);
 
-/// A turn by an angle, as its cosine and sine; a matrix with columns (c, s) and (-s, c).
+/// A rotation stored as cosine and sine of its angle; the matrix with columns (c, s) and (-s, c).
 struct Rotation {
   Real c = 1;
   Real s = 0;
@@ -75,7 +94,7 @@ struct Rotation {
   constexpr Rotation inverse() const { return {c, -s}; }
 };
 
-/// 2x2 matrix by its columns; m * v = v.x * x + v.y * y.
+/// A 2x2 matrix by columns: m * v = v.x * m.x + v.y * m.y.
 struct Mat22 {
   Vec2 x{1, 0};  // first column
   Vec2 y{0, 1};  // second column
@@ -92,7 +111,7 @@ struct Mat22 {
   friend constexpr Mat22 operator*(const Mat22& m, const Mat22& n) { return {m * n.x, m * n.y}; }
   constexpr Mat22 transposed() const { return {{x.x, y.x}, {x.y, y.y}}; }
   constexpr Real determinant() const { return cross(x, y); }
-  /// The solution u of m u = b; zero where the matrix is singular.
+  /// The solution u of m u = b; zero if the matrix is singular.
   constexpr Vec2 solve(Vec2 b) const {
     const Real d = determinant();
     if (d == 0) return {};
@@ -100,7 +119,7 @@ struct Mat22 {
   }
 };
 
-/// Where a frame is: rotation, then translation.
+/// A frame: rotate by q, then translate by p (m).
 struct Pose {
   Vec2 p;
   Rotation q;
@@ -109,9 +128,10 @@ struct Pose {
 constexpr Vec2 to_world(const Pose& pose, Vec2 local) { return pose.p + pose.q * local; }
 constexpr Vec2 to_local(const Pose& pose, Vec2 world) { return pose.q.inverse() * (world - pose.p); }
 
-/// b as seen from a: the change of basis that lets two shapes collide in one shape's own frame.
+/// Frame b as seen from frame a. Two shapes can then be collided in the frame of one of them.
 constexpr Pose relative(const Pose& a, const Pose& b) { return {to_local(a, b.p), a.q.inverse() * b.q}; }
 
+/// An axis-aligned bounding box.
 struct Aabb {
   Vec2 low;
   Vec2 high;
@@ -125,5 +145,13 @@ constexpr bool contains(const Aabb& box, Vec2 p) {
 }
 constexpr Aabb merged(const Aabb& a, const Aabb& b) { return {min(a.low, b.low), max(a.high, b.high)}; }
 constexpr Aabb grown(const Aabb& a, Real by) { return {a.low - Vec2{by, by}, a.high + Vec2{by, by}}; }
+
+/// The bounds of a rotated box.
+inline Aabb box_bounds(Vec2 center, Rotation rotation, Vec2 half_extents) {
+  const Real c = std::abs(rotation.c);
+  const Real s = std::abs(rotation.s);
+  const Vec2 half{c * half_extents.x + s * half_extents.y, s * half_extents.x + c * half_extents.y};
+  return {center - half, center + half};
+}
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -15,61 +15,64 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// One point of a touching pair, as the last step left it.
+/// One point of a touching pair after the last step.
 struct ContactInfo {
   BodyId a, b;
   Vec2 point;                // world frame
   Vec2 normal;               // unit, from a to b
   Real separation = 0;       // m, negative when they overlap
-  Real normal_impulse = 0;   // N s on b along the normal, sum over the last step
-  Real tangent_impulse = 0;  // N s on b along perpendicular(normal), sum over the last step
+  Real normal_impulse = 0;   // N s on b along the normal, summed over the last step
+  Real tangent_impulse = 0;  // N s on b along perpendicular(normal), summed over the last step
 };
 
-/// Two parts that touched in a step: they overlapped at its start or pushed each other during it.
+/// Two parts that touched during a step: they overlapped at its start or exchanged an impulse.
 struct TouchingParts {
   BodyId a, b;
-  std::uint16_t part_a = 0, part_b = 0;  // places in Body::parts()
-  Vec2 point;                            // world frame, middle of the points in contact
+  std::uint16_t part_a = 0, part_b = 0;  // indices into Body::parts()
+  Vec2 point;                            // world frame, mean of the contact points
   Vec2 normal;                           // unit, from a to b
-  Real normal_impulse = 0;               // N s on b along the normal, of all points, sum over the step
+  Real normal_impulse = 0;               // N s on b along the normal, summed over all points and the step
   Real tangent_impulse = 0;              // N s on b along perpendicular(normal), likewise
 };
 
-/// What the last step changed, each in order of bodies and parts. The spans hold until the next step.
+/// Contacts that began or ended in the last step, sorted by bodies and parts. The spans are valid until the next step.
 struct ContactEvents {
   std::span<const TouchingParts> begun;     // did not touch in the step before
-  std::span<const TouchingParts> touching;  // all, those that begun among them
-  /// Touch no more, as they last did. A body that was destroyed or removed ends its contacts with the next step: ask
-  /// contains() before using its handle.
+  std::span<const TouchingParts> touching;  // all, including those that begun
+  /// No longer touching; holds their last contact. The contacts of a destroyed or removed body end in the next step:
+  /// check contains() before using its handle.
   std::span<const TouchingParts> ended;
 };
 
-/// Where a ray enters a part.
+/// Where a ray enters a body's part.
 struct BodyHit {
   BodyId body;
-  std::size_t part = 0;  // place in Body::parts()
-  Real fraction = 1;     // of the way from the ray's start to its end
+  std::size_t part = 0;  // index into Body::parts()
+  Real fraction = 1;     // of the ray from its start to its end
   Vec2 point;            // world frame
   Vec2 normal;           // unit, out of the part, world frame
 };
 
 /// The article's Scene: holds the bodies, steps them, answers queries.
 ///
-/// With Settings::sleeping, an island of bodies falls asleep when all of them have rested for a while. An island is
-/// what contacts, joints, springs and attractions tie together; fixed and kinematic bodies tie nothing to each other.
-/// Bodies asleep cost next to nothing, have no velocity, go on touching what they touch and are found by every query.
-/// An island wakes as one, by
+/// With Settings::sleeping, an island of bodies falls asleep when all of them have been at rest for a while. Contacts,
+/// joints, springs and attractions connect bodies into islands; fixed and kinematic bodies connect nothing. Sleeping
+/// bodies cost almost nothing, have no velocity, keep their contacts and are found by every query.
+/// The whole island wakes when one of its bodies
 ///
-/// - contact with a body that is awake, or with a kinematic one that moves; likewise a joint, spring or attraction;
-/// - a force, torque or impulse that is not zero, and any set_ call, on one of its bodies; Body::wake;
-/// - a joint or a force being added or taken away at one of its bodies;
-/// - the removal, destruction or shift of what it touches, and whatever immovable is put in its place;
-/// - a change of gravity, of solver, of friction mixing or of contacts, and the end of sleeping in the settings.
+/// - comes into contact with an awake body or a moving kinematic one, or is connected to one by a joint, spring or
+///   attraction;
+/// - receives a force, torque or impulse that is not zero, any set_ call, or Body::wake;
+/// - gains or loses a joint or a force;
+/// - touched something that was removed, destroyed or moved, or is where a fixed or kinematic body is placed.
 ///
-/// Forces that stay (see force.h) keep nothing awake by themselves: a load that hangs on a spring may sleep.
+/// All islands wake when gravity, solver, friction mixing or Settings::contacts change, and when sleeping is turned
+/// off.
+///
+/// Persistent forces (see force.h) don't keep a body awake: a load hanging on a spring may sleep.
 ///
 /// Bodies may be created, inserted, removed and destroyed at any time; inside a callback the change takes effect when
-/// the call that runs the callback returns. Same calls, same bits, on every machine.
+/// the call that runs the callback returns. The same calls give the same bits on every machine.
 class World {
  public:
   explicit World(const Settings& settings = {});
@@ -78,69 +81,69 @@ class World {
   World& operator=(World&&) noexcept;
 
   const Settings& settings() const;
-  /// Throws std::invalid_argument and leaves the world as it was.
+  /// Throws std::invalid_argument for invalid settings and leaves the world unchanged.
   void set_settings(const Settings& settings);
   Vec2 gravity() const { return settings().gravity; }
   void set_gravity(Vec2 gravity);
   Real dt() const { return settings().dt; }
   void set_dt(Real dt);
 
-  /// Makes a body of one or more parts and inserts it. Throws std::invalid_argument for a def that is not finite, for
-  /// no parts, or for a dynamic body without mass.
+  /// Creates a body from one or more parts and inserts it. Throws std::invalid_argument if the def is not finite, if
+  /// there are no parts, or if a dynamic body has no mass.
   BodyId create_body(const BodyDef& def, std::span<const Part> parts);
   BodyId create_body(const BodyDef& def, const Shape& shape, const Material& material = {});
-  /// Takes a body out of the simulation; it keeps its state and can be inserted again.
+  /// Takes a body out of the simulation. It keeps its state and can be inserted again.
   void remove_body(BodyId id);
   void insert_body(BodyId id);
-  /// Ends a body; its handles go stale.
+  /// Destroys a body; its handles become stale.
   void destroy_body(BodyId id);
 
-  bool contains(BodyId id) const;  // alive, inserted or not
+  bool contains(BodyId id) const;  // not destroyed; inserted or not
   /// Throws std::out_of_range for a stale handle.
   Body body(BodyId id);
-  /// All inserted bodies, in order of their index.
+  /// All inserted bodies, sorted by index.
   std::vector<BodyId> bodies() const;
   std::size_t body_count() const;
-  /// Of dynamic bodies that the next step will move.
+  /// The number of dynamic bodies that the next step will move.
   std::size_t awake_count() const;
 
-  /// Acts from the next step on. Throws std::invalid_argument for numbers that make no sense and std::out_of_range for
-  /// a stale body. It ends with remove_force or with any body that it names.
+  /// The force acts from the next step until remove_force or until a body it refers to is destroyed. Throws
+  /// std::invalid_argument for invalid values and std::out_of_range for a stale body.
   ForceId add_force(const Force& force);
   /// Throws std::out_of_range for a stale id.
   void remove_force(ForceId id);
   bool contains(ForceId id) const;
 
-  /// Ties two bodies as they stand now. Throws std::invalid_argument for numbers or pairs that make no sense,
-  /// std::out_of_range for a stale body. The joint ends with destroy_joint or with either body.
+  /// Connects two bodies at their current poses, until destroy_joint or until either body is destroyed. Throws
+  /// std::invalid_argument for invalid values or pairs, std::out_of_range for a stale body.
   JointId create_joint(const Joint& joint);
   void destroy_joint(JointId id);
   bool contains(JointId id) const;
-  /// N s that the joint gave to body b (and took from a) in the last sub-step, world frame.
+  /// The impulse (N s, world frame) on body b in the last sub-step; body a received the opposite.
   Vec2 joint_impulse(JointId id) const;
 
-  /// Advances by dt(). Throws std::domain_error, and moves nothing, where the solver says that it cannot solve this
-  /// world (only `exact` does).
+  /// Advances by dt(). Throws std::domain_error and moves nothing if the solver cannot solve this world (only `exact`
+  /// ever does).
   void step();
 
-  /// Calls back for every part whose bounds overlap the box / that contains the point; return false to stop.
+  /// Calls back for every part whose bounds overlap the box, or that contains the point. Return false to stop.
   using QueryCallback = std::function<bool(BodyId, const Part&)>;
   void query_aabb(const Aabb& box, const QueryCallback& callback);
   void query_point(Vec2 point, const QueryCallback& callback);
 
-  /// Calls back for every part that the ray from -> to enters, nearest first; return false to stop. A part that holds
-  /// the ray's start is not entered. Throws std::invalid_argument for points that are not finite.
+  /// Calls back for every part that the ray from -> to enters, nearest first. Return false to stop. Parts that contain
+  /// the ray's start are skipped. Throws std::invalid_argument for points that are not finite.
   using RayCallback = std::function<bool(const BodyHit&)>;
   void ray_cast(Vec2 from, Vec2 to, const RayCallback& callback);
-  /// The nearest of them on bodies that share a layer with `layers`.
+  /// The nearest hit on bodies that share a layer with `layers`.
   std::optional<BodyHit> ray_cast(Vec2 from, Vec2 to, std::uint32_t layers = ~std::uint32_t{0}) const;
 
   std::vector<ContactInfo> contacts() const;
-  /// Of the last step. Throws std::logic_error unless Settings::contact_events is on.
+  /// The events of the last step. Throws std::logic_error unless Settings::contact_events is on.
   ContactEvents contact_events() const;
 
-  /// Draws the parts whose bounds meet `view` (world frame), the contacts, and a line between the centres of mass of
-  /// every two bodies that a joint ties.
+  /// Draws the parts whose bounds overlap `view` (world frame), the contacts, and for each joint a line between the
+  /// centres of mass of its two bodies.
   void debug_draw(DebugDraw& draw, const Aabb& view);
 
  private:

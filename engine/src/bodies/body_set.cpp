@@ -5,14 +5,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/finite.h"
-#include "joints/joint_set.h"
-
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// The width across a polygon is least square to one of its edges.
+// The width of a polygon is least perpendicular to one of its edges.
 Real thickness_of(const Shape& shape) {
   if (shape.type() == ShapeType::half_space) return Shape::unbounded;
   if (shape.count() < 3) return 2 * shape.radius();
@@ -27,42 +24,45 @@ Real thickness_of(const Shape& shape) {
   return least;
 }
 
-[[noreturn]] void refuse(const std::string& field, const char* must) {
+[[noreturn]] void refuse_def(const std::string& field, const char* must) {
   throw std::invalid_argument("BodyDef: " + field + " must be " + must);
 }
 
-InverseMass inverse(const MassData& of) { return {of.mass > 0 ? 1 / of.mass : 0, of.inertia > 0 ? 1 / of.inertia : 0}; }
+InverseMass inverse_of(const MassData& of) {
+  return {of.mass > 0 ? 1 / of.mass : 0, of.inertia > 0 ? 1 / of.inertia : 0};
+}
 
-void check(const BodyDef& def) {
-  if (!finite(def.position)) refuse("position", "finite");
-  if (!finite(def.angle)) refuse("angle", "finite");
-  if (!finite(def.velocity)) refuse("velocity", "finite");
-  if (!finite(def.angular_velocity)) refuse("angular_velocity", "finite");
-  if (!finite(def.gravity_scale)) refuse("gravity_scale", "finite");
-  if (!finite(def.linear_damping) || def.linear_damping < 0) refuse("linear_damping", "finite and not negative");
-  if (!finite(def.angular_damping) || def.angular_damping < 0) refuse("angular_damping", "finite and not negative");
+void check_def(const BodyDef& def) {
+  if (!is_finite(def.position)) refuse_def("position", "finite");
+  if (!is_finite(def.angle)) refuse_def("angle", "finite");
+  if (!is_finite(def.velocity)) refuse_def("velocity", "finite");
+  if (!is_finite(def.angular_velocity)) refuse_def("angular_velocity", "finite");
+  if (!is_finite(def.gravity_scale)) refuse_def("gravity_scale", "finite");
+  if (!is_finite(def.linear_damping) || def.linear_damping < 0) refuse_def("linear_damping", "finite and not negative");
+  if (!is_finite(def.angular_damping) || def.angular_damping < 0)
+    refuse_def("angular_damping", "finite and not negative");
   if (def.type == BodyType::fixed && (def.velocity != Vec2{} || def.angular_velocity != 0)) {
-    refuse("velocity", "0 for a fixed body; a body that moves without being pushed is kinematic");
+    refuse_def("velocity", "0 for a fixed body; use a kinematic body for prescribed motion");
   }
 }
 
-void check(const Part& part, const std::string& place, BodyType type) {
+void check_part(const Part& part, const std::string& field, BodyType type) {
   const Material& m = part.material;
-  if (!finite(m.density) || m.density < 0) refuse(place + ".density", "finite and not negative");
-  if (!finite(m.static_friction) || m.static_friction < 0)
-    refuse(place + ".static_friction", "finite and not negative");
+  if (!is_finite(m.density) || m.density < 0) refuse_def(field + ".density", "finite and not negative");
+  if (!is_finite(m.static_friction) || m.static_friction < 0)
+    refuse_def(field + ".static_friction", "finite and not negative");
   if (!(m.dynamic_friction >= 0 && m.dynamic_friction <= m.static_friction)) {
-    refuse(place + ".dynamic_friction", "from 0 to the static friction");
+    refuse_def(field + ".dynamic_friction", "from 0 to the static friction");
   }
-  if (!(m.restitution >= 0 && m.restitution <= 1)) refuse(place + ".restitution", "from 0 to 1");
+  if (!(m.restitution >= 0 && m.restitution <= 1)) refuse_def(field + ".restitution", "from 0 to 1");
   if (type == BodyType::dynamic && part.shape.type() == ShapeType::half_space) {
-    refuse(place, "a finite shape in a dynamic body; half-spaces belong to fixed or kinematic ones");
+    refuse_def(field, "a finite shape in a dynamic body; half-spaces belong to fixed or kinematic ones");
   }
 }
 
 }  // namespace
 
-// Parallel axes: a shape of mass m whose centre lies d from the axis adds m d^2 to its own inertia.
+// Parallel-axis theorem: a shape of mass m at distance d from the axis adds m d^2 to its own inertia.
 MassData total_mass(std::span<const Part> parts) {
   MassData total;
   Vec2 moment;
@@ -81,19 +81,19 @@ MassData total_mass(std::span<const Part> parts) {
 }
 
 BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
-  check(def);
-  if (parts.empty()) refuse("parts", "at least one");
-  if (parts.size() > std::numeric_limits<std::uint16_t>::max()) refuse("parts", "at most 65535");
-  for (std::size_t p = 0; p < parts.size(); ++p) check(parts[p], "parts[" + std::to_string(p) + "]", def.type);
+  check_def(def);
+  if (parts.empty()) refuse_def("parts", "at least one");
+  if (parts.size() > std::numeric_limits<std::uint16_t>::max()) refuse_def("parts", "at most 65535");
+  for (std::size_t p = 0; p < parts.size(); ++p) check_part(parts[p], "parts[" + std::to_string(p) + "]", def.type);
 
   BodyDetail made;
   made.alive = true;
   made.def = def;
-  made.removed_with = {def.velocity, def.angular_velocity};
+  made.stored_velocity = {def.velocity, def.angular_velocity};
   if (def.type == BodyType::dynamic) {
     made.mass = total_mass(parts);
-    if (!finite(made.mass.mass) || !finite(made.mass.inertia) || made.mass.mass <= 0 || made.mass.inertia <= 0) {
-      refuse("parts", "of finite mass and inertia above 0 for a dynamic body: give a shape with area and density");
+    if (!is_finite(made.mass.mass) || !is_finite(made.mass.inertia) || made.mass.mass <= 0 || made.mass.inertia <= 0) {
+      refuse_def("parts", "of finite mass and inertia above 0 for a dynamic body: give a shape with area and density");
     }
     if (def.fixed_rotation) made.mass.inertia = 0;
   }
@@ -116,7 +116,7 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
     response.emplace_back();
     force.emplace_back();
     torque.emplace_back();
-    reach.emplace_back();
+    bounding_radius.emplace_back();
     thickness.emplace_back();
     held.emplace_back();
     asleep.emplace_back();
@@ -134,7 +134,7 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
   response[i] = {def.gravity_scale, def.linear_damping, def.angular_damping};
   force[i] = {};
   torque[i] = 0;
-  reach[i] = farthest;
+  bounding_radius[i] = farthest;
   thickness[i] = thinnest;
   detail[i] = std::move(made);
   return id(i);
@@ -145,8 +145,8 @@ void BodySet::insert(std::size_t i) {
   if (body.inserted) return;
   body.inserted = true;
   ++part_changes;
-  velocity[i] = body.removed_with;
-  inverse_mass[i] = inverse(body.mass);
+  velocity[i] = body.stored_velocity;
+  inverse_mass[i] = inverse_of(body.mass);
 }
 
 void BodySet::remove(std::size_t i) {
@@ -154,7 +154,7 @@ void BodySet::remove(std::size_t i) {
   if (!body.inserted) return;
   body.inserted = false;
   ++part_changes;
-  body.removed_with = velocity[i];
+  body.stored_velocity = velocity[i];
   velocity[i] = {};
   inverse_mass[i] = {};
   held[i] = 0;
@@ -169,7 +169,7 @@ void BodySet::put_to_sleep(std::size_t i) {
 }
 
 void BodySet::wake(std::size_t i) {
-  inverse_mass[i] = inverse(detail[i].mass);
+  inverse_mass[i] = inverse_of(detail[i].mass);
   asleep[i] = 0;
   --sleepers;
   ++sleep_changes;
@@ -192,23 +192,6 @@ void BodySet::advance(std::size_t i, const Velocity& at, Real h) {
   if (at.w == 0) return;
   angle[i] += h * at.w;
   pose[i].q = Rotation(angle[i]);
-}
-
-void BodySet::mark_held(std::span<const Contact> contacts, std::span<const ActiveJoint> joints) {
-  // What sleeps stays held as it was: its contacts are not among these.
-  for (std::size_t i = 0; i < size(); ++i) held[i] &= asleep[i];
-  for (const Contact& contact : contacts) {
-    for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
-      if (contact.points[p].total_normal_impulse == 0) continue;
-      held[contact.body_a] = 1;
-      held[contact.body_b] = 1;
-    }
-  }
-  for (const ActiveJoint& joint : joints) {
-    if (joint.block.equations == 0) continue;
-    held[joint.block.a] = 1;
-    held[joint.block.b] = 1;
-  }
 }
 
 void BodySet::clear_forces() {

@@ -1,12 +1,163 @@
 #include "bodies/force_field.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "bodies/generators.h"
-
 namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+constexpr Real greatest_exponent = 16;  // beyond this, powers of lengths in m overflow a float
+
+[[noreturn]] void refuse_force(const char* what) { throw std::invalid_argument(what); }
+
+void require_body(BodyId id, const BodySet& bodies, const char* what) {
+  if (!bodies.contains(id)) throw std::out_of_range(std::string(what) + " is not a body of this world");
+}
+
+/// base^n for n >= 0, by squaring.
+Real integer_power(Real base, int n) {
+  Real result = 1;
+  for (; n > 0; n /= 2) {
+    if (n % 2 == 1) result *= base;
+    base *= base;
+  }
+  return result;
+}
+
+/// base^(halves/2) from products, square roots and one quotient. Unlike std::pow, the bits are the same everywhere.
+Real power_of_halves(Real base, int halves) {
+  const int n = halves < 0 ? -halves : halves;
+  const Real whole = integer_power(base, n / 2);
+  const Real result = n % 2 == 1 ? whole * std::sqrt(base) : whole;
+  return halves < 0 ? 1 / result : result;
+}
+
+/// One end of a spring: a point on a body or in the world.
+struct SpringEnd {
+  std::size_t row = 0;
+  bool on_body = false;
+  bool present = true;  // false if the body is not in the world
+  Vec2 arm;             // from the centre of mass, world frame
+  Vec2 point;           // world frame
+  Vec2 velocity;        // of the point
+
+  SpringEnd(BodyId body, Vec2 anchor, const BodySet& bodies) : point(anchor) {
+    if (body == BodyId{}) return;
+    row = body.index;
+    on_body = true;
+    present = bodies.detail[row].inserted;
+    arm = bodies.pose[row].q * (anchor - bodies.detail[row].mass.center);
+    point = bodies.pose[row].p + arm;
+    velocity = bodies.velocity[row].v + cross(bodies.velocity[row].w, arm);
+  }
+
+  void pull(Vec2 force, const BodySet& bodies, std::vector<Velocity>& out) const {
+    if (!on_body) return;
+    out[row].v += bodies.inverse_mass[row].m * force;
+    out[row].w += bodies.inverse_mass[row].i * cross(arm, force);
+  }
+};
+
+/// Adds the acceleration that the force gives to each body: v in m/s^2, w in rad/s^2.
+void accelerate(const Attraction& attraction, const BodySet& bodies, std::vector<Velocity>& out) {
+  const std::size_t from = attraction.from.index;
+  if (!bodies.detail[from].inserted) return;
+  // `line` has length r instead of 1, so divide by one more power of r.
+  const int halves = static_cast<int>(2 * attraction.exponent) + 2;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Real inverse_mass = bodies.inverse_mass[i].m;
+    if (i == from || inverse_mass == 0) continue;
+    const Vec2 line = bodies.pose[from].p - bodies.pose[i].p;
+    const Real r = length(line);
+    if (r == 0 || r > attraction.reach) continue;
+    const Vec2 acceleration = attraction.strength / power_of_halves(r, halves) * line;
+    out[i].v += acceleration;
+    if (attraction.mutual) out[from].v -= bodies.inverse_mass[from].m / inverse_mass * acceleration;
+  }
+}
+
+void accelerate(const Spring& spring, const BodySet& bodies, std::vector<Velocity>& out) {
+  const SpringEnd a(spring.a, spring.anchor_a, bodies);
+  const SpringEnd b(spring.b, spring.anchor_b, bodies);
+  if (!a.present || !b.present) return;
+  const Vec2 line = b.point - a.point;
+  const Real distance = length(line);
+  if (distance == 0) return;
+  const Vec2 direction = line / distance;
+  const Real separating_speed = dot(b.velocity - a.velocity, direction);
+  const Vec2 pull = (spring.stiffness * (distance - spring.length) + spring.damping * separating_speed) * direction;
+  a.pull(pull, bodies, out);
+  b.pull(-pull, bodies, out);
+}
+
+void accelerate(const ConstantForce& constant, const BodySet& bodies, std::vector<Velocity>& out) {
+  const std::size_t i = constant.body.index;
+  out[i].v += bodies.inverse_mass[i].m * constant.force;
+  out[i].w += bodies.inverse_mass[i].i * constant.torque;
+}
+
+/// Throws std::invalid_argument for invalid values, std::out_of_range for bodies that don't exist.
+void check_force(const Attraction& attraction, const BodySet& bodies) {
+  require_body(attraction.from, bodies, "Attraction: from");
+  if (!is_finite(attraction.strength)) refuse_force("Attraction: strength must be finite");
+  const Real halves = 2 * attraction.exponent;
+  if (!is_finite(halves) || std::abs(attraction.exponent) > greatest_exponent || halves != std::floor(halves)) {
+    refuse_force("Attraction: exponent must be a multiple of 1/2 from -16 to 16; other powers differ between machines");
+  }
+  if (!(attraction.reach > 0)) refuse_force("Attraction: reach must be above 0 (m)");
+}
+
+void check_force(const Spring& spring, const BodySet& bodies) {
+  if (spring.a == spring.b) refuse_force("Spring: needs two different ends");
+  if (spring.a != BodyId{}) require_body(spring.a, bodies, "Spring: a");
+  if (spring.b != BodyId{}) require_body(spring.b, bodies, "Spring: b");
+  if (!is_finite(spring.anchor_a) || !is_finite(spring.anchor_b)) refuse_force("Spring: anchors must be finite");
+  if (!is_finite(spring.stiffness) || spring.stiffness < 0)
+    refuse_force("Spring: stiffness must be finite and not negative (N/m)");
+  if (!is_finite(spring.length) || spring.length < 0)
+    refuse_force("Spring: length must be finite and not negative (m)");
+  if (!is_finite(spring.damping) || spring.damping < 0)
+    refuse_force("Spring: damping must be finite and not negative (N s/m)");
+}
+
+void check_force(const ConstantForce& constant, const BodySet& bodies) {
+  require_body(constant.body, bodies, "ConstantForce: body");
+  if (!is_finite(constant.force) || !is_finite(constant.torque))
+    refuse_force("ConstantForce: force and torque must be finite");
+}
+
+/// Appends the rows of the bodies whose motion the force makes depend on each other: that of all others on the first.
+void append_bodies(const Attraction& attraction, const BodySet& bodies, std::vector<std::uint32_t>& out) {
+  const std::uint32_t from = attraction.from.index;
+  if (!bodies.detail[from].inserted) return;
+  out.push_back(from);
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (i == from || !bodies.detail[i].inserted || !bodies.dynamic(i)) continue;
+    if (length(bodies.pose[from].p - bodies.pose[i].p) <= attraction.reach) out.push_back(i);
+  }
+}
+
+void append_bodies(const Spring& spring, const BodySet& bodies, std::vector<std::uint32_t>& out) {
+  const auto absent = [&](BodyId end) { return end != BodyId{} && !bodies.detail[end.index].inserted; };
+  if (absent(spring.a) || absent(spring.b)) return;
+  for (const BodyId end : {spring.a, spring.b}) {
+    if (end != BodyId{}) out.push_back(end.index);
+  }
+}
+
+void append_bodies(const ConstantForce& constant, const BodySet&, std::vector<std::uint32_t>& out) {
+  out.push_back(constant.body.index);
+}
+
+/// Whether the force refers to the body.
+bool refers_to(const Attraction& attraction, BodyId body) { return attraction.from == body; }
+bool refers_to(const Spring& spring, BodyId body) { return spring.a == body || spring.b == body; }
+bool refers_to(const ConstantForce& constant, BodyId body) { return constant.body == body; }
+
+}  // namespace
 
 void ForceField::accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out) const {
   const std::size_t n = bodies.size();
@@ -31,16 +182,16 @@ void ForceField::accelerations(const BodySet& bodies, Real implicit, std::vector
 }
 
 bool ForceField::vary(const BodySet& bodies) const {
-  const auto varies = [](const Slot& slot) {
+  const auto varying = [](const Slot& slot) {
     return slot.force && !std::holds_alternative<ConstantForce>(*slot.force);
   };
   const auto damped = [](const Response& r) { return r.linear_damping > 0 || r.angular_damping > 0; };
-  return std::any_of(slots_.begin(), slots_.end(), varies) ||
+  return std::any_of(slots_.begin(), slots_.end(), varying) ||
          std::any_of(bodies.response.begin(), bodies.response.end(), damped);
 }
 
 ForceId ForceField::add(const Force& force, const BodySet& bodies) {
-  std::visit([&bodies](const auto& generator) { check(generator, bodies); }, force);
+  std::visit([&bodies](const auto& one) { check_force(one, bodies); }, force);
   if (free_slots_.empty()) {
     slots_.emplace_back();
     free_slots_.push_back(static_cast<std::uint32_t>(slots_.size() - 1));
@@ -55,19 +206,20 @@ bool ForceField::contains(ForceId id) const {
   return id.index < slots_.size() && slots_[id.index].force && slots_[id.index].generation == id.generation;
 }
 
-void ForceField::need(ForceId id) const {
+void ForceField::require(ForceId id) const {
   if (!contains(id))
-    throw std::out_of_range("World: no force " + std::to_string(id.index) + "; it or its body is gone");
+    throw std::out_of_range("World: no force " + std::to_string(id.index) +
+                            "; it was removed or one of its bodies was destroyed");
 }
 
 std::vector<std::uint32_t> ForceField::bodies_of(ForceId id, const BodySet& bodies) const {
-  need(id);
+  require(id);
   std::vector<std::uint32_t> rows;
   std::visit([&](const auto& force) { append_bodies(force, bodies, rows); }, *slots_[id.index].force);
   return rows;
 }
 
-void ForceField::append_ties(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out) const {
+void ForceField::append_pairs(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out) const {
   std::vector<std::uint32_t> rows;
   for (const Slot& slot : slots_) {
     if (!slot.force) continue;
@@ -78,18 +230,18 @@ void ForceField::append_ties(const BodySet& bodies, std::vector<std::pair<std::u
 }
 
 void ForceField::remove(ForceId id) {
-  need(id);
-  end(id.index);
+  require(id);
+  free_slot(id.index);
 }
 
 void ForceField::forget(BodyId body) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    const auto names_it = [body](const auto& generator) { return names(generator, body); };
-    if (slots_[i].force && std::visit(names_it, *slots_[i].force)) end(i);
+    const auto involved = [body](const auto& force) { return refers_to(force, body); };
+    if (slots_[i].force && std::visit(involved, *slots_[i].force)) free_slot(i);
   }
 }
 
-void ForceField::end(std::size_t slot) {
+void ForceField::free_slot(std::size_t slot) {
   slots_[slot].force.reset();
   ++slots_[slot].generation;
   free_slots_.push_back(static_cast<std::uint32_t>(slot));

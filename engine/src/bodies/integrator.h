@@ -5,7 +5,7 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Carries free motion over h seconds in two halves; the solver corrects velocities in between.
+/// Integrates free motion over h seconds in two parts; the solver corrects the velocities in between.
 class Integrator {
  public:
   Integrator() = default;
@@ -13,19 +13,19 @@ class Integrator {
   Integrator& operator=(const Integrator&) = delete;
   virtual ~Integrator() = default;
 
-  /// Brings velocities to where contacts are solved.
+  /// Updates the velocities to those at which contacts are solved.
   virtual void begin(BodySet& bodies, const ForceField& forces, Real h) = 0;
-  /// Moves the poses with the solved velocities, and finishes the velocities where the method does so afterwards.
+  /// Moves the poses with the solved velocities, and completes the velocity update if the method does so afterwards.
   virtual void finish(BodySet& bodies, const ForceField& forces, Real h) = 0;
   /// Free fall is off by drift * gravity * t * h.
   virtual Real drift() const = 0;
-  /// Smooth free motion is off by a multiple of h^order.
+  /// The error of smooth free motion is proportional to h^order.
   virtual int order() const = 0;
-  /// So is sliding along what is touched, if contacts are solved exactly: what they give in a step moves the pose for
-  /// the whole of it, as in symplectic Euler, whatever the order of the free motion.
+  /// The same for sliding along a contact that is solved exactly. It is 1 for most methods, whatever their order in
+  /// free motion: contact impulses act on the pose for the whole step, as in symplectic Euler.
   virtual int order_in_contact() const { return 1; }
-  /// Whether it wants to know in the next step which bodies something held in this one (BodySet::held).
-  virtual bool asks_what_is_held() const { return false; }
+  /// Whether it reads BodySet::held, which records the bodies that contacts or joints acted on in the last step.
+  virtual bool needs_held() const { return false; }
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

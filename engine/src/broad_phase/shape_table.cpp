@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "contacts/closing.h"
-#include "shapes/box_bounds.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -8,7 +8,7 @@
 namespace impulse::inline IMPULSE_PRECISION {
 
 /// m/s, the fastest that turning moves a point of the body's surface.
-inline Real rim_speed(const BodySet& bodies, std::size_t i) { return std::abs(bodies.velocity[i].w) * bodies.reach[i]; }
+inline Real rim_speed(const BodySet& bodies, std::size_t i) { return std::abs(bodies.velocity[i].w) * bodies.bounding_radius[i]; }
 
 /// m, the farthest that a body's surface can go in the margin's time.
 inline Real travel(const BodySet& bodies, std::size_t i, const Margin& margin) {

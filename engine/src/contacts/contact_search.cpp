@@ -54,12 +54,12 @@ void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bo
 void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pairs) {
   const std::span<const Proxy> proxies = shapes_.proxies();
   const JointSet& joints = input.joints;
-  const bool tied = !joints.tied().empty();
+  const bool tied = !joints.connected_pairs().empty();
   if (tied || shapes_.some_slanted()) {
     std::size_t left = 0;
     for (const Pair& pair : pairs) {
       const bool apart = shapes_.apart(pair.first, pair.second) ||
-                         (tied && joints.ties(proxies[pair.first].body, proxies[pair.second].body));
+                         (tied && joints.connects(proxies[pair.first].body, proxies[pair.second].body));
       pairs[left] = pair;
       left += apart ? 0 : 1;
     }
@@ -143,7 +143,7 @@ void ContactSearch::keep_points(const SearchInput& input, std::span<const std::u
   may_keep_.resize(asked);
   kept_.resize(asked);
   kernels().keep_points(last_.data(), may_keep_.data(), static_cast<std::uint32_t>(asked), input.bodies.pose.data(),
-                        input.bodies.reach.data(), recycled_motion, kept_.data());
+                        input.bodies.bounding_radius.data(), recycled_motion, kept_.data());
   for (std::size_t i = 0; i < asked; ++i) {
     const std::uint32_t pair = to_keep_[i];
     counts_[pair] = kept;
@@ -169,7 +169,7 @@ void ContactSearch::note_motion(const SearchInput& input, bool undisturbed) {
     const std::size_t body = proxies[i].body;
     const Pose& now = bodies.pose[body];
     const Pose& then = poses_[body];
-    moved_[i] = length(now.p - then.p) + std::abs((now.q * then.q.inverse()).s) * bodies.reach[body];
+    moved_[i] = length(now.p - then.p) + std::abs((now.q * then.q.inverse()).s) * bodies.bounding_radius[body];
   }
   poses_ = bodies.pose;
 }

@@ -165,7 +165,7 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
 // A face that has taken the place of a ghost hides others in turn: those two joins ahead.
 bool ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin) {
   // Only ground that stands still has joins.
-  const auto stands = [&](const OnGround& meets) { return !bodies.stirs(meets.ground); };
+  const auto stands = [&](const OnGround& meets) { return !bodies.moves(meets.ground); };
   supports_.clear();
   std::copy_if(of_part.begin(), of_part.end(), std::back_inserter(supports_), stands);
   if (supports_.size() < 2) return false;

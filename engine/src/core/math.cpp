@@ -14,7 +14,7 @@ SinCos sin_cos(Real angle) {
     constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
     return {nan, nan};
   }
-  // The remainder is exact; that its divisor is not quite 2 pi moves the angle by less than half of its own last bit.
+  // fmod is exact. Its divisor is not exactly 2 pi, but that changes the angle by less than half of its last bit.
   if (a > baseline::exact_range || a < -baseline::exact_range) a = std::fmod(a, 2 * 3.14159265358979323846);
   const auto turns = static_cast<std::int32_t>(baseline::quarter_turns(a));
   const auto reduced = baseline::reduce(a, static_cast<double>(turns));

@@ -14,11 +14,11 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// What is unlisted can be named and made, and is never offered: methods that are wrong on purpose (engine/faults).
 enum class Offer : std::uint8_t { listed, unlisted };
 
-/// The solvers, integrators and broad phases that this build holds. Each joins from its own file:
+/// The solvers, integrators and broad phases in this build. Each registers itself from its own file:
 ///
 ///     const MethodList<Solver>::Entry entry{{"article", "...", "..."}, [] { return std::make_unique<Article>(); }};
 ///
-/// Nothing reads a list before main, so the order of joining does not matter.
+/// Nothing reads a list before main, so the order of registration does not matter.
 template <class Method>
 class MethodList {
  public:
@@ -41,7 +41,7 @@ class MethodList {
 
   static bool knows(std::string_view name) { return find(name) != nullptr; }
 
-  /// The method of that name, newly made; null if there is none.
+  /// Creates the method with this name; returns null if there is none.
   static std::unique_ptr<Method> make(std::string_view name) {
     const Item* item = find(name);
     return item == nullptr ? nullptr : item->make();

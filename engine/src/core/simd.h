@@ -3,28 +3,30 @@
 #include <cstdint>
 #include <cstring>
 
-#include "impulse/real.h"
+#include "impulse/math.h"
 
 #ifdef __SSE2__
 #include <immintrin.h>
 #endif
 
-/// The only place that knows instruction sets.
+/// The only file that knows about instruction sets.
 ///
-/// Every file in a folder lanes/ is compiled for what all processors of the target have (`baseline`), once more with
-/// one number at a time (`scalar`, the oracle) and, on x86-64, with AVX2 (`avx2`) and with AVX-512 (`avx512`); the
-/// namespace IMPULSE_LANES keeps them apart. Which one runs is asked once, see kernels.h. No kernel may call an inline
-/// function from outside this namespace: a linker that keeps one copy might keep the AVX-512 one.
+/// Every file in a folder lanes/ is compiled for the instructions that all processors of the target have (`baseline`),
+/// again with one number at a time (`scalar`, the test oracle) and, on x86-64, with AVX2 (`avx2`) and AVX-512
+/// (`avx512`); the namespace IMPULSE_LANES keeps them apart. One of them is chosen at run time, once, see kernels.h. No
+/// kernel may call an inline function from outside this namespace: the linker keeps one copy and might keep that
+/// compiled for AVX-512.
 ///
-/// Lanes are eight, in as many registers as that takes, or sixteen where one register holds so many, and each lane
-/// computes what a Real would: no approximation, no sum across lanes. So results never depend on the instruction set.
+/// There are eight lanes, in as many registers as that takes, or sixteen if one register holds so many. Each lane
+/// computes exactly what a Real would: no approximation, no sum across lanes. So results don't depend on the
+/// instruction set.
 #ifndef IMPULSE_LANES
 #define IMPULSE_LANES baseline
 #endif
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
-/// One number at a time, for processors that have no registers below; the oracle of those that are there.
+/// One number at a time, for processors without the vector registers below, and as the oracle that tests those.
 struct ScalarRegister {
   static constexpr std::uint32_t width = 1;
   struct Mask {
@@ -61,7 +63,7 @@ struct ScalarRegister {
 
 #if defined(__SSE2__) && !defined(IMPULSE_LANES_scalar)
 
-/// As many numbers as one register of the processor holds.
+/// The numbers in one vector register of the processor.
 struct Register {
 #ifdef __AVX512F__
   static constexpr std::uint32_t bytes = 64;
@@ -159,7 +161,8 @@ struct Register {
   }
 #endif
 
-  /// Of rows of four numbers, one for each lane, the four columns; and back. Full masks spare GCC 12 false warnings.
+  /// Transposes rows of four numbers, one row per lane, into four columns, and back. The full masks avoid false
+  /// warnings from GCC 12.
 #if defined(__AVX512F__) && !defined(IMPULSE_DOUBLE)
   static void transpose(const auto& rows, std::uint32_t at, Register columns[4]) {
     Vector four[4];  // rows i, i + 4, i + 8, i + 12
@@ -180,7 +183,7 @@ struct Register {
       _mm_storeu_ps(rows[at + i + 12], _mm512_maskz_extractf32x4_ps(0xf, four[i].v, 3));
     }
   }
-  /// In each quarter of the registers.
+  /// Transposes within each quarter of the registers.
   static void transpose_fours(Vector a, Vector b, Vector c, Vector d, Register to[4]) {
     const Vector low_ab = low_halves(a, b);
     const Vector high_ab = high_halves(a, b);
@@ -191,7 +194,7 @@ struct Register {
     to[2].v = __builtin_shufflevector(high_ab, high_cd, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
     to[3].v = __builtin_shufflevector(high_ab, high_cd, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
   }
-  /// Of each quarter of a and of b one half, a number of each in turn.
+  /// Interleaves the low (high) halves of each quarter of a and b.
   static Vector low_halves(Vector a, Vector b) {
     return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
   }
@@ -215,7 +218,7 @@ struct Register {
       _mm256_storeu_pd(rows[at + i + 4], _mm512_maskz_extractf64x4_pd(0xf, pair[i].v, 1));
     }
   }
-  /// In each half of the registers.
+  /// Transposes within each half of the registers.
   static void transpose_fours(Vector a, Vector b, Vector c, Vector d, Register to[4]) {
     const Vector even_ab = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
     const Vector odd_ab = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
@@ -242,7 +245,7 @@ struct Register {
       _mm_storeu_ps(rows[at + i + 4], _mm256_extractf128_ps(pair[i].v, 1));
     }
   }
-  /// In each half of the registers.
+  /// Transposes within each half of the registers.
   static void transpose_fours(Vector a, Vector b, Vector c, Vector d, Register to[4]) {
     const Vector low_ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
     const Vector high_ab = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
@@ -300,10 +303,10 @@ using Register = ScalarRegister;
 
 constexpr std::uint32_t lane_count = Register::width > 8 ? Register::width : 8;
 constexpr std::uint32_t all_lanes = (1U << lane_count) - 1;
-/// The first n lanes, or all.
+/// The first n lanes, or all if there are fewer.
 inline std::uint32_t first_lanes(std::uint32_t n) { return n < lane_count ? (1U << n) - 1 : all_lanes; }
 
-/// A yes or no for each lane.
+/// A boolean for each lane.
 template <class R>
 struct MaskOf {
   typename R::Mask part[lane_count / R::width];
@@ -317,7 +320,7 @@ struct MaskOf {
   friend MaskOf operator!(const MaskOf& a) {
     return each([&](std::uint32_t i) { return !a.part[i]; });
   }
-  /// Bit i tells of lane i.
+  /// Bit i is lane i.
   std::uint32_t bits() const {
     std::uint32_t all = 0;
     for (std::uint32_t i = 0; i < lane_count / R::width; ++i) all |= R::bits(part[i]) << (i * R::width);
@@ -334,7 +337,7 @@ struct MaskOf {
   }
 };
 
-/// A number for each lane. Comparisons are no where either is not a number.
+/// A number for each lane. Comparisons with NaN are false.
 template <class R>
 struct LanesOf {
   using Mask = MaskOf<R>;
@@ -373,11 +376,11 @@ struct LanesOf {
   friend Mask operator==(const LanesOf& a, const LanesOf& b) {
     return Mask::each([&](std::uint32_t i) { return a.part[i] == b.part[i]; });
   }
-  /// yes where the mask is set, no elsewhere.
+  /// Takes each lane from `yes` if the mask is set, else from `no`.
   friend LanesOf select(const Mask& mask, const LanesOf& yes, const LanesOf& no) {
     return each([&](std::uint32_t i) { return R::select(mask.part[i], yes.part[i], no.part[i]); });
   }
-  /// As std::max and std::min: the first where the two compare equal, or do not compare.
+  /// Like std::max and std::min: the first argument if the two are equal or one is NaN.
   friend LanesOf max(const LanesOf& a, const LanesOf& b) { return select(a < b, b, a); }
   friend LanesOf min(const LanesOf& a, const LanesOf& b) { return select(b < a, b, a); }
   friend LanesOf sqrt(const LanesOf& a) {
@@ -387,7 +390,7 @@ struct LanesOf {
     return each([&](std::uint32_t i) { return R::magnitude(a.part[i]); });
   }
 
-  /// rows[i] is where lane i's four numbers are; the k-th of them go to columns[k].
+  /// rows[i] points to lane i's four numbers; the k-th of each go to columns[k].
   static void gather(const auto& rows, LanesOf columns[4]) {
     for (std::uint32_t i = 0; i < lane_count / R::width; ++i) {
       R part[4];
@@ -412,7 +415,7 @@ struct LanesOf {
 
 using Lanes = LanesOf<Register>;
 
-/// Of every set of eight lanes its members in order, then zeros, and how many they are.
+/// For every set of eight lanes: its members in order, padded with zeros, and their number.
 struct SetOfLanes {
   std::uint8_t members[8];
   std::uint8_t count;
@@ -431,7 +434,7 @@ constexpr SetsOfLanes list_sets() {
 }
 inline constexpr SetsOfLanes sets_of_lanes = list_sets();
 
-/// Writes base + i for every lane i in a set of eight and returns the end of what counts; there must be room for all.
+/// Writes base + i for every lane i in a set of eight and returns the end of those. Writes eight numbers in any case.
 inline std::uint32_t* write_eight(std::uint32_t bits, std::uint32_t base, std::uint32_t* to) {
   const SetOfLanes& set = sets_of_lanes.of[bits];
 #ifdef __SSE2__
@@ -452,7 +455,7 @@ inline std::uint32_t* write_eight(std::uint32_t bits, std::uint32_t base, std::u
   return to + set.count;
 }
 
-/// The same for all lanes.
+/// The same for a set of all lanes. Writes lane_count numbers at most.
 inline std::uint32_t* write_members(std::uint32_t bits, std::uint32_t base, std::uint32_t* to) {
   for (std::uint32_t i = 0; i < lane_count; i += 8) to = write_eight(bits >> i & 0xffU, base + i, to);
   return to;

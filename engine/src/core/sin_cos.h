@@ -4,19 +4,19 @@
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
-/// Sine and cosine from + - * alone, in double whatever Real is. N is a double or a vector of them: both take the same
-/// steps, without branches.
+/// Sine and cosine from + - * alone, in double even if Real is float. N is a double or a vector of them: both take the
+/// same steps, without branches.
 
 // pi/2 in three parts (Cody and Waite, "Software manual for the elementary functions", 1980). The first two have 33
-// bits, so that their products with a count of quarter turns below 2^20 are exact.
+// bits, so their products with a number of quarter turns below 2^20 are exact.
 constexpr double quarter_1 = 0x1.921fb544p+0;
 constexpr double quarter_2 = 0x1.0b4611a6p-34;
 constexpr double quarter_3 = 0x1.3198a2e037073p-69;
 
-/// Up to here the count of quarter turns stays below 2^20.
+/// rad; up to this angle the number of quarter turns stays below 2^20.
 constexpr double exact_range = 1.6e6;
 
-/// An angle less so many quarter turns, within pi/4 of zero; as a sum of which the second part is beyond the first's
+/// An angle minus a whole number of quarter turns, within pi/4 of zero, as a sum: the tail extends the head below its
 /// last bit.
 template <class N>
 struct Reduced {
@@ -27,22 +27,22 @@ struct Reduced {
 template <class N>
 N quarter_turns(N angle) {
   const N turns = angle * (2.0 / 3.14159265358979323846);
-  return turns < 0.0 ? turns - 0.5 : turns + 0.5;  // to be cut off to a whole number
+  return turns < 0.0 ? turns - 0.5 : turns + 0.5;  // the caller truncates to a whole number
 }
 
 template <class N>
 Reduced<N> reduce(N angle, N whole_turns) {
-  const N first = angle - whole_turns * quarter_1;  // exact: near-equal numbers
+  const N first = angle - whole_turns * quarter_1;  // exact: the two are nearly equal
   const N product = whole_turns * quarter_2;
   const N second = first - product;
-  const N taken = first - second;  // two-sum: what rounding took from `second`
+  const N taken = first - second;  // two-sum: recovers the rounding error of `second`
   const N lost = (first - (second + taken)) - (product - taken);
   const N rest = whole_turns * quarter_3 - lost;
   const N head = second - rest;
   return {head, (second - head) - rest};
 }
 
-// Taylor's series: the first term left out is below 1e-19 on [-pi/4, pi/4]. The tail enters to first order.
+// Taylor series: the first omitted term is below 1e-19 on [-pi/4, pi/4]. The tail enters to first order.
 template <class N>
 N sine(const Reduced<N>& angle) {
   const N x = angle.head;

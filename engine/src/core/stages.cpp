@@ -21,7 +21,7 @@ class Stages {
   Stages& operator=(const Stages&) = delete;
   ~Stages() {
     if (steps_ == 0) return;
-    std::cerr << "Stages, us a step over " << steps_ << " steps:\n" << std::fixed << std::setprecision(2);
+    std::cerr << "Stages, us per step over " << steps_ << " steps:\n" << std::fixed << std::setprecision(2);
     for (const Stage& stage : stages_) {
       std::cerr << std::setw(12) << stage.time.count() / static_cast<double>(steps_) << "  " << stage.name << '\n';
     }
@@ -35,7 +35,7 @@ class Stages {
   void end(const char* name) {
     const Clock::time_point now = Clock::now();
     of(name).time += now - last_;
-    last_ = Clock::now();  // the search is nobody's
+    last_ = Clock::now();  // don't count the lookup
   }
 
  private:
@@ -44,7 +44,7 @@ class Stages {
     std::chrono::duration<double, std::micro> time;
   };
 
-  /// Stages come in the same order every time, or nearly so.
+  /// Finds a stage by name. Stages come in nearly the same order in every step, so the search starts after the last.
   Stage& of(const char* name) {
     for (std::size_t i = 0; i < stages_.size(); ++i) {
       Stage& stage = stages_[(next_ + i) % stages_.size()];

@@ -1,17 +1,16 @@
 #pragma once
 
-#include "impulse/real.h"
+#include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Where the time of a step goes, for those who make it faster: compiled with IMPULSE_STAGES, a program tells at its
-/// end on standard error what each stage cost; without, nothing of this is there. Stages are told apart by the thread
-/// that steps.
+/// A profile of the step's stages. Compiled with IMPULSE_STAGES, a program prints at its end, on standard error and per
+/// stepping thread, what each stage cost; otherwise these calls compile to nothing.
 #ifdef IMPULSE_STAGES
 
-/// A step begins: what passed since the last stage is nobody's.
+/// Begins a step; the time since the last stage is not counted.
 void start_stages();
-/// What passed since the stage before was this one. The name must live on.
+/// Attributes the time since the previous stage to this one. The name must outlive the program's steps.
 void end_stage(const char* name);
 
 #else

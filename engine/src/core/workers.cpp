@@ -12,7 +12,7 @@ constexpr std::uint64_t one_round = std::uint64_t{1} << 32;
 
 std::uint32_t untaken(std::uint64_t round) { return static_cast<std::uint32_t>(round % one_round); }
 
-/// Returns when a number is as wanted.
+/// Waits until the number satisfies the condition.
 template <class Number, class Enough>
 void wait_for(const std::atomic<Number>& number, Enough enough) {
   constexpr int polls = 4000;
@@ -37,7 +37,7 @@ Workers::Workers(int count) {
 
 Workers::~Workers() {
   stopping_ = true;
-  give_out(1);  // of nothing: only to be noticed
+  give_out(1);  // no work: only wakes the threads
   for (std::thread& thread : threads_) thread.join();
 }
 
@@ -71,7 +71,7 @@ void Workers::serve(std::size_t worker) {
   }
 }
 
-/// Does a piece of the present round; false if all are taken.
+/// Does a piece of the current round; returns false if all are taken.
 bool Workers::take_piece(std::size_t worker) {
   std::uint64_t round = round_.load(std::memory_order_acquire);
   do {

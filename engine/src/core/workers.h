@@ -9,16 +9,16 @@
 #include <thread>
 #include <vector>
 
-#include "impulse/real.h"
+#include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// A fixed number of threads, the calling one included, that share out independent pieces of work. Which thread takes
-/// which piece is left to chance, so pieces may write only what is theirs alone; then the bits never depend on the
+/// A fixed number of threads, including the calling one, that share independent pieces of work. Which thread takes
+/// which piece is not deterministic, so each piece may write only data of its own; then the bits never depend on the
 /// number of threads.
 ///
-/// Who finds nothing to do spins for some microseconds, then yields a few times, then sleeps. Nobody waits for a thread
-/// that has taken no piece: where the machine is busy and the others do not get to run, the caller does all by itself.
+/// An idle thread spins for some microseconds, then yields a few times, then sleeps. Nobody waits for a thread that has
+/// taken no piece: if the machine is busy and the other threads don't get to run, the caller does all the work.
 class Workers {
  public:
   explicit Workers(int count);
@@ -28,8 +28,9 @@ class Workers {
 
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Calls work(piece, worker) for every piece in 0 ... pieces - 1, worker in 0 ... count() - 1, and returns when all
-  /// are done. The first exception thrown by a piece is thrown on. Throws std::invalid_argument for 2^32 pieces.
+  /// Calls work(piece, worker) for every piece in 0 ... pieces - 1, with worker in 0 ... count() - 1, and returns when
+  /// all are done. Rethrows the first exception thrown by a piece. Throws std::invalid_argument for more than
+  /// 2^32 - 1 pieces.
   using Work = std::function<void(std::size_t piece, std::size_t worker)>;
   void share_out(std::size_t pieces, const Work& work);
 
@@ -39,14 +40,14 @@ class Workers {
   void give_out(std::uint32_t pieces);
 
   std::vector<std::thread> threads_;
-  // What a round is about; whoever holds a piece of it may read them.
+  // Describe the current round; only threads that hold one of its pieces may read them.
   const Work* work_ = nullptr;
   std::uint32_t pieces_ = 0;
 
-  // Apart, as each is written by all.
+  // On separate cache lines, because all threads write to each.
   static constexpr std::size_t cache_line = 64;
-  /// High half: counts calls of share_out, so that a late thread cannot mistake one for another. Low half: the pieces
-  /// that nobody has taken.
+  /// High half: counts calls of share_out, so that a late thread cannot confuse two rounds. Low half: the number of
+  /// pieces not taken yet.
   alignas(cache_line) std::atomic<std::uint64_t> round_ = 0;
   alignas(cache_line) std::atomic<std::uint32_t> unfinished_ = 0;  // pieces
   std::atomic<bool> stopping_ = false;

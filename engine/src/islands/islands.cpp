@@ -17,10 +17,10 @@ std::uint32_t Islands::root(std::uint32_t body) {
   return body;
 }
 
-void Islands::tie(std::uint32_t a, std::uint32_t b) {
+void Islands::connect(std::uint32_t a, std::uint32_t b) {
   a = root(a);
   b = root(b);
-  // The lower body stays the root, so that roots come first when islands are numbered.
+  // The lowest body becomes the root, so that number() meets the root of an island before its other bodies.
   if (a < b) parent_[b] = a;
   if (b < a) parent_[a] = b;
 }

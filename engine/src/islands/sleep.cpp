@@ -11,11 +11,12 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// What a body may move while it falls asleep, as a share of what its greatest speed would carry it. A load that only
-/// trembles stays where it is; one that creeps, swings back or is thrown up comes farther, however slow it is just now.
-constexpr Real tremor = static_cast<Real>(0.01);
+/// How far a body may move while it falls asleep, as a share of the distance that the speed threshold would carry it. A
+/// load that only jitters stays within; one that creeps, swings back or turns at its apex moves farther, however slow
+/// it is at the moment.
+constexpr Real low_motion_tolerance = static_cast<Real>(0.01);
 
-Aabb bounds(const BodySet& bodies, std::size_t i) {
+Aabb body_bounds(const BodySet& bodies, std::size_t i) {
   const std::vector<Part>& parts = bodies.detail[i].parts;
   Aabb box = parts[0].shape.bounds(bodies.pose[i]);
   for (const Part& part : parts) box = merged(box, part.shape.bounds(bodies.pose[i]));
@@ -30,18 +31,18 @@ Real least_separation(const auto& points, int count) {
 
 }  // namespace
 
-/// Whether a gap may close within a step; what forces add to the speeds is within the margin's distance.
+/// Whether a gap may close within a step. The margin's distance covers the speed that forces add.
 bool Sleep::within_reach(std::size_t a, std::size_t b, Vec2 normal, Real separation, const Margin& margin) const {
   const Real approach = dot(normal, bodies_.velocity[a].v - bodies_.velocity[b].v);
-  const Real turning = rim_speed(bodies_, a) + rim_speed(bodies_, b);
-  return separation <= margin.distance + margin.time * (std::max(approach, Real{0}) + turning);
+  const Real rotation = rim_speed(bodies_, a) + rim_speed(bodies_, b);
+  return separation <= margin.distance + margin.time * (std::max(approach, Real{0}) + rotation);
 }
 
 bool Sleep::may_meet(std::size_t mover, std::size_t sleeper, const Margin& margin) const {
   const BodyDetail& a = bodies_.detail[mover];
   const BodyDetail& b = bodies_.detail[sleeper];
   if ((a.def.layers & b.def.layers) == 0) return false;
-  if (joints_.ties(static_cast<std::uint32_t>(mover), static_cast<std::uint32_t>(sleeper))) return false;
+  if (joints_.connects(static_cast<std::uint32_t>(mover), static_cast<std::uint32_t>(sleeper))) return false;
   const Real gap = closing(bodies_, mover, sleeper, margin);
   for (const Part& part : a.parts) {
     const Aabb around = grown(part.shape.bounds(bodies_.pose[mover]), gap);
@@ -55,75 +56,77 @@ bool Sleep::may_meet(std::size_t mover, std::size_t sleeper, const Margin& margi
   return false;
 }
 
-bool Sleep::rouse(const Margin& margin) {
+bool Sleep::wake_before_step(const Margin& margin) {
   const bool some_sleep = bodies_.sleepers > 0;
   movers_.clear();
   if (some_sleep) {
     for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
-      if (bodies_.stirs(i)) movers_.push_back(i);
+      if (bodies_.moves(i)) movers_.push_back(i);
     }
-    note_ties();
-    for (const auto& [a, b] : ties_) {
-      if (bodies_.asleep[a] != 0 && bodies_.stirs(b)) wake(a);
-      if (bodies_.asleep[b] != 0 && bodies_.stirs(a)) wake(b);
+    list_connections();
+    for (const auto& [a, b] : connections_) {
+      if (bodies_.asleep[a] != 0 && bodies_.moves(b)) wake(a);
+      if (bodies_.asleep[b] != 0 && bodies_.moves(a)) wake(b);
     }
-    // What wakes joins the movers.
-    for (std::size_t done = 0; done < movers_.size(); ++done) rouse_around(movers_[done], margin);
+    // wake() appends to the movers.
+    for (std::size_t done = 0; done < movers_.size(); ++done) wake_around(movers_[done], margin);
   }
   if (woken_) contacts_.take_back(bodies_);
   woken_ = false;
   return !some_sleep || !movers_.empty();
 }
 
-void Sleep::rouse_around(std::uint32_t mover, const Margin& margin) {
+void Sleep::wake_around(std::uint32_t mover, const Margin& margin) {
   neighbors_.clear();
-  tree_.visit(grown(bounds(bodies_, mover), margin.distance + travel(bodies_, mover, margin)),
+  tree_.visit(grown(body_bounds(bodies_, mover), margin.distance + travel(bodies_, mover, margin)),
               [this](std::uint32_t sleeper) { neighbors_.push_back(sleeper); });
   for (const std::uint32_t sleeper : neighbors_) {
     if (bodies_.asleep[sleeper] != 0 && may_meet(mover, sleeper, margin)) wake(sleeper);
   }
 }
 
-void Sleep::note_ties() {
-  ties_.clear();
-  for (const Tie& tie : joints_.tied()) {
-    if (bodies_.detail[tie.first].inserted && bodies_.detail[tie.second].inserted) ties_.push_back(tie);
+void Sleep::list_connections() {
+  connections_.clear();
+  for (const BodyPair& pair : joints_.connected_pairs()) {
+    if (bodies_.detail[pair.first].inserted && bodies_.detail[pair.second].inserted) connections_.push_back(pair);
   }
-  forces_.append_ties(bodies_, ties_);
+  forces_.append_pairs(bodies_, connections_);
 }
 
-void Sleep::settle(const Settings& settings, const Margin& margin) {
+void Sleep::update_after_step(const Settings& settings, const Margin& margin) {
   rest_.resize(bodies_.size());
   restless_.assign(bodies_.size(), 0);
   bool due = false;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_.inverse_mass[i].m == 0) continue;
-    const bool ready = rests(i, settings) && rest_[i].time >= settings.sleep_time;
+    const bool ready = update_timer(i, settings) && rest_[i].time >= settings.sleep_time;
     restless_[i] = ready ? 0 : 1;
     due |= ready;
   }
   if (!due) return;
   const std::size_t sleepers = bodies_.sleepers;
-  tie_islands(margin);
+  build_islands(margin);
   for (std::size_t island = 0; island < islands_.size(); ++island) {
     const auto bodies = islands_.bodies(island);
     if (bodies_.inverse_mass[bodies[0]].m == 0) continue;
     if (std::none_of(bodies.begin(), bodies.end(), [this](std::uint32_t i) { return restless_[i] != 0; })) {
-      lay_down(bodies);
+      put_island_to_sleep(bodies);
     }
   }
   if (bodies_.sleepers > sleepers) contacts_.lay_to_rest(bodies_);
 }
 
-bool Sleep::rests(std::size_t i, const Settings& settings) {
+/// Returns whether the body is slow.
+bool Sleep::update_timer(std::size_t i, const Settings& settings) {
   const Velocity& velocity = bodies_.velocity[i];
   Rest& rest = rest_[i];
   if (!(length(velocity.v) <= settings.sleep_linear_speed && std::abs(velocity.w) <= settings.sleep_angular_speed)) {
     rest.time = moving;
     return false;
   }
-  const Real moved = length(bodies_.pose[i].p - rest.at.p) + std::abs(bodies_.angle[i] - rest.angle) * bodies_.reach[i];
-  if (rest.time == moving || moved > tremor * settings.sleep_linear_speed * settings.sleep_time) {
+  const Real moved =
+      length(bodies_.pose[i].p - rest.at.p) + std::abs(bodies_.angle[i] - rest.angle) * bodies_.bounding_radius[i];
+  if (rest.time == moving || moved > low_motion_tolerance * settings.sleep_linear_speed * settings.sleep_time) {
     rest.time = 0;
     rest.at = bodies_.pose[i];
     rest.angle = bodies_.angle[i];
@@ -133,35 +136,35 @@ bool Sleep::rests(std::size_t i, const Settings& settings) {
   return true;
 }
 
-/// Of bodies that are awake; each that is not dynamic stays an island of its own.
-void Sleep::tie_islands(const Margin& margin) {
+/// Builds the islands of the awake bodies; each body that is not dynamic stays an island of its own.
+void Sleep::build_islands(const Margin& margin) {
   islands_.clear(bodies_.size());
-  const auto tie = [this](std::uint32_t a, std::uint32_t b) {
-    const bool pushed_a = bodies_.inverse_mass[a].m > 0;
-    const bool pushed_b = bodies_.inverse_mass[b].m > 0;
-    if (pushed_a && pushed_b) {
-      islands_.tie(a, b);
-    } else if (bodies_.stirs(a) && bodies_.stirs(b)) {
-      restless_[pushed_a ? a : b] = 1;
+  const auto connect = [this](std::uint32_t a, std::uint32_t b) {
+    const bool dynamic_a = bodies_.inverse_mass[a].m > 0;
+    const bool dynamic_b = bodies_.inverse_mass[b].m > 0;
+    if (dynamic_a && dynamic_b) {
+      islands_.connect(a, b);
+    } else if (bodies_.moves(a) && bodies_.moves(b)) {
+      restless_[dynamic_a ? a : b] = 1;
     }
   };
   for (const Contact& contact : contacts_.rows()) {
     const Real separation = least_separation(contact.points, contact.count);
     if (within_reach(contact.body_a, contact.body_b, contact.normal, separation, margin)) {
-      tie(contact.body_a, contact.body_b);
+      connect(contact.body_a, contact.body_b);
     }
   }
-  note_ties();
-  for (const auto& [a, b] : ties_) tie(a, b);
+  list_connections();
+  for (const auto& [a, b] : connections_) connect(a, b);
   islands_.number();
 }
 
-void Sleep::lay_down(std::span<const std::uint32_t> island) {
+void Sleep::put_island_to_sleep(std::span<const std::uint32_t> island) {
   for (std::size_t k = 0; k < island.size(); ++k) {
     const std::uint32_t i = island[k];
     bodies_.put_to_sleep(i);
     rest_[i].next = island[(k + 1) % island.size()];
-    rest_[i].leaf = tree_.insert(bounds(bodies_, i), i, false);
+    rest_[i].leaf = tree_.insert(body_bounds(bodies_, i), i, false);
   }
 }
 
@@ -170,8 +173,8 @@ void Sleep::put_to_sleep(std::size_t i, const Margin& margin) {
   rest_.resize(bodies_.size());
   restless_.assign(bodies_.size(), 0);
   contacts_.take_back(bodies_);
-  tie_islands(margin);
-  lay_down(islands_.bodies(islands_.of(static_cast<std::uint32_t>(i))));
+  build_islands(margin);
+  put_island_to_sleep(islands_.bodies(islands_.of(static_cast<std::uint32_t>(i))));
   contacts_.lay_to_rest(bodies_);
 }
 
@@ -200,13 +203,13 @@ void Sleep::disturb(std::size_t i) {
     if (contact.body_a == i) wake(contact.body_b);
     if (contact.body_b == i) wake(contact.body_a);
   }
-  note_ties();
-  for (const auto& [a, b] : ties_) {
+  list_connections();
+  for (const auto& [a, b] : connections_) {
     if (a == i) wake(b);
     if (b == i) wake(a);
   }
   neighbors_.clear();
-  tree_.visit(bounds(bodies_, i), [this](std::uint32_t sleeper) { neighbors_.push_back(sleeper); });
+  tree_.visit(body_bounds(bodies_, i), [this](std::uint32_t sleeper) { neighbors_.push_back(sleeper); });
   for (const std::uint32_t sleeper : neighbors_) wake(sleeper);
 }
 

@@ -14,63 +14,64 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Islands at rest sleep: no step searches, integrates or solves them until something disturbs them.
+/// Puts resting islands to sleep: they are not searched for contacts, integrated or solved until something wakes them.
 ///
-/// An island is what ties bind: contacts within reach of a step, joints, springs and attractions. Bodies that are not
-/// dynamic bind nothing together; but a tie to one on its way keeps awake. Solvers know nothing of all this: to them a
-/// body asleep is a fixed one, without contacts and joints. Nor does any of these ever meet something that moves: what
-/// could, is woken before the step (`rouse`).
+/// Contacts that may close within a step, joints, springs and attractions connect bodies into islands. Bodies that are
+/// not dynamic connect nothing, but a connection to a moving one keeps an island awake. Solvers don't know about sleep:
+/// to them a sleeping body is fixed and has no contacts or joints. No sleeping body ever meets a moving one, because
+/// wake_before_step wakes the bodies that could.
 class Sleep {
  public:
   Sleep(BodySet& bodies, ContactSet& contacts, const JointSet& joints, const ForceField& forces)
       : bodies_(bodies), contacts_(contacts), joints_(joints), forces_(forces) {}
 
-  /// Before a step: wakes what is tied to something that moves, and takes up the contacts of all that woke. False if
-  /// all is asleep or immovable, so that the step has nothing to do.
-  bool rouse(const Margin& margin);
-  /// After a step: takes note of what rests, and puts to sleep the islands that have rested long enough.
-  void settle(const Settings& settings, const Margin& margin);
+  /// Call before a step: wakes the islands that are connected to something that moves, and restores the contacts of all
+  /// that woke. Returns false if every body is asleep or immovable, so that the step has nothing to do.
+  bool wake_before_step(const Margin& margin);
+  /// Call after a step: updates the sleep timers, and puts islands to sleep that have been at rest long enough.
+  void update_after_step(const Settings& settings, const Margin& margin);
 
-  /// Puts a body and its island to sleep, whatever they do.
+  /// Puts a body and its island to sleep, even if they move.
   void put_to_sleep(std::size_t i, const Margin& margin);
-  /// Wakes a body and its island; of one that is awake, the time to fall asleep starts over.
+  /// Wakes a body and its island. If the body is awake, restarts its sleep timer.
   void wake(std::size_t i);
   void wake_all();
-  /// Something was done to a body: a dynamic one wakes, of any other what touches it, hangs on it or is in its place.
+  /// Call when a body was changed: wakes a dynamic body, or everything that touches any other body, is connected to it
+  /// or overlaps its bounds.
   void disturb(std::size_t i);
 
  private:
-  using Tie = std::pair<std::uint32_t, std::uint32_t>;
+  using BodyPair = std::pair<std::uint32_t, std::uint32_t>;
 
   bool within_reach(std::size_t a, std::size_t b, Vec2 normal, Real separation, const Margin& margin) const;
   bool may_meet(std::size_t mover, std::size_t sleeper, const Margin& margin) const;
-  void rouse_around(std::uint32_t mover, const Margin& margin);
-  void note_ties();
-  void tie_islands(const Margin& margin);
-  bool rests(std::size_t i, const Settings& settings);
-  void lay_down(std::span<const std::uint32_t> island);
+  void wake_around(std::uint32_t mover, const Margin& margin);
+  void list_connections();
+  void build_islands(const Margin& margin);
+  bool update_timer(std::size_t i, const Settings& settings);
+  void put_island_to_sleep(std::span<const std::uint32_t> island);
 
   BodySet& bodies_;
   ContactSet& contacts_;
   const JointSet& joints_;
   const ForceField& forces_;
 
-  /// What is known of a body while it is slow, and while it sleeps.
+  /// The sleep state of a body.
   struct Rest {
     Real time = moving;  // s, for which it has stayed near `at`
     Pose at;
     Real angle = 0;
-    std::uint32_t next = 0;  // asleep: the next one of its island, in a ring
-    std::uint32_t leaf = 0;  // asleep: in the tree
+    std::uint32_t next = 0;  // if asleep: the next body of its island, in a ring
+    std::uint32_t leaf = 0;  // if asleep: in the tree
   };
   static constexpr Real moving = -1;
 
   std::vector<Rest> rest_;  // of each body
-  AabbTree tree_;           // of all asleep
-  bool woken_ = false;      // some since contacts were last taken up
+  AabbTree tree_;           // of all sleeping bodies
+  bool woken_ = false;      // whether a body woke since contacts were last restored
   Islands islands_;
-  std::vector<Tie> ties_;               // by joints and forces
-  std::vector<std::uint8_t> restless_;  // of each body: it, or what it is tied to, moves
+  std::vector<BodyPair> connections_;   // by joints and forces
+  std::vector<std::uint8_t> restless_;  // of each body: whether it or something connected to it moves
   std::vector<std::uint32_t> movers_;   // all that a step may move
   std::vector<std::uint32_t> neighbors_;
 };

@@ -2,29 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Inverse effective mass that two rows share.
-Real coupling(const JointBlock& block, const JointRow& p, const JointRow& q) {
-  return (block.mass_a.m + block.mass_b.m) * dot(p.axis, q.axis) + block.mass_a.i * p.arm_a * q.arm_a +
-         block.mass_b.i * p.arm_b * q.arm_b;
+/// The entry of K, the matrix of inverse effective masses, for two rows of a joint.
+Real inverse_effective_mass(const JointBlock& block, const JointRow& p, const JointRow& q) {
+  return (block.inv_mass_a.m + block.inv_mass_b.m) * dot(p.axis, q.axis) + block.inv_mass_a.i * p.arm_a * q.arm_a +
+         block.inv_mass_b.i * p.arm_b * q.arm_b;
 }
 
 }  // namespace
 
 void apply(const JointBlock& block, const JointRow& row, Real impulse, Velocity& a, Velocity& b) {
-  // What cannot be pushed is not written: it may belong to other islands too.
-  if (block.mass_a.m + block.mass_a.i > 0) {
-    a.v -= block.mass_a.m * impulse * row.axis;
-    a.w -= block.mass_a.i * impulse * row.arm_a;
+  // Don't write to a body without mass: islands that other threads solve may share it.
+  if (block.inv_mass_a.m + block.inv_mass_a.i > 0) {
+    a.v -= block.inv_mass_a.m * impulse * row.axis;
+    a.w -= block.inv_mass_a.i * impulse * row.arm_a;
   }
-  if (block.mass_b.m + block.mass_b.i > 0) {
-    b.v += block.mass_b.m * impulse * row.axis;
-    b.w += block.mass_b.i * impulse * row.arm_b;
+  if (block.inv_mass_b.m + block.inv_mass_b.i > 0) {
+    b.v += block.inv_mass_b.m * impulse * row.axis;
+    b.w += block.inv_mass_b.i * impulse * row.arm_b;
   }
 }
 
@@ -38,10 +37,10 @@ void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocit
   std::array<std::array<Real, 3>, 3> k{};
   std::array<Real, 3> x{};
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) k[i][j] = coupling(block, block.equation[i], block.equation[j]);
+    for (std::size_t j = 0; j < n; ++j) k[i][j] = inverse_effective_mass(block, block.equation[i], block.equation[j]);
     x[i] = -(rate(block.equation[i], a, b) + bias[i]);
   }
-  // K is symmetric and positive semidefinite: elimination needs no pivoting; a row that moves nothing is left out.
+  // K is symmetric and positive semidefinite, so elimination needs no pivoting. Rows with a zero pivot are skipped.
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n && k[i][i] > 0; ++j) {
       const Real factor = k[j][i] / k[i][i];
@@ -54,16 +53,16 @@ void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocit
     x[i] = k[i][i] > 0 ? x[i] / k[i][i] : Real{0};
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const Real push = soft.strength * x[i] - soft.relief * block.equation[i].impulse;
-    block.equation[i].impulse += push;
-    apply(block, block.equation[i], push, a, b);
+    const Real impulse = soft.mass_scale * x[i] - soft.impulse_scale * block.equation[i].impulse;
+    block.equation[i].impulse += impulse;
+    apply(block, block.equation[i], impulse, a, b);
   }
 }
 
 void solve_stops(JointBlock& block, const std::array<Real, 2>& bias, Velocity& a, Velocity& b) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
     JointRow& row = block.stop[i];
-    const Real k = coupling(block, row, row);
+    const Real k = inverse_effective_mass(block, row, row);
     if (!(k > 0)) continue;
     const Real total = std::max(row.impulse - (rate(row, a, b) + bias[i]) / k, Real{0});
     apply(block, row, total - row.impulse, a, b);
@@ -74,7 +73,7 @@ void solve_stops(JointBlock& block, const std::array<Real, 2>& bias, Velocity& a
 void solve_motor(JointBlock& block, Real h, Velocity& a, Velocity& b) {
   if (!block.driven) return;
   JointRow& row = block.motor;
-  const Real k = coupling(block, row, row);
+  const Real k = inverse_effective_mass(block, row, row);
   if (!(k > 0)) return;
   const Real most = h * block.motor_strength;
   const Real total = clamp(row.impulse + (block.motor_speed - rate(row, a, b)) / k, -most, most);
@@ -88,14 +87,14 @@ void forget_impulses(JointBlock& block) {
 
 namespace {
 
-/// `correction` (1/s) times an error is the speed out of it.
-void solve(JointBlock& block, Real h, Real correction, const Softness& soft, BodySet& bodies) {
+/// Solves all rows of a joint; equations correct errors at the speed `correction` (1/s) times the error.
+void solve_rows(JointBlock& block, Real h, Real correction, const Softness& soft, BodySet& bodies) {
   Velocity& a = bodies.velocity[block.a];
   Velocity& b = bodies.velocity[block.b];
   std::array<Real, 3> bias{};
   std::array<Real, 2> stop_bias{};
   for (std::size_t i = 0; i < 3; ++i) bias[i] = correction * block.equation[i].error;
-  // A stop that is still away may be reached within h, but not passed.
+  // A stop not reached yet may be reached within h, but not passed.
   for (std::size_t i = 0; i < 2; ++i) {
     const Real error = block.stop[i].error;
     stop_bias[i] = error > 0 ? error / h : correction * error;
@@ -107,10 +106,12 @@ void solve(JointBlock& block, Real h, Real correction, const Softness& soft, Bod
 
 }  // namespace
 
-void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies) { solve(block, h, share / h, {}, bodies); }
+void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies) {
+  solve_rows(block, h, share / h, {}, bodies);
+}
 
 void solve_soft_joint(JointBlock& block, Real h, const Softness& soft, BodySet& bodies) {
-  solve(block, h, soft.rate, soft, bodies);
+  solve_rows(block, h, soft.bias_rate, soft, bodies);
 }
 
 void warm_start(const JointBlock& block, Real scale, Velocity& a, Velocity& b) {

@@ -4,11 +4,11 @@
 #include <cstdint>
 
 #include "bodies/body_set.h"
-#include "solver/softness.h"
+#include "core/softness.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// One scalar condition between two bodies. Its error e changes at
+/// One scalar constraint between two bodies. Its error changes at
 ///
 ///   rate = axis . (vB - vA) + arm_b wB - arm_a wA
 struct JointRow {
@@ -16,50 +16,51 @@ struct JointRow {
   Real arm_a = 0, arm_b = 0;  // (arm x axis) in m for a length; 1 for an angle
   Real error = 0;             // m or rad
   Real impulse = 0;           // N s or N m s, accumulated
-  Real half = 0;              // for solvers that give an impulse in two halves
+  Real half = 0;              // N s or N m s, for solvers that warm start in two halves
 };
 
-/// A joint as solvers see it: up to three equations (error = 0), solved together, then up to two stops (error >= 0) and
-/// a motor, one at a time.
+/// A joint as solvers see it: up to three equations (error = 0), solved together; up to two stops (error >= 0) and a
+/// motor, each solved by itself.
 struct JointBlock {
   std::uint32_t a = 0, b = 0;
-  InverseMass mass_a, mass_b;
+  InverseMass inv_mass_a, inv_mass_b;
   int equations = 0;
   std::array<JointRow, 3> equation;
   int stops = 0;
   std::array<JointRow, 2> stop;
   bool driven = false;
   JointRow motor;
-  Real motor_speed = 0;     // wanted rate
-  Real motor_strength = 0;  // N or N m
+  Real motor_speed = 0;     // m/s or rad/s, target rate
+  Real motor_strength = 0;  // N or N m, maximum
 };
 
-/// Gives both bodies an impulse along a row.
+/// Applies an impulse along a row to both bodies.
 void apply(const JointBlock& block, const JointRow& row, Real impulse, Velocity& a, Velocity& b);
 
+/// The rate of change of the row's error, m/s or rad/s.
 Real rate(const JointRow& row, const Velocity& a, const Velocity& b);
 
-/// Brings the rates of the equations to -bias[i]: K d = -(rate + bias), K the matrix of inverse effective masses; as
-/// far as `soft` allows, whose own rate is not looked at.
+/// Changes the rates of the equations to -bias[i] by solving K d = -(rate + bias), with K the matrix of inverse
+/// effective masses, and scales the impulses d by `soft`. Ignores the bias rate of `soft`.
 void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b,
                      const Softness& soft = {});
 
-/// Keeps each stop's rate at or above -bias[i]; a stop only ever pushes.
+/// Keeps each stop's rate at or above -bias[i]; stops only push.
 void solve_stops(JointBlock& block, const std::array<Real, 2>& bias, Velocity& a, Velocity& b);
 
-/// Drives the rate to the motor's speed with at most strength * h.
+/// Drives the rate to the motor's speed with an impulse of at most strength * h.
 void solve_motor(JointBlock& block, Real h, Velocity& a, Velocity& b);
 
-/// Starts the impulses from zero.
+/// Sets all accumulated impulses to zero.
 void forget_impulses(JointBlock& block);
 
-/// One pass over a joint for solvers that correct velocities: rates that take away `share` of the error within h.
+/// One iteration over a joint at velocity level: corrects `share` of the error within h.
 void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies);
 
-/// The same for a joint that gives way like a damped spring. Its stops are rigid, but no faster out of an error.
+/// The same for a soft joint. Its stops are rigid, but correct errors no faster than the soft equations.
 void solve_soft_joint(JointBlock& block, Real h, const Softness& soft, BodySet& bodies);
 
-/// Gives both bodies all accumulated impulses, times `scale`.
+/// Applies all accumulated impulses, times `scale`, to both bodies.
 void warm_start(const JointBlock& block, Real scale, Velocity& a, Velocity& b);
 
 /// Calls f on every row in use.

@@ -8,21 +8,22 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-void check_bodies(BodyId a, BodyId b, const BodySet& bodies) {
+void check_joint_bodies(BodyId a, BodyId b, const BodySet& bodies) {
   for (const BodyId id : {a, b}) {
     if (!bodies.contains(id)) throw std::out_of_range("Joint: no body " + std::to_string(id.index));
   }
-  if (a == b) throw std::invalid_argument("Joint: a and b must be two bodies");
+  if (a == b) throw std::invalid_argument("Joint: a and b must be different bodies");
   if (bodies.detail[a.index].def.type != BodyType::dynamic && bodies.detail[b.index].def.type != BodyType::dynamic) {
     throw std::invalid_argument("Joint: a or b must be dynamic");
   }
 }
 
-std::pair<std::uint32_t, std::uint32_t> ordered(std::uint32_t a, std::uint32_t b) {
+std::pair<std::uint32_t, std::uint32_t> sorted_pair(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-std::optional<ForceId> spring_of(const Joint& joint, const BodySet& bodies, ForceField& forces) {
+/// Adds the spring of a soft joint to the forces; returns nullopt for any other joint.
+std::optional<ForceId> add_spring(const Joint& joint, const BodySet& bodies, ForceField& forces) {
   const auto* soft = std::get_if<DistanceJoint>(&joint);
   if (soft == nullptr || soft->stiffness == 0) return {};
   const auto local = [&bodies](BodyId id, Vec2 anchor) {
@@ -38,7 +39,7 @@ std::optional<ForceId> spring_of(const Joint& joint, const BodySet& bodies, Forc
 
 JointId JointSet::add(const Joint& joint, const BodySet& bodies, ForceField& forces) {
   const auto [a, b] = std::visit([](const auto& j) { return std::pair(j.a, j.b); }, joint);
-  check_bodies(a, b, bodies);
+  check_joint_bodies(a, b, bodies);
   auto model = std::visit([&](const auto& j) { return model_of(j, bodies); }, joint);
   if (free_slots_.empty()) {
     slots_.emplace_back();
@@ -51,8 +52,8 @@ JointId JointSet::add(const Joint& joint, const BodySet& bodies, ForceField& for
   slot.b = b;
   slot.model = std::move(model);
   slot.block = {};
-  slot.spring = spring_of(joint, bodies, forces);
-  note_pairs();
+  slot.spring = add_spring(joint, bodies, forces);
+  update_pairs();
   return {i, slot.generation};
 }
 
@@ -61,34 +62,34 @@ bool JointSet::contains(JointId id) const {
 }
 
 void JointSet::remove(JointId id, ForceField& forces) {
-  need(id);
+  require(id);
   if (slots_[id.index].spring) forces.remove(*slots_[id.index].spring);
-  end(id.index);
+  free_slot(id.index);
 }
 
 void JointSet::forget(BodyId body) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (slots_[i].model && (slots_[i].a == body || slots_[i].b == body)) end(i);
+    if (slots_[i].model && (slots_[i].a == body || slots_[i].b == body)) free_slot(i);
   }
 }
 
-void JointSet::end(std::size_t slot) {
+void JointSet::free_slot(std::size_t slot) {
   slots_[slot].model.reset();
   ++slots_[slot].generation;
   free_slots_.push_back(static_cast<std::uint32_t>(slot));
-  note_pairs();
+  update_pairs();
 }
 
-void JointSet::note_pairs() {
+void JointSet::update_pairs() {
   pairs_.clear();
   for (const Slot& slot : slots_) {
-    if (slot.model) pairs_.push_back(ordered(slot.a.index, slot.b.index));
+    if (slot.model) pairs_.push_back(sorted_pair(slot.a.index, slot.b.index));
   }
   std::sort(pairs_.begin(), pairs_.end());
 }
 
-bool JointSet::ties(std::uint32_t a, std::uint32_t b) const {
-  return std::binary_search(pairs_.begin(), pairs_.end(), ordered(a, b));
+bool JointSet::connects(std::uint32_t a, std::uint32_t b) const {
+  return std::binary_search(pairs_.begin(), pairs_.end(), sorted_pair(a, b));
 }
 
 std::vector<ActiveJoint>& JointSet::activate(const BodySet& bodies) {
@@ -103,8 +104,8 @@ std::vector<ActiveJoint>& JointSet::activate(const BodySet& bodies) {
     if (bodies.asleep[a] != 0 || bodies.asleep[b] != 0) continue;
     slot.block.a = a;
     slot.block.b = b;
-    slot.block.mass_a = bodies.inverse_mass[a];
-    slot.block.mass_b = bodies.inverse_mass[b];
+    slot.block.inv_mass_a = bodies.inverse_mass[a];
+    slot.block.inv_mass_b = bodies.inverse_mass[b];
     slot.model->write({bodies.pose[a], bodies.angle[a]}, {bodies.pose[b], bodies.angle[b]}, slot.block);
     active_.push_back({slot.model.get(), slot.block});
     active_slot_.push_back(i);
@@ -117,17 +118,18 @@ void JointSet::store() {
 }
 
 std::pair<std::uint32_t, std::uint32_t> JointSet::bodies_of(JointId id) const {
-  need(id);
+  require(id);
   return {slots_[id.index].a.index, slots_[id.index].b.index};
 }
 
-void JointSet::need(JointId id) const {
+void JointSet::require(JointId id) const {
   if (contains(id)) return;
-  throw std::out_of_range("World: no joint " + std::to_string(id.index) + "; it or a body of its is gone");
+  throw std::out_of_range("World: no joint " + std::to_string(id.index) +
+                          "; it was removed or one of its bodies was destroyed");
 }
 
 Vec2 JointSet::impulse(JointId id) const {
-  need(id);
+  require(id);
   Vec2 sum;
   for_each_row(slots_[id.index].block, [&sum](const JointRow& row) { sum += row.impulse * row.axis; });
   return sum;

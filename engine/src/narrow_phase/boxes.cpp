@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "narrow_phase/colliders.h"
-#include "shapes/edges.h"
+#include "narrow_phase/edges.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

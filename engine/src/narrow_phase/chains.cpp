@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "narrow_phase/colliders.h"
+#include "narrow_phase/edges.h"
 #include "narrow_phase/link.h"
 
 namespace impulse::inline IMPULSE_PRECISION {

@@ -6,6 +6,7 @@
 
 #include "contacts/closing.h"
 #include "narrow_phase/collide.h"
+#include "narrow_phase/edges.h"
 #include "narrow_phase/manifolds.h"
 #include "shapes/hull.h"
 

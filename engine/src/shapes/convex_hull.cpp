@@ -7,18 +7,18 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// Whether b stands out to the right of the way from a to c, by more than its coordinates are rounded.
-bool corner(Vec2 a, Vec2 b, Vec2 c, Real rounding) {
+// Whether b lies to the right of the line from a to c by more than the rounding of its coordinates.
+bool is_corner(Vec2 a, Vec2 b, Vec2 c, Real rounding) {
   return cross(b - a, c - b) > rounding * (length(b - a) + length(c - b));
 }
 
-// One half of Andrew's monotone chain ("Another efficient algorithm for convex hulls in two dimensions", 1979): walks
-// the points in order and keeps turning left.
+// Half of A. M. Andrew's monotone chain ("Another efficient algorithm for convex hulls in two dimensions", 1979):
+// visits the points in order and keeps only left turns.
 template <class Points>
 std::vector<Vec2> half_hull(const Points& points, Real rounding) {
   std::vector<Vec2> hull;
   for (const Vec2 p : points) {
-    while (hull.size() >= 2 && !corner(hull[hull.size() - 2], hull.back(), p, rounding)) hull.pop_back();
+    while (hull.size() >= 2 && !is_corner(hull[hull.size() - 2], hull.back(), p, rounding)) hull.pop_back();
     hull.push_back(p);
   }
   return hull;

@@ -7,14 +7,14 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// The corners of the convex hull, counter-clockwise from the leftmost, whatever the order of the points. Corners that
-/// stand out from the line of their neighbours by rounding only are left out; all points on one line give fewer than 3.
+/// The corners of the convex hull, counter-clockwise from the leftmost, independent of the points' order. Omits corners
+/// that are collinear with their neighbours up to rounding; collinear points give fewer than 3 corners.
 std::vector<Vec2> convex_hull(std::span<const Vec2> points);
 
-/// The least distance between two parallel lines with all vertices of a convex polygon between them.
+/// The width of a convex polygon (m): the least distance between two parallel lines that enclose it.
 Real width(std::span<const Vec2> polygon);
 
-/// The greatest distance between two points.
+/// The greatest distance between two of the points (m).
 Real diameter(std::span<const Vec2> points);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -10,8 +10,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// Two points of two cores, and how far they are apart.
-struct Nearest {
+// The nearest points of two cores, and their distance squared.
+struct NearestPoints {
   Vec2 a, b;
   Real squared = std::numeric_limits<Real>::infinity();
 };
@@ -23,9 +23,9 @@ Vec2 nearest_on(Vec2 from, Vec2 to, Vec2 p) {
   return from + clamp(dot(p - from, run) / squared, 0, 1) * run;
 }
 
-// Two disjoint convex outlines are nearest at a vertex of one of them. `one` has the vertices.
-Nearest vertices_to_edges(const Hull& one, const Hull& other) {
-  Nearest best;
+// Two disjoint convex outlines are nearest at a vertex of one of them: here, of `one`.
+NearestPoints vertices_to_edges(const Hull& one, const Hull& other) {
+  NearestPoints best;
   for (int i = 0; i < one.count; ++i) {
     const Vec2 vertex = one.vertices[static_cast<std::size_t>(i)];
     for (int j = 0; j < other.count; ++j) {
@@ -38,7 +38,7 @@ Nearest vertices_to_edges(const Hull& one, const Hull& other) {
   return best;
 }
 
-// No face of either separates the cores. Of two parallel lines the faces cannot tell.
+// Whether no face of either hull separates the cores. Two parallel lines count as separate: their faces cannot tell.
 bool cores_overlap(const Hull& a, const Hull& b) {
   constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   if (a.count < 3 && b.count < 3) {
@@ -50,11 +50,11 @@ bool cores_overlap(const Hull& a, const Hull& b) {
   return !a_separates && !b_separates;
 }
 
-// In the frame of the first.
+// In the frame of the first hull.
 Gap between_hulls(const Hull& a, const Hull& b) {
   if (cores_overlap(a, b)) return {};
-  Nearest nearest = vertices_to_edges(a, b);
-  const Nearest reverse = vertices_to_edges(b, a);
+  NearestPoints nearest = vertices_to_edges(a, b);
+  const NearestPoints reverse = vertices_to_edges(b, a);
   if (reverse.squared < nearest.squared) nearest = {reverse.b, reverse.a, reverse.squared};
   const Real apart = std::sqrt(nearest.squared);
   if (apart <= a.radius + b.radius) return {};

@@ -4,14 +4,14 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// How far two shapes are apart, world frame.
+/// The gap between two shapes, world frame.
 struct Gap {
-  Real distance = 0;  // m; 0 where they touch or overlap, and then nothing else is known
+  Real distance = 0;  // m; 0 if they touch or overlap, and then the other members are not set
   Vec2 a, b;          // the nearest points of the two surfaces
-  Vec2 normal;        // unit, from a to b; precise even where the distance is tiny, for it comes from the cores
+  Vec2 normal;        // unit, from a to b; precise even for tiny distances, because it is that of the cores
 };
 
-/// Exact, for every two shapes; two half-spaces count as meeting somewhere. A chain's segment has two sides here.
+/// Exact for all pairs of shapes. Two half-spaces always count as touching; segments of a chain are two-sided here.
 Gap distance(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

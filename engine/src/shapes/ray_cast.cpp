@@ -6,13 +6,13 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// The points from + f d of a ray.
+// The points from + f d, 0 <= f <= 1.
 struct Ray {
   Vec2 from;
   Vec2 d;
 };
 
-// Keeps the hit that comes first.
+// Keeps the earlier hit; returns whether there is one.
 bool keep_first(RayHit& best, bool found, Real fraction, Vec2 normal) {
   if (fraction < 0 || fraction > 1 || (found && fraction >= best.fraction)) return found;
   best.fraction = fraction;
@@ -20,14 +20,14 @@ bool keep_first(RayHit& best, bool found, Real fraction, Vec2 normal) {
   return true;
 }
 
-// |from + f d - center|^2 = r^2, the smaller root. In the form c / (-b + sqrt) nothing cancels where the ray starts far
+// The smaller root of |from + f d - center|^2 = r^2. The form c / (-b + sqrt) avoids cancellation if the ray starts far
 // away or close to the surface.
 bool enter_disc(const Ray& ray, Vec2 center, Real radius, bool found, RayHit& best) {
   const Vec2 out = ray.from - center;
   const Real c = length_squared(out) - radius * radius;
   const Real b = dot(out, ray.d);
   if (c < 0 || b >= 0) return found;
-  // The part of `out` across the ray, squared: c - b^2/d^2 without its cancellation.
+  // The component of `out` across the ray, times |d|: c - b^2/d^2 would cancel.
   const Real across = cross(out, ray.d);
   const Real discriminant = radius * radius * length_squared(ray.d) - across * across;
   if (discriminant < 0) return found;
@@ -35,15 +35,15 @@ bool enter_disc(const Ray& ray, Vec2 center, Real radius, bool found, RayHit& be
   return keep_first(best, found, fraction, normalized(out + fraction * ray.d));
 }
 
-// Through the edge from a to b from the side its normal points to.
+// Enters through the edge from a to b, from the side that its normal points to.
 bool enter_edge(const Ray& ray, Vec2 a, Vec2 b, Vec2 normal, bool found, RayHit& best) {
   const Real approach = -dot(ray.d, normal);
   const Real height = dot(ray.from - a, normal);
   if (approach <= 0 || height < 0) return found;
   const Real fraction = height / approach;
   const Vec2 along = b - a;
-  const Real place = dot(ray.from + fraction * ray.d - a, along);
-  if (place < 0 || place > length_squared(along)) return found;
+  const Real position = dot(ray.from + fraction * ray.d - a, along);
+  if (position < 0 || position > length_squared(along)) return found;
   return keep_first(best, found, fraction, normal);
 }
 
@@ -54,7 +54,7 @@ bool enter_half_space(const Ray& ray, const Shape& shape, RayHit& best) {
   return keep_first(best, false, height / approach, shape.normal(0));
 }
 
-// The last of the planes that the ray crosses inwards, unless it has crossed one outwards before (Cyrus and Beck 1978).
+// The last plane that the ray crosses inwards, unless it crosses one outwards before (M. Cyrus and J. Beck 1978).
 bool enter_polygon(const Ray& ray, const Shape& shape, RayHit& best) {
   Real enter = -1;
   Real leave = 1;

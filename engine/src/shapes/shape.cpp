@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "shapes/box_bounds.h"
 #include "shapes/convex_hull.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -13,11 +12,11 @@ namespace impulse::inline IMPULSE_PRECISION {
 namespace {
 
 void require_finite(Vec2 v, const char* what) {
-  if (!std::isfinite(v.x) || !std::isfinite(v.y)) throw std::invalid_argument(std::string(what) + " must be finite");
+  if (!is_finite(v)) throw std::invalid_argument(std::string(what) + " must be finite");
 }
 
 void require_positive(Real size, const char* what) {
-  if (!(size > 0) || !std::isfinite(size)) {
+  if (!(size > 0) || !is_finite(size)) {
     throw std::invalid_argument(std::string(what) + " must be positive and finite, not " + std::to_string(size));
   }
 }
@@ -28,7 +27,7 @@ void require_apart(Vec2 from, Vec2 to, const char* what) {
   if (!(length(to - from) > 0)) throw std::invalid_argument(std::string(what) + " must have two distinct ends");
 }
 
-// Area-weighted mean of the triangles at vertex 0, as offsets from it: as precise far from the origin as near it.
+// Area-weighted mean of the triangles at vertex 0. Uses offsets from it, to be as precise far from the origin as near.
 Vec2 centroid_of(std::span<const Vec2> vertices) {
   const Vec2 origin = vertices[0];
   Vec2 weighted;
@@ -41,6 +40,46 @@ Vec2 centroid_of(std::span<const Vec2> vertices) {
     doubled_area += doubled;
   }
   return origin + weighted / (3 * doubled_area);
+}
+
+// m r^2 / 2. (The demo of the article's author has m r^2, which is the inertia of a hoop.)
+MassData disc_mass(const Shape& shape, Real density) {
+  const Real r = shape.radius();
+  const Real mass = density * pi * r * r;
+  return {mass, mass * r * r / 2, shape.centroid()};
+}
+
+MassData rectangle_mass(const Shape& shape, Real density) {
+  const Vec2 h = shape.half_extents();
+  const Real mass = density * 4 * h.x * h.y;
+  return {mass, mass * (h.x * h.x + h.y * h.y) / 3, shape.centroid()};
+}
+
+// The sum over the triangles that the centroid makes with the edges: a triangle with sides a and b from the centroid
+// has the second moment cross(a, b) (a.a + a.b + b.b) / 12.
+MassData polygon_mass(const Shape& shape, Real density) {
+  Real doubled_area = 0;
+  Real moment = 0;
+  for (int i = 0; i < shape.count(); ++i) {
+    const Vec2 a = shape.vertex(i) - shape.centroid();
+    const Vec2 b = shape.vertex((i + 1) % shape.count()) - shape.centroid();
+    const Real doubled = cross(a, b);
+    doubled_area += doubled;
+    moment += doubled * (dot(a, a) + dot(a, b) + dot(b, b)) / 12;
+  }
+  return {density * doubled_area / 2, density * moment, shape.centroid()};
+}
+
+// A rectangle of length l between two half discs. The centre of a half disc lies k = 4r/(3 pi) out from its flat side,
+// so about the capsule's centre each has m (r^2/2 - k^2 + (l/2 + k)^2) = m (r^2/2 + l^2/4 + l k).
+MassData capsule_mass(const Shape& shape, Real density) {
+  const Real r = shape.radius();
+  const Real l = length(shape.vertex(1) - shape.vertex(0));
+  const Real middle = density * 2 * r * l;
+  const Real caps = density * pi * r * r;
+  const Real k = 4 * r / (3 * pi);
+  const Real inertia = middle * (l * l + 4 * r * r) / 12 + caps * (r * r / 2 + l * l / 4 + l * k);
+  return {middle + caps, inertia, shape.centroid()};
 }
 
 }  // namespace
@@ -69,13 +108,13 @@ Shape Shape::box(Vec2 half_extents, Vec2 center, Real angle) {
   require_positive(half_extents.x, "the half width of a box");
   require_positive(half_extents.y, "the half height of a box");
   require_finite(center, "the center of a box");
-  if (!std::isfinite(angle)) throw std::invalid_argument("the angle of a box must be finite");
+  if (!is_finite(angle)) throw std::invalid_argument("the angle of a box must be finite");
   const Rotation q(angle);
   const Vec2 x = q * Vec2{half_extents.x, 0};
   const Vec2 y = q * Vec2{0, half_extents.y};
   const std::array vertices{center - x - y, center + x - y, center + x + y, center - x + y};
   Shape shape = hull(ShapeType::box, vertices, 0);
-  // From the angle itself, not from differences of vertices that may be far away.
+  // From the angle itself, which is more precise than differences of vertices far from the origin.
   shape.normals_ = {Vec2{q.s, -q.c}, Vec2{q.c, q.s}, Vec2{-q.s, q.c}, Vec2{-q.c, -q.s}};
   shape.half_extents_ = half_extents;
   shape.centroid_ = center;
@@ -90,7 +129,7 @@ Shape Shape::polygon(std::span<const Vec2> points) {
     throw std::invalid_argument("the convex hull of a polygon has " + std::to_string(vertices.size()) +
                                 " vertices; at most 8 are possible");
   }
-  constexpr Real thinnest = static_cast<Real>(1e-3);  // below, its normals and its centroid would be mostly rounding
+  constexpr Real thinnest = static_cast<Real>(1e-3);  // below this, rounding would dominate its normals and centroid
   if (width(vertices) < thinnest * diameter(vertices)) {
     throw std::invalid_argument("a polygon must not be thinner than a thousandth of its length; use a segment");
   }
@@ -118,7 +157,7 @@ Shape Shape::half_space(Vec2 normal, Real offset) {
   require_finite(normal, "the normal of a half-space");
   const Real scale = length(normal);
   require_positive(scale, "the length of a half-space's normal");
-  if (!std::isfinite(offset)) throw std::invalid_argument("the offset of a half-space must be finite");
+  if (!is_finite(offset)) throw std::invalid_argument("the offset of a half-space must be finite");
   Shape shape;
   shape.type_ = ShapeType::half_space;
   shape.count_ = 0;
@@ -155,7 +194,7 @@ Aabb Shape::bounds(const Pose& pose) const {
     const Vec2 n = pose.q * normals_[0];
     const Real limit = offset_ + dot(n, pose.p);
     Aabb box{{-unbounded, -unbounded}, {unbounded, unbounded}};
-    // How far the solid side goes in x where y is as helpful as bounds allow, and the other way round.
+    // The limit in x is least strict where y is at its bound, and the other way round.
     if (n.x > 0) box.high.x = std::min(unbounded, (limit + std::abs(n.y) * unbounded) / n.x);
     if (n.x < 0) box.low.x = std::max(-unbounded, (limit + std::abs(n.y) * unbounded) / n.x);
     if (n.y > 0) box.high.y = std::min(unbounded, (limit + std::abs(n.x) * unbounded) / n.y);
@@ -169,6 +208,26 @@ Aabb Shape::bounds(const Pose& pose) const {
     box = {min(box.low, v), max(box.high, v)};
   }
   return grown(box, radius_);
+}
+
+MassData Shape::mass(Real density) const {
+  if (!(density >= 0) || !is_finite(density)) {
+    throw std::invalid_argument("a density must be finite and not negative, not " + std::to_string(density));
+  }
+  switch (type_) {
+    case ShapeType::circle:
+      return disc_mass(*this, density);
+    case ShapeType::box:
+      return rectangle_mass(*this, density);
+    case ShapeType::polygon:
+      return polygon_mass(*this, density);
+    case ShapeType::capsule:
+      return capsule_mass(*this, density);
+    case ShapeType::segment:
+    case ShapeType::half_space:
+      break;
+  }
+  return {0, 0, centroid_};
 }
 
 bool Shape::contains(Vec2 local) const {

@@ -130,10 +130,13 @@ class Accurate : public Solver {
   void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
   void note_loads(const Island& island);
   /// Only bodies that can be pushed: the others are shared among islands.
-  template <class Tie>
-  void note_load(const Tie& tie) {
-    if (pushable(tie.mass_a)) loaded_[tie.a] = 1;
-    if (pushable(tie.mass_b)) loaded_[tie.b] = 1;
+  void note_load(const ImpactRow& row) {
+    if (pushable(row.mass_a)) loaded_[row.a] = 1;
+    if (pushable(row.mass_b)) loaded_[row.b] = 1;
+  }
+  void note_load(const JointBlock& block) {
+    if (pushable(block.inv_mass_a)) loaded_[block.a] = 1;
+    if (pushable(block.inv_mass_b)) loaded_[block.b] = 1;
   }
 
   bool lanes_;  // large islands are solved eight contacts at a time
@@ -242,7 +245,7 @@ void Accurate::step_alike(StepData& data, Workspace& space) {
 void Accurate::fly(StepData& data, const Island& island) {
   const Real t = data.settings.dt;
   for (const std::uint32_t body : island.bodies) {
-    if (data.bodies.stirs(body)) motion_[body].advance(flown(data.bodies.velocity[body], acceleration_[body], t), t);
+    if (data.bodies.moves(body)) motion_[body].advance(flown(data.bodies.velocity[body], acceleration_[body], t), t);
   }
 }
 
@@ -253,7 +256,7 @@ void Accurate::fly_all(StepData& data) {
   data.forces.accelerations(bodies, 0, acceleration_);
   motion_.assign(bodies.size(), {});
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies.stirs(i)) continue;
+    if (!bodies.moves(i)) continue;
     const Velocity mean = flown(bodies.velocity[i], acceleration_[i], t);
     motion_[i].d = t * mean.v;
     motion_[i].turn = t * mean.w;
@@ -341,13 +344,13 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   }
   for (const ActiveJoint* joint : island.joints.all()) {
     note_load(joint->block);
-    island.held = island.held || !pushable(joint->block.mass_a) || !pushable(joint->block.mass_b);
+    island.held = island.held || !pushable(joint->block.inv_mass_a) || !pushable(joint->block.inv_mass_b);
   }
 
   island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   for (ImpactRow& row : island.rows) {
     row.offset = island.offset_scale * data.contacts[row.contact].offset;
-    if (row.block && row.pair.strength != island.softness(row).strength) {
+    if (row.block && row.pair.strength != island.softness(row).mass_scale) {
       row.pair = ScalarContacts::pair_of(island, row);
     }
   }

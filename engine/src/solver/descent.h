@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "impulse/real.h"
+#include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

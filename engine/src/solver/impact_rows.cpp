@@ -50,8 +50,8 @@ void renew(ImpactRow& row, const BodySet& bodies, const std::vector<Pose>& start
     row.found_b = contact.found_b;
     row.found_separation = contact.found_separation;
   }
-  row.stirs_a = bodies.stirs(row.a);
-  row.stirs_b = bodies.stirs(row.b);
+  row.stirs_a = bodies.moves(row.a);
+  row.stirs_b = bodies.moves(row.b);
   row.disc_distance = contact.discs() ? contact.radius_a + contact.radius_b : Real{0};
   row.turns = contact.discs();
   row.between = start[row.b].p - start[row.a].p;

@@ -73,7 +73,7 @@ bool settles(const StepData& data, const Island& island) {
   const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
   return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
     const Velocity& v = bodies.velocity[body];
-    return length(v.v) + std::abs(v.w) * bodies.reach[body] <= slow;
+    return length(v.v) + std::abs(v.w) * bodies.bounding_radius[body] <= slow;
   });
 }
 

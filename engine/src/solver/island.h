@@ -11,7 +11,7 @@
 #include "solver/island_joints.h"
 #include "solver/offset_rule.h"
 #include "solver/partition.h"
-#include "solver/softness.h"
+#include "core/softness.h"
 #include "solver/solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {

@@ -7,7 +7,7 @@
 #include "joints/joint_set.h"
 #include "solver/joint_system.h"
 #include "solver/motion.h"
-#include "solver/softness.h"
+#include "core/softness.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

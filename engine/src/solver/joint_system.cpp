@@ -20,10 +20,10 @@ Real coupling(const JointBlock& of_p, const JointRow& p, const JointBlock& of_q,
     return mass.m * dot(p.axis, q.axis) + mass.i * arm_p * arm_q;
   };
   Real sum = 0;
-  if (of_p.a == of_q.a) sum += through(of_p.mass_a, p.arm_a, q.arm_a);
-  if (of_p.b == of_q.b) sum += through(of_p.mass_b, p.arm_b, q.arm_b);
-  if (of_p.a == of_q.b) sum -= through(of_p.mass_a, p.arm_a, q.arm_b);
-  if (of_p.b == of_q.a) sum -= through(of_p.mass_b, p.arm_b, q.arm_a);
+  if (of_p.a == of_q.a) sum += through(of_p.inv_mass_a, p.arm_a, q.arm_a);
+  if (of_p.b == of_q.b) sum += through(of_p.inv_mass_b, p.arm_b, q.arm_b);
+  if (of_p.a == of_q.b) sum -= through(of_p.inv_mass_a, p.arm_a, q.arm_b);
+  if (of_p.b == of_q.a) sum -= through(of_p.inv_mass_b, p.arm_b, q.arm_a);
   return sum;
 }
 
@@ -52,7 +52,8 @@ void JointSystem::lay_out(std::span<ActiveJoint* const> joints, std::size_t bodi
     const JointBlock& block = joint->block;
     const std::size_t here = first_.size();
     std::size_t first = here;
-    const std::array<std::pair<std::uint32_t, InverseMass>, 2> ends{{{block.a, block.mass_a}, {block.b, block.mass_b}}};
+    const std::array<std::pair<std::uint32_t, InverseMass>, 2> ends{
+        {{block.a, block.inv_mass_a}, {block.b, block.inv_mass_b}}};
     for (const auto& [body, mass] : ends) {
       if (mass.m + mass.i == 0) continue;
       if (lowest_[body] == none) lowest_[body] = here;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "impulse/math.h"
-#include "solver/softness.h"
+#include "core/softness.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

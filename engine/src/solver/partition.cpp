@@ -65,7 +65,7 @@ bool Partition::nothing_changed(const StepData& data) {
   kinds_.resize(data.bodies.size());
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     kinds_[i] =
-        static_cast<std::uint8_t>((data.bodies.stirs(i) ? stirs : 0) | (pushable(data.bodies, i) ? is_pushable : 0));
+        static_cast<std::uint8_t>((data.bodies.moves(i) ? stirs : 0) | (pushable(data.bodies, i) ? is_pushable : 0));
   }
   const std::uint64_t before = std::exchange(contact_changes_, data.contact_changes);
   return before != 0 && before == contact_changes_ && kinds_ == last_kinds_;
@@ -99,23 +99,23 @@ void Partition::find_islands(const StepData& data, bool together) {
     if (first_of_.size() < pile) first_of_.resize(pile, nobody);
     std::uint32_t& first = first_of_[pile - 1];
     if (first == nobody) first = body;
-    islands_.tie(first, body);
+    islands_.connect(first, body);
   }
   const auto add = [this](std::uint32_t body) {
     crowd_[body] = static_cast<std::uint8_t>(std::min(crowd_[body] + 1, 3));
   };
   for (const Tie& tie : tied_) {
-    if (tie.moves_both) islands_.tie(tie.a, tie.b);
+    if (tie.moves_both) islands_.connect(tie.a, tie.b);
     if (tie.pushes_a) add(tie.a);
     if (tie.pushes_b) add(tie.b);
   }
   all_joints_.clear();
   for (ActiveJoint& joint : data.joints) {
     all_joints_.push_back(&joint);
-    if (bodies.stirs(joint.block.a) && bodies.stirs(joint.block.b)) islands_.tie(joint.block.a, joint.block.b);
+    if (bodies.moves(joint.block.a) && bodies.moves(joint.block.b)) islands_.connect(joint.block.a, joint.block.b);
   }
   if (together) {
-    for (std::uint32_t body = 1; body < bodies.size(); ++body) islands_.tie(0, body);
+    for (std::uint32_t body = 1; body < bodies.size(); ++body) islands_.connect(0, body);
   }
   islands_.number();
 

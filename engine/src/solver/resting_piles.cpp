@@ -46,7 +46,7 @@ std::vector<std::uint32_t> bodies_of(std::span<const Tie> ties) {
 
 bool something_drives(const BodySet& bodies) {
   bool drives = false;
-  for (std::size_t i = 0; i < bodies.size(); ++i) drives |= !bodies.pushable(i) && bodies.stirs(i);
+  for (std::size_t i = 0; i < bodies.size(); ++i) drives |= !bodies.pushable(i) && bodies.moves(i);
   return drives;
 }
 
@@ -111,7 +111,7 @@ void RestingPile::step(StepData& data, const Partition& parts, Island island, co
     motion[body].d = now.d - then.d;
     motion[body].turn = now.turn - then.turn;
     const Velocity& v = data.bodies.velocity[body];
-    const Real reach = data.bodies.reach[body];
+    const Real reach = data.bodies.bounding_radius[body];
     const Real next = data.settings.dt * (length(v.v) + std::abs(v.w) * reach);
     rests_ &= length(now.d) + std::abs(now.turn) * reach + next <= tremor;
   }
@@ -124,7 +124,7 @@ std::vector<Contact> RestingPile::contacts(const BodySet& bodies) {
   std::iota(all.begin(), all.end(), 0U);
   std::vector<std::uint8_t> kept(now.size());
   kernels().keep_points(now.data(), all.data(), static_cast<std::uint32_t>(now.size()), bodies.pose.data(),
-                        bodies.reach.data(), std::numeric_limits<Real>::infinity(), kept.data());
+                        bodies.bounding_radius.data(), std::numeric_limits<Real>::infinity(), kept.data());
   for (Contact& contact : now) {
     contact.offset /= offset_scale_;
     contact.age += steps_ - 1;  // one was counted when they were measured
@@ -175,7 +175,7 @@ void RestingPiles::watch(const StepData& data, bool forces_vary) {
   due_ = data.may_rest && !forces_vary && !something_drives(bodies);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Pose then = std::exchange(seen_[i], bodies.pose[i]);
-    const bool calm = way(then, bodies.pose[i], bodies.reach[i]) <= calm_way;
+    const bool calm = way(then, bodies.pose[i], bodies.bounding_radius[i]) <= calm_way;
     calm_[i] = calm ? static_cast<std::uint8_t>(std::min(calm_[i] + 1, int{long_calm})) : std::uint8_t{0};
   }
 }

@@ -103,8 +103,9 @@ void ScalarContacts::press(const Island& island) {
         RowPoint& p = row.points[i];
         const Real s = gap<Frame>(row, p);
         const Real v = frame.normal_velocity(p);
-        const Real push = s > 0 ? -p.normal_mass * (v + s / island.h)
-                                : -p.normal_mass * soft.strength * (v + soft.rate * s) - soft.relief * p.normal_impulse;
+        const Real push =
+            s > 0 ? -p.normal_mass * (v + s / island.h)
+                  : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) - soft.impulse_scale * p.normal_impulse;
         push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
@@ -145,7 +146,7 @@ Real ScalarContacts::deepening(const Island& island, bool held) const {
 
 PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
   const auto& [p, q] = row.points;
-  const Real strength = island.softness(row).strength;
+  const Real strength = island.softness(row).mass_scale;
   const Real weakness = 1 / strength - 1;
   PointPair pair{.strength = strength,
                  .inverse_mass = {1 / p.normal_mass, 1 / q.normal_mass},
@@ -163,7 +164,7 @@ template <bool rigidly, class Frame>
                                                               Frame& frame) const {
   const PointPair& pair = row.pair;
   const auto& [p, q] = row.points;
-  const Real rate = island.softness(row).rate;
+  const Real rate = island.softness(row).bias_rate;
   const std::array<Real, 2> s{gap<Frame>(row, p), gap<Frame>(row, q)};
   const auto change = [&](const RowPoint& point, Real gap, Real give) {
     const Real bias = (gap > 0 ? gap / island.h : rate * gap) + give * point.normal_impulse;

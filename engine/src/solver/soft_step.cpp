@@ -5,9 +5,9 @@
 
 #include "contacts/contact_rows.h"
 #include "core/method_list.h"
+#include "core/softness.h"
 #include "core/stages.h"
 #include "solver/motion.h"
-#include "solver/softness.h"
 #include "solver/solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -183,8 +183,8 @@ void SoftStep::press(StepData& data) {
       const Real s = separation(row, p, motion_[row.a], motion_[row.b]);
       const Real v = frame.normal_velocity(p);
       const Real push = s > 0 ? -p.normal_mass * (v + s * per_h_)
-                              : -p.normal_mass * soft.strength * (v + std::max(soft.rate * s, -push_out_speed)) -
-                                    soft.relief * p.normal_impulse;
+                              : -p.normal_mass * soft.mass_scale * (v + std::max(soft.bias_rate * s, -push_out_speed)) -
+                                    soft.impulse_scale * p.normal_impulse;
       push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
     }
     frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);

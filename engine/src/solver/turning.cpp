@@ -112,8 +112,8 @@ Turning::Pair Turning::Turned::since(const Pair& now) const {
 /// m, that points of its bodies may have gone past each other since the contact was found, at most.
 Real Turning::way(const Turned& turned, const Pair& now, const BodySet& bodies) {
   const Pair gone = turned.since(now);
-  return length(gone.b.d - gone.a.d) + std::abs(gone.a.turn) * bodies.reach[turned.row->a] +
-         std::abs(gone.b.turn) * bodies.reach[turned.row->b];
+  return length(gone.b.d - gone.a.d) + std::abs(gone.a.turn) * bodies.bounding_radius[turned.row->a] +
+         std::abs(gone.b.turn) * bodies.bounding_radius[turned.row->b];
 }
 
 /// From the core of a to that of b: what is rounded there is left out.

@@ -3,7 +3,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/finite.h"
 #include "world/world_state.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -11,8 +10,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 namespace {
 
 template <class... Value>
-void need_finite(const char* what, Value... values) {
-  if (!(finite(values) && ...)) throw std::invalid_argument(std::string(what) + " must be finite");
+void require_finite_values(const char* what, Value... values) {
+  if (!(is_finite(values) && ...)) throw std::invalid_argument(std::string(what) + " must be finite");
 }
 
 }  // namespace
@@ -30,8 +29,8 @@ Vec2 Body::position() const {
 Real Body::angle() const { return bodies().angle[row()]; }
 Rotation Body::rotation() const { return bodies().pose[row()].q; }
 Vec2 Body::center() const { return bodies().pose[row()].p; }
-Vec2 Body::velocity() const { return bodies().motion(row()).v; }
-Real Body::angular_velocity() const { return bodies().motion(row()).w; }
+Vec2 Body::velocity() const { return bodies().velocity_of(row()).v; }
+Real Body::angular_velocity() const { return bodies().velocity_of(row()).w; }
 MassData Body::mass() const { return bodies().detail[row()].mass; }
 std::span<const Part> Body::parts() const { return bodies().detail[row()].parts; }
 std::uint32_t Body::layers() const { return bodies().detail[row()].def.layers; }
@@ -54,27 +53,27 @@ void Body::sleep() {
 void Body::disturb() { world_->state_->disturb(row()); }
 
 void Body::set_pose(Vec2 position, Real angle) {
-  need_finite("Body::set_pose: position and angle", position, angle);
+  require_finite_values("Body::set_pose: position and angle", position, angle);
   const std::size_t i = row();
   BodySet& set = bodies();
   const Rotation q(angle);
-  disturb();  // what it leaves
+  disturb();  // the bodies at the old pose
   set.pose[i] = {position + q * set.detail[i].mass.center, q};
   set.angle[i] = angle;
   set.remainder[i] = {};
-  disturb();  // what it comes to
+  disturb();  // the bodies at the new pose
 }
 
 void Body::set_velocity(Vec2 velocity, Real angular_velocity) {
-  need_finite("Body::set_velocity: velocities", velocity, angular_velocity);
+  require_finite_values("Body::set_velocity: velocities", velocity, angular_velocity);
   const std::size_t i = row();
   if (type() == BodyType::fixed) throw std::invalid_argument("Body::set_velocity: a fixed body has no velocity");
   wake();
-  bodies().motion(i) = {velocity, angular_velocity};
+  bodies().velocity_of(i) = {velocity, angular_velocity};
 }
 
 void Body::set_gravity_scale(Real scale) {
-  need_finite("Body::set_gravity_scale: the scale", scale);
+  require_finite_values("Body::set_gravity_scale: the scale", scale);
   wake();
   bodies().response[row()].gravity_scale = scale;
 }
@@ -85,13 +84,13 @@ void Body::set_layers(std::uint32_t mask) {
 }
 
 void Body::apply_force(Vec2 force) {
-  need_finite("Body::apply_force: the force", force);
+  require_finite_values("Body::apply_force: the force", force);
   if (force != Vec2{}) wake();
   bodies().force[row()] += force;
 }
 
 void Body::apply_force(Vec2 force, Vec2 point) {
-  need_finite("Body::apply_force: force and point", force, point);
+  require_finite_values("Body::apply_force: force and point", force, point);
   const std::size_t i = row();
   BodySet& set = bodies();
   if (force != Vec2{}) wake();
@@ -100,13 +99,13 @@ void Body::apply_force(Vec2 force, Vec2 point) {
 }
 
 void Body::apply_torque(Real torque) {
-  need_finite("Body::apply_torque: the torque", torque);
+  require_finite_values("Body::apply_torque: the torque", torque);
   if (torque != 0) wake();
   bodies().torque[row()] += torque;
 }
 
 void Body::apply_impulse(Vec2 impulse, Vec2 point) {
-  need_finite("Body::apply_impulse: impulse and point", impulse, point);
+  require_finite_values("Body::apply_impulse: impulse and point", impulse, point);
   const std::size_t i = row();
   BodySet& set = bodies();
   if (impulse != Vec2{}) wake();

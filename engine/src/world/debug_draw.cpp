@@ -8,7 +8,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real normal_share = static_cast<Real>(0.02);  // of the view's diagonal: how long a contact's normal is drawn
+constexpr Real normal_share = static_cast<Real>(0.02);  // length of a drawn contact normal / diagonal of the view
 
 DrawRole role_of(BodyType type, bool awake) {
   if (type == BodyType::fixed) return DrawRole::fixed;
@@ -16,13 +16,13 @@ DrawRole role_of(BodyType type, bool awake) {
   return awake ? DrawRole::awake : DrawRole::asleep;
 }
 
-/// The boundary as far as the view can show it: the diagonal long, either way from the place nearest its middle.
+/// Draws the boundary over the whole view: one diagonal in each direction from the point nearest to the view's centre.
 void draw_half_space(DebugDraw& draw, const Shape& shape, const Pose& pose, const Aabb& view, DrawRole role) {
   const Vec2 normal = pose.q * shape.normal(0);
   const Vec2 middle = Real{0.5} * (view.low + view.high);
   const Vec2 nearest = middle - (dot(middle - pose.p, normal) - shape.offset()) * normal;
-  const Vec2 reach = length(view.high - view.low) * perpendicular(normal);
-  draw.segment(nearest - reach, nearest + reach, role);
+  const Vec2 along = length(view.high - view.low) * perpendicular(normal);
+  draw.segment(nearest - along, nearest + along, role);
 }
 
 void draw_shape(DebugDraw& draw, const Shape& shape, const Pose& pose, const Aabb& view, DrawRole role) {
@@ -61,13 +61,13 @@ void World::debug_draw(DebugDraw& draw, const Aabb& view) {
   const State::CallbackScope scope(*state_);
   const BodySet& bodies = state_->bodies;
   query_aabb(view, [&](BodyId id, const Part& part) {
-    const Body seen = body(id);
+    const Body view_of_body = body(id);
     const Pose pose = bodies.pose[id.index];  // a copy: drawing may create bodies
-    draw_shape(draw, part.shape, pose, view, role_of(seen.type(), seen.awake()));
+    draw_shape(draw, part.shape, pose, view, role_of(view_of_body.type(), view_of_body.awake()));
     return true;
   });
-  const auto tied = state_->joints.tied();  // a copy: drawing may end joints
-  for (const auto& [a, b] : tied) {
+  const auto joined = state_->joints.connected_pairs();  // a copy: drawing may destroy joints
+  for (const auto& [a, b] : joined) {
     if (bodies.detail[a].inserted && bodies.detail[b].inserted) {
       draw.segment(bodies.pose[a].p, bodies.pose[b].p, DrawRole::joint);
     }

@@ -2,17 +2,16 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "core/finite.h"
 #include "world/world_state.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Calls back for each part of the inserted bodies that passes the test, until told to stop. Bodies that the callback
-/// creates are not inserted before it returns, so they are not among them.
+/// Calls back for each part of the inserted bodies that passes the test, until the callback returns false. Bodies that
+/// the callback creates are inserted only after it returns, so they are not visited.
 template <class Test>
-void visit(const BodySet& bodies, const World::QueryCallback& callback, const Test& test) {
+void visit_parts(const BodySet& bodies, const World::QueryCallback& callback, const Test& test) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies.detail[i].inserted) continue;
     for (std::size_t p = 0; p < bodies.detail[i].parts.size(); ++p) {
@@ -22,9 +21,9 @@ void visit(const BodySet& bodies, const World::QueryCallback& callback, const Te
   }
 }
 
-/// All parts that the ray enters, in order of bodies and parts.
-std::vector<BodyHit> hits(const BodySet& bodies, Vec2 from, Vec2 to, std::uint32_t layers) {
-  if (!finite(from) || !finite(to)) throw std::invalid_argument("World::ray_cast: both points must be finite");
+/// All parts that the ray enters, sorted by bodies and parts.
+std::vector<BodyHit> find_hits(const BodySet& bodies, Vec2 from, Vec2 to, std::uint32_t layers) {
+  if (!is_finite(from) || !is_finite(to)) throw std::invalid_argument("World::ray_cast: both points must be finite");
   std::vector<BodyHit> found;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDetail& body = bodies.detail[i];
@@ -39,7 +38,7 @@ std::vector<BodyHit> hits(const BodySet& bodies, Vec2 from, Vec2 to, std::uint32
   return found;
 }
 
-// Of two at the same place the first body's comes first, whatever the sorting.
+// Hits at the same point are ordered by body, so the result does not depend on the sorting algorithm.
 bool nearer(const BodyHit& left, const BodyHit& right) {
   return std::tie(left.fraction, left.body.index, left.part) < std::tie(right.fraction, right.body.index, right.part);
 }
@@ -48,7 +47,7 @@ bool nearer(const BodyHit& left, const BodyHit& right) {
 
 void World::ray_cast(Vec2 from, Vec2 to, const RayCallback& callback) {
   const State::CallbackScope scope(*state_);
-  std::vector<BodyHit> found = hits(state_->bodies, from, to, ~std::uint32_t{0});
+  std::vector<BodyHit> found = find_hits(state_->bodies, from, to, ~std::uint32_t{0});
   std::sort(found.begin(), found.end(), nearer);
   for (const BodyHit& hit : found) {
     if (!callback(hit)) return;
@@ -56,7 +55,7 @@ void World::ray_cast(Vec2 from, Vec2 to, const RayCallback& callback) {
 }
 
 std::optional<BodyHit> World::ray_cast(Vec2 from, Vec2 to, std::uint32_t layers) const {
-  const std::vector<BodyHit> found = hits(state_->bodies, from, to, layers);
+  const std::vector<BodyHit> found = find_hits(state_->bodies, from, to, layers);
   const auto first = std::min_element(found.begin(), found.end(), nearer);
   if (first == found.end()) return std::nullopt;
   return *first;
@@ -64,14 +63,14 @@ std::optional<BodyHit> World::ray_cast(Vec2 from, Vec2 to, std::uint32_t layers)
 
 void World::query_aabb(const Aabb& box, const QueryCallback& callback) {
   const State::CallbackScope scope(*state_);
-  visit(state_->bodies, callback,
-        [&box](const Shape& shape, const Pose& pose) { return overlap(box, shape.bounds(pose)); });
+  visit_parts(state_->bodies, callback,
+              [&box](const Shape& shape, const Pose& pose) { return overlap(box, shape.bounds(pose)); });
 }
 
 void World::query_point(Vec2 point, const QueryCallback& callback) {
   const State::CallbackScope scope(*state_);
-  visit(state_->bodies, callback,
-        [point](const Shape& shape, const Pose& pose) { return shape.contains(to_local(pose, point)); });
+  visit_parts(state_->bodies, callback,
+              [point](const Shape& shape, const Pose& pose) { return shape.contains(to_local(pose, point)); });
 }
 
 std::vector<ContactInfo> World::contacts() const {

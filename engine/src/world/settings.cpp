@@ -5,7 +5,6 @@
 
 #include "bodies/integrator.h"
 #include "broad_phase/broad_phase.h"
-#include "core/finite.h"
 #include "core/method_list.h"
 #include "solver/solver.h"
 
@@ -13,13 +12,13 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real longest_step = 10;            // s; beyond it nothing is resolved, and speeds times steps leave the range
-constexpr Real strongest_gravity = 1000000;  // m/s^2; a slip of units, not a planet
-constexpr int most_iterations = 10000;       // a step that takes minutes looks like a hang
+constexpr Real longest_step = 10;            // s; longer steps resolve nothing, and speed times step may overflow
+constexpr Real strongest_gravity = 1000000;  // m/s^2; more is a mistake in units
+constexpr int most_iterations = 10000;       // with more, a step may take minutes and look like a hang
 constexpr int most_workers = 256;
 constexpr int most_substeps = 1000;
 
-[[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("Settings: " + what); }
+[[noreturn]] void refuse_settings(const std::string& what) { throw std::invalid_argument("Settings: " + what); }
 
 template <class Method>
 void check_name(const char* field, const std::string& name) {
@@ -28,38 +27,40 @@ void check_name(const char* field, const std::string& name) {
   for (const MethodInfo& method : MethodList<Method>::infos()) {
     names += (names.empty() ? "" : ", ") + method.name;
   }
-  refuse(std::string(field) + " \"" + name + "\" is not known; there are: " + names);
+  refuse_settings(std::string(field) + " \"" + name + "\" is not known; there are: " + names);
 }
 
 }  // namespace
 
 void validate(const Settings& settings) {
   if (!(settings.dt > 0 && settings.dt <= longest_step)) {
-    refuse("dt must be above 0 and at most " + std::to_string(longest_step) + " s, got " + std::to_string(settings.dt));
+    refuse_settings("dt must be above 0 and at most " + std::to_string(longest_step) + " s, got " +
+                    std::to_string(settings.dt));
   }
-  if (!finite(settings.gravity) || length(settings.gravity) > strongest_gravity) {
-    refuse("gravity must be finite and at most " + std::to_string(strongest_gravity) + " m/s^2");
+  if (!is_finite(settings.gravity) || length(settings.gravity) > strongest_gravity) {
+    refuse_settings("gravity must be finite and at most " + std::to_string(strongest_gravity) + " m/s^2");
   }
   if (settings.iterations < 1 || settings.iterations > most_iterations) {
-    refuse("iterations must be from 1 to " + std::to_string(most_iterations) + ", got " +
-           std::to_string(settings.iterations));
+    refuse_settings("iterations must be from 1 to " + std::to_string(most_iterations) + ", got " +
+                    std::to_string(settings.iterations));
   }
   if (settings.position_iterations < 0 || settings.position_iterations > most_iterations) {
-    refuse("position_iterations must be from 0 to " + std::to_string(most_iterations) + ", got " +
-           std::to_string(settings.position_iterations));
+    refuse_settings("position_iterations must be from 0 to " + std::to_string(most_iterations) + ", got " +
+                    std::to_string(settings.position_iterations));
   }
   if (settings.substeps < 1 || settings.substeps > most_substeps) {
-    refuse("substeps must be from 1 to " + std::to_string(most_substeps) + ", got " +
-           std::to_string(settings.substeps));
+    refuse_settings("substeps must be from 1 to " + std::to_string(most_substeps) + ", got " +
+                    std::to_string(settings.substeps));
   }
   if (settings.workers < 1 || settings.workers > most_workers) {
-    refuse("workers must be from 1 to " + std::to_string(most_workers) + ", got " + std::to_string(settings.workers));
+    refuse_settings("workers must be from 1 to " + std::to_string(most_workers) + ", got " +
+                    std::to_string(settings.workers));
   }
   for (const auto& [field, value] :
        {std::pair("sleep_linear_speed", settings.sleep_linear_speed),
         std::pair("sleep_angular_speed", settings.sleep_angular_speed), std::pair("sleep_time", settings.sleep_time)}) {
-    if (!finite(value) || !(value > 0)) {
-      refuse(std::string(field) + " must be finite and above 0, got " + std::to_string(value));
+    if (!is_finite(value) || !(value > 0)) {
+      refuse_settings(std::string(field) + " must be finite and above 0, got " + std::to_string(value));
     }
   }
   check_name<Solver>("solver", settings.solver);
@@ -79,7 +80,9 @@ StatedErrors stated_errors(const Settings& settings) {
   errors.drift = integrator->drift();
   errors.order = integrator->order();
   errors.order_in_contact = integrator->order_in_contact();
-  MethodList<Solver>::make(settings.solver)->state(settings, errors);
+  const auto solver = MethodList<Solver>::make(settings.solver);
+  solver->state(settings, errors);
+  errors.looks_ahead = solver->margin(settings).time > 0;
   return errors;
 }
 

@@ -10,6 +10,28 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+namespace {
+
+/// Marks the bodies that contacts or joints acted on in this step. Sleeping bodies keep their mark, because their
+/// contacts are not among these.
+void mark_held(BodySet& bodies, std::span<const Contact> contacts, std::span<const ActiveJoint> joints) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies.held[i] &= bodies.asleep[i];
+  for (const Contact& contact : contacts) {
+    for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+      if (contact.points[p].total_normal_impulse == 0) continue;
+      bodies.held[contact.body_a] = 1;
+      bodies.held[contact.body_b] = 1;
+    }
+  }
+  for (const ActiveJoint& joint : joints) {
+    if (joint.block.equations == 0) continue;
+    bodies.held[joint.block.a] = 1;
+    bodies.held[joint.block.b] = 1;
+  }
+}
+
+}  // namespace
+
 World::World(const Settings& settings) : state_(std::make_unique<State>(settings)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
@@ -20,32 +42,32 @@ void World::step() {
   if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
   start_stages();
   s.forces.gravity = s.settings.gravity;
-  const bool sweeps = s.settings.contacts && s.settings.continuous != Continuous::off;
-  if (sweeps) s.sweep.remember(s.bodies);
+  const bool continuous = s.settings.contacts && s.settings.continuous != Continuous::off;
+  if (continuous) s.continuous.store_start(s.bodies);
   const Margin margin = s.solver->margin(s.settings);
-  if (s.settings.sleeping && !s.sleep.rouse(margin)) {
+  if (s.settings.sleeping && !s.sleep.wake_before_step(margin)) {
     if (s.settings.contact_events) s.touches.note(s.bodies, {});
     s.bodies.clear_forces();
     return;
   }
   end_stage("begin");
   if (s.settings.contacts) s.find_contacts(margin);
-  const bool others_ask = s.settings.sleeping || s.settings.contact_events || s.integrator->asks_what_is_held();
-  StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces,   *s.integrator,
-                s.settings, *s.workers,        s.contacts.changes(),        !others_ask};
+  const bool contacts_needed = s.settings.sleeping || s.settings.contact_events || s.integrator->needs_held();
+  StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces,        *s.integrator,
+                s.settings, *s.workers,        s.contacts.changes(),        !contacts_needed};
   end_stage("activate joints");
   const std::uint64_t pile_changes = s.bodies.pile_changes;
   s.solver->step(data);
   if (pile_changes != s.bodies.pile_changes) s.contacts.leave_to_piles(s.bodies);
-  if (sweeps) s.sweep.hold_back(s.bodies, s.joints, s.settings.continuous);
-  end_stage("hold back");
+  if (continuous) s.continuous.clamp_to_impacts(s.bodies, s.joints, s.settings.continuous);
+  end_stage("continuous");
   s.joints.store();
-  if (s.integrator->asks_what_is_held()) s.bodies.mark_held(s.contacts.rows(), data.joints);
+  if (s.integrator->needs_held()) mark_held(s.bodies, s.contacts.rows(), data.joints);
   if (s.settings.contact_events) s.touches.note(s.bodies, s.contacts.rows());
   end_stage("note touches");
   s.bodies.clear_forces();
-  if (s.settings.sleeping) s.sleep.settle(s.settings, margin);
-  end_stage("settle");
+  if (s.settings.sleeping) s.sleep.update_after_step(s.settings, margin);
+  end_stage("sleep");
 }
 
 const Settings& World::settings() const { return state_->settings; }
@@ -137,7 +159,7 @@ void World::State::adopt(const Settings& chosen) {
   const bool first = solver == nullptr;
   if (!first) let_go();
   if (!first && chosen.dt != settings.dt) contacts.stretch_rest(chosen.dt / settings.dt);
-  // What a body rests by, and not how finely a step is cut.
+  // Wake everything if the conditions of rest change; time step and accuracy don't count.
   if (!chosen.sleeping || chosen.gravity != settings.gravity || chosen.solver != settings.solver ||
       chosen.friction_mixing != settings.friction_mixing || chosen.contacts != settings.contacts) {
     sleep.wake_all();
@@ -166,15 +188,15 @@ void World::State::find_contacts(const Margin& margin) {
   const SearchInput input{bodies, *broad_phase, settings, margin, solver->recycles(), joints};
   RestingPiles* resting = solver->resting();
   if (resting == nullptr) return contacts.find(input);
-  std::vector<Contact> given_back;
-  resting->rouse(bodies, given_back);
-  contacts.put_in(given_back);
+  std::vector<Contact> returned;
+  resting->rouse(bodies, returned);
+  contacts.put_in(returned);
   contacts.find(input);
   while (!contacts.struck_piles().empty()) {
-    given_back.clear();
-    for (const std::uint32_t pile : contacts.struck_piles()) resting->let_go(pile, bodies, given_back);
+    returned.clear();
+    for (const std::uint32_t pile : contacts.struck_piles()) resting->let_go(pile, bodies, returned);
     contacts.forget_new();
-    contacts.put_in(given_back);
+    contacts.put_in(returned);
     contacts.find(input);
   }
 }
@@ -199,7 +221,7 @@ void World::State::wake(std::size_t i) {
   sleep.wake(i);
 }
 
-// What rests on one that is not dynamic may be of any pile.
+// The bodies that rest on a fixed or kinematic body may be of any pile.
 void World::State::disturb(std::size_t i) {
   bodies.dynamic(i) ? let_go(i) : let_go();
   sleep.disturb(i);
@@ -208,7 +230,7 @@ void World::State::disturb(std::size_t i) {
 std::size_t World::State::row(BodyId id) const {
   if (!bodies.contains(id)) {
     throw std::out_of_range("World: no body " + std::to_string(id.index) + " of generation " +
-                            std::to_string(id.generation) + "; it was destroyed or never of this world");
+                            std::to_string(id.generation) + "; it was destroyed or never in this world");
   }
   return id.index;
 }
@@ -238,7 +260,7 @@ void World::State::apply(Change what, BodyId id) {
 
 World::State::CallbackScope::~CallbackScope() {
   if (--state_.callbacks_running > 0) return;
-  // A body may have been destroyed twice in one callback: the second time finds it gone.
+  // A body may be destroyed twice in one callback; skip the second time.
   for (const auto& [what, id] : state_.deferred) {
     if (state_.bodies.contains(id)) state_.apply(what, id);
   }

@@ -16,7 +16,7 @@
 #include "joints/joint_set.h"
 #include "solver/resting_piles.h"
 #include "solver/solver.h"
-#include "world/sweep.h"
+#include "world/continuous_collision.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -31,7 +31,7 @@ struct World::State {
   BodySet bodies;
   ContactSet contacts;
   TouchLog touches;
-  Sweep sweep;
+  ContinuousCollision continuous;
   ForceField forces;
   JointSet joints;
   Sleep sleep{bodies, contacts, joints, forces};
@@ -40,27 +40,27 @@ struct World::State {
 
   explicit State(const Settings& chosen) { adopt(chosen); }
 
-  /// Takes these settings, or throws and changes nothing.
+  /// Changes the settings, or throws and changes nothing.
   void adopt(const Settings& chosen);
 
   /// The row of a living body. Throws std::out_of_range.
   std::size_t row(BodyId id) const;
 
   void wake_ends(JointId id);
-  /// See Sleep; what lies still in a pile is let go as well.
+  /// Like Sleep::wake and Sleep::disturb; they invalidate resting piles too.
   void wake(std::size_t i);
   void disturb(std::size_t i);
-  /// Takes up the contacts that piles at rest keep, or those of a body's.
+  /// Invalidates all resting piles, or that of a body, and takes over their contacts.
   void let_go();
   void let_go(std::size_t i);
 
   void find_contacts(const Margin& margin);
 
-  /// Does it now, or when the running callback has returned.
+  /// Makes the change now, or when the running callback has returned.
   void change(Change what, BodyId id);
   void apply(Change what, BodyId id);
 
-  /// While one of these lives, changes wait.
+  /// Changes are deferred while one of these exists.
   class CallbackScope {
    public:
     explicit CallbackScope(State& state) : state_(state) { ++state_.callbacks_running; }

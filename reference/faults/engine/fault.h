@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "impulse/real.h"
+#include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

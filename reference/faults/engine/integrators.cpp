@@ -17,7 +17,7 @@ class SpoiltIntegrator : public Integrator {
   Real drift() const final { return right_->drift(); }
   int order() const final { return right_->order(); }
   int order_in_contact() const final { return right_->order_in_contact(); }
-  bool asks_what_is_held() const final { return right_->asks_what_is_held(); }
+  bool needs_held() const final { return right_->needs_held(); }
 
  private:
   std::unique_ptr<Integrator> right_;

@@ -18,18 +18,18 @@ std::array<Part, 2> letter_l() {
           Part{Shape::box({1, Real{0.5}}, {2, Real{0.5}}), material}};
 }
 
-TEST(TotalMass, OfAnLIsByParallelAxes) {
+TEST(TotalMass, OfAnLFollowsTheParallelAxisTheorem) {
   const MassData mass = total_mass(letter_l());
   EXPECT_NEAR(mass.mass, 10, 10 * 4 * round_off);
   EXPECT_NEAR(mass.center.x, 1.1, 2 * 8 * round_off);
   EXPECT_NEAR(mass.center.y, 1.1, 2 * 8 * round_off);
-  // m (w^2 + h^2)/12 + m d^2 of both.
+  // m (w^2 + h^2)/12 + m d^2 for each.
   const double standing = 6 * (1 + 9) / 12.0 + 6 * (.6 * .6 + .4 * .4);
   const double foot = 4 * (4 + 1) / 12.0 + 4 * (.9 * .9 + .6 * .6);
   EXPECT_NEAR(mass.inertia, standing + foot, 16 * 16 * round_off);
 }
 
-TEST(TotalMass, DoesNotDependOnWhereTheFrameIs) {
+TEST(TotalMass, DoesNotDependOnTheFrame) {
   std::array<Part, 2> parts = letter_l();
   const Real inertia = total_mass(parts).inertia;
   for (Part& part : parts) part.shape = part.shape.moved({-3, 2});
@@ -37,12 +37,12 @@ TEST(TotalMass, DoesNotDependOnWhereTheFrameIs) {
   EXPECT_NEAR(total_mass(parts).center.x, -1.9, 4 * 8 * round_off);
 }
 
-TEST(TotalMass, OfPartsWithoutDensityIsNothing) {
+TEST(TotalMass, OfPartsWithoutDensityIsZero) {
   const Part part{Shape::circle(1), {0, 0, 0, 0}};
   EXPECT_EQ(total_mass(std::span(&part, 1)).mass, 0);
 }
 
-TEST(BodySet, KeepsPartsRelativeToTheCentreOfMass) {
+TEST(BodySet, StoresPartsRelativeToTheCentreOfMass) {
   BodySet bodies;
   BodyDef def = at(10, 20);
   def.angle = pi / 2;
@@ -51,7 +51,7 @@ TEST(BodySet, KeepsPartsRelativeToTheCentreOfMass) {
   EXPECT_NEAR(bodies.pose[i].p.x, 10 - 1.1, 32 * round_off);
   EXPECT_NEAR(bodies.pose[i].p.y, 20 + 1.1, 32 * round_off);
   EXPECT_NEAR(bodies.detail[i].parts[0].shape.centroid().x, 0.5 - 1.1, 8 * round_off);
-  EXPECT_NEAR(bodies.reach[i], std::hypot(1.9, 1.1), 16 * round_off);
+  EXPECT_NEAR(bodies.bounding_radius[i], std::hypot(1.9, 1.1), 16 * round_off);
 }
 
 TEST(BodySet, GivesFixedAndKinematicBodiesNoInverseMass) {
@@ -68,7 +68,7 @@ TEST(BodySet, GivesFixedAndKinematicBodiesNoInverseMass) {
   }
 }
 
-TEST(BodySet, ReusesTheRowThatWasFreedLast) {
+TEST(BodySet, ReusesTheLastFreedRow) {
   BodySet bodies;
   const Part part{Shape::circle(1), {}};
   const std::span parts(&part, 1);
@@ -80,7 +80,7 @@ TEST(BodySet, ReusesTheRowThatWasFreedLast) {
   EXPECT_EQ(bodies.add({}, parts), (BodyId{4, 0}));
 }
 
-TEST(BodySet, LeavesRowsOfRemovedBodiesInert) {
+TEST(BodySet, MakesRowsOfRemovedBodiesInert) {
   BodySet bodies;
   const Part part{Shape::circle(1), {}};
   const std::size_t i = bodies.add(at(0, 0, 3, 4), std::span(&part, 1)).index;
@@ -90,10 +90,10 @@ TEST(BodySet, LeavesRowsOfRemovedBodiesInert) {
   bodies.remove(i);
   EXPECT_EQ(bodies.velocity[i].v, (Vec2{0, 0}));
   EXPECT_EQ(bodies.inverse_mass[i].m, 0);
-  EXPECT_EQ(bodies.motion(i).v, (Vec2{3, 4}));
+  EXPECT_EQ(bodies.velocity_of(i).v, (Vec2{3, 4}));
 }
 
-TEST(BodySet, WindsItsAngleUp) {
+TEST(BodySet, DoesNotWrapAngles) {
   BodySet bodies;
   BodyDef def;
   def.angular_velocity = 1;

@@ -2,17 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <stdexcept>
+
 #include "../support.h"
 
 namespace {
 
 using namespace impulse;
 
-/// Speed of a body after one step under its weight and no other force.
+/// The velocity of a body after one step under its weight alone.
 using FreeFall = Vec2 (*)(Real mass, Vec2 gravity, Real dt);
 
-/// Galileo: whatever the mass, v = g dt.
-bool falls_alike(FreeFall fall) {
+/// Galileo: v = g dt for any mass.
+bool is_independent_of_mass(FreeFall fall) {
   const Vec2 gravity{0, -10};
   const Real dt = 1 / Real{64};
   for (const double mass : {1e-3, 1.0, 1e3}) {
@@ -21,7 +24,7 @@ bool falls_alike(FreeFall fall) {
   return true;
 }
 
-Vec2 as_the_engine(Real mass, Vec2 gravity, Real dt) {
+Vec2 fall_in_engine(Real mass, Vec2 gravity, Real dt) {
   Settings settings;
   settings.solver = "article";
   settings.gravity = gravity;
@@ -34,21 +37,22 @@ Vec2 as_the_engine(Real mass, Vec2 gravity, Real dt) {
   return world.body(body).velocity();
 }
 
-// velocity += force * (1.0f / mass + gravity) * dt, componentwise; the force is the weight or nothing.
-Vec2 as_printed_with_weight(Real mass, Vec2 gravity, Real dt) {
+// As the article prints it: velocity += force * (1.0f / mass + gravity) * dt, componentwise, where the force is the
+// weight or zero.
+Vec2 printed_fall_with_weight(Real mass, Vec2 gravity, Real dt) {
   const Vec2 force = mass * gravity;
   return {force.x * (1 / mass + gravity.x) * dt, force.y * (1 / mass + gravity.y) * dt};
 }
-Vec2 as_printed_without(Real, Vec2, Real) { return {0, 0}; }
+Vec2 printed_fall_without_weight(Real, Vec2, Real) { return {0, 0}; }
 
-TEST(ForceField, MakesBodiesOfAnyMassFallAlike) { EXPECT_TRUE(falls_alike(as_the_engine)); }
+TEST(ForceField, MakesBodiesOfAnyMassFallEqually) { EXPECT_TRUE(is_independent_of_mass(fall_in_engine)); }
 
-TEST(ForceField, AsThePrintHasItWouldNot) {
-  EXPECT_FALSE(falls_alike(as_printed_with_weight));
-  EXPECT_FALSE(falls_alike(as_printed_without));
+TEST(ForceField, PrintedFormulaDoesNotMakeBodiesFallEqually) {
+  EXPECT_FALSE(is_independent_of_mass(printed_fall_with_weight));
+  EXPECT_FALSE(is_independent_of_mass(printed_fall_without_weight));
 }
 
-TEST(ForceField, LetsTwoOppositeForcesCancelExactly) {
+TEST(ForceField, CancelsOppositeForcesExactly) {
   World world(weightless());
   const BodyId id = world.create_body(at(1, 2), Shape::box({1, 1}));
   Body body = world.body(id);
@@ -60,7 +64,7 @@ TEST(ForceField, LetsTwoOppositeForcesCancelExactly) {
   EXPECT_EQ(body.angular_velocity(), 0);
 }
 
-TEST(ForceField, UsesCollectedForcesForOneStepOnly) {
+TEST(ForceField, AppliesAccumulatedForcesForOneStepOnly) {
   World world(weightless(0.5));
   const BodyId id = world.create_body({}, Shape::box({1, 1}));
   Body body = world.body(id);
@@ -76,8 +80,8 @@ TEST(ForceField, UsesCollectedForcesForOneStepOnly) {
   EXPECT_EQ(body.angular_velocity(), w);
 }
 
-// The print has r x w; a force of 3 N at an arm of 2 m turns with 6 N m.
-TEST(ForceField, TurnsByArmTimesForce) {
+// Torque is r x F (the article prints r x w): 3 N at an arm of 2 m give 6 N m.
+TEST(ForceField, AppliesTheTorqueOfAForce) {
   World world(weightless(1));
   const BodyId id = world.create_body({}, Shape::box({1, 1}));
   Body body = world.body(id);
@@ -102,7 +106,7 @@ TEST(ForceField, ScalesGravityByBody) {
   EXPECT_EQ(world.body(id).velocity(), (Vec2{0, 10}));
 }
 
-TEST(ForceField, NeverMovesWhatHasNoMass) {
+TEST(ForceField, NeverMovesBodiesWithoutMass) {
   World world;
   const BodyId floor = add_floor(world);
   BodyDef def;
@@ -120,7 +124,7 @@ TEST(ForceField, NeverMovesWhatHasNoMass) {
   EXPECT_EQ(world.body(lift).position().y, 50);
 }
 
-TEST(ForceField, DampsTurningToo) {
+TEST(ForceField, DampsRotationToo) {
   World world(weightless(0.5));
   BodyDef def;
   def.angular_velocity = 3;
@@ -128,6 +132,158 @@ TEST(ForceField, DampsTurningToo) {
   const BodyId id = world.create_body(def, Shape::circle(1));
   world.step();
   EXPECT_EQ(world.body(id).angular_velocity(), 1);  // 3/(1 + .5 * 4)
+}
+
+/// The acceleration of a body at a distance of 2 m from an attraction of strength 3.
+Vec2 attracted_with(double exponent, double reach = HUGE_VAL) {
+  World world(weightless(1));
+  BodyDef sun = at(0, 0);
+  sun.type = BodyType::fixed;
+  const BodyId from = world.create_body(sun, Shape::circle(real(.1)));
+  const BodyId body = world.create_body(at(0, 2), Shape::circle(real(.1)));
+  world.add_force(Attraction{from, 3, real(exponent), false, real(reach)});
+  world.step();
+  return world.body(body).velocity();
+}
+
+TEST(Attraction, FallsWithThePowerOfTheDistance) {
+  EXPECT_EQ(attracted_with(2), (Vec2{0, -Real{3} / 4}));
+  EXPECT_EQ(attracted_with(1), (Vec2{0, -Real{3} / 2}));
+  EXPECT_EQ(attracted_with(0), (Vec2{0, -3}));
+  EXPECT_EQ(attracted_with(-1), (Vec2{0, -6}));
+  EXPECT_NEAR(attracted_with(.5).y, -3 / std::sqrt(2), 8 * round_off);
+  EXPECT_NEAR(attracted_with(-2.5).y, -3 * std::pow(2, 2.5), 64 * round_off);
+}
+
+TEST(Attraction, EndsBeyondItsReach) {
+  EXPECT_EQ(attracted_with(2, 1), (Vec2{0, 0}));
+  EXPECT_EQ(attracted_with(2, 2), (Vec2{0, -Real{3} / 4}));
+}
+
+TEST(Attraction, RejectsPowersThatDifferBetweenMachines) {
+  EXPECT_THROW(attracted_with(2.3), std::invalid_argument);
+  EXPECT_THROW(attracted_with(40), std::invalid_argument);
+  EXPECT_THROW(attracted_with(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+  EXPECT_THROW(attracted_with(2, -1), std::invalid_argument);
+}
+
+TEST(Attraction, KeepsMomentumWhenMutual) {
+  World world(weightless(0.1));
+  const BodyId heavy = world.create_body(at(0, 0), Shape::circle(1));
+  const BodyId light = world.create_body(at(5, 1), Shape::circle(Real{0.25}));
+  world.add_force(Attraction{heavy, 2, 2, true});
+  run(world, 10);
+  const Real ratio = world.body(heavy).mass().mass / world.body(light).mass().mass;
+  EXPECT_GT(length(world.body(heavy).velocity()), 0);
+  const Vec2 left = ratio * world.body(heavy).velocity() + world.body(light).velocity();
+  EXPECT_NEAR(length(left), 0, 10 * 8 * round_off * length(world.body(light).velocity()));
+}
+
+TEST(Attraction, DoesNotActOnItsSourceUnlessMutual) {
+  World world(weightless(0.1));
+  const BodyId heavy = world.create_body(at(0, 0), Shape::circle(1));
+  world.create_body(at(5, 1), Shape::circle(Real{0.25}));
+  world.add_force(Attraction{heavy, 2});
+  run(world, 10);
+  EXPECT_EQ(world.body(heavy).velocity(), (Vec2{0, 0}));
+}
+
+// Velocity Verlet follows exactly a modified energy with the additional term h^2 (p.V''p/12 - |V'|^2/24), here
+// h^2 (L^2/(12 r^5) - 1/(24 r^4)). It moves a circular orbit of radius 1 outwards by h^2/4, so the radius oscillates
+// between 1 and 1 + h^2/2 and does not drift.
+TEST(Attraction, KeepsAnOrbit) {
+  Settings settings = weightless(0.01);
+  settings.integrator = "velocity-verlet";
+  World world(settings);
+  BodyDef sun = at(0, 0);
+  sun.type = BodyType::fixed;
+  const BodyId from = world.create_body(sun, Shape::circle(real(.1)));
+  const BodyId planet = world.create_body(at(1, 0, 0, 1), Shape::circle(real(.1)));
+  world.add_force(Attraction{from, 1});
+  for (int i = 0; i < 6283; ++i) {
+    world.step();
+    ASSERT_NEAR(length(world.body(planet).position()), 1, 1.1e-4 / 2 + 6283 * round_off);
+  }
+}
+
+TEST(SpringForce, PullsBothEndsEqually) {
+  World world(weightless(1));
+  const BodyId a = world.create_body(at(0, 0), Shape::box({1, 1}));
+  const BodyId b = world.create_body(at(6, 0), Shape::box({1, 1}));
+  world.add_force(Spring{a, b, {1, 0}, {-1, 0}, 2, 3, 0});  // 4 m between the anchors
+  world.step();
+  EXPECT_EQ(world.body(a).velocity(), (Vec2{Real{0.5}, 0}));
+  EXPECT_EQ(world.body(b).velocity(), (Vec2{-Real{0.5}, 0}));
+}
+
+TEST(SpringForce, RotatesABodyAttachedOffCentre) {
+  World world(weightless(1));
+  const BodyId body = world.create_body(at(0, 0), Shape::box({1, 1}));
+  world.add_force(Spring{body, {}, {1, 0}, {1, 5}, 1, 2, 0});  // 3 N upwards at an arm of 1 m
+  world.step();
+  EXPECT_EQ(world.body(body).velocity(), (Vec2{0, Real{0.75}}));
+  EXPECT_NEAR(world.body(body).angular_velocity(), 3 / (4 * 8 / 12.0), 4 * round_off);
+}
+
+TEST(SpringForce, DampsTheSeparatingVelocityOfTheAnchors) {
+  World world(weightless(0.5));
+  const BodyId body = world.create_body(at(2, 0, 1, 5), Shape::box({1, 1}));
+  world.add_force(Spring{{}, body, {}, {}, 0, 0, 4});
+  world.step();
+  EXPECT_EQ(world.body(body).velocity(), (Vec2{Real{0.5}, 5}));  // 1 - .5 * 4/4 along the spring, unchanged across it
+}
+
+TEST(SpringForce, RejectsInvalidValues) {
+  World world;
+  const BodyId body = world.create_body({}, Shape::circle(1));
+  EXPECT_THROW(world.add_force(Spring{}), std::invalid_argument);
+  EXPECT_THROW(world.add_force(Spring{body, body}), std::invalid_argument);
+  EXPECT_THROW(world.add_force(Spring{{}, body, {}, {}, -1, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(world.add_force(Spring{{}, body, {}, {}, 0, real(HUGE_VAL), 0}), std::invalid_argument);
+  EXPECT_THROW(world.add_force(Spring{{}, BodyId{7, 0}, {}, {}, 1, 1, 0}), std::out_of_range);
+}
+
+TEST(ConstantForce, ActsUntilItIsRemoved) {
+  World world(weightless(1));
+  const BodyId body = world.create_body({}, Shape::box({1, 1}));
+  const ForceId force = world.add_force(ConstantForce{body, {4, 0}, 0});
+  run(world, 3);
+  EXPECT_EQ(world.body(body).velocity(), (Vec2{3, 0}));
+  world.remove_force(force);
+  EXPECT_FALSE(world.contains(force));
+  EXPECT_THROW(world.remove_force(force), std::out_of_range);
+  world.step();
+  EXPECT_EQ(world.body(body).velocity(), (Vec2{3, 0}));
+}
+
+TEST(Force, EndsWithAnyOfItsBodies) {
+  World world(weightless(1));
+  const BodyId a = world.create_body(at(0, 0), Shape::box({1, 1}));
+  const BodyId b = world.create_body(at(5, 0), Shape::box({1, 1}));
+  const ForceId spring = world.add_force(Spring{a, b, {}, {}, 1, 1, 0});
+  const ForceId attraction = world.add_force(Attraction{a, 1});
+  const ForceId constant = world.add_force(ConstantForce{b, {4, 0}, 0});
+  world.destroy_body(a);
+  EXPECT_FALSE(world.contains(spring));
+  EXPECT_FALSE(world.contains(attraction));
+  EXPECT_TRUE(world.contains(constant));
+  world.create_body(at(0, 0), Shape::box({1, 1}));  // in the same row: no force of the old body acts on it
+  world.step();
+  EXPECT_EQ(world.body(b).velocity(), (Vec2{1, 0}));
+}
+
+TEST(Force, PausesWhileItsBodyIsOutOfTheWorld) {
+  World world(weightless(1));
+  const BodyId a = world.create_body(at(0, 0), Shape::box({1, 1}));
+  const BodyId b = world.create_body(at(5, 0), Shape::box({1, 1}));
+  world.add_force(Spring{a, b, {}, {}, 1, 1, 0});
+  world.add_force(Attraction{a, 1});
+  world.remove_body(a);
+  world.step();
+  EXPECT_EQ(world.body(b).velocity(), (Vec2{0, 0}));
+  world.insert_body(a);
+  world.step();
+  EXPECT_LT(world.body(b).velocity().x, 0);
 }
 
 }  // namespace

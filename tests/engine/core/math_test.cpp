@@ -15,7 +15,7 @@ namespace {
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Real quarter_turn = pi / 2;
 
-// Of `value` against a truth in long double, in units of the truth's last place.
+// The error of `value` against a reference in long double, in units of the reference's last place.
 long double error_in_ulp(Real value, long double truth) {
   const Real near = static_cast<Real>(truth);
   const Real ulp = std::nextafter(std::abs(near), std::numeric_limits<Real>::infinity()) - std::abs(near);
@@ -43,7 +43,7 @@ TEST(SinCos, IsWithinOneUnitInTheLastPlace) {
   EXPECT_LT(worst_error_in_ulp(1e6_r), 1);
 }
 
-TEST(SinCos, IsAsGoodNextToMultiplesOfAQuarterTurn) {
+TEST(SinCos, IsAsPreciseNearMultiplesOfAQuarterTurn) {
   for (int n = 1; n < 60000; ++n) {
     const Real angle = static_cast<Real>(n) * quarter_turn;
     const SinCos of = sin_cos(angle);
@@ -52,16 +52,16 @@ TEST(SinCos, IsAsGoodNextToMultiplesOfAQuarterTurn) {
   }
 }
 
-// Beyond the exact range an angle is known to half of its last bit only, and so are its sine and cosine.
-TEST(SinCos, ErrsByNoMoreThanTheRoundingOfAHugeAngle) {
+// Beyond the exact range an angle is only known to half of its last bit, and so are its sine and cosine.
+TEST(SinCos, OfAHugeAngleIsPreciseToTheRoundingOfTheAngle) {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<Real> angles(1e6_r, 1e9_r);
   for (int i = 0; i < 10000; ++i) {
     const Real angle = angles(random);
-    const double allowed = static_cast<double>(epsilon) * (static_cast<double>(angle) / 2 + 1);
+    const double tolerance = static_cast<double>(epsilon) * (static_cast<double>(angle) / 2 + 1);
     const SinCos of = sin_cos(angle);
-    ASSERT_NEAR(of.sin, static_cast<double>(std::sin(static_cast<long double>(angle))), allowed);
-    ASSERT_NEAR(of.cos, static_cast<double>(std::cos(static_cast<long double>(angle))), allowed);
+    ASSERT_NEAR(of.sin, static_cast<double>(std::sin(static_cast<long double>(angle))), tolerance);
+    ASSERT_NEAR(of.cos, static_cast<double>(std::cos(static_cast<long double>(angle))), tolerance);
   }
 }
 
@@ -88,15 +88,15 @@ TEST(Cross, IsAntisymmetricAndFollowsTheRightHand) {
   EXPECT_EQ(cross(Vec2{3, -2}, Vec2{3, -2}), 0);
 }
 
-// v = w x r: a wheel that turns counter-clockwise carries its right rim upwards.
+// v = w x r: the right rim of a wheel that rotates counter-clockwise moves up.
 TEST(Cross, OfASpinAndAnArmIsTheVelocityOfTheRim) {
   EXPECT_EQ(cross(2_r, Vec2{3, 0}), (Vec2{0, 6}));
   EXPECT_EQ(cross(2_r, Vec2{0, 3}), (Vec2{-6, 0}));
   EXPECT_EQ(cross(Vec2{3, 4}, 2_r), -cross(2_r, Vec2{3, 4}));
 }
 
-// Power in two ways: torque times spin is force times velocity, which holds for torque = r x F. The article prints
-// r x omega, which is not even a scalar.
+// Torque times angular velocity and force times velocity are the same power if torque = r x F. The article prints
+// r x omega, which is not a scalar.
 TEST(Cross, OfAnArmAndAForceIsTheTorque) {
   const Vec2 arm{2, 1};
   const Vec2 force{-3, 5};
@@ -109,13 +109,13 @@ TEST(Perpendicular, IsAQuarterTurnCounterClockwise) {
   EXPECT_EQ(perpendicular({3, -4}), cross(1_r, Vec2{3, -4}));
 }
 
-TEST(Normalized, LeavesTheZeroVectorAlone) {
+TEST(Normalized, KeepsTheZeroVector) {
   EXPECT_EQ(normalized({0, 0}), (Vec2{0, 0}));
   EXPECT_EQ(normalized({0, -5}), (Vec2{0, -1}));
 }
 
-// The article's constructor writes m01 twice and swaps the columns: x would go to -y.
-TEST(Mat22, TurnsXToYByNinetyDegrees) {
+// The article's constructor writes m01 twice and swaps the columns, which would rotate x to -y.
+TEST(Mat22, RotatesXToYByNinetyDegrees) {
   const Mat22 turn(quarter_turn);
   const Vec2 x = turn * Vec2{1, 0};
   const Vec2 y = turn * Vec2{0, 1};
@@ -125,7 +125,7 @@ TEST(Mat22, TurnsXToYByNinetyDegrees) {
   EXPECT_NEAR(y.y, 0, epsilon);
 }
 
-TEST(Mat22, HasTheTurnedAxesAsColumns) {
+TEST(Mat22, HasTheRotatedAxesAsColumns) {
   const Mat22 turn(0.3_r);
   EXPECT_EQ(turn * Vec2({1, 0}), turn.x);
   EXPECT_EQ(turn * Vec2({0, 1}), turn.y);
@@ -134,22 +134,22 @@ TEST(Mat22, HasTheTurnedAxesAsColumns) {
   EXPECT_EQ(turn * Vec2({2, 5}), same * Vec2({2, 5}));
 }
 
-// The angle is what a body keeps; its matrix is made anew each step, so nothing can drift.
+// A body stores its angle and computes the matrix from it in each step, so the matrix cannot drift.
 TEST(Mat22, StaysOrthonormalOverAMillionSteps) {
-  constexpr Real allowed = sizeof(Real) == 8 ? 1e-15_r : 2e-7_r;  // a few roundings of numbers up to 1
+  constexpr Real tolerance = sizeof(Real) == 8 ? 1e-15_r : 2e-7_r;  // a few roundings of numbers up to 1
   Real angle = 0;
   for (int i = 0; i < 1000000; ++i) {
     angle += 0.01_r;
     const Mat22 turn(angle);
     const Mat22 one = turn.transposed() * turn;
-    ASSERT_NEAR(one.x.x, 1, allowed);
-    ASSERT_NEAR(one.y.y, 1, allowed);
-    ASSERT_NEAR(one.x.y, 0, allowed);
-    ASSERT_NEAR(turn.determinant(), 1, allowed);
+    ASSERT_NEAR(one.x.x, 1, tolerance);
+    ASSERT_NEAR(one.y.y, 1, tolerance);
+    ASSERT_NEAR(one.x.y, 0, tolerance);
+    ASSERT_NEAR(turn.determinant(), 1, tolerance);
   }
 }
 
-TEST(Mat22, SolvesLinearSystemsAndLeavesSingularOnesAtZero) {
+TEST(Mat22, SolvesLinearSystemsAndGivesZeroForSingularOnes) {
   const Mat22 m({2, 1}, {-1, 4});
   EXPECT_EQ(m * m.solve({1, 14}), (Vec2{1, 14}));
   EXPECT_EQ(Mat22({1, 2}, {2, 4}).solve({1, 1}), (Vec2{0, 0}));

@@ -1,4 +1,4 @@
-// Lanes against one number at a time, bit for bit.
+// Compares lanes with one number at a time, bit for bit.
 #include "core/simd.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 using Numbers = std::array<Real, lane_count>;
 using Twin = LanesOf<ScalarRegister>;
 
-/// Equal numbers and the odd ones, among others.
+/// Random numbers, among them equal ones and special values.
 Numbers numbers(RandomShapes& random) {
   using Limits = std::numeric_limits<Real>;
   const std::array<Real, 8> odd{0,
@@ -36,7 +36,7 @@ Numbers numbers(RandomShapes& random) {
   return result;
 }
 
-TEST(Lanes, CompareAsNumbersDo) {
+TEST(Lanes, CompareLikeNumbers) {
   RandomShapes random(1);
   for (int i = 0; i < 1000; ++i) {
     const Numbers a = numbers(random);
@@ -54,7 +54,7 @@ TEST(Lanes, CompareAsNumbersDo) {
   }
 }
 
-/// Equal, of the same sign if zero, or neither a number.
+/// Whether the two are equal (zeros also in sign) or both are NaN.
 void expect_same(const Lanes& lanes, const Twin& twin) {
   Numbers a{};
   Numbers b{};
@@ -70,7 +70,7 @@ void expect_same(const Lanes& lanes, const Twin& twin) {
   }
 }
 
-TEST(Lanes, CalculateAsNumbersDo) {
+TEST(Lanes, CalculateLikeNumbers) {
   RandomShapes random(2);
   for (int i = 0; i < 1000; ++i) {
     const Numbers numbers_a = numbers(random);
@@ -93,7 +93,7 @@ TEST(Lanes, CalculateAsNumbersDo) {
   }
 }
 
-TEST(Lanes, GatherRowsAndScatterThem) {
+TEST(Lanes, GatherAndScatterRows) {
   std::array<std::array<Real, 4>, lane_count> rows{};
   std::array<Real*, lane_count> to{};
   for (std::size_t lane = 0; lane < lane_count; ++lane) {

@@ -23,7 +23,7 @@ TEST(Workers, DoEveryPieceOnce) {
   }
 }
 
-TEST(Workers, NeverTakeAPieceOfOneRoundForOneOfAnother) {
+TEST(Workers, NeverConfusePiecesOfTwoRounds) {
   for (const int count : {2, 5}) {
     Workers workers(count);
     for (int round = 1; round <= 3000; ++round) {
@@ -34,7 +34,7 @@ TEST(Workers, NeverTakeAPieceOfOneRoundForOneOfAnother) {
   }
 }
 
-TEST(Workers, PassAnExceptionOnAndGoOnWorking) {
+TEST(Workers, RethrowAnExceptionAndContinueWorking) {
   Workers workers(2);
   const auto fails = [](std::size_t piece, std::size_t) {
     if (piece == 3) throw std::runtime_error("piece 3");
@@ -45,8 +45,8 @@ TEST(Workers, PassAnExceptionOnAndGoOnWorking) {
   EXPECT_EQ(done, 1);
 }
 
-/// Forty piles on one floor, bouncing, sliding, some hinged.
-std::vector<Vec2> fate(int workers) {
+/// Final positions of the bodies of forty piles on one floor, bouncing, sliding, some with hinges.
+std::vector<Vec2> final_positions(int workers) {
   Settings settings;
   settings.workers = workers;
   World world(settings);
@@ -66,16 +66,16 @@ std::vector<Vec2> fate(int workers) {
     if (pile % 5 == 0) world.create_joint(RevoluteJoint{ground, ids.back(), {real(4 * pile), 5}});
   }
   for (int i = 0; i < 60; ++i) world.step();
-  std::vector<Vec2> places;
-  places.reserve(ids.size());
-  for (const BodyId id : ids) places.push_back(world.body(id).position());
-  return places;
+  std::vector<Vec2> positions;
+  positions.reserve(ids.size());
+  for (const BodyId id : ids) positions.push_back(world.body(id).position());
+  return positions;
 }
 
-TEST(Workers, GiveTheSameBitsHoweverManyTheyAre) {
-  const std::vector<Vec2> alone = fate(1);
-  EXPECT_EQ(fate(2), alone);
-  EXPECT_EQ(fate(3), alone);
+TEST(Workers, GiveTheSameBitsForAnyNumber) {
+  const std::vector<Vec2> alone = final_positions(1);
+  EXPECT_EQ(final_positions(2), alone);
+  EXPECT_EQ(final_positions(3), alone);
 }
 
 }  // namespace

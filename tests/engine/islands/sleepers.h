@@ -4,10 +4,10 @@
 
 #include "../support.h"
 
-/// Worlds whose bodies may sleep.
+/// Helpers for worlds whose bodies may sleep.
 namespace impulse::inline IMPULSE_PRECISION {
 
-inline Settings drowsy(const char* solver = "accurate") {
+inline Settings sleeping_allowed(const char* solver = "accurate") {
   Settings settings;
   settings.solver = solver;
   settings.sleeping = true;
@@ -22,14 +22,14 @@ inline BodyDef kind(BodyType type, BodyDef def) {
 
 inline Shape unit_box() { return Shape::box({Real{0.5}, Real{0.5}}); }
 
-/// Boxes one upon the other, standing on the floor.
+/// A column of boxes on the floor.
 inline std::vector<BodyId> add_column(World& world, double x, int height) {
   std::vector<BodyId> boxes;
   for (int i = 0; i < height; ++i) boxes.push_back(world.create_body(at(x, .5 + i), unit_box()));
   return boxes;
 }
 
-/// The step after which nothing is awake, or `most` if there is none.
+/// The number of steps after which no body is awake, at most `most`.
 inline int steps_to_sleep(World& world, int most = 1200) {
   for (int i = 0; i < most; ++i) {
     if (world.awake_count() == 0) return i;
@@ -44,14 +44,14 @@ inline std::vector<bool> awake(World& world, const std::vector<BodyId>& ids) {
   return states;
 }
 
-struct State {
+struct BodyState {
   Vec2 position, velocity;
   Real angle = 0, spin = 0;
-  friend bool operator==(const State&, const State&) = default;
+  friend bool operator==(const BodyState&, const BodyState&) = default;
 };
 
-inline std::vector<State> states(World& world) {
-  std::vector<State> all;
+inline std::vector<BodyState> states(World& world) {
+  std::vector<BodyState> all;
   for (const BodyId id : world.bodies()) {
     const Body body = world.body(id);
     all.push_back({body.position(), body.velocity(), body.angle(), body.angular_velocity()});

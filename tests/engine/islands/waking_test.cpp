@@ -12,9 +12,9 @@ using testing::Each;
 using testing::IsEmpty;
 
 /// A box asleep on a floor beside another.
-class Awakening : public testing::Test {
+class Waking : public testing::Test {
  protected:
-  Awakening() {
+  Waking() {
     floor_ = add_floor(world_);
     box_ = world_.create_body(at(0, .5), unit_box());
     other_ = world_.create_body(at(3, .5), unit_box());
@@ -27,11 +27,11 @@ class Awakening : public testing::Test {
   Body box() { return world_.body(box_); }
   Body other() { return world_.body(other_); }
 
-  World world_{drowsy()};
+  World world_{sleeping_allowed()};
   BodyId floor_, box_, other_;
 };
 
-TEST_F(Awakening, ComesWithForcesTorquesAndImpulses) {
+TEST_F(Waking, HappensWithForcesTorquesAndImpulses) {
   for (const auto& push :
        std::vector<void (*)(Body)>{[](Body body) {
                                      body.apply_force({1, 0});
@@ -58,12 +58,12 @@ TEST_F(Awakening, ComesWithForcesTorquesAndImpulses) {
   }
 }
 
-TEST_F(Awakening, TakesTheImpulseThatCausesIt) {
+TEST_F(Waking, AppliesTheImpulseThatCausesIt) {
   box().apply_impulse({2, 0}, box().center());
   EXPECT_EQ(box().velocity(), (Vec2{2, 0}));  // 1 kg
 }
 
-TEST_F(Awakening, DoesNotComeWithAForceOfNothing) {
+TEST_F(Waking, DoesNotHappenWithAForceOfZero) {
   box().apply_force({0, 0});
   box().apply_torque(0);
   box().apply_impulse({0, 0}, {0, 0});
@@ -71,7 +71,7 @@ TEST_F(Awakening, DoesNotComeWithAForceOfNothing) {
   EXPECT_EQ(world_.awake_count(), 0U);
 }
 
-TEST_F(Awakening, ComesWithAJointAndWhenItGoes) {
+TEST_F(Waking, HappensWhenAJointIsCreatedOrDestroyed) {
   const JointId joint = world_.create_joint(DistanceJoint{box_, other_, {0, real(.5)}, {3, real(.5)}, 3});
   EXPECT_EQ(world_.awake_count(), 2U);
   fall_asleep();
@@ -85,7 +85,7 @@ TEST_F(Awakening, ComesWithAJointAndWhenItGoes) {
   EXPECT_FALSE(other().awake());
 }
 
-TEST_F(Awakening, ComesWithAForceThatStaysAndWhenItGoes) {
+TEST_F(Waking, HappensWhenAPersistentForceIsAddedOrRemoved) {
   const std::vector<Force> all{ConstantForce{box_, {real(.1), 0}, 0},
                                Spring{{}, box_, {0, 2}, {}, real(.1), real(1.5), 0},
                                Spring{floor_, box_, {0, 2}, {}, real(.1), real(1.5), 0}};
@@ -105,7 +105,7 @@ TEST_F(Awakening, ComesWithAForceThatStaysAndWhenItGoes) {
   EXPECT_EQ(world_.awake_count(), 2U);
 }
 
-TEST_F(Awakening, ReachesWhatASpringOrAnAttractionTies) {
+TEST_F(Waking, ReachesBodiesConnectedByASpringOrAnAttraction) {
   const ForceId spring = world_.add_force(Spring{box_, other_, {}, {}, real(.1), 3, 0});
   fall_asleep();
   box().wake();
@@ -119,7 +119,7 @@ TEST_F(Awakening, ReachesWhatASpringOrAnAttractionTies) {
   EXPECT_FALSE(world_.body(far).awake());
 }
 
-TEST_F(Awakening, ComesWithAnotherGravityOrSolverAndNotWithAnotherStep) {
+TEST_F(Waking, HappensWithAnotherGravityButNotWithAnotherStep) {
   world_.set_dt(real(.01));
   world_.step();
   EXPECT_EQ(world_.awake_count(), 0U);
@@ -129,7 +129,7 @@ TEST_F(Awakening, ComesWithAnotherGravityOrSolverAndNotWithAnotherStep) {
   EXPECT_NEAR(box().velocity().y, 1, .05);
 }
 
-TEST_F(Awakening, ComesWithTheEndOfSleeping) {
+TEST_F(Waking, HappensWhenSleepingIsTurnedOff) {
   Settings settings = world_.settings();
   settings.sleeping = false;
   world_.set_settings(settings);
@@ -142,15 +142,15 @@ TEST_F(Awakening, ComesWithTheEndOfSleeping) {
   EXPECT_THROW(box().sleep(), std::logic_error);
 }
 
-TEST_F(Awakening, ComesWithAKinematicBodyThatTouchesOnceItMoves) {
+TEST_F(Waking, HappensWhenATouchingKinematicBodyStartsToMove) {
   const BodyId lift = world_.create_body(kind(BodyType::kinematic, at(0, -.49)), unit_box());
-  EXPECT_TRUE(box().awake());  // something was put where it is
+  EXPECT_TRUE(box().awake());  // a body was placed where it is
   EXPECT_FALSE(other().awake());
   fall_asleep();
   world_.body(lift).set_velocity({0, 1}, 0);
   run(world_, 60);
   EXPECT_NEAR(box().position().y, 1.5, .02);
-  EXPECT_TRUE(box().awake());  // moves with it, and so it would at any speed
+  EXPECT_TRUE(box().awake());  // carried by the lift, as at any speed
   world_.body(lift).set_velocity({0, real(.001)}, 0);
   run(world_, 600);
   EXPECT_TRUE(box().awake());
@@ -159,7 +159,7 @@ TEST_F(Awakening, ComesWithAKinematicBodyThatTouchesOnceItMoves) {
   EXPECT_FALSE(other().awake());
 }
 
-TEST_F(Awakening, ComesWithAJointToAKinematicBodyThatMoves) {
+TEST_F(Waking, HappensWithAJointToAMovingKinematicBody) {
   const BodyId hook = world_.create_body(kind(BodyType::kinematic, at(0, 5)), unit_box());
   world_.create_joint(DistanceJoint{hook, box_, {0, 5}, {0, real(.5)}, real(4.5)});
   fall_asleep();
@@ -170,7 +170,7 @@ TEST_F(Awakening, ComesWithAJointToAKinematicBodyThatMoves) {
   EXPECT_FALSE(other().awake());
 }
 
-TEST_F(Awakening, ComesWhenASupportIsShiftedAway) {
+TEST_F(Waking, HappensWhenASupportIsMovedAway) {
   const BodyId shelf = world_.create_body(kind(BodyType::fixed, at(9, 2)), Shape::box({1, real(.1)}));
   const BodyId vase = world_.create_body(at(9, 2.6), unit_box());
   fall_asleep();
@@ -181,7 +181,7 @@ TEST_F(Awakening, ComesWhenASupportIsShiftedAway) {
   EXPECT_LT(world_.body(vase).position().y, 2);
 }
 
-TEST_F(Awakening, ComesWhenSomethingFixedIsPutInItsPlace) {
+TEST_F(Waking, HappensWhenAFixedBodyIsPlacedThere) {
   const BodyId wall = world_.create_body(kind(BodyType::fixed, at(20, 0)), Shape::box({1, 1}));
   EXPECT_EQ(world_.awake_count(), 0U);
   world_.body(wall).set_pose({real(-1.2), 1}, 0);
@@ -189,7 +189,7 @@ TEST_F(Awakening, ComesWhenSomethingFixedIsPutInItsPlace) {
   EXPECT_FALSE(other().awake());
 }
 
-TEST_F(Awakening, FindsTheLoadsOfAHangingChain) {
+TEST_F(Waking, RestoresTheLoadsOfAHangingChain) {
   std::vector<BodyId> chain;
   BodyId above = world_.create_body(kind(BodyType::fixed, at(9, 9)), Shape::circle(real(.1)));
   for (int i = 0; i < 4; ++i) {
@@ -199,11 +199,11 @@ TEST_F(Awakening, FindsTheLoadsOfAHangingChain) {
     above = link;
   }
   fall_asleep();
-  const std::vector<State> asleep = states(world_);
+  const std::vector<BodyState> asleep = states(world_);
   world_.body(chain[3]).wake();
   EXPECT_THAT(awake(world_, chain), Each(true));
   run(world_, 5);
-  const std::vector<State> now = states(world_);
+  const std::vector<BodyState> now = states(world_);
   for (std::size_t i = 0; i < now.size(); ++i) {
     EXPECT_NEAR(length(now[i].position - asleep[i].position), 0, 1e-4);
     EXPECT_LT(length(now[i].velocity), 1e-3);

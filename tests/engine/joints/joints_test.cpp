@@ -54,7 +54,7 @@ double energy(World& world) {
   return sum;
 }
 
-/// A box hung from the origin by an arm of length 1, drawn aside by an angle from straight down.
+/// A box that hangs from the origin at a distance of 1 m, released at an angle (rad) from straight down.
 struct Pendulum {
   World world{accurate()};
   BodyId bob;
@@ -68,7 +68,7 @@ struct Pendulum {
   }
 };
 
-TEST(Joints, PendulumKeepsItsEnergyForAMinute) {
+TEST(Joints, PendulumConservesItsEnergyForAMinute) {
   for (const double from : {0.5, 1.0, 2.0}) {
     Pendulum p(from);
     const double swing = 10 * .25 * (1 - std::cos(from));  // m g L (1 - cos)
@@ -83,7 +83,7 @@ TEST(Joints, PendulumKeepsItsEnergyForAMinute) {
   }
 }
 
-TEST(Joints, PendulumKeepsTimeByTheEllipticIntegral) {
+TEST(Joints, PendulumHasThePeriodOfTheEllipticIntegral) {
   const double from = 1;
   Pendulum p(from);
   // T = 4 sqrt(I_p / (m g d)) K(sin(a/2)), K = pi / (2 agm(1, cos(a/2))).
@@ -111,14 +111,14 @@ TEST(Joints, PendulumKeepsTimeByTheEllipticIntegral) {
   EXPECT_NEAR(crossing / ((crossings - .5) * period / 2), 1, 2e-4);
 }
 
-TEST(Joints, HingeCarriesTheWeightThatHangsOnIt) {
+TEST(Joints, HingeCarriesTheWeightOfItsBody) {
   Pendulum p(0);
   run(p.world, 1);
   // 0.25 kg for one sub-step of 1/240 s; world frame, on the bob.
   EXPECT_NEAR(p.world.joint_impulse(p.hinge).y * 60, .25 * 10, bound(1e-6, 1e-3));
 }
 
-TEST(Joints, CradleOnStringsHandsTheEnergyOn) {
+TEST(Joints, CradleOnStringsConservesItsEnergy) {
   World world(accurate());
   std::vector<BodyId> balls;
   Material steel;
@@ -139,7 +139,7 @@ TEST(Joints, CradleOnStringsHandsTheEnergyOn) {
   EXPECT_NEAR((energy(world) - before) / swing, 0, 2e-3);
 }
 
-TEST(Joints, WeldKeepsTwoBodiesAsOne) {
+TEST(Joints, WeldKeepsTwoBodiesTogether) {
   World world(accurate());
   const BodyId a = box(world, {0, 10});
   const BodyId b = box(world, {0.5_r, 10});
@@ -162,7 +162,7 @@ TEST(Joints, HingeStopsAtItsLimits) {
   EXPECT_NEAR(world.body(arm).angular_velocity(), 0, bound(1e-6, 1e-3));
 }
 
-TEST(Joints, MotorTurnsWithItsStrengthAndHoldsItsSpeed) {
+TEST(Joints, MotorAcceleratesWithItsStrengthAndHoldsItsSpeed) {
   World world(accurate({}));
   const BodyId post = anchor(world);
   const BodyId wheel = box(world, {}, {0.5_r, 0.5_r});
@@ -174,7 +174,7 @@ TEST(Joints, MotorTurnsWithItsStrengthAndHoldsItsSpeed) {
   EXPECT_NEAR(world.body(wheel).angular_velocity(), 4, bound(1e-6, 1e-4));
 }
 
-TEST(Joints, SliderMovesAlongItsAxisAloneAndStops) {
+TEST(Joints, SliderMovesOnlyAlongItsAxisAndStops) {
   World world(accurate());
   const BodyId post = anchor(world);
   const BodyId slider = box(world, {0, 0});
@@ -198,7 +198,7 @@ TEST(Joints, SoftDistanceIsASpring) {
   EXPECT_NEAR(world.body(bob).position().y, 3 - 10 / (w * w) * (1 - std::cos(2 * w)), 2e-4 * 2 * w);
 }
 
-TEST(Joints, EndWithTheirBodiesAndNeverFollowAStaleName) {
+TEST(Joints, EndWithTheirBodiesAndDetectStaleHandles) {
   Pendulum p(0);
   p.world.destroy_body(p.bob);
   EXPECT_FALSE(p.world.contains(p.hinge));
@@ -206,8 +206,8 @@ TEST(Joints, EndWithTheirBodiesAndNeverFollowAStaleName) {
   EXPECT_THROW(p.world.create_joint(WeldJoint{p.bob, p.bob, {}}), std::out_of_range);
 }
 
-/// The most that a chain of twenty with a heavy end gains or loses of the energy that it could fall by, in 5 s from the
-/// horizontal.
+/// The greatest energy error of a chain of twenty links with a heavy end in 5 s, released from horizontal, relative to
+/// the energy that it can lose by falling.
 double energy_error_of_chain(int substeps) {
   Settings settings = accurate();
   settings.substeps = substeps;
@@ -231,8 +231,8 @@ double energy_error_of_chain(int substeps) {
   return most;
 }
 
-// Second order: half the step leaves a quarter of the error, as long as rounding is less than that.
-TEST(Joints, ChainOfTwentyWithAHeavyEndHoldsAndKeepsItsEnergy) {
+// The method is of second order: half the step gives a quarter of the error, as long as rounding is smaller.
+TEST(Joints, ChainOfTwentyWithAHeavyEndHoldsAndConservesItsEnergy) {
   const double coarse = energy_error_of_chain(4);
   const double fine = energy_error_of_chain(8);
   EXPECT_LT(coarse, 5e-5);
@@ -242,9 +242,9 @@ TEST(Joints, ChainOfTwentyWithAHeavyEndHoldsAndKeepsItsEnergy) {
   }
 }
 
-// Dead straight between two banks, rigid planks could only hang still by an infinite force. Joints do no work, so
-// whatever becomes of it, energy never rises; and a ball dropped on it does not fall through.
-TEST(Joints, BridgeBuiltDeadStraightHoldsABallAndGainsNoEnergy) {
+// A perfectly straight bridge of rigid planks would need infinite forces to stay at rest. Joints do no work, so the
+// energy must never rise, however the bridge moves; and a ball dropped on it must not fall through.
+TEST(Joints, StraightBridgeHoldsABallAndGainsNoEnergy) {
   for (const int planks : {10, 40}) {
     World world(accurate());
     const BodyId left = anchor(world);

@@ -11,7 +11,7 @@
 namespace impulse {
 namespace {
 
-TEST(ConvexHull, TurnsLeftEverywhereAndHoldsAllPoints) {
+TEST(ConvexHull, TurnsLeftEverywhereAndContainsAllPoints) {
   RandomShapes random(1);
   constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();
   for (int round = 0; round < 500; ++round) {
@@ -29,7 +29,7 @@ TEST(ConvexHull, TurnsLeftEverywhereAndHoldsAllPoints) {
   }
 }
 
-TEST(ConvexHull, DependsOnNoOrderOfThePoints) {
+TEST(ConvexHull, DoesNotDependOnTheOrderOfThePoints) {
   RandomShapes random(2);
   std::vector<Vec2> points = random.points(30, 1);
   const std::vector<Vec2> hull = convex_hull(points);
@@ -37,7 +37,7 @@ TEST(ConvexHull, DependsOnNoOrderOfThePoints) {
   EXPECT_EQ(convex_hull(points), hull);
 }
 
-TEST(ConvexHull, LeavesOutCornersThatAreRoundingOnly) {
+TEST(ConvexHull, OmitsCornersThatAreOnlyRounding) {
   std::vector<Vec2> points(64);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Real part = static_cast<Real>(i) / 64;

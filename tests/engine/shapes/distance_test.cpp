@@ -14,7 +14,7 @@ namespace {
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Pose origin{};
 
-TEST(Distance, OfPlainCasesIsWhatGeometrySays) {
+TEST(Distance, OfSimpleCasesIsTheGeometricOne) {
   const Shape disc = Shape::circle(1);
   const Shape box = Shape::box({1, 1});
   const Shape rod = Shape::capsule({-1, 0}, {1, 0}, 0.5_r);
@@ -26,18 +26,18 @@ TEST(Distance, OfPlainCasesIsWhatGeometrySays) {
   EXPECT_EQ(distance(disc, {{7, 4}, {}}, Shape::half_space({0, 2}, 2), origin).normal, (Vec2{0, -1}));
 }
 
-TEST(Distance, IsZeroWhereShapesTouchCrossOrContainEachOther) {
+TEST(Distance, IsZeroIfShapesTouchCrossOrContainEachOther) {
   const Shape box = Shape::box({1, 1});
   const Shape rod = Shape::segment({-1, 0}, {1, 0});
   EXPECT_EQ(distance(box, origin, box, {{2, 0.5_r}, {}}).distance, 0);
   EXPECT_EQ(distance(box, origin, Shape::circle(0.1_r), origin).distance, 0);
   EXPECT_EQ(distance(rod, origin, rod, {{}, Rotation(pi / 2)}).distance, 0);
   EXPECT_EQ(distance(rod, origin, rod, {{2, 0}, {}}).distance, 0);
-  EXPECT_EQ(distance(rod, origin, rod, {{2.5_r, 0}, {}}).distance, 0.5_r);  // on one line
+  EXPECT_EQ(distance(rod, origin, rod, {{2.5_r, 0}, {}}).distance, 0.5_r);  // collinear
   EXPECT_EQ(distance(rod, origin, rod, {{0, 1}, {}}).distance, 1);
 }
 
-// collide() finds the same number in another way; its faces count as parallel up to 1/128 rad.
+// collide() computes the same distance by another algorithm, in which faces count as parallel up to 1/128 rad.
 TEST(Distance, AgreesWithTheSeparationOfManifolds) {
   RandomShapes random(1);
   int apart = 0;
@@ -62,7 +62,7 @@ TEST(Distance, AgreesWithTheSeparationOfManifolds) {
   EXPECT_GT(apart, 5000);
 }
 
-TEST(Distance, NamesThePointsAndTheDirectionBetweenThem) {
+TEST(Distance, GivesTheNearestPointsAndTheDirectionBetweenThem) {
   RandomShapes random(2);
   for (int i = 0; i < 10000; ++i) {
     const Shape a = random.shape(all_shape_types[static_cast<std::size_t>(i) % 6]);
@@ -75,7 +75,7 @@ TEST(Distance, NamesThePointsAndTheDirectionBetweenThem) {
     ASSERT_NEAR(length(gap.normal), 1, rounding);
     ASSERT_NEAR(length(gap.b - gap.a), gap.distance, rounding);
     ASSERT_NEAR(dot(gap.b - gap.a, gap.normal), gap.distance, rounding);
-    // A step away from the surface, there is nothing; a step into it, the shape, unless it has no inside.
+    // A small step out of the surface leaves the shape; one into it enters the shape, unless that has no area.
     const Vec2 before = to_local(pose_a, gap.a + 100 * rounding * gap.normal);
     const Vec2 behind = to_local(pose_a, gap.a - 100 * rounding * gap.normal);
     ASSERT_FALSE(a.contains(before)) << i;

@@ -25,7 +25,7 @@ void expect_hit(const Shape& shape, Vec2 from, Vec2 to, Real fraction, Vec2 norm
 void expect_miss(const Shape& shape, Vec2 from, Vec2 to) {
   RayHit hit{0.5_r, {1, 2}, {3, 4}};
   EXPECT_FALSE(ray_cast(shape, from, to, hit));
-  EXPECT_EQ(hit.point, (Vec2{1, 2})) << "a miss must leave the hit alone";
+  EXPECT_EQ(hit.point, (Vec2{1, 2})) << "a miss must not change the hit";
 }
 
 TEST(RayCast, EntersEachShapeAtItsSurface) {
@@ -38,7 +38,7 @@ TEST(RayCast, EntersEachShapeAtItsSurface) {
   expect_hit(Shape::half_space({0, 1}, 1), {0, 3}, {4, -1}, 0.5_r, {0, 1});
 }
 
-TEST(RayCast, MissesWhatIsBesideBehindOrTooFar) {
+TEST(RayCast, MissesShapesBesideItBehindItOrTooFarAway) {
   const Shape disc = Shape::circle(1);
   expect_miss(disc, {-3, 1.01_r}, {3, 1.01_r});
   expect_miss(disc, {3, 0}, {5, 0});
@@ -69,7 +69,7 @@ TEST(RayCast, HitsASegmentFromBothSidesButAChainFromItsFreeSideOnly) {
   expect_miss(link, {0, -1}, {0, 1});
 }
 
-// The point lies on the surface, nothing of the ray before it is inside, and a ray that misses stays outside.
+// The hit lies on the surface, the ray is outside before it, and a ray that misses stays outside.
 TEST(RayCast, AgreesWithContainsAlongRandomRays) {
   RandomShapes random(1);
   int hits = 0;
@@ -98,7 +98,7 @@ TEST(RayCast, AgreesWithContainsAlongRandomRays) {
 TEST(RayCast, IsPreciseFromFarAway) {
   RayHit hit;
   ASSERT_TRUE(ray_cast(Shape::circle(1), {-1000, 0.5_r}, {1000, 0.5_r}, hit));
-  EXPECT_NEAR(hit.point.x, -std::sqrt(0.75_r), 1000 * epsilon);  // a rounding of 1000
+  EXPECT_NEAR(hit.point.x, -std::sqrt(0.75_r), 1000 * epsilon);  // the rounding error of 1000
 }
 
 }  // namespace

@@ -13,18 +13,18 @@ namespace {
 using namespace impulse;
 
 // v = J/m and w = r x J/I: 2 N s at an arm of 1 m on a box of 4 kg and 8/3 kg m^2.
-TEST(Body, AnswersAnOffCentreImpulseAsTheClosedForm) {
+TEST(Body, RespondsToAnOffCentreImpulseAsTheClosedForm) {
   World world(weightless());
   Body body = world.body(world.create_body(at(3, 4), Shape::box({1, 1})));
   body.apply_impulse({0, 2}, {4, 4});
   EXPECT_EQ(body.velocity(), (Vec2{0, Real{0.5}}));
   EXPECT_NEAR(body.angular_velocity(), 0.75, 2 * round_off);
-  body.apply_impulse({2, 0}, {3, 5});  // at an arm (0, 1): turns the other way
+  body.apply_impulse({2, 0}, {3, 5});  // at an arm (0, 1): rotates it the other way
   EXPECT_EQ(body.velocity(), (Vec2{Real{0.5}, Real{0.5}}));
   EXPECT_NEAR(body.angular_velocity(), 0, 2 * round_off);
 }
 
-TEST(Body, TellsItsFrameAndItsCentreOfMassApart) {
+TEST(Body, DistinguishesItsFrameFromItsCentreOfMass) {
   World world(weightless());
   const std::array parts{Part{Shape::box({1, 1}), {}}, Part{Shape::box({1, 1}, {4, 0}), {}}};
   BodyDef def = at(1, 1);
@@ -40,8 +40,8 @@ TEST(Body, TellsItsFrameAndItsCentreOfMassApart) {
   EXPECT_EQ(body.center(), (Vec2{7, 5}));
 }
 
-// A free body turns about its centre of mass, which goes straight on.
-TEST(Body, TurnsAboutItsCentreOfMass) {
+// A free body rotates about its centre of mass, which moves in a straight line.
+TEST(Body, RotatesAboutItsCentreOfMass) {
   World world(weightless());
   const std::array parts{Part{Shape::box({1, 1}), {}}, Part{Shape::box({1, 1}, {4, 0}), {}}};
   BodyDef def;
@@ -53,7 +53,7 @@ TEST(Body, TurnsAboutItsCentreOfMass) {
   EXPECT_NEAR(body.angle(), 3, 60 * 3 * round_off);
 }
 
-TEST(Body, RefusesNumbersThatAreNotFinite) {
+TEST(Body, RejectsValuesThatAreNotFinite) {
   World world;
   Body body = world.body(world.create_body({}, Shape::circle(1)));
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -68,7 +68,7 @@ TEST(Body, RefusesNumbersThatAreNotFinite) {
   EXPECT_TRUE(std::isfinite(body.position().y));
 }
 
-TEST(Body, RemembersWhatItWasMadeOf) {
+TEST(Body, ReturnsItsDefinition) {
   World world;
   int player = 7;
   BodyDef def;
@@ -83,7 +83,7 @@ TEST(Body, RemembersWhatItWasMadeOf) {
   EXPECT_EQ(body.parts()[0].shape.radius(), 2);
 }
 
-TEST(Body, GivesAFixedBodyNoVelocity) {
+TEST(Body, RejectsAVelocityForAFixedBody) {
   World world;
   Body floor = world.body(add_floor(world));
   EXPECT_THROW(floor.set_velocity({1, 0}, 0), std::invalid_argument);

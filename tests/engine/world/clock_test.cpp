@@ -15,7 +15,7 @@ TEST(FrameClock, SpendsRealTimeInEqualSteps) {
   FrameClock clock(0.25, 10);
   EXPECT_EQ(clock.advance(0.125), 0);
   EXPECT_EQ(clock.alpha(), 0.5);
-  EXPECT_EQ(clock.advance(0.125), 1);  // a whole step is due as soon as it is stored
+  EXPECT_EQ(clock.advance(0.125), 1);  // a step is due as soon as its time has accumulated
   EXPECT_EQ(clock.alpha(), 0);
   EXPECT_EQ(clock.advance(1.125), 4);
   EXPECT_EQ(clock.alpha(), 0.5);
@@ -31,22 +31,22 @@ TEST(FrameClock, GivesTheSameStepsForTheSameFrames) {
   }
 }
 
-// Without the clamp a step that costs more than dt asks for more steps each frame: the spiral of death.
-TEST(FrameClock, NeverOwesMoreStepsThanItsClampHolds) {
+// Without the clamp, a step that takes longer than dt demands more steps in each frame: the spiral of death.
+TEST(FrameClock, NeverDemandsMoreStepsThanItsClampAllows) {
   FrameClock clock(1.0 / 60, 0.2);
   EXPECT_LE(clock.advance(10), 12);
   EXPECT_LT(clock.alpha(), 1);
   EXPECT_LE(clock.advance(std::numeric_limits<double>::infinity()), 12);
 }
 
-TEST(FrameClock, TakesNothingFromFramesThatMakeNoSense) {
+TEST(FrameClock, IgnoresInvalidFrameTimes) {
   FrameClock clock(1.0 / 64);
   EXPECT_EQ(clock.advance(-1), 0);
   EXPECT_EQ(clock.advance(std::numeric_limits<double>::quiet_NaN()), 0);
   EXPECT_EQ(clock.alpha(), 0);
 }
 
-TEST(FrameClock, RefusesStepsThatMakeNoSense) {
+TEST(FrameClock, RejectsInvalidSteps) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(FrameClock(0), std::invalid_argument);
   EXPECT_THROW(FrameClock(-1), std::invalid_argument);
@@ -57,8 +57,8 @@ TEST(FrameClock, RefusesStepsThatMakeNoSense) {
   EXPECT_THROW(FrameClock(1e-9, 1), std::invalid_argument);
 }
 
-/// The largest error of a body drawn at irregular frame times while it moves at 1 m/s: what is drawn is the position
-/// one step ago.
+/// The largest drawing error of a body that moves at 1 m/s, drawn at irregular frame times. Drawing should show the
+/// position one step ago.
 template <class Blend>
 double drawing_error(const Blend& blend_by) {
   constexpr double dt = 1.0 / 64;
@@ -82,7 +82,7 @@ TEST(Blend, DrawsUniformMotionWithoutJitter) {
             1e-6);
 }
 
-TEST(Blend, AsThePrintHasItWouldRunBackwards) {
+TEST(Blend, AsPrintedWouldRunBackwards) {
   const auto printed = [](Real previous, Real current, double alpha) {
     const Real a = static_cast<Real>(alpha);
     return previous * a + current * (1 - a);
@@ -90,7 +90,7 @@ TEST(Blend, AsThePrintHasItWouldRunBackwards) {
   EXPECT_GT(drawing_error(printed), 1e-3);
 }
 
-TEST(Blend, BlendsPlacesAndAnglesAlike) {
+TEST(Blend, BlendsPositionsAndAngles) {
   EXPECT_EQ(blend(Vec2{0, 4}, Vec2{2, 8}, 0.25), (Vec2{Real{0.5}, 5}));
   EXPECT_EQ(blend(Real{1}, Real{3}, 0.75), Real{2.5});
 }

@@ -15,7 +15,7 @@ using testing::SizeIs;
 
 constexpr Aabb view{{-10, -10}, {10, 10}};
 
-class Sheet : public DebugDraw {
+class Recorder : public DebugDraw {
  public:
   struct Line {
     Vec2 from, to;
@@ -39,7 +39,7 @@ class Sheet : public DebugDraw {
   std::vector<DrawRole> roles;
 };
 
-TEST(DebugDraw, ShowsEveryShapeWhereItIs) {
+TEST(DebugDraw, DrawsEveryShapeAtItsPose) {
   World world(weightless());
   BodyDef turned = at(3, 4);
   turned.angle = pi / 2;
@@ -48,49 +48,49 @@ TEST(DebugDraw, ShowsEveryShapeWhereItIs) {
                          Part{Shape::segment({0, 0}, {1, 0}), {}}};
   turned.type = BodyType::kinematic;
   world.create_body(turned, parts);
-  Sheet sheet;
-  world.debug_draw(sheet, view);
-  EXPECT_THAT(sheet.centers, SizeIs(3));  // the circle, the capsule's ends
-  EXPECT_EQ(sheet.centers[0], (Vec2{3, 4}));
-  EXPECT_NEAR(sheet.axes[0].y, 1, 4 * round_off);
-  ASSERT_THAT(sheet.polygons, SizeIs(1));
-  EXPECT_THAT(sheet.polygons[0], SizeIs(4));
-  EXPECT_THAT(sheet.lines, SizeIs(3));  // the capsule's sides, the segment
-  EXPECT_NEAR(sheet.lines[2].to.y, 5, 16 * round_off);
-  EXPECT_THAT(sheet.roles, testing::Each(DrawRole::kinematic));
+  Recorder recorder;
+  world.debug_draw(recorder, view);
+  EXPECT_THAT(recorder.centers, SizeIs(3));  // the circle, the capsule's ends
+  EXPECT_EQ(recorder.centers[0], (Vec2{3, 4}));
+  EXPECT_NEAR(recorder.axes[0].y, 1, 4 * round_off);
+  ASSERT_THAT(recorder.polygons, SizeIs(1));
+  EXPECT_THAT(recorder.polygons[0], SizeIs(4));
+  EXPECT_THAT(recorder.lines, SizeIs(3));  // the capsule's sides, the segment
+  EXPECT_NEAR(recorder.lines[2].to.y, 5, 16 * round_off);
+  EXPECT_THAT(recorder.roles, testing::Each(DrawRole::kinematic));
 }
 
-TEST(DebugDraw, ShowsContactsAndJoints) {
+TEST(DebugDraw, DrawsContactsAndJoints) {
   World world;
   add_floor(world);
   const BodyId a = world.create_body(at(0, .5), Shape::circle(Real{0.5}));
   const BodyId b = world.create_body(at(2, .5), Shape::circle(Real{0.5}));
   world.create_joint(DistanceJoint{a, b, {0, Real{0.5}}, {2, Real{0.5}}, 2});
   world.step();
-  Sheet sheet;
-  world.debug_draw(sheet, view);
-  EXPECT_THAT(sheet.points, SizeIs(2));
+  Recorder recorder;
+  world.debug_draw(recorder, view);
+  EXPECT_THAT(recorder.points, SizeIs(2));
   std::vector<DrawRole> roles;
-  for (const Sheet::Line& line : sheet.lines) roles.push_back(line.role);
+  for (const Recorder::Line& line : recorder.lines) roles.push_back(line.role);
   EXPECT_THAT(roles, ElementsAre(DrawRole::fixed, DrawRole::joint, DrawRole::contact, DrawRole::contact));
-  EXPECT_EQ(sheet.lines[0].from.y, 0);  // the floor, right through the view
-  EXPECT_GT(sheet.lines[0].from.x * -sheet.lines[0].to.x, 100);
+  EXPECT_EQ(recorder.lines[0].from.y, 0);  // the floor, all through the view
+  EXPECT_GT(recorder.lines[0].from.x * -recorder.lines[0].to.x, 100);
 }
 
-TEST(DebugDraw, LeavesOutWhatTheViewDoesNotShow) {
+TEST(DebugDraw, OmitsShapesOutsideTheView) {
   World world(weightless());
   world.create_body(at(20, 0), Shape::circle(1));
-  Sheet sheet;
-  world.debug_draw(sheet, view);
-  EXPECT_THAT(sheet.centers, IsEmpty());
+  Recorder recorder;
+  world.debug_draw(recorder, view);
+  EXPECT_THAT(recorder.centers, IsEmpty());
 }
 
-TEST(DebugDraw, MayChangeTheWorld) {
-  class Eraser : public Sheet {
+TEST(DebugDraw, CallbacksMayChangeTheWorld) {
+  class Eraser : public Recorder {
    public:
     explicit Eraser(World& world) : world_(world) {}
     void circle(Vec2 center, Real radius, Vec2 axis, DrawRole role) override {
-      Sheet::circle(center, radius, axis, role);
+      Recorder::circle(center, radius, axis, role);
       for (const BodyId id : world_.bodies()) world_.destroy_body(id);
       for (int i = 0; i < 100; ++i) world_.create_body(at(0, 0), Shape::circle(1));
     }

@@ -1,4 +1,4 @@
-// Random scenes of up to 200 bodies: whatever the sizes and speeds, nothing breaks and no energy comes from nowhere.
+// Random scenes of up to 200 bodies: for all sizes and speeds, states stay finite and no energy appears from nowhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Sizes from 1 cm to 100 m, each decade as likely as the next, and speeds up to 100 m/s. No two touch at first, for
-/// that is energy too: bodies wait on a square lattice whose cells are as wide as the largest.
+/// Sizes from 1 cm to 100 m, each decade equally likely, and speeds up to 100 m/s. No two bodies touch at first,
+/// because an overlap holds energy too: bodies start on a square lattice with cells as wide as the largest body.
 class RandomScene {
  public:
   RandomScene(unsigned seed, const std::string& solver) : random_(seed), world_(settings(random_, solver)) {
@@ -29,7 +29,7 @@ class RandomScene {
 
   World& world() { return world_; }
 
-  /// J, in double.
+  /// J, computed in double.
   double energy() {
     double sum = 0;
     for (const BodyId id : world_.bodies()) {
@@ -44,8 +44,8 @@ class RandomScene {
     return sum;
   }
 
-  /// N s, of the contact that pulls the most; 0 where none does.
-  double pull() {
+  /// N s, the greatest pull of a contact; 0 if none pulls.
+  double greatest_pull() {
     double worst = 0;
     for (const ContactInfo& contact : world_.contacts()) {
       worst = std::max(worst, -static_cast<double>(contact.normal_impulse));
@@ -54,7 +54,7 @@ class RandomScene {
   }
 
   bool finite() {
-    const auto bounded = [](Real x) { return std::abs(x) < Shape::unbounded; };  // false for what is not a number
+    const auto bounded = [](Real x) { return std::abs(x) < Shape::unbounded; };  // false for NaN
     const std::vector<BodyId> ids = world_.bodies();
     return std::all_of(ids.begin(), ids.end(), [&](BodyId id) {
       const Body body = world_.body(id);
@@ -120,18 +120,18 @@ class RandomScene {
 constexpr int steps = 60;
 
 int seeds() {
-  const char* asked = std::getenv("PLUMB_FUZZ_SEEDS");
-  return asked == nullptr ? 20 : std::max(1, std::atoi(asked));
+  const char* chosen = std::getenv("PLUMB_FUZZ_SEEDS");
+  return chosen == nullptr ? 20 : std::max(1, std::atoi(chosen));
 }
 
-// The default method's own bound is none. Flight: kick-drift-kick keeps the energy of a parabola. Contacts: with e <= 1
-// an impact takes energy, friction takes energy, and since no two bodies overlap at first, what a contact's spring
-// lifts or parts was pressed in before. So only rounding is left: a body's speed and height are each rounded some
-// sixteen times in a step of four sub-steps, and their errors add up at worst.
+// The relative energy gain that is allowed. The default method gains none: in flight, velocity Verlet conserves the
+// energy of a parabola; with e <= 1 impacts take energy, and so does friction; and since no two bodies overlap at
+// first, the energy that a contact's spring returns was stored in it before. So only rounding is left: a body's speed
+// and height are each rounded about sixteen times in a step of four sub-steps, and in the worst case the errors add up.
 //
-// The others have none that follows from their sources: pushing overlap apart adds energy, and so does Newton's law at
-// several points at once or with friction (Kane and Levinson 1985). What 1000 seeds show is written here, rounded up,
-// so that a method that gets worse is noticed.
+// For the other methods no bound follows from their sources: pushing overlaps apart adds energy, and so does Newton's
+// impact law at several points at once or with friction (Kane and Levinson 1985). Their bounds are what 1000 seeds
+// show, rounded up, so that a method that gets worse is noticed.
 double bound_of(const std::string& solver) {
   if (solver == "accurate") return steps * 16 * static_cast<double>(round_off);
   if (solver == "exact") return .45;
@@ -140,9 +140,9 @@ double bound_of(const std::string& solver) {
 
 class Fuzz : public testing::TestWithParam<std::string> {};
 
-TEST_P(Fuzz, RandomScenesStayFiniteAndPushOnlyAndGainNoMoreEnergyThanTheMethodMay) {
+TEST_P(Fuzz, RandomScenesStayFiniteNeverPullAndKeepTheEnergyBound) {
   const double bound = bound_of(GetParam());
-  int beyond = 0;
+  int unsolvable = 0;
   for (int seed = 1; seed <= seeds(); ++seed) {
     RandomScene scene(static_cast<unsigned>(seed), GetParam());
     const double before = scene.energy();
@@ -151,19 +151,19 @@ TEST_P(Fuzz, RandomScenesStayFiniteAndPushOnlyAndGainNoMoreEnergyThanTheMethodMa
         scene.world().step();
         ASSERT_TRUE(scene.finite()) << "seed " << seed << ", step " << step;
         ASSERT_LE(scene.energy(), before * (1 + bound)) << "seed " << seed << ", step " << step;
-        // xpbd takes back what pushing an overlap out gave in speed (Mueller et al. 2020, 3.6), and so may pull.
+        // xpbd removes the velocity that correcting an overlap added (Mueller et al. 2020, 3.6), so it may pull.
         if (GetParam() != "xpbd") {
-          ASSERT_EQ(scene.pull(), 0) << "seed " << seed << ", step " << step;
+          ASSERT_EQ(scene.greatest_pull(), 0) << "seed " << seed << ", step " << step;
         }
       }
     } catch (const std::domain_error&) {
-      ++beyond;  // more hangs together than it solves
+      ++unsolvable;  // more bodies are connected than the method can solve
     }
   }
   if (GetParam() == "exact") {
-    EXPECT_LT(beyond, seeds());
+    EXPECT_LT(unsolvable, seeds());
   } else {
-    EXPECT_EQ(beyond, 0);
+    EXPECT_EQ(unsolvable, 0);
   }
 }
 

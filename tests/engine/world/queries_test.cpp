@@ -31,27 +31,27 @@ std::vector<BodyId> found_in(World& world, const Aabb& box) {
   return found;
 }
 
-TEST(QueryPoint, FindsWhatContainsIt) {
+TEST(QueryPoint, FindsTheBodiesThatContainIt) {
   World world;
   const BodyId disc = world.create_body(at(0, 0), Shape::circle(1));
   BodyDef turned = at(1, 0);
   turned.angle = pi / 4;
   const BodyId box = world.create_body(turned, Shape::box({1, 1}));
   EXPECT_THAT(found_at(world, {Real{0.5}, 0}), ElementsAre(disc, box));
-  EXPECT_THAT(found_at(world, {Real{2.25}, 0}), ElementsAre(box));  // inside only because it is turned
+  EXPECT_THAT(found_at(world, {Real{2.25}, 0}), ElementsAre(box));  // inside only because the box is rotated
   EXPECT_THAT(found_at(world, {Real{1.75}, real(.8)}), IsEmpty());
   world.remove_body(box);
   EXPECT_THAT(found_at(world, {Real{2.25}, 0}), IsEmpty());
 }
 
-TEST(QueryPoint, FollowsABodyThatWasMoved) {
+TEST(QueryPoint, FindsABodyAtItsNewPose) {
   World world;
   const BodyId disc = world.create_body(at(0, 0), Shape::circle(1));
   world.body(disc).set_pose({50, 0}, 0);
   EXPECT_THAT(found_at(world, {50, 0}), ElementsAre(disc));
 }
 
-TEST(QueryAabb, FindsEveryPartWhoseBoundsItMeets) {
+TEST(QueryAabb, FindsEveryPartWhoseBoundsItOverlaps) {
   World world;
   const std::array parts{Part{Shape::circle(1, {-5, 0}), {}}, Part{Shape::circle(1, {5, 0}), {}}};
   const BodyId dumbbell = world.create_body({}, parts);
@@ -60,7 +60,7 @@ TEST(QueryAabb, FindsEveryPartWhoseBoundsItMeets) {
   EXPECT_THAT(found_in(world, {{-1, -1}, {1, 1}}), IsEmpty());
 }
 
-TEST(QueryAabb, StopsWhenTold) {
+TEST(QueryAabb, StopsWhenTheCallbackReturnsFalse) {
   World world;
   for (int i = 0; i < 5; ++i) world.create_body(at(i, 0), Shape::circle(1));
   int calls = 0;
@@ -68,14 +68,14 @@ TEST(QueryAabb, StopsWhenTold) {
   EXPECT_EQ(calls, 2);
 }
 
-TEST(RayCast, FindsTheNearestPartAndWhereItIsHit) {
+TEST(RayCast, FindsTheNearestPartAndThePointOfEntry) {
   World world;
   world.create_body(at(8, 0), Shape::circle(1));
   BodyDef turned = at(4, 0);
   turned.angle = pi / 2;
   const std::array parts{Part{Shape::circle(Real{0.5}, {0, 5}), {}}, Part{Shape::box({1, 2}), {}}};
   const BodyId near = world.create_body(turned, parts);
-  // Lying down, the box reaches from x = 2 to 6 and y = -1 to 1; the circle is behind the ray.
+  // The rotated box extends from x = 2 to 6 and y = -1 to 1; the circle is behind the ray's start.
   const std::optional<BodyHit> hit = world.ray_cast({0, 0}, {10, 0});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->body, near);
@@ -89,11 +89,11 @@ TEST(RayCast, FindsTheNearestPartAndWhereItIsHit) {
   EXPECT_FALSE(world.ray_cast({0, 9}, {10, 9}));
 }
 
-TEST(RayCast, MeetsPartsInOrderAndStopsWhenTold) {
+TEST(RayCast, VisitsPartsInOrderAndStopsWhenTheCallbackReturnsFalse) {
   World world;
   const BodyId far = world.create_body(at(6, 0), Shape::circle(1));
   const BodyId near = world.create_body(at(3, 0), Shape::circle(1));
-  world.create_body(at(0, 0), Shape::circle(1));  // holds the ray's start
+  world.create_body(at(0, 0), Shape::circle(1));  // contains the ray's start
   std::vector<BodyId> met;
   world.ray_cast({0, 0}, {10, 0}, [&met](const BodyHit& hit) {
     met.push_back(hit.body);
@@ -110,7 +110,7 @@ TEST(RayCast, MeetsPartsInOrderAndStopsWhenTold) {
   EXPECT_EQ(world.ray_cast({0, 0}, {10, 0})->body, far);
 }
 
-TEST(RayCast, SeesOnlyTheLayersAskedFor) {
+TEST(RayCast, HitsOnlyTheGivenLayers) {
   World world;
   BodyDef glass = at(2, 0);
   glass.layers = 0b01;
@@ -121,19 +121,19 @@ TEST(RayCast, SeesOnlyTheLayersAskedFor) {
   EXPECT_EQ(world.ray_cast({0, 0}, {10, 0}, 0b10)->body, seen);
 }
 
-TEST(RayCast, RefusesPointsThatAreNotFinite) {
+TEST(RayCast, RejectsPointsThatAreNotFinite) {
   World world;
   const Real infinite = std::numeric_limits<Real>::infinity();
   EXPECT_THROW(world.ray_cast({0, 0}, {infinite, 0}), std::invalid_argument);
 }
 
-TEST(Callback, MayDestroyEveryBodyItIsShown) {
+TEST(Callback, MayDestroyEveryBodyItReceives) {
   World world;
   for (int i = 0; i < 5; ++i) world.create_body(at(i, 0), Shape::circle(1));
   int calls = 0;
   world.query_aabb({{-10, -10}, {10, 10}}, [&](BodyId id, const Part& part) {
     world.destroy_body(id);
-    world.destroy_body(id);           // twice does no harm
+    world.destroy_body(id);           // destroying it twice is allowed
     EXPECT_TRUE(world.contains(id));  // until the query returns
     EXPECT_EQ(part.shape.radius(), 1);
     ++calls;
@@ -143,7 +143,7 @@ TEST(Callback, MayDestroyEveryBodyItIsShown) {
   EXPECT_EQ(world.body_count(), 0U);
 }
 
-TEST(Callback, GetsHandlesOfNewBodiesAtOnceButMeetsThemLater) {
+TEST(Callback, GetsHandlesOfNewBodiesImmediatelyButDoesNotVisitThem) {
   World world;
   world.create_body(at(0, 0), Shape::circle(1));
   std::vector<BodyId> made;
@@ -174,7 +174,7 @@ TEST(Callback, MayRemoveAndInsert) {
   EXPECT_THAT(world.bodies(), ElementsAre(b));
 }
 
-TEST(Callback, ThatThrowsLeavesTheWorldInOrder) {
+TEST(Callback, ThatThrowsLeavesTheWorldValid) {
   World world;
   const BodyId a = world.create_body(at(0, 0), Shape::circle(1));
   const auto fail = [&](BodyId id, const Part&) -> bool {
@@ -186,7 +186,7 @@ TEST(Callback, ThatThrowsLeavesTheWorldInOrder) {
   world.step();
 }
 
-TEST(Callback, MayAskAgain) {
+TEST(Callback, MayRunAnotherQuery) {
   World world;
   const BodyId a = world.create_body(at(0, 0), Shape::circle(1));
   const BodyId b = world.create_body(at(0, 0), Shape::circle(1));
@@ -208,7 +208,7 @@ TEST(Callback, MayNotStep) {
   EXPECT_THROW(world.query_point({0, 0}, step), std::logic_error);
 }
 
-TEST(Contacts, TellWhereAndHowHardBodiesTouch) {
+TEST(Contacts, GiveThePointsAndImpulsesOfTouchingBodies) {
   World world;
   const BodyId floor = add_floor(world);
   const BodyId disc = world.create_body(at(3, .5), Shape::circle(Real{0.5}));
@@ -221,7 +221,7 @@ TEST(Contacts, TellWhereAndHowHardBodiesTouch) {
   EXPECT_EQ(contacts[0].normal, (Vec2{0, 1}));
   EXPECT_NEAR(contacts[0].point.x, 3, 8 * round_off);
   EXPECT_NEAR(contacts[0].point.y, 0, .01);
-  // It carries the weight: m g dt, to what ten iterations of rounding leave.
+  // The contact carries the weight, m g dt, up to the rounding of ten iterations.
   EXPECT_NEAR(contacts[0].normal_impulse, mass * 10 * world.dt(), 32 * round_off);
   EXPECT_NEAR(contacts[0].tangent_impulse, 0, 32 * round_off);
 }

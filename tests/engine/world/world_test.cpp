@@ -12,7 +12,7 @@ namespace {
 using namespace impulse;
 using testing::ElementsAre;
 
-TEST(World, KeepsItsSettingsWhenItRefusesNewOnes) {
+TEST(World, KeepsItsSettingsWhenItRejectsNewOnes) {
   World world;
   Settings bad;
   bad.gravity = {1, 1};
@@ -58,8 +58,8 @@ TEST(World, DetectsStaleHandles) {
   const BodyId old = world.create_body({}, Shape::circle(1));
   Body view = world.body(old);
   world.destroy_body(old);
-  const BodyId fresh = world.create_body({}, Shape::circle(1));
-  ASSERT_EQ(fresh.index, old.index);
+  const BodyId next = world.create_body({}, Shape::circle(1));
+  ASSERT_EQ(next.index, old.index);
   EXPECT_FALSE(world.contains(old));
   EXPECT_THROW(world.body(old), std::out_of_range);
   EXPECT_THROW(world.destroy_body(old), std::out_of_range);
@@ -74,7 +74,7 @@ TEST(World, DetectsStaleHandles) {
   EXPECT_THROW(view.mass(), std::out_of_range);
 }
 
-TEST(World, HoldsARemovedBodyAsItWas) {
+TEST(World, KeepsTheStateOfARemovedBody) {
   World world;
   const BodyId id = world.create_body(at(1, 2, 3, 4), Shape::circle(1));
   world.remove_body(id);
@@ -101,7 +101,7 @@ TEST(World, RemovedBodiesTouchNothing) {
   EXPECT_LT(world.body(disc).position().y, 0);
 }
 
-TEST(World, RefusesBodiesThatMakeNoSense) {
+TEST(World, RejectsInvalidBodies) {
   World world;
   const Shape disc = Shape::circle(1);
   const auto refused = [&](auto change) {
@@ -130,7 +130,7 @@ TEST(World, RefusesBodiesThatMakeNoSense) {
   EXPECT_EQ(world.body_count(), 0U);
 }
 
-TEST(World, KinematicBodiesMoveAsToldAndArePushedByNothing) {
+TEST(World, KinematicBodiesMoveAsPrescribedAndArePushedByNothing) {
   World world;
   BodyDef def;
   def.type = BodyType::kinematic;
@@ -141,7 +141,7 @@ TEST(World, KinematicBodiesMoveAsToldAndArePushedByNothing) {
   run(world, 120);
   EXPECT_NEAR(world.body(lift).position().y, 2, 120 * 2 * round_off);
   EXPECT_EQ(world.body(lift).velocity(), (Vec2{0, 1}));
-  // Carried: at most the slop and what a step of gravity adds deep in the floor.
+  // The lift carries it: at most the slop and one step of gravity deep in the floor.
   EXPECT_NEAR(world.body(disc).position().y, 2.5, .01);
   EXPECT_NEAR(world.body(disc).velocity().y, 1, 16 * round_off);
 }
@@ -162,7 +162,7 @@ TEST(World, BodiesWithoutACommonLayerPassThroughEachOther) {
   EXPECT_NEAR(world.body(a).position().x, 2, 60 * 4 * round_off);
   EXPECT_NEAR(world.body(b).position().x, -2, 60 * 4 * round_off);
   EXPECT_NEAR(world.body(a).position().y, .5, .01);
-  // From now on they share a layer.
+  // Now they share a layer.
   world.body(a).set_velocity({-4, 0}, 0);
   world.body(b).set_velocity({4, 0}, 0);
   world.body(a).set_layers(0b11);
@@ -192,8 +192,8 @@ TEST(World, MixesMaterialsByTheRuleOfItsSettings) {
   EXPECT_NEAR(world.body(b).velocity().x, .25, 16 * round_off);
 }
 
-/// The bits of every body's state after 200 steps of a mixed heap.
-std::vector<Real> heap(const char* integrator) {
+/// The state of every body after 200 steps of a mixed pile.
+std::vector<Real> mixed_pile(const char* integrator) {
   Settings settings;
   settings.integrator = integrator;
   World world(settings);
@@ -217,8 +217,8 @@ std::vector<Real> heap(const char* integrator) {
 
 TEST(World, GivesTheSameBitsForTheSameCalls) {
   for (const MethodInfo& integrator : integrators()) {
-    const std::vector<Real> state = heap(integrator.name.c_str());
-    EXPECT_EQ(state, heap(integrator.name.c_str())) << integrator.name;
+    const std::vector<Real> state = mixed_pile(integrator.name.c_str());
+    EXPECT_EQ(state, mixed_pile(integrator.name.c_str())) << integrator.name;
     for (const Real x : state) ASSERT_TRUE(std::isfinite(x)) << integrator.name;
   }
 }
@@ -230,7 +230,7 @@ TEST(World, CanBeMoved) {
   EXPECT_EQ(other.body(id).position(), (Vec2{1, 2}));
 }
 
-TEST(World, LetsBodiesPassWhileContactsAreOffAndMeetWhenTheyAreOn) {
+TEST(World, LetsBodiesPassWhileContactsAreOffAndCollideWhenTheyAreOn) {
   for (const MethodInfo& solver : solvers()) {
     Settings settings;
     settings.solver = solver.name;
@@ -256,7 +256,7 @@ TEST(World, LetsBodiesPassWhileContactsAreOffAndMeetWhenTheyAreOn) {
   }
 }
 
-TEST(World, WakesWhatRestsOnContactsWhenTheyEnd) {
+TEST(World, WakesRestingBodiesWhenContactsAreTurnedOff) {
   Settings settings;
   settings.sleeping = true;
   World world(settings);

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "impulse/real.h"
+#include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -1,4 +1,4 @@
-#include "world/sweep.h"
+#include "world/continuous_collision.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ BodyId add_wall(World& world, double x, double thickness = .01, BodyType type = 
   return world.create_body(def, Shape::box({real(thickness / 2), 100}), frictionless(.5));
 }
 
-/// What has no thickness, or its surface on one side only, with x < 0 in front.
+/// An obstacle without thickness: a segment, or a chain with its free side towards x < 0.
 void add_line(World& world, bool chain) {
   const std::array line{Vec2{0, 100}, Vec2{0, 3}, Vec2{0, -2}, Vec2{0, -100}};
   const std::vector<Shape> shapes = chain ? Shape::chain(line, false) : std::vector{Shape::segment(line[0], line[3])};
@@ -35,7 +35,7 @@ void add_line(World& world, bool chain) {
   world.create_body(def, parts);
 }
 
-std::vector<std::vector<Part>> missiles() {
+std::vector<std::vector<Part>> projectiles() {
   RandomShapes random(11);
   const Material made_of = frictionless(.5);
   return {{{Shape::circle(real(.1)), made_of}},
@@ -46,7 +46,7 @@ std::vector<std::vector<Part>> missiles() {
           {{Shape::circle(real(.2), {real(-.3), 0}), made_of}, {Shape::box({real(.3), real(.05)}), made_of}}};
 }
 
-/// At 50 ... 2000 m/s, tumbling, from the left.
+/// Moves at 50 ... 2000 m/s from the left, tumbling.
 BodyDef shot(RandomShapes& random, int start) {
   constexpr std::array speeds{50.0, 120.0, 500.0, 1000.0, 2000.0};
   const double speed = speeds[static_cast<std::size_t>(start) % speeds.size()];
@@ -68,10 +68,10 @@ class Fast : public testing::TestWithParam<std::string> {
 };
 
 template <class AddObstacle>
-void expect_nothing_passes(World (*make)(), const AddObstacle& add_obstacle, bool turned_back) {
+void expect_no_tunnelling(World (*make)(), const AddObstacle& add_obstacle, bool must_bounce) {
   RandomShapes random(12);
   int shape = 0;
-  for (const std::vector<Part>& parts : missiles()) {
+  for (const std::vector<Part>& parts : projectiles()) {
     for (int start = 0; start < 20; ++start) {
       World world = make();
       add_obstacle(world);
@@ -80,33 +80,33 @@ void expect_nothing_passes(World (*make)(), const AddObstacle& add_obstacle, boo
         world.step();
         ASSERT_LT(world.body(body).center().x, 0) << "shape " << shape << ", start " << start << ", step " << step;
       }
-      if (!turned_back) continue;
-      EXPECT_LT(world.body(body).velocity().x, 0) << "only held: shape " << shape << ", start " << start;
+      if (!must_bounce) continue;
+      EXPECT_LT(world.body(body).velocity().x, 0) << "stopped but not bounced: shape " << shape << ", start " << start;
     }
     ++shape;
   }
 }
 
-TEST_P(Fast, BodiesNeverPassAThinWall) {
-  // The impulses of methods that see one point at a time may leave a box spinning at the wall, its corners always on
-  // their way out.
+TEST_P(Fast, BodiesNeverTunnelThroughAThinWall) {
+  // Methods that solve one point at a time may leave a box spinning at the wall, its corners always moving away from
+  // it.
   const std::array look_ahead{"accurate", "soft-step", "xpbd"};
-  const bool turned_back = std::find(look_ahead.begin(), look_ahead.end(), GetParam()) != look_ahead.end();
-  expect_nothing_passes(
-      world, [](World& world) { add_wall(world, 0); }, turned_back);
+  const bool must_bounce = std::find(look_ahead.begin(), look_ahead.end(), GetParam()) != look_ahead.end();
+  expect_no_tunnelling(
+      world, [](World& world) { add_wall(world, 0); }, must_bounce);
 }
 
-TEST_P(Fast, BodiesNeverPassASegment) {
-  expect_nothing_passes(
+TEST_P(Fast, BodiesNeverTunnelThroughASegment) {
+  expect_no_tunnelling(
       world, [](World& world) { add_line(world, false); }, false);
 }
 
-TEST_P(Fast, BodiesNeverPassAChainFromItsFreeSide) {
-  expect_nothing_passes(
+TEST_P(Fast, BodiesNeverTunnelThroughAChainFromItsFreeSide) {
+  expect_no_tunnelling(
       world, [](World& world) { add_line(world, true); }, false);
 }
 
-TEST_P(Fast, BulletsHitBodiesThatMove) {
+TEST_P(Fast, BulletsHitMovingBodies) {
   World world = Fast::world();
   const BodyId target = world.create_body(at(0, 0, 1, 0), Shape::box({real(.005), 2}), frictionless());
   BodyDef def = at(-5, 0, fast, 0);
@@ -129,7 +129,7 @@ TEST_P(Fast, BulletsHitEachOtherInFlight) {
   EXPECT_LT(world.body(left).center().x, world.body(right).center().x);
 }
 
-TEST_P(Fast, WallsPushWhatTheyMeet) {
+TEST_P(Fast, MovingWallsPushBodies) {
   World world = Fast::world();
   const BodyId wall = add_wall(world, -3, .01, BodyType::kinematic, 60);
   const BodyId disc = world.create_body(at(0, 0), Shape::circle(real(.1)), frictionless());
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers, Fast, testing::ValuesIn([] {
                            return name;
                          });
 
-/// Whether a disc of 0.2 m that starts so far from a wall of 1 cm, at 30 m/s and with that step, ever touches it.
+/// Whether a disc of 0.2 m that starts at `from` (m) and moves at 30 m/s in steps of dt ever touches a wall of 1 cm.
 bool touches(double dt, double from, Continuous mode) {
   Settings settings = weightless(dt);
   settings.continuous = mode;
@@ -164,8 +164,8 @@ bool touches(double dt, double from, Continuous mode) {
   return false;
 }
 
-// One that looks only where bodies are after each step misses a wall whenever a step is longer than wall and body.
-TEST(Sweep, OffLeavesTheTunnelThatAStepLongerThanWallAndBodyMakes) {
+// An engine that only tests the poses after each step can miss a wall if a step is longer than wall and body together.
+TEST(ContinuousCollision, IfOffBodiesTunnelWhenAStepIsLongerThanWallAndBody) {
   const double long_enough = (.2 + .01) / 30;
   int missed = 0;
   for (int i = 0; i < 40; ++i) {
@@ -174,11 +174,11 @@ TEST(Sweep, OffLeavesTheTunnelThatAStepLongerThanWallAndBodyMakes) {
     EXPECT_TRUE(touches(1.5 * long_enough, from, Continuous::automatic)) << from;
     if (!touches(1.5 * long_enough, from, Continuous::off)) ++missed;
   }
-  // The places are spread over one step: a third of it lies between two looks, less or more by one of forty.
+  // The starts are spread over one step. A third of the step is between two tested poses; the count may be off by one.
   EXPECT_NEAR(missed, 40 / 3.0, 1);
 }
 
-TEST(Sweep, OnMakesABulletOfEveryBody) {
+TEST(ContinuousCollision, IfOnEveryBodyIsABullet) {
   for (const Continuous mode : {Continuous::automatic, Continuous::on}) {
     Settings settings = weightless();
     settings.continuous = mode;
@@ -190,8 +190,9 @@ TEST(Sweep, OnMakesABulletOfEveryBody) {
   }
 }
 
-// A wheel that rolls far in a step is fast, but meets nothing: what its rim touches is the solver's.
-TEST(Sweep, LeavesSlowBodiesAndTheRollingOnesAlone) {
+// A wheel that rolls far in a step is fast, but its core circle hits nothing; the solver handles the contact at its
+// rim.
+TEST(ContinuousCollision, DoesNotAffectSlowOrRollingBodies) {
   const auto end = [](Continuous mode, Shape shape, double speed) {
     Settings settings;
     settings.continuous = mode;
@@ -209,7 +210,7 @@ TEST(Sweep, LeavesSlowBodiesAndTheRollingOnesAlone) {
   EXPECT_EQ(end(Continuous::off, wheel, 60), end(Continuous::on, wheel, 60));
 }
 
-TEST(Sweep, LetsPassWhatSharesNoLayerOrLeavesAChain) {
+TEST(ContinuousCollision, IgnoresOtherLayersAndTheSolidSideOfChains) {
   World world(weightless());
   BodyDef wall;
   wall.type = BodyType::fixed;

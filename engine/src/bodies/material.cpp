@@ -16,7 +16,7 @@ NamedMaterial listed(std::string_view name, double density, double restitution) 
   return {name, material};
 }
 
-// "BouncyBall" as "bouncy-ball".
+// "BouncyBall" becomes "bouncy-ball".
 std::string dashed(std::string_view name) {
   std::string out;
   for (const char c : name) {

@@ -1,12 +1,14 @@
 #include "bodies/integrator.h"
+
 #include "core/method_list.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// v += a dt, then x += v dt with the new v. Its error of position is of first order, but it keeps a quantity close to
-/// the energy for ever: on a spring (v^2 + w^2 x^2 - w^2 dt v x)/2, bounded while w dt < 2.
+/// The default: v += a dt, then x += v dt with the new v. The position error is of first order, but the method conserves
+/// a quantity close to the energy: on a spring of frequency w (rad/s) it is (v^2 + w^2 x^2 - w^2 dt v x)/2, which bounds
+/// the motion while w dt < 2.
 class SymplecticEuler : public Integrator {
  public:
   void begin(BodySet& bodies, const ForceField& forces, Real h) override {
@@ -21,7 +23,7 @@ class SymplecticEuler : public Integrator {
     for (std::size_t i = 0; i < bodies.size(); ++i) bodies.advance(i, h);
   }
 
-  // x = g (t^2 + t h)/2: every step moves with the velocity it ends with.
+  // x = g (t^2 + t h)/2: every step moves with its final velocity.
   Real drift() const override { return static_cast<Real>(.5); }
   int order() const override { return 1; }
 

@@ -10,13 +10,13 @@ namespace impulse {
 namespace {
 
 TEST(Materials, AreTheArticlesTable) {
-  struct Row {
+  struct Expected {
     std::string_view name;
     Real density, restitution;
   };
-  const Row rows[] = {{"Rock", 0.6_r, 0.1_r},       {"Wood", 0.3_r, 0.2_r},       {"Metal", 1.2_r, 0.05_r},
-                      {"BouncyBall", 0.3_r, 0.8_r}, {"SuperBall", 0.3_r, 0.95_r}, {"Pillow", 0.1_r, 0.2_r},
-                      {"Static", 0.0_r, 0.4_r}};
+  const Expected rows[] = {{"Rock", 0.6_r, 0.1_r},       {"Wood", 0.3_r, 0.2_r},       {"Metal", 1.2_r, 0.05_r},
+                           {"BouncyBall", 0.3_r, 0.8_r}, {"SuperBall", 0.3_r, 0.95_r}, {"Pillow", 0.1_r, 0.2_r},
+                           {"Static", 0.0_r, 0.4_r}};
   ASSERT_EQ(materials().size(), std::size(rows));
   for (std::size_t i = 0; i < std::size(rows); ++i) {
     EXPECT_EQ(materials()[i].name, rows[i].name);
@@ -25,7 +25,7 @@ TEST(Materials, AreTheArticlesTable) {
   }
 }
 
-TEST(Materials, AreFoundAsListedOrWithDashes) {
+TEST(Materials, AreFoundByListedNameOrWithDashes) {
   ASSERT_NE(find_material("BouncyBall"), nullptr);
   EXPECT_EQ(find_material("bouncy-ball"), find_material("BouncyBall"));
   EXPECT_EQ(find_material("rock")->density, 0.6_r);
