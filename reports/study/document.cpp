@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int document_format = 1;  // grows when a reader of the old one would be misled
+constexpr int document_format = 2;  // increased when a reader of the previous format would misread the document
 
 void add_new(std::vector<std::string>& names, const Json& object) {
   for (const auto& [name, value] : object.items()) {
@@ -35,49 +35,49 @@ std::string fields(const std::vector<std::string>& names, const Json& object) {
 
 }  // namespace
 
-Json document_of(const Study& study, const ResultsHead& head, const std::vector<PointResult>& results,
+Json document_of(const Study& study, const ResultsHead& head, const std::vector<JobResult>& results,
                  const Findings& found) {
-  Json points = Json::array();
+  Json all = Json::array();
   Json times = Json::object();
-  for (const PointResult& result : results) {
-    points.push_back({{"key", result.key},
-                      {"ending", name_of(result.ending)},
-                      {"reason", result.reason},
-                      {"values", result.row.values}});
-    if (!result.row.times.empty()) times[result.key] = result.row.times;
+  for (const JobResult& result : results) {
+    all.push_back({{"key", result.key},
+                   {"ending", name_of(result.ending)},
+                   {"reason", result.reason},
+                   {"values", result.output.values}});
+    if (!result.output.times.empty()) times[result.key] = result.output.times;
   }
   Json timings = found.timings;
-  timings["points"] = std::move(times);
+  timings["results"] = std::move(times);
   return {{"plumb", document_format},
           {"study", study.name},
           {"about", study.about},
           {"configuration", head.configuration},
           {"environment", head.environment},
-          {"points", std::move(points)},
+          {"results", std::move(all)},
           {"findings", found.findings},
           {"timings", std::move(timings)}};
 }
 
-std::string csv_of(const std::vector<PointResult>& results) {
+std::string csv_of(const std::vector<JobResult>& results) {
   std::vector<std::string> values;
   std::vector<std::string> times;
-  for (const PointResult& result : results) {
-    add_new(values, result.row.values);
-    add_new(times, result.row.times);
+  for (const JobResult& result : results) {
+    add_new(values, result.output.values);
+    add_new(times, result.output.times);
   }
   std::string text = "key,ending,reason";
   for (const std::string& name : values) text += "," + csv_field(name);
   for (const std::string& name : times) text += "," + csv_field("time_" + name);
   text += "\n";
-  for (const PointResult& result : results) {
+  for (const JobResult& result : results) {
     text += csv_field(result.key) + "," + name_of(result.ending) + "," + csv_field(result.reason) +
-            fields(values, result.row.values) + fields(times, result.row.times) + "\n";
+            fields(values, result.output.values) + fields(times, result.output.times) + "\n";
   }
   return text;
 }
 
 void write_study(const Study& study, const ResultsHead& head, const StudyPlan& plan,
-                 const std::vector<PointResult>& results, const OutputFolder& folder) {
+                 const std::vector<JobResult>& results, const OutputFolder& folder) {
   const Findings found = plan.conclude(results);
   const Json document = document_of(study, head, results, found);
   const std::string stem = "study-" + study.name;
@@ -87,9 +87,9 @@ void write_study(const Study& study, const ResultsHead& head, const StudyPlan& p
   if (auto page = fill_page(page_template(), Json{{"study", document}}, why_not)) {
     files.emplace_back(stem + ".html", std::move(*page));
   }
-  const auto placed = folder.put(files);
-  fmt::print("{}", found.summary);
-  for (const auto& place : placed) fmt::print("{}\n", place.string());
+  const auto paths = folder.put(files);
+  fmt::print("{}", found.text);
+  for (const auto& path : paths) fmt::print("{}\n", path.string());
   if (!why_not.empty()) fmt::print("No {}.html: {}.\n", stem, why_not);
 }
 

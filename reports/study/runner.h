@@ -4,23 +4,23 @@
 #include <span>
 #include <vector>
 
-#include "reports/study/child.h"
-#include "reports/study/point.h"
+#include "reports/study/job.h"
+#include "reports/study/job_process.h"
 
 namespace plumb {
 
 struct Execution {
-  int jobs = 1;  // points run at once; those that are timed or alone have the machine for themselves
-  Limits limits = {};
+  int parallel = 1;  // jobs that run at the same time; timed jobs and those that want to be alone have the machine
+  JobLimits limits = {};
   std::function<bool()> interrupted = [] { return false; };
 };
 
-/// Points that must stay together: one, or a group. In order.
-std::vector<std::span<const Point>> units_of(std::span<const Point>);
+/// Jobs that must stay together: a group, or a single job. In order.
+std::vector<std::span<const Job>> units_of(std::span<const Job>);
 
-/// Finds out all of them. `keep` is told what is finished, as soon as it is: a point, or a whole group. Returns false
-/// when it was interrupted; then what was under way is lost.
-bool execute(std::span<const std::span<const Point>> units, const Execution&,
-             const std::function<void(std::span<const PointResult>)>& keep);
+/// Runs all jobs of the units. `keep` receives results as soon as they are final: one at a time, or a whole group.
+/// Returns false if it was interrupted; the results of jobs under way are then lost.
+bool execute(std::span<const std::span<const Job>> units, const Execution&,
+             const std::function<void(std::span<const JobResult>)>& keep);
 
 }  // namespace plumb

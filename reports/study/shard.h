@@ -1,36 +1,30 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "reports/study/point.h"
+#include "reports/study/results_file.h"
+#include "reports/writers/output.h"
 
+/// Dividing a study among machines, and merging the results.
 namespace plumb {
 
-/// The k-th of n parts of a study, k from 1.
-struct Shard {
-  int k = 1, n = 1;
+/// Returns the value of an environment variable, or null.
+using EnvironmentLookup = std::function<const char*(const char* name)>;
 
-  bool whole() const { return n == 1; }
-  std::string name() const;  // "2/4"
-  bool operator==(const Shard&) const = default;
-};
+/// The shard that belongs to this task of a Slurm array; nullopt outside of one. Throws std::invalid_argument for an
+/// array with gaps: its tasks do not know their index.
+std::optional<Shard> slurm_shard(const EnvironmentLookup&);
 
-/// "k/n". Throws std::invalid_argument for what is none.
-Shard parse_shard(std::string_view text);
+/// The units of jobs that belong to a shard: every n-th, so that expensive and cheap ones are spread.
+std::vector<std::span<const Job>> units_in(const Shard&, const std::vector<std::span<const Job>>& units);
 
-/// A variable of the environment, or null.
-using Variable = std::function<const char*(const char* name)>;
-
-/// What a Slurm array makes of this task; nothing outside of one. Throws std::invalid_argument for an array with gaps,
-/// whose tasks do not know which of them they are.
-std::optional<Shard> slurm_shard(const Variable&);
-
-/// The units of points that are a shard's: every n-th, so that dear and cheap ones are spread.
-std::vector<std::span<const Point>> share_of(const Shard&, const std::vector<std::span<const Point>>& units);
+/// Merges the results files of all shards of a study and writes what the undivided study would have written, apart from
+/// its timings. Throws std::invalid_argument listing every problem by file: a shard that is given twice, missing or
+/// incomplete, one of another study, configuration or version, and results of jobs outside of a file's shard.
+void merge_shards(const std::vector<std::filesystem::path>& files, const OutputFolder&);
 
 }  // namespace plumb

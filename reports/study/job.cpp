@@ -1,5 +1,6 @@
-#include "reports/study/point.h"
+#include "reports/study/job.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -18,39 +19,41 @@ Ending ending_of(const std::string& name) {
   for (const auto& [ending, word] : endings) {
     if (name == word) return ending;
   }
-  throw std::invalid_argument("\"" + name + "\" is no way for a point to end");
+  throw std::invalid_argument("unknown ending of a job: \"" + name + "\"");
 }
 
 }  // namespace
 
-const char* name_of(Ending asked) {
+const char* name_of(Ending wanted) {
   for (const auto& [ending, word] : endings) {
-    if (ending == asked) return word;
+    if (ending == wanted) return word;
   }
   return "";
 }
 
-std::string to_line(const PointResult& result) {
-  // What a engine says need not be UTF-8.
+std::string to_line(const JobResult& result) {
+  // An engine's error message may not be valid UTF-8: `replace` keeps dump from throwing.
   return Json{{"key", result.key},
               {"ending", name_of(result.ending)},
               {"reason", result.reason},
-              {"values", result.row.values},
-              {"times", result.row.times}}
+              {"values", result.output.values},
+              {"times", result.output.times}}
              .dump(-1, ' ', false, Json::error_handler_t::replace) +
          "\n";
 }
 
-PointResult from_line(const std::string& line) {
+JobResult from_line(const std::string& line) {
   try {
     const Json json = Json::parse(line);
     return {.key = json.at("key"),
             .ending = ending_of(json.at("ending")),
             .reason = json.at("reason"),
-            .row = {json.at("values"), json.at("times")}};
+            .output = {json.at("values"), json.at("times")}};
   } catch (const Json::exception& error) {
     throw std::invalid_argument(error.what());
   }
 }
+
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 }  // namespace plumb
