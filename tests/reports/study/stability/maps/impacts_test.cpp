@@ -5,7 +5,13 @@
 namespace plumb {
 namespace {
 
-TEST(TunnellingMap, FindsTheSpeedThatPassesUnseenAndTheOneThatIsLetThrough) {
+TEST(RestitutionMap, FindsABounceThatIsTooHigh) {
+  const Bracket found = bracket("restitution", "impulse:solver=article", 0.8, 1.0 / 240, 0.1, "bounces");
+  EXPECT_EQ(found.outcome.mode, FailureMode::gains_energy);
+  EXPECT_EQ(found.outcome.body, "disc");
+}
+
+TEST(TunnellingMap, FindsTheSpeedThatPassesUnseenAndTheOneThatIsNotStopped) {
   constexpr double wall = 0.2;
   const double unseen = 60 * (wall + 0.5);  // m/s
   for (const char* engine : {"impulse:solver=split-impulse,continuous=off", "box2d:continuous=off", "chipmunk"}) {
@@ -14,7 +20,7 @@ TEST(TunnellingMap, FindsTheSpeedThatPassesUnseenAndTheOneThatIsLetThrough) {
   }
 }
 
-TEST(TunnellingMap, FindsNoneWithContinuousCollisionOrASolverThatLooksAhead) {
+TEST(TunnellingMap, FindsNoSpeedWithContinuousCollisionOrASolverThatLooksAhead) {
   for (const char* engine : {"impulse:solver=split-impulse", "impulse", "impulse:continuous=off", "box2d"}) {
     EXPECT_FALSE(bracket("tunnelling", engine, 0.05, 5, 115, "stopped").high) << engine;
   }

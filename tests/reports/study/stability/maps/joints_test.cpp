@@ -7,7 +7,12 @@
 namespace plumb {
 namespace {
 
-// w dt, where each integrator loses a spring; 1 % is the promise, 0.1 % the bracket.
+TEST(ChainMap, FindsAChainThatTears) {
+  const Bracket found = bracket("chain", "impulse:solver=article", 10, 1, 10000, "holds");
+  EXPECT_EQ(found.outcome.mode, FailureMode::sinks);
+}
+
+// w dt at which a spring becomes unstable; 1 % is promised, 0.1 % is the bracket.
 TEST(SpringMap, FindsTheLimitOfEveryIntegrator) {
   constexpr double w = 20;
   const auto limit = [](const char* engine) { return w * middle(bracket("spring", engine, w, 0.01, 1, "bounded")); };
@@ -19,10 +24,10 @@ TEST(SpringMap, FindsTheLimitOfEveryIntegrator) {
   EXPECT_NEAR(limit("chipmunk"), 2, 0.02);
 }
 
-TEST(SpringMap, HasNoStepForExplicitEuler) {
+TEST(SpringMap, FindsNoStableStepForExplicitEuler) {
   const Bracket found = bracket("spring", "impulse:solver=exact,integrator=explicit-euler", 4, 0.003, 1, "bounded");
   EXPECT_FALSE(found.low) << "w dt = 0.012";
-  EXPECT_EQ(found.seen.fate, Fate::gains_energy);
+  EXPECT_EQ(found.outcome.mode, FailureMode::gains_energy);
 }
 
 }  // namespace

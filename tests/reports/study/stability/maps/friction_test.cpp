@@ -15,5 +15,10 @@ TEST(SlopeMap, FindsTheAngleOfFriction) {
   }
 }
 
+TEST(TippingMap, FindsTheAngleOfTheDiagonal) {
+  const double angle = middle(bracket("tipping", "impulse", 0.5, 5, 59, "stands"));
+  EXPECT_NEAR(angle, std::atan(0.5) / degree, 0.5);
+}
+
 }  // namespace
 }  // namespace plumb
