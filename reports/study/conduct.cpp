@@ -13,7 +13,6 @@
 #include "reports/study/document.h"
 #include "reports/study/results_file.h"
 #include "reports/study/runner.h"
-#include "reports/study/shard.h"
 #include "reports/system/environment.h"
 #include "reports/system/interrupt.h"
 #include "reports/system/progress_line.h"

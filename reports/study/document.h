@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "reports/study/study.h"
 #include "reports/writers/output.h"
 
+/// What a study writes: from its own results, or from those of its shards.
 namespace plumb {
 
 /// A whole study as JSON: its results in the plan's order, and its findings. Everything that depends on the clock is
@@ -20,5 +22,10 @@ std::string csv_of(const std::vector<JobResult>&);
 /// Takes the results of all jobs, in the plan's order.
 void write_study(const Study&, const ResultsHead&, const StudyPlan&, const std::vector<JobResult>&,
                  const OutputFolder&);
+
+/// Merges the results files of all shards of a study and writes what the undivided study would have written, apart from
+/// its timings. Throws std::invalid_argument listing every problem by file: a shard that is given twice, missing or
+/// incomplete, one of another study, configuration or version, and results of jobs outside of a file's shard.
+void merge_shards(const std::vector<std::filesystem::path>& files, const OutputFolder&);
 
 }  // namespace plumb

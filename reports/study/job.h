@@ -2,10 +2,13 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-/// The jobs of a study, what they return, and the plan that lists them.
+/// The jobs of a study, what they return, the plan that lists them, and how it is divided among machines.
 namespace plumb {
 
 /// What a job found.
@@ -64,5 +67,30 @@ struct StudyPlan {
   /// Takes the results of all jobs, in the same order.
   std::function<Findings(const std::vector<JobResult>&)> conclude;
 };
+
+/// Jobs that must stay together: a group, or a single job. In order.
+std::vector<std::span<const Job>> units_of(std::span<const Job>);
+
+/// Part k of n of a study; k counts from 1.
+struct Shard {
+  int k = 1, n = 1;
+
+  bool whole() const { return n == 1; }
+  std::string name() const;  // "2/4"
+  bool operator==(const Shard&) const = default;
+};
+
+/// Reads "k/n". Throws std::invalid_argument if the text is not of that form.
+Shard parse_shard(std::string_view text);
+
+/// Returns the value of an environment variable, or null.
+using EnvironmentLookup = std::function<const char*(const char* name)>;
+
+/// The shard that belongs to this task of a Slurm array; nullopt outside of one. Throws std::invalid_argument for an
+/// array with gaps: its tasks do not know their index.
+std::optional<Shard> slurm_shard(const EnvironmentLookup&);
+
+/// The units of jobs that belong to a shard: every n-th, so that expensive and cheap ones are spread.
+std::vector<std::span<const Job>> units_in(const Shard&, const std::vector<std::span<const Job>>& units);
 
 }  // namespace plumb

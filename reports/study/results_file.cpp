@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -71,26 +70,6 @@ std::string environment_difference(const ResultsHead& a, const ResultsHead& b) {
 }
 
 }  // namespace
-
-std::string Shard::name() const { return fmt::format("{}/{}", k, n); }
-
-std::optional<int> parse_integer(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-Shard parse_shard(std::string_view text) {
-  constexpr int most_shards = 100000;
-  const auto slash = text.find('/');
-  if (slash != std::string_view::npos) {
-    const auto k = parse_integer(text.substr(0, slash));
-    const auto n = parse_integer(text.substr(slash + 1));
-    if (k && n && *k >= 1 && *k <= *n && *n <= most_shards) return {*k, *n};
-  }
-  throw std::invalid_argument(fmt::format("--shard: \"{}\" is not k/n with 1 <= k <= n, such as 1/4", text));
-}
 
 std::string ResultsHead::difference_from(const ResultsHead& other) const {
   if (study != other.study) return fmt::format("the study \"{}\", not \"{}\"", study, other.study);

@@ -4,31 +4,14 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "reports/study/job.h"
 
 /// The file in which a study keeps its results as they arrive: `study-NAME.jsonl`.
 namespace plumb {
-
-/// Part k of n of a study; k counts from 1.
-struct Shard {
-  int k = 1, n = 1;
-
-  bool whole() const { return n == 1; }
-  std::string name() const;  // "2/4"
-  bool operator==(const Shard&) const = default;
-};
-
-/// Reads "k/n". Throws std::invalid_argument if the text is not of that form.
-Shard parse_shard(std::string_view text);
-
-/// A decimal integer that is the whole text, or nullopt.
-std::optional<int> parse_integer(std::string_view text);
 
 /// The first line of a results file: what its results belong to.
 struct ResultsHead {

@@ -1,13 +1,99 @@
 #include "reports/study/runner.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
 #include <iterator>
-#include <memory>
+#include <new>
+#include <system_error>
 
 #include "reports/statistics.h"
 
 namespace plumb {
 namespace {
+
+constexpr int poll_interval = 10;  // ms between checks of time and memory; short compared with a job
+constexpr int parent_pipe = 3;     // file descriptor of a child's pipe to its parent
+
+[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
+
+// In the child: writes the whole line, or exits because the parent is gone.
+void send_to_parent(const std::string& line) {
+  for (std::size_t sent = 0; sent < line.size();) {
+    const ssize_t now = write(parent_pipe, line.data() + sent, line.size() - sent);
+    if (now < 0 && errno == EINTR) continue;
+    if (now <= 0) _exit(1);
+    sent += static_cast<std::size_t>(now);
+  }
+}
+
+// A child keeps two pipes and nothing else of its parent: neither the terminal nor the results file. It leaves
+// interruptions to the parent and dies with it.
+void isolate_child(pid_t parent, int in, int out) {
+  const int null_device = open("/dev/null", O_WRONLY);
+  dup2(in, STDIN_FILENO);
+  dup2(null_device, STDOUT_FILENO);
+  dup2(null_device, STDERR_FILENO);
+  dup2(out, parent_pipe);
+  close_range(parent_pipe + 1, ~0U, 0);
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+}
+
+void run_job(const Job& job) {
+  JobResult result{.key = job.key};
+  try {
+    result.output = job.run();
+  } catch (const std::bad_alloc&) {
+    result.ending = Ending::out_of_memory;
+  } catch (const std::exception& error) {
+    result.ending = Ending::failed;
+    result.reason = error.what();
+  }
+  send_to_parent(to_line(result));
+  char request = 0;
+  while (result.ending == Ending::done && job.repetition && read(STDIN_FILENO, &request, 1) == 1) {
+    send_to_parent(fmt::format("{}\n", job.repetition()));
+  }
+}
+
+[[noreturn]] void run_child(const Job& job) {
+  try {
+    run_job(job);
+  } catch (...) {
+    std::abort();  // a repetition threw although the run did not
+  }
+  _exit(0);
+}
+
+// MiB of resident memory; 0 if the system does not tell.
+double memory_of(pid_t process) {
+  std::ifstream in(fmt::format("/proc/{}/statm", process));
+  double all = 0;
+  double resident = 0;
+  in >> all >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+std::string exit_text(int status) {
+  if (WIFSIGNALED(status)) return fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  return fmt::format("ended without a result, with exit code {}", WEXITSTATUS(status));
+}
 
 using Processes = std::vector<std::unique_ptr<JobProcess>>;
 
@@ -109,15 +195,127 @@ bool needs_machine(std::span<const Job> unit) {
 
 }  // namespace
 
-std::vector<std::span<const Job>> units_of(std::span<const Job> jobs) {
-  std::vector<std::span<const Job>> units;
-  for (std::size_t i = 0; i < jobs.size();) {
-    std::size_t end = i + 1;
-    while (!jobs[i].group.empty() && end < jobs.size() && jobs[end].group == jobs[i].group) ++end;
-    units.push_back(jobs.subspan(i, end - i));
-    i = end;
+JobProcess::JobProcess(const Job& job) : job_(job), result_{.key = job.key} {
+  std::array<int, 2> results{};
+  std::array<int, 2> requests{};
+  if (pipe2(results.data(), O_CLOEXEC) != 0) fail("a pipe for a job");
+  if (pipe2(requests.data(), O_CLOEXEC) != 0) {
+    close(results[0]);
+    close(results[1]);
+    fail("a pipe for a job");
   }
-  return units;
+  std::fflush(nullptr);  // otherwise the child could write buffered output a second time
+  const pid_t parent = getpid();
+  process_ = fork();
+  if (process_ == 0) {
+    isolate_child(parent, requests[0], results[1]);
+    run_child(job);
+  }
+  from_ = results[0];
+  to_ = requests[1];
+  close(results[1]);
+  close(requests[0]);
+  if (process_ < 0) {
+    close(from_);
+    close(to_);
+    fail("a process for a job");
+  }
+  fcntl(from_, F_SETFL, O_NONBLOCK);
+}
+
+JobProcess::~JobProcess() {
+  if (process_ > 0) kill_process();
+}
+
+void JobProcess::start_repetition() {
+  busy_ = true;
+  since_ = Clock::now();
+  // If the process is gone, the next read notices.
+  const auto previous = std::signal(SIGPIPE, SIG_IGN);
+  [[maybe_unused]] const ssize_t sent = write(to_, "t", 1);
+  std::signal(SIGPIPE, previous);
+}
+
+void JobProcess::attend(std::span<const std::unique_ptr<JobProcess>> processes, const JobLimits& limits) {
+  std::vector<pollfd> pipes;
+  std::vector<JobProcess*> busy;
+  for (const std::unique_ptr<JobProcess>& process : processes) {
+    if (!process->busy()) continue;
+    pipes.push_back({process->from_, POLLIN, 0});
+    busy.push_back(process.get());
+  }
+  poll(pipes.data(), pipes.size(), poll_interval);
+  for (std::size_t i = 0; i < busy.size(); ++i) {
+    if (pipes[i].revents != 0) busy[i]->read_output();
+    if (busy[i]->busy()) busy[i]->check(limits);
+  }
+}
+
+void JobProcess::read_output() {
+  std::array<char, 4096> buffer{};
+  while (busy_) {
+    const ssize_t now = read(from_, buffer.data(), buffer.size());
+    if (now < 0 && errno == EINTR) continue;
+    if (now < 0) return;  // nothing more for now
+    if (now == 0) {
+      // The process has closed its pipe: its exit status can no longer change, so the kill is safe.
+      kill(process_, SIGKILL);
+      int status = 0;
+      waitpid(process_, &status, 0);
+      process_ = 0;
+      finish(Ending::crashed, exit_text(status));
+      return;
+    }
+    partial_line_.append(buffer.data(), static_cast<std::size_t>(now));
+    if (partial_line_.back() == '\n') take_line(partial_line_);  // the child writes one line at a time, then waits
+  }
+}
+
+void JobProcess::take_line(const std::string& line) {
+  busy_ = false;
+  if (line.front() == '{') {
+    result_ = from_line(line);
+    if (!job_.repetition || result_.ending != Ending::done) kill_process();
+  } else {
+    const double seconds = std::stod(line);
+    if (std::isfinite(seconds)) {
+      repetitions_.push_back(seconds);
+      time_spent_ += time_waited();
+      if (repetitions_.size() == 1) first_time_spent_ = time_spent_;
+    } else {
+      kill_process();
+    }
+  }
+  partial_line_.clear();
+}
+
+double JobProcess::time_waited() const { return std::chrono::duration<double>(Clock::now() - since_).count(); }
+
+void JobProcess::check(const JobLimits& limits) {
+  if (time_waited() > limits.seconds) {
+    finish(Ending::timed_out, fmt::format("took more than {} s", limits.seconds));
+  } else if (memory_of(process_) > limits.mebibytes) {
+    finish(Ending::out_of_memory, fmt::format("took more than {} MiB", limits.mebibytes));
+  }
+}
+
+void JobProcess::finish(Ending ending, const std::string& reason) {
+  busy_ = false;
+  result_.ending = ending;
+  result_.reason = reason;
+  if (process_ > 0 || from_ >= 0) kill_process();
+}
+
+void JobProcess::kill_process() {
+  if (process_ > 0) {
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+  }
+  process_ = 0;
+  busy_ = false;
+  if (from_ >= 0) close(from_);
+  if (to_ >= 0) close(to_);
+  from_ = to_ = -1;
 }
 
 bool execute(std::span<const std::span<const Job>> units, const Execution& execution,

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "reports/cli/command.h"
-#include "reports/study/shard.h"
+#include "reports/study/document.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::commands::merge_command {

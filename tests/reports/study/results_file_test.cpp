@@ -130,13 +130,5 @@ TEST_F(Results, HashPlansByTheirKeys) {
   EXPECT_NE(plan_hash(a), plan_hash(b));
 }
 
-TEST(Shard, IsReadAsKOfN) {
-  EXPECT_EQ(parse_shard("2/4"), (Shard{2, 4}));
-  EXPECT_EQ(parse_shard("1/1").name(), "1/1");
-  for (const char* wrong : {"", "2", "0/4", "5/4", "1/0", "-1/4", "a/b", "1/4 ", "1/4/2", "1.5/4"}) {
-    EXPECT_THROW(parse_shard(wrong), std::invalid_argument) << wrong;
-  }
-}
-
 }  // namespace
 }  // namespace plumb
