@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "reports/run/experiment.h"
+#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
-#include "reports/study/asked_cases.h"
 #include "reports/system/environment.h"
 #include "reports/system/progress_line.h"
 #include "reports/writers/console.h"
@@ -38,7 +38,7 @@ Report carry_out_with_progress(const Plan& plan) {
 }
 
 Plan plan_of(const Session& session) {
-  Plan plan = plan_asked(session.scenarios, session.all, session.engines);
+  Plan plan = select_plan(session.scenarios, session.all, session.engines);
   plan.dt = parse_dt(session.dt);
   plan.jobs = session.jobs;
   plan.refine = session.converged;

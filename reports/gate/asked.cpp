@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reports/study/asked_cases.h"
+#include "reports/run/plan_selection.h"
 #include "reports/system/environment.h"
 #include "reports/system/progress_line.h"
 
@@ -81,8 +81,8 @@ std::vector<std::string> engines_of(const Baseline& baseline) {
 
 Plan plan_of(const Baseline& baseline, const GateAsked& asked) {
   const bool some = !asked.scenarios.empty();
-  Plan plan = plan_asked(some ? asked.scenarios : baseline.words, baseline.all,
-                         asked.engines.empty() ? engines_of(baseline) : asked.engines);
+  Plan plan = select_plan(some ? asked.scenarios : baseline.words, baseline.all,
+                          asked.engines.empty() ? engines_of(baseline) : asked.engines);
   plan.dt = baseline.dt;
   plan.jobs = asked.jobs;
   plan.timed = false;

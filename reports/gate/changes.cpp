@@ -40,18 +40,18 @@ std::optional<Json> changes_since(const std::string& file, const Report& report)
   const GateResult result = compare(before, now);
   Json regressions = Json::array();
   for (const Regression& one : result.regressions) regressions.push_back(of(one));
-  return Json{{"plumb", 1},
+  return Json{{"plumb", 2},
               {"study", "baseline"},
               {"about", "Against what was accepted"},
               {"configuration", {{"baseline", std::filesystem::path(file).filename().string()}}},
               {"environment", report.environment},
-              {"points", Json::array()},
+              {"results", Json::array()},
               {"findings",
                {{"verdict", result.verdict},
                 {"notes", result.notes},
                 {"runs", result.runs.size()},
                 {"regressions", regressions}}},
-              {"timings", {{"points", Json::object()}}}};
+              {"timings", {{"results", Json::object()}}}};
 }
 
 }  // namespace plumb

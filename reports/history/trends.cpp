@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int page_format = 1;  // of the page's data
+constexpr int page_format = 2;  // of the page's data
 
 // What a time hangs on beside the code.
 std::string machine_of(const SnapshotHead& head) {
@@ -121,9 +121,9 @@ Json history_document(const History& history) {
           {"configuration", {{"level", change_level}}},
           {"command", "./plumb history page"},
           {"environment", heads.empty() ? Json::object() : Json(heads.back().environment)},
-          {"points", std::move(points)},
+          {"results", std::move(points)},
           {"findings", {{"verdicts", std::move(verdicts)}, {"trends", std::move(numbers)}, {"unchanged", unchanged}}},
-          {"timings", {{"points", Json::object()}, {"trends", std::move(times)}}}};
+          {"timings", {{"results", Json::object()}, {"trends", std::move(times)}}}};
 }
 
 }  // namespace plumb

@@ -2,16 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
 #include "reports/study/document.h"
 #include "reports/study/results_file.h"
 #include "reports/study/runner.h"
-#include "reports/study/shard.h"
 #include "reports/system/environment.h"
 #include "reports/system/interrupt.h"
 #include "reports/system/progress_line.h"
@@ -22,84 +23,95 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int interrupted = 130;  // as a shell has it for Ctrl-C
+constexpr int interrupted_exit = 130;  // what a shell returns for Ctrl-C
 
 Shard shard_of(const StudyOptions& options) {
   if (!options.shard.empty()) return parse_shard(options.shard);
   return slurm_shard([](const char* name) { return std::getenv(name); }).value_or(Shard{});
 }
 
-std::string file_of(const Study& study, const Shard& shard) {
+std::string file_name(const Study& study, const Shard& shard) {
   return shard.whole() ? fmt::format("study-{}.jsonl", study.name)
                        : fmt::format("study-{}-{}-of-{}.jsonl", study.name, shard.k, shard.n);
 }
 
-// What an earlier run left, where there is something to go on with.
-std::optional<KeptResults> kept_in(const fs::path& path, const ResultsHead& head, const StudyOptions& options) {
+// Results of an earlier run that this one continues; nullopt to start from nothing.
+std::optional<StoredResults> results_to_resume(const fs::path& path, const ResultsHead& head,
+                                               const StudyOptions& options) {
   if (options.fresh || !fs::exists(path)) return std::nullopt;
+  StoredResults stored = read_results(path);
   if (!options.resume) {
-    const KeptResults kept = read_results(path);
-    if (kept.results.size() >= kept.head.points) return std::nullopt;
+    if (stored.results.size() >= stored.head.jobs) return std::nullopt;
     throw std::invalid_argument(
-        fmt::format("{} holds {} of {} points of a study that was interrupted: --resume goes on "
-                    "with it, --fresh begins anew",
-                    path.string(), kept.results.size(), kept.head.points));
+        fmt::format("{} holds {} of {} results of an interrupted study: --resume continues it, --fresh starts over",
+                    path.string(), stored.results.size(), stored.head.jobs));
   }
-  KeptResults kept = read_results(path);
-  std::string foreign = kept.head.foreign_to(head);
-  if (foreign.empty() && kept.head.shard != head.shard) {
-    foreign = fmt::format("shard {}, not {}", kept.head.shard.name(), head.shard.name());
+  std::string difference = stored.head.difference_from(head);
+  if (difference.empty() && stored.head.shard != head.shard) {
+    difference = fmt::format("shard {}, not {}", stored.head.shard.name(), head.shard.name());
   }
-  if (!foreign.empty()) {
-    throw std::invalid_argument(fmt::format("{} is of {}: give another --out, or --fresh", path.string(), foreign));
+  if (!difference.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{} has {}: choose another --out, or start over with --fresh", path.string(), difference));
   }
-  return kept;
+  return stored;
 }
 
-std::string duration_of(double seconds) {
+std::string duration_text(double seconds) {
   const auto s = static_cast<long>(std::lround(seconds));
   if (s < 100) return fmt::format("{} s", s);
   return s < 6000 ? fmt::format("{} min {} s", s / 60, s % 60) : fmt::format("{} h {} min", s / 3600, s / 60 % 60);
 }
 
-class ProgressTable {
+class StudyProgress {
  public:
-  ProgressTable(std::size_t known, std::size_t all) : known_(known), done_(known), all_(all) { show(""); }
+  StudyProgress(std::size_t resumed, std::size_t all) : resumed_(resumed), done_(resumed), all_(all) { show(""); }
 
-  void add(std::span<const PointResult> results) {
+  void add(std::span<const JobResult> results) {
     done_ += results.size();
     show(results.back().key);
   }
-  std::size_t done() const { return done_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   void show(const std::string& last) const {
-    const double spent = std::chrono::duration<double>(Clock::now() - begun_).count();
-    const double each = spent / static_cast<double>(std::max<std::size_t>(done_ - known_, 1));
+    const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double each = spent / static_cast<double>(std::max<std::size_t>(done_ - resumed_, 1));
     const std::string left =
-        done_ == known_ ? "" : duration_of(each * static_cast<double>(all_ - done_)) + " left; last ";
+        done_ == resumed_ ? "" : duration_text(each * static_cast<double>(all_ - done_)) + " left; last ";
     line_.show(fmt::format("[{}/{}] {}{}", done_, all_, left, last));
   }
 
-  std::size_t known_, done_, all_;
-  Clock::time_point begun_ = Clock::now();
+  std::size_t resumed_, done_, all_;
+  Clock::time_point start_ = Clock::now();
   ProgressLine line_;
 };
 
-// The units of a shard without the points that are known.
-std::vector<std::vector<Point>> unknown_of(const std::vector<std::span<const Point>>& share,
-                                           const std::map<std::string, PointResult>& known) {
-  std::vector<std::vector<Point>> units;
-  for (const std::span<const Point> unit : share) {
-    std::vector<Point> left;
-    for (const Point& point : unit) {
-      if (!known.contains(point.key)) left.push_back(point);
+// The units without the jobs that already have a result.
+std::vector<std::vector<Job>> units_left(const std::vector<std::span<const Job>>& all,
+                                         const std::map<std::string, JobResult>& known) {
+  std::vector<std::vector<Job>> units;
+  for (const std::span<const Job> unit : all) {
+    std::vector<Job> left;
+    for (const Job& job : unit) {
+      if (!known.contains(job.key)) left.push_back(job);
     }
     if (!left.empty()) units.push_back(std::move(left));
   }
   return units;
+}
+
+nlohmann::ordered_json summary_configuration(const Study& study) {
+  CLI::App app;
+  const auto configuration = study.attach(app);
+  std::vector<std::string> words(study.summary->rbegin(), study.summary->rend());  // CLI11 wants them reversed
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    throw std::logic_error("study " + study.name + ": its summary: " + error.what());
+  }
+  return configuration();
 }
 
 }  // namespace
@@ -108,19 +120,19 @@ void StudyOptions::attach_to(CLI::App& app) {
   app.add_option("--out", out, "Folder for the results, study-NAME.json, .csv and .html")
       ->capture_default_str()
       ->type_name("DIR");
-  app.add_option("--jobs", jobs, "Points run at once; what is timed has the machine for itself")
+  app.add_option("--jobs", parallel, "Jobs that run at the same time; timed jobs have the machine to themselves")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  app.add_flag("--resume", resume, "Go on with what an interrupted run left in the folder, if it left something");
-  app.add_flag("--fresh", fresh, "Begin anew, whatever is there");
-  app.add_option("--shard", shard, "Only the k-th of n parts, for `plumb merge`; a Slurm array's task by default")
+  app.add_flag("--resume", resume, "Continue an interrupted run from its results in the folder, if there are any");
+  app.add_flag("--fresh", fresh, "Start over and replace earlier results");
+  app.add_option("--shard", shard, "Only part k of n, for `plumb merge`. Default: the task of a Slurm array, or all")
       ->type_name("k/n");
-  app.add_option("--time-limit", seconds, "s that a point may take")
+  app.add_option("--time-limit", seconds, "Seconds that a job may take")
       ->capture_default_str()
       ->check(CLI::Range(0.001, 1e7))
       ->type_name("S");
-  app.add_option("--memory-limit", mebibytes, "MiB that a point may take")
+  app.add_option("--memory-limit", mebibytes, "MiB of memory that a job may take")
       ->capture_default_str()
       ->check(CLI::Range(16.0, 1e9))
       ->type_name("MIB");
@@ -131,44 +143,70 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
   const StudyPlan plan = study.plan(configuration);
   ResultsHead head{.study = study.name,
                    .configuration = configuration,
-                   .plan = plan_hash(plan.points),
+                   .plan = plan_hash(plan.jobs),
                    .shard = shard_of(options),
                    .environment = environment()};
-  const auto share = share_of(head.shard, units_of(plan.points));
-  for (const std::span<const Point> unit : share) head.points += unit.size();
+  const auto own_units = units_in(head.shard, units_of(plan.jobs));
+  for (const std::span<const Job> unit : own_units) head.jobs += unit.size();
   const OutputFolder folder(options.out);
-  const fs::path path = folder.path() / file_of(study, head.shard);
-  const std::optional<KeptResults> kept = kept_in(path, head, options);
-  std::map<std::string, PointResult> known;
-  if (kept) known = kept->results;
+  const fs::path path = folder.path() / file_name(study, head.shard);
+  const std::optional<StoredResults> stored = results_to_resume(path, head, options);
+  std::map<std::string, JobResult> known;
+  if (stored) known = stored->results;
 
-  ResultsFile file = kept ? ResultsFile::go_on(path, *kept) : ResultsFile::begin(path, head);
-  const std::vector<std::vector<Point>> left = unknown_of(share, known);
-  Execution how{.jobs = options.jobs, .limits = {options.seconds, options.mebibytes}, .interrupted = Interrupt::raised};
+  ResultsFile file = stored ? ResultsFile::append(path, *stored) : ResultsFile::create(path, head);
+  const std::vector<std::vector<Job>> left = units_left(own_units, known);
+  const Execution execution{
+      .parallel = options.parallel, .limits = {options.seconds, options.mebibytes}, .interrupted = Interrupt::raised};
   bool complete = false;
   {
     const Interrupt interrupt;
-    ProgressTable progress(known.size(), head.points);
-    const std::vector<std::span<const Point>> units(left.begin(), left.end());
-    complete = execute(units, how, [&](std::span<const PointResult> results) {
+    StudyProgress progress(known.size(), head.jobs);
+    const std::vector<std::span<const Job>> units(left.begin(), left.end());
+    complete = execute(units, execution, [&](std::span<const JobResult> results) {
       file.add(results);
-      for (const PointResult& result : results) known.emplace(result.key, result);
+      for (const JobResult& result : results) known.emplace(result.key, result);
       progress.add(results);
     });
   }
   if (!complete) {
-    fmt::print(stderr, "Interrupted: {} of {} points are kept in {}. The same command with --resume goes on.\n",
-               known.size(), head.points, path.string());
-    return interrupted;
+    fmt::print(stderr, "Interrupted: {} of {} results are in {}. The same command with --resume continues.\n",
+               known.size(), head.jobs, path.string());
+    return interrupted_exit;
   }
   if (!head.shard.whole()) {
-    fmt::print("{}\nShard {} is complete. When all are: plumb merge FILE ...\n", path.string(), head.shard.name());
+    fmt::print("{}\nShard {} is complete. When all shards are: plumb merge FILE ...\n", path.string(),
+               head.shard.name());
     return 0;
   }
-  std::vector<PointResult> results;
-  for (const Point& point : plan.points) results.push_back(known.at(point.key));
-  write_study(study, head, plan, results, folder);
+  write_study(study, head, plan, in_plan_order(plan.jobs, known), folder);
   return 0;
+}
+
+std::string summary_command(const Study& study) {
+  std::string command = "plumb study " + study.name;
+  for (const std::string& word : *study.summary) command += " " + word;
+  return command;
+}
+
+nlohmann::ordered_json summary_document(const Study& study, int parallel, const SummaryProgress& progress) {
+  const nlohmann::ordered_json configuration = summary_configuration(study);
+  const StudyPlan plan = study.plan(configuration);
+  std::map<std::string, JobResult> known;
+  execute(units_of(plan.jobs), {.parallel = parallel}, [&](std::span<const JobResult> results) {
+    for (const JobResult& result : results) known.emplace(result.key, result);
+    progress(results.back().key, known.size(), plan.jobs.size());
+  });
+  const std::vector<JobResult> results = in_plan_order(plan.jobs, known);
+  const ResultsHead head{.study = study.name,
+                         .configuration = configuration,
+                         .plan = plan_hash(plan.jobs),
+                         .shard = {},
+                         .jobs = results.size(),
+                         .environment = environment()};
+  nlohmann::ordered_json document = document_of(study, head, results, plan.conclude(results));
+  document["command"] = summary_command(study);
+  return document;
 }
 
 }  // namespace plumb

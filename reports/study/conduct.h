@@ -1,18 +1,20 @@
 #pragma once
 
-#include <CLI/App.hpp>
-#include <nlohmann/json.hpp>
+#include <cstddef>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "reports/study/study.h"
 #include "reports/system/jobs.h"
 
+/// Running a study: from the command line into a folder, or its summary in memory for a report.
 namespace plumb {
 
-/// How a study is carried out: options that all of them have, and that no result hangs on.
+/// Options that all studies have. No result depends on them.
 struct StudyOptions {
   std::string out = "out";
-  int jobs = default_jobs();
+  int parallel = default_jobs();
   bool resume = false;
   bool fresh = false;
   std::string shard;
@@ -22,8 +24,19 @@ struct StudyOptions {
   void attach_to(CLI::App&);
 };
 
-/// Finds out the points that are not known yet and writes what they come to; a shard's points only. Returns the exit
-/// code. Throws std::invalid_argument for what the user should put right, before anything is run.
+/// Runs the jobs that have no result yet, of one shard if the options say so, and writes the findings once the whole
+/// study is complete. Returns the exit code. Throws std::invalid_argument for mistakes of the user, before any job
+/// runs.
 int conduct(const Study&, const nlohmann::ordered_json& configuration, const StudyOptions&);
+
+/// The command that runs a study's summary, "plumb study NAME ...". The study must have one.
+std::string summary_command(const Study&);
+
+/// Told of each finished job: its key, and how many of how many jobs are done.
+using SummaryProgress = std::function<void(const std::string& key, std::size_t done, std::size_t of)>;
+
+/// Runs a study's summary and returns the document that `plumb study` would write. No results file is kept. Throws
+/// std::logic_error if the summary's options are not the study's own.
+nlohmann::ordered_json summary_document(const Study&, int parallel, const SummaryProgress&);
 
 }  // namespace plumb

@@ -3,17 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
 
 #include "reports/system/csv.h"
 #include "reports/writers/html.h"
 #include "reports/writers/page.h"
+#include "scenarios/catalog.h"
+#include "scenarios/scene/nearest.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int document_format = 1;  // grows when a reader of the old one would be misled
+constexpr int document_format = 2;  // increased when a reader of the previous format would misread the document
 
 void add_new(std::vector<std::string>& names, const Json& object) {
   for (const auto& [name, value] : object.items()) {
@@ -33,51 +38,135 @@ std::string fields(const std::vector<std::string>& names, const Json& object) {
   return text;
 }
 
+namespace fs = std::filesystem;
+
+struct ShardFile {
+  fs::path path;
+  StoredResults stored;
+};
+
+const Study& study_of(const ShardFile& file) {
+  const std::string& name = file.stored.head.study;
+  if (const Study* study = Catalog<Study>::find(name)) return *study;
+  std::vector<std::string> names;
+  for (const Study* study : Catalog<Study>::all()) names.push_back(study->name);
+  throw std::invalid_argument(file.path.string() + ": " + unknown("study", name, names));
+}
+
+// Collects messages, to throw them all at once.
+class Problems {
+ public:
+  template <class... Arguments>
+  void add(fmt::format_string<Arguments...> what, Arguments&&... arguments) {
+    text_ += (text_.empty() ? "" : "\n") + fmt::format(what, std::forward<Arguments>(arguments)...);
+  }
+  void raise() const {
+    if (!text_.empty()) throw std::invalid_argument(text_);
+  }
+
+ private:
+  std::string text_;
+};
+
+void check_heads(const std::vector<ShardFile>& files, Problems& problems) {
+  const ShardFile& first = files.front();
+  const int n = first.stored.head.shard.n;
+  std::map<int, fs::path> found;
+  for (const auto& [path, stored] : files) {
+    const Shard& shard = stored.head.shard;
+    const std::string difference = stored.head.difference_from(first.stored.head);
+    if (!difference.empty()) {
+      problems.add("{} does not belong to {}: it has {}", path.string(), first.path.string(), difference);
+    } else if (shard.n != n) {
+      problems.add("{} is shard {} and {} is shard {}: they overlap", path.string(), shard.name(), first.path.string(),
+                   first.stored.head.shard.name());
+    } else if (const auto [other, added] = found.emplace(shard.k, path); !added) {
+      problems.add("{} and {} are both shard {}", other->second.string(), path.string(), shard.name());
+    }
+  }
+  problems.raise();
+  for (int k = 1; k <= n; ++k) {
+    if (!found.contains(k)) problems.add("shard {} is missing", Shard{k, n}.name());
+  }
+}
+
+void check_results(const ShardFile& file, const std::vector<std::span<const Job>>& units, Problems& problems) {
+  std::set<std::string> own;
+  for (const auto& unit : units) {
+    for (const Job& job : unit) own.insert(job.key);
+  }
+  for (const auto& [key, result] : file.stored.results) {
+    if (!own.contains(key)) {
+      problems.add("{}: \"{}\" is not in shard {}", file.path.string(), key, file.stored.head.shard.name());
+    }
+  }
+  std::size_t missing = 0;
+  std::string first;
+  for (const std::string& key : own) {
+    if (!file.stored.results.contains(key) && missing++ == 0) first = key;
+  }
+  if (missing > 0) {
+    problems.add("{}: {} of {} results are missing, the first is \"{}\"; run its command again with --resume",
+                 file.path.string(), missing, own.size(), first);
+  }
+}
+
+// Shards may have run on different machines: the environment of the whole lists all of them.
+void add_machine(const ResultsHead& from, ResultsHead& to) {
+  for (const char* key : {"system", "processor", "processors"}) {
+    std::string& all = to.environment[key];
+    const auto other = from.environment.find(key);
+    if (other == from.environment.end() || (", " + all + ",").find(", " + other->second + ",") != std::string::npos)
+      continue;
+    all += (all.empty() ? "" : ", ") + other->second;
+  }
+}
+
 }  // namespace
 
-Json document_of(const Study& study, const ResultsHead& head, const std::vector<PointResult>& results,
+Json document_of(const Study& study, const ResultsHead& head, const std::vector<JobResult>& results,
                  const Findings& found) {
-  Json points = Json::array();
+  Json all = Json::array();
   Json times = Json::object();
-  for (const PointResult& result : results) {
-    points.push_back({{"key", result.key},
-                      {"ending", name_of(result.ending)},
-                      {"reason", result.reason},
-                      {"values", result.row.values}});
-    if (!result.row.times.empty()) times[result.key] = result.row.times;
+  for (const JobResult& result : results) {
+    all.push_back({{"key", result.key},
+                   {"ending", name_of(result.ending)},
+                   {"reason", result.reason},
+                   {"values", result.output.values}});
+    if (!result.output.times.empty()) times[result.key] = result.output.times;
   }
   Json timings = found.timings;
-  timings["points"] = std::move(times);
+  timings["results"] = std::move(times);
   return {{"plumb", document_format},
           {"study", study.name},
           {"about", study.about},
           {"configuration", head.configuration},
           {"environment", head.environment},
-          {"points", std::move(points)},
+          {"results", std::move(all)},
           {"findings", found.findings},
           {"timings", std::move(timings)}};
 }
 
-std::string csv_of(const std::vector<PointResult>& results) {
+std::string csv_of(const std::vector<JobResult>& results) {
   std::vector<std::string> values;
   std::vector<std::string> times;
-  for (const PointResult& result : results) {
-    add_new(values, result.row.values);
-    add_new(times, result.row.times);
+  for (const JobResult& result : results) {
+    add_new(values, result.output.values);
+    add_new(times, result.output.times);
   }
   std::string text = "key,ending,reason";
   for (const std::string& name : values) text += "," + csv_field(name);
   for (const std::string& name : times) text += "," + csv_field("time_" + name);
   text += "\n";
-  for (const PointResult& result : results) {
+  for (const JobResult& result : results) {
     text += csv_field(result.key) + "," + name_of(result.ending) + "," + csv_field(result.reason) +
-            fields(values, result.row.values) + fields(times, result.row.times) + "\n";
+            fields(values, result.output.values) + fields(times, result.output.times) + "\n";
   }
   return text;
 }
 
 void write_study(const Study& study, const ResultsHead& head, const StudyPlan& plan,
-                 const std::vector<PointResult>& results, const OutputFolder& folder) {
+                 const std::vector<JobResult>& results, const OutputFolder& folder) {
   const Findings found = plan.conclude(results);
   const Json document = document_of(study, head, results, found);
   const std::string stem = "study-" + study.name;
@@ -87,10 +176,39 @@ void write_study(const Study& study, const ResultsHead& head, const StudyPlan& p
   if (auto page = fill_page(page_template(), Json{{"study", document}}, why_not)) {
     files.emplace_back(stem + ".html", std::move(*page));
   }
-  const auto placed = folder.put(files);
-  fmt::print("{}", found.summary);
-  for (const auto& place : placed) fmt::print("{}\n", place.string());
+  const auto paths = folder.put(files);
+  fmt::print("{}", found.text);
+  for (const auto& path : paths) fmt::print("{}\n", path.string());
   if (!why_not.empty()) fmt::print("No {}.html: {}.\n", stem, why_not);
+}
+
+void merge_shards(const std::vector<fs::path>& paths, const OutputFolder& folder) {
+  std::vector<ShardFile> files;
+  for (const fs::path& path : paths) files.push_back({path, read_results(path)});
+  if (files.empty()) throw std::invalid_argument("there are no files to merge");
+
+  const Study& study = study_of(files.front());
+  ResultsHead head = files.front().stored.head;
+  Problems problems;
+  check_heads(files, problems);
+  const StudyPlan plan = study.plan(head.configuration);
+  if (plan_hash(plan.jobs) != head.plan) {
+    throw std::invalid_argument(files.front().path.string() +
+                                ": this plumb plans other jobs for that configuration: another version made the file");
+  }
+  const auto units = units_of(plan.jobs);
+  for (const ShardFile& file : files) check_results(file, units_in(file.stored.head.shard, units), problems);
+  problems.raise();
+
+  std::map<std::string, JobResult> by_key;
+  for (ShardFile& file : files) {
+    add_machine(file.stored.head, head);
+    by_key.merge(file.stored.results);
+  }
+  const std::vector<JobResult> results = in_plan_order(plan.jobs, by_key);
+  head.shard = {};
+  head.jobs = results.size();
+  write_study(study, head, plan, results, folder);
 }
 
 }  // namespace plumb

@@ -6,47 +6,55 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "reports/study/point.h"
-#include "reports/study/shard.h"
+#include "reports/study/job.h"
 
+/// The file in which a study keeps its results as they arrive: `study-NAME.jsonl`.
 namespace plumb {
 
-/// The first line of a results file: what its points belong to.
+/// The first line of a results file: what its results belong to.
 struct ResultsHead {
   std::string study;
   nlohmann::ordered_json configuration;
-  std::string plan;  // a hash of all keys of the whole study
+  std::string plan;  // plan_hash of the whole study
   Shard shard;
-  std::size_t points = 0;  // of the shard
+  std::size_t jobs = 0;  // in the shard
   std::map<std::string, std::string> environment;
 
-  /// What differs, in words, between files whose points may not stand in one study; "" where nothing does. Where they
-  /// ran may differ, and the shard.
-  std::string foreign_to(const ResultsHead&) const;
+  /// Describes the first difference that keeps the results of two files out of one study; "" if there is none. The
+  /// machine and the shard may differ.
+  std::string difference_from(const ResultsHead&) const;
 };
 
-/// Of the keys, in order.
-std::string plan_hash(std::span<const Point>);
+/// A hash of texts and their order (FNV-1a, 64 bits, in hexadecimal).
+std::string hash_of_lines(std::span<const std::string>);
 
-struct KeptResults {
+/// The hash of all keys of a plan, in order.
+std::string plan_hash(std::span<const Job>);
+
+struct StoredResults {
   ResultsHead head;
-  std::map<std::string, PointResult> results;  // by key
-  std::size_t whole = 0;  // bytes up to the end of the last whole line; what is beyond was torn by an interruption
+  std::map<std::string, JobResult> results;  // by key
+  std::size_t bytes = 0;  // up to the end of the last complete line; the rest was cut off by an interruption
 };
 
-/// Throws std::invalid_argument, naming the file, for what cannot be read, is no results file, or has a point twice.
-KeptResults read_results(const std::filesystem::path&);
+/// The results of all jobs, in the plan's order. Throws std::out_of_range if one is missing.
+std::vector<JobResult> in_plan_order(std::span<const Job>, const std::map<std::string, JobResult>& by_key);
 
-/// Points as they are found out, one line each (JSON), written whole and at once: an interruption tears the last line
-/// at most. One process writes it at a time.
+/// Throws std::invalid_argument, naming the file and line, if the file cannot be read, is not a results file of this
+/// format, or has two results for one key.
+StoredResults read_results(const std::filesystem::path&);
+
+/// Appends results, one line of JSON each. A line is written in one call, so an interruption can damage only the last
+/// one. The file is locked: one process writes it at a time.
 class ResultsFile {
  public:
-  /// A new one in place of whatever is there. Throws std::invalid_argument, with the system's reason, where it cannot
-  /// be written, or another process is writing it, and still does a second later.
-  static ResultsFile begin(const std::filesystem::path&, const ResultsHead&);
-  /// Goes on after what is kept there.
-  static ResultsFile go_on(const std::filesystem::path&, const KeptResults&);
+  /// Starts a new file and replaces an existing one. Throws std::invalid_argument, with the system's reason, if it
+  /// cannot be written or if another process still holds it after a second.
+  static ResultsFile create(const std::filesystem::path&, const ResultsHead&);
+  /// Appends to a file after the results that were read from it. Throws like `create`.
+  static ResultsFile append(const std::filesystem::path&, const StoredResults&);
 
   ResultsFile(ResultsFile&&) noexcept;
   ResultsFile(const ResultsFile&) = delete;
@@ -54,11 +62,11 @@ class ResultsFile {
   ResultsFile& operator=(ResultsFile&&) = delete;
   ~ResultsFile();
 
-  /// Throws std::runtime_error where it cannot be written any more.
-  void add(std::span<const PointResult>);
+  /// Throws std::runtime_error if the file can no longer be written.
+  void add(std::span<const JobResult>);
 
  private:
-  ResultsFile(const std::filesystem::path&, std::size_t keep);
+  ResultsFile(const std::filesystem::path&, std::size_t bytes_to_keep);
   void write(const std::string&);
 
   std::filesystem::path path_;

@@ -1,26 +1,82 @@
 #pragma once
 
+#include <sys/types.h>
+
+#include <chrono>
 #include <functional>
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "reports/study/child.h"
-#include "reports/study/point.h"
+#include "reports/study/job.h"
 
+/// Running jobs, each in a child process.
 namespace plumb {
 
+/// A job that takes more is ended.
+struct JobLimits {
+  double seconds = 60;      // for its run, and again for each repetition
+  double mebibytes = 4096;  // resident memory
+};
+
+/// A child process that runs one job. Only a process without other threads may fork one.
+class JobProcess {
+ public:
+  /// Starts the job at once. The job must outlive this object. Throws std::system_error if there is no process or pipe
+  /// for it.
+  explicit JobProcess(const Job&);
+  JobProcess(const JobProcess&) = delete;
+  JobProcess& operator=(const JobProcess&) = delete;
+  ~JobProcess();
+
+  /// The run or a repetition is under way.
+  bool busy() const { return busy_; }
+  /// The run is done and a repetition can start.
+  bool ready() const { return process_ > 0 && !busy_; }
+  /// Starts a repetition. The process must be ready.
+  void start_repetition();
+
+  const Job& job() const { return job_; }
+  const JobResult& result() const { return result_; }
+  const std::vector<double>& repetitions() const { return repetitions_; }  // s, of all so far
+  /// s, wall-clock time of all repetitions so far and of the first, including what they do not time.
+  double time_spent() const { return time_spent_; }
+  double first_time_spent() const { return first_time_spent_; }
+
+  /// Waits up to a few milliseconds for output of the busy processes, reads it, and ends processes beyond their limits.
+  static void attend(std::span<const std::unique_ptr<JobProcess>>, const JobLimits&);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void read_output();
+  void take_line(const std::string& line);
+  void check(const JobLimits&);
+  double time_waited() const;
+  void finish(Ending, const std::string& reason);
+  void kill_process();
+
+  const Job& job_;
+  JobResult result_;
+  pid_t process_ = 0;
+  int from_ = -1, to_ = -1;  // pipes
+  bool busy_ = true;
+  Clock::time_point since_ = Clock::now();
+  std::string partial_line_;
+  std::vector<double> repetitions_;
+  double time_spent_ = 0, first_time_spent_ = 0;
+};
+
 struct Execution {
-  int jobs = 1;  // points run at once; those that are timed or alone have the machine for themselves
-  Limits limits = {};
+  int parallel = 1;  // jobs that run at the same time; timed jobs and those that want to be alone have the machine
+  JobLimits limits = {};
   std::function<bool()> interrupted = [] { return false; };
 };
 
-/// Points that must stay together: one, or a group. In order.
-std::vector<std::span<const Point>> units_of(std::span<const Point>);
-
-/// Finds out all of them. `keep` is told what is finished, as soon as it is: a point, or a whole group. Returns false
-/// when it was interrupted; then what was under way is lost.
-bool execute(std::span<const std::span<const Point>> units, const Execution&,
-             const std::function<void(std::span<const PointResult>)>& keep);
+/// Runs all jobs of the units. `keep` receives results as soon as they are final: one at a time, or a whole group.
+/// Returns false if it was interrupted; the results of jobs under way are then lost.
+bool execute(std::span<const std::span<const Job>> units, const Execution&,
+             const std::function<void(std::span<const JobResult>)>& keep);
 
 }  // namespace plumb

@@ -11,8 +11,8 @@
 #include "reports/gate/bounds.h"
 #include "reports/gate/compare.h"
 #include "reports/gate/writer.h"
+#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
-#include "reports/study/asked_cases.h"
 #include "reports/system/files.h"
 #include "reports/system/progress_line.h"
 #include "scenarios/catalog.h"
@@ -43,7 +43,7 @@ Scope scope_of(const Accept& asked, const std::optional<Baseline>& before) {
     scope.scenarios = before->words;
   }
   scope.plan =
-      plan_asked(scope.scenarios, scope.all, before && gate.engines.empty() ? engines_of(*before) : gate.engines);
+      select_plan(scope.scenarios, scope.all, before && gate.engines.empty() ? engines_of(*before) : gate.engines);
   if (before) scope.plan.dt = before->dt;
   if (!asked.dt.empty()) scope.plan.dt = parse_dt(asked.dt);
   scope.plan.jobs = gate.jobs;

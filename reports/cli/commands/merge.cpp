@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "reports/cli/command.h"
-#include "reports/study/merge.h"
+#include "reports/study/document.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::commands::merge_command {
@@ -16,8 +16,7 @@ struct Merge {
 
 int carry_out(const Merge& asked) {
   const OutputFolder folder(asked.out);
-  const Merged merged = merge({asked.files.begin(), asked.files.end()});
-  write_study(*merged.study, merged.head, merged.plan, merged.results, folder);
+  merge_shards({asked.files.begin(), asked.files.end()}, folder);
   return 0;
 }
 

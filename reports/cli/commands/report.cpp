@@ -10,9 +10,9 @@
 #include "reports/gate/changes.h"
 #include "reports/history/trends.h"
 #include "reports/run/experiment.h"
+#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
-#include "reports/study/asked_cases.h"
-#include "reports/study/brief.h"
+#include "reports/study/conduct.h"
 #include "reports/study/study.h"
 #include "reports/system/progress_line.h"
 #include "reports/writers/pictures.h"
@@ -33,9 +33,9 @@ struct Asked {
 void add_studies(Report& report, int jobs) {
   const ProgressLine line;
   for (const Study* study : Catalog<Study>::all()) {
-    if (!study->brief) continue;
+    if (!study->summary) continue;
     report.studies.push_back(
-        brief_document(*study, jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
+        summary_document(*study, jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
           line.show(fmt::format("study {} [{}/{}] {}", study->name, done, of, key));
         }));
   }
@@ -43,7 +43,7 @@ void add_studies(Report& report, int jobs) {
 
 // The first case that a word means, whether the report has it or not.
 Preview preview_of_case(const std::string& word, const Session& session) {
-  Plan plan = plan_asked({word}, false, session.engines);
+  Plan plan = select_plan({word}, false, session.engines);
   plan.cases.erase(plan.cases.begin() + 1, plan.cases.end());
   plan.dt = parse_dt(session.dt);
   plan.refine = session.converged;

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "reports/cli/command.h"
 #include "reports/study/conduct.h"

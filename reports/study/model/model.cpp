@@ -1,21 +1,22 @@
-// The least model that a scene needs: what each feature of our engine is worth there, in error and in cost.
+// The study of models: what each feature of our engine is worth in a scene, in error and in cost, and the least model
+// that the scene needs.
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include "reports/report.h"
+#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
-#include "reports/statistics.h"
-#include "reports/study/asked_cases.h"
+#include "reports/study/job.h"
 #include "reports/study/model/least_model.h"
-#include "reports/study/model/model_findings.h"
-#include "reports/study/model/yardstick.h"
+#include "reports/study/model/model_error.h"
+#include "reports/study/selection.h"
 #include "reports/study/study.h"
 #include "reports/timing/step_cost.h"
 #include "scenarios/catalog.h"
@@ -25,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Asked {
+struct ModelOptions {
   std::vector<std::string> scenarios;
   bool all = false;
   std::string engine = "impulse";
@@ -33,19 +34,20 @@ struct Asked {
   std::string tolerance = "1e-4";
 };
 
-// Beside the canonical ones, one of a kind: flight, forces, smooth, heaps, joints, crowds.
-const std::vector<std::string> besides{"free-bodies",         "orbit:ellipse",  "spring:w=4",     "disc-pile",
-                                       "flush-tiles:smooth",  "billiard:table", "pi-billiard:31", "pyramid:five",
-                                       "hanging-chain:still", "rain:seed 1"};
+// One scene of each kind that the canonical scenarios lack: flight, forces, frictionless contact, granular piles,
+// joints, many bodies.
+const std::vector<std::string> extra_cases{"free-bodies",         "orbit:ellipse",  "spring:w=4",     "disc-pile",
+                                           "flush-tiles:smooth",  "billiard:table", "pi-billiard:31", "pyramid:five",
+                                           "hanging-chain:still", "rain:seed 1"};
 
 EngineConfig full_of(const Json& configuration) {
   const std::string word = configuration.at("engine");
   EngineConfig full = parse_engine(word);
   if (!full.engine->chooses) {
-    throw std::invalid_argument(word + " cannot leave features out; ask about impulse, or impulse:key=value,...");
+    throw std::invalid_argument(word + " cannot leave features out; choose impulse, or impulse:key=value,...");
   }
   if (full.settings.at("model") != complete(*full.engine, {}).at("model")) {
-    throw std::invalid_argument(word + " leaves features out by itself, and is no full model to drop them from");
+    throw std::invalid_argument(word + " leaves features out by itself, so it is not a full model to drop them from");
   }
   return full;
 }
@@ -56,169 +58,186 @@ double tolerance_of(const Json& configuration) {
   throw std::invalid_argument("--tolerance must be above 0 m");
 }
 
-EngineConfig choosing(const EngineConfig& full) {
-  EngineConfig chosen = full;
-  chosen.settings["model"] = "auto";
-  return chosen;
-}
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-// One model of a case.
-class Tried {
+// One model in one case: its error, and then its cost.
+class ModelRun {
  public:
-  Tried(std::shared_ptr<const Yardstick> by, EngineConfig model, Json about)
-      : by_(std::move(by)), model_(std::move(model)), about_(std::move(about)) {}
+  ModelRun(std::shared_ptr<const ModelError> errors, EngineConfig model, Json about)
+      : errors_(std::move(errors)), model_(std::move(model)), about_(std::move(about)) {}
 
-  Row row() {
-    const Case& asked = by_->asked();
-    const Yardstick::Reading reading = by_->read(model_);
-    able_ = reading.status == Status::ok;
-    Row row;
-    row.values = {{"scenario", asked.scenario->name}, {"variant", asked.variant}};
-    row.values.update(about_);
-    row.values.update({{"line", label_of(model_.engine->name, model_.method())},
-                       {"status", name_of(reading.status)},
-                       {"why", reading.reason},
-                       {"error", number(reading.error)},
-                       {"change", number(reading.change)},
-                       {"within", by_->within(reading)},
-                       {"duration", asked.scene->duration},
-                       {"truth", by_->truth()},
-                       {"truth_until", by_->truth_until()},
-                       {"truth_error", by_->truth_error()},
-                       {"compared_until", by_->compared_until()},
-                       {"phases", by_->phases()}});
+  JobOutput output() {
+    const Case& problem = errors_->problem();
+    const ModelError::Result result = errors_->of(model_);
+    able_ = result.status == Status::ok;
+    JobOutput output;
+    output.values = {{"scenario", problem.scenario->name}, {"variant", problem.variant}};
+    output.values.update(about_);
+    output.values.update({{"line", label_of(model_.engine->name, model_.method())},
+                          {"status", name_of(result.status)},
+                          {"why", result.reason},
+                          {"error", finite_or_null(result.error)},
+                          {"change", finite_or_null(result.change)},
+                          {"within", errors_->within_tolerance(result)},
+                          {"duration", problem.scene->duration},
+                          {"truth", errors_->truth()},
+                          {"truth_until", errors_->truth_until()},
+                          {"truth_error", errors_->truth_error()},
+                          {"compared_until", errors_->compared_until()},
+                          {"phases", errors_->phases()}});
     Json choices = Json::array();
-    for (const Choice& one : model_.engine->chooses(*asked.scene, model_.settings)) {
+    for (const Choice& one : model_.engine->chooses(*problem.scene, model_.settings)) {
       choices.push_back({{"setting", one.option + "=" + one.value}, {"reason", one.reason}});
     }
-    if (!choices.empty()) row.values["choices"] = std::move(choices);
-    return row;
+    if (!choices.empty()) output.values["choices"] = std::move(choices);
+    return output;
   }
 
-  double time() const {
+  // s per simulated second; NaN for a model that did not run.
+  double cost() const {
     if (!able_) return std::numeric_limits<double>::quiet_NaN();
-    return step_cost(*by_->asked().scene, model_, by_->dt());
+    return step_cost(*errors_->problem().scene, model_, errors_->dt());
   }
 
  private:
-  std::shared_ptr<const Yardstick> by_;
+  std::shared_ptr<const ModelError> errors_;
   EngineConfig model_;
   Json about_;
   bool able_ = false;
 };
 
-// s per simulated second, as far as the machine did nothing else.
-double undisturbed_cost(const Yardstick& by, const EngineConfig& model) {
-  constexpr double slow = 0.01;  // s, in which something else is always done
-  const Scene& scene = *by.asked().scene;
-  double least = step_cost(scene, model, by.dt());
-  for (int i = 0; i < 2 && least * scene.duration < slow; ++i)
-    least = std::min(least, step_cost(scene, model, by.dt()));
-  return least;
-}
-
-// Of a's cost to b's, by turns, in each of which another begins; until `decided`.
-Quartiles cost_ratio(const Yardstick& by, const EngineConfig& a, const EngineConfig& b,
-                     const std::function<bool(const Quartiles&)>& decided) {
-  constexpr std::size_t few = 4;
-  constexpr std::size_t most = 15;
-  std::vector<double> ratios;
-  while (ratios.size() < few || (ratios.size() < most && !decided(quartiles(ratios)))) {
-    const bool b_first = ratios.size() % 2 != 0;
-    const double first = undisturbed_cost(by, b_first ? b : a);
-    const double second = undisturbed_cost(by, b_first ? a : b);
-    ratios.push_back(b_first ? second / first : first / second);
-  }
-  return quartiles(ratios);
-}
-
-// A share of the cost that a drop must save, in three turns of four, to be worth it.
-constexpr double worth = 0.03;
-
-bool decided(const Quartiles& ratio) { return ratio.high < 1 - worth || ratio.low > 1 - worth; }
-bool steady(const Quartiles& ratio) { return ratio.high - ratio.low < worth * ratio.median; }
-
-Json json_of(const Quartiles& of) { return {{"median", of.median}, {"low", of.low}, {"high", of.high}}; }
-
-// What is cheapest hangs on the clock, and so does everything that follows from it.
-Row find_least(const Yardstick& by) {
-  const EngineConfig& full = by.full();
-  Row row;
-  row.values = {{"scenario", by.asked().scenario->name}, {"variant", by.asked().variant}, {"role", "least"}};
-  if (!by.within(by.read(full))) {
-    row.values["why"] = "the full model itself does not run to the end";
-    return row;
-  }
-  const auto ratio = [&](const Levels& a, const Levels& b) {
-    return cost_ratio(by, model_at(full, a), model_at(full, b), decided);
-  };
-  const Trials trials{.sufficient = [&](const Levels& levels) { return by.within(by.read(model_at(full, levels))); },
-                      .cost_ratio = [&](const Levels& a, const Levels& b) { return ratio(a, b).median; },
-                      .cheaper = [&](const Levels& a, const Levels& b) { return ratio(a, b).high < 1 - worth; }};
-  const std::vector<Drop> drops = single_drops(full);
-  const Levels least = least_model(drops, model_features().size(), trials);
-  const EngineConfig model = model_at(full, least);
-  const Yardstick::Reading reading = by.read(model);
-  row.times = {{"line", label_of(model.engine->name, model.method())},
-               {"error", number(reading.error)},
-               {"change", number(reading.change)},
-               {"cheaper", json_of(cost_ratio(by, full, model, steady))},
-               {"auto_cheaper", json_of(cost_ratio(by, full, choosing(full), steady))}};
-  Json dropped = Json::array();
-  for (std::size_t f = 0; f < least.size(); ++f) {
-    if (least[f] == 0) continue;
-    const Feature& feature = model_features()[f];
-    dropped.push_back({{"feature", feature.name}, {"without", feature.rungs[least[f] - 1].without}});
-  }
-  row.times["dropped"] = std::move(dropped);
-  return row;
-}
-
-std::vector<Point> points_of(const Json& configuration) {
+std::vector<Job> jobs_of(const Json& configuration) {
   const EngineConfig full = full_of(configuration);
   const double dt = parse_dt(configuration.at("dt").get<std::string>());
   const double tolerance = tolerance_of(configuration);
-  std::vector<Point> points;
-  for (Case& one : cases_asked(configuration.at("scenarios"), configuration.at("all"), besides)) {
-    const std::string place = one.scenario->name + "/" + one.variant;
-    const auto by = std::make_shared<Yardstick>(std::move(one), full, dt, tolerance);
+  std::vector<Job> jobs;
+  for (Case& problem : select_cases(configuration.at("scenarios"), configuration.at("all"), extra_cases)) {
+    const std::string case_name = problem.scenario->name + "/" + problem.variant;
+    const auto errors = std::make_shared<ModelError>(std::move(problem), full, dt, tolerance);
     const auto add = [&](const std::string& name, const EngineConfig& model, Json about) {
-      const auto tried = std::make_shared<Tried>(by, model, std::move(about));
-      points.push_back({.key = fmt::format("model|{}|{}", place, name),
-                        .run = [tried] { return tried->row(); },
-                        .turn = [tried] { return tried->time(); },
-                        .group = place,
-                        .prepare = [by] { by->find(); }});
+      const auto model_run = std::make_shared<ModelRun>(errors, model, std::move(about));
+      jobs.push_back({.key = fmt::format("model|{}|{}", case_name, name),
+                      .run = [model_run] { return model_run->output(); },
+                      .repetition = [model_run] { return model_run->cost(); },
+                      .group = case_name,
+                      .prepare = [errors] { errors->find(); }});
     };
     add("full", full, {{"role", "full"}});
-    for (const Drop& drop : single_drops(full)) {
-      Levels levels(model_features().size(), 0);
-      levels[drop.feature] = drop.rung;
+    for (const FeatureDrop& drop : single_drops(full)) {
+      FeatureLevels levels(model_features().size(), 0);
+      levels[drop.feature] = drop.step;
       const Feature& feature = model_features()[drop.feature];
       add(drop.setting, model_at(full, levels),
           {{"role", "drop"},
            {"feature", feature.name},
-           {"without", feature.rungs[drop.rung - 1].without},
+           {"without", feature.steps[drop.step - 1].without},
            {"setting", drop.setting}});
     }
-    add("auto", choosing(full), {{"role", "auto"}});
-    points.push_back({.key = fmt::format("model|{}|least", place),
-                      .run = [by] { return find_least(*by); },
-                      .alone = true,
-                      .prepare = [by] { by->find(); }});
+    add("auto", automatic_model(full), {{"role", "auto"}});
+    jobs.push_back({.key = fmt::format("model|{}|least", case_name),
+                    .run = [errors] { return search_least_model(*errors); },
+                    .alone = true,
+                    .prepare = [errors] { errors->find(); }});
   }
-  return points;
+  return jobs;
 }
 
-Json configuration_of(const Asked& asked) {
+Json configuration_of(const ModelOptions& options) {
   Json configuration{
-      {"scenarios", asked.scenarios}, {"all", asked.all},
-      {"engine", asked.engine},       {"dt", asked.dt},
-      {"tolerance", asked.tolerance}, {"scenes", hash_of(cases_asked(asked.scenarios, asked.all, besides))}};
-  must_differ(points_of(configuration));
+      {"scenarios", options.scenarios}, {"all", options.all},
+      {"engine", options.engine},       {"dt", options.dt},
+      {"tolerance", options.tolerance}, {"scenes", hash_of(select_cases(options.scenarios, options.all, extra_cases))}};
+  require_distinct_keys(jobs_of(configuration));
   return configuration;
+}
+
+// The results of one case.
+struct CaseResults {
+  std::string name;
+  const JobResult* full = nullptr;
+  const JobResult* automatic = nullptr;
+  const JobResult* least = nullptr;
+  std::vector<const JobResult*> drops;
+};
+
+// The jobs of a case follow each other. A job that did not finish has no values, but its key names the case:
+// model|SCENARIO/VARIANT|NAME.
+std::vector<CaseResults> by_case(const std::vector<JobResult>& results) {
+  std::vector<CaseResults> cases;
+  for (const JobResult& result : results) {
+    const std::size_t begin = result.key.find('|') + 1;
+    const std::string name = result.key.substr(begin, result.key.rfind('|') - begin);
+    if (cases.empty() || cases.back().name != name) cases.push_back({.name = name});
+    CaseResults& found = cases.back();
+    if (result.ending != Ending::done) continue;
+    const std::string role = result.output.values.value("role", "");
+    if (role == "full") found.full = &result;
+    if (role == "auto") found.automatic = &result;
+    if (role == "least") found.least = &result;
+    if (role == "drop") found.drops.push_back(&result);
+  }
+  return cases;
+}
+
+Json ratio_or_null(const Json& over, const Json& under) {
+  if (!over.is_number() || !under.is_number() || !(under.get<double>() > 0)) return nullptr;
+  return over.get<double>() / under.get<double>();
+}
+
+Json median_of(const Json& times) { return times.contains("median") ? times.at("median") : Json(nullptr); }
+
+// impulse:auto promises to be no less accurate than the full model, within the tolerance.
+Json promise_of(const CaseResults& results) {
+  if (results.automatic == nullptr) return {{"case", results.name}, {"kept", false}, {"change", nullptr}};
+  const Json& values = results.automatic->output.values;
+  return {{"case", results.name}, {"kept", values.at("within")}, {"change", values.at("change")}};
+}
+
+Json costs_of(const CaseResults& results) {
+  const Json full = median_of(results.full->output.times);
+  Json drops = Json::array();
+  for (const JobResult* drop : results.drops) {
+    drops.push_back({{"setting", drop->output.values.at("setting")},
+                     {"ratio", ratio_or_null(median_of(drop->output.times), full)}});
+  }
+  Json costs{{"case", results.name}, {"full", full}, {"drops", std::move(drops)}, {"least", nullptr}};
+  if (results.least == nullptr || !results.least->output.times.contains("line")) return costs;
+  costs["least"] = results.least->output.times;
+  return costs;
+}
+
+std::string text_of(const Json& promises, const Json& costs) {
+  std::string text = fmt::format("{:<28}{:>10}{:>10}{:>12}  {}\n", "times cheaper than full", "least", "auto",
+                                 "auto worse", "least model");
+  for (const Json& cost : costs) {
+    const std::string name = cost.at("case");
+    const auto promise =
+        std::find_if(promises.begin(), promises.end(), [&](const Json& one) { return one.at("case") == name; });
+    const Json& least = cost.at("least");
+    const auto factor = [&](const char* key) {
+      if (!least.is_object() || !least.at(key).at("median").is_number()) return std::string("-");
+      return fmt::format("{:.2f}", least.at(key).at("median").get<double>());
+    };
+    text += fmt::format("{:<28}{:>10}{:>10}{:>12}  {}\n", name, factor("cheaper"), factor("auto_cheaper"),
+                        promise->at("kept").get<bool>() ? "no" : "YES",
+                        least.is_object() ? least.at("line").get<std::string>() : "none found");
+  }
+  const auto kept =
+      std::count_if(promises.begin(), promises.end(), [](const Json& one) { return one.at("kept").get<bool>(); });
+  return text + fmt::format("\nimpulse:auto is within the tolerance in {} of {} cases.\n", kept, promises.size());
+}
+
+Findings conclude(const std::vector<JobResult>& results) {
+  Json promises = Json::array();
+  Json costs = Json::array();
+  for (const CaseResults& one : by_case(results)) {
+    if (one.full == nullptr) continue;
+    promises.push_back(promise_of(one));
+    costs.push_back(costs_of(one));
+  }
+  Findings found;
+  found.findings = {{"promises", promises}};
+  found.timings = {{"cases", costs}};
+  found.text = text_of(promises, costs);
+  return found;
 }
 
 const Catalog<Study>::Entry model_entry{
@@ -229,25 +248,25 @@ const Catalog<Study>::Entry model_entry{
                  "  plumb study model --tolerance 1e-3 --dt 1/30        coarser\n"
                  "  plumb study model --engine impulse:substeps=8       another full model\n",
      .attach = [](CLI::App& app) -> std::function<Json()> {
-       const auto asked = std::make_shared<Asked>();
-       app.add_option("--scenarios", asked->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...")
+       const auto options = std::make_shared<ModelOptions>();
+       app.add_option("--scenarios", options->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...")
            ->type_name("NAME");
-       app.add_flag("--all", asked->all, "Every scenario");
-       app.add_option("--tolerance", asked->tolerance, "m, by which a model may be worse than the full one")
+       app.add_flag("--all", options->all, "Every scenario");
+       app.add_option("--tolerance", options->tolerance, "m, by which a model may be worse than the full one")
            ->capture_default_str()
            ->type_name("M");
-       app.add_option("--engine", asked->engine, "The full model: impulse[:key=value,...]")
+       app.add_option("--engine", options->engine, "The full model: impulse[:key=value,...]")
            ->capture_default_str()
            ->type_name("ENGINE");
-       app.add_option("--dt", asked->dt, "Time step in s, a number or a fraction")
+       app.add_option("--dt", options->dt, "Time step in s, a number or a fraction")
            ->capture_default_str()
            ->type_name("STEP");
-       return [asked] { return configuration_of(*asked); };
+       return [options] { return configuration_of(*options); };
      },
      .plan = [](const Json& configuration) -> StudyPlan {
-       return {points_of(configuration), model_findings};
+       return {jobs_of(configuration), conclude};
      },
-     .brief = {{"--scenarios", "free-bodies", "flush-tiles:smooth", "stacking:one"}}}};
+     .summary = {{"--scenarios", "free-bodies", "flush-tiles:smooth", "stacking:one"}}}};
 
 }  // namespace
 }  // namespace plumb

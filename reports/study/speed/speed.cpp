@@ -1,20 +1,25 @@
-// Speed against accuracy: every engine and method over a ladder of steps and of what makes it work harder.
+// The study of speed against accuracy: every engine and method over a range of time steps and of its parameter steps,
+// the values of the option that makes it work harder.
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "reports/report.h"
 #include "reports/run/phases.h"
+#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
-#include "reports/study/answer.h"
-#include "reports/study/asked_cases.h"
-#include "reports/study/methods.h"
-#include "reports/study/speed/speed_findings.h"
+#include "reports/study/job.h"
+#include "reports/study/reference_solution.h"
+#include "reports/study/selection.h"
+#include "reports/study/speed/convergence_order.h"
+#include "reports/study/speed/work_precision.h"
 #include "reports/study/study.h"
 #include "reports/timing/step_cost.h"
 #include "scenarios/catalog.h"
@@ -24,8 +29,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// s of a scene, from its start, that are timed: the same for all engines. Of many bodies less, but enough to see
-// more than the start; all repetitions of the ladder's finest steps would otherwise take hours.
+struct SpeedOptions {
+  std::vector<std::string> scenarios;
+  bool all = false;
+  std::vector<std::string> engines;
+  std::vector<std::string> steps{"1/30", "1/60", "1/120", "1/240", "1/480", "1/960"};
+};
+
+// An engine's method with one value of the option that makes it work harder.
+struct ParameterStep {
+  EngineConfig config;
+  std::string method;  // without the option
+  std::string option, value;
+  bool standard = false;  // the value is the default
+};
+
+// s of a scene, from its start, that are timed: the same for all engines. Scenes with many bodies are timed for less,
+// but long enough to see more than the start; otherwise the finest steps with all their repetitions would take hours.
 double timed_seconds(const Scene& scene) {
   constexpr double body_seconds = 20;
   constexpr double least = 1;
@@ -35,60 +55,35 @@ double timed_seconds(const Scene& scene) {
                   std::max(least, body_seconds / static_cast<double>(std::max<std::ptrdiff_t>(bodies, 1))));
 }
 
-struct Asked {
-  std::vector<std::string> scenarios;
-  bool all = false;
-  std::vector<std::string> engines;
-  std::vector<std::string> steps{"1/30", "1/60", "1/120", "1/240", "1/480", "1/960"};
-};
-
-// An engine's method at one rung of what makes it work harder.
-struct Rung {
-  EngineConfig config;
-  std::string method;  // without the rung
-  std::string option, value;
-  bool standard = false;  // the value is the default
-};
-
-std::vector<Rung> rungs_of(const EngineConfig& config, const WorkLadder& ladder) {
-  const Engine& engine = *config.engine;
-  if (ladder.option.empty()) return {{config, config.method(), "", "", true}};
-  std::vector<Rung> rungs;
-  for (const std::string& value : ladder.values) {
-    Settings settings = config.settings;
-    settings[ladder.option] = value;
-    const Settings defaults = complete(engine, {});
-    rungs.push_back({{&engine, complete(engine, settings)},
+std::vector<ParameterStep> parameter_steps_of(const Json& configuration) {
+  std::vector<ParameterStep> all;
+  for (const auto& [config, ladder] : select_methods(configuration.at("engines"))) {
+    if (ladder.option.empty()) {
+      all.push_back({config, config.method(), "", "", true});
+      continue;
+    }
+    const Settings defaults = complete(*config.engine, {});
+    for (const std::string& value : ladder.values) {
+      Settings settings = config.settings;
+      settings[ladder.option] = value;
+      all.push_back({{config.engine, complete(*config.engine, settings)},
                      config.method(),
                      ladder.option,
                      value,
                      value == defaults.at(ladder.option)});
-  }
-  return rungs;
-}
-
-std::vector<Rung> rungs_of(const Json& configuration) {
-  std::vector<Rung> all;
-  for (const Method& method : methods_asked(configuration.at("engines"))) {
-    for (Rung& rung : rungs_of(method.config, method.ladder)) all.push_back(std::move(rung));
+    }
   }
   return all;
 }
 
 std::vector<Case> cases_of(const std::vector<std::string>& words, bool all) {
-  return cases_asked(words, all, {"pyramid"});
+  return select_cases(words, all, {"pyramid"});
 }
 
-std::vector<double> steps_of(const Json& configuration) {
-  std::vector<double> steps;
-  for (const std::string text : configuration.at("dt")) steps.push_back(parse_dt(text));
-  return steps;
-}
-
-// 0 where none is.
-int order_stated(const Case& asked, const Stepping& stepping) {
-  const auto& smoothness = asked.scenario->smoothness;
-  switch (smoothness ? smoothness(asked.parameters) : Smoothness::none) {
+// The order that the engine states for such a case; 0 if none.
+int stated_order(const Case& problem, const Stepping& stepping) {
+  const auto& smoothness = problem.scenario->smoothness;
+  switch (smoothness ? smoothness(problem.parameters) : Smoothness::none) {
     case Smoothness::none:
       return 0;
     case Smoothness::free:
@@ -99,64 +94,65 @@ int order_stated(const Case& asked, const Stepping& stepping) {
   return 0;
 }
 
-// How far a method is off at one step: over all phases of a step where impacts fall somewhere in it, so that none is
-// lucky.
-class Measurement {
+// The error and the cost of a method at one time step. If impacts fall somewhere between two steps, the error is taken
+// over several phases of the step, so that no method is lucky.
+class SpeedRun {
  public:
-  Measurement(std::shared_ptr<const Case> asked, std::shared_ptr<const Answer> answer, Rung rung, double dt)
-      : asked_(std::move(asked)), answer_(std::move(answer)), rung_(std::move(rung)), dt_(dt) {}
+  SpeedRun(std::shared_ptr<const Case> problem, std::shared_ptr<const ReferenceSolution> reference, ParameterStep step,
+           double dt)
+      : problem_(std::move(problem)), reference_(std::move(reference)), step_(std::move(step)), dt_(dt) {}
 
-  Row row() {
-    Row row;
-    Json& values = row.values;
-    const EngineConfig& config = rung_.config;
+  JobOutput output() {
+    JobOutput output;
+    Json& values = output.values;
+    const EngineConfig& config = step_.config;
     const Stepping stepping = config.engine->stepping(config.settings, dt_);
-    values = {{"scenario", asked_->scenario->name},
-              {"variant", asked_->variant},
+    values = {{"scenario", problem_->scenario->name},
+              {"variant", problem_->variant},
               {"engine", config.engine->name},
-              {"method", rung_.method},
-              {"option", rung_.option},
-              {"setting", rung_.value},
-              {"standard", rung_.standard},
+              {"method", step_.method},
+              {"option", step_.option},
+              {"setting", step_.value},
+              {"standard", step_.standard},
               {"dt", dt_},
-              {"steps", steps_in(asked_->scene->duration, dt_)},
-              {"timed", timed_seconds(*asked_->scene)},
-              {"order", order_stated(*asked_, stepping)},
-              {"truth", answer_->witness() == nullptr ? "" : answer_->witness()->name},
+              {"steps", steps_in(problem_->scene->duration, dt_)},
+              {"timed", timed_seconds(*problem_->scene)},
+              {"order", stated_order(*problem_, stepping)},
+              {"truth", reference_->engine() == nullptr ? "" : reference_->engine()->name},
               {"truth_until", 0.0},
               {"truth_error", 0.0}};
-    if (answer_->witness() == nullptr) {
+    if (reference_->engine() == nullptr) {
       values["status"] = "no truth";
-      values["why"] = answer_->reason();
-      return row;
+      values["why"] = reference_->reason();
+      return output;
     }
-    values["truth_until"] = std::min(answer_->until(), asked_->scene->duration);
-    values["truth_error"] = answer_->error();
-    measure_into(values, stepping);
+    values["truth_until"] = std::min(reference_->until(), problem_->scene->duration);
+    values["truth_error"] = reference_->error();
+    measure_error(values, stepping);
     able_ = values.contains("error");
-    return row;
+    return output;
   }
 
-  // s per simulated second; of what does not run to its end, no number.
-  double time() const {
+  // s per simulated second; NaN for a method that did not run to the end.
+  double cost() const {
     if (!able_) return std::numeric_limits<double>::quiet_NaN();
-    Scene scene = *asked_->scene;
+    Scene scene = *problem_->scene;
     scene.duration = timed_seconds(scene);
-    return step_cost(scene, rung_.config, dt_);
+    return step_cost(scene, step_.config, dt_);
   }
 
  private:
-  void measure_into(Json& values, const Stepping& stepping) const {
+  void measure_error(Json& values, const Stepping& stepping) const {
     double squares = 0;
     double least = std::numeric_limits<double>::infinity();
     double largest = 0;
-    const std::vector<Case> all = phases(*asked_, asked_->scenario->phased ? judged_phases : 1);
+    const std::vector<Case> all = phases(*problem_, problem_->scenario->phased ? judged_phases : 1);
     for (const Case& phase : all) {
-      const Outcome outcome = run(*phase.scene, rung_.config, dt_, phase.first_step);
+      const Outcome outcome = run(*phase.scene, step_.config, dt_, phase.first_step);
       values["status"] = name_of(outcome.status);
       values["why"] = outcome.reason;
       if (outcome.status != Status::ok) return;
-      const double error = answer_->error_of(*outcome.trace, dt_, phase.first_step);
+      const double error = reference_->error_of(*outcome.trace, dt_, phase.first_step);
       squares += error * error;
       least = std::min(least, error);
       largest = std::max(largest, error);
@@ -165,80 +161,133 @@ class Measurement {
     values["error"] = std::sqrt(squares / static_cast<double>(all.size()));
     values["error_least"] = least;
     values["error_largest"] = largest;
-    values["round_off"] = answer_->round_off(stepping);
+    values["round_off"] = reference_->round_off(stepping);
   }
 
-  std::shared_ptr<const Case> asked_;
-  std::shared_ptr<const Answer> answer_;
-  Rung rung_;
+  std::shared_ptr<const Case> problem_;
+  std::shared_ptr<const ReferenceSolution> reference_;
+  ParameterStep step_;
   double dt_;
   bool able_ = false;
 };
 
-std::vector<Point> points_of(const Json& configuration) {
-  const std::vector<double> steps = steps_of(configuration);
-  const std::vector<Rung> rungs = rungs_of(configuration);
-  const double finest = *std::min_element(steps.begin(), steps.end());
-  std::vector<Point> points;
+std::vector<Job> jobs_of(const Json& configuration) {
+  std::vector<double> time_steps;
+  for (const std::string text : configuration.at("dt")) time_steps.push_back(parse_dt(text));
+  const std::vector<ParameterStep> parameter_steps = parameter_steps_of(configuration);
+  const double finest = *std::min_element(time_steps.begin(), time_steps.end());
+  std::vector<Job> jobs;
   for (Case& one : cases_of(configuration.at("scenarios"), configuration.at("all"))) {
-    const auto asked = std::make_shared<const Case>(std::move(one));
-    const auto answer = std::make_shared<Answer>(*asked, finest);
-    const std::string place = asked->scenario->name + "/" + asked->variant;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto problem = std::make_shared<const Case>(std::move(one));
+    const auto reference = std::make_shared<ReferenceSolution>(*problem, finest);
+    const std::string case_name = problem->scenario->name + "/" + problem->variant;
+    for (std::size_t i = 0; i < time_steps.size(); ++i) {
       const std::string dt = configuration.at("dt")[i];
-      for (const Rung& rung : rungs) {
-        const auto measurement = std::make_shared<Measurement>(asked, answer, rung, steps[i]);
-        const std::string setting = rung.option.empty() ? "" : "|" + rung.option + "=" + rung.value;
-        points.push_back({.key = fmt::format("speed|{}|{}{}|dt={}", place,
-                                             label_of(rung.config.engine->name, rung.method), setting, dt),
-                          .run = [measurement] { return measurement->row(); },
-                          .turn = [measurement] { return measurement->time(); },
-                          .group = place + "|" + dt,
-                          .prepare = [answer] { answer->find(); }});
+      for (const ParameterStep& step : parameter_steps) {
+        const auto speed_run = std::make_shared<SpeedRun>(problem, reference, step, time_steps[i]);
+        const std::string setting = step.option.empty() ? "" : "|" + step.option + "=" + step.value;
+        jobs.push_back({.key = fmt::format("speed|{}|{}{}|dt={}", case_name,
+                                           label_of(step.config.engine->name, step.method), setting, dt),
+                        .run = [speed_run] { return speed_run->output(); },
+                        .repetition = [speed_run] { return speed_run->cost(); },
+                        .group = case_name + "|" + dt,
+                        .prepare = [reference] { reference->find(); }});
       }
     }
   }
-  return points;
+  return jobs;
 }
 
-Json configuration_of(const Asked& asked) {
-  std::vector<std::string> steps = asked.steps;
+Json configuration_of(const SpeedOptions& options) {
+  std::vector<std::string> steps = options.steps;
   std::stable_sort(steps.begin(), steps.end(), [](const auto& a, const auto& b) { return parse_dt(a) > parse_dt(b); });
-  Json configuration{{"scenarios", asked.scenarios},
-                     {"all", asked.all},
-                     {"engines", asked.engines},
+  Json configuration{{"scenarios", options.scenarios},
+                     {"all", options.all},
+                     {"engines", options.engines},
                      {"dt", steps},
-                     {"scenes", hash_of(cases_of(asked.scenarios, asked.all))}};
-  must_differ(points_of(configuration));
+                     {"scenes", hash_of(cases_of(options.scenarios, options.all))}};
+  require_distinct_keys(jobs_of(configuration));
   return configuration;
+}
+
+std::string orders_text(const Json& orders) {
+  std::map<std::string, int> counts;
+  for (const Json& order : orders) {
+    if (order.at("stated").is_number()) ++counts[order.at("finding")];
+  }
+  std::string text = "Stated orders of convergence:";
+  for (const auto& [finding, count] : counts)
+    text += fmt::format("{} {} {}", &finding == &counts.begin()->first ? "" : ",", count, finding);
+  text += counts.empty() ? " none.\n" : ".\n";
+  for (const Json& order : orders) {
+    if (order.at("finding") != "not as stated") continue;
+    text += fmt::format("  {} {}: {} {}{}{}: measured {:.2f} +- {:.2f}, stated {}\n",
+                        order.at("scenario").get<std::string>(), order.at("variant").get<std::string>(),
+                        order.at("engine").get<std::string>(), order.at("option").get<std::string>(),
+                        order.at("option").empty() ? "" : "=", order.at("setting").get<std::string>(),
+                        order.at("order").get<double>(), order.at("half_width").get<double>(),
+                        order.at("stated").get<int>());
+  }
+  return text;
+}
+
+std::string factors_text(const Json& timings) {
+  std::string text = fmt::format("\nTime at equal error, {} = 1\n  {:<56}{:>10}{:>20}{:>10}\n",
+                                 timings.at("standard").get<std::string>(), "", "median", "quartiles", "cases");
+  for (const Json& factor : timings.at("factors")) {
+    const bool any = factor.at("median").is_number();
+    text += fmt::format(
+        "  {:<56}{:>10}{:>20}{:>10}\n", factor.at("engine").get<std::string>(),
+        any ? fmt::format("{:.2g}", factor.at("median").get<double>()) : "-",
+        any ? fmt::format("{:.2g} ... {:.2g}", factor.at("low").get<double>(), factor.at("high").get<double>())
+            : "not reached",
+        fmt::format("{}/{}", factor.at("reached").get<std::size_t>(), factor.at("cases").get<int>()));
+  }
+  return text;
+}
+
+Findings conclude(const std::vector<JobResult>& results) {
+  Findings found;
+  const Json orders = orders_of(results);
+  found.findings = {{"order_tolerance", order_tolerance}, {"orders", orders}};
+  found.timings = work_precision_of(results);
+  const auto unfinished =
+      std::count_if(results.begin(), results.end(), [](const JobResult& one) { return one.ending != Ending::done; });
+  const auto wide = std::count_if(results.begin(), results.end(), [](const JobResult& one) {
+    return one.output.times.contains("wide") && one.output.times.at("wide").get<bool>();
+  });
+  found.text = orders_text(orders) + factors_text(found.timings) +
+               fmt::format("\n{} jobs; {} crashed or exceeded their limits; {} were timed with a wide spread.\n",
+                           results.size(), unfinished, wide);
+  return found;
 }
 
 const Catalog<Study>::Entry speed_entry{
     {.name = "speed",
-     .about = "Speed against accuracy: what each method costs for an error, and what error it gives for a time",
+     .about = "Speed against accuracy: the cost of each method for an error, and its error for a cost",
      .examples =
          "  plumb study speed                              the canonical scenarios and the pyramid, every engine\n"
          "  plumb study speed --scenarios spring orbit     some scenarios\n"
          "  plumb study speed --engine impulse --engine box2d --dt 1/60 1/240\n",
      .attach = [](CLI::App& app) -> std::function<Json()> {
-       const auto asked = std::make_shared<Asked>();
-       app.add_option("--scenarios", asked->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...")
+       const auto options = std::make_shared<SpeedOptions>();
+       app.add_option("--scenarios", options->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...")
            ->type_name("NAME");
-       app.add_flag("--all", asked->all, "Every scenario");
-       app.add_option("--engine", asked->engines,
+       app.add_flag("--all", options->all, "Every scenario");
+       app.add_option("--engine", options->engines,
                       "NAME[:key=value,...]; may be repeated. Default: every engine and method")
            ->allow_extra_args(false)
            ->type_name("ENGINE");
-       app.add_option("--dt", asked->steps, "The ladder of time steps in s, numbers or fractions")
+       app.add_option("--dt", options->steps, "Time steps in s, numbers or fractions")
            ->capture_default_str()
            ->type_name("STEP");
-       return [asked] { return configuration_of(*asked); };
+       return [options] { return configuration_of(*options); };
      },
      .plan = [](const Json& configuration) -> StudyPlan {
-       return {points_of(configuration), speed_findings};
+       return {jobs_of(configuration), conclude};
      },
-     .brief = {{"--scenarios", "bounce:e=0.8", "slope:steep", "spring", "stacking:ten", "--dt", "1/30", "1/60",
-                "1/120"}}}};
+     .summary = {{"--scenarios", "bounce:e=0.8", "slope:steep", "spring", "stacking:ten", "--dt", "1/30", "1/60",
+                  "1/120"}}}};
 
 }  // namespace
 }  // namespace plumb

@@ -1,48 +1,42 @@
 #pragma once
 
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
-/// What runs cost and what they give, without knowing whose they are.
+/// Cost against error: fronts of runs, and what they say about methods.
 namespace plumb {
 
-/// A run: s per simulated second, and how far it is off. Both above 0.
+struct JobResult;
+
+/// One run. Both numbers are above 0.
 struct WorkPoint {
-  double time = 0;
-  double error = 0;
+  double time = 0;   // s per simulated second
+  double error = 0;  // m
 };
 
-/// Those that no other beats in both, the cheapest first; of equal ones the first. Errors fall along it.
+/// The indices of the points that no other beats in both numbers, the cheapest first; of equal points the first. Errors
+/// decrease along the front.
 std::vector<std::size_t> pareto_front(std::span<const WorkPoint>);
 
-/// A reading off a measured front. `bound`: the front does not reach so far to that side, and its end is at least as
-/// good as what was asked for; the value is then a bound from above.
-struct Reading {
+/// A value read off a measured front.
+struct FrontReading {
   double value = 0;
-  bool bound = false;
+  bool bound =
+      false;  // upper bound only: the front ends before the requested value, with a run that is at least as good
 };
 
-/// s, to be off by no more than `error`; nothing where no run was. `front`: as pareto_front orders it. Between two runs
-/// a power law, never beyond them.
-std::optional<Reading> time_to_reach(std::span<const WorkPoint> front, double error);
+/// s per simulated second, to reach an error of at most `error`; nullopt if no run does. `front`: in the order of
+/// pareto_front. Between two runs it follows a power law; it never extrapolates.
+std::optional<FrontReading> time_to_reach(std::span<const WorkPoint> front, double error);
 
-/// The error that `time` buys; nothing where no run was so fast.
-std::optional<Reading> error_within(std::span<const WorkPoint> front, double time);
+/// The error that `time` buys; nullopt if no run was that fast. Same interpolation.
+std::optional<FrontReading> error_within(std::span<const WorkPoint> front, double time);
 
-/// Measured order of convergence: the slope of log error over log step, by least squares, with the half-width of its
-/// 95 % confidence interval (Student's t).
-struct Order {
-  double slope = 0;
-  double half_width = 0;
-  int points = 0;
-};
-
-/// Nothing of fewer than three; steps and errors above 0.
-std::optional<Order> order_of(std::span<const double> steps, std::span<const double> errors);
-
-/// An order is a statement about small steps: that of the finest steps from which on it has settled, each step to the
-/// next by the mean of those below, give or take 0.15. Nothing where that leaves fewer than three. Steps descend.
-std::optional<Order> settled_order(std::span<const double> steps, std::span<const double> errors);
+/// What the timed runs of the speed study show: fronts, times at equal error and errors at equal time in each case, and
+/// each method's factor of time against Box2D over all cases ("factors").
+nlohmann::ordered_json work_precision_of(const std::vector<JobResult>&);
 
 }  // namespace plumb

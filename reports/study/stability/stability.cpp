@@ -1,17 +1,17 @@
-// Where methods fail, and whether theory said so: maps over two numbers, a row of a map a point.
+// The study of stability: maps over two parameters of where each method fails, and whether theory predicts it. Each row
+// of a map is one job.
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <set>
 #include <stdexcept>
 
 #include "reports/report.h"
-#include "reports/study/methods.h"
+#include "reports/study/job.h"
 #include "reports/study/results_file.h"
-#include "reports/study/stability/findings.h"
+#include "reports/study/selection.h"
 #include "reports/study/stability/row.h"
 #include "reports/study/study.h"
 #include "scenarios/scene/nearest.h"
@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Asked {
+struct StabilityOptions {
   std::vector<std::string> maps, engines;
   int cells = 16;
 };
@@ -40,32 +40,21 @@ std::vector<const StabilityMap*> maps_of(const Json& configuration) {
   return maps.empty() ? Catalog<StabilityMap>::all() : maps;
 }
 
-// A row's place in its map.
-struct Place {
-  std::string option;  // that makes the method work harder; "" where y is the map's own
-  double y = 0;
-  bool typical = false;
-  EngineConfig config;
-};
-
-constexpr double hardest = 32;  // iterations, or sub-steps
-
-// Evenly spread, and the typical one among them.
-std::vector<double> with(double typical, std::vector<double> values) {
-  values.push_back(typical);
+std::vector<double> with(double value, std::vector<double> values) {
+  values.push_back(value);
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 
-std::vector<Place> places_of(const StabilityMap& map, const EngineConfig& config, const std::string& option,
-                             int cells) {
-  std::vector<Place> places;
+// The rows of a method: evenly spaced, and the typical one. `option`: what makes the method work harder, or "".
+std::vector<RowSetting> rows_of(const StabilityMap& map, const EngineConfig& config, const std::string& option,
+                                int cells) {
+  constexpr double hardest = 32;  // iterations or sub-steps
+  std::vector<RowSetting> rows;
   if (map.y) {
-    for (const double y : with(map.typical, map.y->values(cells))) {
-      places.push_back({"", y, y == map.typical, config});
-    }
-    return places;
+    for (const double y : with(map.typical, map.y->values(cells))) rows.push_back({"", y, y == map.typical, config});
+    return rows;
   }
   if (option.empty()) return {{"", 0, true, config}};
   const double standard = std::stod(config.settings.at(option));
@@ -73,58 +62,15 @@ std::vector<Place> places_of(const StabilityMap& map, const EngineConfig& config
   for (const double y : with(standard, work.values(cells))) {
     EngineConfig harder = config;
     harder.settings[option] = fmt::format("{}", y);
-    places.push_back({option, y, y == standard, harder});
+    rows.push_back({option, y, y == standard, harder});
   }
-  return places;
+  return rows;
 }
 
-Json optional_number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
-// A theory that lets a method hold always is told in a word, as JSON knows no infinity.
-Json theory_json(const std::optional<double>& theory) {
-  return theory && std::isinf(*theory) ? Json("never") : optional_number(theory);
-}
-
-Row found(const StabilityMap& map, const std::vector<double>& xs, const Place& place, const std::string& method) {
-  const MapRow row = row_of(map, xs, place.y, place.config);
-  std::string outcomes;
-  Json since = Json::array();
-  Json bodies = Json::array();
-  std::string why;
-  for (const Seen& seen : row.cells) {
-    outcomes += letter_of(seen.fate);
-    since.push_back(is_failure(seen.fate) ? Json(seen.time) : Json(nullptr));
-    bodies.push_back(seen.body);
-    if (why.empty()) why = seen.why;
-  }
-  Row made;
-  made.values = {{"map", map.name},      {"engine", place.config.engine->name},
-                 {"method", method},     {"option", place.option},
-                 {"y", place.y},         {"typical", place.typical},
-                 {"outcomes", outcomes}, {"why", why},
-                 {"since", since},       {"bodies", bodies}};
-  for (std::size_t i = 0; i < map.boundaries.size(); ++i) {
-    const Boundary& boundary = map.boundaries[i];
-    const Bracket& bracket = row.brackets[i];
-    const auto theory = boundary.theory ? boundary.theory(place.config, place.y) : std::nullopt;
-    made.values[boundary.name + "_low"] = optional_number(bracket.low);
-    made.values[boundary.name + "_high"] = optional_number(bracket.high);
-    made.values[boundary.name + "_outcome"] = bracket.high ? name_of(bracket.seen.fate) : "";
-    made.values[boundary.name + "_time"] = bracket.high ? Json(bracket.seen.time) : Json(nullptr);
-    made.values[boundary.name + "_body"] = bracket.seen.body;
-    made.values[boundary.name + "_theory"] = theory_json(theory);
-    if (!theory || !(bracket.low || bracket.high)) continue;
-    const Agreement agreement = agreement_of(map.x, boundary, bracket.low, bracket.high, *theory);
-    made.values[boundary.name + "_agrees"] = agreement.agrees;
-    made.values[boundary.name + "_off"] = optional_number(agreement.off);
-  }
-  return made;
-}
-
-std::vector<Point> points_of(const Json& configuration) {
+std::vector<Job> jobs_of(const Json& configuration) {
   const int cells = configuration.at("cells");
-  const std::vector<Method> methods = methods_asked(configuration.at("engines"));
-  std::vector<Point> points;
+  const std::vector<Method> methods = select_methods(configuration.at("engines"));
+  std::vector<Job> jobs;
   for (const StabilityMap* map : maps_of(configuration)) {
     const std::vector<double> xs = map->x.values(cells);
     for (const Method& method : methods) {
@@ -132,64 +78,149 @@ std::vector<Point> points_of(const Json& configuration) {
           map->variants ? map->variants(method.config) : std::vector<EngineConfig>{method.config};
       for (const EngineConfig& variant : variants) {
         const std::string name = variant.method();
-        for (const Place& place : places_of(*map, variant, method.ladder.option, cells)) {
-          const std::string row = map->y ? map->y->name : place.option.empty() ? std::string("alone") : place.option;
-          points.push_back({.key = fmt::format("stability|{}|{}|{}={}", map->name, label_of(variant.engine->name, name),
-                                               row, place.y),
-                            .run = [=] { return found(*map, xs, place, name); }});
+        for (const RowSetting& row : rows_of(*map, variant, method.ladder.option, cells)) {
+          const std::string y_name = map->y ? map->y->name : row.option.empty() ? std::string("alone") : row.option;
+          jobs.push_back({.key = fmt::format("stability|{}|{}|{}={}", map->name, label_of(variant.engine->name, name),
+                                             y_name, row.y),
+                          .run = [=] { return JobOutput{.values = row_values(*map, xs, row, name)}; }});
         }
       }
     }
   }
-  return points;
+  return jobs;
 }
 
-// Tells maps that have changed since from those that were drawn.
-std::string hash_of(const std::vector<const StabilityMap*>& maps, int cells) {
-  std::vector<Point> described;
-  for (const StabilityMap* map : maps) described.push_back({.key = description_of(*map, cells).dump()});
-  return plan_hash(described);
+// Changes when the definition of a map changes.
+std::string definitions_hash(const std::vector<const StabilityMap*>& maps, int cells) {
+  std::vector<std::string> descriptions;
+  for (const StabilityMap* map : maps) descriptions.push_back(description_of(*map, cells).dump());
+  return hash_of_lines(descriptions);
 }
 
-Json configuration_of(const Asked& asked) {
-  Json configuration{{"maps", asked.maps}, {"engines", asked.engines}, {"cells", asked.cells}};
-  configuration["definitions"] = hash_of(maps_of(configuration), asked.cells);
-  std::set<std::string> seen;
-  for (const Point& point : points_of(configuration)) {
-    if (!seen.insert(point.key).second) throw std::invalid_argument("\"" + point.key + "\" is asked for twice");
-  }
+Json configuration_of(const StabilityOptions& options) {
+  Json configuration{{"maps", options.maps}, {"engines", options.engines}, {"cells", options.cells}};
+  configuration["definitions"] = definitions_hash(maps_of(configuration), options.cells);
+  require_distinct_keys(jobs_of(configuration));
   return configuration;
+}
+
+Json failure_modes_json() {
+  Json all = Json::array();
+  for (const FailureModeText& text : failure_modes()) {
+    all.push_back({{"letter", std::string(1, text.letter)}, {"name", text.name}, {"about", text.about}});
+  }
+  return all;
+}
+
+bool is_done(const JobResult& result) { return result.ending == Ending::done; }
+
+// The values of a method's rows in a map.
+struct MethodRows {
+  std::string engine;
+  std::vector<const Json*> rows;
+};
+
+std::vector<MethodRows> by_method(const std::string& map, const std::vector<JobResult>& results) {
+  std::vector<MethodRows> methods;
+  for (const JobResult& result : results) {
+    const Json& values = result.output.values;
+    if (!is_done(result) || values.at("map") != map) continue;
+    const std::string engine = engine_label(values);
+    auto found = std::find_if(methods.begin(), methods.end(), [&](const auto& one) { return one.engine == engine; });
+    if (found == methods.end()) found = methods.insert(found, {engine, {}});
+    found->rows.push_back(&values);
+  }
+  return methods;
+}
+
+std::string bracket_text(const Json& limit) {
+  const Json& low = limit.at("low");
+  const Json& high = limit.at("high");
+  if (low.is_null() && high.is_null()) return "not supported";
+  if (low.is_null()) return fmt::format("none: {}", limit.at("outcome").get<std::string>());
+  if (high.is_null()) {
+    return fmt::format("{:.4g} and {}", low.get<double>(),
+                       limit.at("why").get<std::string>().empty() ? "more" : "more is not supported");
+  }
+  return fmt::format("{:.4g} ({:.4g}: {})", low.get<double>(), high.get<double>(),
+                     limit.at("outcome").get<std::string>());
+}
+
+std::string text_of(const StabilityMap& map, const Json& described) {
+  const auto with_unit = [](const Axis& axis) { return axis.unit.empty() ? axis.name : axis.name + ", " + axis.unit; };
+  const std::string where =
+      map.y ? fmt::format("{} = {:.4g}{}{}", map.y->name, map.typical, map.y->unit.empty() ? "" : " ", map.y->unit)
+            : "each method's default work";
+  const Json& agreements = described.at("agreements");
+  std::string text = fmt::format("{}: {}\n  {:<64}{} at {}{}\n", map.name, map.question, "", with_unit(map.x), where,
+                                 agreements.empty() ? "" : "; rows that agree with theory");
+  for (const Json& limit : described.at("limits")) {
+    if (!limit.contains("low")) continue;
+    std::string agreement;
+    for (const Json& one : agreements) {
+      if (one.at("engine") != limit.at("engine") || one.at("boundary") != map.boundaries[0].name) continue;
+      agreement = fmt::format("{}/{}", one.at("agree").get<int>(), one.at("rows").get<int>());
+      if (one.at("worst").is_number())
+        agreement += fmt::format(", off by {:.2g} at most", one.at("worst").get<double>());
+    }
+    text += fmt::format("  {:<64}{:<36}{}\n", limit.at("engine").get<std::string>(), bracket_text(limit), agreement);
+  }
+  return text + "\n";
+}
+
+Findings conclude(const std::vector<const StabilityMap*>& maps, int cells, const std::vector<JobResult>& results) {
+  Findings found;
+  Json all = Json::array();
+  for (const StabilityMap* map : maps) {
+    Json described = description_of(*map, cells);
+    described["agreements"] = Json::array();
+    described["limits"] = Json::array();
+    for (const auto& [engine, rows] : by_method(map->name, results)) {
+      described["limits"].push_back(limit_json(engine, rows, map->boundaries[0].name));
+      for (const Boundary& boundary : map->boundaries) {
+        if (Json agreement = agreement_json(engine, rows, boundary.name); !agreement.is_null()) {
+          described["agreements"].push_back(std::move(agreement));
+        }
+      }
+    }
+    found.text += text_of(*map, described);
+    all.push_back(std::move(described));
+  }
+  found.findings = {{"outcomes", failure_modes_json()}, {"maps", std::move(all)}};
+  const auto unfinished = std::count_if(results.begin(), results.end(), [](const auto& one) { return !is_done(one); });
+  found.text += fmt::format("{} rows; {} crashed or exceeded their limits.\n", results.size(), unfinished);
+  return found;
 }
 
 const Catalog<Study>::Entry stability_entry{
     {.name = "stability",
-     .about = "Where each method fails, and whether theory said so: maps over two numbers with bisected boundaries",
+     .about = "Where each method fails, and whether theory predicts it: maps over two parameters with bisected "
+              "boundaries",
      .examples = "  plumb study stability                                 every map, every method\n"
                  "  plumb study stability --maps stack tunnelling         some maps\n"
                  "  plumb study stability --engine impulse --cells 32     one method, in finer cells\n",
      .attach = [](CLI::App& app) -> std::function<Json()> {
-       const auto asked = std::make_shared<Asked>();
+       const auto options = std::make_shared<StabilityOptions>();
        std::string names;
        for (const StabilityMap* map : Catalog<StabilityMap>::all()) names += (names.empty() ? "" : ", ") + map->name;
-       app.add_option("--maps", asked->maps, "Which of: " + names + ". Default: all")->type_name("NAME");
-       app.add_option("--engine", asked->engines,
+       app.add_option("--maps", options->maps, "Any of: " + names + ". Default: all")->type_name("NAME");
+       app.add_option("--engine", options->engines,
                       "NAME[:key=value,...]; may be repeated. Default: every engine and method")
            ->allow_extra_args(false)
            ->type_name("ENGINE");
-       app.add_option("--cells", asked->cells, "Of a map, along each of its axes")
+       app.add_option("--cells", options->cells, "Cells along each axis of a map")
            ->capture_default_str()
            ->check(CLI::Range(2, 1000))
            ->type_name("N");
-       return [asked] { return configuration_of(*asked); };
+       return [options] { return configuration_of(*options); };
      },
      .plan = [](const Json& configuration) -> StudyPlan {
        const int cells = configuration.at("cells");
-       return {points_of(configuration),
-               [maps = maps_of(configuration), cells](const std::vector<PointResult>& results) {
-                 return stability_findings(maps, cells, results);
+       return {jobs_of(configuration), [maps = maps_of(configuration), cells](const std::vector<JobResult>& results) {
+                 return conclude(maps, cells, results);
                }};
      },
-     .brief = {{"--maps", "mass-ratio", "slope", "stack", "tunnelling", "--cells", "6"}}}};
+     .summary = {{"--maps", "mass-ratio", "slope", "stack", "tunnelling", "--cells", "6"}}}};
 
 }  // namespace
 }  // namespace plumb

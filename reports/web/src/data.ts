@@ -244,7 +244,7 @@ export type Outcome = { page: Page } | { study: Study } | { problems: string[] }
 /** Where in the data its kind keeps the number of its format. */
 const kinds = [
   { name: "report", rule: page_rule, format },
-  { name: "study", rule: record({ study: study_rule }), format: 1 },
+  { name: "study", rule: record({ study: study_rule }), format: 2 },
 ] as const;
 
 /** Reads the text of the data element; says all that is wrong with it, place by place. */

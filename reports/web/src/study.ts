@@ -1,7 +1,7 @@
 // A study as the C++ side hands it over (study-NAME.json). What its findings hold, each study's own view knows.
 import { list, map, record, text, type Rule } from "./rules";
 
-export interface StudyPoint {
+export interface StudyResult {
   key: string;
   ending: "done" | "failed" | "crashed" | "timed out" | "out of memory";
   reason: string;
@@ -15,9 +15,9 @@ export interface Study {
   configuration: Record<string, unknown>;
   command?: string; // that makes it: of a short form inside a report
   environment: Record<string, string>;
-  points: StudyPoint[];
+  results: StudyResult[];
   findings: Record<string, unknown>;
-  timings: { points: Record<string, Record<string, unknown>> } & Record<string, unknown>;
+  timings: { results: Record<string, Record<string, unknown>> } & Record<string, unknown>;
 }
 
 const anything: Rule = () => {};
@@ -27,9 +27,9 @@ export const study_rule = record({
   about: text,
   configuration: map(anything),
   environment: map(text),
-  points: list(record({ key: text, ending: text, reason: text, values: map(anything) })),
+  results: list(record({ key: text, ending: text, reason: text, values: map(anything) })),
   findings: map(anything),
-  timings: record({ points: map(map(anything)) }),
+  timings: record({ results: map(map(anything)) }),
 });
 
 /** What a study's page is made of: a sentence to read first, and its sections with their ids and names. */

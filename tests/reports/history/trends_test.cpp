@@ -60,7 +60,7 @@ TEST_F(Trends, NeverMixTimesOfTwoMachines) {
 TEST_F(Trends, GiveThePageWhatChangesAndAllTimes) {
   const auto document = history_document(history_);
   EXPECT_EQ(document["study"], "history");
-  EXPECT_EQ(document["points"].size(), 20u);
+  EXPECT_EQ(document["results"].size(), 20u);
   EXPECT_EQ(document["findings"]["trends"].size(), 1u);
   EXPECT_EQ(document["findings"]["verdicts"][0]["snapshot"], 10);
   EXPECT_EQ(document["timings"]["trends"][0]["high"].size(), 20u);

@@ -3,15 +3,21 @@
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <memory>
+#include <stdexcept>
 
+#include "reports/study/job.h"
+#include "scenarios/catalog.h"
 #include "study_files.h"
 
 namespace plumb {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using ::testing::HasSubstr;
 
 class Conduct : public StudyFiles {
@@ -23,8 +29,8 @@ class Conduct : public StudyFiles {
     return std::count(all.begin(), all.end(), '\n');
   }
 
-  // Carries out a study in a process of its own until its first points are kept, and then sends it a signal. Returns
-  // how it ended.
+  // Runs a study in a child process until its first results are in the file, then sends it a signal. Returns the exit
+  // status.
   int interrupted_by(int signal, const std::string& out) const {
     const pid_t process = fork();
     if (process == 0) _exit(program(words(out)));
@@ -36,53 +42,53 @@ class Conduct : public StudyFiles {
   }
 };
 
-constexpr int points = 28;
+constexpr int jobs = 28;
 
-TEST_F(Conduct, GoesOnAfterKill9AsIfNothingHadHappened) {
+TEST_F(Conduct, ResumesAfterKill9AsIfNothingHadHappened) {
   ASSERT_TRUE(WIFSIGNALED(interrupted_by(SIGKILL, "killed")));
   const auto kept = lines(results("killed")) - 1;
-  ASSERT_LT(kept, points) << "it was killed in the middle";
-  put(results("killed"), text(results("killed")) + "{\"key\":\"torn");
+  ASSERT_LT(kept, jobs) << "it was killed in the middle";
+  put(results("killed"), text(results("killed")) + "{\"key\":\"cut off");
   const Said said = say(words("killed", {"--resume"}));
   EXPECT_EQ(said.code, 0) << said.err;
-  EXPECT_EQ(lines(results("killed")) - 1, points) << "nothing lost, nothing twice";
+  EXPECT_EQ(lines(results("killed")) - 1, jobs) << "nothing lost, nothing twice";
   EXPECT_EQ(say(words("calm", {"--jobs", "1"})).code, 0);
   EXPECT_EQ(document("killed").dump(1), document("calm").dump(1));
 }
 
-TEST_F(Conduct, SaysHowToGoOnWhenInterrupted) {
+TEST_F(Conduct, SaysHowToResumeWhenInterrupted) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string out = "s" + std::to_string(signal);
     const int status = interrupted_by(signal, out);
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 130);
-    EXPECT_LT(lines(results(out)) - 1, points);
+    EXPECT_LT(lines(results(out)) - 1, jobs);
     EXPECT_EQ(say(words(out, {"--resume"})).code, 0);
-    EXPECT_EQ(document(out)["points"].size(), static_cast<std::size_t>(points));
+    EXPECT_EQ(document(out)["results"].size(), static_cast<std::size_t>(jobs));
   }
 }
 
-TEST_F(Conduct, DoesNotDropAnInterruptedStudyUnasked) {
+TEST_F(Conduct, KeepsAnInterruptedStudyUnlessToldOtherwise) {
   say(words("out"));
   const std::string all = text(results("out"));
   put(results("out"), all.substr(0, all.size() / 2));
   const Said said = say(words("out"));
   EXPECT_EQ(said.code, 2);
-  EXPECT_THAT(said.err, HasSubstr("--resume goes on"));
+  EXPECT_THAT(said.err, HasSubstr("--resume continues it"));
   EXPECT_EQ(text(results("out")), all.substr(0, all.size() / 2));
   EXPECT_EQ(say(words("out", {"--fresh"})).code, 0);
-  EXPECT_EQ(say(words("out")).code, 0) << "one that is complete is made anew";
+  EXPECT_EQ(say(words("out")).code, 0) << "a complete study starts over";
   EXPECT_EQ(say(words("out", {"--fresh", "--resume"})).code, 2);
 }
 
-TEST_F(Conduct, RefusesToGoOnWithAnotherStudysResults) {
+TEST_F(Conduct, RefusesToResumeFromAnotherStudysResults) {
   say(words("out"));
   std::vector<std::string> other = words("out", {"--resume"});
   *std::find(other.begin(), other.end(), "1/240") = "1/200";
   const Said said = say(other);
   EXPECT_EQ(said.code, 2);
-  EXPECT_THAT(said.err, HasSubstr("study-speed.jsonl is of the configuration"));
-  EXPECT_EQ(lines(results("out")) - 1, points);
+  EXPECT_THAT(said.err, HasSubstr("study-speed.jsonl has the configuration"));
+  EXPECT_EQ(lines(results("out")) - 1, jobs);
 }
 
 TEST_F(Conduct, TakesItsShardFromASlurmArray) {
@@ -91,16 +97,16 @@ TEST_F(Conduct, TakesItsShardFromASlurmArray) {
     setenv(name, value, 1);
   }
   EXPECT_EQ(say(words("out")).code, 0);
-  EXPECT_EQ(lines(at("out") + "/study-speed-2-of-4.jsonl") - 1, points / 4);
-  EXPECT_EQ(say(words("own", {"--shard", "1/1", "--resume"})).code, 0) << "nothing to go on with is no error";
-  EXPECT_EQ(lines(results("own")) - 1, points);
+  EXPECT_EQ(lines(at("out") + "/study-speed-2-of-4.jsonl") - 1, jobs / 4);
+  EXPECT_EQ(say(words("own", {"--shard", "1/1", "--resume"})).code, 0) << "nothing to resume is no error";
+  EXPECT_EQ(lines(results("own")) - 1, jobs);
   for (const char* name :
        {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX"}) {
     unsetenv(name);
   }
 }
 
-TEST_F(Conduct, ExitsWith2ForWhatItDoesNotTake) {
+TEST_F(Conduct, ExitsWith2ForMistakesOfTheUser) {
   EXPECT_EQ(say({"study", "speed", "--shard", "5/4", "--out", at("out")}).code, 2);
   EXPECT_EQ(say({"study", "spede"}).code, 2);
   EXPECT_EQ(say({"study"}).code, 2);
@@ -109,6 +115,65 @@ TEST_F(Conduct, ExitsWith2ForWhatItDoesNotTake) {
   EXPECT_EQ(say({"study", "speed", "--out", "/dev/null/out"}).code, 2);
   EXPECT_FALSE(std::filesystem::exists(at("out")));
   EXPECT_THAT(say({"study", "speed", "--scenario", "spring"}).err, HasSubstr("did you mean \"--scenarios\"?"));
+}
+
+// A study that squares numbers and adds them up.
+Study squares() {
+  return {.name = "squares",
+          .about = "The sum of squares",
+          .examples = "",
+          .attach = [](CLI::App& app) -> std::function<Json()> {
+            const auto numbers = std::make_shared<std::vector<int>>(std::vector<int>{1, 2, 3, 4});
+            app.add_option("--numbers", *numbers);
+            return [numbers] { return Json{{"numbers", *numbers}}; };
+          },
+          .plan = [](const Json& configuration) -> StudyPlan {
+            std::vector<Job> list;
+            for (const int number : configuration.at("numbers")) {
+              list.push_back({.key = std::to_string(number), .run = [number] {
+                                JobOutput output;
+                                output.values["square"] = number * number;
+                                return output;
+                              }});
+            }
+            return {list, [](const std::vector<JobResult>& results) {
+                      int sum = 0;
+                      for (const JobResult& result : results) sum += result.output.values.at("square").get<int>();
+                      Findings found;
+                      found.findings["sum"] = sum;
+                      return found;
+                    }};
+          },
+          .summary = {{"--numbers", "2", "3"}}};
+}
+
+TEST(StudySummary, RunsAShortStudyAndReportsEachJob) {
+  std::vector<std::string> progress;
+  const Json document = summary_document(squares(), 1, [&](const std::string& key, std::size_t done, std::size_t of) {
+    progress.push_back(key + " " + std::to_string(done) + "/" + std::to_string(of));
+  });
+  EXPECT_THAT(progress, testing::ElementsAre("2 1/2", "3 2/2"));
+  EXPECT_EQ(document.at("study"), "squares");
+  EXPECT_EQ(document.at("command"), "plumb study squares --numbers 2 3");
+  EXPECT_EQ(document.at("configuration").at("numbers"), Json({2, 3}));
+  EXPECT_EQ(document.at("findings").at("sum"), 13);
+  EXPECT_EQ(document.at("results").size(), 2U);
+}
+
+TEST(StudySummary, RefusesOptionsThatTheStudyDoesNotHave) {
+  Study study = squares();
+  study.summary = {{"--nombres", "2"}};
+  EXPECT_THROW(summary_document(study, 1, [](const std::string&, std::size_t, std::size_t) {}), std::logic_error);
+}
+
+TEST(StudySummary, OfEveryStudyHasOnlyItsOptions) {
+  for (const Study* study : Catalog<Study>::all()) {
+    if (!study->summary) continue;
+    CLI::App app;
+    const auto configuration = study->attach(app);  // owns what the options write to
+    std::vector<std::string> words(study->summary->rbegin(), study->summary->rend());
+    EXPECT_NO_THROW(app.parse(words)) << study->name;
+  }
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace plumb {
 
-/// A folder of this process's own, gone after the test, and small studies in it.
+/// A temporary folder of this process, removed after the test, and small studies that run in it.
 class StudyFiles : public ::testing::Test {
  protected:
   StudyFiles() { std::filesystem::create_directories(folder_); }
@@ -29,7 +29,7 @@ class StudyFiles : public ::testing::Test {
 
   static void put(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-  /// 28 points in 4 groups.
+  /// The command line of a study of 28 jobs in 4 groups.
   std::vector<std::string> words(const std::string& out, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> all{"study",    "speed", "--scenarios", "spring:w=4", "--engine", "impulse:solver=xpbd",
                                  "--engine", "box2d", "--dt",        "1/30",       "1/60",     "1/120",
@@ -38,7 +38,7 @@ class StudyFiles : public ::testing::Test {
     return all;
   }
 
-  /// What a study came to, times aside.
+  /// A study's document without its timings.
   nlohmann::ordered_json document(const std::string& out, const std::string& study = "speed") const {
     auto json = nlohmann::ordered_json::parse(text(at(out) + "/study-" + study + ".json"));
     json.erase("timings");

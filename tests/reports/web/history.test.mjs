@@ -24,19 +24,19 @@ function history() {
   const noise = (i) => 0.01 * Math.sin(37 * i);
   return {
     study: {
-      plumb: 1,
+      plumb: 2,
       study: "history",
       about: "What reports said from commit to commit",
       configuration: { level: 0.01 },
       environment: { processor: "one" },
-      points: snapshots,
+      results: snapshots,
       findings: {
         unchanged: 12,
         verdicts: [{ ...subject, engine: "impulse", snapshot: 10, before: "right", after: "wrong" }],
         trends: [line("impulse", "energy_rise", "J", range.map((i) => (i < 10 ? 1 : 2)), "", [{ at: 10, before: 1, after: 2, p: 0 }])],
       },
       timings: {
-        points: {},
+        results: {},
         trends: [
           line("impulse", "step_us", "us", range.map((i) => (i < 15 ? 0.7 : 0.8) + noise(i)), "one", [{ at: 15, before: 0.7, after: 0.8, p: 0.002 }]),
           line("box2d", "step_us", "us", range.map((i) => 0.9 + noise(i)), "one", []),
@@ -98,7 +98,7 @@ test("a metric has a chart for each machine, with a line an engine and a ring wh
 
 test("a history of nothing says so", async () => {
   const empty = history();
-  empty.study.points = [];
+  empty.study.results = [];
   empty.study.findings = { unchanged: 0, verdicts: [], trends: [] };
   empty.study.timings.trends = [];
   const { page, trouble } = await open(await write(empty));

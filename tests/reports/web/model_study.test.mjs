@@ -31,18 +31,18 @@ function sample() {
   const spread = (median) => ({ median, low: median * 0.9, high: median * 1.1 });
   return {
     study: {
-      plumb: 1,
+      plumb: 2,
       study: "model",
       about: "The least model",
       configuration: { tolerance: "1e-4", dt: "1/60" },
       environment: { processor: "one" },
-      points,
+      results: points,
       findings: { promises: [] },
       timings: {
-        points: {},
+        results: {},
         cases: [
           {
-            place: "heap/still",
+            case: "heap/still",
             full: 2e-3,
             drops: drops.map(({ setting, ratio }) => ({ setting, ratio })),
             least: {
@@ -55,7 +55,7 @@ function sample() {
               dropped: [{ feature: "rotation", without: "any turning" }],
             },
           },
-          { place: "heap/wild", full: null, drops: [], least: null },
+          { case: "heap/wild", full: null, drops: [], least: null },
         ],
       },
     },

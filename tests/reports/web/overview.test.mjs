@@ -161,7 +161,7 @@ test("what changed since the baseline is told, with its place", async () => {
   const regression = { scenario: "stacking", variant: "10 boxes", engine: "impulse", method: "", metric: "verdict", before: "right", now: "wrong", tolerance: "", why: "It was right.", change: "worse" };
   const findings = { verdict: "1 of 8 runs is not as accepted.", notes: [], runs: 8, regressions: [regression] };
   data.studies = [
-    { plumb: 1, study: "baseline", about: "Against what was accepted", configuration: { baseline: "canonical.json" }, environment: {}, points: [], findings, timings: { points: {} } },
+    { plumb: 2, study: "baseline", about: "Against what was accepted", configuration: { baseline: "canonical.json" }, environment: {}, results: [], findings, timings: { results: {} } },
   ];
   const { page, trouble } = await open(await write(data));
   assert.match(await page.locator("#overview .since").innerText(), /1 of 8 runs is not as accepted/);

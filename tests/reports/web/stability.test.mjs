@@ -55,17 +55,17 @@ function sample() {
   points.push(row("hill", "box2d", "", 0.5, true, 12, 10));
   points.push({ key: "stability|hill|<b>wild</b>|y=1", ending: "crashed", reason: "ended by signal 11", values: {} });
   const x = { name: "boxes", unit: "", from: 1, to: 30, logarithmic: true, whole: false, values: xs };
-  const boundary = { name: "stands", failing: [], grain: 0.01, source: "", agreement: 0, natural: false };
+  const boundary = { name: "stands", failing: [], resolution: 0.01, source: "", agreement: 0, natural: false };
   const agreement = { engine: "impulse", boundary: "stands", rows: 3, agree: 3, measured: 3, worst: 0.004 };
-  const map = (name, y, more) => ({ name, question: `How high is the ${name}?`, x, y, typical: 0.5, metrics: ["topples: turns by more than 11 deg"], boundaries: [boundary], agreements: [], stands: [], ...more });
+  const map = (name, y, more) => ({ name, question: `How high is the ${name}?`, x, y, typical: 0.5, metrics: ["topples: turns by more than 11 deg"], boundaries: [boundary], agreements: [], limits: [], ...more });
   return {
     study: {
-      plumb: 1,
+      plumb: 2,
       study: "stability",
       about: "Where each method fails",
       configuration: { cells: 4 },
       environment: { processor: "one" },
-      points,
+      results: points,
       findings: {
         outcomes,
         maps: [
@@ -76,7 +76,7 @@ function sample() {
           }),
         ],
       },
-      timings: { points: {} },
+      timings: { results: {} },
     },
   };
 }
@@ -105,7 +105,7 @@ for (const [name, file] of Object.entries(pages)) {
     await draw_all(page);
     const [cells, boundaries, told] = await page.evaluate(() => {
       const { study } = JSON.parse(document.getElementById("plumb-data").textContent);
-      const done = study.points.filter(({ ending }) => ending === "done").map(({ values }) => values);
+      const done = study.results.filter(({ ending }) => ending === "done").map(({ values }) => values);
       const label = ({ map, engine, method }) => `${map} ${engine}:${method}`;
       const able = new Set(done.filter(({ outcomes }) => /[^-]/.test(outcomes)).map(label));
       const drawn = done.filter((values) => able.has(label(values)));

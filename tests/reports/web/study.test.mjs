@@ -108,13 +108,13 @@ test("orders are told with their interval, and exactness in words", async () => 
 
 test("a study that does not fit is refused with its place", async () => {
   const broken = study_sample();
-  broken.study.points[0].values = 3;
+  broken.study.results[0].values = 3;
   const { page } = await open(await write(broken));
-  assert.match(await page.locator("body").innerText(), /study\.points\[0\]\.values: expected names with values/);
+  assert.match(await page.locator("body").innerText(), /study\.results\[0\]\.values: expected names with values/);
   const later = study_sample();
-  later.study.plumb = 2;
+  later.study.plumb = 3;
   const other = await open(await write(later));
-  assert.match(await other.page.locator("body").innerText(), /the study is of format 2, this page reads format 1/);
+  assert.match(await other.page.locator("body").innerText(), /the study is of format 3, this page reads format 2/);
   await page.close();
   await other.page.close();
 });

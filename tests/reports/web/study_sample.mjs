@@ -36,12 +36,12 @@ export function study_sample() {
   const order = { scenario: "fall", variant: "plain", option: "", setting: "", standard: true, points: 3 };
   return {
     study: {
-      plumb: 1,
+      plumb: 2,
       study: "speed",
       about: "Speed against accuracy",
       configuration: { dt: ["1/30"], all: false },
       environment: { processor: "one" },
-      points,
+      results: points,
       findings: {
         order_tolerance: 0.2,
         orders: [
@@ -51,7 +51,7 @@ export function study_sample() {
         ],
       },
       timings: {
-        points: times,
+        results: times,
         standard: "box2d",
         error_targets: [1e-1, 1e-2, 1e-3],
         time_targets: [1e-5, 1e-3],

@@ -12,7 +12,7 @@ const readable = (key: string): string => key.replaceAll("|", ", ").replace(/\d*
 
 /** Points that no engine finished: outcomes as well. */
 function endings(study: Study): HTMLElement | null {
-  const broken = study.points.filter(({ ending }) => ending !== "done");
+  const broken = study.results.filter(({ ending }) => ending !== "done");
   if (!broken.length) return null;
   const rows = broken
     .slice(0, most_shown)
@@ -50,7 +50,7 @@ export function study_page(study: Study, sentence: string, sections: StudyView["
         {},
         h("p", { class: "title" }, `Plumb study: ${study.study}`),
         h("h1", {}, sentence),
-        h("p", { class: "basis" }, `${study.about} \u00b7 ${count(study.points.length, "point")}`),
+        h("p", { class: "basis" }, `${study.about} \u00b7 ${count(study.results.length, "point")}`),
       ),
     ),
     h("nav", { "aria-label": "Sections" }, ...places.map(({ id, name }) => h("a", { href: `#${id}` }, name))),

@@ -55,7 +55,7 @@ export function history_of(study: Study): HistoryModel {
   const findings = study.findings as { verdicts: VerdictChange[]; trends: Trend[]; unchanged: number };
   const times = study.timings.trends as unknown as Trend[];
   return {
-    snapshots: study.points.map(({ key, values }) => ({ id: key, commit: String(values.commit), at: String(values.at) })),
+    snapshots: study.results.map(({ key, values }) => ({ id: key, commit: String(values.commit), at: String(values.at) })),
     trends: [...findings.trends, ...times],
     verdicts: findings.verdicts,
     unchanged: findings.unchanged,

@@ -61,16 +61,16 @@ interface Values extends Omit<ModelCase, "cost" | "drops" | "least" | "chosen">,
 }
 
 interface Costs {
-  place: string;
+  case: string;
   full: number | null;
   drops: { setting: string; ratio: number | null }[];
   least: Least | null;
 }
 
 export function least_models(study: Study): LeastModels {
-  const all = study.points.filter(({ ending }) => ending === "done").map(({ values }) => values as unknown as Values);
+  const all = study.results.filter(({ ending }) => ending === "done").map(({ values }) => values as unknown as Values);
   const costs = study.timings.cases as unknown as Costs[];
-  const cases = costs.flatMap(({ place, full: cost, drops, least }): ModelCase[] => {
+  const cases = costs.flatMap(({ case: place, full: cost, drops, least }): ModelCase[] => {
     const here = all.filter(({ scenario, variant }) => `${scenario}/${variant}` === place);
     const full = here.find(({ role }) => role === "full");
     if (!full) return [];

@@ -113,16 +113,16 @@ export function speed_model(study: Study): SpeedModel {
     return made;
   };
   // Engines as they come look most unlike each other; their other methods follow.
-  for (const { values } of study.points) {
+  for (const { values } of study.results) {
     const { engine, method } = values as unknown as Values;
     if (engine && !method) engine_of(engine, engine, "");
   }
   const all = new Map<string, { values: Values; mark: SpeedMark }>();
   const without_truth = new Set<string>();
-  for (const { key, values: raw } of study.points) {
+  for (const { key, values: raw } of study.results) {
     const values = raw as unknown as Values;
     if (values.status === "no truth") without_truth.add(`${values.scenario} (${values.variant})`);
-    const time = study.timings.points[key] as unknown as Time | undefined;
+    const time = study.timings.results[key] as unknown as Time | undefined;
     if (typeof values.error !== "number" || !time?.median) continue;
     const mark: SpeedMark = {
       key,

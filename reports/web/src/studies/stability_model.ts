@@ -120,7 +120,7 @@ export function stability_model(study: Study): StabilityModel {
   const outcomes = new Map(findings.outcomes.map((outcome) => [outcome.letter, outcome]));
   const maps = findings.maps.map((told): StabilityMap => {
     const panels = new Map<string, Panel>();
-    for (const { key, ending, values: raw } of study.points) {
+    for (const { key, ending, values: raw } of study.results) {
       const values = raw as unknown as Values;
       if (ending !== "done" || values.map !== told.name) continue;
       const engine = label_of(values);

@@ -2,76 +2,112 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <set>
+
+#include "reports/run/selection.h"
 
 namespace plumb {
 namespace {
 
-// Features of which each drop saves a share of what is left of the cost, and some must not go.
-struct World {
-  std::vector<std::vector<double>> saves;  // by feature and rung
-  std::function<bool(const Levels&)> sufficient = [](const Levels&) { return true; };
+// Features whose drops each save a fraction of the remaining cost; some drops may be insufficient.
+struct FakeModels {
+  std::vector<std::vector<double>> saves;  // by feature and step
+  std::function<bool(const FeatureLevels&)> sufficient = [](const FeatureLevels&) { return true; };
   double worth = 0.03;
-  int costs_asked = 0;
+  int costs_measured = 0;
 
-  double cost(const Levels& levels) const {
+  double cost(const FeatureLevels& levels) const {
     double cost = 1;
     for (std::size_t f = 0; f < levels.size(); ++f) {
       if (levels[f] > 0) cost *= 1 - saves[f][levels[f] - 1];
     }
     return cost;
   }
-  Levels least() {
-    std::vector<Drop> drops;
+  FeatureLevels least() {
+    std::vector<FeatureDrop> drops;
     for (std::size_t f = 0; f < saves.size(); ++f) {
-      for (std::size_t rung = 1; rung <= saves[f].size(); ++rung) drops.push_back({f, rung, ""});
+      for (std::size_t step = 1; step <= saves[f].size(); ++step) drops.push_back({f, step, ""});
     }
-    const auto ratio = [this](const Levels& a, const Levels& b) {
-      ++costs_asked;
+    const auto ratio = [this](const FeatureLevels& a, const FeatureLevels& b) {
+      ++costs_measured;
       return cost(a) / cost(b);
     };
-    const auto cheaper = [&](const Levels& a, const Levels& b) { return ratio(a, b) < 1 - worth; };
+    const auto cheaper = [&](const FeatureLevels& a, const FeatureLevels& b) { return ratio(a, b) < 1 - worth; };
     return least_model(drops, saves.size(), {sufficient, ratio, cheaper});
   }
 };
 
-TEST(LeastModel, DropsAllThatIsNotNeededAndKeepsWhatIs) {
-  World world{{{0.5}, {0.3}, {0.2}}, [](const Levels& levels) { return levels[1] == 0; }};
-  EXPECT_EQ(world.least(), (Levels{1, 0, 1}));
+TEST(LeastModel, DropsAllThatIsNotNeededAndKeepsTheRest) {
+  FakeModels models{{{0.5}, {0.3}, {0.2}}, [](const FeatureLevels& levels) { return levels[1] == 0; }};
+  EXPECT_EQ(models.least(), (FeatureLevels{1, 0, 1}));
 }
 
-TEST(LeastModel, TakesTheCheapestRungThatWillDo) {
-  World world{{{0.1, 0.6, 0.4}}};
-  EXPECT_EQ(world.least(), (Levels{2}));
-  world.sufficient = [](const Levels& levels) { return levels[0] != 2; };
-  EXPECT_EQ(world.least(), (Levels{3}));
+TEST(LeastModel, TakesTheCheapestSufficientStep) {
+  FakeModels models{{{0.1, 0.6, 0.4}}};
+  EXPECT_EQ(models.least(), (FeatureLevels{2}));
+  models.sufficient = [](const FeatureLevels& levels) { return levels[0] != 2; };
+  EXPECT_EQ(models.least(), (FeatureLevels{3}));
 }
 
-TEST(LeastModel, DropsFirstWhatSavesMostWhereTwoMayNotBothGo) {
-  World world{{{0.2}, {0.5}}, [](const Levels& levels) { return levels[0] + levels[1] < 2; }};
-  EXPECT_EQ(world.least(), (Levels{0, 1}));
+TEST(LeastModel, DropsFirstWhatSavesMostIfTwoExcludeEachOther) {
+  FakeModels models{{{0.2}, {0.5}}, [](const FeatureLevels& levels) { return levels[0] + levels[1] < 2; }};
+  EXPECT_EQ(models.least(), (FeatureLevels{0, 1}));
 }
 
 TEST(LeastModel, KeepsWhatSavesNothing) {
-  World world{{{0.0}, {-0.5}, {0.02}}};
-  EXPECT_EQ(world.least(), (Levels{0, 0, 0}));
+  FakeModels models{{{0.0}, {-0.5}, {0.02}}};
+  EXPECT_EQ(models.least(), (FeatureLevels{0, 0, 0}));
 }
 
-// What seems to save the most alone may save nothing beside another.
-TEST(LeastModel, PutsBackWhatAnotherDropHasMadeUseless) {
-  const auto cost = [](const Levels& levels) { return levels[1] > 0 ? 0.5 : levels[0] > 0 ? 0.7 : 1.0; };
-  const auto ratio = [&](const Levels& a, const Levels& b) {
-    return a == Levels{1, 0} && b == Levels{0, 0} ? 0.3 : cost(a) / cost(b);
+// The drop that saves most by itself may save nothing together with another.
+TEST(LeastModel, RestoresAFeatureWhoseDropHasBecomeRedundant) {
+  const auto cost = [](const FeatureLevels& levels) { return levels[1] > 0 ? 0.5 : levels[0] > 0 ? 0.7 : 1.0; };
+  const auto ratio = [&](const FeatureLevels& a, const FeatureLevels& b) {
+    return a == FeatureLevels{1, 0} && b == FeatureLevels{0, 0} ? 0.3 : cost(a) / cost(b);
   };
-  const auto cheaper = [&](const Levels& a, const Levels& b) { return cost(a) < cost(b); };
-  EXPECT_EQ(least_model({{0, 1, ""}, {1, 1, ""}}, 2, {[](const Levels&) { return true; }, ratio, cheaper}),
-            (Levels{0, 1}));
+  const auto cheaper = [&](const FeatureLevels& a, const FeatureLevels& b) { return cost(a) < cost(b); };
+  EXPECT_EQ(least_model({{0, 1, ""}, {1, 1, ""}}, 2, {[](const FeatureLevels&) { return true; }, ratio, cheaper}),
+            (FeatureLevels{0, 1}));
 }
 
-TEST(LeastModel, AsksNoCostOfWhatWillNotDo) {
-  World world{{{0.5}, {0.3}}, [](const Levels& levels) { return levels == Levels{0, 0}; }};
-  EXPECT_EQ(world.least(), (Levels{0, 0}));
-  EXPECT_EQ(world.costs_asked, 0);
+TEST(LeastModel, MeasuresNoCostOfInsufficientModels) {
+  FakeModels models{{{0.5}, {0.3}}, [](const FeatureLevels& levels) { return levels == FeatureLevels{0, 0}; }};
+  EXPECT_EQ(models.least(), (FeatureLevels{0, 0}));
+  EXPECT_EQ(models.costs_measured, 0);
+}
+
+FeatureLevels none() { return FeatureLevels(model_features().size(), 0); }
+
+TEST(ModelFeatures, KeepTheFullModelAtLevelZero) {
+  const EngineConfig full = parse_engine("impulse:substeps=8");
+  EXPECT_EQ(model_at(full, none()).settings, full.settings);
+}
+
+TEST(ModelFeatures, HaveSingleDropsThatAllDifferFromTheFullModelAndFromEachOther) {
+  const EngineConfig full = parse_engine("impulse");
+  std::set<Settings> seen{full.settings};
+  for (const FeatureDrop& drop : single_drops(full)) {
+    FeatureLevels levels = none();
+    levels[drop.feature] = drop.step;
+    EXPECT_TRUE(seen.insert(model_at(full, levels).settings).second) << drop.setting;
+  }
+  EXPECT_GT(seen.size(), 15U);
+}
+
+TEST(ModelFeatures, DropNothingThatTheFullModelDoesNotHave) {
+  for (const FeatureDrop& drop : single_drops(parse_engine("impulse:float,substeps=2"))) {
+    EXPECT_NE(drop.setting, "precision=float");
+    EXPECT_NE(drop.setting, "substeps=2");
+  }
+}
+
+TEST(ModelFeatures, CombineSingleDrops) {
+  const EngineConfig full = parse_engine("impulse");
+  FeatureLevels levels = none();
+  for (const FeatureDrop& drop : single_drops(full)) {
+    if (drop.setting == "contacts=off" || drop.setting == "precision=float") levels[drop.feature] = drop.step;
+  }
+  EXPECT_EQ(model_at(full, levels).settings, parse_engine("impulse:contacts=off,precision=float").settings);
 }
 
 }  // namespace

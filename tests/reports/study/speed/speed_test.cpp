@@ -4,7 +4,7 @@
 #include <map>
 
 #include "../study_files.h"
-#include "reports/study/runner.h"
+#include "reports/study/job.h"
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
 
@@ -13,19 +13,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-TEST(Studies, AreThese) {
+TEST(Studies, AreKnown) {
   std::vector<std::string> names;
   for (const Study* study : Catalog<Study>::all()) names.push_back(study->name);
   EXPECT_THAT(names, ::testing::IsSupersetOf({"speed"}));
 }
 
-// The results of a small speed study, without its clock.
-std::vector<PointResult> results_of(const Json& configuration) {
+// The results of a small speed study, without times.
+std::vector<JobResult> results_of(const Json& configuration) {
   const StudyPlan plan = Catalog<Study>::find("speed")->plan(configuration);
-  std::vector<PointResult> results;
-  for (const Point& point : plan.points) {
-    if (point.prepare) point.prepare();
-    results.push_back({.key = point.key, .row = point.run()});
+  std::vector<JobResult> results;
+  for (const Job& job : plan.jobs) {
+    if (job.prepare) job.prepare();
+    results.push_back({.key = job.key, .output = job.run()});
   }
   return results;
 }
@@ -35,16 +35,16 @@ Json configuration(const std::vector<std::string>& scenarios, const std::vector<
   return {{"scenarios", scenarios}, {"all", false}, {"engines", engines}, {"dt", steps}};
 }
 
-std::vector<Json> orders_of(const Json& asked) {
-  const Findings found = Catalog<Study>::find("speed")->plan(asked).conclude(results_of(asked));
+std::vector<Json> orders_of(const Json& configured) {
+  const Findings found = Catalog<Study>::find("speed")->plan(configured).conclude(results_of(configured));
   std::vector<Json> rows;
   for (const Json& row : found.findings.at("orders")) rows.push_back(row);
   return rows;
 }
 
-// Free fall is exact for second and higher orders; along a slope contacts lower the order of all but RK4, whose two
-// errors cancel to second order (see there).
-TEST(SpeedStudy, MeasuresTheOrderOfEveryIntegratorOfOurs) {
+// Free fall is exact for second and higher orders. On a slope contacts lower the order of all integrators but RK4,
+// where two errors cancel to second order.
+TEST(SpeedStudy, MeasuresTheOrderOfEachOfOurIntegrators) {
   const std::vector<std::string> engines{
       "impulse:solver=exact,integrator=explicit-euler", "impulse:solver=exact,integrator=symplectic-euler",
       "impulse:solver=exact,integrator=velocity-verlet", "impulse:solver=exact,integrator=rk4", "impulse:substeps=4"};
@@ -68,17 +68,17 @@ TEST(SpeedStudy, MeasuresTheOrderOfEveryIntegratorOfOurs) {
   }
 }
 
-TEST(SpeedStudy, AveragesOverPhasesWhereImpactsFallSomewhereInAStep) {
+TEST(SpeedStudy, AveragesOverPhasesOfAStepIfThereAreImpacts) {
   const auto results = results_of(configuration({"bounce:e=0.8"}, {"impulse:solver=article,iterations=10"}, {"1/60"}));
-  const Json& values = results.front().row.values;
+  const Json& values = results.front().output.values;
   EXPECT_EQ(values.at("phases"), 8);
   EXPECT_LT(values.at("error_least"), values.at("error"));
   EXPECT_LT(values.at("error"), values.at("error_largest"));
 }
 
-TEST(SpeedStudy, WeighsByAConvergedReferenceWhereThereIsNoClosedForm) {
+TEST(SpeedStudy, UsesAConvergedReferenceIfThereIsNoClosedForm) {
   const auto results = results_of(configuration({"pyramid:base=2,duration=0.5"}, {"impulse", "box2d"}, {"1/60"}));
-  const Json& values = results.front().row.values;
+  const Json& values = results.front().output.values;
   EXPECT_EQ(values.at("truth"), "converged");
   EXPECT_GT(values.at("truth_error"), 0);
   EXPECT_LT(values.at("truth_error"), 1e-3);
@@ -87,28 +87,28 @@ TEST(SpeedStudy, WeighsByAConvergedReferenceWhereThereIsNoClosedForm) {
 
 TEST(SpeedStudy, SaysWhatIsNotSupported) {
   const auto results = results_of(configuration({"hanging-chain"}, {"impulse:solver=exact"}, {"1/60"}));
-  for (const PointResult& result : results) {
-    EXPECT_NE(result.row.values.at("status"), "ok") << result.key;
-    EXPECT_FALSE(result.row.values.at("why").get<std::string>().empty());
-    EXPECT_FALSE(result.row.values.contains("error"));
+  for (const JobResult& result : results) {
+    EXPECT_NE(result.output.values.at("status"), "ok") << result.key;
+    EXPECT_FALSE(result.output.values.at("why").get<std::string>().empty());
+    EXPECT_FALSE(result.output.values.contains("error"));
   }
 }
 
-TEST(SpeedStudy, TimesOnlyWhatRanToItsEnd) {
+TEST(SpeedStudy, TimesOnlyRunsThatReachTheEnd) {
   for (const auto& [engine, timed] :
        {std::pair("impulse:solver=exact", false), std::pair("impulse:solver=xpbd", true)}) {
     const StudyPlan plan = Catalog<Study>::find("speed")->plan(configuration({"hanging-chain"}, {engine}, {"1/60"}));
-    const Point& point = plan.points.front();
-    point.prepare();
-    const bool ran = point.run().values.contains("error");
-    EXPECT_EQ(std::isfinite(point.turn()), ran && timed) << engine;
+    const Job& job = plan.jobs.front();
+    job.prepare();
+    const bool ran = job.run().values.contains("error");
+    EXPECT_EQ(std::isfinite(job.repetition()), ran && timed) << engine;
   }
 }
 
-TEST(SpeedStudy, ClimbsTheLadderOfEachMethodAndNamesEveryPointOnce) {
+TEST(SpeedStudy, PlansEveryParameterStepOfEachMethodOnce) {
   const StudyPlan plan = Catalog<Study>::find("speed")->plan(configuration({"bounce:e=0.5"}, {}));
   std::map<std::string, int> keys;
-  for (const Point& point : plan.points) EXPECT_EQ(++keys[point.key], 1) << point.key;
+  for (const Job& job : plan.jobs) EXPECT_EQ(++keys[job.key], 1) << job.key;
   for (const char* key :
        {"speed|bounce/e=0.5|impulse|substeps=8|dt=1/120", "speed|bounce/e=0.5|box2d|velocity=16|dt=1/960",
         "speed|bounce/e=0.5|impulse:solver=exact,integrator=rk4|dt=1/30",
@@ -117,27 +117,27 @@ TEST(SpeedStudy, ClimbsTheLadderOfEachMethodAndNamesEveryPointOnce) {
   }
 }
 
-// A run: s per simulated second and m.
-PointResult fake(const std::string& engine, double dt, double time, double error) {
+// The result of a run. `time`: s per simulated second; `error`: m.
+JobResult fake(const std::string& engine, double dt, double time, double error) {
   const std::string step = std::to_string(dt);
   return {.key = "speed|s/v|" + engine + "|dt=" + step,
-          .row = {{{"scenario", "s"},
-                   {"variant", "v"},
-                   {"engine", engine},
-                   {"method", ""},
-                   {"option", ""},
-                   {"setting", ""},
-                   {"standard", true},
-                   {"dt", dt},
-                   {"order", 0},
-                   {"truth_error", 0.0},
-                   {"round_off", 0.0},
-                   {"error", error}},
-                  {{"median", time}, {"wide", false}}}};
+          .output = {{{"scenario", "s"},
+                      {"variant", "v"},
+                      {"engine", engine},
+                      {"method", ""},
+                      {"option", ""},
+                      {"setting", ""},
+                      {"standard", true},
+                      {"dt", dt},
+                      {"order", 0},
+                      {"truth_error", 0.0},
+                      {"round_off", 0.0},
+                      {"error", error}},
+                     {{"median", time}, {"wide", false}}}};
 }
 
 TEST(SpeedFindings, CompareAtEqualErrorAlongTheStandardsFront) {
-  std::vector<PointResult> results;
+  std::vector<JobResult> results;
   for (const double n : {1.0, 10.0, 100.0}) {
     results.push_back(fake("box2d", 1 / n, 1e-3 * n, 1 / n));
     results.push_back(fake("half", 1 / n, 0.5e-3 * n, 1 / n));
@@ -149,12 +149,12 @@ TEST(SpeedFindings, CompareAtEqualErrorAlongTheStandardsFront) {
   for (const Json& row : timings.at("factors")) factors[row.at("engine")] = row;
   EXPECT_NEAR(factors["half"]["median"].get<double>(), 0.5, 1e-12);
   EXPECT_NEAR(factors["box2d"]["median"].get<double>(), 1, 1e-12);
-  EXPECT_TRUE(factors["coarse"]["median"].is_null()) << "it is never so accurate";
+  EXPECT_TRUE(factors["coarse"]["median"].is_null()) << "it never reaches these errors";
   EXPECT_EQ(factors["coarse"]["reached"], 0);
-  const Json& place = timings.at("cases").front();
-  EXPECT_EQ(place.at("front").size(), 3u) << "all by the faster one";
-  EXPECT_TRUE(place.at("engines")[0].at("time_for_error")[2].is_null()) << "1e-3 m was not reached";
-  EXPECT_NEAR(place.at("engines")[0].at("time_for_error")[0].at("value").get<double>(), 1e-2, 1e-12);
+  const Json& first = timings.at("cases").front();
+  EXPECT_EQ(first.at("front").size(), 3u) << "all of the faster engine";
+  EXPECT_TRUE(first.at("engines")[0].at("time_for_error")[2].is_null()) << "1e-3 m was not reached";
+  EXPECT_NEAR(first.at("engines")[0].at("time_for_error")[0].at("value").get<double>(), 1e-2, 1e-12);
 }
 
 }  // namespace

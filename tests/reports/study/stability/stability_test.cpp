@@ -33,9 +33,9 @@ class StabilityStudy : public StudyFiles {
   }
 };
 
-TEST_F(StabilityStudy, MakesAPointOfEveryRow) {
+TEST_F(StabilityStudy, PlansAJobForEveryRow) {
   std::map<std::string, int> keys;
-  for (const Point& point : plan(configuration({}, {})).points) EXPECT_EQ(++keys[point.key], 1) << point.key;
+  for (const Job& job : plan(configuration({}, {})).jobs) EXPECT_EQ(++keys[job.key], 1) << job.key;
   for (const char* key :
        {"stability|slope|impulse|friction=0.5", "stability|stack|box2d|velocity=8",
         "stability|stack|impulse|substeps=4", "stability|stack|impulse:solver=exact|alone=0",
@@ -44,10 +44,10 @@ TEST_F(StabilityStudy, MakesAPointOfEveryRow) {
   }
 }
 
-TEST_F(StabilityStudy, TellsCellsBoundaryAndTheory) {
+TEST_F(StabilityStudy, MeasuresCellsBoundaryAndTheory) {
   const StudyPlan slope = plan(configuration({"slope"}, {"impulse"}));
-  for (const Point& point : slope.points) {
-    const Json values = point.run().values;
+  for (const Job& job : slope.jobs) {
+    const Json values = job.run().values;
     EXPECT_EQ(values.at("outcomes").get<std::string>().size(), 4u);
     EXPECT_EQ(values.at("since").size(), 4u);
     EXPECT_LT(values.at("sticks_low"), values.at("sticks_high"));
@@ -56,23 +56,23 @@ TEST_F(StabilityStudy, TellsCellsBoundaryAndTheory) {
   }
 }
 
-TEST_F(StabilityStudy, ComesToWhatEachMethodStands) {
+TEST_F(StabilityStudy, ConcludesTheLimitOfEachMethod) {
   const StudyPlan slope = plan(configuration({"slope"}, {"impulse", "chipmunk"}));
-  std::vector<PointResult> results;
-  for (const Point& point : slope.points) results.push_back({.key = point.key, .row = point.run()});
+  std::vector<JobResult> results;
+  for (const Job& job : slope.jobs) results.push_back({.key = job.key, .output = job.run()});
   results.back().ending = Ending::crashed;
-  results.back().row = {};
+  results.back().output = {};
   const Findings found = slope.conclude(results);
   const Json& map = found.findings.at("maps").front();
-  ASSERT_EQ(map.at("stands").size(), 2u);
-  EXPECT_EQ(map.at("stands")[0].at("engine"), "impulse");
-  EXPECT_NEAR(map.at("stands")[0].at("low").get<double>(), 26.565, 0.1);
+  ASSERT_EQ(map.at("limits").size(), 2u);
+  EXPECT_EQ(map.at("limits")[0].at("engine"), "impulse");
+  EXPECT_NEAR(map.at("limits")[0].at("low").get<double>(), 26.565, 0.1);
   EXPECT_EQ(map.at("agreements")[0].at("agree"), 5);
-  EXPECT_EQ(map.at("agreements")[1].at("rows"), 4) << "a crashed row is none";
-  EXPECT_THAT(found.summary, HasSubstr("1 crashed"));
+  EXPECT_EQ(map.at("agreements")[1].at("rows"), 4) << "a crashed row does not count";
+  EXPECT_THAT(found.text, HasSubstr("1 crashed"));
 }
 
-TEST_F(StabilityStudy, RefusesWhatItDoesNotKnowWithTheNearestName) {
+TEST_F(StabilityStudy, RefusesUnknownNamesAndSuggestsTheNearest) {
   const auto refused = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words{"study", "stability", "--out", at("out")};
     words.insert(words.end(), more.begin(), more.end());
@@ -82,12 +82,12 @@ TEST_F(StabilityStudy, RefusesWhatItDoesNotKnowWithTheNearestName) {
   };
   EXPECT_THAT(refused({"--maps", "stakc"}), HasSubstr("did you mean \"stack\"?"));
   EXPECT_THAT(refused({"--engine", "box3d"}), HasSubstr("did you mean \"box2d\"?"));
-  EXPECT_THAT(refused({"--maps", "stack", "stack"}), HasSubstr("asked for twice"));
+  EXPECT_THAT(refused({"--maps", "stack", "stack"}), HasSubstr("selected twice"));
   EXPECT_THAT(refused({"--cells", "1"}), HasSubstr("--cells"));
   EXPECT_THAT(refused({"--mpas", "stack"}), HasSubstr("--maps"));
 }
 
-TEST_F(StabilityStudy, OfShardsEqualsTheWhole) {
+TEST_F(StabilityStudy, MergedFromShardsEqualsTheWhole) {
   std::vector<std::string> merge{"merge", "--out", at("merged")};
   for (const char* k : {"2", "1", "3"}) {
     ASSERT_EQ(say(stability("shards", {"--shard", std::string(k) + "/3"})).code, 0);
@@ -99,7 +99,7 @@ TEST_F(StabilityStudy, OfShardsEqualsTheWhole) {
   EXPECT_EQ(text(at("merged") + "/study-stability.csv"), text(at("whole") + "/study-stability.csv"));
 }
 
-TEST_F(StabilityStudy, GoesOnAfterKill9) {
+TEST_F(StabilityStudy, ResumesAfterKill9) {
   const std::string file = at("killed") + "/study-stability.jsonl";
   const auto lines = [&] {
     const std::string all = text(file);

@@ -7,11 +7,11 @@
 
 namespace plumb {
 
-/// Where an engine ceases to hold in a map, between two values of x that bound it.
+/// The bracket of a boundary of an engine in a map, bisected between two values of x.
 inline Bracket bracket(const char* map_name, const char* engine, double y, double from, double to,
                        const char* boundary) {
   const StabilityMap& map = *Catalog<StabilityMap>::find(map_name);
-  const MapRow row = row_of(map, {from, to}, y, parse_engine(engine));
+  const MapRow row = measure_row(map, {from, to}, y, parse_engine(engine));
   for (std::size_t i = 0; i < map.boundaries.size(); ++i) {
     if (map.boundaries[i].name == boundary) return row.brackets[i];
   }

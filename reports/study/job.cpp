@@ -1,0 +1,125 @@
+#include "reports/study/job.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::pair<Ending, const char*> endings[] = {{Ending::done, "done"},
+                                                      {Ending::failed, "failed"},
+                                                      {Ending::crashed, "crashed"},
+                                                      {Ending::timed_out, "timed out"},
+                                                      {Ending::out_of_memory, "out of memory"}};
+
+Ending ending_of(const std::string& name) {
+  for (const auto& [ending, word] : endings) {
+    if (name == word) return ending;
+  }
+  throw std::invalid_argument("unknown ending of a job: \"" + name + "\"");
+}
+
+std::optional<int> parse_integer(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+const char* name_of(Ending wanted) {
+  for (const auto& [ending, word] : endings) {
+    if (ending == wanted) return word;
+  }
+  return "";
+}
+
+std::string to_line(const JobResult& result) {
+  // An engine's error message may not be valid UTF-8: `replace` keeps dump from throwing.
+  return Json{{"key", result.key},
+              {"ending", name_of(result.ending)},
+              {"reason", result.reason},
+              {"values", result.output.values},
+              {"times", result.output.times}}
+             .dump(-1, ' ', false, Json::error_handler_t::replace) +
+         "\n";
+}
+
+JobResult from_line(const std::string& line) {
+  try {
+    const Json json = Json::parse(line);
+    return {.key = json.at("key"),
+            .ending = ending_of(json.at("ending")),
+            .reason = json.at("reason"),
+            .output = {json.at("values"), json.at("times")}};
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::vector<std::span<const Job>> units_of(std::span<const Job> jobs) {
+  std::vector<std::span<const Job>> units;
+  for (std::size_t i = 0; i < jobs.size();) {
+    std::size_t end = i + 1;
+    while (!jobs[i].group.empty() && end < jobs.size() && jobs[end].group == jobs[i].group) ++end;
+    units.push_back(jobs.subspan(i, end - i));
+    i = end;
+  }
+  return units;
+}
+
+std::string Shard::name() const { return fmt::format("{}/{}", k, n); }
+
+Shard parse_shard(std::string_view text) {
+  constexpr int most_shards = 100000;
+  const auto slash = text.find('/');
+  if (slash != std::string_view::npos) {
+    const auto k = parse_integer(text.substr(0, slash));
+    const auto n = parse_integer(text.substr(slash + 1));
+    if (k && n && *k >= 1 && *k <= *n && *n <= most_shards) return {*k, *n};
+  }
+  throw std::invalid_argument(fmt::format("--shard: \"{}\" is not k/n with 1 <= k <= n, such as 1/4", text));
+}
+
+// An array's task numbers start where the user wants, at 0 as often as at 1, and may have a step: --array=0-6:2.
+std::optional<Shard> slurm_shard(const EnvironmentLookup& lookup) {
+  if (lookup("SLURM_ARRAY_TASK_ID") == nullptr) return std::nullopt;
+  const auto read = [&](const char* name, std::optional<int> otherwise) {
+    const char* text = lookup(name);
+    const auto number = text == nullptr ? otherwise : parse_integer(text);
+    if (!number) {
+      throw std::invalid_argument(
+          fmt::format("{}: \"{}\" is not an integer; give --shard k/n", name, text ? text : ""));
+    }
+    return *number;
+  };
+  const int id = read("SLURM_ARRAY_TASK_ID", std::nullopt);
+  const int count = read("SLURM_ARRAY_TASK_COUNT", std::nullopt);
+  const int first = read("SLURM_ARRAY_TASK_MIN", std::nullopt);
+  const int step = read("SLURM_ARRAY_TASK_STEP", 1);
+  const int last = read("SLURM_ARRAY_TASK_MAX", first + (count - 1) * step);
+  const bool even = step > 0 && last == first + (count - 1) * step && (id - first) % step == 0;
+  if (!even || id < first || id > last) {
+    throw std::invalid_argument(
+        fmt::format("the Slurm array has {} tasks from {} to {} with gaps; give --shard k/n", count, first, last));
+  }
+  return Shard{(id - first) / step + 1, count};
+}
+
+std::vector<std::span<const Job>> units_in(const Shard& shard, const std::vector<std::span<const Job>>& units) {
+  std::vector<std::span<const Job>> own;
+  const auto n = static_cast<std::size_t>(shard.n);
+  for (std::size_t i = static_cast<std::size_t>(shard.k) - 1; i < units.size(); i += n) own.push_back(units[i]);
+  return own;
+}
+
+}  // namespace plumb

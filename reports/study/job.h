@@ -1,0 +1,96 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The jobs of a study, what they return, the plan that lists them, and how it is divided among machines.
+namespace plumb {
+
+/// What a job found.
+struct JobOutput {
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();  // the same in every run
+  nlohmann::ordered_json times = nlohmann::ordered_json::object();   // everything that depends on the clock
+};
+
+/// One unit of work. It runs in a child process of its own, so an engine that crashes or hangs ends only this job.
+struct Job {
+  std::string key;                 // unique in its study and the same on every machine: "speed|bounce/e=0.8|box2d|..."
+  std::function<JobOutput()> run;  // if it throws, the job has failed and the exception is the reason
+  /// One timed repetition, called after `run` in the same process. Returns seconds, or a non-finite number if `run`
+  /// left nothing to time. Null for jobs that are never timed.
+  std::function<double()> repetition = nullptr;
+  /// Consecutive jobs with the same non-empty group stay in one shard. If they are timed, their repetitions alternate
+  /// and nothing else runs at the same time.
+  std::string group = {};
+  bool alone = false;  // nothing else may run at the same time
+  /// Called in the parent before the child is forked: the child inherits what it leaves in memory. May be called more
+  /// than once.
+  std::function<void()> prepare = nullptr;
+};
+
+enum class Ending { done, failed, crashed, timed_out, out_of_memory };
+
+/// "done", "failed", "crashed", "timed out", "out of memory".
+const char* name_of(Ending);
+
+struct JobResult {
+  std::string key;
+  Ending ending = Ending::done;
+  std::string reason;  // why it is not done
+  /// Repetitions add to `times`: "median", "low" and "high" (quartiles) in s, "repetitions", "wide".
+  JobOutput output;
+};
+
+/// One line of a results file.
+std::string to_line(const JobResult&);
+
+/// Throws std::invalid_argument for a line that to_line does not write.
+JobResult from_line(const std::string& line);
+
+/// A JSON number, or null if it is not finite.
+nlohmann::ordered_json finite_or_null(double);
+
+/// What all results of a study show together.
+struct Findings {
+  nlohmann::ordered_json findings = nlohmann::ordered_json::object();  // the same in every run
+  nlohmann::ordered_json timings = nlohmann::ordered_json::object();   // everything that depends on the clock
+  std::string text;                                                    // lines for the console
+};
+
+struct StudyPlan {
+  std::vector<Job> jobs;  // in the order in which they run and are shown
+  /// Takes the results of all jobs, in the same order.
+  std::function<Findings(const std::vector<JobResult>&)> conclude;
+};
+
+/// Jobs that must stay together: a group, or a single job. In order.
+std::vector<std::span<const Job>> units_of(std::span<const Job>);
+
+/// Part k of n of a study; k counts from 1.
+struct Shard {
+  int k = 1, n = 1;
+
+  bool whole() const { return n == 1; }
+  std::string name() const;  // "2/4"
+  bool operator==(const Shard&) const = default;
+};
+
+/// Reads "k/n". Throws std::invalid_argument if the text is not of that form.
+Shard parse_shard(std::string_view text);
+
+/// Returns the value of an environment variable, or null.
+using EnvironmentLookup = std::function<const char*(const char* name)>;
+
+/// The shard that belongs to this task of a Slurm array; nullopt outside of one. Throws std::invalid_argument for an
+/// array with gaps: its tasks do not know their index.
+std::optional<Shard> slurm_shard(const EnvironmentLookup&);
+
+/// The units of jobs that belong to a shard: every n-th, so that expensive and cheap ones are spread.
+std::vector<std::span<const Job>> units_in(const Shard&, const std::vector<std::span<const Job>>& units);
+
+}  // namespace plumb

@@ -1,0 +1,84 @@
+#include "reports/study/model/model_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "reference/scene_facts.h"
+#include "reports/judge/pose_difference.h"
+#include "reports/run/beyond.h"
+#include "reports/run/phases.h"
+
+namespace plumb {
+
+ModelError::ModelError(Case problem, EngineConfig full, double dt, double tolerance)
+    : problem_(std::move(problem)),
+      full_(std::move(full)),
+      dt_(dt),
+      tolerance_(tolerance),
+      reference_(problem_, dt),
+      gyration_(smallest_body(*problem_.scene) / (2 * std::sqrt(2.0))),  // of a disc with that diameter
+      phases_(plumb::phases(problem_, problem_.scenario->phased ? judged_phases : 1)) {}
+
+void ModelError::find() {
+  if (std::exchange(found_, true)) return;
+  reference_.find();
+  for (const Case& phase : phases_) {
+    if (const Engine* engine = reference_.engine()) {
+      truths_.push_back(run(*phase.scene, {engine, complete(*engine, {})}, dt_, phase.first_step).trace);
+    }
+    fulls_.push_back(run(*phase.scene, full_, dt_, phase.first_step).trace);
+  }
+  const double end = problem_.scene->duration;
+  const bool reaches_end = reference_.engine() != nullptr && reference_.until() >= end * (1 - 1e-9);
+  if (!reaches_end || reference_.error() > tolerance_)
+    compared_until_ = std::min(end, horizon_of(*problem_.scene, dt_).value_or(end));
+  full_error_ = of(full_).error;
+}
+
+std::string ModelError::truth() const { return reference_.engine() == nullptr ? "" : reference_.engine()->name; }
+
+double ModelError::truth_until() const {
+  return reference_.engine() == nullptr ? 0 : std::min(reference_.until(), problem_.scene->duration);
+}
+
+ModelError::Result ModelError::of(const EngineConfig& model) const {
+  Result result;
+  double squares = 0;
+  double largest_difference = 0;
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const Outcome outcome = run(*phases_[i].scene, model, dt_, phases_[i].first_step);
+    result.status = outcome.status;
+    result.reason = outcome.reason;
+    if (outcome.status != Status::ok || !fulls_[i]) {
+      result.error = result.change = std::numeric_limits<double>::infinity();
+      return result;
+    }
+    const double error = truths_.empty() ? 0 : difference(*outcome.trace, *truths_[i], reference_.until());
+    squares += error * error;
+    if (compared_until_ > 0) {
+      largest_difference = std::max(largest_difference, difference(*outcome.trace, *fulls_[i], compared_until_));
+    }
+  }
+  result.error = truths_.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                 : std::sqrt(squares / static_cast<double>(phases_.size()));
+  result.change = std::max(largest_difference, truths_.empty() ? 0.0 : result.error - full_error_);
+  return result;
+}
+
+bool ModelError::within_tolerance(const Result& result) const {
+  return result.status == Status::ok && result.change <= tolerance_;
+}
+
+// RMS over time and bodies of the displacement of points at the radius of gyration.
+double ModelError::difference(const Trace& a, const Trace& b, double until) const {
+  const auto all = pose_differences(*problem_.scene, a, b, until);
+  double squares = 0;
+  for (const PoseDifference& one : all) {
+    squares += one.position * one.position + gyration_ * gyration_ * one.angle * one.angle;
+  }
+  return all.empty() ? 0 : std::sqrt(squares / static_cast<double>(all.size()));
+}
+
+}  // namespace plumb

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "reports/run/run.h"
+#include "reports/study/reference_solution.h"
+
+namespace plumb {
+
+/// How much larger a model's error in a case is than the full model's.
+///
+/// Errors are measured against the reference solution, as long as it is valid. If it ends before the scene, or its own
+/// error exceeds the tolerance, models are also compared with the full model, up to the scene's horizon: beyond it,
+/// runs from starts a billionth apart have diverged, and a difference means nothing.
+class ModelError {
+ public:
+  ModelError(Case problem, EngineConfig full, double dt, double tolerance);
+
+  /// Finds the reference solution and runs the full model; calls after the first do nothing. Must be called before
+  /// anything else.
+  void find();
+
+  struct Result {
+    Status status = Status::ok;
+    std::string reason;  // why not ok
+    double error = 0;    // m, against the reference solution; NaN if there is none
+    double change = 0;   // m, by which the model is worse than the full model; infinite if it did not run
+  };
+  Result of(const EngineConfig& model) const;
+  bool within_tolerance(const Result&) const;
+
+  const Case& problem() const { return problem_; }
+  const EngineConfig& full() const { return full_; }
+  double dt() const { return dt_; }
+  /// The name of the engine that gives the reference solution; "" if there is none.
+  std::string truth() const;
+  double truth_until() const;                                // s
+  double truth_error() const { return reference_.error(); }  // m
+  /// s, up to where models are compared with the full one; 0 if the reference solution is enough.
+  double compared_until() const { return compared_until_; }
+  std::size_t phases() const { return phases_.size(); }
+
+ private:
+  double difference(const Trace&, const Trace&, double until) const;
+
+  Case problem_;
+  EngineConfig full_;
+  double dt_;
+  double tolerance_;
+  ReferenceSolution reference_;
+  double gyration_;  // m, radius of gyration of the smallest body: converts an angle into a displacement
+  bool found_ = false;
+  double compared_until_ = 0;
+  std::vector<Case> phases_;
+  std::vector<std::shared_ptr<const Trace>> truths_;  // by phase
+  std::vector<std::shared_ptr<const Trace>> fulls_;   // by phase
+  double full_error_ = 0;
+};
+
+}  // namespace plumb

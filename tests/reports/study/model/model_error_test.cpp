@@ -1,0 +1,68 @@
+#include "reports/study/model/model_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reports/run/selection.h"
+
+namespace plumb {
+namespace {
+
+constexpr double dt = 1.0 / 60;
+
+ModelError errors_in(const std::string& word, double tolerance = 1e-4) {
+  ModelError made(parse_case(word), parse_engine("impulse"), dt, tolerance);
+  made.find();
+  return made;
+}
+
+TEST(ModelError, IsZeroForTheFullModel) {
+  for (const char* word : {"spring:w=4", "bounce:e=0.8", "rain:count=8", "free-bodies:side=3"}) {
+    const ModelError errors = errors_in(word);
+    const ModelError::Result result = errors.of(errors.full());
+    EXPECT_EQ(result.change, 0) << word;
+    EXPECT_TRUE(errors.within_tolerance(result)) << word;
+  }
+}
+
+// Second order with sub-steps four times as long: sixteen times the error.
+TEST(ModelError, IsMeasuredAgainstTheReferenceSolution) {
+  const ModelError errors = errors_in("spring:w=4");
+  EXPECT_EQ(errors.truth(), "spring");
+  EXPECT_EQ(errors.compared_until(), 0);
+  const double full = errors.of(errors.full()).error;
+  const ModelError::Result coarse = errors.of(parse_engine("impulse:substeps=1"));
+  EXPECT_NEAR(coarse.error / full, 16, 0.5);
+  EXPECT_DOUBLE_EQ(coarse.change, coarse.error - full);
+  EXPECT_FALSE(errors.within_tolerance(coarse));
+  EXPECT_LE(errors.of(parse_engine("impulse:substeps=8")).change, 0);
+}
+
+// Boxes and discs that spin in free flight: only angles differ.
+TEST(ModelError, ConvertsAnglesToDisplacements) {
+  const ModelError errors = errors_in("free-bodies:side=3");
+  const double change = errors.of(parse_engine("impulse:rotation=off")).change;
+  // 3 rad/s for 1 s: the RMS over time is 3/sqrt(3) rad, at the radius of gyration of a disc of 1/4 m.
+  EXPECT_NEAR(change, std::sqrt(3.0) * 0.25 / std::sqrt(2.0), 0.02);
+}
+
+TEST(ModelError, ComparesWithTheFullModelIfTheReferenceSolutionEnds) {
+  const ModelError errors = errors_in("billiard:open");
+  EXPECT_GT(errors.compared_until(), errors.truth_until());
+  const ModelError::Result passing = errors.of(parse_engine("impulse:contacts=off"));
+  EXPECT_GT(passing.change, 1e-2);
+  EXPECT_FALSE(errors.within_tolerance(passing));
+}
+
+TEST(ModelError, SaysWhyAModelDidNotRun) {
+  const ModelError errors = errors_in("hanging-chain:still");
+  const ModelError::Result result = errors.of(parse_engine("impulse:solver=exact"));
+  EXPECT_NE(result.status, Status::ok);
+  EXPECT_NE(result.reason, "");
+  EXPECT_TRUE(std::isinf(result.change));
+  EXPECT_FALSE(errors.within_tolerance(result));
+}
+
+}  // namespace
+}  // namespace plumb
