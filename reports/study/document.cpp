@@ -6,7 +6,6 @@
 
 #include "reports/system/csv.h"
 #include "reports/writers/html.h"
-#include "reports/writers/page.h"
 
 namespace plumb {
 namespace {
