@@ -9,7 +9,6 @@
 
 #include "reports/system/csv.h"
 #include "reports/writers/html.h"
-#include "reports/writers/page.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"
 

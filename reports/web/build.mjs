@@ -58,7 +58,7 @@ ${literals}
 `;
 }
 
-const source = (functions) => `#include "reports/writers/page.h"
+const source = (functions) => `#include "reports/writers/html.h"
 
 #include <string>
 

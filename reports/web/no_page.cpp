@@ -1,4 +1,4 @@
-#include "reports/writers/page.h"
+#include "reports/writers/html.h"
 
 namespace plumb {
 

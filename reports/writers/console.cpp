@@ -27,7 +27,7 @@ const char* colour_of(Verdict verdict) {
   return "";
 }
 
-// Padded first: the escapes take no columns.
+// Padded before colouring: escape sequences take no columns.
 std::string painted(Verdict verdict, std::size_t columns, bool colour) {
   const std::string text = fmt::format("{:<{}}", name_of(verdict), columns);
   return colour ? colour_of(verdict) + text + "\033[0m" : text;
@@ -37,7 +37,7 @@ std::string cut(const std::string& text, std::size_t columns) {
   return text.size() <= columns ? text : text.substr(0, columns - 3) + "...";
 }
 
-// Words in lines of at most `console_width`, each indented; a word that is too long for a line is broken.
+// Breaks text into indented lines of at most `console_width` columns; a word too long for a line is broken.
 std::string wrapped(const std::string& text, std::size_t indent) {
   const std::size_t room = console_width - indent;
   std::istringstream words(text);
@@ -81,7 +81,7 @@ std::string passed(const RunRecord& run) {
   return fmt::format("{}/{}", count, reported);
 }
 
-// Times what is allowed.
+// The largest error / tolerance.
 std::string worst(const RunRecord& run) {
   const auto ratio = times_allowed(run);
   return ratio ? fmt::format("{:.3g}", *ratio) : "-";
@@ -108,11 +108,11 @@ std::string in_words(const TruthCheck& check) {
 
 std::string in_words(const InvariantCheck& check) {
   const std::string where = check.where.empty() ? "" : " of " + check.where;
-  return fmt::format("breaks {}{} at {:.4g} s: {:.3g}, allowed {:.2g} {} ({:.3g} times)", check.name, where, check.time,
-                     check.value, check.tolerance, check.unit, check.ratio);
+  return fmt::format("breaks {}{} at {:.4g} s: {:.3g}, tolerance {:.2g} {} ({:.3g} times)", check.name, where,
+                     check.time, check.value, check.tolerance, check.unit, check.ratio);
 }
 
-// A truth by refinement is as exact as it says.
+// The error estimate of a converged reference.
 std::string exactness(const RunRecord& run) {
   if (!run.exact) return "";
   const auto estimate = run.metrics.find("truth_estimate_max");
@@ -142,11 +142,11 @@ std::string in_words(const Comparison& comparison) {
       fmt::format("{} - {}: up to {} m apart, {} m at the end; energy up to {} J", comparison.a, comparison.b,
                   of("position_difference_max"), of("position_difference_end"), of("energy_difference_max"));
   if (comparison.metrics.count("horizon") != 0) text += "; " + comparison.reason;
-  if (comparison.metrics.count("parted_at") != 0) text += fmt::format("; parted at {} s", of("parted_at"));
+  if (comparison.metrics.count("parted_at") != 0) text += fmt::format("; diverged at {} s", of("parted_at"));
   return text;
 }
 
-// The runs of one case stand together; so do the comparisons, of the first engine with the others: the files have all.
+// The runs of a case, then the comparisons of the first engine with the others. The files have all pairs.
 std::string case_text(const Report& report, const RunRecord& first, bool colour) {
   std::string text = wrapped(first.variant, 2);
   text += table_row("engine", fmt::format("{:<14}", "verdict"), "checks", "worst", "error, m", "overlap, m", "us/step");

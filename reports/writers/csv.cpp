@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "reports/system/csv.h"
-#include "reports/writers/writer.h"
+#include "reports/writers/output.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {

@@ -1,12 +1,12 @@
 #include "reports/writers/html.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "reports/judge/conserved.h"
 #include "reports/writers/json.h"
-#include "reports/writers/page.h"
+#include "reports/writers/output.h"
 #include "reports/writers/replay.h"
-#include "reports/writers/writer.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -16,15 +16,15 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view mark = "<!--plumb-data-->";
 
-// Six significant digits: more than a chart can show, and a third of the bytes.
+// Six significant digits: more than a chart can show, in a third of the bytes.
 double rounded(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
   const double unit = std::pow(10.0, 5 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
   return std::isfinite(unit) && unit > 0 ? std::round(value * unit) / unit : value;
 }
 
-Json series_of(const Course& course, std::size_t most) {
-  const RunRecord& run = *course.run;
+Json series_of(const RunCurves& curves, std::size_t most) {
+  const RunRecord& run = *curves.run;
   const Trace& trace = *run.trace;
   const Conserved conserved(*run.scene);
   Json series{{"scenario", run.scenario}, {"variant", run.variant}, {"engine", run.engine}, {"method", run.method}};
@@ -43,9 +43,9 @@ Json series_of(const Course& course, std::size_t most) {
     series["momentum_x"].push_back(rounded(momentum.linear.x));
     series["momentum_y"].push_back(rounded(momentum.linear.y));
     series["angular_momentum"].push_back(rounded(momentum.angular));
-    series["pose_difference"].push_back(moment < course.apart.size() ? Json(rounded(course.apart[moment].position))
-                                                                     : Json());
-    series["overlap"].push_back(rounded(course.deepest[moment].depth));
+    series["pose_difference"].push_back(
+        moment < curves.difference.size() ? Json(rounded(curves.difference[moment].position)) : Json());
+    series["overlap"].push_back(rounded(curves.deepest[moment].depth));
   }
   return series;
 }
@@ -57,9 +57,9 @@ const Catalog<Writer>::Entry html_entry{
 
 }  // namespace
 
-Json series_of(std::span<const Course> courses, std::size_t most) {
+Json series_of(std::span<const RunCurves> runs, std::size_t most) {
   Json all = Json::array();
-  for (const Course& course : courses) all.push_back(series_of(course, most));
+  for (const RunCurves& curves : runs) all.push_back(series_of(curves, most));
   return all;
 }
 
@@ -75,14 +75,14 @@ std::optional<std::string> fill_page(std::string_view page, const Json& data, st
   }
   std::string filled(page.substr(0, place));
   filled += R"(<script type="application/json" id="plumb-data">)";
-  // In ASCII: one letter beyond Latin 1 makes browsers keep, and read, two bytes for each of millions.
+  // ASCII only: one character beyond Latin-1 makes browsers store the whole text with two bytes a character.
   constexpr bool ascii = true;
-  // No tag can begin inside the data: a name in it must not end the script early.
-  for (const char letter : data.dump(-1, ' ', ascii)) {
-    if (letter == '<') {
+  // No tag may begin inside the data: a body's name must not end the script.
+  for (const char character : data.dump(-1, ' ', ascii)) {
+    if (character == '<') {
       filled += "\\u003c";
     } else {
-      filled += letter;
+      filled += character;
     }
   }
   filled += "</script>";
@@ -91,11 +91,11 @@ std::optional<std::string> fill_page(std::string_view page, const Json& data, st
 }
 
 std::optional<std::string> fill_page(std::string_view page, const Report& report, std::string& why_not) {
-  const std::vector<Course> courses = courses_of(report);
+  const std::vector<RunCurves> curves = run_curves(report);
   return fill_page(page,
                    Json{{"report", to_json(report)},
-                        {"series", series_of(courses)},
-                        {"replays", replays_of(courses)},
+                        {"series", series_of(curves)},
+                        {"replays", replays_of(curves)},
                         {"studies", report.studies}},
                    why_not);
 }

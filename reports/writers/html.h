@@ -1,24 +1,34 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "reports/report.h"
-#include "reports/timing/course.h"
+#include "reports/writers/run_curves.h"
 
+/// The page: one HTML file that holds its data.
 namespace plumb {
 
-/// The page with the data in place of its mark, or nothing and why.
+/// The page without data. Its one `<!--plumb-data-->` is where
+/// `<script type="application/json" id="plumb-data">{"report": ..., "series": ..., "studies": [...]}</script>` goes.
+/// Empty if Node.js 18 or the page's npm packages were missing when Plumb was built.
+std::string_view page_template();
+
+/// A program for Node.js 18 or newer: `node FILE.cjs PAGE.html FOLDER` writes each chart of a page as an SVG. Empty
+/// if page_template() is.
+std::string_view picture_program();
+
+/// The page with the data in place of its mark, or nullopt and the reason in `why_not`.
 std::optional<std::string> fill_page(std::string_view page, const nlohmann::ordered_json& data, std::string& why_not);
 
-/// The same with a report's.
+/// The same with the data of a report.
 std::optional<std::string> fill_page(std::string_view page, const Report&, std::string& why_not);
 
-/// What the charts are drawn from: per run the energy, momenta, distance from the closed form (from the case's first
-/// engine where there is none) and deepest overlap over time, at no more than `most` moments, six digits each.
-nlohmann::ordered_json series_of(std::span<const Course>, std::size_t most = 300);
+/// The data of the charts: for each run energy, momenta, distance from the closed form (or from the case's first
+/// engine) and deepest overlap over time, at no more than `most` moments, six significant digits each.
+nlohmann::ordered_json series_of(std::span<const RunCurves>, std::size_t most = 300);
 
 }  // namespace plumb

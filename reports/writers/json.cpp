@@ -1,6 +1,8 @@
 #include "reports/writers/json.h"
 
-#include "reports/writers/writer.h"
+#include <nlohmann/json.hpp>
+
+#include "reports/writers/output.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {

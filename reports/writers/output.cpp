@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "reports/system/files.h"
-#include "reports/writers/writer.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -19,7 +18,7 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
   std::error_code error;
   fs::create_directories(folder_, error);
   const std::string place = "output folder \"" + folder_.string() + "\"";
-  if (error) throw std::invalid_argument(place + " cannot be made: " + error.message());
+  if (error) throw std::invalid_argument(place + " cannot be created: " + error.message());
   if (!fs::is_directory(folder_)) throw std::invalid_argument(place + " is not a folder");
   if (!NewFile(folder_ / "report").write("")) {
     throw std::invalid_argument(place + " cannot be written to; choose another with --out");

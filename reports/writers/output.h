@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,11 +11,19 @@
 
 namespace plumb {
 
-/// A folder that can be written to; made and tried before anything is run.
+/// One file format of a report. Joins Catalog<Writer> from its own file.
+struct Writer {
+  std::string name;  // "json"
+  std::string file;  // "report.json"
+  /// The text of the file, or nullopt and the reason in `why_not`.
+  std::function<std::optional<std::string>(const Report&, std::string& why_not)> text;
+};
+
+/// A folder for results, created and tested for writing before anything runs.
 class OutputFolder {
  public:
-  /// Creates the folder where it is missing. Throws std::invalid_argument, with the system's reason, when nothing can
-  /// be written there.
+  /// Creates the folder if it is missing. Throws std::invalid_argument, with the system's reason, if it cannot be
+  /// written to.
   explicit OutputFolder(std::filesystem::path folder);
 
   struct Skipped {
@@ -25,11 +35,11 @@ class OutputFolder {
     std::vector<Skipped> skipped;
   };
 
-  /// Every writer's file, each under a temporary name first; only when all are there do they take their places.
-  /// Throws std::runtime_error when that fails, and leaves what was there before.
+  /// Writes every format's file: first all under temporary names, then each is moved into place. Throws
+  /// std::runtime_error if that fails; existing files are then left as they were.
   Written write(const Report&) const;
 
-  /// The same for files of one's own: names and what they hold.
+  /// The same for any files, as pairs of name and contents.
   std::vector<std::filesystem::path> put(const std::vector<std::pair<std::string, std::string>>& files) const;
 
   const std::filesystem::path& path() const { return folder_; }

@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-// Beyond 2^50 steps a double has no half steps left, and differences of differences would overflow soon.
+// Beyond 2^50 steps a double cannot represent half steps, and second differences would soon overflow.
 constexpr double most_steps = 1125899906842624.0;
 
 std::int64_t in_steps(double value, double step) {

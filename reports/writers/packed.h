@@ -5,21 +5,21 @@
 #include <string>
 #include <string_view>
 
-/// How the page is handed much in few bytes: whole numbers, mostly small ones, then deflated, then as text.
+/// Compact encoding of numbers for the page: small whole numbers in few bytes, deflated, in base64.
 namespace plumb {
 
-/// Whole numbers in turn, each in as many bytes as it needs: seven bits a byte, the lowest first, the eighth bit set
-/// where more follow. The sign is the lowest bit: 0, -1, 1, -2 ... are written as 0, 1, 2, 3 ...
+/// A sequence of whole numbers, each in as many bytes as it needs: seven bits a byte, lowest first; the eighth bit is
+/// set if more bytes follow. The lowest bit is the sign (zigzag): 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
 class Numbers {
  public:
   void put(std::int64_t value);
 
-  /// A column that runs smoothly: each value in steps (rounded), less what the two before it lead to expect. Before the
-  /// first lie two zeros. What is read back is within half a step, never adding up. Throws std::invalid_argument
-  /// for a value that is not finite, or too large for its step.
+  /// For columns that change smoothly: each value, rounded to whole steps, minus its linear extrapolation from the two
+  /// values before it (zero before the first). The reader is off by at most half a step, without accumulation. Throws
+  /// std::invalid_argument for a value that is not finite or exceeds 2^50 steps.
   void put_smooth(std::span<const double> values, double step);
 
-  /// A column that stands or jumps: less the value before it.
+  /// For columns that are constant or jump: each value minus the one before it.
   void put_steady(std::span<const double> values, double step);
 
   std::string_view bytes() const { return bytes_; }
@@ -28,7 +28,7 @@ class Numbers {
   std::string bytes_;
 };
 
-/// Deflated with zlib's header (RFC 1950), then base64 (RFC 4648): what DecompressionStream("deflate") reads.
+/// Deflated with zlib's header (RFC 1950), then base64 (RFC 4648), as DecompressionStream("deflate") reads it.
 std::string packed(std::string_view bytes);
 
 }  // namespace plumb

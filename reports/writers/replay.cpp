@@ -4,18 +4,74 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 #include "reports/judge/conserved.h"
+#include "reports/judge/outline.h"
 #include "reports/vec.h"
 #include "reports/writers/packed.h"
-#include "reports/writers/replay_scene.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+Json pair_of(Vec v) { return Json::array({v.x, v.y}); }
+
+Json json_of(const Outline& outline) {
+  if (outline.halfspace) return {{"normal", pair_of(outline.halfspace->normal)}, {"offset", outline.halfspace->offset}};
+  Json points = Json::array();
+  for (const Vec point : outline.points) points.push_back(pair_of(point));
+  return {{"points", points}, {"radius", outline.radius}};
+}
+
+const char* name_of(BodyType type) {
+  switch (type) {
+    case BodyType::fixed:
+      return "fixed";
+    case BodyType::kinematic:
+      return "kinematic";
+    case BodyType::dynamic:
+      return "dynamic";
+  }
+  return "";
+}
+
+Json ties_of(const Scene& scene) {
+  const std::vector<BodyState> start = initial_states(scene);
+  const auto local = [&](std::size_t body, Vec anchor) {
+    return pair_of(rotated(anchor - start[body].position, -start[body].angle));
+  };
+  Json ties = Json::array();
+  for (const Joint& joint : scene.joints) {
+    const auto [a, b, at_a, at_b] = std::visit(
+        [](const auto& of) {
+          if constexpr (requires { of.anchor_a; })
+            return std::tuple(of.a, of.b, of.anchor_a, of.anchor_b);
+          else
+            return std::tuple(of.a, of.b, of.anchor, of.anchor);
+        },
+        joint);
+    ties.push_back({{"a", a}, {"b", b}, {"at_a", local(a, at_a)}, {"at_b", local(b, at_b)}});
+  }
+  for (const Force& force : scene.forces) {
+    const auto* spring = std::get_if<Spring>(&force);
+    if (spring == nullptr) continue;
+    const auto of_body = [&](std::size_t body, Vec anchor) {
+      return pair_of(anchor - mass_of(scene.bodies[body]).center);
+    };
+    ties.push_back({{"a", spring->a ? Json(*spring->a) : Json()},
+                    {"b", spring->b},
+                    {"at_a", spring->a ? of_body(*spring->a, spring->anchor_a) : pair_of(spring->anchor_a)},
+                    {"at_b", of_body(spring->b, spring->anchor_b)}});
+  }
+  return ties;
+}
 
 constexpr double microsecond = 1e-6;          // s
 constexpr double energy_share = 1.0 / 4096;   // bars are some hundred pixels high
@@ -28,12 +84,12 @@ std::vector<std::size_t> kept_moments(std::size_t moments, std::size_t every) {
   return kept;
 }
 
-// The steps in which a run's numbers are rounded.
-struct Steps {
+// The rounding steps of a run's columns.
+struct RoundingSteps {
   double length = 0, angle = 0, impulse = 0, energy = 0;
 };
 
-// A share of what a column spans; but what only trembles, by the round-off of its size, is at rest.
+// A fraction of what a column spans. Changes no larger than the round-off of its values are not motion.
 double step_of(double share, double span, double size) {
   constexpr double round_off = 1.0 / (1LL << 40);
   const double step = std::max(share * span, round_off * size);
@@ -42,8 +98,8 @@ double step_of(double share, double span, double size) {
 
 class RunReplay {
  public:
-  explicit RunReplay(const Course& course)
-      : course_(course), scene_(*course.run->scene), trace_(*course.run->trace), radii_(radii_of(scene_)) {
+  explicit RunReplay(const RunCurves& curves)
+      : curves_(curves), scene_(*curves.run->scene), trace_(*curves.run->trace), radii_(radii_of(scene_)) {
     choose_length();
     choose_impulse();
     choose_energy();
@@ -53,7 +109,7 @@ class RunReplay {
     std::size_t every = 1;
     std::string poses = poses_of(kept_moments(trace_.size(), every));
     while (poses.size() > limits.poses && every < trace_.size()) {
-      // Packed size goes with the number of moments; a little more, so that few tries are needed.
+      // The packed size is about proportional to the number of moments; a little extra saves iterations.
       const double excess = 1.05 * static_cast<double>(poses.size()) / static_cast<double>(limits.poses);
       every = std::max(every + 1, static_cast<std::size_t>(std::ceil(static_cast<double>(every) * excess)));
       poses = poses_of(kept_moments(trace_.size(), every));
@@ -65,7 +121,7 @@ class RunReplay {
       contacts = "too many";
       touches.clear();
     }
-    const RunRecord& run = *course_.run;
+    const RunRecord& run = *curves_.run;
     return {{"engine", run.engine},
             {"method", run.method},
             {"moments", kept.size()},
@@ -85,7 +141,7 @@ class RunReplay {
  private:
   bool moves(std::size_t body) const { return scene_.bodies[body].type != BodyType::fixed; }
 
-  // An angle's step moves no point of a body farther than a position's.
+  // A step of the angle moves no point of a body farther than a step of its position.
   void choose_length() {
     Vec low{1e300, 1e300};
     Vec high{-1e300, -1e300};
@@ -160,7 +216,7 @@ class RunReplay {
     std::array<double, 4> values;
   };
 
-  // The k-th point between two bodies, in the order in which the engine tells of them.
+  // The k-th point between two bodies, in the order in which the engine reports them.
   using Place = std::tuple<std::size_t, std::size_t, std::size_t>;
 
   std::map<Place, std::vector<Touch>> touches_by_place(const std::vector<std::size_t>& kept) const {
@@ -218,8 +274,8 @@ class RunReplay {
     }
   }
 
-  // m, by which a straight line between kept moments misses what was recorded between them, for no point of a body
-  // more.
+  // m, the largest distance of any point of a body between its recorded motion and the straight line between kept
+  // moments.
   double off_between(const std::vector<std::size_t>& kept) const {
     double most = 0;
     for (std::size_t i = 0; i + 1 < kept.size(); ++i) {
@@ -241,7 +297,7 @@ class RunReplay {
   }
 
   Json furthest_apart() const {
-    const auto& apart = course_.apart;
+    const auto& apart = curves_.difference;
     const auto worst = std::max_element(apart.begin(), apart.end(),
                                         [](const auto& a, const auto& b) { return a.position < b.position; });
     if (worst == apart.end() || !(worst->position > 0)) return {};
@@ -250,7 +306,7 @@ class RunReplay {
   }
 
   Json deepest_overlap() const {
-    const auto& deepest = course_.deepest;
+    const auto& deepest = curves_.deepest;
     const auto worst = std::max_element(deepest.begin(), deepest.end(),
                                         [](const auto& a, const auto& b) { return a.depth < b.depth; });
     if (worst == deepest.end() || !(worst->depth > 0)) return {};
@@ -258,21 +314,55 @@ class RunReplay {
     return {{"time", trace_.time(moment)}, {"value", worst->depth}, {"a", worst->a}, {"b", worst->b}};
   }
 
-  const Course& course_;
+  const RunCurves& curves_;
   const Scene& scene_;
   const Trace& trace_;
   std::vector<double> radii_;
-  Steps steps_;
+  RoundingSteps steps_;
   std::vector<std::array<double, 3>> energy_;  // J, by moment: linear, rotational, potential
 };
 
 }  // namespace
 
-Json replays_of(std::span<const Course> courses, const ReplayLimits& limits) {
+Json outlines_of(const Scene& scene) {
+  Json outlines = Json::array();
+  Json bodies = Json::array();
+  std::map<std::string, std::size_t> known;
+  for (const Body& body : scene.bodies) {
+    const Vec center = mass_of(body).center;
+    Json indices = Json::array();
+    for (const Shape& shape : body.shapes) {
+      Json outline = json_of(outline_of(shape.geometry, center));
+      const auto [place, added] = known.try_emplace(outline.dump(), outlines.size());
+      if (added) outlines.push_back(std::move(outline));
+      indices.push_back(place->second);
+    }
+    bodies.push_back({{"name", body.name}, {"type", name_of(body.type)}, {"outlines", indices}});
+  }
+  return {{"outlines", outlines}, {"bodies", bodies}, {"ties", ties_of(scene)}};
+}
+
+std::vector<double> radii_of(const Scene& scene) {
+  std::vector<double> radii;
+  for (const Body& body : scene.bodies) {
+    const Vec center = mass_of(body).center;
+    double radius = 0;
+    for (const Shape& shape : body.shapes) {
+      const Outline outline = outline_of(shape.geometry, center);
+      for (const Vec point : outline.points) radius = std::max(radius, length(point) + outline.radius);
+    }
+    radii.push_back(radius);
+  }
+  return radii;
+}
+
+Json replays_of(std::span<const RunCurves> curves, const ReplayLimits& limits) {
   Json replays = Json::array();
-  for (const Course& course : courses) {
-    const RunRecord& run = *course.run;
-    const auto same = [&](const Json& one) { return one["scenario"] == run.scenario && one["variant"] == run.variant; };
+  for (const RunCurves& one : curves) {
+    const RunRecord& run = *one.run;
+    const auto same = [&](const Json& replay) {
+      return replay["scenario"] == run.scenario && replay["variant"] == run.variant;
+    };
     auto replay = std::find_if(replays.begin(), replays.end(), same);
     if (replay == replays.end()) {
       replays.push_back({{"scenario", run.scenario},
@@ -281,7 +371,7 @@ Json replays_of(std::span<const Course> courses, const ReplayLimits& limits) {
                          {"runs", Json::array()}});
       replay = std::prev(replays.end());
     }
-    (*replay)["runs"].push_back(RunReplay(course).json(limits));
+    (*replay)["runs"].push_back(RunReplay(one).json(limits));
   }
   return replays;
 }

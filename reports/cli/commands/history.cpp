@@ -14,7 +14,6 @@
 #include "reports/system/files.h"
 #include "reports/writers/html.h"
 #include "reports/writers/output.h"
-#include "reports/writers/page.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"
 

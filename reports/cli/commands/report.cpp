@@ -16,7 +16,6 @@
 #include "reports/study/study.h"
 #include "reports/system/progress_line.h"
 #include "reports/writers/pictures.h"
-#include "reports/writers/preview.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::commands::report {

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "reports/writers/writer.h"
+#include "reports/writers/output.h"
 #include "sample.h"
 #include "scenarios/catalog.h"
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 #include "reports/writers/json.h"
@@ -54,7 +56,7 @@ TEST(FillPage, SaysWhyThereIsNoPage) {
 
 TEST(Series, IsThinnedButKeepsBothEnds) {
   const Report report = sample_report();
-  const Json series = series_of(courses_of(report), 300)[1];
+  const Json series = series_of(run_curves(report), 300)[1];
   EXPECT_EQ(series["t"].size(), 300u);
   EXPECT_EQ(series["t"].front(), 0);
   EXPECT_EQ(series["t"].back(), 16.6667) << "six digits";
@@ -72,7 +74,7 @@ TEST(Series, HasNoDifferenceBeyondTheEndOfTheTruth) {
   const BodyState state;
   brief->record(0, std::span(&state, 1), {});
   report.runs[0].trace = brief;
-  const Json series = series_of(courses_of(report), 10)[1];
+  const Json series = series_of(run_curves(report), 10)[1];
   EXPECT_EQ(series["pose_difference"][0], 0);
   EXPECT_TRUE(series["pose_difference"][1].is_null());
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "sample.h"
 #include "unpacking.h"
@@ -34,7 +35,7 @@ Report rolling(int moments) {
 }
 
 Json run_of(const Report& report, const ReplayLimits& limits = {}) {
-  return replays_of(courses_of(report), limits)[0]["runs"][0];
+  return replays_of(run_curves(report), limits)[0]["runs"][0];
 }
 
 TEST(Replay, PosesAreWithinHalfAStepOfTheTrace) {
@@ -127,7 +128,7 @@ TEST(Replay, TellsOfWhatItMayJumpTo) {
   }
   other.trace = moved;
   report.runs.push_back(other);
-  const Json apart = replays_of(courses_of(report))[0]["runs"][1]["apart"];
+  const Json apart = replays_of(run_curves(report))[0]["runs"][1]["apart"];
   EXPECT_NEAR(apart["time"].get<double>(), 12 / 60.0, 1e-12);
   EXPECT_NEAR(apart["value"].get<double>(), 1 / std::sqrt(2.0), 1e-12) << "RMS over two moving bodies";
 }
@@ -146,10 +147,41 @@ TEST(Replay, TakesTremblingByRoundOffForRest) {
 }
 
 TEST(Replay, HasOneSceneForAllRunsOfACase) {
-  const Json replays = replays_of(courses_of(sample_report()));
+  const Json replays = replays_of(run_curves(sample_report()));
   ASSERT_EQ(replays.size(), 1u);
   EXPECT_EQ(replays[0]["runs"].size(), 2u) << "the run that failed left no trace";
   EXPECT_EQ(replays[0]["runs"][0]["contacts"], "none");
+}
+
+TEST(ReplayScene, HasEachOutlineOnceAboutTheCentreOfMass) {
+  const Shape box{.geometry = Box{.size = {2, 1}, .center = {5, 0}}};
+  const Json scene =
+      outlines_of({.bodies = {{.name = "one", .shapes = {box}},
+                              {.name = "two", .shapes = {box}},
+                              {.name = "floor", .type = BodyType::fixed, .shapes = {{HalfSpace{}, {}}}}}});
+  ASSERT_EQ(scene["outlines"].size(), 2u);
+  EXPECT_EQ(scene["outlines"][0]["points"], Json::parse("[[-1.0, -0.5], [1.0, -0.5], [1.0, 0.5], [-1.0, 0.5]]"));
+  EXPECT_EQ(scene["outlines"][1], Json::parse(R"({"normal": [0.0, 1.0], "offset": 0.0})"));
+  EXPECT_EQ(scene["bodies"][1], Json::parse(R"({"name": "two", "type": "dynamic", "outlines": [0]})"));
+  EXPECT_EQ(scene["bodies"][2]["type"], "fixed");
+}
+
+TEST(ReplayScene, DrawsCapsulesAndDiscsAsPointsThatAreGrown) {
+  const Capsule capsule{.from = {-1, 0}, .to = {1, 0}, .radius = 0.25};
+  const Scene scene{.bodies = {{.name = "c", .shapes = {{.geometry = capsule}}}, {.name = "point"}}};
+  EXPECT_EQ(outlines_of(scene)["outlines"][0], Json::parse(R"({"points": [[-1.0, 0.0], [1.0, 0.0]], "radius": 0.25})"));
+  EXPECT_THAT(radii_of(scene), ::testing::ElementsAre(1.25, 0));
+}
+
+TEST(ReplayScene, TiesJointsAndSpringsInTheBodiesFrames) {
+  const Shape disc{.geometry = Circle{}};
+  const Scene scene{.bodies = {{.name = "a", .position = {1, 0}, .shapes = {disc}},
+                               {.name = "b", .position = {3, 0}, .angle = 0, .shapes = {disc}}},
+                    .joints = {Revolute{.a = 0, .b = 1, .anchor = {2, 0}}},
+                    .forces = {Spring{.b = 1, .anchor_a = {0, 4}, .anchor_b = {0, 0.5}}}};
+  const Json ties = outlines_of(scene)["ties"];
+  EXPECT_EQ(ties[0], Json::parse(R"({"a": 0, "b": 1, "at_a": [1.0, 0.0], "at_b": [-1.0, 0.0]})"));
+  EXPECT_EQ(ties[1], Json::parse(R"({"a": null, "b": 1, "at_a": [0.0, 4.0], "at_b": [0.0, 0.5]})"));
 }
 
 }  // namespace

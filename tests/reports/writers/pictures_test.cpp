@@ -1,4 +1,4 @@
-#include "reports/writers/preview.h"
+#include "reports/writers/pictures.h"
 
 #include <gmock/gmock.h>
 
