@@ -26,6 +26,10 @@ using Json = nlohmann::ordered_json;
 constexpr int moment = 10;  // ms between looks at time and memory: few against what a point takes
 constexpr int up = 3;       // where a child's pipe to its parent is
 
+// Few for what is slow; up to 15 while the middle half of them spreads over more than a tenth of the median.
+constexpr RepetitionRule turn_rule{
+    .fewest = 5, .most = 15, .budget = 1.5, .wide = 0.1, .slow = 0.1, .fewest_if_slow = 3};
+
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
 // All of it, or the parent is gone.
@@ -95,7 +99,7 @@ std::string told(int status) {
 
 }  // namespace
 
-Child::Child(const Point& point) : point_(point), result_{.key = point.key} {
+Child::Child(const Point& point) : point_(point), result_{.key = point.key}, repetitions_(turn_rule) {
   std::array<int, 2> answers{};
   std::array<int, 2> asks{};
   if (pipe2(answers.data(), O_CLOEXEC) != 0) fail("a pipe for a point");
@@ -179,9 +183,7 @@ void Child::hear(const std::string& line) {
   } else {
     const double seconds = std::stod(line);
     if (std::isfinite(seconds)) {
-      turns_.push_back(seconds);
-      spent_ += waited();
-      if (turns_.size() == 1) first_ = spent_;
+      repetitions_.add(seconds, waited());
     } else {
       bury();
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/study/point.h"
+#include "reports/timing/repetitions.h"
 
 namespace plumb {
 
@@ -36,10 +37,8 @@ class Child {
 
   const Point& point() const { return point_; }
   const PointResult& result() const { return result_; }
-  const std::vector<double>& turns() const { return turns_; }  // s, all so far
-  /// s, all of its turns and the first of them, with what is not timed of them.
-  double spent_on_turns() const { return spent_; }
-  double first_turn() const { return first_; }
+  /// Its turns so far.
+  const Repetitions& repetitions() const { return repetitions_; }
 
   /// Waits a moment for the busy ones among these, takes in what they say, and ends those beyond their limits.
   static void attend(std::span<const std::unique_ptr<Child>>, const Limits&);
@@ -61,8 +60,7 @@ class Child {
   bool busy_ = true;
   Clock::time_point since_ = Clock::now();
   std::string said_;  // the beginning of a line
-  std::vector<double> turns_;
-  double spent_ = 0, first_ = 0;
+  Repetitions repetitions_;
 };
 
 }  // namespace plumb

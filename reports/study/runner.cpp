@@ -4,52 +4,25 @@
 #include <iterator>
 #include <memory>
 
-#include "reports/statistics.h"
+#include "reports/timing/repetitions.h"
 
 namespace plumb {
 namespace {
 
 using Children = std::vector<std::unique_ptr<Child>>;
 
-// Repetitions of what is timed. The first is a warm-up and not counted, unless it took so long that the warming up did
-// not matter. Where the middle half of them spreads over more
-// than `wide` of the median, more are asked for, and the point is marked if that does not help.
-constexpr std::size_t fewest = 5;
-constexpr std::size_t fewest_of_slow = 3;
-constexpr std::size_t most_repetitions = 15;
-constexpr double slow = 0.1;    // s of turns of one point, after which few will do
-constexpr double costly = 1.5;  // s, after which a wide one is left as it is
-constexpr double wide = 0.1;
-
 struct Interrupted {};
-
-std::span<const double> counted(const Child& child) {
-  const std::span<const double> turns = child.turns();
-  return turns.subspan(turns.empty() || child.first_turn() > slow ? 0 : 1);
-}
-
-Quartiles spread(std::span<const double> times) { return quartiles({times.begin(), times.end()}); }
-
-bool is_wide(const Quartiles& of) { return of.high - of.low > wide * of.median; }
-
-bool wants_turn(const Child& child) {
-  if (!child.ready()) return false;
-  const std::span<const double> times = counted(child);
-  if (times.size() < fewest_of_slow) return true;
-  if (times.size() < fewest && child.spent_on_turns() < slow) return true;
-  return times.size() < most_repetitions && child.spent_on_turns() < costly && is_wide(spread(times));
-}
 
 PointResult result_of(const Child& child) {
   PointResult result = child.result();
-  const std::span<const double> times = counted(child);
-  if (times.empty()) return result;
-  const Quartiles of = spread(times);
+  const std::size_t repetitions = child.repetitions().counted().size();
+  if (repetitions == 0) return result;
+  const Quartiles of = child.repetitions().spread();
   result.row.times["median"] = of.median;
   result.row.times["low"] = of.low;
   result.row.times["high"] = of.high;
-  result.row.times["repetitions"] = times.size();
-  result.row.times["wide"] = is_wide(of);
+  result.row.times["repetitions"] = repetitions;
+  result.row.times["wide"] = child.repetitions().wide();
   return result;
 }
 
@@ -74,19 +47,14 @@ class Runner {
     }
   }
 
-  // In each round another begins.
   void take_turns(Children& children) const {
-    for (std::size_t round = 0;; ++round) {
-      bool any = false;
-      for (std::size_t i = 0; i < children.size(); ++i) {
-        const std::span<const std::unique_ptr<Child>> one(&children[(round + i) % children.size()], 1);
-        if (!wants_turn(*one[0])) continue;
-        any = true;
-        one[0]->take_turn();
-        while (one[0]->busy()) attend(one);
-      }
-      if (!any) return;
-    }
+    repeat_until_settled(children.size(), [&](std::size_t i) {
+      const std::span<const std::unique_ptr<Child>> one(&children[i], 1);
+      if (!one[0]->ready() || one[0]->repetitions().settled()) return false;
+      one[0]->take_turn();
+      while (one[0]->busy()) attend(one);
+      return true;
+    });
   }
 
  private:

@@ -11,13 +11,14 @@
 
 #include "reports/report.h"
 #include "reports/run/selection.h"
+#include "reports/run/timings.h"
 #include "reports/statistics.h"
 #include "reports/study/asked_cases.h"
 #include "reports/study/model/least_model.h"
 #include "reports/study/model/model_findings.h"
 #include "reports/study/model/yardstick.h"
 #include "reports/study/study.h"
-#include "reports/timing/step_cost.h"
+#include "reports/timing/repetitions.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -119,19 +120,13 @@ double undisturbed_cost(const Yardstick& by, const EngineConfig& model) {
   return least;
 }
 
-// Of a's cost to b's, by turns, in each of which another begins; until `decided`.
+// Of a's cost to b's; timed until `decided`.
 Quartiles cost_ratio(const Yardstick& by, const EngineConfig& a, const EngineConfig& b,
                      const std::function<bool(const Quartiles&)>& decided) {
   constexpr std::size_t few = 4;
   constexpr std::size_t most = 15;
-  std::vector<double> ratios;
-  while (ratios.size() < few || (ratios.size() < most && !decided(quartiles(ratios)))) {
-    const bool b_first = ratios.size() % 2 != 0;
-    const double first = undisturbed_cost(by, b_first ? b : a);
-    const double second = undisturbed_cost(by, b_first ? a : b);
-    ratios.push_back(b_first ? second / first : first / second);
-  }
-  return quartiles(ratios);
+  return time_ratio([&] { return undisturbed_cost(by, a); }, [&] { return undisturbed_cost(by, b); }, few, most,
+                    decided);
 }
 
 // A share of the cost that a drop must save, in three turns of four, to be worth it.

@@ -11,12 +11,12 @@
 #include "reports/report.h"
 #include "reports/run/phases.h"
 #include "reports/run/selection.h"
+#include "reports/run/timings.h"
 #include "reports/study/answer.h"
 #include "reports/study/asked_cases.h"
 #include "reports/study/methods.h"
 #include "reports/study/speed/speed_findings.h"
 #include "reports/study/study.h"
-#include "reports/timing/step_cost.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {

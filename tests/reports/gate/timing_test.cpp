@@ -1,4 +1,4 @@
-#include "reports/timing/regressions.h"
+#include "reports/gate/timing.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-JudgedTime judged(const std::string& name, double ratio, Pace pace) {
-  JudgedTime one{.pace = pace, .time = {ratio, 0.001, 1}};
+JudgedTime judged(const std::string& name, double ratio, TimeChange change) {
+  JudgedTime one{.change = change, .time = {ratio, 0.001, 1}};
   one.pair = {.name = name, .steps = 10, .of = 10};
   one.pair.before.cpu = {1e-4, 1e-4};
   one.pair.now.cpu = {1e-4 * ratio, 1e-4 * ratio};
@@ -21,9 +21,10 @@ JudgedTime judged(const std::string& name, double ratio, Pace pace) {
 
 GateResult accepted() { return {.verdict = "as accepted", .runs = {{"bounce", "e=1", "impulse", ""}}}; }
 
-TEST(TimingOffences, NameWhatIsSlowerByHowMuch) {
+TEST(TimingRegressions, NameTheSlowerCasesAndByHowMuch) {
   GateResult result = accepted();
-  add_times(result, {.cases = {judged("heap", 1.05, Pace::slower), judged("fall", 1.01, Pace::same)}}, "impulse");
+  add_times(result, {.cases = {judged("heap", 1.05, TimeChange::slower), judged("fall", 1.01, TimeChange::same)}},
+            "impulse");
   EXPECT_FALSE(result.passed());
   EXPECT_EQ(result.verdict, "as accepted; steps take LONGER in 1 of 2 cases");
   EXPECT_THAT(result.runs, SizeIs(3));
@@ -38,21 +39,21 @@ TEST(TimingOffences, NameWhatIsSlowerByHowMuch) {
   EXPECT_THAT(slow.why, HasSubstr("+5.0 %"));
 }
 
-TEST(TimingOffences, AreNoneWhereNothingIsSlower) {
+TEST(TimingRegressions, AreNoneIfNothingIsSlower) {
   GateResult result = accepted();
-  add_times(result, {.cases = {judged("heap", 0.9, Pace::faster)}}, "impulse");
+  add_times(result, {.cases = {judged("heap", 0.9, TimeChange::faster)}}, "impulse");
   EXPECT_TRUE(result.passed());
   EXPECT_EQ(result.verdict, "as accepted; no step takes longer");
   EXPECT_THAT(result.notes, IsEmpty());
 }
 
-TEST(TimingOffences, TellWhatCouldNotBeTimed) {
+TEST(TimingRegressions, NoteTheCasesWithoutTimes) {
   GateResult result = accepted();
-  JudgedTime lost{.pace = Pace::no_result};
+  JudgedTime lost{.change = TimeChange::no_result};
   lost.pair = {.name = "lost", .no_result = "refused"};
   add_times(result, {.cases = {lost}}, "impulse");
   EXPECT_TRUE(result.passed());
-  EXPECT_THAT(result.notes, ElementsAre("No time of lost: refused"));
+  EXPECT_THAT(result.notes, ElementsAre("lost was not timed: refused"));
 }
 
 }  // namespace
