@@ -15,6 +15,7 @@
 #include "reports/judge/truth.h"
 #include "reports/run/beyond.h"
 #include "reports/run/examine.h"
+#include "reports/run/timings.h"
 #include "reports/system/jobs.h"
 
 namespace plumb {
@@ -163,7 +164,7 @@ Report carry_out(const Plan& plan, const Progress& progress) {
     if (one.refined() != nullptr) add_note(*one.refined(), report);
     tell(one.asked(), plan.timed ? "cost of a step" : "done");
     if (plan.timed)
-      std::ranges::move(time_steps(one.asked(), one.runnable(), plan.dt), std::back_inserter(report.timings));
+      std::ranges::move(time_configs(one.asked(), one.runnable(), plan.dt), std::back_inserter(report.timings));
     std::ranges::move(one.comparisons(), std::back_inserter(report.comparisons));
     std::ranges::move(one.records(), std::back_inserter(report.runs));
     spent.wall += one.spent().wall;

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <stdexcept>
 
 #include "reports/run/readout.h"
-#include "reports/statistics.h"
+#include "reports/timing/clock.h"
 #include "reports/vec.h"
 
 namespace plumb {
@@ -19,15 +18,6 @@ namespace {
 // hundred times as much an engine has blown up, though its numbers may still be finite.
 constexpr double absurd_speed = 1e6;     // m/s, and rad/s
 constexpr double absurd_distance = 1e7;  // m
-
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
 
 // Comparisons with NaN are false, so what is not finite is not sane.
 bool sane(const BodyState& state) {
@@ -131,56 +121,6 @@ Outcome run(const Scene& scene, const EngineConfig& config, double dt, double fi
 Outcome watch(const Scene& scene, const EngineConfig& config, double dt, double first_step, const Observer& observer) {
   return carry_out(scene, config, dt, first_step,
                    [&](Outcome&, const Simulation&, Readout&) -> const Observer& { return observer; });
-}
-
-double time_of_steps(const Scene& scene, const EngineConfig& config, double dt) {
-  const std::size_t steps = steps_in(scene.duration, dt);
-  try {
-    const auto simulation = config.engine->build(scene, config.settings);
-    const Stopwatch only_steps;
-    for (std::size_t i = 0; i < steps; ++i) simulation->step(dt);
-    return only_steps.seconds();
-  } catch (const std::exception& error) {
-    throw std::runtime_error(fmt::format(
-        "{} ran {} and then, asked once more to see what it costs, did not: {}. Each simulation must start afresh",
-        config.engine->name, scene.name, error.what()));
-  }
-}
-
-std::vector<Timing> time_steps(const Case& asked, std::span<const EngineConfig> configs, double dt) {
-  // Enough for a median and quartiles; more for scenes so short that a single interruption would show.
-  constexpr int fewest = 5;
-  constexpr int most = 15;
-  constexpr double budget = 0.05;  // s of stepping per config, beyond the fewest repetitions
-
-  const Scene& scene = *asked.scene;
-  const std::size_t steps = steps_in(scene.duration, dt);
-  std::vector<std::vector<double>> seconds(configs.size());
-  double spent = 0;
-  for (int round = 0; round <= most; ++round) {
-    if (round > fewest && spent > budget * static_cast<double>(configs.size())) break;
-    for (std::size_t e = 0; e < configs.size(); ++e) {
-      const double took = time_of_steps(scene, configs[e], dt);
-      spent += took;
-      if (round > 0) seconds[e].push_back(took);
-    }
-  }
-
-  std::vector<Timing> timings;
-  for (std::size_t e = 0; e < configs.size(); ++e) {
-    const Quartiles all = quartiles(seconds[e]);
-    const double us = 1e6 / static_cast<double>(steps);
-    timings.push_back({.scenario = asked.scenario->name,
-                       .variant = asked.variant,
-                       .engine = configs[e].engine->name,
-                       .method = configs[e].method(),
-                       .step_us = all.median * us,
-                       .step_us_low = all.low * us,
-                       .step_us_high = all.high * us,
-                       .real_time_factor = static_cast<double>(steps) * dt / all.median,
-                       .repetitions = static_cast<int>(seconds[e].size())});
-  }
-  return timings;
 }
 
 }  // namespace plumb

@@ -11,7 +11,7 @@
 #include "reports/report.h"
 #include "scenarios/scenario.h"
 
-/// The only time loops and the only clock.
+/// The only time loop.
 namespace plumb {
 
 /// One question, ready to be put.
@@ -55,13 +55,6 @@ using Observer = std::function<bool(double time, std::span<const BodyState>)>;
 
 /// The same for an observer, who may end it early; nothing is recorded.
 Outcome watch(const Scene&, const EngineConfig&, double dt, double first_step, const Observer&);
-
-/// What a step costs each config: the runs take turns, repeated, after one round of warm-up that is not counted;
-/// nothing but `step` is inside the clock. Engines must be able to run the case: time on a failed run is no result.
-std::vector<Timing> time_steps(const Case&, std::span<const EngineConfig>, double dt);
-
-/// s, that all steps of a scene take together: of one run from a fresh start, nothing but `step` inside the clock.
-double time_of_steps(const Scene&, const EngineConfig&, double dt);
 
 /// Steps of dt that cover a duration, both in s.
 std::size_t steps_in(double duration, double dt);

@@ -20,13 +20,18 @@
 #include <new>
 #include <system_error>
 
-#include "reports/statistics.h"
+#include "reports/timing/repetitions.h"
 
 namespace plumb {
 namespace {
 
 constexpr int poll_interval = 10;  // ms between checks of time and memory; short compared with a job
 constexpr int parent_pipe = 3;     // file descriptor of a child's pipe to its parent
+
+// Few repetitions of what is slow; up to 15 while the middle half of the times spreads over more than a tenth of the
+// median.
+constexpr RepetitionRule repetition_rule{
+    .fewest = 5, .most = 15, .budget = 1.5, .wide = 0.1, .slow = 0.1, .fewest_if_slow = 3};
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
@@ -97,45 +102,18 @@ std::string exit_text(int status) {
 
 using Processes = std::vector<std::unique_ptr<JobProcess>>;
 
-// Repetitions of a timed job. The first is a warm-up and does not count, unless it took so long that warming up did not
-// matter. If the middle half of the times spreads over more than `wide` of the median, more repetitions follow; if that
-// does not help, the job is marked.
-constexpr std::size_t fewest = 5;
-constexpr std::size_t fewest_of_slow = 3;
-constexpr std::size_t most_repetitions = 15;
-constexpr double slow = 0.1;    // s of repetitions of one job, after which a few are enough
-constexpr double costly = 1.5;  // s, after which a wide spread is accepted
-constexpr double wide = 0.1;
-
 struct Interrupted {};
-
-std::span<const double> counted(const JobProcess& process) {
-  const std::span<const double> times = process.repetitions();
-  return times.subspan(times.empty() || process.first_time_spent() > slow ? 0 : 1);
-}
-
-Quartiles spread(std::span<const double> times) { return quartiles({times.begin(), times.end()}); }
-
-bool is_wide(const Quartiles& of) { return of.high - of.low > wide * of.median; }
-
-bool wants_repetition(const JobProcess& process) {
-  if (!process.ready()) return false;
-  const std::span<const double> times = counted(process);
-  if (times.size() < fewest_of_slow) return true;
-  if (times.size() < fewest && process.time_spent() < slow) return true;
-  return times.size() < most_repetitions && process.time_spent() < costly && is_wide(spread(times));
-}
 
 JobResult result_of(const JobProcess& process) {
   JobResult result = process.result();
-  const std::span<const double> times = counted(process);
-  if (times.empty()) return result;
-  const Quartiles of = spread(times);
-  result.output.times["median"] = of.median;
-  result.output.times["low"] = of.low;
-  result.output.times["high"] = of.high;
-  result.output.times["repetitions"] = times.size();
-  result.output.times["wide"] = is_wide(of);
+  const std::size_t repetitions = process.repetitions().counted().size();
+  if (repetitions == 0) return result;
+  const Quartiles spread = process.repetitions().spread();
+  result.output.times["median"] = spread.median;
+  result.output.times["low"] = spread.low;
+  result.output.times["high"] = spread.high;
+  result.output.times["repetitions"] = repetitions;
+  result.output.times["wide"] = process.repetitions().wide();
   return result;
 }
 
@@ -163,17 +141,13 @@ class Runner {
 
   // Alternates the repetitions of the processes; each round starts with a different one.
   void repeat(Processes& processes) const {
-    for (std::size_t round = 0;; ++round) {
-      bool any = false;
-      for (std::size_t i = 0; i < processes.size(); ++i) {
-        const std::span<const std::unique_ptr<JobProcess>> one(&processes[(round + i) % processes.size()], 1);
-        if (!wants_repetition(*one[0])) continue;
-        any = true;
-        one[0]->start_repetition();
-        while (one[0]->busy()) attend(one);
-      }
-      if (!any) return;
-    }
+    repeat_until_settled(processes.size(), [&](std::size_t i) {
+      const std::span<const std::unique_ptr<JobProcess>> one(&processes[i], 1);
+      if (!one[0]->ready() || one[0]->repetitions().settled()) return false;
+      one[0]->start_repetition();
+      while (one[0]->busy()) attend(one);
+      return true;
+    });
   }
 
  private:
@@ -195,7 +169,7 @@ bool needs_machine(std::span<const Job> unit) {
 
 }  // namespace
 
-JobProcess::JobProcess(const Job& job) : job_(job), result_{.key = job.key} {
+JobProcess::JobProcess(const Job& job) : job_(job), result_{.key = job.key}, repetitions_(repetition_rule) {
   std::array<int, 2> results{};
   std::array<int, 2> requests{};
   if (pipe2(results.data(), O_CLOEXEC) != 0) fail("a pipe for a job");
@@ -279,9 +253,7 @@ void JobProcess::take_line(const std::string& line) {
   } else {
     const double seconds = std::stod(line);
     if (std::isfinite(seconds)) {
-      repetitions_.push_back(seconds);
-      time_spent_ += time_waited();
-      if (repetitions_.size() == 1) first_time_spent_ = time_spent_;
+      repetitions_.add(seconds, time_waited());
     } else {
       kill_process();
     }

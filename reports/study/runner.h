@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reports/study/job.h"
+#include "reports/timing/repetitions.h"
 
 /// Running jobs, each in a child process.
 namespace plumb {
@@ -39,10 +40,8 @@ class JobProcess {
 
   const Job& job() const { return job_; }
   const JobResult& result() const { return result_; }
-  const std::vector<double>& repetitions() const { return repetitions_; }  // s, of all so far
-  /// s, wall-clock time of all repetitions so far and of the first, including what they do not time.
-  double time_spent() const { return time_spent_; }
-  double first_time_spent() const { return first_time_spent_; }
+  /// All repetitions so far.
+  const Repetitions& repetitions() const { return repetitions_; }
 
   /// Waits up to a few milliseconds for output of the busy processes, reads it, and ends processes beyond their limits.
   static void attend(std::span<const std::unique_ptr<JobProcess>>, const JobLimits&);
@@ -64,8 +63,7 @@ class JobProcess {
   bool busy_ = true;
   Clock::time_point since_ = Clock::now();
   std::string partial_line_;
-  std::vector<double> repetitions_;
-  double time_spent_ = 0, first_time_spent_ = 0;
+  Repetitions repetitions_;
 };
 
 struct Execution {

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 
 #include <ctime>
+#include <nlohmann/json.hpp>
 #include <thread>
 #include <utility>
 
@@ -15,11 +16,11 @@ Json entry(const std::string& name, const char* type, int repetitions, int threa
           {"threads", threads}, {"iterations", iterations}};
 }
 
-void add_times(Json& to, double wall, double cpu) {
+void add_times(Json& entry, double wall, double cpu) {
   constexpr double micro = 1e6;
-  to["real_time"] = micro * wall;
-  to["cpu_time"] = micro * cpu;
-  to["time_unit"] = "us";
+  entry["real_time"] = micro * wall;
+  entry["cpu_time"] = micro * cpu;
+  entry["time_unit"] = "us";
 }
 
 void name_median(Json& entry) {
@@ -28,10 +29,12 @@ void name_median(Json& entry) {
   entry["aggregate_unit"] = "time";
 }
 
-void add_error(Json& to, const std::string& why) {
-  to["error_occurred"] = true;
-  to["error_message"] = why;
+void add_error(Json& entry, const std::string& why) {
+  entry["error_occurred"] = true;
+  entry["error_message"] = why;
 }
+
+std::string text_of(Json entries) { return text_of(std::move(entries), Json::object()); }
 
 std::string text_of(Json entries, const Json& facts) {
   Json context{{"date", fmt::format("{:%Y-%m-%dT%H:%M:%S+00:00}", fmt::gmtime(std::time(nullptr)))},

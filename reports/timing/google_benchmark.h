@@ -1,26 +1,29 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
-/// The shape of Google Benchmark's JSON, which its tools compare. Times in us.
+/// The JSON format of Google Benchmark, whose tools compare such files. Times in us.
 namespace plumb::google_benchmark {
 
 using Json = nlohmann::ordered_json;
 
-/// One entry of a benchmark, so far without times: "iteration" is a repetition, "aggregate" what they come to.
+/// An entry without times yet: type "iteration" is a repetition, "aggregate" a statistic of all repetitions.
 Json entry(const std::string& name, const char* type, int repetitions, int threads, std::size_t iterations);
 
-/// Times in s.
-void add_times(Json& to, double wall, double cpu);
+/// Adds times, given in s.
+void add_times(Json& entry, double wall, double cpu);
 
 /// Makes an entry the median of the benchmark's repetitions.
 void name_median(Json& entry);
 
-/// An entry that has no times, and why.
-void add_error(Json& to, const std::string& why);
+/// Gives an entry an error in place of times.
+void add_error(Json& entry, const std::string& why);
 
-/// The whole file: entries, after what they were made with. `facts` come beside the environment.
-std::string text_of(Json entries, const Json& facts = Json::object());
+/// The text of a whole file: the entries after their context, which is the environment.
+std::string text_of(Json entries);
+/// The same with further facts in the context.
+std::string text_of(Json entries, const Json& facts);
 
 }  // namespace plumb::google_benchmark

@@ -31,7 +31,7 @@ TimingFacts timing_facts() {
   return facts;
 }
 
-std::string other_machine(const TimingFacts& there, const TimingFacts& here) {
+std::string machine_difference(const TimingFacts& there, const TimingFacts& here) {
   for (const char* const key : {"processor", "processors", "governor", "system", "machine"}) {
     const std::string a = fact(there, key);
     const std::string b = fact(here, key);
@@ -40,7 +40,7 @@ std::string other_machine(const TimingFacts& there, const TimingFacts& here) {
   return "";
 }
 
-std::vector<std::string> built_otherwise(const TimingFacts& before, const TimingFacts& now) {
+std::vector<std::string> build_differences(const TimingFacts& before, const TimingFacts& now) {
   std::vector<std::string> differences;
   for (const char* const key : {"compiler", "build_type", "flags"}) {
     const std::string a = fact(before, key);

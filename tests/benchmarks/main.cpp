@@ -1,4 +1,4 @@
-// What a step costs: our engine beside every rival, all through their adapters.
+// Times the steps of our engine and of all others, through their adapters.
 
 #include <fmt/core.h>
 
@@ -7,15 +7,15 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "contest.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
+#include "results.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb::benchmarks {
 namespace {
 
-struct Asked {
+struct BenchmarkOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> engines;
   std::string against;
@@ -27,7 +27,7 @@ struct Asked {
   bool settled = false, moving = false, list = false;
 };
 
-// "workers" is what engines call their number of threads.
+// Engines call their number of threads "workers".
 bool takes_threads(const Engine& engine) {
   return std::any_of(engine.options.begin(), engine.options.end(),
                      [](const Option& option) { return option.key == "workers"; });
@@ -38,42 +38,40 @@ std::string label(const EngineConfig& config) {
   return method.empty() ? config.engine->name : config.engine->name + ":" + method;
 }
 
-// Every engine with its defaults, in float where it can choose, as games run it.
+// Every engine with its defaults, except that it uses float if it has the choice, as games do.
 std::vector<std::string> usual_engines() {
   std::vector<std::string> words;
   for (const EngineConfig& config : default_engines()) {
-    const Engine& engine = *config.engine;
     if (!config.method().empty()) continue;
-    const bool chooses = config.settings.contains("precision");
-    words.push_back(engine.name + (chooses ? ":precision=float" : ""));
+    words.push_back(config.engine->name + (config.settings.contains("precision") ? ":precision=float" : ""));
   }
   return words;
 }
 
-struct Named {
+struct NamedConfig {
   std::string name;
   EngineConfig config;
 };
 
-std::vector<Named> engines(const Asked& asked) {
-  std::vector<Named> all;
-  for (const std::string& word : asked.engines.empty() ? usual_engines() : asked.engines) {
+std::vector<NamedConfig> engines(const BenchmarkOptions& options) {
+  std::vector<NamedConfig> all;
+  for (const std::string& word : options.engines.empty() ? usual_engines() : options.engines) {
     EngineConfig config = parse_engine(word);
     std::string name = label(config);
-    if (asked.threads > 1) {
+    if (options.threads > 1) {
       if (!takes_threads(*config.engine)) {
-        fmt::print(stderr, "{} has one thread: left out\n", config.engine->name);
+        fmt::print(stderr, "{} has only one thread: left out\n", config.engine->name);
         continue;
       }
-      config.settings["workers"] = std::to_string(asked.threads);
+      config.settings["workers"] = std::to_string(options.threads);
     }
     all.push_back({std::move(name), std::move(config)});
   }
   return all;
 }
 
-// By its whole name, or by its engine's.
-std::size_t reference_of(const std::vector<Named>& all, const std::string& against) {
+// The index of the engine with that label, or that name.
+std::size_t reference_index(const std::vector<NamedConfig>& all, const std::string& against) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].name == against || all[i].config.engine->name == against) return i;
@@ -82,31 +80,31 @@ std::size_t reference_of(const std::vector<Named>& all, const std::string& again
   throw std::invalid_argument("--against: " + unknown("engine", against, names));
 }
 
-std::string usual_reference(const std::vector<Named>& all) {
+std::string usual_reference(const std::vector<NamedConfig>& all) {
   for (const char* const name : {"box2d-v3", "box2d"}) {
-    for (const Named& one : all) {
+    for (const NamedConfig& one : all) {
       if (one.config.engine->name == name) return name;
     }
   }
   return all.front().name;
 }
 
-std::vector<const Course*> courses(const Asked& asked) {
-  if (asked.scenes.empty()) return Catalog<Course>::all();
-  std::vector<const Course*> chosen;
-  for (const std::string& name : asked.scenes) {
-    chosen.push_back(Catalog<Course>::find(name));
+std::vector<const BenchmarkScene*> scenes(const BenchmarkOptions& options) {
+  if (options.scenes.empty()) return Catalog<BenchmarkScene>::all();
+  std::vector<const BenchmarkScene*> chosen;
+  for (const std::string& name : options.scenes) {
+    chosen.push_back(Catalog<BenchmarkScene>::find(name));
     if (chosen.back() != nullptr) continue;
     std::vector<std::string> names;
-    for (const Course* course : Catalog<Course>::all()) names.push_back(course->name);
+    for (const BenchmarkScene* scene : Catalog<BenchmarkScene>::all()) names.push_back(scene->name);
     throw std::invalid_argument("--scenes: " + unknown("scene", name, names));
   }
   return chosen;
 }
 
 // "FROM:TO"
-Window parse_window(const std::string& text) {
-  Window window;
+StepWindow parse_window(const std::string& text) {
+  StepWindow window;
   int read = 0;
   const bool whole = std::sscanf(text.c_str(), "%d:%d%n", &window.from, &window.to, &read) == 2 &&
                      read == static_cast<int>(text.size());
@@ -114,41 +112,46 @@ Window parse_window(const std::string& text) {
   throw std::invalid_argument("--window: \"" + text + "\" should read FROM:TO, two numbers of steps");
 }
 
-// The parts of its run that are timed, and what they are called.
-std::vector<std::pair<std::string, Window>> windows(const Course& course, const Asked& asked) {
-  if (!asked.window.empty()) return {{course.name, parse_window(asked.window)}};
-  const bool either = !asked.settled && !asked.moving;
-  std::vector<std::pair<std::string, Window>> chosen;
-  if ((either || asked.settled) && course.settled.steps() > 0)
-    chosen.emplace_back(course.name + "/settled", course.settled);
-  if ((either || asked.moving) && course.moving.steps() > 0)
-    chosen.emplace_back(course.name + "/moving", course.moving);
+struct NamedWindow {
+  std::string name;
+  StepWindow window;
+};
+
+// The parts of a scene's run to time.
+std::vector<NamedWindow> windows(const BenchmarkScene& scene, const BenchmarkOptions& options) {
+  if (!options.window.empty()) return {{scene.name, parse_window(options.window)}};
+  const bool both = !options.settled && !options.moving;
+  std::vector<NamedWindow> chosen;
+  if ((both || options.settled) && scene.settled.steps() > 0)
+    chosen.push_back({scene.name + "/settled", scene.settled});
+  if ((both || options.moving) && scene.moving.steps() > 0) chosen.push_back({scene.name + "/moving", scene.moving});
   return chosen;
 }
 
-Contest contest_of(const std::string& scene, const Course& course, const Start& start, Window window,
-                   const std::vector<Named>& all, const Asked& asked) {
+BenchmarkResult result_of(const NamedWindow& timed, const BenchmarkScene& scene, const SceneSetup& setup,
+                          const std::vector<NamedConfig>& all, const BenchmarkOptions& options) {
   std::vector<EngineConfig> configs;
   configs.reserve(all.size());
-  for (const Named& one : all) configs.push_back(one.config);
-  const std::vector<Finish> finishes = race(start, window, configs, asked.rounds, asked.patience);
-  Contest contest{.scene = scene,
-                  .about = course.about,
-                  .window = window,
-                  .threads = asked.threads,
-                  .rounds = asked.rounds,
-                  .basis = asked.threads == 1 ? Basis::cpu : Basis::wall,
-                  .against = asked.against};
-  const std::vector<Lap>& reference = finishes[reference_of(all, asked.against)].laps;
+  for (const NamedConfig& one : all) configs.push_back(one.config);
+  const std::vector<EngineTimes> times = time_window(setup, timed.window, configs, options.rounds, options.patience);
+  BenchmarkResult result{.scene = timed.name,
+                         .about = scene.about,
+                         .window = timed.window,
+                         .threads = options.threads,
+                         .rounds = options.rounds,
+                         .basis = options.threads == 1 ? TimeBasis::cpu : TimeBasis::wall,
+                         .against = options.against};
+  const std::vector<Elapsed>& reference = times[reference_index(all, options.against)].rounds;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    contest.rows.push_back(
-        {all[i].name, finishes[i], figures(finishes[i].laps, reference, window.steps(), contest.basis)});
+    result.engines.push_back(
+        {all[i].name, times[i], summarize(times[i].rounds, reference, timed.window.steps(), result.basis)});
   }
-  return contest;
+  return result;
 }
 
-void list() {
-  for (const Course* course : Catalog<Course>::all()) fmt::print("  {:<14} {}\n", course->name, course->about);
+void list_scenes() {
+  for (const BenchmarkScene* scene : Catalog<BenchmarkScene>::all())
+    fmt::print("  {:<14} {}\n", scene->name, scene->about);
 }
 
 NewFile written(const std::string& path, const std::string& text) {
@@ -157,57 +160,62 @@ NewFile written(const std::string& path, const std::string& text) {
   return file;
 }
 
-void carry_out(Asked asked) {
-  if (asked.list) return list();
-  const std::vector<Named> all = engines(asked);
-  if (all.empty()) throw std::invalid_argument("nobody is left to be timed");
-  if (asked.against.empty()) asked.against = usual_reference(all);
-  reference_of(all, asked.against);
-  const std::vector<const Course*> chosen_courses = courses(asked);
-  if (!asked.json.empty()) written(asked.json, "");  // tried before anything is run
-  std::vector<Contest> contests;
-  for (const Course* course : chosen_courses) {
-    const auto chosen = windows(*course, asked);
+void run_benchmarks(BenchmarkOptions options) {
+  const std::vector<NamedConfig> all = engines(options);
+  if (all.empty()) throw std::invalid_argument("no engine is left to be timed");
+  if (options.against.empty()) options.against = usual_reference(all);
+  reference_index(all, options.against);  // throws if it is unknown
+  const std::vector<const BenchmarkScene*> chosen_scenes = scenes(options);
+  if (!options.json.empty()) written(options.json, "");  // tried before anything is run
+  std::vector<BenchmarkResult> results;
+  for (const BenchmarkScene* scene : chosen_scenes) {
+    const std::vector<NamedWindow> chosen = windows(*scene, options);
     if (chosen.empty()) continue;
-    const Start start = course->start();
-    for (const auto& [scene, window] : chosen) {
-      contests.push_back(contest_of(scene, *course, start, window, all, asked));
-      fmt::print("{}\n", table(contests.back()));
+    const SceneSetup setup = scene->setup();
+    for (const NamedWindow& timed : chosen) {
+      results.push_back(result_of(timed, *scene, setup, all, options));
+      fmt::print("{}\n", table(results.back()));
       std::fflush(stdout);
-      if (!asked.json.empty()) written(asked.json, google_json(contests)).put_in_place();
+      if (!options.json.empty()) written(options.json, google_json(results)).put_in_place();
     }
   }
 }
 
 int program(int argc, char** argv) {
-  Asked asked;
-  CLI::App app{"What a step costs on scenes that engines are commonly timed on. Sleeping is off, a step is 1/60 s."};
-  app.add_option("--scenes", asked.scenes, "Which; all by default (see --list)")->type_name("NAME");
-  app.add_option("--engines", asked.engines, "NAME or NAME:key=value,...; every engine in float by default")
+  BenchmarkOptions options;
+  CLI::App app{
+      "Times the steps of engines on scenes that engines are commonly timed on. Sleeping is off, a step is 1/60 s."};
+  app.add_option("--scenes", options.scenes, "The scenes; default: all (see --list)")->type_name("NAME");
+  app.add_option("--engines", options.engines, "NAME or NAME:key=value,...; default: every engine, in float")
       ->type_name("NAME");
-  app.add_option("--against", asked.against, "Whose time the others' are told against; box2d-v3 where it is there")
+  app.add_option("--against", options.against, "The engine that speeds are relative to; default: box2d-v3 if present")
       ->type_name("NAME");
-  app.add_option("--rounds", asked.rounds, "From how many the medians are")
+  app.add_option("--rounds", options.rounds, "The number of rounds, of which the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--threads", asked.threads, "Of those engines that can have several")
+  app.add_option("--threads", options.threads, "The number of threads; engines with only one are left out")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  app.add_option("--patience", asked.patience, "After how many seconds over a round's steps a engine drops out")
+  app.add_option("--patience", options.patience,
+                 "Seconds for the steps of a round; an engine that takes longer has no result")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_flag("--settled", asked.settled, "Only what has come to rest");
-  app.add_flag("--moving", asked.moving, "Only what moves");
-  app.add_option("--window", asked.window, "Steps to be timed instead of the scene's own")->type_name("FROM:TO");
-  app.add_option("--json", asked.json, "Write the rounds there too, in Google Benchmark's shape")->type_name("FILE");
-  app.add_flag("--list", asked.list, "Name the scenes, and time nothing");
+  app.add_flag("--settled", options.settled, "Time only scenes at rest");
+  app.add_flag("--moving", options.moving, "Time only scenes in motion");
+  app.add_option("--window", options.window, "Time these steps instead of the scene's own")->type_name("FROM:TO");
+  app.add_option("--json", options.json, "Also write the times, in the format of Google Benchmark")->type_name("FILE");
+  app.add_flag("--list", options.list, "List the scenes and exit");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   try {
-    carry_out(asked);
+    if (options.list) {
+      list_scenes();
+    } else {
+      run_benchmarks(std::move(options));
+    }
     return 0;
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "plumb_benchmarks: {}\n", error.what());

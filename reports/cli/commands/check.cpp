@@ -10,10 +10,9 @@
 #include "reports/gate/asked.h"
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/compare.h"
+#include "reports/gate/timing.h"
 #include "reports/gate/writer.h"
 #include "reports/system/files.h"
-#include "reports/timing/options.h"
-#include "reports/timing/regressions.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::commands::check {

@@ -3,10 +3,11 @@
 #include <algorithm>
 
 #include "reports/report.h"
+#include "reports/run/timings.h"
 #include "reports/statistics.h"
 #include "reports/study/job.h"
 #include "reports/study/model/model_error.h"
-#include "reports/timing/step_cost.h"
+#include "reports/timing/repetitions.h"
 
 namespace plumb {
 namespace {
@@ -51,14 +52,8 @@ Quartiles cost_ratio(const ModelError& errors, const EngineConfig& a, const Engi
                      const std::function<bool(const Quartiles&)>& decided) {
   constexpr std::size_t fewest = 4;
   constexpr std::size_t most = 15;
-  std::vector<double> ratios;
-  while (ratios.size() < fewest || (ratios.size() < most && !decided(quartiles(ratios)))) {
-    const bool b_first = ratios.size() % 2 != 0;
-    const double first = undisturbed_cost(errors, b_first ? b : a);
-    const double second = undisturbed_cost(errors, b_first ? a : b);
-    ratios.push_back(b_first ? second / first : first / second);
-  }
-  return quartiles(ratios);
+  return time_ratio([&] { return undisturbed_cost(errors, a); }, [&] { return undisturbed_cost(errors, b); }, fewest,
+                    most, decided);
 }
 
 // Fraction of the cost that a drop must save, in three of four repetitions, to be worth it.

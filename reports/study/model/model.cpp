@@ -13,12 +13,12 @@
 #include "reports/report.h"
 #include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
+#include "reports/run/timings.h"
 #include "reports/study/job.h"
 #include "reports/study/model/least_model.h"
 #include "reports/study/model/model_error.h"
 #include "reports/study/selection.h"
 #include "reports/study/study.h"
-#include "reports/timing/step_cost.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {

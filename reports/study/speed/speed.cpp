@@ -15,13 +15,13 @@
 #include "reports/run/phases.h"
 #include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
+#include "reports/run/timings.h"
 #include "reports/study/job.h"
 #include "reports/study/reference_solution.h"
 #include "reports/study/selection.h"
 #include "reports/study/speed/convergence_order.h"
 #include "reports/study/speed/work_precision.h"
 #include "reports/study/study.h"
-#include "reports/timing/step_cost.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {

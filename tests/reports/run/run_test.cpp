@@ -102,37 +102,6 @@ TEST(Run, SpendsNoMoreInStepsThanInAll) {
   EXPECT_LT(outcome.stepping, outcome.wall);
 }
 
-TEST(TimeSteps, GivesEveryEngineAMedianBetweenItsQuartiles) {
-  const Scenario scenario = fakes::throwing();
-  const Engine one = fakes::engine("one");
-  const Engine two = fakes::engine("two");
-  const std::vector<EngineConfig> configs{{&one, {}}, {&two, {}}};
-  const auto timings = time_steps(fakes::case_of(scenario, nullptr), configs, 1.0 / 60);
-  ASSERT_EQ(timings.size(), 2u);
-  EXPECT_EQ(timings[1].engine, "two");
-  for (const Timing& timing : timings) {
-    EXPECT_GT(timing.step_us_low, 0);
-    EXPECT_LE(timing.step_us_low, timing.step_us);
-    EXPECT_LE(timing.step_us, timing.step_us_high);
-    EXPECT_GE(timing.repetitions, 5);
-    EXPECT_GT(timing.real_time_factor, 1);
-  }
-}
-
-TEST(TimeSteps, NamesAnEngineThatRunsOnlyOnce) {
-  const Scenario scenario = fakes::throwing();
-  const Engine once = fakes::engine("once", Stepper::Fault::exception);
-  const std::vector<EngineConfig> configs{{&once, {}}};
-  try {
-    time_steps(fakes::case_of(scenario, nullptr), configs, 1.0 / 60);
-    FAIL() << "it gave up";
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(),
-                 "once ran thrown and then, asked once more to see what it costs, did not: the engine gave up. Each "
-                 "simulation must start afresh");
-  }
-}
-
 TEST(EngineConfig, IsNamedByWhatDiffersFromTheDefaults) {
   Engine engine = fakes::engine("ours");
   engine.options = {{.key = "solver", .value = "a"}, {.key = "steps", .value = "4"}};

@@ -8,35 +8,35 @@ namespace {
 
 TEST(TimingMachine, IsTheSameAsItself) {
   const TimingFacts facts = timing_facts();
-  EXPECT_EQ(other_machine(facts, timing_facts()), "");
-  EXPECT_TRUE(built_otherwise(facts, facts).empty());
+  EXPECT_EQ(machine_difference(facts, timing_facts()), "");
+  EXPECT_TRUE(build_differences(facts, facts).empty());
   for (const char* const key : {"processor", "processors", "governor", "load", "compiler", "flags", "machine"}) {
     EXPECT_FALSE(facts.at(key).empty()) << key;
   }
 }
 
-TEST(TimingMachine, AnotherProcessorIsAnotherMachine) {
+TEST(TimingMachine, DiffersWithAnotherProcessor) {
   TimingFacts there = timing_facts();
   there["processor"] = "80486";
-  EXPECT_THAT(other_machine(there, timing_facts()), testing::HasSubstr("processor \"80486\" there"));
+  EXPECT_THAT(machine_difference(there, timing_facts()), testing::HasSubstr("processor \"80486\" there"));
 }
 
-TEST(TimingMachine, SoIsOneOfTheSameKindAndOneThatDoesNotSay) {
+TEST(TimingMachine, DiffersWithAnotherIdentityOrNone) {
   TimingFacts there = timing_facts();
   there["machine"] = "another";
-  EXPECT_NE(other_machine(there, timing_facts()), "");
-  EXPECT_NE(other_machine({}, timing_facts()), "");
+  EXPECT_NE(machine_difference(there, timing_facts()), "");
+  EXPECT_NE(machine_difference({}, timing_facts()), "");
 }
 
-TEST(TimingMachine, LoadAndCompilerMakeNoOtherMachine) {
+TEST(TimingMachine, IsTheSameDespiteOtherLoadAndFlags) {
   TimingFacts there = timing_facts();
   there["load"] = "17";
   there["flags"] = "-O0";
-  EXPECT_EQ(other_machine(there, timing_facts()), "");
-  EXPECT_THAT(built_otherwise(there, timing_facts()), testing::ElementsAre(testing::StartsWith("flags: -O0, now ")));
+  EXPECT_EQ(machine_difference(there, timing_facts()), "");
+  EXPECT_THAT(build_differences(there, timing_facts()), testing::ElementsAre(testing::StartsWith("flags: -O0, now ")));
 }
 
-TEST(TimingMachine, IsBusyWithMoreAtWorkThanProcessors) {
+TEST(TimingMachine, IsBusyIfTheLoadExceedsTheProcessors) {
   EXPECT_TRUE(busy({{"load", "2.5"}, {"processors", "2"}}));
   EXPECT_FALSE(busy({{"load", "1.5"}, {"processors", "2"}}));
 }

@@ -2,166 +2,143 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include <cmath>
-#include <functional>
-#include <random>
-#include <utility>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+#include "reports/run/selection.h"
+#include "scenarios/scene/scene_json.h"
 
 namespace plumb {
 namespace {
 
-using testing::ElementsAre;
+namespace fs = std::filesystem;
 using testing::SizeIs;
 
-constexpr double noise = 0.01;
+const fs::path plumb_program = PLUMB_PROGRAM;
 
-// Programs whose times are made up. `slow` says by which factor a case is slower now, in the how-manieth look.
-class Fake {
- public:
-  using Slow = std::function<double(std::size_t which, std::size_t look)>;
-  Fake(unsigned seed, Slow slow) : random_(seed), slow_(std::move(slow)) {}
+// Each test has its own folder for temporary files.
+class ProgramCopyTest : public testing::Test {
+ protected:
+  ProgramCopyTest() {
+    fs::create_directories(folder_);
+    setenv("TMPDIR", folder_.c_str(), 1);
+    std::ofstream(program_) << "a program";
+  }
+  ~ProgramCopyTest() override {
+    setenv("TMPDIR", usual_.c_str(), 1);
+    fs::remove_all(folder_);
+  }
 
-  std::vector<TimedPair> operator()(std::span<const std::size_t> which, int sittings) {
-    std::vector<TimedPair> pairs;
-    for (const std::size_t i : which) {
-      TimedPair pair{.name = std::to_string(i), .steps = 60, .of = 60};
-      if (broken == static_cast<int>(i)) pair.no_result = "refused";
-      for (int sitting = 0; sitting < sittings && pair.no_result.empty(); ++sitting) {
-        add(pair.before, 1e-6, 1000);
-        add(pair.again, 1e-6, 1000);
-        add(pair.now, 1e-6 * slow_(i, looks.size()), 1000 * instructions);
-      }
-      pairs.push_back(std::move(pair));
+  std::set<fs::path> folders() const {
+    std::set<fs::path> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+      if (entry.is_directory()) found.insert(entry.path());
     }
-    looks.push_back({which.begin(), which.end()});
-    return pairs;
+    return found;
   }
 
-  std::vector<std::vector<std::size_t>> looks;
-  double instructions = 1;  // as many times as many now
-  bool counts = false;
-  int broken = -1;
-
- private:
-  void add(Cost& cost, double time, double count) {
-    std::normal_distribution<double> draw(0, noise);
-    cost.cpu.push_back(time * std::exp(draw(random_)));
-    cost.wall.push_back(cost.cpu.back());
-    if (counts) cost.instructions.push_back(count * (1 + 1e-4 * draw(random_)));
-  }
-
-  std::mt19937 random_;
-  Slow slow_;
+  fs::path usual_ = fs::temp_directory_path();
+  fs::path folder_ = usual_ / ("plumb-copies-" + std::to_string(getpid()));
+  fs::path program_ = folder_ / "program";
 };
 
-std::vector<JudgedTime> judge(Fake& fake, std::size_t cases) {
-  return judge_times([&](auto which, int sittings) { return fake(which, sittings); }, cases);
-}
-
-bool any_slower(const std::vector<JudgedTime>& all) {
-  return std::any_of(all.begin(), all.end(), [](const JudgedTime& one) { return one.pace == Pace::slower; });
-}
-
-std::vector<Pace> paces(const std::vector<JudgedTime>& all) {
-  std::vector<Pace> found;
-  for (const JudgedTime& one : all) found.push_back(one.pace);
-  return found;
-}
-
-TEST(Timing, FivePercentOnEveryCaseAreFound) {
-  Fake fake(1, [](auto, auto) { return 1.05; });
-  const auto all = judge(fake, 12);
-  ASSERT_THAT(all, SizeIs(13));
-  EXPECT_TRUE(any_slower(all));
-  EXPECT_EQ(all.back().pair.name, "all cases");
-  EXPECT_EQ(all.back().pace, Pace::slower);
-  EXPECT_NEAR(all.back().time.ratio, 1.05, 0.005);
-}
-
-TEST(Timing, FivePercentOnOneCaseAreFoundThere) {
-  int found = 0;
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    Fake fake(seed, [](std::size_t i, auto) { return i == 3 ? 1.05 : 1; });
-    const auto all = judge(fake, 12);
-    found += all[3].pace == Pace::slower;
-    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(i == 3 || all[i].pace != Pace::slower) << seed << " " << i;
+TEST_F(ProgramCopyTest, IsRemovedInTheEnd) {
+  {
+    const ProgramCopy copy(program_);
+    EXPECT_EQ(fs::file_size(copy.path()), fs::file_size(program_));
   }
-  EXPECT_GE(found, 49);
+  EXPECT_TRUE(folders().empty());
 }
 
-TEST(Timing, NoiseIsNot) {
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    Fake fake(seed, [](auto, auto) { return 1.0; });
-    EXPECT_FALSE(any_slower(judge(fake, 12))) << seed;
+TEST_F(ProgramCopyTest, NamesAProgramThatCannotBeCopiedAndLeavesNothing) {
+  EXPECT_THROW(ProgramCopy(folder_ / "missing"), std::invalid_argument);
+  EXPECT_TRUE(folders().empty());
+}
+
+TEST_F(ProgramCopyTest, OfAKilledProcessIsRemovedWithTheNextCopy) {
+  const pid_t process = fork();
+  if (process == 0) {
+    const ProgramCopy copy(program_);
+    raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(process, &status, 0), process);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  ASSERT_EQ(folders().size(), 1U);
+  const ProgramCopy next(program_);
+  EXPECT_EQ(folders(), std::set{next.path().parent_path()});
+}
+
+TEST_F(ProgramCopyTest, StaysWhileItsProcessLives) {
+  const ProgramCopy first(program_);
+  const ProgramCopy second(program_);
+  EXPECT_EQ(folders(), (std::set{first.path().parent_path(), second.path().parent_path()}));
+}
+
+// Workers that are shell scripts.
+class SideBySideTest : public testing::Test {
+ protected:
+  SideBySideTest() { fs::create_directories(folder_); }
+  ~SideBySideTest() override { fs::remove_all(folder_); }
+
+  // Greets as it should before it runs the text.
+  fs::path worker(const std::string& text) {
+    const fs::path path = folder_ / "program";
+    std::ofstream(path) << "#!/bin/sh\necho '{\"pace\":1,\"facts\":{},\"uncounted\":\"\"}'\n" << text;
+    fs::permissions(path, fs::perms::owner_all);
+    return path;
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("plumb-sides-" + std::to_string(getpid()));
+};
+
+SideBySide sides(const fs::path& before, const char* words = "bounce:e=0.5") {
+  constexpr double dt = 1.0 / 60;
+  std::vector<TimedScene> scenes;
+  for (const Case& one : parse_cases(words)) {
+    scenes.push_back({.name = one.scenario->name + ":" + one.variant,
+                      .scene = write_scene({*one.scene, {}}),
+                      .steps = steps_in(one.scene->duration, dt)});
+  }
+  return {before, plumb_program, scenes, "impulse", dt};
+}
+
+TEST_F(SideBySideTest, GivesNoResultForInvalidAnswers) {
+  for (const char* const answer :
+       {"{\"refused\":\"not today\"}", "{}", "{\"cpu\":[]}", "{\"cpu\":[-1]}", "{\"cpu\":\"long\"}"}) {
+    const fs::path before = worker(std::string("read x; echo '{}'; while read x; do echo '") + answer + "'; done\n");
+    const auto pairs = sides(before).measure(std::vector<std::size_t>{0}, 2, [](const auto&) {});
+    ASSERT_THAT(pairs, SizeIs(1));
+    EXPECT_NE(pairs[0].no_result, "") << answer;
+    EXPECT_TRUE(pairs[0].now.cpu.empty());
   }
 }
 
-TEST(Timing, OnlyWhatIsSuspiciousIsMeasuredAgain) {
-  Fake fake(1, [](std::size_t i, auto) { return i == 2 || i == 5 ? 1.1 : 1; });
-  judge(fake, 12);
-  ASSERT_THAT(fake.looks, SizeIs(2));
-  EXPECT_THAT(fake.looks[1], ElementsAre(2, 5));
-  Fake calm(1, [](auto, auto) { return 1.0; });
-  judge(calm, 12);
-  EXPECT_THAT(calm.looks, SizeIs(1));
+TEST_F(SideBySideTest, TimesTwoPrograms) {
+  std::vector<std::string> names;
+  const SideBySide both = sides(plumb_program, "bounce");
+  const auto pairs = both.measure(std::vector<std::size_t>{0, 2}, 2, [&](const auto& name) { names.push_back(name); });
+  ASSERT_THAT(pairs, SizeIs(2));
+  EXPECT_THAT(names, testing::ElementsAre("bounce:e=0.5", "bounce:e=1", "bounce:e=0.5", "bounce:e=1"));
+  for (const TimedPair& pair : pairs) {
+    EXPECT_EQ(pair.no_result, "");
+    EXPECT_EQ(pair.steps, pair.of);
+    for (const StepCosts* cost : {&pair.before, &pair.now, &pair.again}) {
+      EXPECT_THAT(cost->cpu, testing::AllOf(SizeIs(2), testing::Each(testing::Gt(0))));
+      EXPECT_THAT(cost->wall, SizeIs(2));
+    }
+  }
 }
 
-TEST(Timing, WhatDoesNotComeBackIsNotReported) {
-  Fake fake(1, [](std::size_t i, std::size_t look) { return i == 2 && look == 0 ? 1.2 : 1; });
-  const auto all = judge(fake, 12);
-  EXPECT_THAT(fake.looks, SizeIs(2));
-  EXPECT_FALSE(any_slower(all));
-  EXPECT_TRUE(all[2].measured_again);
-  EXPECT_NEAR(all[2].time.ratio, 1, 0.02);  // of the new times alone
-  EXPECT_FALSE(all[3].measured_again);
-}
-
-TEST(Timing, FasterIsSaidAndFailsNothing) {
-  Fake fake(1, [](std::size_t i, auto) { return i == 0 ? 0.8 : 1; });
-  const auto all = judge(fake, 3);
-  EXPECT_THAT(paces(all), ElementsAre(Pace::faster, Pace::same, Pace::same, Pace::faster));
-  EXPECT_FALSE(any_slower(all));
-}
-
-TEST(Timing, OneCaseIsNotAllCases) {
-  Fake fake(1, [](auto, auto) { return 1.05; });
-  EXPECT_THAT(paces(judge(fake, 1)), ElementsAre(Pace::slower));
-}
-
-TEST(Timing, WhoRefusesLeavesTheOthersTheirs) {
-  Fake fake(1, [](std::size_t i, auto) { return i == 1 ? 1.1 : 1; });
-  fake.broken = 2;
-  const auto all = judge(fake, 4);
-  EXPECT_EQ(all[1].pace, Pace::slower);
-  EXPECT_EQ(all[2].pace, Pace::no_result);
-  EXPECT_EQ(all[2].pair.no_result, "refused");
-  EXPECT_EQ(all[3].pace, Pace::same);
-}
-
-TEST(Timing, NobodyWithAResultIsNoMistake) {
-  Fake fake(1, [](auto, auto) { return 1.0; });
-  fake.broken = 0;
-  EXPECT_THAT(paces(judge(fake, 1)), ElementsAre(Pace::no_result));
-}
-
-TEST(Timing, MoreInstructionsCountUnlessTheTimeIsLess) {
-  Fake more(1, [](auto, auto) { return 1.012; });
-  more.counts = true;
-  more.instructions = 1.02;
-  EXPECT_TRUE(any_slower(judge(more, 3)));
-  Fake wider(1, [](auto, auto) { return 0.7; });
-  wider.counts = true;
-  wider.instructions = 1.02;
-  EXPECT_FALSE(any_slower(judge(wider, 3)));
-}
-
-TEST(Timing, InstructionsOfOneSideAloneAreNotCompared) {
-  TimedPair pair{.name = "one"};
-  pair.before = pair.again = {.cpu = {1, 1, 1}, .wall = {1, 1, 1}, .instructions = {1, 1, 1}};
-  pair.now = {.cpu = {1, 1, 1}, .wall = {1, 1, 1}};
-  const auto all = judge_times([&](auto, auto) { return std::vector{pair}; }, 1);
-  EXPECT_EQ(all[0].instructions, std::nullopt);
+TEST_F(SideBySideTest, GivesNoResultForASceneThatTheOtherProgramCannotRun) {
+  const fs::path before = worker("read x; echo '{\"refused\":\"has no capsules\"}'\n");
+  EXPECT_EQ(sides(before).measure(std::vector<std::size_t>{0}, 1, [](const auto&) {})[0].no_result, "has no capsules");
 }
 
 }  // namespace
