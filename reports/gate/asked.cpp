@@ -10,7 +10,7 @@
 
 #include "reports/study/asked_cases.h"
 #include "reports/system/environment.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 
 namespace plumb {
 namespace {

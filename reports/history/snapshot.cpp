@@ -7,7 +7,7 @@
 
 #include "reports/gate/words.h"
 #include "reports/history/moment.h"
-#include "reports/history/sha256.h"
+#include "reports/system/hash.h"
 #include "scenarios/scene/json_parse.h"
 
 namespace plumb {

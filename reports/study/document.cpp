@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/system/csv.h"
+#include "reports/system/files.h"
 #include "reports/writers/html.h"
 #include "reports/writers/page.h"
 

@@ -8,7 +8,7 @@
 
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "reports/timing/measure.h"
 #include "reports/timing/pacer.h"
 

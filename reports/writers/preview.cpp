@@ -11,7 +11,7 @@
 
 #include "reports/judge/outline.h"
 #include "reports/system/files.h"
-#include "reports/system/tool.h"
+#include "reports/system/processes.h"
 #include "reports/vec.h"
 #include "scenarios/scene/mass.h"
 
@@ -196,7 +196,7 @@ Preview preview_of(const Report& report) {
 }
 
 void check_preview() {
-  if (!find_tool("ffmpeg")) throw std::invalid_argument("--preview needs ffmpeg: apt-get install ffmpeg");
+  if (!find_program("ffmpeg")) throw std::invalid_argument("--preview needs ffmpeg: apt-get install ffmpeg");
 }
 
 void write_preview(const Preview& preview, const fs::path& file) {
@@ -222,7 +222,7 @@ void write_preview(const Preview& preview, const fs::path& file) {
                                        "-loop",
                                        "0",
                                        made};
-  const int code = run_tool(words);
+  const int code = run_program(words);
   std::error_code error;
   if (code == 0) fs::copy_file(made, file, fs::copy_options::overwrite_existing, error);
   std::error_code ignored;

@@ -14,7 +14,7 @@
 #include "reports/run/selection.h"
 #include "reports/study/asked_cases.h"
 #include "reports/system/files.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::commands::accept {

@@ -12,7 +12,7 @@
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "reports/system/jobs.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb::commands::prove_command {

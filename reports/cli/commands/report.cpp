@@ -14,7 +14,7 @@
 #include "reports/study/asked_cases.h"
 #include "reports/study/brief.h"
 #include "reports/study/study.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "reports/writers/pictures.h"
 #include "reports/writers/preview.h"
 #include "scenarios/catalog.h"

@@ -1,4 +1,4 @@
-#include "reports/history/sha256.h"
+#include "reports/system/hash.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
