@@ -1,5 +1,6 @@
 #include "reports/writers/json.h"
 
+#include "reports/run/report_json.h"
 #include "reports/writers/writer.h"
 #include "scenarios/catalog.h"
 
@@ -7,8 +8,6 @@ namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int format = 1;  // of report.json; grows when a reader of the old one would be misled
 
 template <class Items, class ToJson>
 Json list(const Items& items, ToJson to) {
@@ -135,7 +134,7 @@ const Catalog<Writer>::Entry json_entry{{.name = "json",
 }  // namespace
 
 Json to_json(const Report& report) {
-  return {{"plumb", format},
+  return {{"plumb", report_format},
           {"title", report.title},
           {"command", report.command},
           {"environment", report.environment},

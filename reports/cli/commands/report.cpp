@@ -6,8 +6,8 @@
 
 #include "reports/cli/command.h"
 #include "reports/cli/session.h"
-#include "reports/gate/asked.h"
-#include "reports/gate/changes.h"
+#include "reports/gate/options.h"
+#include "reports/gate/writers.h"
 #include "reports/history/trends.h"
 #include "reports/run/experiment.h"
 #include "reports/run/selection.h"
@@ -62,9 +62,9 @@ int report(const Asked& asked) {
     preview = preview_of_case(asked.preview, asked.session);
   }
   asked.session.conduct("report", [&](Report& report) {
-    GateAsked gate;
+    GateOptions gate;
     gate.all = asked.session.all;
-    if (auto changes = changes_since(gate.file(), report)) report.studies.push_back(std::move(*changes));
+    if (auto changes = changes_since(gate.baseline_file(), report)) report.studies.push_back(std::move(*changes));
     if (asked.no_studies) {
       report.command.emplace_back("--no-studies");
     } else {
