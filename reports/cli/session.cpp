@@ -12,7 +12,7 @@
 #include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/system/environment.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "reports/writers/console.h"
 #include "reports/writers/output.h"
 

@@ -2,46 +2,29 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cstdint>
 
 #include "reports/run/beyond.h"
+#include "reports/system/hash.h"
 
 namespace plumb {
 namespace {
 
-// FNV-1a, 64 bits, over the bytes of words, lowest first whatever the machine's order.
-class Hash {
- public:
-  void add(std::uint64_t word) {
-    for (int shift = 0; shift < 64; shift += 8) value_ = (value_ ^ (word >> shift & 0xff)) * 1099511628211U;
-  }
-  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
-  void add(Vec of) {
-    add(of.x);
-    add(of.y);
-  }
-  std::string text() const { return fmt::format("{:016x}", value_); }
-
- private:
-  std::uint64_t value_ = 14695981039346656037U;
-};
-
-// A name that is the same whenever an event happens to be noticed.
+// Without the time of an event, which differs between runs.
 std::string name_of_check(const TruthCheck& check) {
-  const bool of_an_event = check.quantity == name_of(Quantity::apex) || check.quantity == name_of(Quantity::landing);
+  const bool is_event = check.quantity == name_of(Quantity::apex) || check.quantity == name_of(Quantity::landing);
   return fmt::format("truth: {}{}{}", check.quantity, check.body.empty() ? "" : " of " + check.body,
-                     of_an_event ? "" : fmt::format(" at {:.6g} s", check.time));
+                     is_event ? "" : fmt::format(" at {:.6g} s", check.time));
 }
 
-// The second of a name is "... (2)".
-void put(std::map<std::string, KeptNumber>& numbers, const std::string& name, KeptNumber number) {
+// The second number of the same name is called "... (2)".
+void add_number(std::map<std::string, BaselineNumber>& numbers, const std::string& name, BaselineNumber number) {
   std::string unique = name;
   for (int i = 2; numbers.count(unique) != 0; ++i) unique = fmt::format("{} ({})", name, i);
   numbers.emplace(std::move(unique), std::move(number));
 }
 
-CheckStatus standing_of(const TruthCheck& check) {
+CheckStatus status_of(const TruthCheck& check) {
   if (!check.reported) return CheckStatus::not_reported;
   return check.passed ? CheckStatus::held : CheckStatus::broken;
 }
@@ -64,42 +47,46 @@ std::map<std::string, std::string> platform_of(const std::map<std::string, std::
 }
 
 std::string hash_of(const Trace& trace) {
-  Hash hash;
-  for (std::size_t moment = 0; moment < trace.size(); ++moment) {
-    hash.add(trace.time(moment));
-    for (const BodyState& state : trace.states(moment)) {
-      hash.add(state.position);
+  BitHash hash;
+  const auto add = [&hash](Vec v) {
+    hash.add(v.x);
+    hash.add(v.y);
+  };
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    hash.add(trace.time(i));
+    for (const BodyState& state : trace.states(i)) {
+      add(state.position);
       hash.add(state.angle);
-      hash.add(state.velocity);
+      add(state.velocity);
       hash.add(state.angular_velocity);
     }
-    for (const ContactState& contact : trace.contacts(moment)) {
+    for (const ContactState& contact : trace.contacts(i)) {
       hash.add(static_cast<std::uint64_t>(contact.a));
       hash.add(static_cast<std::uint64_t>(contact.b));
-      hash.add(contact.point);
-      hash.add(contact.normal);
+      add(contact.point);
+      add(contact.normal);
       hash.add(contact.normal_impulse);
       hash.add(contact.tangent_impulse);
       hash.add(contact.separation);
     }
   }
-  return hash.text();
+  return fmt::format("{:016x}", hash.value());
 }
 
-KeptRun kept(const RunRecord& run) {
-  KeptRun all{.exact = run.exact,
-              .verdict = run.verdict,
-              .reason = run.status == Status::ok ? "" : run.reason,
-              .bits = run.trace ? hash_of(*run.trace) : ""};
+BaselineRun baseline_run_of(const RunRecord& run) {
+  BaselineRun all{.exact = run.exact,
+                  .verdict = run.verdict,
+                  .reason = run.status == Status::ok ? "" : run.reason,
+                  .bits = run.trace ? hash_of(*run.trace) : ""};
   for (const auto& [name, measured] : run.metrics) {
-    // Of an ensemble, which a report may have and a gate does not.
-    if (name != horizon_note().name) put(all.numbers, name, {measured.unit, measured.value});
+    // The horizon needs an ensemble of runs, which `plumb check` does not make.
+    if (name != horizon_note().name) add_number(all.numbers, name, {measured.unit, measured.value});
   }
   for (const TruthCheck& check : run.truth) {
-    put(all.numbers, name_of_check(check), {check.unit, check.error, standing_of(check), check.tolerance});
+    add_number(all.numbers, name_of_check(check), {check.unit, check.error, status_of(check), check.tolerance});
   }
   for (const InvariantCheck& check : run.invariants) {
-    put(all.numbers, "invariant: " + check.name, {check.unit, check.value, check.status, check.tolerance});
+    add_number(all.numbers, "invariant: " + check.name, {check.unit, check.value, check.status, check.tolerance});
   }
   return all;
 }
@@ -111,7 +98,7 @@ Baseline baseline_of(const Report& report) {
   }
   for (const RunRecord& run : report.runs) {
     baseline.dt = run.dt;
-    baseline.runs.emplace(key_of(run), kept(run));
+    baseline.runs.emplace(key_of(run), baseline_run_of(run));
   }
   return baseline;
 }

@@ -10,13 +10,13 @@
 
 #include "reports/report.h"
 
-/// What runs came to when somebody last looked and said: so it shall be.
+/// The results of runs that somebody has looked at and accepted. Later results are compared with them.
 namespace plumb {
 
-/// By how much a number may move where no bound is known: any amount.
-constexpr double infinity = std::numeric_limits<double>::infinity();
+/// The bound of a number that may have any value, or be missing, on another platform.
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Who was asked what.
+/// Identifies a run within a baseline or a report.
 struct RunKey {
   std::string scenario, variant, engine, method;
 
@@ -30,48 +30,47 @@ struct RunKey {
 
 RunKey key_of(const RunRecord&);
 
-/// One number of a run: a metric's value, a truth check's error, by how much an invariant is missed.
-struct KeptNumber {
+/// One number of a run: the value of a metric, the error of a truth check, or how far an invariant is violated.
+struct BaselineNumber {
   std::string unit;
   double value = 0;
-  /// Of a check: whether it held, and how much it was allowed.
-  std::optional<CheckStatus> status = std::nullopt;
-  double tolerance = 0;
-  /// How far from `value` another platform may find it by rounding (see bounds.h); infinite: it may as well be missing;
-  /// nothing: not known.
-  std::optional<double> moves = std::nullopt;
-  bool wavers = false;  // starts next to this one stand otherwise
-  friend bool operator==(const KeptNumber&, const KeptNumber&) = default;
+  std::optional<CheckStatus> status = std::nullopt;  // of a check
+  double tolerance = 0;                              // of a check
+  /// How far from `value` the number may lie on another platform because of rounding (see bounds.h); `unbounded` if it
+  /// may have any value or be missing, nullopt if the bound is not known.
+  std::optional<double> bound = std::nullopt;
+  bool unstable = false;  // perturbed runs had another status
+  friend bool operator==(const BaselineNumber&, const BaselineNumber&) = default;
 };
 
-struct KeptRun {
+struct BaselineRun {
   bool exact = false;  // a closed form
   Verdict verdict = Verdict::plausible;
-  std::string reason;                         // why not supported, or failed
-  std::string bits;                           // of the whole trace, a hash; "" where there is none
-  std::set<Verdict> neighbours;               // what starts next to this one came to, where that is known
-  std::map<std::string, KeptNumber> numbers;  // by name: "energy_drift", "truth: y of box at 2 s", "invariant: cone"
+  std::string reason;                             // why it is not supported or failed
+  std::string bits;                               // hash of the whole trace; "" without a trace
+  std::set<Verdict> perturbed_verdicts;           // verdicts of perturbed runs, if there were any
+  std::map<std::string, BaselineNumber> numbers;  // "energy_drift", "truth: y of box at 2 s", "invariant: cone"
 };
 
 struct Baseline {
   double dt = 0;                                // s
-  bool all = false;                             // of every scenario, not only the canonical ones
-  std::vector<std::string> words;               // the scenarios that were asked for; none: those of a set
-  std::map<std::string, std::string> platform;  // what decides bits, see platform_of
-  std::map<std::string, std::string> engines;   // where they come from, with version
-  std::map<RunKey, KeptRun> runs;
+  bool all = false;                             // of all scenarios, not only the canonical ones
+  std::vector<std::string> scenarios;           // that were asked for; empty for a whole set
+  std::map<std::string, std::string> platform;  // what determines bits, see platform_of
+  std::map<std::string, std::string> engines;   // source and version, by name
+  std::map<RunKey, BaselineRun> runs;
 };
 
-/// Of an environment what decides the bits of a result: architecture, compiler and flags, and how libm computes.
+/// The entries of an environment that determine the bits of a result: architecture, compiler, flags and libm.
 std::map<std::string, std::string> platform_of(const std::map<std::string, std::string>& environment);
 
-/// Every bit that a trace holds, as 16 hexadecimal digits.
+/// A hash of every bit of a trace, as 16 hexadecimal digits.
 std::string hash_of(const Trace&);
 
-/// The numbers of one run, without how far they may move.
-KeptRun kept(const RunRecord&);
+/// The numbers of one run, without bounds.
+BaselineRun baseline_run_of(const RunRecord&);
 
-/// Of a report as it stands in memory, without how far numbers may move.
+/// The runs of a report, without bounds.
 Baseline baseline_of(const Report&);
 
 }  // namespace plumb

@@ -7,41 +7,40 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
-#include "reports/gate/report_json.h"
-#include "reports/gate/words.h"
+#include "reports/run/report_json.h"
 #include "reports/system/files.h"
 #include "scenarios/scene/json_parse.h"
-#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int baseline_format = 1;  // grows when a reader of the old one would be misled
+constexpr int baseline_format = 2;  // grows when a reader of the previous version would misread the new one
 constexpr std::size_t largest_file = std::size_t{64} << 20;
-constexpr const char* any = "any";
+constexpr const char* any = "any";  // stands for `unbounded`
 
-// A change of a bound in its third digit is no news.
+// Two digits, so that a diff does not show changes of bounds that mean nothing.
 double rounded(double bound) { return bound == 0 ? 0 : std::stod(fmt::format("{:.1e}", bound)); }
 
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-Json of(const KeptNumber& number) {
+Json json_of(const BaselineNumber& number) {
   Json json{{"value", number.value}, {"unit", number.unit}};
   if (number.status) {
     json["status"] = name_of(*number.status);
     json["tolerance"] = number.tolerance;
   }
-  if (number.moves) json["moves"] = *number.moves == infinity ? Json(any) : Json(rounded(*number.moves));
-  if (number.wavers) json["wavers"] = true;
+  if (number.bound) json["bound"] = *number.bound == unbounded ? Json(any) : Json(rounded(*number.bound));
+  if (number.unstable) json["unstable"] = true;
   return json;
 }
 
-std::string text_of(const RunKey& key, const KeptRun& run) {
-  Json neighbours = Json::array();
-  for (const Verdict verdict : run.neighbours) neighbours.push_back(name_of(verdict));
+std::string text_of(const RunKey& key, const BaselineRun& run) {
+  Json perturbed_verdicts = Json::array();
+  for (const Verdict verdict : run.perturbed_verdicts) perturbed_verdicts.push_back(name_of(verdict));
   const auto line = [](const char* name, const Json& value) {
     return fmt::format("   \"{}\": {},\n", name, dumped(value));
   };
@@ -49,71 +48,84 @@ std::string text_of(const RunKey& key, const KeptRun& run) {
   text += line("scenario", key.scenario) + line("variant", key.variant);
   text += line("engine", key.engine) + line("method", key.method);
   text += line("exact", run.exact) + line("verdict", name_of(run.verdict)) + line("reason", run.reason);
-  text += line("neighbours", neighbours) + line("bits", run.bits);
+  text += line("perturbed_verdicts", perturbed_verdicts) + line("bits", run.bits);
   text += "   \"numbers\": {";
   const char* separator = "\n";
   for (const auto& [name, number] : run.numbers) {
-    text += fmt::format("{}    {}: {}", separator, dumped(name), dumped(of(number)));
+    text += fmt::format("{}    {}: {}", separator, dumped(name), dumped(json_of(number)));
     separator = ",\n";
   }
   return text + "\n   }\n  }";
 }
 
-KeptNumber number_from(const JsonReader& from) {
-  from.object({"value", "unit"}, {"status", "tolerance", "moves", "wavers"});
-  KeptNumber number{.unit = any_text(from["unit"]), .value = number_or_null(from["value"])};
+// Gives the keys of version 1 the names they have in version 2.
+void update_baseline(nlohmann::json& baseline) {
+  if (!baseline.contains("runs") || !baseline["runs"].is_array()) return;
+  for (nlohmann::json& run : baseline["runs"]) {
+    rename_key(run, "neighbours", "perturbed_verdicts");
+    if (!run.is_object() || !run.contains("numbers") || !run["numbers"].is_object()) continue;
+    for (nlohmann::json& number : run["numbers"]) {
+      update_check(number);
+      rename_key(number, "moves", "bound");
+      rename_key(number, "wavers", "unstable");
+    }
+  }
+}
+
+BaselineNumber number_from(const JsonReader& from) {
+  from.object({"value", "unit"}, {"status", "tolerance", "bound", "unstable"});
+  BaselineNumber number{.unit = any_text(from["unit"]), .value = number_or_null(from["value"])};
   if (from.has("status")) {
     number.status = check_status_from(from["status"]);
     from.must_have("tolerance");
     number.tolerance = number_or_null(from["tolerance"]);
   }
-  if (from.has("moves")) {
-    const JsonReader moves = from["moves"];
-    number.moves = moves.value() == any ? infinity : moves.number({0, std::numeric_limits<double>::max()});
+  if (from.has("bound")) {
+    const JsonReader bound = from["bound"];
+    number.bound = bound.value() == any ? unbounded : bound.number({0, std::numeric_limits<double>::max()});
   }
-  number.wavers = from.boolean("wavers", false);
+  number.unstable = from.boolean("unstable", false);
   return number;
 }
 
-void run_from(const JsonReader& from, Baseline& baseline) {
-  from.object(
-      {"scenario", "variant", "engine", "method", "exact", "verdict", "reason", "neighbours", "bits", "numbers"});
+void add_run(const JsonReader& from, Baseline& baseline) {
+  from.object({"scenario", "variant", "engine", "method", "exact", "verdict", "reason", "perturbed_verdicts", "bits",
+               "numbers"});
   const RunKey key{any_text(from["scenario"]), any_text(from["variant"]), any_text(from["engine"]),
                    any_text(from["method"])};
-  KeptRun run{.exact = from["exact"].boolean(),
-              .verdict = verdict_from(from["verdict"]),
-              .reason = any_text(from["reason"]),
-              .bits = any_text(from["bits"])};
-  const JsonReader neighbours = from["neighbours"];
-  for (std::size_t i = 0; i < neighbours.list(); ++i) run.neighbours.insert(verdict_from(neighbours[i]));
+  BaselineRun run{.exact = from["exact"].boolean(),
+                  .verdict = verdict_from(from["verdict"]),
+                  .reason = any_text(from["reason"]),
+                  .bits = any_text(from["bits"])};
+  for_each_entry(from["perturbed_verdicts"], {},
+                 [&](const JsonReader& verdict) { run.perturbed_verdicts.insert(verdict_from(verdict)); });
   for_each_member(from["numbers"], [&](const std::string& name, const JsonReader& number) {
     run.numbers.emplace(name, number_from(number));
   });
   if (!baseline.runs.emplace(key, std::move(run)).second) from.refuse("the run of " + key.text() + " is there twice");
 }
 
-Baseline baseline_from(const JsonReader& from) {
+Baseline baseline_from(nlohmann::json json, const std::string& path) {
+  const JsonReader from(json, path);
   from.must_have("plumb_baseline");
-  from["plumb_baseline"].number({baseline_format, baseline_format});
+  if (from["plumb_baseline"].number({1, baseline_format}) < baseline_format) update_baseline(json);
   from.object({"plumb_baseline", "dt", "all", "scenarios", "platform", "engines", "runs"});
   Baseline baseline{.dt = from["dt"].number({std::numeric_limits<double>::min(), 1, "s"}),
                     .all = from["all"].boolean(),
-                    .platform = texts_from(from["platform"]),
-                    .engines = texts_from(from["engines"])};
-  const JsonReader words = from["scenarios"];
-  for (std::size_t i = 0; i < words.list(); ++i) baseline.words.push_back(any_text(words[i]));
-  const JsonReader runs = from["runs"];
-  for (std::size_t i = 0; i < runs.list(); ++i) run_from(runs[i], baseline);
+                    .scenarios = text_list_from(from["scenarios"]),
+                    .platform = text_map_from(from["platform"]),
+                    .engines = text_map_from(from["engines"])};
+  for_each_entry(from["runs"], {}, [&](const JsonReader& run) { add_run(run, baseline); });
   return baseline;
 }
 
-nlohmann::json parsed(const std::string& path) { return parse_json(read_text(path, largest_file), path); }
+nlohmann::json parse_file(const std::string& path) { return parse_json(read_text(path, largest_file), path); }
 
 }  // namespace
 
 std::string to_text(const Baseline& baseline) {
   std::string text = fmt::format("{{\n \"plumb_baseline\": {},\n \"dt\": {},\n \"all\": {},\n \"scenarios\": {},\n",
-                                 baseline_format, dumped(baseline.dt), baseline.all, dumped(baseline.words));
+                                 baseline_format, dumped(baseline.dt), baseline.all, dumped(baseline.scenarios));
   text += fmt::format(" \"platform\": {},\n \"engines\": {},\n \"runs\": [", dumped(Json(baseline.platform)),
                       dumped(Json(baseline.engines)));
   const char* separator = "\n";
@@ -124,23 +136,20 @@ std::string to_text(const Baseline& baseline) {
   return text + "\n ]\n}\n";
 }
 
-Baseline read_baseline(const std::string& path) {
-  const nlohmann::json json = parsed(path);
-  return baseline_from(JsonReader(json, path));
-}
+Baseline read_baseline(const std::string& path) { return baseline_from(parse_file(path), path); }
 
 Baseline read_results(const std::string& path) {
-  const nlohmann::json json = parsed(path);
+  nlohmann::json json = parse_file(path);
   const JsonReader from(json, path);
   if (!json.is_object()) from.expected("a baseline or a report.json");
-  if (json.contains("plumb_baseline")) return baseline_from(from);
+  if (json.contains("plumb_baseline")) return baseline_from(std::move(json), path);
   if (!json.contains("plumb") || !json.contains("runs")) {
     from.refuse("this is neither a baseline (plumb accept) nor a report.json (plumb run)");
   }
-  Baseline baseline = baseline_of(report_from(from));
+  Baseline baseline = baseline_of(report_from(std::move(json), path));
   std::set<std::string> cases;
   for (const auto& [key, run] : baseline.runs) cases.insert(key.scenario + ":" + key.variant);
-  baseline.words.assign(cases.begin(), cases.end());
+  baseline.scenarios.assign(cases.begin(), cases.end());
   return baseline;
 }
 

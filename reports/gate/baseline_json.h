@@ -4,16 +4,17 @@
 
 #include "reports/gate/baseline.h"
 
-/// Baselines as files: sorted, a line for every number, so that a change shows as the lines it changes.
+/// Baselines as JSON files: sorted, with one line for each number, so that a diff shows the numbers that changed.
 namespace plumb {
 
 std::string to_text(const Baseline&);
 
-/// Throws std::invalid_argument, naming the file and the place in it, for what cannot be read or is no baseline.
+/// Reads a baseline of this version or an older one. Throws std::invalid_argument, naming the file and the place in it,
+/// if it cannot be read.
 Baseline read_baseline(const std::string& path);
 
-/// The same, of a baseline or of a report.json; the latter knows neither bits nor how far numbers may move, and asks
-/// for exactly the cases that are in it.
+/// Reads a baseline or a report.json. A report has neither bits nor bounds, and its scenarios are exactly its cases.
+/// Throws like read_baseline.
 Baseline read_results(const std::string& path);
 
 }  // namespace plumb

@@ -13,8 +13,10 @@
 namespace plumb {
 namespace {
 
-// What may be believed the less the higher it stands. What cannot be told to its end is as plausible as another run of
-// it would be; to refuse is honest, to be wrong is not.
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The higher the rank, the worse. A run beyond its horizon is as plausible as any other run of the scene would be; to
+// refuse a scene is better than to get it wrong.
 int rank(Verdict verdict) {
   switch (verdict) {
     case Verdict::right:
@@ -50,36 +52,35 @@ Change change_between(Class before, Class now) {
   return rank(now) > rank(before) ? Change::worse : Change::better;
 }
 
-// A file tells no infinity from what is no number.
+// A file does not distinguish infinity from NaN.
 bool same_number(double a, double b) { return a == b || (!std::isfinite(a) && !std::isfinite(b)); }
 
-// Stands for what only starts next to this one have, or what may be gone on another platform.
-bool comes_and_goes(const KeptNumber& number) { return number.moves == infinity; }
+// The number may be missing on another platform, or only perturbed runs have it.
+bool may_be_missing(const BaselineNumber& number) { return number.bound == unbounded; }
 
-bool same(const KeptNumber& a, const KeptNumber& b) {
+bool same(const BaselineNumber& a, const BaselineNumber& b) {
   return same_number(a.value, b.value) && same_number(a.tolerance, b.tolerance) && a.status == b.status;
 }
 
-std::string in_words(double value, const std::string& unit) {
+std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.10g}{}", value, unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-double share_of(double value, double allowed) {
-  const double share = value / allowed;
-  if (!std::isfinite(share)) return infinity;
-  return share;
+double ratio_to(double tolerance, double value) {
+  const double ratio = value / tolerance;
+  return std::isfinite(ratio) ? ratio : infinity;
 }
 
-// How many times farther apart than they may be; 0 where both are the same, or nothing at all.
-double times_moved(const KeptNumber& before, const KeptNumber& now) {
-  if (*before.moves == infinity || same_number(before.value, now.value)) return 0;
-  const double apart = std::abs(now.value - before.value);
-  if (!std::isfinite(apart)) return infinity;
-  return *before.moves > 0 ? apart / *before.moves : infinity;
+// The difference divided by its bound; 0 if the numbers are the same, neither is finite, or there is no bound.
+double times_bound(const BaselineNumber& before, const BaselineNumber& now) {
+  if (*before.bound == unbounded || same_number(before.value, now.value)) return 0;
+  const double difference = std::abs(now.value - before.value);
+  if (!std::isfinite(difference)) return infinity;
+  return *before.bound > 0 ? difference / *before.bound : infinity;
 }
 
-// Checks tell how far something is off; what a metric's direction means, it says itself.
-Change direction(const std::string& name, const KeptNumber& before, const KeptNumber& now) {
+// Numbers of checks are errors, so lower is better; a metric states which direction is better.
+Change direction(const std::string& name, const BaselineNumber& before, const BaselineNumber& now) {
   const Metric* metric = Catalog<Metric>::find(name);
   const Better better = before.status ? Better::lower : metric == nullptr ? Better::neither : metric->better;
   if (better == Better::neither) return Change::changed;
@@ -89,15 +90,15 @@ Change direction(const std::string& name, const KeptNumber& before, const KeptNu
   return higher == (better == Better::lower) ? Change::worse : Change::better;
 }
 
-// One run against what it was.
+// Compares one run with its baseline.
 class RunComparison {
  public:
-  RunComparison(const RunKey& key, const KeptRun& before, const KeptRun& now, bool same_platform)
+  RunComparison(const RunKey& key, const BaselineRun& before, const BaselineRun& now, bool same_platform)
       : key_(key), before_(before), now_(now), same_platform_(same_platform) {}
 
   std::vector<Regression> regressions() {
     compare_verdicts();
-    // What did not come to its end has nothing to measure.
+    // A run that did not reach its end has no numbers.
     if (now_.numbers.empty() || before_.numbers.empty()) {
       if (same_platform_) compare_bits();
       return std::move(regressions_);
@@ -105,13 +106,13 @@ class RunComparison {
     for (const auto& [name, number] : before_.numbers) {
       const auto found = now_.numbers.find(name);
       if (found == now_.numbers.end()) {
-        gone(name, number);
+        note_missing(name, number);
       } else {
         compare_numbers(name, number, found->second);
       }
     }
     for (const auto& [name, number] : now_.numbers) {
-      if (before_.numbers.count(name) == 0) come(name, number);
+      if (before_.numbers.count(name) == 0) note_added(name, number);
     }
     if (same_platform_) compare_bits();
     return std::move(regressions_);
@@ -122,97 +123,102 @@ class RunComparison {
  private:
   void compare_verdicts() {
     if (before_.verdict == now_.verdict) return;
-    if (!same_platform_ && before_.neighbours.count(now_.verdict) != 0) return;
+    if (!same_platform_ && before_.perturbed_verdicts.count(now_.verdict) != 0) return;
     regressions_.push_back({.run = key_,
                             .metric = "verdict",
                             .before = name_of(before_.verdict),
                             .now = name_of(now_.verdict),
-                            .why = now_.reason.empty() ? "what physics says of the run is another" : now_.reason,
+                            .why = now_.reason.empty() ? "the verdict of the run changed" : now_.reason,
                             .rule = Rule::verdict,
                             .change = change_between(before_.verdict, now_.verdict)});
   }
 
-  void compare_numbers(const std::string& name, const KeptNumber& before, const KeptNumber& now) {
-    compare_standings(name, before, now);
+  void compare_numbers(const std::string& name, const BaselineNumber& before, const BaselineNumber& now) {
+    compare_statuses(name, before, now);
     const bool bits_differ = !same(before, now);
     double times = 0;
-    if (!before.moves) {
+    if (!before.bound) {
       if (!same_platform_) ++unjudged_;
     } else {
-      times = times_moved(before, now);
+      times = times_bound(before, now);
     }
     if (times > 1) {
       regressions_.push_back({.run = key_,
                               .metric = name,
-                              .before = in_words(before.value, before.unit),
-                              .now = in_words(now.value, now.unit),
-                              .tolerance = fmt::format("{:.2g}", *before.moves) + " off",
-                              .why = fmt::format("{:.3g} times farther off than rounding explains", times),
+                              .before = with_unit(before.value, before.unit),
+                              .now = with_unit(now.value, now.unit),
+                              .tolerance = fmt::format("+/- {:.2g}", *before.bound),
+                              .why = fmt::format("{:.3g} times the change that rounding explains", times),
                               .rule = Rule::bound,
                               .change = direction(name, before, now),
                               .times = times});
     }
-    if (bits_differ) differ(name, before, now, times);
+    if (bits_differ) note_difference(name, before, now, times);
   }
 
-  void compare_standings(const std::string& name, const KeptNumber& before, const KeptNumber& now) {
+  void compare_statuses(const std::string& name, const BaselineNumber& before, const BaselineNumber& now) {
     if (before.status == now.status || !before.status || !now.status) return;
-    if (!same_platform_ && before.wavers) return;
-    const auto words = [](const KeptNumber& one) {
-      return fmt::format("{} ({})", name_of(*one.status), in_words(one.value, one.unit));
+    if (!same_platform_ && before.unstable) return;
+    const auto text = [](const BaselineNumber& one) {
+      return fmt::format("{} ({})", name_of(*one.status), with_unit(one.value, one.unit));
     };
     regressions_.push_back({.run = key_,
                             .metric = name,
-                            .before = words(before),
-                            .now = words(now),
-                            .tolerance = in_words(now.tolerance, now.unit),
-                            .why = "what was held to is another",
+                            .before = text(before),
+                            .now = text(now),
+                            .tolerance = with_unit(now.tolerance, now.unit),
+                            .why = "the status of the check changed",
                             .rule = Rule::verdict,
                             .change = change_between(*before.status, *now.status),
-                            .times = share_of(now.value, now.tolerance)});
+                            .times = ratio_to(now.tolerance, now.value)});
   }
 
-  void gone(const std::string& name, const KeptNumber& before) {
-    if (comes_and_goes(before) && !std::isfinite(before.value)) return;
-    differ(name, before, {}, 0);
-    if (comes_and_goes(before)) return;
+  void note_missing(const std::string& name, const BaselineNumber& before) {
+    if (may_be_missing(before) && !std::isfinite(before.value)) return;
+    note_difference(name, before, {}, 0);
+    if (may_be_missing(before)) return;
     regressions_.push_back({.run = key_,
                             .metric = name,
-                            .before = in_words(before.value, before.unit),
+                            .before = with_unit(before.value, before.unit),
                             .why = "it is no longer measured",
                             .rule = Rule::bound,
                             .change = Change::missing});
   }
 
-  void come(const std::string& name, const KeptNumber& now) {
-    differ(name, {}, now, 0);
+  void note_added(const std::string& name, const BaselineNumber& now) {
+    note_difference(name, {}, now, 0);
     regressions_.push_back({.run = key_,
                             .metric = name,
-                            .now = in_words(now.value, now.unit),
+                            .now = with_unit(now.value, now.unit),
                             .why = "it was not measured before",
                             .rule = Rule::bound,
                             .change = Change::added});
   }
 
-  // Remembers the number that differs the most.
-  void differ(const std::string& name, const KeptNumber& before, const KeptNumber& now, double times) {
+  // Counts differences of bits and remembers the largest.
+  void note_difference(const std::string& name, const BaselineNumber& before, const BaselineNumber& now, double times) {
     if (differing_++ > 0 && times <= most_times_) return;
     most_times_ = times;
     most_ =
         same_number(before.value, now.value)
             ? fmt::format("{}: allowed {:.10g}, now {:.10g}", name, before.tolerance, now.tolerance)
-            : fmt::format("{}: {}, now {}", name, in_words(before.value, before.unit), in_words(now.value, now.unit));
+            : fmt::format("{}: {}, now {}", name, with_unit(before.value, before.unit), with_unit(now.value, now.unit));
   }
 
   void compare_bits() {
     const bool both = !before_.bits.empty() && !now_.bits.empty();
-    const bool trace = both && before_.bits != now_.bits;
-    if (!trace && differing_ == 0) return;
-    std::string why = trace ? "the same platform gave other bits" : "the same trace is measured or judged otherwise";
-    if (!both) why = "the same platform gave other numbers";
-    why += differing_ == 0 ? "; no number of it differs"
-                           : fmt::format("; {} number{} of it differ{}, {}", differing_, differing_ == 1 ? "" : "s",
-                                         differing_ == 1 ? "s" : "", most_);
+    const bool trace_differs = both && before_.bits != now_.bits;
+    if (!trace_differs && differing_ == 0) return;
+    std::string why = !both           ? "numbers differ on the same platform"
+                      : trace_differs ? "the trace differs on the same platform"
+                                      : "the trace is the same, but it is measured or judged differently";
+    if (differing_ == 0) {
+      why += "; no number differs";
+    } else if (differing_ == 1) {
+      why += "; 1 number differs, " + most_;
+    } else {
+      why += fmt::format("; {} numbers differ, most of all {}", differing_, most_);
+    }
     regressions_.push_back({.run = key_,
                             .metric = "bits",
                             .before = before_.bits,
@@ -224,8 +230,8 @@ class RunComparison {
   }
 
   const RunKey& key_;
-  const KeptRun& before_;
-  const KeptRun& now_;
+  const BaselineRun& before_;
+  const BaselineRun& now_;
   bool same_platform_;
   std::vector<Regression> regressions_;
   std::size_t unjudged_ = 0, differing_ = 0;
@@ -233,27 +239,27 @@ class RunComparison {
   std::string most_;
 };
 
-// "flags: -O3, was -O2; ..."; "" for the same.
+// "flags: -O3, was -O2; ..."; "" if there are none.
 std::string differences(const std::map<std::string, std::string>& before,
                         const std::map<std::string, std::string>& now) {
   std::string text;
-  const auto see = [&text](const std::string& name, const std::string& was, const std::string& is) {
+  const auto add = [&text](const std::string& name, const std::string& was, const std::string& is) {
     if (was != is) text += fmt::format("{}{}: {}, was {}", text.empty() ? "" : "; ", name, is, was);
   };
-  for (const auto& [name, was] : before) see(name, was, now.count(name) != 0 ? now.at(name) : "unknown");
+  for (const auto& [name, was] : before) add(name, was, now.count(name) != 0 ? now.at(name) : "unknown");
   for (const auto& [name, is] : now) {
-    if (before.count(name) == 0) see(name, "unknown", is);
+    if (before.count(name) == 0) add(name, "unknown", is);
   }
   return text;
 }
 
-Regression presence(const RunKey& key, const KeptRun& run, Change change) {
+Regression presence(const RunKey& key, const BaselineRun& run, Change change) {
   const bool gone = change == Change::missing;
   return {.run = key,
           .metric = "run",
           .before = gone ? name_of(run.verdict) : "",
           .now = gone ? "" : name_of(run.verdict),
-          .why = gone ? "it was there when the baseline was accepted" : "the baseline does not know it",
+          .why = gone ? "only the baseline has this run" : "the baseline does not have this run",
           .rule = Rule::presence,
           .change = change};
 }
@@ -288,9 +294,9 @@ GateResult compare(const Baseline& before, const Baseline& now) {
   }
   GateResult result;
   const std::string platform = differences(before.platform, now.platform);
-  if (!platform.empty()) result.notes.push_back("Another platform (" + platform + ").");
+  if (!platform.empty()) result.notes.push_back("Different platform (" + platform + ").");
   const std::string engines = differences(before.engines, now.engines);
-  if (!engines.empty()) result.notes.push_back("Other engines (" + engines + ").");
+  if (!engines.empty()) result.notes.push_back("Different engines (" + engines + ").");
 
   const auto engine_of = [](const Baseline& baseline, const std::string& name) {
     const auto found = baseline.engines.find(name);
@@ -315,8 +321,9 @@ GateResult compare(const Baseline& before, const Baseline& now) {
     result.regressions.push_back(presence(key, run, Change::added));
   }
   if (unjudged > 0) {
-    result.notes.push_back(fmt::format(
-        "{} numbers are of another platform, and nobody said how far they may move: they are not judged.", unjudged));
+    result.notes.push_back(
+        fmt::format("Not judged: {} number{} from another platform, for which the baseline has no bound.", unjudged,
+                    unjudged == 1 ? "" : "s"));
   }
   sort(result.regressions);
   result.verdict = verdict_of(result, platform.empty() && engines.empty());

@@ -38,14 +38,14 @@ const char* name_of(Change change) {
 }
 
 std::optional<Rule> caught_by(const GateResult& result, const RunKey& run) {
-  std::optional<Rule> crudest;
+  std::optional<Rule> coarsest;
   for (const Regression& one : result.regressions) {
-    if (one.run == run && (!crudest || one.rule < *crudest)) crudest = one.rule;
+    if (one.run == run && (!coarsest || one.rule < *coarsest)) coarsest = one.rule;
   }
-  return crudest;
+  return coarsest;
 }
 
-// A verdict's change for the worse leads, then what is gone, then numbers by how far they are off.
+// First verdicts that got worse, then what is missing, then numbers by the ratio of difference and tolerance.
 void sort(std::vector<Regression>& regressions) {
   const auto rank = [](const Regression& one) {
     const bool verdict_worse = one.rule == Rule::verdict && one.change == Change::worse;

@@ -8,9 +8,10 @@
 
 namespace plumb {
 
-/// What caught an regression, the crudest first. presence: a run has come or gone. verdict: what physics says of it
-/// became another. bound: a number moved farther than the rounding of another platform explains. bits: on the same
-/// platform not every bit is the same. time: steps take longer than in another build that they were timed beside.
+/// The rule that found a regression, the coarsest first. presence: a run is missing or new. verdict: the verdict of a
+/// run or the status of a check changed. bound: a number changed by more than the rounding of another platform
+/// explains. bits: not every bit is the same on the same platform. time: steps take longer than in another build that
+/// was timed beside this one.
 enum class Rule { presence, verdict, bound, bits, time };
 enum class Change { worse, changed, better, missing, added };
 
@@ -20,31 +21,31 @@ const char* name_of(Rule);
 /// "worse", "changed", "better", "missing", "new".
 const char* name_of(Change);
 
-/// One thing that is not as accepted.
+/// One difference from what was accepted, even one for the better.
 struct Regression {
   RunKey run;
   std::string metric;                  // "verdict", "bits", "run", or the name of a number
-  std::string before, now, tolerance;  // with unit; "" where there is nothing to say
+  std::string before, now, tolerance;  // with unit; "" if it does not apply
   std::string why;                     // a sentence
   Rule rule = Rule::bits;
   Change change = Change::changed;
-  double times = 0;  // the difference against what is allowed; 0 where that says nothing
+  double times = 0;  // how many times the tolerance the difference is; 0 if that means nothing
 };
 
-/// What a gate says: it passes when all is as accepted. Better is not as accepted, either, until it is.
+/// What `plumb check` found. It passes if everything is as accepted; an improvement must be accepted first, too.
 struct GateResult {
   std::string verdict;  // one line
   std::vector<RunKey> runs;
   std::vector<Regression> regressions;  // worst first
-  std::vector<std::string> notes;       // on what the comparison rests
+  std::vector<std::string> notes;       // what was compared with what
 
   bool passed() const { return regressions.empty(); }
 };
 
-/// The crudest rule that caught a run; nothing where none did.
+/// The coarsest rule that found a regression of this run; nullopt if none did.
 std::optional<Rule> caught_by(const GateResult&, const RunKey&);
 
-/// Worst first, and always in the same order.
+/// Sorts worst first, in an order that does not depend on the input's.
 void sort(std::vector<Regression>&);
 
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "reports/run/selection.h"
 #include "reports/statistics.h"
 #include "reports/system/files.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "reports/timing/side_by_side.h"
 #include "reports/timing/worker.h"
 #include "scenarios/scene/scene_json.h"

@@ -5,26 +5,26 @@
 #include <span>
 #include <vector>
 
-/// Where a series of numbers changes for good.
+/// Finding where a series of numbers changes for good.
 namespace plumb {
 
 struct ChangePoint {
-  std::size_t at = 0;            // the first value after it
+  std::size_t at = 0;            // index of the first value after the change
   double before = 0, after = 0;  // means, up to the neighbouring change points
-  double p = 0;                  // how often a series that does not change would look as changed; 0 of exact changes
+  double p = 0;                  // probability that random order alone looks as changed; 0 for exact changes
 };
 
-/// The chance that a series of noise alone is said to change.
+/// The probability that a change is found in a series of noise.
 constexpr double change_level = 0.01;
 
-/// In order of their places. All values must be finite.
+/// Returns the change points in order. All values must be finite.
 ///
-/// What repeats to the bit has no noise: where at least half of the values are the one before, each that is not is a
-/// change. Else E-divisive (Matteson and James, A nonparametric approach for multiple change point analysis of
-/// multivariate data, JASA 109, 2014): the split is looked for at which the energy distance between both sides, by
-/// their sizes, is largest, and stands where no more than `change_level` of 499 random orders of the same values have
-/// one as large; then each side is looked at, as long as a split stands. Nothing is supposed of the distribution, but
-/// that values without a change could as well have come in another order. The orders are the same for the same seed.
+/// If at least half of the values equal their predecessor to the bit, there is no noise, and every value that does not
+/// is a change. Otherwise the method is E-divisive (Matteson and James, A nonparametric approach for multiple change
+/// point analysis of multivariate data, JASA 109, 2014): find the split with the largest energy distance between both
+/// sides, weighted by their sizes; accept it if at most `change_level` of 499 random permutations of the values have
+/// one as large; then search each side, until no split is accepted. It assumes nothing about the distribution except
+/// that without a change every order of the values is equally likely. The permutations depend only on the seed.
 std::vector<ChangePoint> change_points(std::span<const double> values, std::uint64_t seed = 0);
 
 }  // namespace plumb

@@ -1,4 +1,4 @@
-// The only file that knows SQLite.
+// The only file that uses SQLite.
 #include "reports/history/database.h"
 
 #include <fmt/format.h>
@@ -12,14 +12,14 @@
 namespace plumb {
 namespace {
 
-constexpr int patience = 60'000;  // ms
+constexpr int busy_timeout = 60'000;  // ms
 
-std::string explained(sqlite3* connection, int code) {
+std::string explanation_of(sqlite3* connection, int code) {
   switch (code & 0xff) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-    case SQLITE_ERROR:  // a table or a column is not there
-      return fmt::format("is damaged ({}); it is left as it is", sqlite3_errmsg(connection));
+    case SQLITE_ERROR:  // a table or a column is missing
+      return fmt::format("is damaged ({}); it was left unchanged", sqlite3_errmsg(connection));
     case SQLITE_BUSY:
       return "another process has been writing it for a minute";
     case SQLITE_CANTOPEN:
@@ -36,10 +36,10 @@ std::string explained(sqlite3* connection, int code) {
 
 [[noreturn]] void fail(sqlite3* connection, int code) {
   const char* name = sqlite3_db_filename(connection, "main");
-  const std::string place = name == nullptr ? "" : name;
-  const std::string why = explained(connection, code);
-  if (!why.empty()) throw std::invalid_argument(place + ": " + why);
-  throw std::runtime_error(place + ": " + sqlite3_errmsg(connection));
+  const std::string path = name == nullptr ? "" : name;
+  const std::string why = explanation_of(connection, code);
+  if (!why.empty()) throw std::invalid_argument(path + ": " + why);
+  throw std::runtime_error(path + ": " + sqlite3_errmsg(connection));
 }
 
 }  // namespace
@@ -48,9 +48,9 @@ struct Statement::Handle {
   sqlite3* connection = nullptr;
   sqlite3_stmt* statement = nullptr;
 
-  Handle(sqlite3* asked, std::string_view question) : connection(asked) {
-    const int code = sqlite3_prepare_v2(asked, question.data(), static_cast<int>(question.size()), &statement, nullptr);
-    if (code != SQLITE_OK) fail(asked, code);
+  Handle(sqlite3* of, std::string_view sql) : connection(of) {
+    const int code = sqlite3_prepare_v2(of, sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
+    if (code != SQLITE_OK) fail(of, code);
   }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
@@ -82,25 +82,25 @@ double Statement::number(int column) const {
   return null(column) ? std::numeric_limits<double>::quiet_NaN() : sqlite3_column_double(handle_->statement, column);
 }
 
-std::int64_t Statement::whole(int column) const { return sqlite3_column_int64(handle_->statement, column); }
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_->statement, column); }
 
 bool Statement::null(int column) const { return sqlite3_column_type(handle_->statement, column) == SQLITE_NULL; }
 
-// What went wrong before was told when it did.
-void Statement::start_again() { sqlite3_reset(handle_->statement); }
+// Ignores the result, which is the error of the previous run.
+void Statement::reset() { sqlite3_reset(handle_->statement); }
 
-void Statement::put(int place, std::string_view text) {
+void Statement::bind(int index, std::string_view text) {
   handle_->expect_ok(
-      sqlite3_bind_text(handle_->statement, place + 1, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
+      sqlite3_bind_text(handle_->statement, index + 1, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
 }
 
-// SQLite takes NaN for null by itself.
-void Statement::put(int place, double number) {
-  handle_->expect_ok(sqlite3_bind_double(handle_->statement, place + 1, number));
+// SQLite itself stores NaN as null.
+void Statement::bind(int index, double number) {
+  handle_->expect_ok(sqlite3_bind_double(handle_->statement, index + 1, number));
 }
 
-void Statement::put(int place, std::int64_t number) {
-  handle_->expect_ok(sqlite3_bind_int64(handle_->statement, place + 1, number));
+void Statement::bind(int index, std::int64_t number) {
+  handle_->expect_ok(sqlite3_bind_int64(handle_->statement, index + 1, number));
 }
 
 struct Database::Handle {
@@ -114,31 +114,31 @@ struct Database::Handle {
 
 Database::Database(std::filesystem::path path, Missing missing)
     : path_(std::move(path)), handle_(std::make_unique<Handle>()) {
-  const int flags = SQLITE_OPEN_READWRITE | (missing == Missing::make ? SQLITE_OPEN_CREATE : 0);
-  // "./": a name that begins with "file:" or ":" is a file as well.
+  const int flags = SQLITE_OPEN_READWRITE | (missing == Missing::create ? SQLITE_OPEN_CREATE : 0);
+  // "./" makes names that begin with "file:" or ":" ordinary file names.
   const std::string name = path_.is_absolute() ? path_.string() : "./" + path_.string();
   if (sqlite3_open_v2(name.c_str(), &handle_->connection, flags, nullptr) != SQLITE_OK) {
     refuse(fmt::format("cannot be opened: {}", sqlite3_errmsg(handle_->connection)));
   }
   sqlite3_extended_result_codes(handle_->connection, 1);
-  sqlite3_busy_timeout(handle_->connection, patience);
+  sqlite3_busy_timeout(handle_->connection, busy_timeout);
 }
 
 Database::Database(Database&&) noexcept = default;
 Database::~Database() = default;
 
-Statement Database::ask(std::string_view question) const {
-  return Statement(std::make_unique<Statement::Handle>(handle_->connection, question));
+Statement Database::prepare(std::string_view sql) const {
+  return Statement(std::make_unique<Statement::Handle>(handle_->connection, sql));
 }
 
-std::int64_t Database::whole(std::string_view question) const {
-  Statement asked = ask(question);
-  asked.next();
-  return asked.whole(0);
+std::int64_t Database::integer(std::string_view sql) const {
+  Statement query = prepare(sql);
+  query.next();
+  return query.integer(0);
 }
 
-void Database::carry_out(const std::string& statements) {
-  const int code = sqlite3_exec(handle_->connection, statements.c_str(), nullptr, nullptr, nullptr);
+void Database::execute(const std::string& sql) {
+  const int code = sqlite3_exec(handle_->connection, sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) fail(handle_->connection, code);
 }
 
@@ -149,15 +149,15 @@ void Database::refuse(const std::string& why) const { throw std::invalid_argumen
 Transaction::~Transaction() {
   if (!open_) return;
   try {
-    database_.carry_out("ROLLBACK");
+    database_.execute("ROLLBACK");
   } catch (const std::exception&) {
-    // SQLite has rolled back by itself where an error ended the transaction.
+    // SQLite has already rolled back if an error ended the transaction.
     open_ = false;
   }
 }
 
 void Transaction::commit() {
-  database_.carry_out("COMMIT");
+  database_.execute("COMMIT");
   open_ = false;
 }
 

@@ -8,27 +8,27 @@
 
 namespace plumb {
 
-/// A question to a database, asked as often as one likes. Columns and places of values are counted from 0.
+/// A prepared SQL statement that can be run many times. Columns and parameters are counted from 0.
 class Statement {
  public:
   Statement(Statement&&) noexcept;
   ~Statement();
 
-  /// Values in the order of their places; of NaN: null.
+  /// Starts the statement again with these parameters; NaN becomes null.
   template <class... Values>
   Statement& with(const Values&... values) {
-    start_again();
-    int place = 0;
-    (put(place++, values), ...);
+    reset();
+    int index = 0;
+    (bind(index++, values), ...);
     return *this;
   }
 
-  /// Whether there is a further row.
+  /// Runs the statement up to its next row; false if there is none.
   bool next();
 
   std::string text(int column) const;
-  double number(int column) const;  // of null: NaN
-  std::int64_t whole(int column) const;
+  double number(int column) const;  // NaN for null
+  std::int64_t integer(int column) const;
   bool null(int column) const;
 
  private:
@@ -36,30 +36,30 @@ class Statement {
   struct Handle;
   explicit Statement(std::unique_ptr<Handle>);
 
-  void start_again();
-  void put(int place, std::string_view);
-  void put(int place, double);
-  void put(int place, std::int64_t);
-  void put(int place, int value) { put(place, static_cast<std::int64_t>(value)); }
+  void reset();
+  void bind(int index, std::string_view);
+  void bind(int index, double);
+  void bind(int index, std::int64_t);
+  void bind(int index, int value) { bind(index, static_cast<std::int64_t>(value)); }
 
   std::unique_ptr<Handle> handle_;
 };
 
-/// An SQLite file. Who finds it being written by another waits a minute. Everything throws std::invalid_argument,
-/// naming the file, where it is damaged, cannot be opened, read or written, or does not become free in that time.
+/// An SQLite file. Waits up to a minute while another process writes it. Every function throws std::invalid_argument,
+/// naming the file, if it is damaged, cannot be opened, read or written, or stays locked.
 class Database {
  public:
-  enum class Missing { refuse, make };
+  enum class Missing { refuse, create };
   Database(std::filesystem::path, Missing);
   Database(Database&&) noexcept;
   ~Database();
 
-  Statement ask(std::string_view question) const;
-  /// The first column of the first row.
-  std::int64_t whole(std::string_view question) const;
-  /// One or several statements without an answer.
-  void carry_out(const std::string& statements);
-  /// Number of the row that was added last.
+  Statement prepare(std::string_view sql) const;
+  /// The first column of the first row of a query.
+  std::int64_t integer(std::string_view sql) const;
+  /// Runs one or more statements that return no rows.
+  void execute(const std::string& sql);
+  /// The number of the row that was inserted last.
   std::int64_t last_row() const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -72,10 +72,11 @@ class Database {
   std::unique_ptr<Handle> handle_;
 };
 
-/// Everything in its life is written at once or, where it is not committed, not at all. Nobody else writes meanwhile.
+/// What is written while it exists is written as a whole by commit, or not at all. Other processes cannot write
+/// meanwhile.
 class Transaction {
  public:
-  explicit Transaction(Database& database) : database_(database) { database_.carry_out("BEGIN IMMEDIATE"); }
+  explicit Transaction(Database& database) : database_(database) { database_.execute("BEGIN IMMEDIATE"); }
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
   ~Transaction();

@@ -11,9 +11,7 @@
 /// What a history keeps of a report.
 namespace plumb {
 
-class JsonReader;
-
-/// Who answered what.
+/// What a series of values is about: one engine running one case.
 struct Subject {
   std::string scenario, variant;
   std::string engine;  // see label_of
@@ -27,9 +25,12 @@ struct StepTime {
   int repetitions = 0;
 };
 
-struct Answered {
+/// The metric that is added to those of a report: how many times its tolerance the worst check of a run is off.
+constexpr const char* worst_ratio_metric = "worst_error_ratio";
+
+struct SnapshotRun {
   std::string verdict;
-  std::map<std::string, Measured> metrics;  // NaN: not finite
+  std::map<std::string, Measured> metrics;  // NaN if not finite
   std::optional<StepTime> time;
 };
 
@@ -38,24 +39,24 @@ struct Snapshot {
   std::string at;  // see utc
   std::vector<std::string> command;
   std::map<std::string, std::string> environment;
-  std::map<Subject, Answered> answers;
+  std::map<Subject, SnapshotRun> runs;
 };
 
-/// A line of JSON without its break: the same for the same content, numbers to the bit.
+/// One line of JSON without a line break. Equal snapshots give equal lines; numbers keep every bit.
 std::string to_line(const Snapshot&);
 
-/// Reads it back. Throws std::invalid_argument, naming `name` and the place, for what is no such line.
+/// Reads a line of this version or an older one. Throws std::invalid_argument, naming `name` and the place, if it is
+/// not such a line.
 Snapshot snapshot_of_line(const std::string& line, const std::string& name);
 
-/// A hash of that line: two snapshots are the same where theirs are.
+/// The hash of the snapshot's line: equal for equal snapshots only.
 std::string id_of(const Snapshot&);
 
-/// Of the text of a report.json, see report.schema.json. Beside the metrics of its runs, `share_of_allowed` is how many
-/// times what is allowed a run is off where it is worst. Throws std::invalid_argument, naming `name` and the place, for
-/// what is none.
-Snapshot snapshot_of_report(const std::string& text, const std::string& name);
+/// The id that versions 1 and 2 of the database gave it.
+std::string old_id_of(const Snapshot&);
 
-/// A list of texts.
-std::vector<std::string> words_from(const JsonReader&);
+/// Takes a snapshot of the text of a report.json, see report.schema.json. Commit and time are left empty. Throws
+/// std::invalid_argument, naming `name` and the place, if it cannot be read.
+Snapshot snapshot_of_report(const std::string& text, const std::string& name);
 
 }  // namespace plumb

@@ -14,22 +14,21 @@
 
 namespace plumb {
 
-/// A snapshot without its answers.
+/// A snapshot without its runs.
 struct SnapshotHead {
   std::string id, commit, at;
   std::map<std::string, std::string> environment;
-  std::map<std::string, int> verdicts;  // how many of each
+  std::map<std::string, int> verdicts;  // the number of runs with each
 };
 
-/// The metric that step times are a series of; in us.
+/// The name of the series of step times, in us.
 constexpr const char* step_time = "step_us";
 
-/// What one subject's answers say in one metric, over the snapshots that have it; of step times with
-/// quartiles.
+/// The values of one metric of one subject over the snapshots that have it. Step times have quartiles.
 struct Series {
   struct Value {
-    std::size_t snapshot = 0;  // its place in History::heads
-    double value = 0;          // NaN: not finite
+    std::size_t snapshot = 0;  // index in History::heads
+    double value = 0;          // NaN if not finite
     double low = 0, high = 0;
   };
 
@@ -38,7 +37,7 @@ struct Series {
   std::vector<Value> values;
 };
 
-/// A subject's verdicts, in the same way.
+/// The verdicts of one subject, in the same way.
 struct VerdictSeries {
   struct Value {
     std::size_t snapshot = 0;
@@ -49,36 +48,35 @@ struct VerdictSeries {
   std::vector<Value> values;
 };
 
-/// Snapshots in an SQLite file, each written whole or not at all; several processes may write at once. For what goes
-/// wrong see open_history and Database. Snapshots are in order of their moments, then of their ids.
+/// Snapshots in an SQLite file, sorted by time, then id. Each is written as a whole or not at all; several processes
+/// may write at once. Throws like open_history and Database.
 class History {
  public:
-  /// To read one that is there.
+  /// Opens an existing file to read it.
   static History of(const std::filesystem::path& path) {
     return History(open_history(path, Database::Missing::refuse));
   }
-  /// To add to it; it is made where it is missing.
+  /// Opens a file to add to it; creates it if it is missing.
   static History to_add(const std::filesystem::path& path) {
-    return History(open_history(path, Database::Missing::make));
+    return History(open_history(path, Database::Missing::create));
   }
 
-  /// False where it was there before.
+  /// Returns false if the history already had it.
   bool add(const Snapshot&);
 
   std::vector<SnapshotHead> heads() const;
 
-  /// Throws std::invalid_argument where what is kept is not what was added.
+  /// Throws std::invalid_argument if the snapshot read is not the one that was added.
   Snapshot snapshot(const std::string& id) const;
 
-  /// In order of their subjects, then metrics; at most those of one metric, where it is given.
+  /// Sorted by subject, then metric. Only those of one metric if it is given.
   std::vector<Series> series(const std::string& metric = "") const;
   std::vector<VerdictSeries> verdicts() const;
 
  private:
   explicit History(Database database) : database_(std::move(database)) {}
-  std::function<std::size_t(std::int64_t)> places() const;  // by the number of a snapshot
-  std::map<std::string, std::string> texts_of(const std::string& json) const;
-  std::string damaged() const;
+  /// Maps the number of a snapshot's row to its index in heads().
+  std::function<std::size_t(std::int64_t)> index_of_row() const;
 
   Database database_;
 };

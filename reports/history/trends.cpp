@@ -1,8 +1,13 @@
 #include "reports/history/trends.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace plumb {
@@ -10,9 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int page_format = 2;  // of the page's data
+constexpr int page_format = 2;  // version of the document
 
-// What a time hangs on beside the code.
+// What step times depend on besides the code.
 std::string machine_of(const SnapshotHead& head) {
   std::string all;
   for (const char* key : {"processor", "processors", "system", "compiler", "flags", "build_type"}) {
@@ -29,8 +34,7 @@ Trend trend_of(Series series, std::string machine) {
 }
 
 Json json_of(const Subject& subject) {
-  return {
-      {"scenario", subject.scenario}, {"variant", subject.variant}, {"contender", subject.engine}, {"dt", subject.dt}};
+  return {{"scenario", subject.scenario}, {"variant", subject.variant}, {"engine", subject.engine}, {"dt", subject.dt}};
 }
 
 // A point of a study's document.
@@ -67,6 +71,54 @@ Json json_of(const VerdictChange& change) {
   return json;
 }
 
+// "2026-11-21 04574af1c2": the date and the start of the commit.
+std::string short_name(const SnapshotHead& head) {
+  const bool dirty = head.commit.ends_with("-dirty");
+  return fmt::format("{} {}{}", head.at.substr(0, 10), head.commit.substr(0, 10), dirty ? "-dirty" : "");
+}
+
+constexpr std::size_t widest = 60;  // columns of a chart; older values are left out
+
+std::string name_of(const Subject& subject) {
+  return fmt::format("{} {}, {}, dt {:.4g}", subject.scenario, subject.variant, subject.engine, subject.dt);
+}
+
+std::string name_of(const Series& series) { return name_of(series.subject) + ": " + series.metric; }
+
+// "+4.2 %", or "from 0".
+std::string relative_change(const ChangePoint& change) {
+  if (change.before == 0) return "from 0";
+  return fmt::format("{:+.3g} %", 100 * (change.after - change.before) / std::abs(change.before));
+}
+
+// " m"; "" for the unit "1".
+std::string spaced(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
+
+std::string line_of(const ChangePoint& change, const std::string& unit) {
+  return fmt::format("{:.4g} -> {:.4g}{} ({}, {})", change.before, change.after, spaced(unit), relative_change(change),
+                     change.p == 0 ? "exact" : fmt::format("p {:.3g}", change.p));
+}
+
+double size_of(const ChangePoint& change) {
+  const double least = std::min(std::abs(change.before), std::abs(change.after));
+  return least == 0 ? std::numeric_limits<double>::infinity() : std::abs(change.after - change.before) / least;
+}
+
+// One column for each value, scaled between the lowest and the highest.
+std::string chart_of(const std::vector<Series::Value>& values) {
+  constexpr std::array<const char*, 8> heights{"\u2581", "\u2582", "\u2583", "\u2584",
+                                               "\u2585", "\u2586", "\u2587", "\u2588"};
+  const auto first = values.end() - static_cast<std::ptrdiff_t>(std::min(values.size(), widest));
+  const auto [low, high] = std::minmax_element(
+      first, values.end(), [](const Series::Value& a, const Series::Value& b) { return a.value < b.value; });
+  std::string text;
+  for (auto value = first; value != values.end(); ++value) {
+    const double share = high->value > low->value ? (value->value - low->value) / (high->value - low->value) : 0;
+    text += heights[static_cast<std::size_t>(std::min(7.0, 8 * share))];
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<Trend> trends_of(const std::vector<SnapshotHead>& heads, const std::vector<Series>& all) {
@@ -76,11 +128,11 @@ std::vector<Trend> trends_of(const std::vector<SnapshotHead>& heads, const std::
     for (const Series::Value& value : series.values) {
       if (!std::isfinite(value.value)) continue;
       const std::string machine = series.metric == step_time ? machine_of(heads[value.snapshot]) : "";
-      Series& there =
+      Series& one =
           by_machine.try_emplace(machine, Series{series.subject, series.metric, series.unit, {}}).first->second;
-      there.values.push_back(value);
+      one.values.push_back(value);
     }
-    for (auto& [machine, there] : by_machine) trends.push_back(trend_of(std::move(there), machine));
+    for (auto& [machine, one] : by_machine) trends.push_back(trend_of(std::move(one), machine));
   }
   return trends;
 }
@@ -95,6 +147,69 @@ std::vector<VerdictChange> verdict_changes(const std::vector<VerdictSeries>& all
     }
   }
   return changes;
+}
+
+std::string text_of(const std::vector<SnapshotHead>& heads) {
+  std::string text;
+  for (const SnapshotHead& head : heads) {
+    text += fmt::format("{}  {}  {:<46}", head.id.substr(0, 12), head.at, head.commit);
+    for (const auto& [verdict, count] : head.verdicts) text += fmt::format("  {} {}", count, verdict);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string text_of(const std::vector<SnapshotHead>& heads, const std::vector<Trend>& trends,
+                    const std::vector<VerdictChange>& verdicts) {
+  struct Line {
+    std::size_t snapshot;
+    double size;
+    std::string text;
+  };
+  std::vector<Line> lines;
+  int unchanged = 0;
+  int noisy = 0;
+  for (const VerdictChange& change : verdicts) {
+    lines.push_back({change.snapshot, std::numeric_limits<double>::infinity(),
+                     fmt::format("{}: {} -> {}", name_of(change.subject), change.before, change.after)});
+  }
+  for (const Trend& trend : trends) {
+    unchanged += trend.changes.empty();
+    noisy += trend.series.metric == step_time;
+    for (const ChangePoint& change : trend.changes) {
+      lines.push_back({trend.series.values[change.at].snapshot, size_of(change),
+                       name_of(trend.series) + " " + line_of(change, trend.series.unit)});
+    }
+  }
+  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
+    return std::pair(b.snapshot, b.size) < std::pair(a.snapshot, a.size);
+  });
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i == 0 || lines[i].snapshot != lines[i - 1].snapshot) text += short_name(heads[lines[i].snapshot]) + "\n";
+    text += "  " + lines[i].text + "\n";
+  }
+  text += fmt::format("{} snapshots; {} of {} series never change.", heads.size(), unchanged, trends.size());
+  if (noisy > 0) {
+    text += fmt::format(" Chance alone would let about {1:.1g} of {0} series of step times look changed.", noisy,
+                        noisy * change_level);
+  }
+  return text + "\n";
+}
+
+std::string text_of(const std::vector<SnapshotHead>& heads, const std::vector<Trend>& trends) {
+  std::string text;
+  for (const Trend& trend : trends) {
+    const auto& values = trend.series.values;
+    text += fmt::format("{}, {} values, {:.4g} ... {:.4g}{}\n  {}\n", name_of(trend.series), values.size(),
+                        values.front().value, values.back().value, spaced(trend.series.unit), chart_of(values));
+    if (!trend.machine.empty()) text += fmt::format("  {}\n", trend.machine);
+    for (const ChangePoint& change : trend.changes) {
+      text +=
+          fmt::format("  {}  {}\n", short_name(heads[values[change.at].snapshot]), line_of(change, trend.series.unit));
+    }
+  }
+  return text;
 }
 
 Json history_document(const History& history) {
@@ -117,7 +232,7 @@ Json history_document(const History& history) {
   for (const VerdictChange& change : verdict_changes(history.verdicts())) verdicts.push_back(json_of(change));
   return {{"plumb", page_format},
           {"study", "history"},
-          {"about", "What reports said from commit to commit, and where it changed"},
+          {"about", "Reports from commit to commit, and where they changed"},
           {"configuration", {{"level", change_level}}},
           {"command", "./plumb history page"},
           {"environment", heads.empty() ? Json::object() : Json(heads.back().environment)},

@@ -1,47 +1,48 @@
 #include "reports/prove/prove.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <mutex>
 #include <set>
 
-#include "reports/prove/variation.h"
 #include "reports/run/selection.h"
 #include "reports/system/jobs.h"
+#include "scenarios/random.h"
 
 namespace plumb {
 namespace {
 
-// Body-steps; about a tenth of a second of our engine.
-constexpr double largest = 40000;
+// Bodies times steps; about a tenth of a second of our engine.
+constexpr double largest_case = 40000;
 
 double size_of(const Case& one, double dt) {
   return static_cast<double>(one.scene->bodies.size() * steps_in(one.scene->duration, dt));
 }
 
-bool tells(const Alarm& alarm) { return alarm.means != Means::bits; }
+bool catches(const Detection& detection) { return detection.kind != DetectionKind::bits; }
 
 std::string label_of(const Case& one) { return one.scenario->name + " " + one.variant; }
 
-/// Counts pieces of work as they begin, in any thread.
-class Counter {
+// Reports progress from several threads.
+class ProgressCounter {
  public:
-  Counter(const ProveProgress& progress, std::size_t all) : progress_(progress), all_(all) {}
+  ProgressCounter(const Progress& progress, std::size_t all) : progress_(progress), all_(all) {}
   void begin(const std::string& what) {
-    const std::lock_guard alone(telling_);
+    const std::lock_guard alone(reporting_);
     progress_(what, done_++, all_);
   }
 
  private:
-  const ProveProgress& progress_;
+  const Progress& progress_;
   std::size_t all_, done_ = 0;
-  std::mutex telling_;
+  std::mutex reporting_;
 };
 
-/// The right methods, each examined once in every case.
-class RightOnes {
+// The right engines of some faults, each once.
+class RightEngines {
  public:
-  explicit RightOnes(const std::vector<Fault>& faults) {
+  explicit RightEngines(const std::vector<Fault>& faults) {
     for (const Fault& fault : faults) {
       if (number_.emplace(key_of(fault), engines_.size()).second) {
         engines_.push_back(right_one(fault));
@@ -54,7 +55,7 @@ class RightOnes {
   std::size_t number_of(const Fault& fault) const { return number_.at(key_of(fault)); }
 
  private:
-  // One that is held against something of its own has it to itself.
+  // Faults of the same method share an engine, unless a fault brings its own.
   static std::string key_of(const Fault& fault) {
     std::string key = fault.right == nullptr ? "" : fault.name;
     for (const auto& [option, value] : fault.method) key += "," + option + "=" + value;
@@ -69,120 +70,153 @@ class RightOnes {
 
 std::vector<Case> cases_to_prove_by(double dt) {
   std::vector<Case> cases = default_cases(true);
-  std::erase_if(cases, [dt](const Case& one) { return size_of(one, dt) > largest; });
+  std::erase_if(cases, [dt](const Case& one) { return size_of(one, dt) > largest_case; });
   std::stable_partition(cases.begin(), cases.end(), [](const Case& one) { return one.scenario->canonical; });
   return cases;
 }
 
-bool Proof::caught() const { return std::any_of(alarms.begin(), alarms.end(), tells); }
+bool FaultResult::caught() const { return std::any_of(detections.begin(), detections.end(), catches); }
 
-bool Proof::caught_by_physics() const {
-  return std::any_of(alarms.begin(), alarms.end(),
-                     [](const Alarm& alarm) { return alarm.means == Means::truth || alarm.means == Means::invariant; });
+bool FaultResult::caught_by_physics() const {
+  return std::any_of(detections.begin(), detections.end(), [](const Detection& one) {
+    return one.kind == DetectionKind::truth || one.kind == DetectionKind::invariant;
+  });
 }
 
-const Alarm* Proof::best() const {
-  const Alarm* best = nullptr;
-  for (const Alarm& alarm : alarms) {
-    if (!tells(alarm)) continue;
-    if (best == nullptr || alarm.ratio > best->ratio) best = &alarm;
+const Detection* FaultResult::best() const {
+  const Detection* best = nullptr;
+  for (const Detection& one : detections) {
+    if (!catches(one)) continue;
+    if (best == nullptr || one.ratio > best->ratio) best = &one;
   }
   return best;
 }
 
-std::vector<std::string> Proof::scenarios() const {
+std::vector<std::string> FaultResult::scenarios() const {
   std::vector<std::string> names;
-  for (const Alarm& alarm : alarms) {
-    if (tells(alarm) && std::find(names.begin(), names.end(), alarm.scenario) == names.end()) {
-      names.push_back(alarm.scenario);
+  for (const Detection& one : detections) {
+    if (catches(one) && std::find(names.begin(), names.end(), one.scenario) == names.end()) {
+      names.push_back(one.scenario);
     }
   }
   return names;
 }
 
-std::vector<Proof> prove(const std::vector<Fault>& faults, const std::vector<Case>& cases, double dt, int jobs,
-                         const ProveProgress& progress) {
-  const RightOnes right(faults);
-  Counter counter(progress, (right.size() + faults.size()) * cases.size());
-  std::vector<Examined> known(right.size() * cases.size());
-  do_all(known.size(), jobs, [&](std::size_t i) {
-    const Case& asked = cases[i % cases.size()];
-    counter.begin(label_of(asked));
-    known[i] = examine_twice(asked, right.config(i / cases.size()), dt);
+std::vector<FaultResult> prove(const std::vector<Fault>& faults, const std::vector<Case>& cases, double dt, int jobs,
+                               const Progress& progress) {
+  const RightEngines right(faults);
+  ProgressCounter counter(progress, (right.size() + faults.size()) * cases.size());
+  std::vector<JudgedRun> right_runs(right.size() * cases.size());
+  do_all(right_runs.size(), jobs, [&](std::size_t i) {
+    const Case& one_case = cases[i % cases.size()];
+    counter.begin(label_of(one_case));
+    right_runs[i] = judge_two_runs(one_case, right.config(i / cases.size()), dt);
   });
 
   std::vector<Engine> faulty;
   for (const Fault& fault : faults) faulty.push_back(faulty_one(fault));
-  std::vector<std::vector<Alarm>> found(faults.size() * cases.size());
+  std::vector<std::vector<Detection>> found(faults.size() * cases.size());
   do_all(found.size(), jobs, [&](std::size_t i) {
     const std::size_t f = i / cases.size();
     const std::size_t c = i % cases.size();
     counter.begin(faults[f].name + ": " + label_of(cases[c]));
-    const Examined& by_right = known[right.number_of(faults[f]) * cases.size() + c];
-    if (by_right.status != Status::ok) return;
-    found[i] = alarms(cases[c], by_right, examine_twice(cases[c], {&faulty[f], settings_of(faults[f])}, dt));
+    const JudgedRun& right_run = right_runs[right.number_of(faults[f]) * cases.size() + c];
+    if (right_run.status != Status::ok) return;
+    found[i] = detections(cases[c], right_run, judge_two_runs(cases[c], {&faulty[f], settings_of(faults[f])}, dt));
   });
 
-  std::vector<Proof> proofs;
+  std::vector<FaultResult> results;
   for (std::size_t f = 0; f < faults.size(); ++f) {
-    proofs.push_back({faults[f], {}});
+    results.push_back({faults[f], {}});
     for (std::size_t c = 0; c < cases.size(); ++c) {
-      for (Alarm& alarm : found[f * cases.size() + c]) proofs.back().alarms.push_back(std::move(alarm));
+      for (Detection& one : found[f * cases.size() + c]) results.back().detections.push_back(std::move(one));
     }
   }
-  return proofs;
+  return results;
 }
 
-std::vector<std::string> fewest_scenarios(const std::vector<Proof>& proofs) {
-  std::map<std::string, std::set<std::string>> catches;
-  std::set<std::string> left;
-  for (const Proof& proof : proofs) {
-    for (const std::string& scenario : proof.scenarios()) {
-      catches[scenario].insert(proof.fault.name);
-      left.insert(proof.fault.name);
+std::vector<std::string> fewest_scenarios(const std::vector<FaultResult>& results) {
+  std::map<std::string, std::set<std::string>> caught;  // faults, by scenario
+  std::set<std::string> remaining;
+  for (const FaultResult& result : results) {
+    for (const std::string& scenario : result.scenarios()) {
+      caught[scenario].insert(result.fault.name);
+      remaining.insert(result.fault.name);
     }
   }
   std::vector<std::string> chosen;
-  while (!left.empty()) {
-    const auto caught_by = [&](const auto& one) {
+  while (!remaining.empty()) {
+    const auto count = [&](const auto& one) {
       return std::count_if(one.second.begin(), one.second.end(),
-                           [&](const auto& name) { return left.count(name) > 0; });
+                           [&](const auto& name) { return remaining.count(name) > 0; });
     };
-    const auto most = std::max_element(catches.begin(), catches.end(),
-                                       [&](const auto& a, const auto& b) { return caught_by(a) < caught_by(b); });
+    const auto most = std::max_element(caught.begin(), caught.end(),
+                                       [&](const auto& a, const auto& b) { return count(a) < count(b); });
     chosen.push_back(most->first);
-    for (const std::string& name : most->second) left.erase(name);
+    for (const std::string& name : most->second) remaining.erase(name);
   }
   return chosen;
 }
 
+Variation variation_of(std::uint64_t seed) {
+  Random random(seed);
+  const auto one_of = [&](const auto& choices) { return choices[random.next() % choices.size()]; };
+  constexpr std::array precisions{"float", "double"};
+  constexpr std::array broad_phases{"auto", "brute", "grid", "tree"};
+  constexpr std::array workers{"1", "2", "3", "4"};
+  constexpr std::array lanes{"accurate", "accurate-scalar"};
+  return {.seed = seed,
+          .settings = {{"precision", one_of(precisions)},
+                       {"broad-phase", one_of(broad_phases)},
+                       {"workers", one_of(workers)},
+                       {"solver", one_of(lanes)}}};
+}
+
+Case Variation::of(const Case& one_case) const {
+  const auto& parameters = one_case.scenario->parameters;
+  const auto random = std::find_if(parameters.begin(), parameters.end(),
+                                   [](const Parameter& parameter) { return parameter.name == "seed"; });
+  if (random == parameters.end()) return one_case;
+  Case varied = one_case;
+  varied.parameters.at("seed") = std::min(random->min + static_cast<double>(seed), random->max);
+  varied.scene = std::make_shared<const Scene>(one_case.scenario->scene(varied.parameters));
+  return varied;
+}
+
+std::string Variation::text() const {
+  std::string text = "seed " + std::to_string(seed) + ":";
+  for (const auto& [option, value] : settings) text += (text.back() == ':' ? " " : ", ") + option + "=" + value;
+  return text;
+}
+
 std::vector<CleanRun> clean_runs(int count, const std::vector<Case>& cases, double dt, int jobs,
-                                 const ProveProgress& progress) {
+                                 const Progress& progress) {
   const Engine& ours = *Catalog<Engine>::find("impulse");
   const EngineConfig usual{&ours, complete(ours, {})};
   const auto runs = static_cast<std::size_t>(count);
-  Counter counter(progress, (runs + 1) * cases.size());
-  std::vector<Examined> known(cases.size());
+  ProgressCounter counter(progress, (runs + 1) * cases.size());
+  std::vector<JudgedRun> usual_runs(cases.size());
   if (runs > 0) {
     do_all(cases.size(), jobs, [&](std::size_t c) {
       counter.begin(label_of(cases[c]));
-      known[c] = examine_twice(cases[c], usual, dt);
+      usual_runs[c] = judge_two_runs(cases[c], usual, dt);
     });
   }
-  std::vector<std::vector<Alarm>> found(runs * cases.size());
+  std::vector<std::vector<Detection>> found(runs * cases.size());
   do_all(found.size(), jobs, [&](std::size_t i) {
     const std::size_t c = i % cases.size();
     const Variation variation = variation_of(i / cases.size() + 1);
-    counter.begin(variation.words() + ": " + label_of(cases[c]));
+    counter.begin(variation.text() + ": " + label_of(cases[c]));
     const Case varied = variation.of(cases[c]);
-    const Examined right = varied.scene == cases[c].scene ? known[c] : examine_twice(varied, usual, dt);
-    found[i] = physics_alarms(varied, right, examine_twice(varied, {&ours, complete(ours, variation.settings)}, dt));
+    const JudgedRun right = varied.scene == cases[c].scene ? usual_runs[c] : judge_two_runs(varied, usual, dt);
+    found[i] =
+        physics_detections(varied, right, judge_two_runs(varied, {&ours, complete(ours, variation.settings)}, dt));
   });
   std::vector<CleanRun> clean;
   for (std::size_t r = 0; r < runs; ++r) {
-    clean.push_back({r + 1, variation_of(r + 1).words(), {}});
+    clean.push_back({r + 1, variation_of(r + 1).text(), {}});
     for (std::size_t c = 0; c < cases.size(); ++c) {
-      for (Alarm& alarm : found[r * cases.size() + c]) clean.back().alarms.push_back(std::move(alarm));
+      for (Detection& one : found[r * cases.size() + c]) clean.back().false_alarms.push_back(std::move(one));
     }
   }
   return clean;

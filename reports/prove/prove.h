@@ -1,54 +1,65 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "reference/fault.h"
-#include "reports/prove/alarm.h"
+#include "reports/prove/detection.h"
+#include "reports/run/experiment.h"
 
-/// The harness put to the test: does it tell our engine with a mistake in it from the right one, and does it leave the
-/// right one alone?
+/// Tests the harness itself: it must tell our engine with a fault from the right one, and must not fault the right one.
 namespace plumb {
 
-/// Cases that are small enough to be run for every fault: bodies times steps. Of all scenarios, canonical ones first.
+/// The cases of all scenarios that are small enough to be run for every fault, canonical scenarios first.
 std::vector<Case> cases_to_prove_by(double dt);
 
-/// What became of one fault.
-struct Proof {
+/// What was found of one fault.
+struct FaultResult {
   Fault fault;
-  std::vector<Alarm> alarms;  // in order of cases
+  std::vector<Detection> detections;  // in the order of the cases
 
-  /// Whether something tells but that bits are other ones than before.
+  /// Whether something other than changed bits was detected.
   bool caught() const;
-  /// Whether a truth or an invariant does.
+  /// Whether a truth or an invariant detected it.
   bool caught_by_physics() const;
-  /// Of those that tell, the one that is farthest off; of several the first. Null if there is none.
-  const Alarm* best() const;
-  /// Names of the scenarios that tell, each once.
+  /// The detection with the largest ratio, the first of several; null if the fault was not caught.
+  const Detection* best() const;
+  /// The scenarios that caught it, each once.
   std::vector<std::string> scenarios() const;
 };
 
-/// Told before each piece of work: what, the how-manieth, of how many.
-using ProveProgress = std::function<void(const std::string&, std::size_t, std::size_t)>;
+/// Runs every case with every fault and with the right engines. The result does not depend on `jobs`.
+std::vector<FaultResult> prove(const std::vector<Fault>&, const std::vector<Case>&, double dt, int jobs,
+                               const Progress&);
 
-std::vector<Proof> prove(const std::vector<Fault>&, const std::vector<Case>&, double dt, int jobs,
-                         const ProveProgress&);
+/// A small set of scenarios that together catch every fault that is caught. Found greedily: each round takes the
+/// scenario that catches most of the remaining faults, the first by name of several.
+std::vector<std::string> fewest_scenarios(const std::vector<FaultResult>&);
 
-/// The fewest scenarios that together catch all that is caught, found greedily: in each round that which catches most
-/// of what is left, of several the first by name.
-std::vector<std::string> fewest_scenarios(const std::vector<Proof>&);
-
-/// A run of the right engine over all cases, varied as nothing may notice (see variation.h).
-struct CleanRun {
+/// Changes to a run of the right engine that must not change any verdict: precision, threads, lanes, broad phase, and
+/// the seed of random scenes.
+struct Variation {
   std::uint64_t seed = 0;
-  std::string settings;  // what was varied, in words
-  std::vector<Alarm> alarms;
+  Settings settings;  // of our engine
+
+  /// The case with this seed if its scene is random, else the case as it is.
+  Case of(const Case&) const;
+  /// "seed 3: broad-phase=grid, precision=float, workers=4"
+  std::string text() const;
 };
 
-/// Runs with the seeds 1 ... count, each held against the default method in the same scene: only what holds there can
-/// be missed.
-std::vector<CleanRun> clean_runs(int count, const std::vector<Case>&, double dt, int jobs, const ProveProgress&);
+Variation variation_of(std::uint64_t seed);
+
+/// A varied run of the right engine over all cases.
+struct CleanRun {
+  std::uint64_t seed = 0;
+  std::string settings;  // the text of the variation
+  std::vector<Detection> false_alarms;
+};
+
+/// Clean runs with the seeds 1 ... count. Each is compared with the default method in the same scene, so that only
+/// checks which that one passes count.
+std::vector<CleanRun> clean_runs(int count, const std::vector<Case>&, double dt, int jobs, const Progress&);
 
 }  // namespace plumb

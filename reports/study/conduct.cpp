@@ -14,8 +14,7 @@
 #include "reports/study/results_file.h"
 #include "reports/study/runner.h"
 #include "reports/system/environment.h"
-#include "reports/system/interrupt.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "reports/writers/output.h"
 
 namespace plumb {

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "reports/system/csv.h"
+#include "reports/system/files.h"
 #include "reports/writers/html.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"

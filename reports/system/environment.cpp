@@ -15,7 +15,7 @@
 namespace plumb {
 namespace {
 
-// The text after the first line that begins with `key`, its separator, blanks and quotes left out; "unknown" without.
+// The value on the first line that begins with `key`, without separator, blanks and quotes; "unknown" if there is none.
 std::string lookup(const char* file, const std::string& key) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
@@ -32,8 +32,8 @@ std::string machine() {
   return uname(&names) == 0 ? names.machine : "unknown";
 }
 
-// Which sine and cosine a program gets: glibc has one with fused multiply-adds and one without, picks by the processor
-// (sysdeps/x86_64/fpu/multiarch/ifunc-avx-fma4.h: FMA and AVX2), and they differ in last bits.
+// Identifies the sine and cosine in use: glibc has a version with fused multiply-adds and one without, selects it by
+// the processor (sysdeps/x86_64/fpu/multiarch/ifunc-avx-fma4.h: FMA and AVX2), and their last bits differ.
 std::string libm() {
   std::string name = "unknown";
 #ifdef __GLIBC__

@@ -5,11 +5,11 @@
 
 namespace plumb {
 
-/// What a report was made with: Plumb, compiler, flags, build type, libraries, system, processor. The same from run to
-/// run.
+/// What a report was made with: Plumb, compiler, flags, build type, libraries, system, processor. The same in every run
+/// on one machine.
 std::map<std::string, std::string> environment();
 
-/// Of Plumb, as `plumb --version` says it.
+/// Plumb's version, as `plumb --version` prints it.
 const char* version();
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -38,7 +39,7 @@ std::string read_text(const std::string& path, std::size_t most) {
   std::ifstream in(path, std::ios::binary);
   std::string text(most + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  // A folder can be opened, but not read.
+  // A folder can be opened but not read.
   if (!in.eof() && in.gcount() == 0) {
     throw std::invalid_argument(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   }
@@ -48,5 +49,17 @@ std::string read_text(const std::string& path, std::size_t most) {
   text.resize(static_cast<std::size_t>(in.gcount()));
   return text;
 }
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    quoted += letter;
+    if (letter == '"') quoted += '"';
+  }
+  return quoted + '"';
+}
+
+std::string csv_field(double number) { return std::isfinite(number) ? fmt::format("{}", number) : ""; }
 
 }  // namespace plumb

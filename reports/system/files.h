@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// A file in the making, beside its place; it goes away again unless it is put there.
+/// A file being written under a temporary name beside its destination; deleted unless it is put in place.
 class NewFile {
  public:
   explicit NewFile(const std::filesystem::path& place) : place_(place), path_(place.string() + ".part") {}
@@ -16,10 +16,10 @@ class NewFile {
   NewFile& operator=(NewFile&&) = delete;
   ~NewFile();
 
-  /// Whether all of the text could be written.
+  /// Returns whether the whole text was written.
   bool write(const std::string& text);
 
-  /// Takes its place, whatever was there. Throws std::filesystem::filesystem_error.
+  /// Renames the file to its destination, replacing whatever is there. Throws std::filesystem::filesystem_error.
   std::filesystem::path put_in_place();
 
  private:
@@ -27,8 +27,14 @@ class NewFile {
   bool ours_ = false;
 };
 
-/// What a file holds. Throws std::invalid_argument, with the system's reason, when it cannot be read or holds more than
+/// Reads a whole file. Throws std::invalid_argument, with the system's reason, if it cannot be read or is larger than
 /// `most` bytes.
 std::string read_text(const std::string& path, std::size_t most);
+
+/// A field of a CSV file, quoted as RFC 4180 says: quotes around a comma, a quote or a line break; quotes doubled.
+std::string csv_field(const std::string& text);
+
+/// The shortest text that reads back to the same bits; empty if the number is not finite.
+std::string csv_field(double number);
 
 }  // namespace plumb

@@ -5,11 +5,11 @@
 
 namespace plumb {
 
-/// Does work(0) ... work(count - 1), up to `jobs` at a time, each once, begun in that order. Returns when all are done;
-/// if some threw, throws what the first of them in order threw, after the others have ended.
+/// Calls work(0) ... work(count - 1) once each, started in that order, up to `jobs` at a time. Returns when all are
+/// done. If any threw, rethrows the exception of the lowest index after all have finished.
 void do_all(std::size_t count, int jobs, const std::function<void(std::size_t)>& work);
 
-/// As many jobs as this machine runs at once.
+/// The number of hardware threads, at least 1.
 int default_jobs();
 
 }  // namespace plumb

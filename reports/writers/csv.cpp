@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "reports/system/csv.h"
+#include "reports/system/files.h"
 #include "reports/writers/output.h"
 #include "scenarios/catalog.h"
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reports/run/report_json.h"
 #include "reports/writers/output.h"
 #include "scenarios/catalog.h"
 
@@ -9,8 +10,6 @@ namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int format = 1;  // of report.json; grows when a reader of the old one would be misled
 
 template <class Items, class ToJson>
 Json list(const Items& items, ToJson to) {
@@ -137,7 +136,7 @@ const Catalog<Writer>::Entry json_entry{{.name = "json",
 }  // namespace
 
 Json to_json(const Report& report) {
-  return {{"plumb", format},
+  return {{"plumb", report_format},
           {"title", report.title},
           {"command", report.command},
           {"environment", report.environment},

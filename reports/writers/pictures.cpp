@@ -12,7 +12,7 @@
 
 #include "reports/judge/outline.h"
 #include "reports/system/files.h"
-#include "reports/system/tool.h"
+#include "reports/system/processes.h"
 #include "reports/vec.h"
 #include "reports/writers/html.h"
 #include "scenarios/scene/mass.h"
@@ -198,7 +198,7 @@ Preview preview_of(const Report& report) {
 }
 
 void check_preview() {
-  if (!find_tool("ffmpeg")) throw std::invalid_argument("--preview needs ffmpeg: apt-get install ffmpeg");
+  if (!find_program("ffmpeg")) throw std::invalid_argument("--preview needs ffmpeg: apt-get install ffmpeg");
 }
 
 void write_preview(const Preview& preview, const fs::path& file) {
@@ -224,7 +224,7 @@ void write_preview(const Preview& preview, const fs::path& file) {
                                        "-loop",
                                        "0",
                                        made};
-  const int code = run_tool(words);
+  const int code = run_program(words);
   std::error_code error;
   if (code == 0) fs::copy_file(made, file, fs::copy_options::overwrite_existing, error);
   std::error_code ignored;
@@ -236,7 +236,7 @@ void write_preview(const Preview& preview, const fs::path& file) {
 void check_pictures() {
   if (picture_program().empty())
     throw std::invalid_argument("--svg: Plumb was built without Node.js, so there is no page to take pictures of");
-  if (!find_tool("node")) throw std::invalid_argument("--svg needs Node.js 18 or newer: apt-get install nodejs");
+  if (!find_program("node")) throw std::invalid_argument("--svg needs Node.js 18 or newer: apt-get install nodejs");
 }
 
 void take_pictures(const std::filesystem::path& page, const std::filesystem::path& folder) {
@@ -245,7 +245,7 @@ void take_pictures(const std::filesystem::path& page, const std::filesystem::pat
   if (!program.write(std::string(picture_program()))) throw std::runtime_error("cannot write a temporary file");
   const auto file = program.put_in_place();
   std::fflush(stdout);
-  const int code = run_tool({"node", file.string(), page.string(), folder.string()});
+  const int code = run_program({"node", file.string(), page.string(), folder.string()});
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
   if (code != 0)

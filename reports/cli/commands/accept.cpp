@@ -6,22 +6,22 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/gate/asked.h"
+#include "reports/gate/options.h"
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/bounds.h"
 #include "reports/gate/compare.h"
-#include "reports/gate/writer.h"
 #include "reports/run/plan_selection.h"
+#include "reports/gate/writers.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::commands::accept {
 namespace {
 
 struct Accept {
-  GateAsked gate;
+  GateOptions gate;
   std::string dt;
 };
 
@@ -33,14 +33,14 @@ struct Scope {
 };
 
 Scope scope_of(const Accept& asked, const std::optional<Baseline>& before) {
-  const GateAsked& gate = asked.gate;
+  const GateOptions& gate = asked.gate;
   if (!gate.scenarios.empty() && gate.baseline.empty()) {
     throw std::invalid_argument("a baseline of chosen scenarios needs a file of its own: --baseline FILE");
   }
   Scope scope{.all = gate.all, .scenarios = gate.scenarios};
   if (before && gate.scenarios.empty()) {
     scope.all = before->all;
-    scope.scenarios = before->words;
+    scope.scenarios = before->scenarios;
   }
   scope.plan =
       select_plan(scope.scenarios, scope.all, before && gate.engines.empty() ? engines_of(*before) : gate.engines);
@@ -52,7 +52,7 @@ Scope scope_of(const Accept& asked, const std::optional<Baseline>& before) {
 }
 
 Baseline present(const Plan& plan) {
-  Baseline now = baseline_of(carried_out(plan));
+  Baseline now = baseline_of(run_plan(plan));
   const ProgressLine line;
   find_bounds(plan, now, [&](const std::string& what, std::size_t done, std::size_t of) {
     line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
@@ -72,7 +72,7 @@ void say_what_changes(const std::optional<Baseline>& before, const Baseline& now
 }
 
 int accept(const Accept& asked) {
-  const std::string path = asked.gate.file();
+  const std::string path = asked.gate.baseline_file();
   std::optional<Baseline> before;
   if (std::filesystem::exists(path)) before = read_baseline(path);
   const Scope scope = scope_of(asked, before);
@@ -81,7 +81,7 @@ int accept(const Accept& asked) {
 
   Baseline now = present(scope.plan);
   now.all = scope.all;
-  now.words = scope.scenarios;
+  now.scenarios = scope.scenarios;
   if (!file.write(to_text(now))) throw std::runtime_error(path + ": the disk is full");
   file.put_in_place();
   say_what_changes(before, now);

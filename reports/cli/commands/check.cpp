@@ -7,11 +7,11 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/gate/asked.h"
+#include "reports/gate/options.h"
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/compare.h"
 #include "reports/gate/timing.h"
-#include "reports/gate/writer.h"
+#include "reports/gate/writers.h"
 #include "reports/system/files.h"
 #include "scenarios/catalog.h"
 
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t shown = 10;  // regressions; the files have them all
 
 struct Check {
-  GateAsked gate;
+  GateOptions gate;
   std::vector<std::string> against;
   TimingOptions times;
   std::map<std::string, std::string> files;  // by writer
@@ -33,14 +33,14 @@ Baseline baseline_of_set(const std::string& file) {
 }
 
 Baseline before(const Check& asked) {
-  return asked.against.empty() ? baseline_of_set(asked.gate.file()) : read_results(asked.against.front());
+  return asked.against.empty() ? baseline_of_set(asked.gate.baseline_file()) : read_results(asked.against.front());
 }
 
 GateResult result_of(const Check& asked) {
   if (asked.against.size() == 2) return compare(before(asked), read_results(asked.against.back()));
   const Baseline accepted = before(asked);
   const Plan plan = plan_of(accepted, asked.gate);
-  return compare(chosen(accepted, asked.gate, plan), carried_out(plan));
+  return compare(selected(accepted, asked.gate, plan), run_plan(plan));
 }
 
 std::optional<TimingReport> times_of(const Check& asked) {

@@ -7,10 +7,9 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/history/git.h"
-#include "reports/history/moment.h"
+#include "reports/history/commit.h"
 #include "reports/history/store.h"
-#include "reports/history/text.h"
+#include "reports/history/trends.h"
 #include "reports/system/files.h"
 #include "reports/writers/html.h"
 #include "reports/writers/output.h"
@@ -94,7 +93,7 @@ int trend(const Asked& asked) {
   const auto heads = history.heads();
   const auto trends = trends_of(heads, only(asked, series));
   if (trends.empty()) throw std::invalid_argument("no series is of that metric, scenario and engine");
-  fmt::print("{}", courses(heads, trends));
+  fmt::print("{}", text_of(heads, trends));
   return 0;
 }
 
@@ -154,7 +153,7 @@ std::function<int()> attach(CLI::App& app) {
   word("list", "Every snapshot, with its commit and how many runs have which verdict", list);
   word("changes", "What changes where: verdicts, numbers and times", changes);
   CLI::App* course = word("trend", "The course of a metric in every case and engine, and its changes", trend);
-  course->add_option("metric", asked->metric, "As plumb list names it; share_of_allowed or step_us")
+  course->add_option("metric", asked->metric, "As plumb list names it; worst_error_ratio or step_us")
       ->required()
       ->type_name("METRIC");
   course->add_option("--scenario", asked->scenario, "NAME or NAME:LABEL; default: all")->type_name("SCENARIO");

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "reports/cli/command.h"
-#include "reports/system/tool.h"
+#include "reports/system/processes.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::commands::open {
@@ -55,7 +55,7 @@ bool has_desktop() {
 int open(const std::string& place) {
   const std::string page = fs::absolute(page_at(place)).lexically_normal().string();
   fmt::print("{}\n", page);
-  if (has_desktop()) start_tool({"xdg-open", page});  // the path was printed: whatever comes of it, that is enough
+  if (has_desktop()) start_program({"xdg-open", page});  // the path was printed: whatever comes of it, that is enough
   return 0;
 }
 

@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/prove/document.h"
 #include "reports/prove/prove.h"
+#include "reports/prove/report.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "reports/system/jobs.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb::commands::prove_command {
@@ -60,24 +60,24 @@ int put_to_the_test(const Asked& asked) {
     if (std::filesystem::is_directory(asked.out) || !file->write(""))
       throw std::invalid_argument("--out: \"" + asked.out + "\" cannot be written");
   }
-  Proven proven;
+  ProveReport report;
   {
     const ProgressLine line;
     const auto show = [&](const std::string& what, std::size_t done, std::size_t of) {
       line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
     };
-    proven.proofs = prove(faults, cases, dt, asked.jobs, show);
-    proven.clean = clean_runs(asked.clean, cases, dt, asked.jobs, show);
+    report.faults = prove(faults, cases, dt, asked.jobs, show);
+    report.clean = clean_runs(asked.clean, cases, dt, asked.jobs, show);
   }
-  proven.cases = cases.size();
-  fmt::print("{}", text_of(proven));
+  report.cases = cases.size();
+  fmt::print("{}", text_of(report));
   if (file) {
-    if (!file->write(to_json(proven).dump(1) + "\n")) {
+    if (!file->write(to_json(report).dump(1) + "\n")) {
       throw std::invalid_argument("--out: \"" + asked.out + "\" cannot be written");
     }
     file->put_in_place();
   }
-  return proven.holds() ? 0 : 1;
+  return report.passed() ? 0 : 1;
 }
 
 const Catalog<Command>::Entry entry{

@@ -6,15 +6,15 @@
 
 #include "reports/cli/command.h"
 #include "reports/cli/session.h"
-#include "reports/gate/asked.h"
-#include "reports/gate/changes.h"
+#include "reports/gate/options.h"
+#include "reports/gate/writers.h"
 #include "reports/history/trends.h"
 #include "reports/run/experiment.h"
 #include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/study/conduct.h"
 #include "reports/study/study.h"
-#include "reports/system/progress_line.h"
+#include "reports/system/terminal.h"
 #include "reports/writers/pictures.h"
 #include "scenarios/catalog.h"
 
@@ -61,9 +61,9 @@ int report(const Asked& asked) {
     preview = preview_of_case(asked.preview, asked.session);
   }
   asked.session.conduct("report", [&](Report& report) {
-    GateAsked gate;
+    GateOptions gate;
     gate.all = asked.session.all;
-    if (auto changes = changes_since(gate.file(), report)) report.studies.push_back(std::move(*changes));
+    if (auto changes = changes_since(gate.baseline_file(), report)) report.studies.push_back(std::move(*changes));
     if (asked.no_studies) {
       report.command.emplace_back("--no-studies");
     } else {

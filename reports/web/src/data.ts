@@ -144,7 +144,7 @@ export interface Page {
 }
 
 /** The format of report.json this page reads. */
-export const format = 1;
+export const format = 2;
 
 const measured = record({ value: number, unit: text });
 const place = { scenario: text, variant: text };

@@ -22,11 +22,11 @@ class BaselineFile : public SceneFiles {
  protected:
   static Baseline sample() {
     Baseline baseline = fakes::baseline();
-    KeptRun& run = fakes::run_of(baseline);
-    run.numbers["loose \"one\""] = {.value = 0.1, .moves = std::numeric_limits<double>::infinity(), .wavers = true};
+    BaselineRun& run = fakes::run_of(baseline);
+    run.numbers["loose \"one\""] = {.value = 0.1, .bound = std::numeric_limits<double>::infinity(), .unstable = true};
     run.numbers["unknown"] = {.value = std::numeric_limits<double>::quiet_NaN()};
-    run.neighbours.insert(Verdict::wrong);
-    baseline.words = {"bounce:<img src=x>"};
+    run.perturbed_verdicts.insert(Verdict::wrong);
+    baseline.scenarios = {"bounce:<img src=x>"};
     baseline.runs[{"<img src=x>", "", "box2d", "a=1,b=2"}] = {.verdict = Verdict::not_supported, .reason = "no \\"};
     return baseline;
   }
@@ -52,7 +52,7 @@ TEST_F(BaselineFile, ReadsBackToTheSameBytes) {
   EXPECT_TRUE(result.passed()) << result.verdict;
   EXPECT_EQ(back.runs.at(fakes::run_key()).numbers.at("penetration_max"),
             sample().runs.at(fakes::run_key()).numbers.at("penetration_max"));
-  EXPECT_EQ(back.words, sample().words);
+  EXPECT_EQ(back.scenarios, sample().scenarios);
 }
 
 TEST_F(BaselineFile, ChangesOneLineForOneNumber) {
@@ -72,24 +72,45 @@ TEST_F(BaselineFile, ChangesOneLineForOneNumber) {
   EXPECT_EQ(differ, 1);
 }
 
-TEST_F(BaselineFile, RefusesWhatIsDamagedNamingThePlace) {
+TEST_F(BaselineFile, NamesThePlaceOfDamage) {
   EXPECT_THAT(complaint(to_text(sample()).substr(0, 300)), HasSubstr("wrong.json: line "));
   EXPECT_THAT(complaint(with("\"value\":1.0", "\"value\":\"x\"")),
               AllOf(HasSubstr("runs[1].numbers.penetration_max.value"), HasSubstr("expected a number")));
   EXPECT_THAT(complaint(with("\"verdict\": \"right\"", "\"verdict\": \"rihgt\"")),
               HasSubstr("did you mean \"right\"?"));
   EXPECT_THAT(complaint(with("\"bits\": \"00000000000000aa\",", "")), HasSubstr("the key \"bits\" is missing"));
-  EXPECT_THAT(complaint(with("\"moves\":0.5", "\"moves\":-1")), HasSubstr("numbers.penetration_max.moves"));
+  EXPECT_THAT(complaint(with("\"bound\":0.5", "\"bound\":-1")), HasSubstr("numbers.penetration_max.bound"));
   EXPECT_THAT(complaint(with("\"variant\": \"\"", "\"variant\": \"\\u0007\"")),
               HasSubstr("without control characters"));
 }
 
-TEST_F(BaselineFile, RefusesWhatIsForeignOrNewer) {
+TEST_F(BaselineFile, RefusesForeignAndNewerFiles) {
   EXPECT_THAT(complaint("[]"), HasSubstr("expected a baseline or a report.json"));
   EXPECT_THAT(complaint(R"({"plumb": 1, "bodies": []})"), HasSubstr("neither a baseline"));
-  EXPECT_THAT(complaint(with("\"plumb_baseline\": 1", "\"plumb_baseline\": 2")), HasSubstr("plumb_baseline: expected"));
+  EXPECT_THAT(complaint(with("\"plumb_baseline\": 2", "\"plumb_baseline\": 3")), HasSubstr("plumb_baseline: expected"));
   EXPECT_THROW(read_baseline(put("report.json", to_json(sample_report()).dump())), std::invalid_argument);
   EXPECT_THROW(read_baseline(at("none.json")), std::invalid_argument);
+}
+
+// As version 1 wrote it.
+TEST_F(BaselineFile, ReadsVersion1) {
+  const Baseline back = read_baseline(put("old.json", R"({
+ "plumb_baseline": 1, "dt": 0.015625, "all": false, "scenarios": ["bounce"],
+ "platform": {"architecture":"one","libm":"this"}, "engines": {"impulse":"here"},
+ "runs": [
+  {"scenario": "bounce", "variant": "e=0.5", "engine": "impulse", "method": "", "exact": false, "verdict": "right",
+   "reason": "", "neighbours": ["right","wrong"], "bits": "00000000000000aa",
+   "numbers": {
+    "invariant: cone": {"value":0.0,"unit":"N s","standing":"not revealed","allowed":0.0,"moves":"any"},
+    "penetration_max": {"value":1.0,"unit":"m","moves":0.5},
+    "truth: y of box at 2 s": {"value":0.25,"unit":"m","standing":"held","allowed":0.5,"moves":0.125,"wavers":true}}}]})"));
+  Baseline expected = fakes::baseline();
+  expected.scenarios = {"bounce"};
+  BaselineRun& run = fakes::run_of(expected);
+  run.perturbed_verdicts = {Verdict::right, Verdict::wrong};
+  run.numbers["invariant: cone"] = {.unit = "N s", .status = CheckStatus::not_reported, .bound = unbounded};
+  fakes::check_of(expected).unstable = true;
+  EXPECT_EQ(to_text(back), to_text(expected));
 }
 
 TEST_F(BaselineFile, RefusesARunThatIsThereTwice) {
@@ -101,10 +122,10 @@ TEST_F(BaselineFile, RefusesARunThatIsThereTwice) {
   EXPECT_THAT(complaint(twice), HasSubstr("is there twice"));
 }
 
-TEST_F(BaselineFile, TakesAReport) {
+TEST_F(BaselineFile, CanBeAReport) {
   const Report report = sample_report();
   const Baseline back = read_results(put("report.json", to_json(report).dump()));
-  EXPECT_EQ(back.words, std::vector<std::string>{"slide:on ice"});
+  EXPECT_EQ(back.scenarios, std::vector<std::string>{"slide:on ice"});
   Baseline before = baseline_of(report);
   EXPECT_EQ(back.runs.size(), before.runs.size());
   for (auto& [key, run] : before.runs) run.reason = run.bits = "";  // not in a report

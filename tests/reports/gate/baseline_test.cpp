@@ -16,7 +16,7 @@ Trace trace_of(const BodyState& state, const ContactState& contact) {
   return trace;
 }
 
-TEST(HashOfATrace, HangsOnEveryBit) {
+TEST(HashOfATrace, DependsOnEveryBit) {
   const BodyState state{.position = {1, 2}, .angle = 3, .velocity = {4, 5}, .angular_velocity = 6};
   const ContactState contact{.a = 1, .b = 2, .point = {1, 1}, .normal = {0, 1}, .normal_impulse = 7};
   const std::string hash = hash_of(trace_of(state, contact));
@@ -28,9 +28,9 @@ TEST(HashOfATrace, HangsOnEveryBit) {
     up(other.*number);
     EXPECT_NE(hash_of(trace_of(other, contact)), hash);
   }
-  for (Vec BodyState::*place : {&BodyState::position, &BodyState::velocity}) {
+  for (Vec BodyState::*vector : {&BodyState::position, &BodyState::velocity}) {
     BodyState other = state;
-    up((other.*place).y);
+    up((other.*vector).y);
     EXPECT_NE(hash_of(trace_of(other, contact)), hash);
   }
   for (double ContactState::*number :
@@ -44,9 +44,9 @@ TEST(HashOfATrace, HangsOnEveryBit) {
   EXPECT_NE(hash_of(trace_of(state, other)), hash);
 }
 
-TEST(KeptNumbers, AreAllThatWasMeasuredOrJudged) {
+TEST(BaselineRunOf, HasEveryMetricAndCheck) {
   const Report report = sample_report();
-  const KeptRun run = kept(report.runs[1]);
+  const BaselineRun run = baseline_run_of(report.runs[1]);
   EXPECT_EQ(run.verdict, Verdict::wrong);
   EXPECT_EQ(run.numbers.at("energy_rise").unit, "1");
   EXPECT_EQ(run.numbers.at("truth: x of box, \"the\" first at 2 s").status, CheckStatus::broken);
@@ -55,23 +55,23 @@ TEST(KeptNumbers, AreAllThatWasMeasuredOrJudged) {
   EXPECT_EQ(run.numbers.size(), 5u);
 }
 
-TEST(KeptNumbers, LeaveOutTheHorizonWhichOnlyAnEnsembleKnows) {
+TEST(BaselineRunOf, LeavesOutTheHorizonBecauseItNeedsAnEnsemble) {
   RunRecord run;
   run.metrics = {{"horizon", {0.9, "s"}}, {"energy_rise", {0.1, "1"}}};
-  EXPECT_EQ(kept(run).numbers.size(), 1u);
+  EXPECT_EQ(baseline_run_of(run).numbers.size(), 1u);
 }
 
-TEST(KeptNumbers, NameEventsWithoutTheirTime) {
+TEST(BaselineRunOf, NamesEventsWithoutTheirTime) {
   RunRecord run;
   for (const double time : {0.5, 0.75}) {
     run.truth.push_back({.body = "ball", .quantity = name_of(Quantity::apex), .time = time});
   }
-  const KeptRun all = kept(run);
+  const BaselineRun all = baseline_run_of(run);
   EXPECT_EQ(all.numbers.count(std::string("truth: ") + name_of(Quantity::apex) + " of ball"), 1u);
   EXPECT_EQ(all.numbers.count(std::string("truth: ") + name_of(Quantity::apex) + " of ball (2)"), 1u);
 }
 
-TEST(BaselineOfAReport, HasEveryRunAndWhatDecidesItsBits) {
+TEST(BaselineOfAReport, HasEveryRunAndItsPlatform) {
   Report report = sample_report();
   report.environment = {{"compiler", "some"}, {"processor", "any"}};
   report.engines = {{.name = "lost", .source = "1.0"}, {.name = "sliding", .source = "a book", .exact = true}};
@@ -80,7 +80,7 @@ TEST(BaselineOfAReport, HasEveryRunAndWhatDecidesItsBits) {
   EXPECT_EQ(baseline.dt, 1.0 / 60);
   EXPECT_EQ(baseline.platform, (std::map<std::string, std::string>{{"compiler", "some"}}));
   EXPECT_EQ(baseline.engines, (std::map<std::string, std::string>{{"lost", "1.0"}}));
-  const KeptRun& failed = baseline.runs.at({"slide", "on ice", "lost", ""});
+  const BaselineRun& failed = baseline.runs.at({"slide", "on ice", "lost", ""});
   EXPECT_EQ(failed.bits, "");
   EXPECT_THAT(failed.reason, ::testing::HasSubstr("diverged"));
 }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <limits>
 
 #include "../fakes.h"
@@ -12,7 +13,7 @@ namespace {
 
 constexpr auto silent = [](const std::string&, std::size_t, std::size_t) {};
 
-// The throw, its gravity and its start changed a little.
+// A thrown box. Gravity and start can be changed a little.
 struct Thrown {
   Scenario scenario = fakes::throwing();
   Engine free_flight = fakes::free_flight();
@@ -38,22 +39,22 @@ struct Thrown {
   }
 };
 
-TEST(Bounds, AreKnownForEveryNumberAndNarrowWhereNothingGrows) {
+TEST(Bounds, AreSetForEveryNumberAndNarrowIfErrorsDoNotGrow) {
   const Thrown thrown;
   const Baseline baseline = thrown.accepted();
   ASSERT_EQ(baseline.runs.size(), 2u) << "the engine and the closed form";
   for (const auto& [key, run] : baseline.runs) {
     EXPECT_FALSE(run.numbers.empty()) << key.text();
     for (const auto& [name, number] : run.numbers) {
-      ASSERT_TRUE(number.moves) << name;
-      EXPECT_LT(*number.moves, 1e-6) << key.text() << ": " << name;
-      EXPECT_FALSE(number.wavers) << name;
+      ASSERT_TRUE(number.bound) << name;
+      EXPECT_LT(*number.bound, 1e-6) << key.text() << ": " << name;
+      EXPECT_FALSE(number.unstable) << name;
     }
   }
-  EXPECT_EQ(baseline.runs.at({"throw", "as it is", "ours", ""}).neighbours, std::set<Verdict>{Verdict::right});
+  EXPECT_EQ(baseline.runs.at({"throw", "as it is", "ours", ""}).perturbed_verdicts, std::set<Verdict>{Verdict::right});
 }
 
-TEST(Bounds, LetPassWhatRoundingMayDoAndNothingMore) {
+TEST(Bounds, AllowRoundingAndNothingMore) {
   const Thrown thrown;
   const Baseline before = thrown.accepted();
   EXPECT_TRUE(compare(before, Thrown::on("another", thrown.plan(1, 1e-13))).passed());
@@ -66,7 +67,7 @@ TEST(Bounds, AreTheSameForAnyNumberOfJobs) {
   Baseline one = thrown.accepted();
   Baseline three = one;
   for (auto& [key, run] : three.runs) {
-    for (auto& [name, number] : run.numbers) number.moves.reset();
+    for (auto& [name, number] : run.numbers) number.bound.reset();
   }
   Plan plan = thrown.plan();
   plan.jobs = 3;
@@ -74,7 +75,7 @@ TEST(Bounds, AreTheSameForAnyNumberOfJobs) {
   for (const auto& [key, run] : one.runs) EXPECT_EQ(run.numbers, three.runs.at(key).numbers) << key.text();
 }
 
-// Falls to the left or to the right, by the last bits of where it starts.
+// Moves left or right depending on the last bits of its starting position.
 class OnAnEdge : public Simulation {
  public:
   explicit OnAnEdge(const Scene& scene) : states_(initial_states(scene)), side_(states_[0].position.x > 1 ? 1 : -1) {}
@@ -86,14 +87,65 @@ class OnAnEdge : public Simulation {
   double side_;
 };
 
-TEST(Bounds, AreWideWhereStartsNextToEachOtherPart) {
+TEST(Bounds, AreWideIfPerturbedRunsDiverge) {
   Thrown thrown;
   thrown.engine.build = [](const Scene& scene, const Settings&) -> std::unique_ptr<Simulation> {
     return std::make_unique<OnAnEdge>(scene);
   };
   const Baseline baseline = thrown.accepted();
-  const KeptRun& run = baseline.runs.at({"throw", "as it is", "ours", ""});
-  EXPECT_GT(*run.numbers.at("truth_error_end").moves, 0.1);
+  const BaselineRun& run = baseline.runs.at({"throw", "as it is", "ours", ""});
+  EXPECT_GT(*run.numbers.at("truth_error_end").bound, 0.1);
+}
+
+constexpr double single = std::numeric_limits<float>::epsilon() / 2;
+
+Stepping steps_of(double dt, double epsilon) { return {.dt = dt, .h = dt, .drift = 0.5, .epsilon = epsilon}; }
+
+// m, the error of y of a falling body if each sum is rounded to single precision.
+double rounded_off(double dt, std::size_t steps) {
+  double y = 2, v = 8;
+  auto y_single = static_cast<float>(y), v_single = static_cast<float>(v);
+  for (std::size_t i = 0; i < steps; ++i) {
+    v -= 10 * dt;
+    y += dt * v;
+    v_single -= static_cast<float>(10 * dt);
+    y_single += static_cast<float>(dt) * v_single;
+  }
+  return std::abs(static_cast<double>(y_single) - y);
+}
+
+TEST(RoundingOfARun, ExplainsTheErrorOfSinglePrecision) {
+  const Scene scene = fakes::thrown_box();
+  for (const double dt : {1.0 / 60, 1.0 / 100, 1.0 / 240, 1.0 / 1000}) {
+    const Trace trace = fakes::flight_of(scene, dt);
+    const Rounding rounding(scene, trace, steps_of(dt, single));
+    const double off = rounded_off(dt, trace.size() - 1);
+    EXPECT_LT(off, 10 * rounding.of("m")) << dt;
+    EXPECT_GT(off, 0.0001 * rounding.of("m")) << dt;
+  }
+}
+
+TEST(RoundingOfARun, GrowsAsARandomWalk) {
+  const Scene scene = fakes::thrown_box();
+  const auto of = [&](double dt) { return Rounding(scene, fakes::flight_of(scene, dt), steps_of(dt, single)).of("m"); };
+  EXPECT_NEAR(of(1.0 / 1600) / of(1.0 / 100), 4, 0.1);
+}
+
+TEST(RoundingOfARun, KnowsTheUnitsOfAllNumbers) {
+  const Scene scene = fakes::thrown_box();
+  const Rounding rounding(scene, fakes::flight_of(scene, 0.01), steps_of(0.01, single));
+  for (const char* unit : {"m", "m/s", "rad", "rad/s", "J", "1", "N", "N s", "N m", "kg m/s", "kg m^2/s"}) {
+    EXPECT_GT(rounding.of(unit), 0) << unit;
+    EXPECT_TRUE(std::isfinite(rounding.of(unit))) << unit;
+  }
+  EXPECT_EQ(rounding.of("bananas"), 0);
+}
+
+TEST(RoundingOfARun, AssumesThatClosedFormsAreEvaluatedInDouble) {
+  const Scene scene = fakes::thrown_box();
+  const Trace trace = fakes::flight_of(scene, 0.01);
+  EXPECT_EQ(Rounding(scene, trace, steps_of(0.01, 0)).of("m"),
+            Rounding(scene, trace, steps_of(0.01, std::numeric_limits<double>::epsilon())).of("m"));
 }
 
 }  // namespace

@@ -2,25 +2,25 @@
 
 #include "reports/gate/baseline.h"
 
-/// A baseline of one run, small enough to know by heart.
+/// A small baseline of one run.
 namespace plumb::fakes {
 
 inline RunKey run_key(const std::string& engine = "impulse") { return {"bounce", "e=0.5", engine, ""}; }
 
 inline Baseline baseline() {
-  KeptRun run{.verdict = Verdict::right, .bits = "00000000000000aa", .neighbours = {Verdict::right}};
-  run.numbers["penetration_max"] = {.unit = "m", .value = 1, .moves = 0.5};
+  BaselineRun run{.verdict = Verdict::right, .bits = "00000000000000aa", .perturbed_verdicts = {Verdict::right}};
+  run.numbers["penetration_max"] = {.unit = "m", .value = 1, .bound = 0.5};
   run.numbers["truth: y of box at 2 s"] = {
-      .unit = "m", .value = 0.25, .status = CheckStatus::held, .tolerance = 0.5, .moves = 0.125};
+      .unit = "m", .value = 0.25, .status = CheckStatus::held, .tolerance = 0.5, .bound = 0.125};
   Baseline all{
       .dt = 1.0 / 64, .platform = {{"architecture", "one"}, {"libm", "this"}}, .engines = {{"impulse", "here"}}};
   all.runs[run_key()] = run;
   return all;
 }
 
-inline KeptRun& run_of(Baseline& baseline) { return baseline.runs.begin()->second; }
-inline KeptNumber& metric_of(Baseline& baseline) { return run_of(baseline).numbers["penetration_max"]; }
-inline KeptNumber& check_of(Baseline& baseline) { return run_of(baseline).numbers["truth: y of box at 2 s"]; }
+inline BaselineRun& run_of(Baseline& baseline) { return baseline.runs.begin()->second; }
+inline BaselineNumber& metric_of(Baseline& baseline) { return run_of(baseline).numbers["penetration_max"]; }
+inline BaselineNumber& check_of(Baseline& baseline) { return run_of(baseline).numbers["truth: y of box at 2 s"]; }
 
 inline Baseline elsewhere(Baseline baseline) {
   baseline.platform["libm"] = "another";

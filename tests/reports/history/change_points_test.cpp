@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-// About normal, of variance 1: the sum of twelve even ones (Irwin and Hall).
+// Nearly normal with variance 1: the sum of twelve uniform numbers (Irwin and Hall).
 std::vector<double> noise(std::size_t many, std::uint64_t seed) {
   Random random(seed);
   std::vector<double> values(many, -6);
@@ -24,7 +24,7 @@ std::vector<double> raised(std::vector<double> values, std::size_t from, double 
   return values;
 }
 
-TEST(ChangePoints, FindsAStepOfThreeSigmaInNoise) {
+TEST(ChangePoints, AreFoundAtAStepOfThreeSigmaInNoise) {
   int found = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const auto changes = change_points(raised(noise(40, seed), 25, 3));
@@ -39,16 +39,16 @@ TEST(ChangePoints, FindsAStepOfThreeSigmaInNoise) {
   EXPECT_EQ(found, 20);
 }
 
-// Of 300 series, each with a chance of 0.01, more than 9 change with a chance of 0.001 (Poisson with mean 3); none at
-// all would be one of 0.05.
-TEST(ChangePoints, FindsOneInWhiteNoiseNoMoreOftenThanTheLevelSays) {
-  int alarms = 0;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) alarms += !change_points(noise(24, 1000 + seed), seed).empty();
-  EXPECT_LE(alarms, 9);
-  RecordProperty("alarms", alarms);
+// Of 300 series that change with a probability of 0.01 each, more than 9 do with a probability of 0.001 and none with
+// one of 0.05 (Poisson with mean 3).
+TEST(ChangePoints, AreFoundInWhiteNoiseNoMoreOftenThanTheLevelSays) {
+  int false_alarms = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) false_alarms += !change_points(noise(24, 1000 + seed), seed).empty();
+  EXPECT_LE(false_alarms, 9);
+  RecordProperty("false_alarms", false_alarms);
 }
 
-TEST(ChangePoints, TellsTwoSteps) {
+TEST(ChangePoints, AreFoundAtTwoSteps) {
   const auto changes = change_points(raised(raised(noise(45, 7), 15, 6), 30, -9));
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_EQ(changes[0].at, 15u);
@@ -59,7 +59,7 @@ TEST(ChangePoints, TellsTwoSteps) {
   EXPECT_NEAR(changes[1].after, -3, 1);
 }
 
-TEST(ChangePoints, SeesAnythingChangeWhereNumbersRepeatToTheBit) {
+TEST(ChangePoints, AreExactIfNumbersRepeatToTheBit) {
   const std::vector<double> values{0.1, 0.1, 0.1, 0.1, std::nextafter(0.1, 1)};
   const auto changes = change_points(values);
   ASSERT_EQ(changes.size(), 1u);
@@ -69,7 +69,7 @@ TEST(ChangePoints, SeesAnythingChangeWhereNumbersRepeatToTheBit) {
   EXPECT_EQ(changes[0].p, 0);
 }
 
-TEST(ChangePoints, SaysNothingOfFewValuesThatScatter) {
+TEST(ChangePoints, AreNotFoundInFewValuesThatScatter) {
   EXPECT_TRUE(change_points({}).empty());
   EXPECT_TRUE(change_points(std::vector<double>{1}).empty());
   EXPECT_TRUE(change_points(std::vector<double>{1, 2}).empty());
@@ -84,7 +84,7 @@ TEST(ChangePoints, AreTheSameForTheSameSeed) {
   EXPECT_EQ(once[0].p, again[0].p);
 }
 
-// The method's scale is that of the values: shifted and stretched they change in the same places.
+// Shifted and scaled values change at the same indices.
 TEST(ChangePoints, DoNotDependOnUnits) {
   const auto values = raised(noise(30, 11), 18, 4);
   std::vector<double> stretched;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "sample.h"
@@ -19,13 +20,13 @@ class Trends : public InFolder {
     for (const Trend& trend : all) {
       if (trend.series.metric == metric) return trend;
     }
-    throw std::logic_error("no trend of " + metric);
+    throw std::logic_error("there is no trend of " + metric);
   }
 
-  History history_ = History::to_add(place("h"));
+  History history_ = History::to_add(path("h"));
 };
 
-TEST_F(Trends, TellWhereANumberAndAVerdictChange) {
+TEST_F(Trends, FindChangesOfMetricsAndVerdicts) {
   const auto trends = trends_of(history_.heads(), history_.series());
   const Trend& rise = find(trends, "energy_rise");
   ASSERT_EQ(rise.changes.size(), 1u);
@@ -37,17 +38,17 @@ TEST_F(Trends, TellWhereANumberAndAVerdictChange) {
   EXPECT_EQ(verdicts[0].before + " " + verdicts[0].after, "right wrong");
 }
 
-TEST_F(Trends, LeaveOutWhatIsNotFinite) {
+TEST_F(Trends, LeaveOutValuesThatAreNotFinite) {
   const auto trends = trends_of(history_.heads(), history_.series());
-  EXPECT_EQ(trends.size(), 2u);
+  EXPECT_EQ(trends.size(), 3u);
   EXPECT_THROW(find(trends, "horizon"), std::logic_error);
 }
 
-TEST_F(Trends, NeverMixTimesOfTwoMachines) {
+TEST_F(Trends, SeparateStepTimesByMachine) {
   for (int i = 20; i < 30; ++i) {
     Snapshot elsewhere = sample_snapshot(i);
     elsewhere.environment["processor"] = "another";
-    elsewhere.answers.rbegin()->second.time->median *= 3;
+    elsewhere.runs.rbegin()->second.time->median *= 3;
     history_.add(elsewhere);
   }
   const auto times = trends_of(history_.heads(), history_.series(step_time));
@@ -57,14 +58,15 @@ TEST_F(Trends, NeverMixTimesOfTwoMachines) {
   EXPECT_EQ(trends_of(history_.heads(), history_.series("energy_rise")).size(), 1u);
 }
 
-TEST_F(Trends, GiveThePageWhatChangesAndAllTimes) {
+TEST_F(Trends, GiveThePageChangesAndAllStepTimes) {
   const auto document = history_document(history_);
   EXPECT_EQ(document["study"], "history");
   EXPECT_EQ(document["results"].size(), 20u);
   EXPECT_EQ(document["findings"]["trends"].size(), 1u);
   EXPECT_EQ(document["findings"]["verdicts"][0]["snapshot"], 10);
   EXPECT_EQ(document["timings"]["trends"][0]["high"].size(), 20u);
-  EXPECT_EQ(document["findings"]["unchanged"], 0);
+  EXPECT_EQ(document["findings"]["trends"][0]["engine"], "impulse");
+  EXPECT_EQ(document["findings"]["unchanged"], 1);
 }
 
 }  // namespace

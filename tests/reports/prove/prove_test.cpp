@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "reports/prove/document.h"
+#include "reports/prove/report.h"
 #include "reports/run/selection.h"
 
 namespace plumb {
@@ -18,21 +18,21 @@ using ::testing::SizeIs;
 
 constexpr double dt = 1.0 / 60;
 
-void quiet(const std::string&, std::size_t, std::size_t) {}
+void silent(const std::string&, std::size_t, std::size_t) {}
 
 Fault fault_called(const std::string& name) {
   for (const Fault& fault : all_faults()) {
     if (fault.name == name) return fault;
   }
-  ADD_FAILURE() << name << " is not there";
+  ADD_FAILURE() << "there is no fault " << name;
   return {};
 }
 
-Proof proof_of(const Fault& fault, const std::string& scenario) {
-  return prove({fault}, parse_cases(scenario), dt, 1, quiet).front();
+FaultResult result_of(const Fault& fault, const std::string& scenario) {
+  return prove({fault}, parse_cases(scenario), dt, 1, silent).front();
 }
 
-TEST(Faults, AreFortyAndMoreEachWithANameAndALine) {
+TEST(Faults, AreAtLeastFortyWithUniqueNamesAndDescriptions) {
   std::set<std::string> names;
   for (const Fault& fault : all_faults()) {
     EXPECT_TRUE(names.insert(fault.name).second) << fault.name;
@@ -41,7 +41,7 @@ TEST(Faults, AreFortyAndMoreEachWithANameAndALine) {
   EXPECT_GE(names.size(), 40U);
 }
 
-TEST(Faults, HoldEveryMisprintOfTheSeed) {
+TEST(Faults, IncludeEveryMisprintOfTheArticle) {
   std::set<std::string> names;
   for (const Fault& fault : all_faults()) names.insert(fault.name);
   for (const char* misprint :
@@ -62,89 +62,117 @@ TEST(Faults, AreNotOfferedAsMethods) {
   }
 }
 
-TEST(Prove, CatchesATenthOfAPercentOfGravityByTheTruth) {
-  const Proof proof = proof_of(fault_called("gravity-0.1-percent"), "spinning-obb:free-fall");
-  ASSERT_TRUE(proof.caught());
-  EXPECT_EQ(proof.best()->means, Means::truth);
-  EXPECT_GT(proof.best()->ratio, 1);
+TEST(Prove, CatchesGravityThatIsOffByATenthOfAPercent) {
+  const FaultResult result = result_of(fault_called("gravity-0.1-percent"), "spinning-obb:free-fall");
+  ASSERT_TRUE(result.caught());
+  EXPECT_EQ(result.best()->kind, DetectionKind::truth);
+  EXPECT_GT(result.best()->ratio, 1);
 }
 
-TEST(Prove, CatchesDrawingThatRunsBackwards) {
-  EXPECT_TRUE(proof_of(fault_called("interpolation-reversed"), "layers").caught());
-  EXPECT_TRUE(proof_of(fault_called("interpolation-without-angles"), "layers").caught());
+TEST(Prove, CatchesReversedInterpolation) {
+  EXPECT_TRUE(result_of(fault_called("interpolation-reversed"), "layers").caught());
+  EXPECT_TRUE(result_of(fault_called("interpolation-without-angles"), "layers").caught());
 }
 
 TEST(Prove, CatchesFrictionOfTheWrongSign) {
-  const Proof proof = proof_of(fault_called("friction-sign"), "stopping-distance");
-  EXPECT_TRUE(proof.caught());
-  EXPECT_THAT(proof.scenarios(), ElementsAre("stopping-distance"));
+  const FaultResult result = result_of(fault_called("friction-sign"), "stopping-distance");
+  EXPECT_TRUE(result.caught());
+  EXPECT_THAT(result.scenarios(), ElementsAre("stopping-distance"));
 }
 
-TEST(Prove, CatchesWhatIsNotTheSameTwice) {
-  const Proof proof = proof_of(fault_called("order-by-address"), "stacking");
-  EXPECT_TRUE(proof.caught());
-  EXPECT_THAT(proof.alarms, Contains(testing::Field(&Alarm::means, Means::repeat)));
+TEST(Prove, CatchesRunsThatDoNotRepeat) {
+  const FaultResult result = result_of(fault_called("order-by-address"), "stacking");
+  EXPECT_TRUE(result.caught());
+  EXPECT_THAT(result.detections, Contains(testing::Field(&Detection::kind, DetectionKind::repeat)));
 }
 
-TEST(Prove, DoesNotTakeOtherBitsForPhysics) {
-  const Fault nudged{
-      .name = "nudged", .about = "a start one rounding away", .build = [](Scene scene, const Settings& settings) {
-        for (Body& body : scene.bodies) body.velocity.x *= 1 + 0x1p-52;
-        return build_ours(scene, settings);
-      }};
-  const Proof proof = proof_of(nudged, "spinning-obb:flight");
-  EXPECT_FALSE(proof.caught());
-  EXPECT_EQ(proof.best(), nullptr);
-  ASSERT_THAT(proof.alarms, SizeIs(1));
-  EXPECT_EQ(proof.alarms.front().means, Means::bits);
-  EXPECT_THAT(text_of({.proofs = {proof}}), HasSubstr("NOT SEEN: other bits alone"));
+TEST(Prove, DoesNotCountChangedBitsAsCaught) {
+  const Fault nudged{.name = "nudged",
+                     .about = "a start that differs by one rounding",
+                     .build = [](Scene scene, const Settings& settings) {
+                       for (Body& body : scene.bodies) body.velocity.x *= 1 + 0x1p-52;
+                       return build_ours(scene, settings);
+                     }};
+  const FaultResult result = result_of(nudged, "spinning-obb:flight");
+  EXPECT_FALSE(result.caught());
+  EXPECT_EQ(result.best(), nullptr);
+  ASSERT_THAT(result.detections, SizeIs(1));
+  EXPECT_EQ(result.detections.front().kind, DetectionKind::bits);
+  EXPECT_THAT(text_of({.faults = {result}}), HasSubstr("NOT SEEN: only bits differ"));
 }
 
-TEST(Prove, HasNothingAgainstTheRightEngine) {
+TEST(Prove, DetectsNothingInTheRightEngine) {
   const Fault none{.name = "none", .about = "the engine as it is", .build = build_ours};
-  EXPECT_THAT(proof_of(none, "bounce").alarms, IsEmpty());
-  EXPECT_THAT(proof_of(none, "stacking").alarms, IsEmpty());
+  EXPECT_THAT(result_of(none, "bounce").detections, IsEmpty());
+  EXPECT_THAT(result_of(none, "stacking").detections, IsEmpty());
 }
 
-TEST(Prove, TakesARunThatDoesNotEndForCaught) {
+TEST(Prove, CatchesARunThatFails) {
   const Fault broken{.name = "broken",
                      .about = "ends at once",
                      .build = [](const Scene&, const Settings&) -> std::unique_ptr<Simulation> {
                        throw std::runtime_error("broken");
                      }};
-  EXPECT_TRUE(proof_of(broken, "slope:sticks").caught());
+  EXPECT_TRUE(result_of(broken, "slope:sticks").caught());
 }
 
 TEST(Prove, IsTheSameForAnyNumberOfJobs) {
   const std::vector<Fault> faults{fault_called("energy-leak"), fault_called("restitution-2-percent")};
-  const auto one = prove(faults, parse_cases("bounce"), dt, 1, quiet);
-  const auto four = prove(faults, parse_cases("bounce"), dt, 4, quiet);
-  EXPECT_EQ(to_json({.proofs = one}), to_json({.proofs = four}));
+  const auto one = prove(faults, parse_cases("bounce"), dt, 1, silent);
+  const auto four = prove(faults, parse_cases("bounce"), dt, 4, silent);
+  EXPECT_EQ(to_json({.faults = one}), to_json({.faults = four}));
 }
 
-TEST(CleanRuns, RaiseNoAlarm) {
-  const auto clean = clean_runs(4, parse_cases("spinning-obb"), dt, 1, quiet);
+TEST(CleanRuns, RaiseNoFalseAlarm) {
+  const auto clean = clean_runs(4, parse_cases("spinning-obb"), dt, 1, silent);
   ASSERT_THAT(clean, SizeIs(4));
-  for (const CleanRun& run : clean) EXPECT_THAT(run.alarms, IsEmpty()) << run.settings;
+  for (const CleanRun& run : clean) EXPECT_THAT(run.false_alarms, IsEmpty()) << run.settings;
 }
 
-Alarm alarm_in(const std::string& scenario) { return {.scenario = scenario, .ratio = 2}; }
+Detection detection_in(const std::string& scenario) { return {.scenario = scenario, .ratio = 2}; }
 
-TEST(FewestScenarios, CoverAllThatIsCaught) {
-  const std::vector<Proof> proofs{{{.name = "one"}, {alarm_in("a"), alarm_in("b")}},
-                                  {{.name = "two"}, {alarm_in("b")}},
-                                  {{.name = "three"}, {alarm_in("b"), alarm_in("c")}},
-                                  {{.name = "four"}, {alarm_in("d")}},
-                                  {{.name = "unseen"}, {}}};
-  EXPECT_THAT(fewest_scenarios(proofs), ElementsAre("b", "d"));
+TEST(FewestScenarios, CoverEveryCaughtFault) {
+  const std::vector<FaultResult> results{{{.name = "one"}, {detection_in("a"), detection_in("b")}},
+                                         {{.name = "two"}, {detection_in("b")}},
+                                         {{.name = "three"}, {detection_in("b"), detection_in("c")}},
+                                         {{.name = "four"}, {detection_in("d")}},
+                                         {{.name = "unseen"}, {}}};
+  EXPECT_THAT(fewest_scenarios(results), ElementsAre("b", "d"));
 }
 
-TEST(Proven, HoldsOnlyIfEveryFaultIsCaughtAndNoCleanRunAlarms) {
-  const Proof caught{{.name = "one"}, {alarm_in("a")}};
-  const Proof unseen{{.name = "two"}, {}};
-  EXPECT_TRUE((Proven{.proofs = {caught}, .clean = {{1, "", {}}}}).holds());
-  EXPECT_FALSE((Proven{.proofs = {caught, unseen}}).holds());
-  EXPECT_FALSE((Proven{.proofs = {caught}, .clean = {{1, "", {alarm_in("a")}}}}).holds());
+TEST(ProveReport, PassesOnlyIfEveryFaultIsCaughtWithoutAFalseAlarm) {
+  const FaultResult caught{{.name = "one"}, {detection_in("a")}};
+  const FaultResult missed{{.name = "two"}, {}};
+  EXPECT_TRUE((ProveReport{.faults = {caught}, .clean = {{1, "", {}}}}).passed());
+  EXPECT_FALSE((ProveReport{.faults = {caught, missed}}).passed());
+  EXPECT_FALSE((ProveReport{.faults = {caught}, .clean = {{1, "", {detection_in("a")}}}}).passed());
+}
+
+TEST(Variation, ChangesNoParameterExceptTheSeed) {
+  bool seeded = false;
+  for (const Case& one : default_cases(true)) {
+    const Case varied = variation_of(7).of(one);
+    for (const Parameter& parameter : one.scenario->parameters) {
+      const double was = one.parameters.at(parameter.name);
+      const double is = varied.parameters.at(parameter.name);
+      if (parameter.name == "seed") {
+        EXPECT_EQ(is, parameter.min + 7) << one.scenario->name;
+        seeded = true;
+      } else {
+        EXPECT_EQ(is, was) << one.scenario->name;
+      }
+    }
+  }
+  EXPECT_TRUE(seeded);
+}
+
+TEST(Variation, DependsOnTheSeedAlone) {
+  std::set<std::string> texts;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    EXPECT_EQ(variation_of(seed).text(), variation_of(seed).text());
+    texts.insert(variation_of(seed).text());
+  }
+  EXPECT_EQ(texts.size(), 20U) << "the text contains the seed";
 }
 
 }  // namespace

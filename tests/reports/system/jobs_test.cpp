@@ -9,15 +9,15 @@
 namespace plumb {
 namespace {
 
-TEST(DoAll, DoesEachPieceOnceWithAnyNumberOfJobs) {
+TEST(DoAll, CallsEachIndexOnceForAnyNumberOfJobs) {
   for (const int jobs : {1, 2, 7}) {
-    std::vector<std::atomic<int>> times(100);
-    do_all(times.size(), jobs, [&](std::size_t i) { ++times[i]; });
-    for (const auto& one : times) EXPECT_EQ(one, 1);
+    std::vector<std::atomic<int>> calls(100);
+    do_all(calls.size(), jobs, [&](std::size_t i) { ++calls[i]; });
+    for (const auto& count : calls) EXPECT_EQ(count, 1);
   }
 }
 
-TEST(DoAll, FinishesTheRestAndThrowsWhatTheFirstInOrderThrew) {
+TEST(DoAll, FinishesAllAndRethrowsTheExceptionOfTheLowestIndex) {
   std::atomic<int> done = 0;
   const auto work = [&](std::size_t i) {
     ++done;
@@ -32,7 +32,7 @@ TEST(DoAll, FinishesTheRestAndThrowsWhatTheFirstInOrderThrew) {
   EXPECT_EQ(done, 20);
 }
 
-TEST(DoAll, HasNothingToDoForNothing) {
+TEST(DoAll, CallsNothingForACountOfZero) {
   do_all(0, 4, [](std::size_t) { FAIL(); });
 }
 

@@ -82,7 +82,7 @@ const place = (scenario, variant, { engine, method }) => ({ scenario, variant, e
 export function sample(scenario = "free-fall") {
   const page = {
     report: {
-      plumb: 1,
+      plumb: 2,
       title: "Canonical scenarios",
       command: ["./plumb", "report"],
       environment: { compiler: "GCC 12.2.0", build: "Release", box2d: "2.4.1" },

@@ -14,7 +14,7 @@ class HistoryCommand : public InFolder {
  protected:
   Said history(std::vector<std::string> words, const std::string& file = "h") const {
     words.insert(words.begin(), "history");
-    words.insert(words.end(), {"--file", place(file)});
+    words.insert(words.end(), {"--file", path(file)});
     return say(words);
   }
 
@@ -27,7 +27,7 @@ class HistoryCommand : public InFolder {
 
 TEST_F(HistoryCommand, AddsAReportOnce) {
   put("report.json", to_json(sample_report()).dump());
-  const std::vector<std::string> words{"add", place("report.json"), "--commit", "c0ffee-gone", "--at", "2026-11-21"};
+  const std::vector<std::string> words{"add", path("report.json"), "--commit", "c0ffee-gone", "--at", "2026-11-21"};
   const Said first = history(words);
   EXPECT_EQ(first.code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("of c0ffee-gone at 2026-11-21T00:00:00Z"));
@@ -40,35 +40,35 @@ TEST_F(HistoryCommand, AddsAReportOnce) {
 
 TEST_F(HistoryCommand, WantsToKnowWhenAndAddsNothingElse) {
   put("report.json", to_json(sample_report()).dump());
-  EXPECT_EQ(history({"add", place("report.json"), "--commit", "c0ffee-gone"}).code, 2);
-  EXPECT_EQ(history({"add", place("report.json"), "--commit", "c0ffee-gone", "--at", "soon"}).code, 2);
+  EXPECT_EQ(history({"add", path("report.json"), "--commit", "c0ffee-gone"}).code, 2);
+  EXPECT_EQ(history({"add", path("report.json"), "--commit", "c0ffee-gone", "--at", "soon"}).code, 2);
   put("other.json", "{}");
-  const Said other = history({"add", place("report.json"), place("other.json"), "--commit", "c", "--at", "2026-11-21"});
+  const Said other = history({"add", path("report.json"), path("other.json"), "--commit", "c", "--at", "2026-11-21"});
   EXPECT_EQ(other.code, 2);
   EXPECT_THAT(other.err, HasSubstr("other.json: "));
-  EXPECT_FALSE(std::filesystem::exists(place("h")));
+  EXPECT_FALSE(std::filesystem::exists(path("h")));
 }
 
 TEST_F(HistoryCommand, TakesBackExactlyWhatItExports) {
   put_lines(0, 20);
-  EXPECT_THAT(history({"import", place("lines")}).out, HasSubstr("20 of 20 snapshots were added, 0 were there"));
-  EXPECT_THAT(history({"import", place("lines")}).out, HasSubstr("0 of 20 snapshots were added, 20 were there"));
-  EXPECT_EQ(history({"export", place("out")}).code, 0);
+  EXPECT_THAT(history({"import", path("lines")}).out, HasSubstr("20 of 20 snapshots were added, 0 were there"));
+  EXPECT_THAT(history({"import", path("lines")}).out, HasSubstr("0 of 20 snapshots were added, 20 were there"));
+  EXPECT_EQ(history({"export", path("out")}).code, 0);
   EXPECT_EQ(bytes("out"), bytes("lines"));
 }
 
 TEST_F(HistoryCommand, ImportsNothingOfAFileWithABrokenLine) {
   put_lines(0, 2);
   put("lines", bytes("lines") + "{\"plumb_history\":1}\n");
-  const Said said = history({"import", place("lines")});
+  const Said said = history({"import", path("lines")});
   EXPECT_EQ(said.code, 2);
   EXPECT_THAT(said.err, HasSubstr("line 3: "));
-  EXPECT_FALSE(std::filesystem::exists(place("h")));
+  EXPECT_FALSE(std::filesystem::exists(path("h")));
 }
 
 TEST_F(HistoryCommand, TellsWhatChangedAndSinceWhen) {
   put_lines(0, 20);
-  history({"import", place("lines")});
+  history({"import", path("lines")});
   const Said changes = history({"changes"});
   EXPECT_EQ(changes.code, 0);
   EXPECT_THAT(changes.out, HasSubstr("2026-01-11 c0ffee10\n"
@@ -81,7 +81,7 @@ TEST_F(HistoryCommand, TellsWhatChangedAndSinceWhen) {
 
 TEST_F(HistoryCommand, NamesTheNearestMetric) {
   put_lines(0, 3);
-  history({"import", place("lines")});
+  history({"import", path("lines")});
   const Said said = history({"trend", "energy_raise"});
   EXPECT_EQ(said.code, 2);
   EXPECT_THAT(said.err, HasSubstr("did you mean \"energy_rise\"?"));
@@ -94,18 +94,18 @@ TEST_F(HistoryCommand, RefusesAForeignFileAndLeavesIt) {
   put_lines(0, 1);
   const std::string before = bytes("h");
   for (const char* word : {"list", "changes"}) EXPECT_EQ(history({word}).code, 2);
-  const Said said = history({"import", place("lines")});
+  const Said said = history({"import", path("lines")});
   EXPECT_EQ(said.code, 2);
-  EXPECT_THAT(said.err, HasSubstr("is no history of Plumb"));
+  EXPECT_THAT(said.err, HasSubstr("is not a Plumb history"));
   EXPECT_EQ(bytes("h"), before);
-  EXPECT_EQ(say({"report", "--history", place("h"), "--out", place("out")}).code, 2);
-  EXPECT_FALSE(std::filesystem::exists(place("out")));
+  EXPECT_EQ(say({"report", "--history", path("h"), "--out", path("out")}).code, 2);
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
 }
 
 TEST_F(HistoryCommand, WritesAPage) {
   put_lines(0, 20);
-  history({"import", place("lines")});
-  const Said said = history({"page", "--out", place("")});
+  history({"import", path("lines")});
+  const Said said = history({"page", "--out", path("")});
   if (said.err.find("built without Node.js") != std::string::npos) GTEST_SKIP() << "no page";
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(bytes("history.html"), HasSubstr("\"study\":\"history\""));

@@ -1,0 +1,116 @@
+#include "reports/gate/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "reports/run/plan_selection.h"
+#include "reports/system/environment.h"
+#include "reports/system/terminal.h"
+
+namespace plumb {
+namespace {
+
+bool in_plan(const RunKey& key, const BaselineRun& run, const Plan& plan) {
+  const bool has_case = std::any_of(plan.cases.begin(), plan.cases.end(), [&](const Case& one) {
+    return one.scenario->name == key.scenario && one.variant == key.variant;
+  });
+  const bool has_engine =
+      run.exact || std::any_of(plan.configs.begin(), plan.configs.end(), [&](const EngineConfig& one) {
+        return one.engine->name == key.engine && one.method() == key.method;
+      });
+  return has_case && has_engine;
+}
+
+constexpr const char* remedy = "is not in the baseline; plumb accept makes one that has it";
+
+void check_cases(const Baseline& baseline, const Plan& plan) {
+  for (const Case& one : plan.cases) {
+    const bool known = std::any_of(baseline.runs.begin(), baseline.runs.end(), [&](const auto& run) {
+      return run.first.scenario == one.scenario->name && run.first.variant == one.variant;
+    });
+    if (known) continue;
+    throw std::invalid_argument(fmt::format("{}:{} {}", one.scenario->name, one.variant, remedy));
+  }
+}
+
+void check_engines(const Baseline& baseline, const Plan& plan) {
+  const std::vector<std::string> known = engines_of(baseline);
+  for (const EngineConfig& one : plan.configs) {
+    const std::string label = label_of(one.engine->name, one.method());
+    if (std::find(known.begin(), known.end(), label) == known.end()) {
+      throw std::invalid_argument(fmt::format("{} {}", label, remedy));
+    }
+  }
+}
+
+}  // namespace
+
+void GateOptions::attach_to(CLI::App& app) {
+  app.add_option("scenario", scenarios, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json")->type_name("NAME");
+  app.add_flag("--all", all, "Use the baseline of all scenarios, not only of the canonical ones");
+  app.add_option("--engine", engines, "NAME[:key=value,...]; may be repeated. Default: those of the baseline")
+      ->allow_extra_args(false)
+      ->type_name("ENGINE");
+  app.add_option("--baseline", baseline,
+                 "Default: canonical.json (all.json with --all) in $PLUMB_BASELINES, or else in reports/baselines")
+      ->type_name("FILE");
+  app.add_option("--jobs", jobs, "Cases run at once; the results are the same for any number")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+}
+
+std::string GateOptions::baseline_file() const {
+  if (!baseline.empty()) return baseline;
+  const char* folder = std::getenv("PLUMB_BASELINES");
+  return (folder == nullptr || *folder == '\0' ? std::string("reports/baselines") : std::string(folder)) +
+         (all ? "/all.json" : "/canonical.json");
+}
+
+std::vector<std::string> engines_of(const Baseline& baseline) {
+  std::set<std::string> labels;
+  for (const auto& [key, run] : baseline.runs) {
+    if (!run.exact) labels.insert(label_of(key.engine, key.method));
+  }
+  return {labels.begin(), labels.end()};
+}
+
+Plan plan_of(const Baseline& baseline, const GateOptions& options) {
+  const bool some = !options.scenarios.empty();
+  Plan plan = select_plan(some ? options.scenarios : baseline.scenarios, baseline.all,
+                         options.engines.empty() ? engines_of(baseline) : options.engines);
+  plan.dt = baseline.dt;
+  plan.jobs = options.jobs;
+  plan.timed = false;
+  if (some) check_cases(baseline, plan);
+  if (!options.engines.empty()) check_engines(baseline, plan);
+  return plan;
+}
+
+Baseline selected(const Baseline& baseline, const GateOptions& options, const Plan& plan) {
+  if (options.scenarios.empty() && options.engines.empty()) return baseline;
+  Baseline some = baseline;
+  std::erase_if(some.runs, [&](const auto& run) { return !in_plan(run.first, run.second, plan); });
+  std::erase_if(some.engines, [&](const auto& engine) {
+    return std::none_of(plan.configs.begin(), plan.configs.end(),
+                        [&](const EngineConfig& one) { return one.engine->name == engine.first; });
+  });
+  return some;
+}
+
+Report run_plan(const Plan& plan) {
+  const ProgressLine line;
+  Report report = carry_out(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
+    line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
+  });
+  report.environment = environment();
+  return report;
+}
+
+}  // namespace plumb

@@ -1,0 +1,129 @@
+#include "reports/prove/detection.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "reports/judge/truth.h"
+#include "reports/run/phases.h"
+#include "reports/system/hash.h"
+
+namespace plumb {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::uint64_t bits_of(const Trace& trace) {
+  BitHash hash;
+  const auto add = [&hash](Vec v) {
+    hash.add(v.x);
+    hash.add(v.y);
+  };
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    for (const BodyState& state : trace.states(i)) {
+      add(state.position);
+      hash.add(state.angle);
+      add(state.velocity);
+      hash.add(state.angular_velocity);
+    }
+    for (const ContactState& contact : trace.contacts(i)) {
+      add(contact.point);
+      hash.add(contact.normal_impulse);
+      hash.add(contact.tangent_impulse);
+    }
+  }
+  return hash.value();
+}
+
+double ratio_of(const TruthCheck& check) {
+  const double ratio = check.error / check.tolerance;
+  return std::isfinite(ratio) ? ratio : infinite;
+}
+
+Detection detection_in(const Case& one_case, DetectionKind kind, std::string metric) {
+  return {.scenario = one_case.scenario->name, .variant = one_case.variant, .kind = kind, .metric = std::move(metric)};
+}
+
+}  // namespace
+
+JudgedRun judge_two_runs(const Case& one_case, const EngineConfig& config, double dt) {
+  const Scene& scene = *one_case.scene;
+  const Outcome outcome = run(scene, config, dt, one_case.first_step);
+  JudgedRun judged{.status = outcome.status, .reason = outcome.reason};
+  if (outcome.trace) judged.bits = bits_of(*outcome.trace);
+  if (outcome.status != Status::ok) return judged;
+  const Outcome again = run(scene, config, dt, one_case.first_step);
+  judged.repeatable = again.trace && bits_of(*again.trace) == judged.bits;
+  std::optional<Truth> truth;
+  const Engine* closed_form = one_case.closed_form;
+  if (closed_form != nullptr && closed_form->unsupported(scene, complete(*closed_form, {})).empty()) {
+    truth.emplace(*closed_form, scene);
+  }
+  judged.judgement = judge_case(one_case, config, dt, *outcome.trace, truth ? &*truth : nullptr);
+  return judged;
+}
+
+const char* name_of(DetectionKind kind) {
+  switch (kind) {
+    case DetectionKind::truth:
+      return "truth";
+    case DetectionKind::invariant:
+      return "invariant";
+    case DetectionKind::repeat:
+      return "repeat";
+    case DetectionKind::bits:
+      return "bits";
+  }
+  return "";
+}
+
+std::vector<Detection> physics_detections(const Case& one_case, const JudgedRun& right, const JudgedRun& suspect) {
+  std::vector<Detection> all;
+  if (right.status != Status::ok) return all;
+  if (suspect.status != Status::ok) {
+    Detection lost = detection_in(one_case, DetectionKind::invariant, "the run's end");
+    lost.ratio = infinite;
+    return {lost};
+  }
+  const auto& checks = suspect.judgement.checks;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    const TruthCheck& check = checks[i];
+    if (!right.judgement.checks[i].passed || check.passed || !check.reported) continue;
+    Detection missed = detection_in(one_case, DetectionKind::truth,
+                                    check.body.empty() ? check.quantity : check.body + " " + check.quantity);
+    missed.unit = check.unit;
+    missed.error = check.error;
+    missed.tolerance = check.tolerance;
+    missed.ratio = ratio_of(check);
+    all.push_back(missed);
+  }
+  const auto& invariants = suspect.judgement.invariants;
+  for (std::size_t i = 0; i < invariants.size(); ++i) {
+    const bool held = right.judgement.invariants[i].ratio <= 1;
+    if (!held || !(invariants[i].ratio > 1)) continue;
+    Detection broken = detection_in(one_case, DetectionKind::invariant, invariants[i].name);
+    broken.unit = invariants[i].unit;
+    broken.error = invariants[i].value;
+    broken.tolerance = invariants[i].tolerance;
+    broken.ratio = invariants[i].ratio;
+    all.push_back(broken);
+  }
+  return all;
+}
+
+std::vector<Detection> detections(const Case& one_case, const JudgedRun& right, const JudgedRun& suspect) {
+  std::vector<Detection> all = physics_detections(one_case, right, suspect);
+  if (right.status != Status::ok) return all;
+  if (right.repeatable && !suspect.repeatable) {
+    Detection other = detection_in(one_case, DetectionKind::repeat, "bits of two runs");
+    other.ratio = infinite;
+    all.push_back(other);
+  }
+  if (all.empty() && suspect.bits != right.bits) {
+    all.push_back(detection_in(one_case, DetectionKind::bits, "bits"));
+  }
+  return all;
+}
+
+}  // namespace plumb

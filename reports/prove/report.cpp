@@ -1,0 +1,109 @@
+#include "reports/prove/report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string ratio_text(double ratio) {
+  if (!std::isfinite(ratio)) return "unbounded";
+  return ratio < 1e6 ? fmt::format("{:.3g} x allowed", ratio) : fmt::format("{:.1e} x allowed", ratio);
+}
+
+std::string method_of(const Fault& fault) {
+  std::string text;
+  for (const auto& [option, value] : fault.method) text += (text.empty() ? "" : ",") + value;
+  return text.empty() ? "accurate" : text;
+}
+
+std::string case_of(const Detection& one) { return one.scenario + (one.variant.empty() ? "" : " " + one.variant); }
+
+std::string line_of(const FaultResult& result) {
+  const Detection* best = result.best();
+  if (best == nullptr) {
+    return fmt::format("{:<30}{:<26}{}\n", result.fault.name, method_of(result.fault),
+                       result.detections.empty() ? "NOT SEEN: the same bits everywhere" : "NOT SEEN: only bits differ");
+  }
+  return fmt::format("{:<30}{:<26}{:<28}{:<20.20}{:<10}{:>18}{:>10}\n", result.fault.name, method_of(result.fault),
+                     case_of(*best), best->metric, name_of(best->kind), ratio_text(best->ratio),
+                     result.scenarios().size());
+}
+
+Json json_of(const Detection& one) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  return {{"scenario", one.scenario},   {"variant", one.variant},    {"kind", name_of(one.kind)},
+          {"metric", one.metric},       {"unit", one.unit},          {"error", number(one.error)},
+          {"tolerance", one.tolerance}, {"ratio", number(one.ratio)}};
+}
+
+Json json_of(const std::vector<Detection>& all) {
+  Json list = Json::array();
+  for (const Detection& one : all) list.push_back(json_of(one));
+  return list;
+}
+
+}  // namespace
+
+std::size_t ProveReport::caught() const {
+  return static_cast<std::size_t>(
+      std::count_if(faults.begin(), faults.end(), [](const FaultResult& result) { return result.caught(); }));
+}
+
+std::size_t ProveReport::caught_by_physics() const {
+  return static_cast<std::size_t>(std::count_if(faults.begin(), faults.end(),
+                                                [](const FaultResult& result) { return result.caught_by_physics(); }));
+}
+
+std::size_t ProveReport::false_alarms() const {
+  return static_cast<std::size_t>(
+      std::count_if(clean.begin(), clean.end(), [](const CleanRun& run) { return !run.false_alarms.empty(); }));
+}
+
+bool ProveReport::passed() const { return caught() == faults.size() && false_alarms() == 0; }
+
+std::string text_of(const ProveReport& report) {
+  std::string text = fmt::format(
+      "{} of {} faults caught, {} of them by truth or invariant; {} false alarms in {} clean runs; cases: {}.\n\n",
+      report.caught(), report.faults.size(), report.caught_by_physics(), report.false_alarms(), report.clean.size(),
+      report.cases);
+  text += fmt::format("{:<30}{:<26}{:<28}{:<20}{:<10}{:>18}{:>10}\n", "fault", "method", "caught in", "metric", "by",
+                      "error", "scenarios");
+  for (const FaultResult& result : report.faults) text += line_of(result);
+  text += fmt::format("\nThe fewest scenarios that catch them all: {}.\n",
+                      fmt::join(fewest_scenarios(report.faults), ", "));
+  for (const CleanRun& run : report.clean) {
+    for (const Detection& one : run.false_alarms) {
+      text += fmt::format("FALSE ALARM in {}: {}, {}, {:.3g} {} where {:.3g} is allowed\n", run.settings, case_of(one),
+                          one.metric, one.error, one.unit, one.tolerance);
+    }
+  }
+  return text;
+}
+
+Json to_json(const ProveReport& report) {
+  Json faults = Json::array();
+  for (const FaultResult& result : report.faults) {
+    faults.push_back({{"name", result.fault.name},
+                      {"about", result.fault.about},
+                      {"source", result.fault.source},
+                      {"method", method_of(result.fault)},
+                      {"caught", result.caught()},
+                      {"detections", json_of(result.detections)}});
+  }
+  Json clean = Json::array();
+  for (const CleanRun& run : report.clean) {
+    clean.push_back({{"seed", run.seed}, {"settings", run.settings}, {"false_alarms", json_of(run.false_alarms)}});
+  }
+  return {{"caught", report.caught()}, {"false_alarms", report.false_alarms()},
+          {"cases", report.cases},     {"fewest_scenarios", fewest_scenarios(report.faults)},
+          {"faults", faults},          {"clean", clean}};
+}
+
+}  // namespace plumb

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "reports/prove/prove.h"
+
+namespace plumb {
+
+/// Everything that `plumb prove` found.
+struct ProveReport {
+  std::vector<FaultResult> faults;
+  std::vector<CleanRun> clean;
+  std::size_t cases = 0;
+
+  std::size_t caught() const;
+  std::size_t caught_by_physics() const;
+  std::size_t false_alarms() const;  // clean runs with any
+  /// Whether every fault was caught and there is no false alarm.
+  bool passed() const;
+};
+
+/// A summary line, a table of faults with the best detection of each, the fewest scenarios and the false alarms.
+std::string text_of(const ProveReport&);
+
+nlohmann::ordered_json to_json(const ProveReport&);
+
+}  // namespace plumb
