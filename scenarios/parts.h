@@ -6,16 +6,10 @@
 
 #include "scenarios/scene/scene.h"
 
-/// Pieces that scenes are put together from.
+/// Bodies that many scenes are built from.
 namespace plumb {
 
-/// A surface with one coefficient of friction for sticking and sliding.
-inline Surface surface(double friction, double restitution, double density = 1) {
-  return {.density = density, .static_friction = friction, .dynamic_friction = friction, .restitution = restitution};
-}
-
-/// Everything below y = 0. A half-space has no corner to meet and no thickness to fall through: the plainest ground
-/// there is.
+/// The half-space y <= 0. It has no corners to hit and no thickness to fall through.
 inline Body level_ground(Surface of) {
   return {.name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}, .surface = of}}};
 }
@@ -34,7 +28,7 @@ inline Body fixed(Body body) {
   return body;
 }
 
-/// A floor at y = 0 and walls at x = -width/2 and width/2, solid all the way out: nothing is thrown through them.
+/// A floor at y = 0 and walls at x = -width/2 and width/2, all half-spaces, so that nothing can get through them.
 inline Body pit(double width, Surface of) {
   Body made = level_ground(of);
   made.name = "pit";

@@ -11,7 +11,6 @@
 #include "reports/gate/report_json.h"
 #include "reports/gate/words.h"
 #include "reports/system/files.h"
-#include "scenarios/scene/json_parse.h"
 #include "scenarios/scene/json_reader.h"
 
 namespace plumb {

@@ -15,7 +15,7 @@
 #include "reports/run/examine.h"
 #include "reports/system/jobs.h"
 #include "reports/vec.h"
-#include "scenarios/perturbed.h"
+#include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "reports/gate/words.h"
 #include "reports/history/snapshot.h"
-#include "scenarios/scene/json_parse.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {

@@ -8,7 +8,7 @@
 #include "reports/gate/words.h"
 #include "reports/history/moment.h"
 #include "reports/history/sha256.h"
-#include "scenarios/scene/json_parse.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "reports/gate/words.h"
-#include "scenarios/scene/json_parse.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {

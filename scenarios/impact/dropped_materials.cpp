@@ -4,7 +4,7 @@
 #include "scenarios/allowance.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
-#include "scenarios/scene/materials.h"
+#include "scenarios/scene/surface.h"
 
 namespace plumb::scenarios::dropped_materials {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenarios/scene/materials.h"
+#include "scenarios/scene/surface.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "reports/gate/writer.h"
 #include "scenarios/catalog.h"
-#include "scenarios/scene/json_parse.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 

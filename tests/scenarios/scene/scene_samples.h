@@ -1,16 +1,21 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <sstream>
 #include <string>
+#include <type_traits>
+#include <variant>
 
 #include "scenarios/scene/scene_json.h"
 
-/// Scenes of no sense but of every kind, the same for the same seed with any standard library.
 namespace plumb {
 
+/// Random scenes with every kind of body, shape, joint and force; physically meaningless. The same seed gives the same
+/// scene with any standard library.
 class RandomScene {
  public:
   explicit RandomScene(std::uint64_t seed) : draw_(seed) {}
@@ -22,7 +27,7 @@ class RandomScene {
     scene.gravity = point();
     scene.duration = 1 + between(0, 100);
     scene.mixing = {static_cast<FrictionMixing>(below(6)), static_cast<RestitutionMixing>(below(4))};
-    // The first is sure to be dynamic, for joints need one.
+    // The first body is always dynamic because every joint needs a dynamic body.
     for (std::size_t i = 0; i < 3 + below(5); ++i) scene.bodies.push_back(body(i));
     for (std::size_t i = below(4); i > 0; --i) scene.joints.push_back(joint(other(scene)));
     for (std::size_t i = below(4); i > 0; --i) scene.forces.push_back(force(other(scene)));
@@ -39,7 +44,7 @@ class RandomScene {
   double between(double low, double high) { return low + (high - low) * static_cast<double>(draw_() >> 11) * 0x1p-53; }
   double sometimes(double otherwise, double value) { return below(2) == 0 ? otherwise : value; }
 
-  // Of every size, with the numbers that are lost most easily.
+  // Numbers of every magnitude, and those that a file format loses most easily.
   double number() {
     switch (below(8)) {
       case 0:
@@ -136,6 +141,78 @@ class RandomScene {
   }
 
   std::mt19937_64 draw_;
+};
+
+/// Every field of a scene as text, numbers by their bits: two scenes are identical if their texts are. Tells -0 from 0.
+class SceneBits {
+ public:
+  static std::string of(const SceneFile& file) {
+    SceneBits bits;
+    bits.all(file.scene);
+    for (const StatedTruth& truth : file.truth) {
+      bits.add(truth.body, name_of(truth.quantity), truth.time.has_value(), truth.time.value_or(0), truth.value,
+               truth.tolerance, truth.source);
+    }
+    return bits.out_.str();
+  }
+
+ private:
+  template <class... Parts>
+  void add(const Parts&... parts) {
+    (one(parts), ...);
+    out_ << '\n';
+  }
+  void one(double number) { out_ << std::hex << std::bit_cast<std::uint64_t>(number) << ' '; }
+  void one(Vec v) {
+    one(v.x);
+    one(v.y);
+  }
+  void one(const std::string& text) { out_ << '"' << text << "\" "; }
+  void one(const char* text) { out_ << text << ' '; }
+  template <class Whole>
+  requires std::is_integral_v<Whole> || std::is_enum_v<Whole>
+  void one(Whole number) { out_ << std::dec << static_cast<std::int64_t>(number) << ' '; }
+
+  void all(const Scene& scene) {
+    add(scene.name, scene.about, scene.gravity, scene.duration, scene.mixing.friction, scene.mixing.restitution);
+    for (const Body& body : scene.bodies) {
+      add(body.name, body.type, body.position, body.angle, body.velocity, body.angular_velocity, body.gravity_scale,
+          body.fixed_rotation, body.bullet, body.layers, body.linear_damping, body.angular_damping);
+      for (const Shape& shape : body.shapes) {
+        const Surface& surface = shape.surface;
+        std::visit(*this, shape.geometry);
+        add(surface.density, surface.static_friction, surface.dynamic_friction, surface.restitution);
+      }
+    }
+    for (const Joint& joint : scene.joints) std::visit(*this, joint);
+    for (const Force& force : scene.forces) std::visit(*this, force);
+  }
+
+  SceneBits() = default;
+  std::ostringstream out_;
+
+ public:
+  // Called by std::visit.
+  void operator()(const Circle& c) { add("circle", c.radius, c.center); }
+  void operator()(const Box& b) { add("box", b.size, b.center, b.angle); }
+  void operator()(const Capsule& c) { add("capsule", c.from, c.to, c.radius); }
+  void operator()(const Segment& s) { add("segment", s.from, s.to); }
+  void operator()(const HalfSpace& h) { add("halfspace", h.normal, h.offset); }
+  void operator()(const Polygon& p) {
+    out_ << "polygon ";
+    for (const Vec& vertex : p.vertices) add(vertex);
+  }
+  void operator()(const Revolute& j) { add("revolute", j.a, j.b, j.anchor); }
+  void operator()(const Distance& j) {
+    add("distance", j.a, j.b, j.anchor_a, j.anchor_b, j.length, j.stiffness, j.damping);
+  }
+  void operator()(const Prismatic& j) { add("prismatic", j.a, j.b, j.anchor, j.axis); }
+  void operator()(const Weld& j) { add("weld", j.a, j.b, j.anchor); }
+  void operator()(const Attraction& f) { add("attraction", f.from, f.strength, f.exponent, f.mutual); }
+  void operator()(const Spring& f) {
+    add("spring", f.a.has_value(), f.a.value_or(0), f.b, f.anchor_a, f.anchor_b, f.stiffness, f.length, f.damping);
+  }
+  void operator()(const Constant& f) { add("constant", f.body, f.force, f.torque); }
 };
 
 }  // namespace plumb

@@ -8,16 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "random_scene.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/scene_json.h"
+#include "scene_samples.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What a hand, a program or a bad cable does to a scene file. The same for the same seed.
+// Corrupts a scene file the way typing errors, faulty programs and bad connections do. The same seed gives the same
+// changes.
 class Mutator {
  public:
   explicit Mutator(std::uint64_t seed) : draw_(seed) {}
@@ -56,7 +57,7 @@ class Mutator {
     return json.dump();
   }
 
-  // Somewhere down the tree.
+  // A random value somewhere in the tree.
   Json& place(Json& json) {
     Json* at = &json;
     while (at->is_structured() && !at->empty() && below(5) != 0) {
@@ -67,7 +68,7 @@ class Mutator {
     return *at;
   }
 
-  Json odd() {
+  Json odd_value() {
     static const std::vector<Json> values{nullptr,
                                           true,
                                           "",
@@ -96,14 +97,14 @@ class Mutator {
     Json& at = place(json);
     switch (below(4)) {
       case 0:
-        at = odd();
+        at = odd_value();
         break;
       case 1:
         at = Json(place(json));
         break;
       case 2:
-        if (at.is_array()) at.push_back(at.empty() ? odd() : at.front());
-        if (at.is_object()) at["type"] = odd();
+        if (at.is_array()) at.push_back(at.empty() ? odd_value() : at.front());
+        if (at.is_object()) at["type"] = odd_value();
         break;
       default:
         if (at.is_structured() && !at.empty()) at.erase(at.begin());
@@ -123,9 +124,10 @@ std::vector<std::string> exported() {
   return texts;
 }
 
-// Whole, so that it can be written and read again; or refused, in good time, with the place.
-TEST(ReadScene, TakesOrRefusesTenThousandMutatedFiles) {
-  const testing::Matcher<std::string> tells_the_place =
+// Each file is either read completely, so that it can be written again, or refused within a second with the location of
+// the error.
+TEST(ReadScene, ReadsOrRefusesTenThousandMutatedFiles) {
+  const testing::Matcher<std::string> says_where =
       testing::ContainsRegex("^m\\.json: (line [0-9]+, column [0-9]+|top level|[^ ]+): .");
   const std::vector<std::string> texts = exported();
   Mutator mutated(1);
@@ -138,13 +140,13 @@ TEST(ReadScene, TakesOrRefusesTenThousandMutatedFiles) {
       write_scene(read_scene(text, "m.json"));
     } catch (const std::invalid_argument& error) {
       ++refused;
-      ASSERT_TRUE(tells_the_place.Matches(error.what())) << error.what() << '\n' << text;
+      ASSERT_TRUE(says_where.Matches(error.what())) << error.what() << '\n' << text;
     }
     slowest = std::max(slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start));
   }
   EXPECT_LT(slowest.count(), 1);
   EXPECT_GT(refused, 5'000);
-  EXPECT_LT(refused, 9'900);  // the mutations are not so wild that all are refused at the door
+  EXPECT_LT(refused, 9'900);  // the mutations are mild enough that some files are still valid
 }
 
 }  // namespace

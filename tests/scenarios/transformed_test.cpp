@@ -1,4 +1,4 @@
-#include "scenarios/scaled.h"
+#include "scenarios/transformed.h"
 
 #include <gtest/gtest.h>
 
