@@ -9,12 +9,12 @@
 namespace plumb {
 namespace {
 
-struct Words {
+struct NameAndUnit {
   const char* name;
   const char* unit;
 };
 
-Words words_for(Quantity quantity) {
+NameAndUnit name_and_unit(Quantity quantity) {
   switch (quantity) {
     case Quantity::x:
       return {"x", "m"};
@@ -52,13 +52,13 @@ Words words_for(Quantity quantity) {
   return {"", ""};
 }
 
-void check(const Scenario& scenario, const Parameter& parameter, double value) {
+void check_value(const Scenario& scenario, const Parameter& parameter, double value) {
   const bool inside = value >= parameter.min && value <= parameter.max;  // false for NaN
-  const bool broken = parameter.whole && value != std::floor(value);
-  if (inside && !broken) return;
+  const bool fractional = parameter.whole && value != std::floor(value);
+  if (inside && !fractional) return;
   std::ostringstream what;
   what << scenario.name << ": " << parameter.name << " = " << value;
-  if (broken) {
+  if (fractional) {
     what << " must be a whole number";
   } else {
     what << " is out of range, must be " << parameter.min << " ... " << parameter.max;
@@ -69,8 +69,8 @@ void check(const Scenario& scenario, const Parameter& parameter, double value) {
 
 }  // namespace
 
-const char* name_of(Quantity quantity) { return words_for(quantity).name; }
-const char* unit_of(Quantity quantity) { return words_for(quantity).unit; }
+const char* name_of(Quantity quantity) { return name_and_unit(quantity).name; }
+const char* unit_of(Quantity quantity) { return name_and_unit(quantity).unit; }
 
 const char* name_of(Relation relation) {
   switch (relation) {
@@ -96,7 +96,7 @@ Parameters complete(const Scenario& scenario, const Parameters& changes) {
     if (known == values.end()) throw std::invalid_argument(scenario.name + ": " + unknown("parameter", name, names));
     known->second = value;
   }
-  for (const Parameter& parameter : scenario.parameters) check(scenario, parameter, values[parameter.name]);
+  for (const Parameter& parameter : scenario.parameters) check_value(scenario, parameter, values[parameter.name]);
   return values;
 }
 
