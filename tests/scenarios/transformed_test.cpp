@@ -19,7 +19,7 @@ std::vector<BodyState> end_of(const Scene& scene) {
 
 Scene default_scene(const Scenario& scenario) { return scenario.scene(complete(scenario, {})); }
 
-TEST(Scaled, KeepsMassesAndSquaresArms) {
+TEST(Scaled, KeepsMassesAndScalesInertiaWithTheSquare) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     const Scene scene = default_scene(*scenario);
     const Scene larger = scaled(scene, 4);
@@ -30,8 +30,8 @@ TEST(Scaled, KeepsMassesAndSquaresArms) {
   }
 }
 
-// Free motion, joints and forces have no length of their own.
-TEST(Scaled, MovesAlike) {
+// Free motion, joints and forces have no length scale of their own.
+TEST(Scaled, ScalesTheMotion) {
   Scene pushed = default_scene(*Catalog<Scenario>::find("spinning-obb"));
   pushed.bodies = {pushed.bodies.back()};
   pushed.forces = {Constant{.body = 0, .force = {3, 1}, .torque = 0.5}};
@@ -40,14 +40,31 @@ TEST(Scaled, MovesAlike) {
     scenes.push_back(default_scene(*Catalog<Scenario>::find(name)));
   }
   for (const Scene& scene : scenes) {
-    const auto as_asked = end_of(scene);
+    const auto original = end_of(scene);
     const auto larger = end_of(scaled(scene, 4));
-    for (std::size_t i = 0; i < as_asked.size(); ++i) {
-      EXPECT_NEAR(larger[i].position.x, 4 * as_asked[i].position.x, 1e-11) << scene.name;
-      EXPECT_NEAR(larger[i].position.y, 4 * as_asked[i].position.y, 1e-11) << scene.name;
-      EXPECT_NEAR(larger[i].angle, as_asked[i].angle, 1e-11) << scene.name;
+    for (std::size_t i = 0; i < original.size(); ++i) {
+      EXPECT_NEAR(larger[i].position.x, 4 * original[i].position.x, 1e-11) << scene.name;
+      EXPECT_NEAR(larger[i].position.y, 4 * original[i].position.y, 1e-11) << scene.name;
+      EXPECT_NEAR(larger[i].angle, original[i].angle, 1e-11) << scene.name;
     }
   }
+}
+
+TEST(Perturbed, MovesOnlyDynamicBodiesByAtMostTheSize) {
+  const Scene scene = default_scene(*Catalog<Scenario>::find("stacking"));
+  const Scene moved = perturbed(scene, 0.01, 1);
+  EXPECT_EQ(moved.bodies[0].position, scene.bodies[0].position);
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    EXPECT_NE(moved.bodies[i].position, scene.bodies[i].position);
+    EXPECT_NEAR(moved.bodies[i].position.x, scene.bodies[i].position.x, 0.01);
+    EXPECT_NEAR(moved.bodies[i].position.y, scene.bodies[i].position.y, 0.01);
+  }
+}
+
+TEST(Perturbed, IsTheSameForTheSameSeed) {
+  const Scene scene = default_scene(*Catalog<Scenario>::find("stacking"));
+  EXPECT_EQ(perturbed(scene, 0.01, 1).bodies[1].position, perturbed(scene, 0.01, 1).bodies[1].position);
+  EXPECT_NE(perturbed(scene, 0.01, 2).bodies[1].position, perturbed(scene, 0.01, 1).bodies[1].position);
 }
 
 }  // namespace

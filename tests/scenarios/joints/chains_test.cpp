@@ -8,8 +8,9 @@
 namespace plumb {
 namespace {
 
-// Every hinge's forces are known from the planks' moments alone: where a plank of weight w runs at slope tan b under a
-// horizontal pull H, the pull on its upper end is H tan b + w/2 upwards. The sum over both banks carries everything.
+// The forces on every hinge follow from the planks' moments alone: if a plank of weight w has slope tan b under a
+// horizontal pull H, the pull on its upper end is H tan b + w/2 upwards. The sum over both banks carries all the
+// weight.
 TEST(RopeBridge, HangsInEquilibrium) {
   const Scenario& scenario = *Catalog<Scenario>::find("rope-bridge");
   for (const double ratio : {1.0, 50.0}) {
@@ -18,7 +19,7 @@ TEST(RopeBridge, HangsInEquilibrium) {
     const double plank = mass_of(scene.bodies[1]).mass;
     const double load = mass_of(scene.bodies.back()).mass;
     EXPECT_NEAR(load / plank, ratio, 1e-12 * ratio);
-    // Links 1 ... 12 from the left bank to the right; the load hangs between 6 and 7.
+    // Links 1 ... 12 run from the left bank to the right; the load hangs between 6 and 7.
     const double pull = plank / (slope(8) - slope(7));
     for (int link = 1; link < 12; ++link) {
       const double hung = link == 6 ? load + plank : plank;
