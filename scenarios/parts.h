@@ -9,10 +9,13 @@
 /// Bodies that many scenes are built from.
 namespace plumb {
 
-/// The half-space y <= 0. It has no corners to hit and no thickness to fall through.
-inline Body level_ground(Surface of) {
-  return {.name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}, .surface = of}}};
+/// A fixed half-space. It has no corners to hit and no thickness to fall through.
+inline Body half_space(std::string name, HalfSpace solid, Surface of) {
+  return {.name = std::move(name), .type = BodyType::fixed, .shapes = {{.geometry = solid, .surface = of}}};
 }
+
+/// The half-space y <= 0, "ground".
+inline Body level_ground(Surface of) { return half_space("ground", {}, of); }
 
 inline Body box(std::string name, Vec position, Vec size, Surface of) {
   return {.name = std::move(name), .position = position, .shapes = {{.geometry = Box{.size = size}, .surface = of}}};
@@ -30,8 +33,7 @@ inline Body fixed(Body body) {
 
 /// A floor at y = 0 and walls at x = -width/2 and width/2, all half-spaces, so that nothing can get through them.
 inline Body pit(double width, Surface of) {
-  Body made = level_ground(of);
-  made.name = "pit";
+  Body made = half_space("pit", {}, of);
   made.shapes.push_back({.geometry = HalfSpace{.normal = {1, 0}, .offset = -width / 2}, .surface = of});
   made.shapes.push_back({.geometry = HalfSpace{.normal = {-1, 0}, .offset = -width / 2}, .surface = of});
   return made;

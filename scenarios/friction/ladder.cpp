@@ -32,9 +32,7 @@ double gyration() {
 // Angle above the horizontal, rad; duration, s.
 Scene leaning(double angle, double friction, double duration) {
   Scene scene{.gravity = {0, -gravity}, .duration = duration};
-  Body wall = level_ground(surface(0, 0));
-  wall.name = "wall";
-  wall.shapes[0].geometry = HalfSpace{.normal = {1, 0}};
+  const Body wall = half_space("wall", {.normal = {1, 0}}, surface(0, 0));
   scene.bodies = {level_ground(surface(friction, 0)), wall, make_ladder(angle, friction)};
   return scene;
 }

@@ -33,11 +33,11 @@ Scene scene(const Parameters& p) {
 // Drift: a step with drift D conserves v^2/(2 g) + y - D h v exactly (v upwards), which jumps by D h (V + e V) when the
 // velocity is reversed; the reversal changes H' by D h V (e^2 + e). Gap: contact may be detected a gap early or late
 // and the disc placed that much off: (1 + e^2) gap. Threshold: an impact slower than it may not bounce at all.
-struct Flight {
+struct ApexRange {
   double low = 0, high = 0;  // m, of the apex above the ground
 };
 
-Flight after_impact(Flight before, double e, const Stepping& s) {
+ApexRange after_impact(ApexRange before, double e, const Stepping& s) {
   const double slack = gravity * s.h * (s.impact_lag + std::abs(s.drift));  // m/s, error of the speed itself
   const double fastest = std::sqrt(2 * gravity * before.high) + slack;
   const double slowest = std::sqrt(2 * gravity * std::max(before.low, 0.0)) - slack;
@@ -47,8 +47,8 @@ Flight after_impact(Flight before, double e, const Stepping& s) {
   return {sure ? e * e * before.low - (1 - e * e) * depth - off : -depth - s.gap, e * e * (before.high + depth) + off};
 }
 
-Flight flight(int n, double height, double e, const Stepping& s) {
-  Flight now{height, height};
+ApexRange apex_range(int n, double height, double e, const Stepping& s) {
+  ApexRange now{height, height};
   for (int k = 0; k < n; ++k) now = after_impact(now, e, s);
   return now;
 }
@@ -56,7 +56,7 @@ Flight flight(int n, double height, double e, const Stepping& s) {
 // Apex n, sampled every dt: the highest sample is at most dt/2 from the top, g dt^2/8 lower.
 double allowed_apex(int n, double height, double e, const Stepping& s) {
   const double expected = std::pow(e, 2 * n) * height;
-  const Flight now = flight(n, height, e, s);
+  const ApexRange now = apex_range(n, height, e, s);
   const double time = (2 * n + 1) * std::sqrt(2 * height / gravity);
   return std::max(now.high - expected, expected - now.low) + gravity * s.dt * s.dt / 8 +
          round_off(s, time, height + gravity * time * time);
@@ -69,7 +69,7 @@ double allowed_landing(int n, double height, double e, const Stepping& s) {
   const double each = lag(s) + std::abs(s.drift) * s.h + std::sqrt(2 * s.gap / gravity);
   double late = each;
   double early = each;
-  Flight now{height, height};
+  ApexRange now{height, height};
   for (int k = 1; k < n; ++k) {
     now = after_impact(now, e, s);
     const double exact = 2 * std::pow(e, k) * fall;
@@ -83,7 +83,7 @@ double allowed_landing(int n, double height, double e, const Stepping& s) {
 // time for.
 double allowed_rest(double height, double e, const Stepping& s) {
   constexpr double settled = 1e-15;  // m
-  Flight now{height, height};
+  ApexRange now{height, height};
   double time = std::sqrt(2 * height / gravity) + s.h;
   while (time < duration && now.high > settled) {
     const double before = now.high;
@@ -98,7 +98,7 @@ double allowed_rest(double height, double e, const Stepping& s) {
 // at sqrt(2h/g) and the others are twice that apart; there may have been one more than that by the end.
 double allowed_energy(double weight, double height, const Stepping& s) {
   const int impacts = static_cast<int>(std::ceil(duration / (2 * std::sqrt(2 * height / gravity)) + 0.5));
-  const Flight last = flight(impacts, height, 1, s);
+  const ApexRange last = apex_range(impacts, height, 1, s);
   const double fastest = std::sqrt(2 * gravity * last.high);
   return weight * (std::max(last.high - height, height - last.low) + std::abs(s.drift) * s.h * fastest) +
          weight * round_off(s, duration, height + gravity * duration * duration);

@@ -15,19 +15,19 @@ constexpr double radius = 0.3;  // m
 constexpr double pitch = 2;     // m, from pad to pad
 const Vec pad{1.6, 0.4};        // m
 
-struct Drop {
-  Material falls, lies;
+struct DroppedDisc {
+  NamedSurface falls, lies;
   double x;
   std::string name() const { return falls.name + " on " + lies.name; }
   double restitution() const { return std::max(falls.surface.restitution, lies.surface.restitution); }
 };
 
 // A material without density cannot fall.
-std::vector<Drop> drops() {
-  std::vector<Drop> all;
-  for (const Material& falls : materials()) {
+std::vector<DroppedDisc> drops() {
+  std::vector<DroppedDisc> all;
+  for (const NamedSurface& falls : materials()) {
     if (falls.surface.density == 0) continue;
-    for (const Material& lies : materials()) {
+    for (const NamedSurface& lies : materials()) {
       all.push_back({falls, lies, static_cast<double>(all.size()) * pitch});
     }
   }
@@ -40,7 +40,7 @@ Scene scene(const Parameters& p) {
               .about = "A disc of every material is dropped on a pad of every material.",
               .gravity = {0, -gravity},
               .duration = duration};
-  for (const Drop& drop : drops()) {
+  for (const DroppedDisc& drop : drops()) {
     scene.bodies.push_back(fixed(box("under " + drop.name(), {drop.x, -pad.y / 2}, pad, drop.lies.surface)));
     scene.bodies.push_back(disc(drop.name(), {drop.x, p.at("height") + radius}, radius, drop.falls.surface));
   }
@@ -69,7 +69,7 @@ double allowed_rest(double e, double height, const Stepping& s) {
 std::vector<Expectation> expectations(const Parameters& p) {
   const double height = p.at("height");
   std::vector<Expectation> all;
-  for (const Drop& drop : drops()) {
+  for (const DroppedDisc& drop : drops()) {
     const double e = drop.restitution();
     // Hops of only a few steps have no apex to sample; long ones have not come to rest by the end.
     constexpr double high = 0.5;

@@ -28,10 +28,7 @@ Scene scene(const Parameters& p) {
   const std::pair<const char*, Vec> walls[] = {
       {"floor", {0, 1}}, {"lid", {0, -1}}, {"left", {1, 0}}, {"right", {-1, 0}}};
   for (const auto& [name, normal] : walls) {
-    Body wall = level_ground(elastic);
-    wall.name = name;
-    wall.shapes[0].geometry = HalfSpace{.normal = normal, .offset = -half};
-    scene.bodies.push_back(wall);
+    scene.bodies.push_back(half_space(name, {.normal = normal, .offset = -half}, elastic));
   }
   Random random(20);
   for (int i = 0; i < side(p) * side(p); ++i) {

@@ -149,9 +149,7 @@ Scene scene(const Parameters& p) {
               .about = "A heavy block drives a light one against a wall, without friction or energy loss.",
               .gravity = {0, 0},
               .duration = duration};
-  Body wall = level_ground(elastic);
-  wall.name = "wall";
-  wall.shapes[0].geometry = HalfSpace{.normal = {1, 0}};
+  const Body wall = half_space("wall", {.normal = {1, 0}}, elastic);
   Body light = box("light", {2.5, 0}, {1, 1}, elastic);
   Body heavy = box("heavy", {6.03, 0}, {1, 1}, surface(0, 1, std::pow(100, p.at("digits"))));
   heavy.velocity = {-speed, 0};

@@ -134,7 +134,7 @@ std::string shortest(double number) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
 }
 
-std::string description(Range range) {
+std::string description(NumberRange range) {
   return "a number from " + shortest(range.least) + " to " + shortest(range.most) +
          (range.unit.empty() ? "" : " " + std::string(range.unit));
 }
@@ -208,7 +208,7 @@ JsonReader JsonReader::operator[](std::size_t index) const {
   return {value_.at(index), file_, path_ + "[" + std::to_string(index) + "]"};
 }
 
-double JsonReader::number(Range range) const {
+double JsonReader::number(NumberRange range) const {
   if (!value_.is_number()) expected(description(range));
   const double number = value_.get<double>();
   if (!(number >= range.least && number <= range.most)) expected(description(range));
@@ -220,7 +220,7 @@ bool JsonReader::boolean() const {
   return value_.get<bool>();
 }
 
-Vec JsonReader::vector(Range range) const {
+Vec JsonReader::vector(NumberRange range) const {
   if (!value_.is_array() || value_.size() != 2) expected("a list of two numbers, [x, y]");
   return {(*this)[std::size_t{0}].number(range), (*this)[std::size_t{1}].number(range)};
 }

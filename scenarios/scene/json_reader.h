@@ -24,7 +24,7 @@ nlohmann::json parse_json(std::string_view text, std::string_view file);
 std::string printable(std::string_view text, std::size_t most = 60);
 
 /// The range of numbers that is accepted, both ends included.
-struct Range {
+struct NumberRange {
   double least = 0, most = 0;
   std::string_view unit = "";
 };
@@ -64,9 +64,9 @@ class JsonReader {
   std::size_t list() const;
   JsonReader operator[](std::size_t index) const;
 
-  double number(Range) const;
+  double number(NumberRange) const;
   bool boolean() const;
-  Vec vector(Range) const;
+  Vec vector(NumberRange) const;
   /// One line without control characters, of `least` to `most` bytes.
   std::string text(std::size_t least, std::size_t most) const;
 
@@ -89,11 +89,11 @@ class JsonReader {
   }
 
   /// A member of an object, or `otherwise` if it is absent.
-  double number(const char* key, double otherwise, Range range) const {
+  double number(const char* key, double otherwise, NumberRange range) const {
     return has(key) ? (*this)[key].number(range) : otherwise;
   }
   bool boolean(const char* key, bool otherwise) const { return has(key) ? (*this)[key].boolean() : otherwise; }
-  Vec vector(const char* key, Vec otherwise, Range range) const {
+  Vec vector(const char* key, Vec otherwise, NumberRange range) const {
     return has(key) ? (*this)[key].vector(range) : otherwise;
   }
 

@@ -47,12 +47,6 @@ const Word<Quantity> quantities[] = {{name_of(Quantity::x), Quantity::x},
 
 constexpr std::size_t width = 120;  // columns at most, if a line can be broken
 
-// Whether a quantity belongs to the whole scene rather than to a body.
-constexpr bool of_whole_scene(Quantity quantity) {
-  return quantity == Quantity::energy || quantity == Quantity::momentum_x || quantity == Quantity::momentum_y ||
-         quantity == Quantity::angular_momentum;
-}
-
 void check_static_body(const JsonReader& in, const Body& body) {
   if (body.velocity != Vec{}) in["velocity"].refuse("must be 0 for a static body");
   if (body.angular_velocity != 0) in["angularVelocity"].refuse("must be 0 for a static body");

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenarios/scenario.h"
+#include "scenarios/scene/quantity.h"
 #include "scenarios/scene/scene.h"
 
 /// Scene files: each is an engine-neutral JSON file that describes one scene. scenarios/scene.schema.json defines the

@@ -227,7 +227,7 @@ constexpr Word<ReadGeometry> shape_kinds[] = {{"circle", read_circle},   {"box",
 
 Surface read_material(const JsonReader& in) {
   std::vector<Word<Surface>> words;
-  for (const Material& material : materials()) words.push_back({material.name.c_str(), material.surface});
+  for (const NamedSurface& material : materials()) words.push_back({material.name.c_str(), material.surface});
   return in.one_of<Surface>(words);
 }
 

@@ -29,20 +29,20 @@ double mixed(FrictionMixing rule, double a, double b) {
 
 // Densities and restitutions are those of the article, part 2 (2013), whose "static" is the material of immovable
 // things. It lists no friction: 0.6 for all, within the 0.4 ... 0.7 that tables give for dry wood and stone.
-std::span<const Material> materials() {
+std::span<const NamedSurface> materials() {
   constexpr double friction = 0.6;
-  static const std::array<Material, 7> table{{{"rock", surface(friction, 0.1, 0.6)},
-                                              {"wood", surface(friction, 0.2, 0.3)},
-                                              {"metal", surface(friction, 0.05, 1.2)},
-                                              {"bouncy-ball", surface(friction, 0.8, 0.3)},
-                                              {"super-ball", surface(friction, 0.95, 0.3)},
-                                              {"pillow", surface(friction, 0.2, 0.1)},
-                                              {"static", surface(friction, 0.4, 0)}}};
+  static const std::array<NamedSurface, 7> table{{{"rock", surface(friction, 0.1, 0.6)},
+                                                  {"wood", surface(friction, 0.2, 0.3)},
+                                                  {"metal", surface(friction, 0.05, 1.2)},
+                                                  {"bouncy-ball", surface(friction, 0.8, 0.3)},
+                                                  {"super-ball", surface(friction, 0.95, 0.3)},
+                                                  {"pillow", surface(friction, 0.2, 0.1)},
+                                                  {"static", surface(friction, 0.4, 0)}}};
   return table;
 }
 
 const Surface* find_material(std::string_view name) {
-  for (const Material& material : materials()) {
+  for (const NamedSurface& material : materials()) {
     if (material.name == name) return &material.surface;
   }
   return nullptr;

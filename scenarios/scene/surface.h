@@ -20,13 +20,14 @@ inline Surface surface(double friction, double restitution, double density = 1) 
   return {.density = density, .static_friction = friction, .dynamic_friction = friction, .restitution = restitution};
 }
 
-struct Material {
+/// A material.
+struct NamedSurface {
   std::string name;
   Surface surface;
 };
 
 /// The materials that a scene file can refer to by name: rock, wood, metal, bouncy-ball, super-ball, pillow, static.
-std::span<const Material> materials();
+std::span<const NamedSurface> materials();
 
 /// The surface of the material with that name, or null if there is none.
 const Surface* find_material(std::string_view name);

@@ -27,10 +27,8 @@ Scene scene(const Parameters& p) {
   const Surface smooth = surface(0, 0);
   const std::pair<const char*, Vec> sides[] = {{"floor", {0, 1}}, {"left", {1, 0}}, {"right", {-1, 0}}};
   for (const auto& [name, normal] : sides) {
-    Body side = level_ground(smooth);
-    side.name = name;
-    side.shapes[0].geometry = HalfSpace{.normal = normal, .offset = normal.y == 0 ? -wide(p) * radius : 0};
-    scene.bodies.push_back(side);
+    const double offset = normal.y == 0 ? -wide(p) * radius : 0;
+    scene.bodies.push_back(half_space(name, {.normal = normal, .offset = offset}, smooth));
   }
   for (int row = 0; row < rows(p); ++row) {
     const int count = wide(p) - row % 2;

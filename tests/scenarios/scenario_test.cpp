@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -42,14 +41,6 @@ TEST(Complete, RefusesValuesOutOfRangeAndSaysTheRange) {
 
 TEST(Complete, RefusesFractionsOfWholeNumbers) {
   EXPECT_EQ(refusal({{"boxes", 2.5}}), "tower: boxes = 2.5 must be a whole number");
-}
-
-TEST(Quantity, HasAUniqueNameAndAUnit) {
-  std::set<std::string> names;
-  for (int i = 0; i <= static_cast<int>(Quantity::apex); ++i) {
-    EXPECT_TRUE(names.insert(name_of(static_cast<Quantity>(i))).second);
-    EXPECT_STRNE(unit_of(static_cast<Quantity>(i)), "");
-  }
 }
 
 TEST(Relation, HasANameInWords) {

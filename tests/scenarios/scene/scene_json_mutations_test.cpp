@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/catalog.h"
+#include "scenarios/scenario.h"
 #include "scenarios/scene/scene_json.h"
 #include "scene_samples.h"
 

@@ -10,8 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "scenarios/catalog.h"
 #include "scenarios/parts.h"
+#include "scenarios/scenario.h"
 #include "scenarios/scene/surface.h"
 #include "scene_samples.h"
 
