@@ -12,7 +12,7 @@
 #include "reference/exact/plane.h"
 #include "reference/scene_facts.h"
 #include "scenarios/allowance.h"
-#include "scenarios/scaled.h"
+#include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {

@@ -7,21 +7,22 @@
 
 namespace plumb {
 
-/// All entries of one kind (scenarios, engines, metrics, writers ...), each joined from its own file:
+/// All entries of one kind (scenarios, engines, metrics, writers ...), each registered in its own file:
 ///
 ///     const Catalog<Scenario>::Entry entry{bounce()};
 ///
-/// An entry only stores; nothing may read a catalog before main. T needs a member `name`, unique in its catalog.
+/// An Entry only stores the value: nothing may read a catalog before main. T needs a member `name`, unique in its
+/// catalog.
 template <class T>
 class Catalog {
  public:
   struct Entry {
     explicit Entry(T value) { entries().push_back(std::move(value)); }
-    /// For an entry that itself asks what others have joined: made when the catalog is first read, after main began.
+    /// For an entry that depends on other entries: `make` is called when the catalog is first read, after main began.
     explicit Entry(T (*make)()) { makers().push_back(make); }
   };
 
-  /// Every entry, sorted by name: the order in which object files were linked never shows.
+  /// All entries, sorted by name, so that the link order of object files does not matter.
   static std::vector<const T*> all() {
     std::vector<const T*> sorted;
     for (const T& entry : complete()) sorted.push_back(&entry);
@@ -29,7 +30,7 @@ class Catalog {
     return sorted;
   }
 
-  /// The entry of that name, or null.
+  /// The entry with that name, or null if there is none.
   static const T* find(std::string_view name) {
     for (const T& entry : complete()) {
       if (entry.name == name) return &entry;
@@ -39,21 +40,21 @@ class Catalog {
 
  private:
   static const std::vector<T>& complete() {
-    static const std::vector<T>& all_made = []() -> const std::vector<T>& {
+    static const std::vector<T>& all_entries = []() -> const std::vector<T>& {
       for (T (*make)() : makers()) entries().push_back(make());
       return entries();
     }();
-    return all_made;
+    return all_entries;
   }
 
   static std::vector<T (*)()>& makers() {
-    static std::vector<T (*)()> joined;
-    return joined;
+    static std::vector<T (*)()> registered;
+    return registered;
   }
 
   static std::vector<T>& entries() {
-    static std::vector<T> joined;
-    return joined;
+    static std::vector<T> registered;
+    return registered;
   }
 };
 

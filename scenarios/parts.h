@@ -6,19 +6,16 @@
 
 #include "scenarios/scene/scene.h"
 
-/// Pieces that scenes are put together from.
+/// Bodies that many scenes are built from.
 namespace plumb {
 
-/// A surface with one coefficient of friction for sticking and sliding.
-inline Surface surface(double friction, double restitution, double density = 1) {
-  return {.density = density, .static_friction = friction, .dynamic_friction = friction, .restitution = restitution};
+/// A fixed half-space. It has no corners to hit and no thickness to fall through.
+inline Body half_space(std::string name, HalfSpace solid, Surface of) {
+  return {.name = std::move(name), .type = BodyType::fixed, .shapes = {{.geometry = solid, .surface = of}}};
 }
 
-/// Everything below y = 0. A half-space has no corner to meet and no thickness to fall through: the plainest ground
-/// there is.
-inline Body level_ground(Surface of) {
-  return {.name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}, .surface = of}}};
-}
+/// The half-space y <= 0, "ground".
+inline Body level_ground(Surface of) { return half_space("ground", {}, of); }
 
 inline Body box(std::string name, Vec position, Vec size, Surface of) {
   return {.name = std::move(name), .position = position, .shapes = {{.geometry = Box{.size = size}, .surface = of}}};
@@ -34,10 +31,9 @@ inline Body fixed(Body body) {
   return body;
 }
 
-/// A floor at y = 0 and walls at x = -width/2 and width/2, solid all the way out: nothing is thrown through them.
+/// A floor at y = 0 and walls at x = -width/2 and width/2, all half-spaces, so that nothing can get through them.
 inline Body pit(double width, Surface of) {
-  Body made = level_ground(of);
-  made.name = "pit";
+  Body made = half_space("pit", {}, of);
   made.shapes.push_back({.geometry = HalfSpace{.normal = {1, 0}, .offset = -width / 2}, .surface = of});
   made.shapes.push_back({.geometry = HalfSpace{.normal = {-1, 0}, .offset = -width / 2}, .surface = of});
   return made;

@@ -4,8 +4,8 @@
 
 namespace plumb {
 
-/// Numbers without a pattern that are the same everywhere: SplitMix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom
-/// Number Generators, 2014). The distributions of <random> differ from one standard library to the next.
+/// A random number generator with the same output on every platform: SplitMix64 (Steele, Lea, Flood: Fast Splittable
+/// Pseudorandom Number Generators, 2014). The distributions of <random> differ between standard libraries.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -17,7 +17,7 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// Evenly spread over low ... high, in steps of 2^-53 of the range.
+  /// Uniformly distributed in [low, high), in steps of 2^-53 of the range.
   double between(double low, double high) { return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53); }
 
  private:

@@ -11,7 +11,7 @@
 
 #include "reports/run/report_json.h"
 #include "reports/system/files.h"
-#include "scenarios/scene/json_parse.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {

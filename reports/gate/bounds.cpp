@@ -15,8 +15,8 @@
 #include "reports/run/examine.h"
 #include "reports/system/jobs.h"
 #include "reports/vec.h"
-#include "scenarios/perturbed.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {

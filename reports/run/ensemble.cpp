@@ -6,7 +6,7 @@
 #include "reports/judge/metric.h"
 #include "reports/rank_test.h"
 #include "reports/vec.h"
-#include "scenarios/perturbed.h"
+#include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "reference/scene_facts.h"
 #include "reports/vec.h"
-#include "scenarios/perturbed.h"
+#include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {

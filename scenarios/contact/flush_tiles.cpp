@@ -10,17 +10,17 @@ namespace {
 constexpr double gravity = 10;  // m/s^2
 constexpr double duration = 2;  // s
 const Vec tile{1, 0.5};         // m
-const Vec size{2, 0.5};         // m; low enough not to tip: mu < b/h = 4
+const Vec size{2, 0.5};         // m; too low to tip: mu < b/h = 4
 
-double way(const Parameters& p) { return p.at("speed") * duration; }  // m, at most
+double distance(const Parameters& p) { return p.at("speed") * duration; }  // m, at most
 
 Scene scene(const Parameters& p) {
   const Surface rough = surface(p.at("friction"), 0);
   Scene scene{.name = "flush-tiles",
-              .about = "A box slides over tiles laid flush.",
+              .about = "A box slides over a row of flush tiles.",
               .gravity = {0, -gravity},
               .duration = duration};
-  const int tiles = static_cast<int>(std::ceil(way(p) / tile.x)) + 3;
+  const int tiles = static_cast<int>(std::ceil(distance(p) / tile.x)) + 3;
   for (int i = 0; i < tiles; ++i) {
     scene.bodies.push_back(box("tile " + std::to_string(i), {(i - 1) * tile.x, -tile.y / 2}, tile, rough));
     scene.bodies.back().type = BodyType::fixed;
@@ -31,13 +31,13 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// As on one floor: v - mu g t. Friction that starts a lag late lets it go on for that long, and its drift is that of a
-// decelerated way. Let in by a gap at one end the box is tilted by 2 gap/b, and so may be the push that carries it; but
-// all tiles are let in alike, and no side of one stands out for it to meet.
+// As on one continuous floor: v - mu g t. Friction that starts a lag late lets the box slide on for that long, and the
+// deceleration has its drift. Where the gap lets one end in, the box tilts by 2 gap/b, and so may the direction of the
+// contact force; but all tiles let it in equally, so no side of a tile sticks out for it to hit.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const double slowing = p.at("friction") * gravity;
-  const double reach = way(p) + v * duration;
+  const double reach = distance(p) + v * duration;
   const auto speed = [=](const Stepping& s) {
     const double tilted = gravity * 2 * s.gap / size.x * duration;
     return slowing * lag(s) + tilted + s.creep + round_off(s, duration, v);
@@ -49,15 +49,22 @@ std::vector<Expectation> expectations(const Parameters& p) {
     return s.gap + gravity * lag(s) * (lag(s) + s.h) + round_off(s, duration, reach);
   };
   const auto turn = [=](const Stepping& s) { return 2 * s.gap / size.x + round_off(s, duration, reach / size.x); };
-  return {{.body = "box", .quantity = Quantity::vx, .allowed = speed, .source = "v - mu g t; friction a lag late"},
-          {.body = "box", .quantity = Quantity::x, .allowed = place, .source = "v t - mu g t^2/2; a lag late, drift"},
-          {.body = "box", .quantity = Quantity::y, .allowed = height, .source = "slides level; the gap, a lag's fall"},
-          {.body = "box", .quantity = Quantity::angle, .allowed = turn, .source = "slides level; a gap at either end"}};
+  return {
+      {.body = "box", .quantity = Quantity::vx, .allowed = speed, .source = "v - mu g t; friction starts a lag late"},
+      {.body = "box",
+       .quantity = Quantity::x,
+       .allowed = place,
+       .source = "v t - mu g t^2/2; friction starts a lag late, drift"},
+      {.body = "box",
+       .quantity = Quantity::y,
+       .allowed = height,
+       .source = "slides level; the gap, the fall during a lag"},
+      {.body = "box", .quantity = Quantity::angle, .allowed = turn, .source = "slides level; the gap at either end"}};
 }
 
 const Catalog<Scenario>::Entry entry{
     {.name = "flush-tiles",
-     .question = "Does a box slide over tiles laid flush as over one floor?",
+     .question = "Does a box slide over flush tiles as over one continuous floor?",
      .parameters = {{.name = "speed", .value = 6, .min = 1, .max = 30, .unit = "m/s", .about = "at the start"},
                     {.name = "friction", .value = 0.1, .min = 0, .max = 1.5, .about = "of box and tiles"}},
      .variants = {{"smooth", {{"friction", 0}}}, {"mu=0.1", {}}, {"fast", {{"speed", 20}}}},

@@ -10,20 +10,21 @@ namespace {
 
 constexpr double gravity = 10;   // m/s^2
 constexpr double radius = 0.1;   // m, of a bead
-constexpr double highest = 1.1;  // rad, slope where the uppermost bead starts
+constexpr double highest = 1.1;  // rad, slope at the start of the uppermost bead
 const Surface ice = surface(0, 0);
 
-// The cycloid by its slope a, lowest at the origin: x = c (2 a + sin 2a), y = c (1 - cos 2a); its length from there is
-// 4 c sin a. The wheel's radius c follows from the quarter period pi sqrt(c/g).
+// The cycloid parametrised by its slope a, lowest at the origin: x = c (2 a + sin 2a), y = c (1 - cos 2a). Its arc
+// length from there is 4 c sin a. The radius c of the rolling wheel follows from the quarter period pi sqrt(c/g).
 struct Cycloid {
-  double c, step;  // m; rad, from facet to facet
+  double c;     // m
+  double step;  // rad, from facet to facet
 
   explicit Cycloid(const Parameters& p)
       : c(gravity * std::pow(p.at("time") / std::numbers::pi, 2)), step(1 / p.at("facets")) {}
 
   Vec at(double a) const { return {c * (2 * a + std::sin(2 * a)), c * (1 - std::cos(2 * a))}; }
 
-  // Where the tangents at facets i and i + 1 meet, a bead's radius below: the corner of the chain.
+  // The corner of the chain where the tangents at facets i and i + 1 meet, `below` beneath the cycloid.
   Vec corner(int i, double below) const {
     const double a = i * step;
     const double b = (i + 1) * step;
@@ -39,17 +40,17 @@ struct Cycloid {
 
 std::string name(int i) { return "bead " + std::to_string(i); }
 
-// Facet at whose tangent point bead i starts.
+// The facet at whose tangent point bead i starts.
 int facet_of(const Parameters& p, int i) {
   return static_cast<int>(std::lround(highest * p.at("facets") * i / p.at("beads")));
 }
 
-// The beads' centres keep to the cycloid, the chain is its parallel a radius below.
+// The centres of the beads move on the cycloid; the chain is its parallel curve, one bead radius below.
 Scene scene(const Parameters& p) {
   const Cycloid cycloid(p);
   const int beads = static_cast<int>(p.at("beads"));
   Scene scene{.name = "tautochrone",
-              .about = "Beads slide down a chain of segments laid along a cycloid.",
+              .about = "Beads slide down a chain of segments along a cycloid.",
               .gravity = {0, -gravity},
               .duration = p.at("time")};
   Body chain{.name = "chain", .type = BodyType::fixed};
@@ -67,12 +68,12 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Along each facet with g sin a; at each corner what of the speed is across the next facet is lost, for e = 0. The
-// place along x at the end.
-double slid(const Parameters& p, int bead) {
+// The x coordinate at the end. Along each facet a bead accelerates at g sin a; at each corner it loses the component of
+// its velocity across the next facet, as e = 0.
+double x_at_end(const Parameters& p, int bead) {
   const Cycloid cycloid(p);
   int i = facet_of(p, bead);
-  const auto along = [&](int facet, Vec from) {  // m, down to the facet's lower corner
+  const auto along = [&](int facet, Vec from) {  // m, to the facet's lower corner
     const Vec end = cycloid.corner(facet - 1, 0);
     return std::hypot(from.x - end.x, from.y - end.y);
   };
@@ -82,9 +83,9 @@ double slid(const Parameters& p, int bead) {
   while (true) {
     const double slope = i * cycloid.step;
     const double a = gravity * std::sin(slope);
-    const double way = along(i, at);
-    const double end = std::sqrt(v * v + 2 * a * way);  // m/s; a < 0 beyond the lowest facet, where few are left
-    const double takes = 2 * way / (v + end);
+    const double distance = along(i, at);
+    const double end = std::sqrt(v * v + 2 * a * distance);  // m/s; a < 0 beyond the lowest facet, which few beads pass
+    const double takes = 2 * distance / (v + end);
     if (!(takes < left)) return at.x - (v + a * left / 2) * left * std::cos(slope);
     left -= takes;
     at = cycloid.corner(i - 1, 0);
@@ -93,15 +94,16 @@ double slid(const Parameters& p, int bead) {
   }
 }
 
-// On the curve itself, s = s0 cos(w t), w^2 = g/(4 c), s0 = 4 c sin(a0), all beads are at the bottom at once. A method
-// that steps by h is off by
-//   drift    half a step ahead or behind: 2 |drift| h v at the bottom, v = w s0, and a lag more at the start;
-//   turning  in a step the path turns by v h k, k = 1/(4 c cos a) its curvature, and that share's half of the speed is
-//            lost as at a corner: dv = v (v h k)/2 each k v dt, which shifts the end by dv cos(w t)/w, together by
-//            less than h s0^3 w/(8 (4 c cos a0)^2);
-//   lead     where the path turns within a step, forces and contact act along the new direction for all of it, up to a
-//            step early: s'' = -w^2 s(t + h), a damping of w^2 h, which shifts the end by h w s0/2;
-//   gap      on a parallel curve by so much: the period changes by its share of 4 c cos a0, pi/2 s0 of it, and the gap.
+// On the cycloid itself, s = s0 cos(w t), w^2 = g/(4 c), s0 = 4 c sin(a0): all beads are at the bottom at the same
+// time. A method that steps by h is off by
+//   drift      half a step ahead or behind: 2 |drift| h v at the bottom, v = w s0, plus a lag at the start;
+//   curvature  in a step the path turns by v h k, k = 1/(4 c cos a) its curvature, and half of that fraction of the
+//              speed is lost as at a corner: dv = v (v h k)/2 for each k v dt, which shifts the end by dv cos(w t)/w,
+//              in total by less than h s0^3 w/(8 (4 c cos a0)^2);
+//   lead       if the path turns within a step, forces and contact act along the new direction for the whole step, up
+//              to a step early: s'' = -w^2 s(t + h), a damping of w^2 h, which shifts the end by h w s0/2;
+//   gap        the bead moves on a parallel curve at that distance: the period changes by the gap relative to 4 c cos
+//              a0, pi/2 s0 times that, plus the gap itself.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Cycloid cycloid(p);
   const double time = p.at("time");
@@ -110,36 +112,46 @@ std::vector<Expectation> expectations(const Parameters& p) {
   for (int i = 1; i <= static_cast<int>(p.at("beads")); ++i) {
     const double a0 = facet_of(p, i) * cycloid.step;
     const double s0 = 4 * cycloid.c * std::sin(a0);
-    const double curved = 4 * cycloid.c * std::cos(a0);  // m, least radius of curvature
+    const double curvature_radius = 4 * cycloid.c * std::cos(a0);  // m, the smallest
     all.push_back({.body = name(i),
                    .quantity = Quantity::x,
-                   .expected = slid(p, i),
+                   .expected = x_at_end(p, i),
                    .allowed =
                        [=](const Stepping& s) {
                          const double first = 2 * std::abs(s.drift) * s.h * w * s0 + lag(s) * w * s0;
-                         const double turning = s.h * s0 * s0 * s0 * w / (8 * curved * curved);
+                         const double curvature = s.h * s0 * s0 * s0 * w / (8 * curvature_radius * curvature_radius);
                          const double lead = s.h * w * s0 / 2;
-                         const double off = s.gap * (1 + std::numbers::pi / 2 * s0 / curved);
-                         return first + turning + lead + off + round_off(s, time, s0 * (1 + w * time));
+                         const double off = s.gap * (1 + std::numbers::pi / 2 * s0 / curvature_radius);
+                         return first + curvature + lead + off + round_off(s, time, s0 * (1 + w * time));
                        },
-                   .source = "at the bottom after pi sqrt(c/g), less what the corners take"});
+                   .source = "at the bottom after pi sqrt(c/g), less the losses at the corners"});
   }
   return all;
 }
 
 const Catalog<Scenario>::Entry entry{
     {.name = "tautochrone",
-     .question = "Do beads from any height reach the bottom of a cycloid together?",
-     .parameters =
-         {{.name = "beads", .value = 4, .min = 1, .max = 20, .about = "each on a layer of its own", .whole = true},
-          {.name = "facets",
-           .value = 40,
-           .min = 20,
-           .max = 1000,
-           .unit = "1/rad",
-           .about = "of the chain",
-           .whole = true},
-          {.name = "time", .value = 1, .min = 1, .max = 5, .unit = "s", .about = "pi sqrt(c/g)", .whole = true}},
+     .question = "Do beads released at any height reach the bottom of a cycloid at the same time?",
+     .parameters = {{.name = "beads",
+                     .value = 4,
+                     .min = 1,
+                     .max = 20,
+                     .about = "number of beads, each on its own layer",
+                     .whole = true},
+                    {.name = "facets",
+                     .value = 40,
+                     .min = 20,
+                     .max = 1000,
+                     .unit = "1/rad",
+                     .about = "of the chain, per radian of slope",
+                     .whole = true},
+                    {.name = "time",
+                     .value = 1,
+                     .min = 1,
+                     .max = 5,
+                     .unit = "s",
+                     .about = "to the bottom, pi sqrt(c/g)",
+                     .whole = true}},
      .variants = {{"four", {}}},
      .scene = scene,
      .expectations = expectations}};

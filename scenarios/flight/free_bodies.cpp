@@ -15,10 +15,10 @@ constexpr double spin = 3;      // rad/s
 
 int side(const Parameters& p) { return static_cast<int>(p.at("side")); }
 
-// Each flies away from the middle, the faster the farther: no two ever come nearer.
+// Every body flies away from the middle, faster the farther out it starts, so no two ever get closer.
 Scene scene(const Parameters& p) {
   Scene scene{.name = "free-bodies",
-              .about = "A field of boxes and discs flies apart as it falls; none meets another.",
+              .about = "A field of boxes and discs flies apart while falling; no two ever collide.",
               .gravity = {0, -gravity},
               .duration = duration};
   const double middle = (side(p) - 1) / 2.0;
@@ -35,7 +35,7 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// As if alone: r = r0 (1 + c t) + g t^2/2, angle = w t.
+// Each moves as if alone: r = r0 (1 + c t) + g t^2/2, angle = w t.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Scene field = scene(p);
   const double grown = 1 + spread * duration;
@@ -62,14 +62,69 @@ std::vector<Expectation> expectations(const Parameters& p) {
   return all;
 }
 
+const Catalog<Scenario>::Entry entry{{.name = "free-bodies",
+                                      .question = "Do many bodies that never collide each fly as if alone?",
+                                      .parameters = {{.name = "side",
+                                                      .value = 12,
+                                                      .min = 1,
+                                                      .max = 200,
+                                                      .about = "bodies along each side of the square field",
+                                                      .whole = true}},
+                                      .variants = {{"144", {}}},
+                                      .scene = scene,
+                                      .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::free_bodies
+
+namespace plumb::scenarios::layers {
+namespace {
+
+constexpr double duration = 2;  // s, long enough for the two to pass through each other
+constexpr double gravity = 10;  // m/s^2
+constexpr double start = 4;     // m from the middle
+
+Scene scene(const Parameters& p) {
+  const double v = p.at("speed");
+  Scene scene{.name = "layers",
+              .about = "Two boxes on separate layers fly through each other.",
+              .gravity = {0, -gravity},
+              .duration = duration};
+  for (const double side : {-1.0, 1.0}) {
+    Body one = box(side < 0 ? "left" : "right", {side * start, 0}, {1, 1}, surface(0.5, 0.5));
+    one.velocity = {-side * v, 0};
+    one.angular_velocity = side;
+    one.layers = side < 0 ? 1 : 2;
+    scene.bodies.push_back(one);
+  }
+  return scene;
+}
+
+// Each falls freely: off by the drift g t h and round-off.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const double v = p.at("speed");
+  const double fall = gravity * duration;
+  const double reach = start + (v + fall) * duration;
+  const auto exact = [=](const Stepping& s) { return round_off(s, duration, reach); };
+  const auto height = [=](const Stepping& s) { return drifted(s, gravity, duration) + exact(s); };
+  std::vector<Expectation> all;
+  for (const char* body : {"left", "right"}) {
+    all.push_back({.body = body, .quantity = Quantity::x, .allowed = exact, .source = "v t, as if alone"});
+    all.push_back(
+        {.body = body, .quantity = Quantity::y, .allowed = height, .source = "g t^2/2, as if alone; drift g t h"});
+    all.push_back({.body = body, .quantity = Quantity::angle, .allowed = exact, .source = "w t, as if alone"});
+  }
+  return all;
+}
+
 const Catalog<Scenario>::Entry entry{
-    {.name = "free-bodies",
-     .question = "Do many bodies that never meet fly as if alone?",
-     .parameters =
-         {{.name = "side", .value = 12, .min = 1, .max = 200, .about = "its square is their number", .whole = true}},
-     .variants = {{"144", {}}},
+    {.name = "layers",
+     .question = "Do bodies that share no layer pass through each other without contact?",
+     .parameters = {{.name = "speed", .value = 4, .min = 0.1, .max = 100, .unit = "m/s", .about = "of each box"}},
+     .variants = {{"cross", {}}},
+     .closed_form = "ballistic",
      .scene = scene,
      .expectations = expectations}};
 
 }  // namespace
-}  // namespace plumb::scenarios::free_bodies
+}  // namespace plumb::scenarios::layers

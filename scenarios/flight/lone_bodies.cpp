@@ -11,17 +11,17 @@ namespace {
 
 constexpr double duration = 1;    // s
 constexpr double gravity = 10;    // m/s^2
-constexpr double pitch = 20;      // m, from body to body: they never meet
+constexpr double pitch = 20;      // m, from body to body: they never collide
 constexpr double scale = 0.5;     // of gravity
-constexpr double pull = 3;        // m/s^2, force on a unit of mass
-constexpr double turn = 2;        // rad/s^2, torque on a unit of inertia
-constexpr double whisper = 0.05;  // m/s^2; less than 1 mm/s in a step
-constexpr double start = 4;       // m/s and rad/s, of what has a speed
-constexpr double density = 3;     // kg/m^2; not 1, that mass and area differ
+constexpr double pull = 3;        // m/s^2, force per mass
+constexpr double turn = 2;        // rad/s^2, torque per inertia
+constexpr double whisper = 0.05;  // m/s^2, a tiny force per mass: less than 1 mm/s per step
+constexpr double start = 4;       // m/s and rad/s, initial velocities
+constexpr double density = 3;     // kg/m^2; not 1, so that mass and area differ
 
-enum Who : std::size_t { light, pushed, slow, upright, damped, bent };
+enum Which : std::size_t { light, pushed, slow, upright, damped, bent };
 
-// An L of two boxes, of which one is twice as dense; its frame is the first one's.
+// An L of two boxes, one twice as dense as the other. The body frame is the first box's.
 Body bent_body() {
   Body made = box("bent", {static_cast<double>(bent) * pitch, 0}, {1, 0.5}, surface(0.5, 0, density));
   made.shapes.push_back(
@@ -31,17 +31,17 @@ Body bent_body() {
   return made;
 }
 
-Vec place_of(Who who) { return {static_cast<double>(who) * pitch, 0}; }
+Vec start_of(Which which) { return {static_cast<double>(which) * pitch, 0}; }
 
 Scene scene(const Parameters& p) {
   Scene scene{.name = "lone-bodies",
-              .about = "Bodies far apart, each moved by something else.",
+              .about = "Bodies far apart, each moved by something different.",
               .gravity = {0, -gravity},
               .duration = duration};
-  for (const auto& [who, name] : {std::pair{light, "light"}, std::pair{pushed, "pushed"}, std::pair{slow, "slow"},
-                                  std::pair{upright, "upright"}, std::pair{damped, "damped"}}) {
-    Body one = box(name, place_of(who), {1, 0.5}, surface(0.5, 0, density));
-    one.gravity_scale = who == light ? scale : 0;
+  for (const auto& [which, name] : {std::pair{light, "light"}, std::pair{pushed, "pushed"}, std::pair{slow, "slow"},
+                                    std::pair{upright, "upright"}, std::pair{damped, "damped"}}) {
+    Body one = box(name, start_of(which), {1, 0.5}, surface(0.5, 0, density));
+    one.gravity_scale = which == light ? scale : 0;
     scene.bodies.push_back(one);
   }
   const Mass mass = mass_of(scene.bodies[pushed]);
@@ -58,9 +58,9 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Constant accelerations, off by the drift a t h. Damping c: v0 e^(-ct). Steps v/(1 + c h) are first order and, of the
-// usual ones, the farthest off: (1 + c h)^(-t/h) is e^(-ct) times e^(c^2 t h/2) at most; the way is off by the time
-// times that, and by a step of the start.
+// Constant accelerations: off by the drift a t h. Damping c: v0 e^(-ct). A step v/(1 + c h) is first order and the
+// least accurate of the usual ones: (1 + c h)^(-t/h) is at most e^(-ct) e^(c^2 t h/2). The distance is off by t times
+// that error, plus one step at the start.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double t = duration;
   const double c = p.at("damping");
@@ -70,7 +70,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const auto slower = [=](const Stepping& s) {
     return start * std::exp(-c * t) * std::expm1(c * c * t * s.h / 2) + exact(s);
   };
-  const auto way = [=](const Stepping& s) {
+  const auto distance = [=](const Stepping& s) {
     return start * (t * std::expm1(c * c * t * s.h / 2) + c * t * s.h) + exact(s);
   };
   const Vec corner = mass_of(bent_body()).center;
@@ -80,10 +80,10 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .quantity = Quantity::y,
            .expected = -scale * gravity * t * t / 2,
            .allowed = drift(scale * gravity),
-           .source = "gravity's scale times g t^2/2; drift"},
+           .source = "gravity scale times g t^2/2; drift"},
           {.body = "pushed",
            .quantity = Quantity::x,
-           .expected = place_of(pushed).x + pull * t * t / 2,
+           .expected = start_of(pushed).x + pull * t * t / 2,
            .allowed = drift(pull),
            .source = "F/m t^2/2; drift"},
           {.body = "pushed", .quantity = Quantity::y, .expected = 0, .allowed = exact, .source = "no gravity"},
@@ -94,14 +94,14 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .source = "T/I t^2/2; drift"},
           {.body = "slow",
            .quantity = Quantity::x,
-           .expected = place_of(slow).x + whisper * t * t / 2,
+           .expected = start_of(slow).x + whisper * t * t / 2,
            .allowed = drift(whisper),
-           .source = "F/m t^2/2, however little; drift"},
+           .source = "F/m t^2/2, however small the force; drift"},
           {.body = "upright",
            .quantity = Quantity::angle,
            .expected = 0,
            .allowed = exact,
-           .source = "what may not turn does not"},
+           .source = "a body with fixed rotation does not turn"},
           {.body = "damped",
            .quantity = Quantity::vx,
            .expected = start * left,
@@ -109,8 +109,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .source = "v0 e^(-ct); first order in h"},
           {.body = "damped",
            .quantity = Quantity::x,
-           .expected = place_of(damped).x + gone,
-           .allowed = way,
+           .expected = start_of(damped).x + gone,
+           .allowed = distance,
            .source = "v0 (1 - e^(-ct))/c; first order in h"},
           {.body = "damped",
            .quantity = Quantity::angular_velocity,
@@ -119,14 +119,14 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .source = "w0 e^(-ct); first order in h"},
           {.body = "bent",
            .quantity = Quantity::x,
-           .expected = place_of(bent).x + corner.x,
+           .expected = start_of(bent).x + corner.x,
            .allowed = exact,
-           .source = "turns about its centre of mass, which stays"},
+           .source = "turns about its centre of mass, which stays in place"},
           {.body = "bent",
            .quantity = Quantity::y,
            .expected = corner.y,
            .allowed = exact,
-           .source = "turns about its centre of mass, which stays"},
+           .source = "turns about its centre of mass, which stays in place"},
           {.body = "bent",
            .quantity = Quantity::angle,
            .expected = start * t + turn * t * t / 2,
@@ -136,8 +136,13 @@ std::vector<Expectation> expectations(const Parameters& p) {
 
 const Catalog<Scenario>::Entry entry{
     {.name = "lone-bodies",
-     .question = "Does each thing that moves a lone body move it as it should: gravity's scale, forces, torques, air?",
-     .parameters = {{.name = "damping", .value = 0.8, .min = 0.1, .max = 5, .unit = "1/s", .about = "of one of them"}},
+     .question = "Does a lone body respond correctly to each influence: gravity scale, forces, torques, damping?",
+     .parameters = {{.name = "damping",
+                     .value = 0.8,
+                     .min = 0.1,
+                     .max = 5,
+                     .unit = "1/s",
+                     .about = "linear and angular damping of one of them"}},
      .variants = {{"each", {}}},
      .scene = scene,
      .expectations = expectations}};

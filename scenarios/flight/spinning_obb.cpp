@@ -14,7 +14,7 @@ constexpr double gravity = 10;  // m/s^2
 Scene scene(const Parameters& p) {
   const Surface bouncy = surface(p.at("friction"), p.at("restitution"));
   Scene scene{.name = "spinning-obb",
-              .about = "A box thrown with spin over level ground.",
+              .about = "A box is thrown with spin over level ground.",
               .gravity = {0, -gravity},
               .duration = p.at("duration")};
   scene.bodies.push_back(level_ground(bouncy));
@@ -28,13 +28,13 @@ Scene scene(const Parameters& p) {
 
 struct Throw {
   double mass = 0, inertia = 0;
-  Vec half;           // m, of the sides
-  double radius = 0;  // m, of the circle round the corners
+  Vec half;           // m, half the side lengths
+  double radius = 0;  // m, of the circle through the corners
   double height = 0, vx = 0, vy = 0, angle = 0, spin = 0;
   double friction = 0, restitution = 0, end = 0;
 
-  // s, when the centre is that high on its way down; a corner lands between the times for the radius and half the
-  // height.
+  // s, when the centre passes height y on its way down. A corner lands between the times for y = radius and for y =
+  // half the height.
   double down_at(double y) const {
     return (vy + std::sqrt(std::max(vy * vy + 2 * gravity * (height - y), 0.0))) / gravity;
   }
@@ -57,7 +57,7 @@ Throw throw_of(const Parameters& p) {
           .end = p.at("duration")};
 }
 
-// In free flight the place is off by drift g t h and round-off only; speeds and spin by round-off only.
+// In free flight the position is off by the drift g t h and round-off only; velocities and spin by round-off only.
 std::vector<Expectation> in_flight(const Throw& b) {
   const double t = b.end;
   const double speed = std::abs(b.vx) + std::abs(b.vy) + gravity * t;
@@ -66,8 +66,8 @@ std::vector<Expectation> in_flight(const Throw& b) {
   const auto falls = [=](double per_metre) {
     return [=](const Stepping& s) { return per_metre * (drifted(s, gravity, t) + round_off(s, t, reach)); };
   };
-  const double turn = 4 + std::abs(b.spin) * t;  // rad, an angle of the start included
-  // Kinetic energy's round-off: m v^2 and I w^2 times that of the speeds.
+  const double turn = 4 + std::abs(b.spin) * t;  // rad, including the initial angle
+  // Round-off of the kinetic energy: m v^2 and I w^2 times that of the velocities.
   const double energy = b.mass * speed * speed + b.inertia * b.spin * b.spin;
   return {
       {.body = "box", .quantity = Quantity::x, .allowed = rounds(reach), .source = "vx t"},
@@ -81,7 +81,7 @@ std::vector<Expectation> in_flight(const Throw& b) {
        .source = "constant"},
       {.quantity = Quantity::energy,
        .allowed = [=, fall = falls(b.mass * gravity)](const Stepping& s) { return fall(s) + round_off(s, t, energy); },
-       .source = "constant; m g times the drift of the height"},
+       .source = "constant; error: m g times the drift of the height"},
   };
 }
 
@@ -96,21 +96,24 @@ Vec lowest_corner(const Throw& b, double angle) {
   return lowest;
 }
 
-// How far off the impulse at a corner r may be. A box has I = m R^2/3; friction mu s against the slip's direction s
-// gives the impulse P the lever l = r x (n - s mu t) = r_x + s mu r_y and
-//   P = (1 + e) m u/D,   D = 1 + 3 r_x l/R^2,   jumps: P/m up, mu P/m along, 3 l P/(m R^2) about.
-// It comes late by up to the lag, and early or late by the drift of the height over the corner's speed. Meanwhile the
-// corner's speed u changes by (g + w^2 R) and the box turns by w, which changes r_x by |r_y|, l by q R, q = sqrt(1 +
-// mu^2), and D by 3 (|r_y| l + |r_x| q R)/R^2. Hence the errors of the jumps; those of the places are the jump's error
-// times the time since and the jump itself times its delay. What the corner sank in may be put right by moving the box:
-// upwards by no more than all of it, and about by no more than 3 r_x/R^2 of it. The corner is known but for when it
-// lands within the fall from R to half the box's height; r_x, l and D are taken from the middle of that time and
-// widened by what the box turns in the rest.
+// The error of the impulse at a corner r. A box has I = m R^2/3. Friction mu s against the slip direction s gives the
+// impulse P the lever arm l = r x (n - s mu t) = r_x + s mu r_y, and
+//   P = (1 + e) m u/D,   D = 1 + 3 r_x l/R^2,   velocity jumps: P/m up, mu P/m along, 3 l P/(m R^2) in spin.
+// The impact is late by up to the lag, and early or late by the drift of the height divided by the corner's speed.
+// During that delay the corner's speed u changes by (g + w^2 R) per second and the box turns at w, which changes r_x by
+// |r_y|, l by q R with q = sqrt(1 + mu^2), and D by 3 (|r_y| l + |r_x| q R)/R^2, each times the angle. This gives the
+// errors of the jumps. A position is off by the jump's error times the time since the impact, plus the jump itself
+// times its delay.
+// The engine may correct the corner's penetration by moving the box: upwards by at most all of it, and by turning it by
+// at most 3 r_x/R^2 times it.
+// The corner's orientation is known except for its landing time, which lies within the fall from R to half the box's
+// height. r_x, l and D are taken at the middle of that interval and widened by the angle that the box turns in the rest
+// of it.
 struct Landing {
   double delay = 0;                           // s
   double up = 0, along = 0, about = 0;        // jumps, m/s, m/s, rad/s
   double d_up = 0, d_along = 0, d_about = 0;  // their errors
-  double sunk = 0, tilted = 0;                // m, rad
+  double sunk = 0, tilted = 0;                // penetration, m, and the turn that corrects it, rad
 };
 
 Landing landing(const Throw& b, const Stepping& s) {
@@ -154,12 +157,12 @@ std::vector<Expectation> after_landing(const Throw& b) {
         .body = "box",
         .quantity = quantity,
         .allowed = [=](const Stepping& s) { return allowed(landing(b, s), s) + round_off(s, b.end, reach); },
-        .source = std::string(source) + "; the impact noticed late"};
+        .source = std::string(source) + "; the impact is detected late"};
   };
   return {
       expect(
           Quantity::x, [=](const Landing& l, const Stepping&) { return l.d_along * since + l.along * l.delay; },
-          "friction mu J slows it"),
+          "slowed by friction mu J"),
       expect(
           Quantity::y,
           [=](const Landing& l, const Stepping& s) {
@@ -169,7 +172,7 @@ std::vector<Expectation> after_landing(const Throw& b) {
       expect(
           Quantity::angle,
           [=](const Landing& l, const Stepping&) { return l.d_about * since + l.about * l.delay + l.tilted; },
-          "r x J/I turns it"),
+          "spin from r x J/I"),
       expect(
           Quantity::vx, [](const Landing& l, const Stepping&) { return l.d_along; }, "mu J/m"),
       expect(
@@ -191,17 +194,23 @@ Smoothness smoothness(const Parameters& p) {
 
 const Catalog<Scenario>::Entry entry{
     {.name = "spinning-obb",
-     .question = "Does a thrown box fly as Galileo says, keep its spin, and leave the ground as the impact laws say?",
+     .question =
+         "Does a thrown box fly on a parabola, keep its spin, and rebound from the ground as the impact laws say?",
      .parameters =
-         {{.name = "height", .value = 40, .min = 1, .max = 1000, .unit = "m", .about = "of the centre"},
-          {.name = "vx", .value = 3, .min = -100, .max = 100, .unit = "m/s", .about = "sideways at the start"},
-          {.name = "vy", .value = 5, .min = -100, .max = 100, .unit = "m/s", .about = "upwards at the start"},
+         {{.name = "height", .value = 40, .min = 1, .max = 1000, .unit = "m", .about = "of the centre at the start"},
+          {.name = "vx",
+           .value = 3,
+           .min = -100,
+           .max = 100,
+           .unit = "m/s",
+           .about = "horizontal velocity at the start"},
+          {.name = "vy", .value = 5, .min = -100, .max = 100, .unit = "m/s", .about = "upward velocity at the start"},
           {.name = "angle", .value = 0.3, .min = -3, .max = 3, .unit = "rad", .about = "at the start"},
           {.name = "spin", .value = 1.2, .min = -100, .max = 100, .unit = "rad/s", .about = "at the start"},
-          {.name = "width", .value = 1, .min = 0.1, .max = 2, .unit = "m", .about = "twice the box's height"},
+          {.name = "width", .value = 1, .min = 0.1, .max = 2, .unit = "m", .about = "of the box, twice its height"},
           {.name = "friction", .value = 0.2, .min = 0, .max = 1, .about = "of box and ground"},
           {.name = "restitution", .value = 0.5, .min = 0, .max = 1, .about = "of box and ground"},
-          {.name = "duration", .value = 2, .min = 0.1, .max = 100, .unit = "s", .about = "of the flight"}},
+          {.name = "duration", .value = 2, .min = 0.1, .max = 100, .unit = "s", .about = "of the run"}},
      .variants = {{"free-fall", {{"vx", 0}, {"vy", 0}, {"angle", 0}, {"spin", 0}}},
                   {"flight", {}},
                   {"landing", {{"height", 2}, {"vx", 4}, {"vy", 0}, {"angle", -1}, {"spin", 0.3}, {"duration", 0.75}}}},

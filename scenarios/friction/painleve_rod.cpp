@@ -16,11 +16,11 @@ Scene scene(const Parameters& p) {
   const Surface rough = surface(p.at("friction"), 0);
   const double angle = p.at("angle") * degree;
   Scene scene{.name = "painleve-rod",
-              .about = "A rod is pushed foot first over rough ground.",
+              .about = "A rod slides over rough ground with its foot in front.",
               .gravity = {0, -gravity},
               .duration = duration};
   scene.bodies.push_back(level_ground(rough));
-  // The foot is ahead of the centre, its lower corner on the ground.
+  // The foot is in front of the centre, with its lower corner on the ground.
   const Vec centre{-size.x / 2 * std::cos(angle), size.x / 2 * std::sin(angle) + size.y / 2 * std::cos(angle)};
   Body rod = box("rod", centre, size, rough);
   rod.angle = -angle;
@@ -29,11 +29,11 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// A force N at the foot lifts it with N/m (1 + 3 cos a (cos a - mu sin a)) for a thin rod: negative about
-// tan 2a = -mu for mu > 4/3, where Coulomb and rigidity contradict each other and only an impulse solves it (Painleve;
-// Lecornu). All that holds in any case: the numbers stay finite, and the energy never rises. A method's own may: where
-// the rod falls at v <= V, V^2 = v0^2 + 2 g L, by m g times its drift, |drift| h V; and an impact noticed late is put
-// right by lifting the rod out of the ground: m g (V lag + gap).
+// A force N at the foot accelerates it upwards by N/m (1 + 3 cos a (cos a - mu sin a)) for a thin rod. For mu > 4/3
+// that is negative around tan 2a = -mu: Coulomb friction and rigidity contradict each other, and only an impulse solves
+// it (Painleve; Lecornu). What holds in every case is that the numbers stay finite and that the energy never increases.
+// A method's own energy error: while the rod falls at v <= V, V^2 = v0^2 + 2 g L, m g times its drift |drift| h V; and
+// an impact that is detected late is corrected by lifting the rod out of the ground: m g (V lag + gap).
 std::vector<Expectation> expectations(const Parameters& p) {
   const double weight = mass_of(scene(p).bodies[1]).mass * gravity;
   const double fastest = std::sqrt(p.at("speed") * p.at("speed") + 2 * gravity * size.x);
@@ -44,14 +44,19 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .relation = Relation::at_most,
            .expected = 0,
            .allowed = rise,
-           .source = "nothing drives it; drift in the fall, and a late impact's depth"}};
+           .source = "no energy is supplied; drift in the fall, penetration at a late impact"}};
 }
 
 const Catalog<Scenario>::Entry entry{
     {.name = "painleve-rod",
-     .question = "Does a rod stay finite and gain no energy where Coulomb and rigidity contradict each other?",
+     .question = "Does a rod stay finite and gain no energy where Coulomb friction and rigidity contradict each other?",
      .parameters = {{.name = "friction", .value = 2, .min = 1.34, .max = 10, .about = "of rod and ground"},
-                    {.name = "angle", .value = 58, .min = 20, .max = 80, .unit = "deg", .about = "of the rod"},
+                    {.name = "angle",
+                     .value = 58,
+                     .min = 20,
+                     .max = 80,
+                     .unit = "deg",
+                     .about = "of the rod above the horizontal"},
                     {.name = "speed", .value = 5, .min = 0.5, .max = 20, .unit = "m/s", .about = "at the start"}},
      .variants = {{"mu=2", {}}, {"mu=5", {{"friction", 5}, {"angle", 50}}}},
      .scene = scene,

@@ -1,15 +1,17 @@
+#include <algorithm>
 #include <cmath>
 
 #include "scenarios/allowance.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb::scenarios::slope {
 namespace {
 
 constexpr double gravity = 10;  // m/s^2
-constexpr double duration = 2;  // s, in which no box slides off the end: g t^2/2 = 20 m at most
-const Vec slab{60, 1};          // m; a box and not a half-space, as every engine has boxes and none needs a stand-in
+constexpr double duration = 2;  // s, short enough that no box slides off the end: g t^2/2 <= 20 m
+const Vec slab{60, 1};          // m; a box rather than a half-space, because every engine has boxes
 const double arctan_half = std::atan(0.5) / degree;
 
 Scene scene(const Parameters& p) {
@@ -18,7 +20,8 @@ Scene scene(const Parameters& p) {
   const Vec up{-std::sin(angle), std::cos(angle)};
   const double middle = (slab.y + size) / 2;
   const Surface rough = surface(p.at("friction"), 0);
-  Scene scene{.name = "slope", .about = "A box on a slope.", .gravity = {0, -gravity}, .duration = duration};
+  Scene scene{
+      .name = "slope", .about = "A box is released on a slope.", .gravity = {0, -gravity}, .duration = duration};
   scene.bodies.push_back(box("slope", {0, 0}, slab, rough));
   scene.bodies.push_back(box("box", {middle * up.x, middle * up.y}, {size, size}, rough));
   scene.bodies[0].type = BodyType::fixed;
@@ -26,13 +29,13 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Sticks iff tan a <= mu, else slides with a = g (sin a - mu cos a). Slides before it tips, as mu < 1 = b/h.
-//   Contact  it may be noticed a lag late. Until then the box falls freely, gains g sin a lag along the slope that
-//   friction
-//            takes away only with the step after: g sin a lag (lag + h) of way. Where it slides, friction's whole
-//            impulse is mu times the whole normal impulse, which is off by the fall's m g cos a lag at most.
-//   Sticking it may creep. Place: the gap off the slope and, sliding, the integrator's drift.
-//   Angle    a gap in at one corner and out at the other.
+// Sticks iff tan a <= mu, otherwise slides with a = g (sin a - mu cos a). It slides before it tips, as mu < 1 = b/h.
+//   Contact   may be detected a lag late. Until then the box falls freely and gains g sin a lag along the slope, which
+//             friction removes only in the next step: a distance of g sin a lag (lag + h). If it slides, the total
+//             friction impulse is mu times the total normal impulse, which is off by at most the fall's m g cos a lag.
+//   Sticking  it may creep.
+//   Position  the gap off the slope and, if it slides, the integrator's drift.
+//   Angle     one corner in by the gap and the other out by it.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double angle = p.at("angle") * degree;
   const double mu = p.at("friction");
@@ -48,28 +51,23 @@ std::vector<Expectation> expectations(const Parameters& p) {
   };
   const auto place = [=](const Stepping& s) {
     const double fallen = gravity * std::sin(angle) * lag(s) * (lag(s) + s.h);
-    const double way = sticks ? s.creep * end : gravity * mu * std::cos(angle) * lag(s) * end;
-    return fallen + way + drifted(s, acceleration, end) + s.gap + round_off(s, end, reach);
+    const double slid = sticks ? s.creep * end : gravity * mu * std::cos(angle) * lag(s) * end;
+    return fallen + slid + drifted(s, acceleration, end) + s.gap + round_off(s, end, reach);
   };
   const auto turn = [=](const Stepping& s) { return 2 * s.gap / size + round_off(s, end, reach / size); };
 
   const std::string law = sticks ? "sticks, as tan a <= mu" : "g (sin a - mu cos a) t";
-  return {{.body = "box",
-           .quantity = Quantity::speed,
-           .allowed = speed,
-           .source = law + (sticks ? "; may creep" : "; friction may start one lag late")},
-          {.body = "box",
-           .quantity = Quantity::x,
-           .allowed = place,
-           .source = law + "; a late contact, creep or drift, and the gap"},
-          {.body = "box",
-           .quantity = Quantity::y,
-           .allowed = place,
-           .source = law + "; a late contact, creep or drift, and the gap"},
-          {.body = "box",
-           .quantity = Quantity::angle,
-           .allowed = turn,
-           .source = "lies flat; a gap in at one corner, out at the other"}};
+  return {
+      {.body = "box",
+       .quantity = Quantity::speed,
+       .allowed = speed,
+       .source = law + (sticks ? "; may creep" : "; friction may start a lag late")},
+      {.body = "box", .quantity = Quantity::x, .allowed = place, .source = law + "; late contact, creep or drift, gap"},
+      {.body = "box", .quantity = Quantity::y, .allowed = place, .source = law + "; late contact, creep or drift, gap"},
+      {.body = "box",
+       .quantity = Quantity::angle,
+       .allowed = turn,
+       .source = "lies flat; one corner in by the gap, the other out"}};
 }
 
 Smoothness smoothness(const Parameters& p) {
@@ -78,7 +76,7 @@ Smoothness smoothness(const Parameters& p) {
 
 const Catalog<Scenario>::Entry entry{
     {.name = "slope",
-     .question = "Does a box stick below arctan(mu) and slide as Coulomb says above?",
+     .question = "Does a box on a slope stick below arctan(mu) and slide with Coulomb friction above?",
      .parameters =
          {{.name = "angle", .value = 20, .min = 0, .max = 80, .unit = "deg", .about = "of the slope"},
           {.name = "friction", .value = 0.2, .min = 0, .max = 0.9, .about = "coefficient, sticking and sliding"},
@@ -94,3 +92,104 @@ const Catalog<Scenario>::Entry entry{
 
 }  // namespace
 }  // namespace plumb::scenarios::slope
+
+namespace plumb::scenarios::tipping {
+namespace {
+
+constexpr double gravity = 10;  // m/s^2
+constexpr double duration = 1;  // s
+constexpr double turned = 0.6;  // rad, well before any box lands on its side
+const Vec slab{60, 1};          // m
+const double arctan_half = std::atan(0.5) / degree;
+
+Scene scene(const Parameters& p) {
+  const double angle = p.at("angle") * degree;
+  const Vec size{p.at("width"), p.at("height")};
+  const Vec up{-std::sin(angle), std::cos(angle)};
+  const double middle = (slab.y + size.y) / 2;
+  const Surface rough = surface(p.at("friction"), 0);
+  Scene scene{.name = "tipping",
+              .about = "A tall box stands on a slope that is too rough to slide on.",
+              .gravity = {0, -gravity},
+              .duration = duration};
+  scene.bodies.push_back(box("slope", {0, 0}, slab, rough));
+  scene.bodies.push_back(box("box", {middle * up.x, middle * up.y}, size, rough));
+  scene.bodies[0].type = BodyType::fixed;
+  for (Body& body : scene.bodies) body.angle = angle;
+  return scene;
+}
+
+// Tips iff tan a > b/h. Then the lever arm d from the lower edge to the centre is an inverted pendulum, s'' = w^2 sin
+// s, w^2 = m g d/(I + m d^2), s(0) = a - arctan(b/h). Errors of the start grow at most like cosh(w t), those of the
+// speed like sinh(w t)/w. With the angular velocity at the end W <= s(0) w sinh(w t):
+//   start    one side of the base in by the gap and the other out, and an edge off by as much: 2 gap/b + gap/d;
+//   contact  detected a lag late, until when the box falls freely; the speed g lag may all become spin: g lag/d;
+//   first    the method's drift makes it half a step early or late: 2 |drift| h W;
+//   lost     contacts are found once per step and let the centre move along the tangent, which loses (W dt)^2/2 of the
+//            speed in each of t/dt steps;
+//   second   a phase error of (w h)^2/24 w t.
+// If it stands, the contact may open by the gap on one side, and the box may creep.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const double angle = p.at("angle") * degree;
+  const double b = p.at("width");
+  const double h = p.at("height");
+  const double d = std::hypot(b, h) / 2;
+  const Mass mass = mass_of(scene(p).bodies[1]);
+  const double w = std::sqrt(gravity * d / (mass.inertia / mass.mass + d * d));
+  const double lean = angle - std::atan2(b, h);
+  const bool stands = lean <= 0;
+  // As s < s(0) cosh(w t), it has turned by at most `turned` until then.
+  const double early = stands ? duration : std::floor(60 * std::acosh(1 + turned / lean) / w) / 60;
+  const double time = std::min(duration, early);
+  const double reach = slab.y + h + gravity * duration * duration;
+
+  const auto turn = [=](const Stepping& s) {
+    const double round = round_off(s, time, reach / b);
+    if (stands) return 2 * s.gap / b + round;
+    const double fastest = lean * w * std::sinh(w * time);
+    const double start = (2 / b + 1 / d) * s.gap * std::cosh(w * time);
+    const double late = gravity * lag(s) / d * std::sinh(w * time) / w;
+    const double first = 2 * std::abs(s.drift) * s.h * fastest;
+    const double swept = lean * (std::cosh(w * time) - 1);
+    const double lost = swept * fastest * fastest * s.dt * time / 2;
+    const double second = w * w * s.h * s.h / 24 * fastest * time * std::cosh(w * time);
+    return start + late + first + lost + second + round * std::cosh(w * time);
+  };
+  const auto place = [=](const Stepping& s) {
+    const double fallen = gravity * lag(s) * (lag(s) + s.h);
+    return d * turn(s) + s.creep * time + s.gap + fallen + round_off(s, time, reach);
+  };
+  const std::string law =
+      stands ? "stands, as tan a <= b/h" : "tips, as tan a > b/h: turns about its edge, s'' = w^2 sin s";
+  return {{.body = "box",
+           .quantity = Quantity::angle,
+           .time = time,
+           .allowed = turn,
+           .source = law + (stands ? "; tilted by the gap" : "; gap and lag at the start, amplified, and drift")},
+          {.body = "box",
+           .quantity = Quantity::x,
+           .time = time,
+           .allowed = place,
+           .source = law + "; the lever arm times the angle"},
+          {.body = "box",
+           .quantity = Quantity::y,
+           .time = time,
+           .allowed = place,
+           .source = law + "; the lever arm times the angle"}};
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "tipping",
+     .question = "Does a box on a rough slope tip if and only if its centre is beyond its lower edge?",
+     .parameters =
+         {{.name = "angle", .value = arctan_half + 10, .min = 0, .max = 60, .unit = "deg", .about = "of the slope"},
+          {.name = "width", .value = 2, .min = 0.5, .max = 4, .unit = "m", .about = "of the base"},
+          {.name = "height", .value = 4, .min = 0.5, .max = 8, .unit = "m", .about = "of the box"},
+          {.name = "friction", .value = 2, .min = 0, .max = 4, .about = "coefficient, sticking and sliding"}},
+     .variants = {{"stands", {{"angle", arctan_half - 2}}}, {"tips", {}}},
+     .closed_form = "topple",
+     .scene = scene,
+     .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::tipping

@@ -13,32 +13,32 @@ namespace {
 constexpr double gravity = 10;   // m/s^2
 constexpr double duration = 10;  // s
 constexpr int apexes = 3;
-constexpr double shortest = 0.1;  // s, of half a flight that moments of 1/60 s show
+constexpr double shortest = 0.1;  // s, half the shortest flight that samples of 1/60 s resolve
 
 Scene scene(const Parameters& p) {
   const double radius = p.at("radius");
   const Surface bouncy = surface(0, p.at("restitution"));
   Scene scene{
-      .name = "bounce", .about = "A disc dropped on level ground.", .gravity = {0, -gravity}, .duration = duration};
+      .name = "bounce", .about = "A disc is dropped on level ground.", .gravity = {0, -gravity}, .duration = duration};
   scene.bodies.push_back(level_ground(bouncy));
   scene.bodies.push_back(disc("disc", {0, p.at("height") + radius}, radius, bouncy));
   return scene;
 }
 
-// How high a engine may come, from below and above, flight by flight. In terms of the apex H a flight would reach,
-// an impact that is noticed at a depth d, with the speed V that goes with it, V^2 = 2 g (H + d):
-//   turned round where it is        H' = e^2 (H + d) - d
+// Lower and upper bounds of the apex in an engine, flight by flight. In terms of the apex H that a flight would reach,
+// an impact that is detected at the depth d with the speed V there, V^2 = 2 g (H + d), gives
+//   reversed in place               H' = e^2 (H + d) - d
 //   lifted out of the ground first  H' = e^2 (H + d)
 // so that H' lies between e^2 H - (1 - e^2) d and e^2 (H + d), with d <= V lag.
-// Drift: a step with drift D keeps v^2/(2 g) + y - D h v exactly (v upwards), which jumps by D h (V + e V) as the speed
-// turns round; the turn's share in H' is D h V (e^2 + e). Gap: touching may be seen a gap early or late and the disc
-// put down that much off: (1 + e^2) gap. Threshold: an impact slower than it may not bounce at all.
-struct Flight {
+// Drift: a step with drift D conserves v^2/(2 g) + y - D h v exactly (v upwards), which jumps by D h (V + e V) when the
+// velocity is reversed; the reversal changes H' by D h V (e^2 + e). Gap: contact may be detected a gap early or late
+// and the disc placed that much off: (1 + e^2) gap. Threshold: an impact slower than it may not bounce at all.
+struct ApexRange {
   double low = 0, high = 0;  // m, of the apex above the ground
 };
 
-Flight after_impact(Flight before, double e, const Stepping& s) {
-  const double slack = gravity * s.h * (s.impact_lag + std::abs(s.drift));  // m/s, on the speed itself
+ApexRange after_impact(ApexRange before, double e, const Stepping& s) {
+  const double slack = gravity * s.h * (s.impact_lag + std::abs(s.drift));  // m/s, error of the speed itself
   const double fastest = std::sqrt(2 * gravity * before.high) + slack;
   const double slowest = std::sqrt(2 * gravity * std::max(before.low, 0.0)) - slack;
   const double depth = fastest * lag(s);
@@ -47,29 +47,29 @@ Flight after_impact(Flight before, double e, const Stepping& s) {
   return {sure ? e * e * before.low - (1 - e * e) * depth - off : -depth - s.gap, e * e * (before.high + depth) + off};
 }
 
-Flight flight(int n, double height, double e, const Stepping& s) {
-  Flight now{height, height};
+ApexRange apex_range(int n, double height, double e, const Stepping& s) {
+  ApexRange now{height, height};
   for (int k = 0; k < n; ++k) now = after_impact(now, e, s);
   return now;
 }
 
-// Apex n, read off moments dt apart: the highest of them is at most dt/2 from the top, g dt^2/8 lower.
+// Apex n, sampled every dt: the highest sample is at most dt/2 from the top, g dt^2/8 lower.
 double allowed_apex(int n, double height, double e, const Stepping& s) {
   const double expected = std::pow(e, 2 * n) * height;
-  const Flight now = flight(n, height, e, s);
+  const ApexRange now = apex_range(n, height, e, s);
   const double time = (2 * n + 1) * std::sqrt(2 * height / gravity);
   return std::max(now.high - expected, expected - now.low) + gravity * s.dt * s.dt / 8 +
          round_off(s, time, height + gravity * time * time);
 }
 
-// Landing n, read off moments dt apart: the lowest of them is at most dt away. Each landing may come a lag late, half a
-// step off by the drift, and a gap early or late; each flight lasts 2 sqrt(2 H/g), whatever H the impacts made of it.
+// Landing n, sampled every dt: the lowest sample is at most dt away. Each landing may come a lag late, be half a step
+// off by the drift, and a gap early or late. Each flight lasts 2 sqrt(2 H/g), with the H that the impacts lead to.
 double allowed_landing(int n, double height, double e, const Stepping& s) {
   const double fall = std::sqrt(2 * height / gravity);
   const double each = lag(s) + std::abs(s.drift) * s.h + std::sqrt(2 * s.gap / gravity);
   double late = each;
   double early = each;
-  Flight now{height, height};
+  ApexRange now{height, height};
   for (int k = 1; k < n; ++k) {
     now = after_impact(now, e, s);
     const double exact = 2 * std::pow(e, k) * fall;
@@ -79,25 +79,26 @@ double allowed_landing(int n, double height, double e, const Stepping& s) {
   return std::max(late, early) + s.dt + round_off(s, 2 * n * fall, 2 * n * fall);
 }
 
-// At the end the disc rests; a engine may be in as late a flight as its longest possible flights leave time for.
+// At the end the disc is at rest; an engine may still be in the latest flight that its longest possible flights leave
+// time for.
 double allowed_rest(double height, double e, const Stepping& s) {
   constexpr double settled = 1e-15;  // m
-  Flight now{height, height};
+  ApexRange now{height, height};
   double time = std::sqrt(2 * height / gravity) + s.h;
   while (time < duration && now.high > settled) {
     const double before = now.high;
     now = after_impact(now, e, s);
     time += 2 * std::sqrt(2 * now.high / gravity) + s.h;
-    if (now.high > before) return std::numeric_limits<double>::infinity();  // so coarse a step settles never
+    if (now.high > before) return std::numeric_limits<double>::infinity();  // with so coarse a step it never settles
   }
   return std::max(now.high, -now.low) + s.gap + round_off(s, duration, height + gravity * duration * duration);
 }
 
-// For e = 1 the energy is m g times the apex, but for the drift's part m g D h |v| within a flight. The first impact is
-// at sqrt(2h/g), the others twice that apart; one more than that may have been by the end.
+// For e = 1 the energy is m g times the apex, except for the drift's m g D h |v| within a flight. The first impact is
+// at sqrt(2h/g) and the others are twice that apart; there may have been one more than that by the end.
 double allowed_energy(double weight, double height, const Stepping& s) {
   const int impacts = static_cast<int>(std::ceil(duration / (2 * std::sqrt(2 * height / gravity)) + 0.5));
-  const Flight last = flight(impacts, height, 1, s);
+  const ApexRange last = apex_range(impacts, height, 1, s);
   const double fastest = std::sqrt(2 * gravity * last.high);
   return weight * (std::max(last.high - height, height - last.low) + std::abs(s.drift) * s.h * fastest) +
          weight * round_off(s, duration, height + gravity * duration * duration);
@@ -114,7 +115,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                    .index = n,
                    .expected = radius + std::pow(e, 2 * n) * height,
                    .allowed = [=](const Stepping& s) { return allowed_apex(n, height, e, s); },
-                   .source = "e^(2n) h; impacts noticed late, drift, gap"});
+                   .source = "e^(2n) h; late detection of impacts, drift, gap"});
   }
   const double fall = std::sqrt(2 * height / gravity);
   double landed = fall;
@@ -124,7 +125,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                    .index = n,
                    .expected = landed,
                    .allowed = [=](const Stepping& s) { return allowed_landing(n, height, e, s); },
-                   .source = "sqrt(2h/g) (1 + 2 sum e^k); impacts noticed late, drift, gap, and a moment's step"});
+                   .source = "sqrt(2h/g) (1 + 2 sum e^k); late detection of impacts, drift, gap, one sample"});
     landed += 2 * std::pow(e, n) * fall;
     if (std::pow(e, n) * fall < shortest) break;
   }
@@ -133,24 +134,28 @@ std::vector<Expectation> expectations(const Parameters& p) {
     all.push_back({.body = "disc",
                    .quantity = Quantity::y,
                    .allowed = [=](const Stepping& s) { return allowed_rest(height, e, s); },
-                   .source = "at rest since sqrt(2h/g) (1+e)/(1-e); hops that late impacts may leave"});
+                   .source = "at rest since sqrt(2h/g) (1+e)/(1-e); hops left by late detection"});
   }
   if (e == 1) {
     const double weight = mass_of(scene(p).bodies[1]).mass * gravity;
     all.push_back({.quantity = Quantity::energy,
                    .allowed = [=](const Stepping& s) { return allowed_energy(weight, height, s); },
-                   .source = "e = 1 keeps the energy; impacts noticed late, drift, gap"});
+                   .source = "constant, as e = 1; late detection of impacts, drift, gap"});
   }
   return all;
 }
 
 const Catalog<Scenario>::Entry entry{
     {.name = "bounce",
-     .question = "Does a dropped disc come back as high as its restitution says, and rest when it should?",
-     .parameters =
-         {{.name = "restitution", .value = 0.8, .min = 0, .max = 1, .about = "of disc and ground"},
-          {.name = "height", .value = 4, .min = 0.1, .max = 20, .unit = "m", .about = "of the disc's lowest point"},
-          {.name = "radius", .value = 0.5, .min = 0.05, .max = 2, .unit = "m", .about = "of the disc"}},
+     .question = "Does a dropped disc bounce as high as its restitution says and come to rest at the right time?",
+     .parameters = {{.name = "restitution", .value = 0.8, .min = 0, .max = 1, .about = "of disc and ground"},
+                    {.name = "height",
+                     .value = 4,
+                     .min = 0.1,
+                     .max = 20,
+                     .unit = "m",
+                     .about = "of the disc's lowest point at the start"},
+                    {.name = "radius", .value = 0.5, .min = 0.05, .max = 2, .unit = "m", .about = "of the disc"}},
      .variants = {{"e=0.5", {{"restitution", 0.5}}}, {"e=0.8", {}}, {"e=1", {{"restitution", 1}}}},
      .closed_form = "bounce",
      .scene = scene,

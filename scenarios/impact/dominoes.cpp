@@ -10,15 +10,15 @@ namespace {
 constexpr double thick = 0.2;  // m
 constexpr double height = 1;   // m
 
-double duration(const Parameters& p) { return 3 + p.at("count") / 5; }  // s; a tenth and more of a second for each
+double duration(const Parameters& p) { return 3 + p.at("count") / 5; }  // s; more than a tenth of a second for each
 
 std::string name(int i) { return "domino " + std::to_string(i); }
 
-// The first is let go turning about the foot it falls over, fast enough to pass its highest point.
+// The first one starts rotating about the foot it falls over, fast enough to pass its highest point.
 Scene scene(const Parameters& p) {
   const Surface wood = surface(0.4, 0);
   const double push = p.at("push");
-  Scene scene{.name = "dominoes", .about = "A row of dominoes, the first given a push.", .duration = duration(p)};
+  Scene scene{.name = "dominoes", .about = "A row of dominoes, of which the first is pushed.", .duration = duration(p)};
   scene.bodies.push_back(level_ground(wood));
   for (int i = 1; i <= static_cast<int>(p.at("count")); ++i) {
     scene.bodies.push_back(box(name(i), {(i - 1) * p.at("spacing"), height / 2}, {thick, height}, wood));
@@ -29,7 +29,7 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Each falls against the next, with more energy than it needs to tip, and the last has nothing to lean on: it lies
+// Each domino falls against the next with more energy than it needs to tip it. The last has nothing to lean on: it lies
 // flat, within a gap at either end.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double end = duration(p);
@@ -42,16 +42,16 @@ std::vector<Expectation> expectations(const Parameters& p) {
 
 const Catalog<Scenario>::Entry entry{
     {.name = "dominoes",
-     .question = "Does a row of dominoes fall to the last?",
+     .question = "Does a row of dominoes fall down to the last one?",
      .parameters =
-         {{.name = "count", .value = 10, .min = 2, .max = 100, .about = "in the row", .whole = true},
+         {{.name = "count", .value = 10, .min = 2, .max = 100, .about = "number of dominoes", .whole = true},
           {.name = "spacing", .value = 0.6, .min = 0.3, .max = 0.8, .unit = "m", .about = "from one to the next"},
           {.name = "push",
            .value = 2,
            .min = 1,
            .max = 5,
            .unit = "rad/s",
-           .about = "how fast the first begins to fall"}},
+           .about = "initial angular velocity of the first"}},
      .variants = {{"ten", {}}},
      .scene = scene,
      .expectations = expectations}};

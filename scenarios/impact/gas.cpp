@@ -11,7 +11,7 @@ namespace plumb::scenarios::gas {
 namespace {
 
 constexpr double duration = 10;  // s
-constexpr double mixed = 5;      // s of it, from when on the speeds are looked at
+constexpr double mixed = 5;      // s, the time from which the speeds are sampled
 constexpr double speed = 2;      // m/s, of every disc at the start
 constexpr double radius = 0.1;   // m
 constexpr double spacing = 0.5;  // m
@@ -21,17 +21,14 @@ int side(const Parameters& p) { return static_cast<int>(p.at("side")); }
 Scene scene(const Parameters& p) {
   const Surface elastic = surface(0, 1);
   Scene scene{.name = "gas",
-              .about = "Discs fly about in a box, all equally fast at first, without friction or loss.",
+              .about = "Discs fly about in a box, all equally fast at first, without friction or energy loss.",
               .gravity = {0, 0},
               .duration = duration};
   const double half = side(p) * spacing / 2;
   const std::pair<const char*, Vec> walls[] = {
       {"floor", {0, 1}}, {"lid", {0, -1}}, {"left", {1, 0}}, {"right", {-1, 0}}};
   for (const auto& [name, normal] : walls) {
-    Body wall = level_ground(elastic);
-    wall.name = name;
-    wall.shapes[0].geometry = HalfSpace{.normal = normal, .offset = -half};
-    scene.bodies.push_back(wall);
+    scene.bodies.push_back(half_space(name, {.normal = normal, .offset = -half}, elastic));
   }
   Random random(20);
   for (int i = 0; i < side(p) * side(p); ++i) {
@@ -46,15 +43,16 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Energy: constant, whenever impacts are noticed. Impacts slower than a threshold are inelastic: each loses m u^2/4 at
-// most, u the threshold; of all impacts (u/v)^2/2 are that slow (the normal speed of meeting discs has the density
-// g exp(-g^2/(2 v^2))/v^2 at equilibrium), and each disc meets sqrt(2) n 2d v a second, n discs on a square metre.
-// Where a disc is struck twice in a step, sweeps leave a share of both energies unsolved: at worst always.
+// Energy: constant, whenever impacts are detected. Impacts slower than a threshold u are inelastic: each loses at most
+// m u^2/4. Of all impacts (u/v)^2/2 are that slow (at equilibrium the normal speed g of colliding discs has the density
+// g exp(-g^2/(2 v^2))/v^2), and each disc has sqrt(2) n 2d v impacts a second, with n discs per square metre and
+// diameter d. If a disc has two impacts in a step, iterations leave a fraction of both energies unsolved: at worst
+// always.
 //
-// Speeds: in the long run every state of that energy is as likely as another. Then the N squares of speed are spread
-// evenly over the simplex sum v^2 = const, with moments
+// Speeds: in the long run every state of that energy is equally likely. Then the N squared speeds are uniformly
+// distributed over the simplex sum v^2 = const, with the moments
 //   E<v^4>/<v^2>^2 = 2N/(N+1),   Var = 4 N^2 (N-1)/((N+1)^2 (N+2) (N+3)):
-// Maxwell's 2 for many. A mean over time deviates by no more than that of a moment: five sigma.
+// Maxwell's 2 for large N. A mean over time deviates by no more than the value at a moment: five sigma.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double n = side(p) * side(p);
   const double mass = mass_of(scene(p).bodies.back()).mass;
@@ -75,12 +73,12 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .over = duration - mixed,
            .expected = 2 * n / (n + 1),
            .allowed = [=](const Stepping& s) { return 5 * sigma + round_off(s, duration, 1); },
-           .source = "Maxwell's law in a plane: <v^4>/<v^2>^2 = 2N/(N+1); five sigma of N discs"}};
+           .source = "2D Maxwell distribution: <v^4>/<v^2>^2 = 2N/(N+1); five sigma of N discs"}};
 }
 
 const Catalog<Scenario>::Entry entry{
     {.name = "gas",
-     .question = "Do elastic discs keep their energy and come to Maxwell's distribution of speeds?",
+     .question = "Do elastic discs conserve energy and reach Maxwell's distribution of speeds?",
      .parameters = {{.name = "side",
                      .value = 16,
                      .min = 4,

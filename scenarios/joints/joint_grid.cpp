@@ -10,15 +10,17 @@ namespace {
 constexpr double pitch = 1;     // m
 constexpr double duration = 2;  // s
 
-const char* const rigid = "rigid: as many hinges as hold every disc; a gap a hinge";
+const char* const rigid = "rigid: the hinges hold every disc; one gap per hinge";
 
 std::string name(int row, int column) { return std::to_string(row + 1) + "." + std::to_string(column + 1); }
 Vec place(int side, int row, int column) { return {(column - (side - 1) / 2.0) * pitch, -row * pitch}; }
 
-// Hinged to its neighbours half-way; the two upper corners are fixed. They collide with nothing.
+// Each disc is hinged to its neighbours at the midpoints; the two upper corners are fixed. They collide with nothing.
 Scene scene(const Parameters& p) {
   const int side = static_cast<int>(p.at("side"));
-  Scene scene{.name = "joint-grid", .about = "A net of discs, hinged to their neighbours.", .duration = duration};
+  Scene scene{.name = "joint-grid",
+              .about = "A net of discs, each hinged to its neighbours, hangs from its two upper corners.",
+              .duration = duration};
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column) {
       const Vec at = place(side, row, column);
@@ -37,10 +39,10 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Hinges at four sides leave the discs nothing but to turn all against their neighbours, as wheels in gear; the corners
-// do not turn. (The hinges' equations for all velocities have full rank for 2 ... 7 discs a side.) So nothing moves,
-// but for what a gap in every hinge gives: a shift of one for each on the way from the nearer corner, and a sag as of a
-// beam whose columns turn by 2 gap/height each, (side/2)^2/2 of those in the middle.
+// Hinges on four sides leave the discs only one motion, in which each turns against its neighbours like meshed gears;
+// but the corners do not turn. (The hinges' equations for all velocities have full rank for 2 ... 7 discs per side.) So
+// nothing moves except by a gap in every hinge: a shift of one gap for each hinge on the way from the nearer corner,
+// and a sag like that of a beam whose columns turn by 2 gap/height each, (side/2)^2/2 of those in the middle.
 std::vector<Expectation> expectations(const Parameters& p) {
   const int side = static_cast<int>(p.at("side"));
   std::vector<Expectation> all;
@@ -60,9 +62,9 @@ std::vector<Expectation> expectations(const Parameters& p) {
 
 const Catalog<Scenario>::Entry entry{
     {.name = "joint-grid",
-     .question = "Does a net of hinged discs hang rigid from its corners?",
+     .question = "Does a net of hinged discs hang rigidly from its corners?",
      .parameters =
-         {{.name = "side", .value = 7, .min = 2, .max = 100, .about = "its square are the discs", .whole = true}},
+         {{.name = "side", .value = 7, .min = 2, .max = 100, .about = "discs along each side", .whole = true}},
      .variants = {{"seven", {}}},
      .scene = scene,
      .expectations = expectations}};

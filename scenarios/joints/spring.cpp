@@ -13,8 +13,10 @@ constexpr double length = 2;    // m
 constexpr double duration = 5;  // s
 
 Scene scene(const Parameters& p) {
-  Scene scene{
-      .name = "spring", .about = "A disc on a spring swings along a line.", .gravity = {0, 0}, .duration = duration};
+  Scene scene{.name = "spring",
+              .about = "A disc on a spring oscillates along a line.",
+              .gravity = {0, 0},
+              .duration = duration};
   scene.bodies.push_back(disc("disc", {length + p.at("amplitude"), 0}, 0.25, {}));
   const double mass = mass_of(scene.bodies[0]).mass;
   const double w = p.at("frequency");
@@ -22,13 +24,14 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// What a first-order method does to x'' = -w^2 x, with k = w dt (a force is met once a step, however often that is
-// divided):
-//   symplectic Euler (drift > 0) keeps v^2 + w^2 x^2 - k w v x exactly: off by k/2 of the amplitude at most, either
-//   way; explicit Euler (drift < 0) multiplies the energy by 1 + k^2 a step: the amplitude by (1 + k^2)^(t/(2 dt)); its
-//   frequency, and Verlet's, is (2/dt) asin(k/2): a phase of k^2/24 w t ahead, up to terms of k^4.
-// Never more than the amplitude itself: a method that promises less than that promises nothing.
-double off(const Stepping& s, double w) {
+// The error of a first-order method for x'' = -w^2 x, relative to the amplitude, with k = w dt (a force is evaluated
+// once per step, whatever the number of sub-steps):
+//   symplectic Euler (drift > 0) conserves v^2 + w^2 x^2 - k w v x exactly: off by at most k/2 of the amplitude, either
+//     way;
+//   explicit Euler (drift < 0) multiplies the energy by 1 + k^2 per step, the amplitude by (1 + k^2)^(t/(2 dt));
+//   the frequency of both, and of Verlet, is (2/dt) asin(k/2): a phase of k^2/24 w t ahead, up to terms of k^4.
+// At most the amplitude itself: if the bound is larger than that, the method states nothing.
+double relative_error(const Stepping& s, double w) {
   const double k = w * s.dt;
   if (s.h == 0) return 0;
   const double grown = s.drift < 0 ? std::pow(1 + k * k, duration / (2 * s.dt)) - 1 : 0;
@@ -44,23 +47,24 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const auto round = [=](const Stepping& s) { return round_off(s, duration, length + a + speed * duration); };
   return {{.body = "disc",
            .quantity = Quantity::x,
-           .allowed = [=](const Stepping& s) { return a * off(s, w) + round(s); },
-           .source = "A cos(w t); off by the method's k = w dt, or its growth, and a phase of k^2/24 w t"},
+           .allowed = [=](const Stepping& s) { return a * relative_error(s, w) + round(s); },
+           .source = "A cos(w t); error k = w dt of the method, or its growth, and a phase of k^2/24 w t"},
           {.body = "disc",
            .quantity = Quantity::vx,
-           .allowed = [=](const Stepping& s) { return speed * off(s, w) + w * round(s); },
-           .source = "-A w sin(w t); the same"},
+           .allowed = [=](const Stepping& s) { return speed * relative_error(s, w) + w * round(s); },
+           .source = "-A w sin(w t); the same relative error"},
           {.quantity = Quantity::energy,
            .allowed =
                [=](const Stepping& s) {
-                 return energy * (2 * off(s, w) + off(s, w) * off(s, w)) + mass * w * speed * round(s);
+                 return energy * (2 * relative_error(s, w) + relative_error(s, w) * relative_error(s, w)) +
+                        mass * w * speed * round(s);
                },
-           .source = "constant; twice the amplitude's error"}};
+           .source = "constant; twice the relative error of the amplitude"}};
 }
 
 const Catalog<Scenario>::Entry entry{
     {.name = "spring",
-     .question = "Does a mass on a spring swing with sqrt(k/m), and keep its energy as its method promises?",
+     .question = "Does a mass on a spring oscillate at sqrt(k/m) and keep its energy as well as the method can?",
      .parameters = {{.name = "frequency", .value = 4, .min = 0.1, .max = 60, .unit = "rad/s", .about = "sqrt(k/m)"},
                     {.name = "amplitude", .value = 1, .min = 0.01, .max = 1.5, .unit = "m", .about = "at the start"}},
      .variants = {{"w=4", {}}, {"w=15", {{"frequency", 15}}}},

@@ -3,15 +3,116 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "scenarios/scene/json_parse.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr std::size_t max_depth = 16;  // a scene needs 6
+
+// Builds the value as the parser reads it and keeps track of the path to the current position.
+class JsonBuilder final : public nlohmann::json_sax<Json> {
+ public:
+  explicit JsonBuilder(std::string_view file) : file_(file) {}
+
+  Json take() { return std::move(root_); }
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t&) override { return false; }  // cannot occur in a text
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& key) override {
+    open_.back().key = std::move(key);
+    if (open_.back().value->contains(open_.back().key)) refuse("this key is given twice");
+    return true;
+  }
+
+  bool parse_error(std::size_t, const std::string& token, const nlohmann::detail::exception& error) override {
+    if (dynamic_cast<const Json::out_of_range*>(&error) != nullptr) {
+      refuse("expected a number that double precision holds, found " + printable(token));
+    }
+    const std::string_view said = error.what();
+    const auto place = said.find("line ");
+    constexpr std::size_t longest = 200;
+    throw std::invalid_argument(file_ + ": " +
+                                printable(place == std::string_view::npos ? said : said.substr(place), longest));
+  }
+
+ private:
+  struct Open {
+    Json* value = nullptr;  // stays valid: its parent does not grow until this is closed
+    std::string key;        // of the member being read
+  };
+
+  Json* put(Json value) {
+    if (open_.empty()) return &(root_ = std::move(value));
+    const Open& in = open_.back();
+    if (in.value->is_object()) return &((*in.value)[in.key] = std::move(value));
+    in.value->push_back(std::move(value));
+    return &in.value->back();
+  }
+
+  bool add(Json value) {
+    put(std::move(value));
+    return true;
+  }
+
+  bool open(Json value) {
+    if (open_.size() == max_depth) refuse("is nested deeper than any scene");
+    open_.push_back({put(std::move(value)), ""});
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    std::string path;
+    for (const Open& in : open_) {
+      if (in.value->is_object()) {
+        path += (path.empty() ? "" : ".") + printable(in.key);
+      } else {
+        // The element being read is already in the list, unless this is the innermost level.
+        path += "[" + std::to_string(in.value->size() - (&in == &open_.back() ? 0 : 1)) + "]";
+      }
+    }
+    throw std::invalid_argument(file_ + ": " + (path.empty() ? "top level" : path) + ": " + why);
+  }
+
+  std::string file_;
+  Json root_;
+  std::vector<Open> open_;
+};
+
+// The length in bytes of the printable UTF-8 character that `text` begins with; 0 if it does not begin with one.
+std::size_t printable_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
+  const unsigned first = byte(0);
+  if (first < 0x80) return first >= 0x20 && first != 0x7F ? 1 : 0;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  if (first == 0xC2 && byte(1) < 0xA0) return 0;  // more control characters
+  const std::size_t length = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  for (std::size_t i = 1; i < length; ++i) {
+    if (!follows(i)) return 0;
+  }
+  return length;
+}
 
 std::string quoted(const std::string& text) { return '"' + printable(text) + '"'; }
 
@@ -33,12 +134,29 @@ std::string shortest(double number) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
 }
 
-std::string description(Range range) {
+std::string description(NumberRange range) {
   return "a number from " + shortest(range.least) + " to " + shortest(range.most) +
          (range.unit.empty() ? "" : " " + std::string(range.unit));
 }
 
 }  // namespace
+
+std::string printable(std::string_view text, std::size_t most) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t length = printable_length(text);
+    if (out.size() + std::max<std::size_t>(length, 1) > most) return out + "...";
+    out += length == 0 ? "?" : text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
+}
+
+Json parse_json(std::string_view text, std::string_view file) {
+  JsonBuilder builder(printable(file, text.npos));
+  Json::sax_parse(text, &builder);
+  return builder.take();
+}
 
 void JsonReader::refuse(const std::string& why) const {
   throw std::invalid_argument(printable(file_, file_.npos) + ": " + (path_.empty() ? "top level" : path_) + ": " + why);
@@ -49,7 +167,7 @@ void JsonReader::expected(const std::string& what) const {
 }
 
 void JsonReader::unknown_word(const std::vector<std::string>& names, const char* what) const {
-  const std::string* given = value_.get_ptr<const std::string*>();
+  const std::string* given = string_or_null();
   if (given != nullptr) refuse(unknown(what, printable(*given), names));
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
@@ -73,6 +191,10 @@ void JsonReader::must_have(const char* key) const {
   if (!has(key)) refuse("the key \"" + std::string(key) + "\" is missing");
 }
 
+bool JsonReader::has(const char* key) const { return value_.contains(key); }
+
+const std::string* JsonReader::string_or_null() const { return value_.get_ptr<const std::string*>(); }
+
 JsonReader JsonReader::operator[](const char* key) const {
   return {value_.at(key), file_, path_ + (path_.empty() ? "" : ".") + key};
 }
@@ -86,7 +208,7 @@ JsonReader JsonReader::operator[](std::size_t index) const {
   return {value_.at(index), file_, path_ + "[" + std::to_string(index) + "]"};
 }
 
-double JsonReader::number(Range range) const {
+double JsonReader::number(NumberRange range) const {
   if (!value_.is_number()) expected(description(range));
   const double number = value_.get<double>();
   if (!(number >= range.least && number <= range.most)) expected(description(range));
@@ -98,13 +220,13 @@ bool JsonReader::boolean() const {
   return value_.get<bool>();
 }
 
-Vec JsonReader::vector(Range range) const {
+Vec JsonReader::vector(NumberRange range) const {
   if (!value_.is_array() || value_.size() != 2) expected("a list of two numbers, [x, y]");
   return {(*this)[std::size_t{0}].number(range), (*this)[std::size_t{1}].number(range)};
 }
 
 std::string JsonReader::text(std::size_t least, std::size_t most) const {
-  const std::string* text = value_.get_ptr<const std::string*>();
+  const std::string* text = string_or_null();
   if (text == nullptr || text->size() < least || text->size() > most) {
     expected("a text of " + std::to_string(least) + " to " + std::to_string(most) + " bytes");
   }

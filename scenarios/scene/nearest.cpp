@@ -10,16 +10,16 @@
 namespace plumb {
 namespace {
 
-char small(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; }
+char lower(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; }
 
-// Levenshtein's distance, by rows of the Wagner-Fischer table.
-std::size_t distance(std::string_view a, std::string_view b) {
+// Levenshtein distance, by rows of the Wagner-Fischer table.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::size_t diagonal = std::exchange(row[0], i + 1);
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (small(a[i]) == small(b[j]) ? 0 : 1);
+      const std::size_t replaced = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
     }
@@ -33,7 +33,7 @@ std::string nearest(std::string_view word, std::span<const std::string> names) {
   std::string best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string& name : names) {
-    const std::size_t d = distance(word, name);
+    const std::size_t d = edit_distance(word, name);
     if (d < least) {
       least = d;
       best = name;

@@ -7,21 +7,16 @@
 #include <variant>
 #include <vector>
 
-/// The neutral question that every engine is given. SI units (m, kg, s, rad, N; density in kg/m^2), double
-/// precision, angles counter-clockwise, y up. No engine's own idea lives here.
+#include "scenarios/scene/surface.h"
+
+/// The engine-neutral scene that every engine is given. SI units (m, kg, s, rad, N; density in kg/m^2), double
+/// precision, angles counter-clockwise, y up. Nothing here is specific to an engine.
 namespace plumb {
 
 struct Vec {
   double x = 0;
   double y = 0;
   friend bool operator==(const Vec&, const Vec&) = default;
-};
-
-struct Surface {
-  double density = 1;           // kg/m^2
-  double static_friction = 0;   // Coulomb coefficient while sticking
-  double dynamic_friction = 0;  // Coulomb coefficient while sliding; differs from static only where a scene says so
-  double restitution = 0;       // 0 ... 1
 };
 
 struct Circle {
@@ -32,7 +27,7 @@ struct Circle {
 struct Box {
   Vec size{1, 1};    // full width and height
   Vec center;        // body frame
-  double angle = 0;  // against the body frame
+  double angle = 0;  // relative to the body frame
 };
 
 struct Polygon {
@@ -54,6 +49,7 @@ struct HalfSpace {
   double offset = 0;
 };
 
+/// To add a kind of shape: a struct, an entry here, its functions in shapes.cpp and its entry in scene.schema.json.
 using Geometry = std::variant<Circle, Box, Polygon, Capsule, Segment, HalfSpace>;
 
 struct Shape {
@@ -66,20 +62,20 @@ enum class BodyType { fixed, kinematic, dynamic };
 struct Body {
   std::string name;
   BodyType type = BodyType::dynamic;
-  Vec position;  // of the body frame's origin; the centre of mass follows from the shapes
+  Vec position;  // of the body frame's origin; the centre of mass is computed from the shapes
   double angle = 0;
   Vec velocity;  // of the centre of mass
   double angular_velocity = 0;
   double gravity_scale = 1;
   bool fixed_rotation = false;
   bool bullet = false;
-  std::uint32_t layers = ~std::uint32_t{0};  // two bodies collide only if their masks share a bit
+  std::uint32_t layers = ~std::uint32_t{0};  // bit mask; two bodies collide only if their masks share a bit
   double linear_damping = 0;                 // 1/s
   double angular_damping = 0;                // 1/s
   std::vector<Shape> shapes;
 };
 
-/// Bodies are named by their index in Scene::bodies.
+/// Joints and forces refer to bodies by their index in Scene::bodies.
 struct Revolute {
   std::size_t a = 0, b = 0;
   Vec anchor;  // world frame, at the start
@@ -104,7 +100,8 @@ struct Weld {
   Vec anchor;  // world frame, at the start
 };
 
-/// Two bodies that share a joint do not collide with each other.
+/// Two bodies connected by a joint do not collide with each other.
+/// To add a kind of joint: a struct, an entry here, its functions in joints.cpp and its entry in scene.schema.json.
 using Joint = std::variant<Revolute, Distance, Prismatic, Weld>;
 
 /// Every other dynamic body is accelerated towards `from` by strength / r^exponent.
@@ -112,14 +109,14 @@ struct Attraction {
   std::size_t from = 0;
   double strength = 0;  // m^(1+exponent)/s^2
   double exponent = 2;
-  bool mutual = false;  // `from` feels the opposite force
+  bool mutual = false;  // whether the opposite force acts on `from`
 };
 
 /// Force along the line between two anchors: stiffness (distance - length) + damping d(distance)/dt.
 struct Spring {
-  std::optional<std::size_t> a;  // nothing: anchor_a is a point of the world
+  std::optional<std::size_t> a;  // nullopt: anchor_a is a point of the world
   std::size_t b = 0;
-  Vec anchor_a, anchor_b;  // frame of the body; world frame where there is no body
+  Vec anchor_a, anchor_b;  // each in its body's frame; anchor_a in the world frame if there is no body a
   double stiffness = 0;    // N/m
   double length = 0;       // m
   double damping = 0;      // N s/m
@@ -131,15 +128,8 @@ struct Constant {
   double torque = 0;
 };
 
+/// A new kind of force likewise: its functions are in forces.cpp.
 using Force = std::variant<Attraction, Spring, Constant>;
-
-enum class FrictionMixing { geometric, pythagorean, average, min, max, multiply };
-enum class RestitutionMixing { max, min, average, multiply };
-
-struct Mixing {
-  FrictionMixing friction = FrictionMixing::geometric;
-  RestitutionMixing restitution = RestitutionMixing::max;
-};
 
 struct Scene {
   std::string name;
@@ -151,10 +141,5 @@ struct Scene {
   std::vector<Joint> joints;
   std::vector<Force> forces;
 };
-
-/// The coefficients every engine must use between two surfaces of this scene.
-double mixed_static_friction(const Mixing&, const Surface&, const Surface&);
-double mixed_dynamic_friction(const Mixing&, const Surface&, const Surface&);
-double mixed_restitution(const Mixing&, const Surface&, const Surface&);
 
 }  // namespace plumb

@@ -5,21 +5,21 @@
 #include <string_view>
 #include <vector>
 
-#include "scenarios/scenario.h"
+#include "scenarios/scene/quantity.h"
 #include "scenarios/scene/scene.h"
 
-/// Scene files: one neutral JSON file describes one question. scene.schema.json beside this file says what is in it,
-/// with units and limits.
+/// Scene files: each is an engine-neutral JSON file that describes one scene. scenarios/scene.schema.json defines the
+/// format, with units and limits.
 namespace plumb {
 
-/// What a scene file knows of the answer.
+/// A known value that a scene file states about the result.
 struct StatedTruth {
   std::string body;  // "" for quantities of the whole scene
   Quantity quantity = Quantity::x;
-  std::optional<double> time;  // s; nothing means the end
+  std::optional<double> time;  // s; nullopt means the end
   double value = 0;            // in the quantity's unit
-  double tolerance = 0;        // the same; absolute
-  std::string source;          // in words
+  double tolerance = 0;        // absolute, in the same unit
+  std::string source;          // in words: a formula, a measurement
   friend bool operator==(const StatedTruth&, const StatedTruth&) = default;
 };
 
@@ -28,14 +28,15 @@ struct SceneFile {
   std::vector<StatedTruth> truth;
 };
 
-constexpr std::size_t largest_scene_file = 16 * 1024 * 1024;  // bytes; 5,000 bodies take one
+constexpr std::size_t largest_scene_file = 16 * 1024 * 1024;  // bytes; 5,000 bodies take 1 MiB
 
-/// Reads the text of a scene file whole or not at all. `file` is what messages call it. Throws std::invalid_argument:
-/// "file: JSON path: what was expected, what was found", or line and column where the text is no JSON.
+/// Reads a whole scene file. `file` is the name used in messages. Throws std::invalid_argument if anything is wrong:
+/// "file: JSON path: what was expected, what was found", or line and column if the text is not JSON.
 SceneFile read_scene(std::string_view text, std::string_view file);
 
-/// The text of a scene file. Reading it gives the same bits, and writing those the same text. Surfaces are written as
-/// numbers, defaults left out. Throws std::invalid_argument, as the reader would, for what no scene file may hold.
+/// The text of a scene file. Reading it gives the same scene to the bit, and writing that scene the same text. Surfaces
+/// are written as numbers and defaults are left out. Throws std::invalid_argument if read_scene() would refuse the
+/// text.
 std::string write_scene(const SceneFile&);
 
 }  // namespace plumb

@@ -13,13 +13,13 @@ namespace {
 constexpr double gravity = 10;    // m/s^2
 constexpr double duration = 6;    // s; a free fall from the crown takes 1.4 s
 constexpr double radius = 10;     // m, of the centreline
-constexpr double friction = 0.8;  // the thrust asks for 0.38: nothing slides
+constexpr double friction = 0.8;  // the thrust needs 0.38, so nothing slides
 constexpr int stones = 20;
 constexpr double limit = 0.1074;  // t/R of 20 stones by their line of thrust; 0.1075 for many
 
 std::string name(int k) { return "stone " + std::to_string(k); }
 
-// Stone k of the semicircle from the left springing to the right, between two radial cuts.
+// Stone k of the semicircle, counted from the left springing to the right, between two radial cuts.
 Body stone(int k, double thickness) {
   const auto at = [](double r, int cut) {
     const double angle = std::numbers::pi * (1 - static_cast<double>(cut) / stones);
@@ -38,7 +38,7 @@ Body stone(int k, double thickness) {
 
 Scene scene(const Parameters& p) {
   Scene scene{.name = "arch",
-              .about = "A semicircular arch of stones laid dry, with radial cuts.",
+              .about = "A semicircular arch of dry stones with radial cuts.",
               .gravity = {0, -gravity},
               .duration = duration};
   scene.bodies.push_back(level_ground(surface(friction, 0)));
@@ -46,11 +46,11 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// It stands iff some line of thrust stays within the stones: t/R >= 0.1075 (Milankovitch). Each of the cuts may gape by
-// a gap on one side and sink in on the other, 2 gap/t; such a turn at the distance x from the crown sinks it by no more
-// than x times that, and the mean of x over the semicircle is 2 R/pi. A crown that has come down by its own
-// thickness has left its place altogether, whatever the gap: that is no standing. A fall ends on the ground: far below
-// half the height, whatever it leaves standing at the springings.
+// It stands iff some line of thrust stays within the stones: t/R >= 0.1075 (Milankovitch). Each cut may be open by the
+// gap on one side and penetrate by it on the other, 2 gap/t; such a turn at the horizontal distance x from the crown
+// lowers it by at most x times that angle, and the mean of x over the semicircle is 2 R/pi. A crown that has come down
+// by its own thickness counts as collapsed, whatever the gap. A collapse ends on the ground, far below half the height,
+// whatever remains standing at the springings.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double thickness = p.at("thickness") * radius;
   const std::string crown = name(stones / 2);
@@ -61,23 +61,26 @@ std::vector<Expectation> expectations(const Parameters& p) {
              .relation = Relation::at_most,
              .expected = radius / 2,
              .allowed = round,
-             .source = "falls, as t/R < 0.1075: no line of thrust stays within"}};
+             .source = "collapses, as t/R < 0.1075: no line of thrust stays within"}};
   }
   const auto sag = [=](const Stepping& s) {
-    const double gaping = (stones + 1) * (2 * s.gap / thickness) * (2 * radius / std::numbers::pi);
-    return std::min(gaping, thickness) + round(s);
+    const double sunk = (stones + 1) * (2 * s.gap / thickness) * (2 * radius / std::numbers::pi);
+    return std::min(sunk, thickness) + round(s);
   };
   return {{.body = crown,
            .quantity = Quantity::y,
            .allowed = sag,
-           .source = "stands, as t/R >= 0.1075; each cut may gape by its gap"}};
+           .source = "stands, as t/R >= 0.1075; each cut may open by the gap"}};
 }
 
 const Catalog<Scenario>::Entry entry{
     {.name = "arch",
-     .question = "Does an arch stand iff its stones are thick enough to hold a line of thrust?",
-     .parameters =
-         {{.name = "thickness", .value = 0.12, .min = 0.05, .max = 0.4, .about = "of the stones, over the radius"}},
+     .question = "Does an arch stand if and only if its stones are thick enough to contain a line of thrust?",
+     .parameters = {{.name = "thickness",
+                     .value = 0.12,
+                     .min = 0.05,
+                     .max = 0.4,
+                     .about = "of the stones, divided by the radius"}},
      .variants = {{"0.12", {}}, {"0.09", {{"thickness", 0.09}}}},
      .closed_form = "arch",
      .scene = scene,

@@ -11,8 +11,8 @@ constexpr double duration = 3;  // s
 constexpr double length = 2;    // m, of a card
 constexpr double thick = 0.1;   // m
 
-// Two cards lean on each other, by the angle a from the vertical, touching with the inner corners of their tops; they
-// stand on the inner corners of their feet and carry on the outer corners of their tops.
+// Two cards lean against each other at the angle a from the vertical and touch with the inner corners of their tops.
+// They stand on the inner corners of their feet and carry loads on the outer corners of their tops.
 struct Measures {
   explicit Measures(double a)
       : lean(a),
@@ -34,13 +34,13 @@ std::string label(int level, const std::string& what, int place) {
   return std::to_string(level + 1) + ": " + what + " " + std::to_string(place + 1);
 }
 
-// On level k stand n - k pairs; a lying card reaches from the middle of each pair to that of the next and carries a
-// pair.
+// Level k has n - k pairs. A horizontal card reaches from the middle of each pair to the middle of the next, and
+// carries one pair.
 Scene scene(const Parameters& p) {
   const Measures m(p.at("lean") * degree);
   const Surface paper = surface(p.at("friction"), 0);
   const int levels = levels_of(p);
-  Scene scene{.name = "card-house", .about = "Leaning pairs of cards, storey upon storey.", .duration = duration};
+  Scene scene{.name = "card-house", .about = "Leaning pairs of cards, one storey on another.", .duration = duration};
   scene.bodies.push_back(level_ground(paper));
   for (int level = 0; level < levels; ++level) {
     const int pairs = levels - level;
@@ -61,10 +61,10 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// It stands if friction >= tan a: a card of weight W with P on its top needs (W/2 + P) tan a from the side, of which
-// its partner gives (W/2) tan a and the roof, held by friction under P, P tan a; its foot W + P holds it all.
-// A storey may settle by a gap under the feet, a gap under the roof, and as the tops come a gap nearer, or the feet
-// creep outwards, by tan a of that.
+// It stands if friction >= tan a: a card of weight W that carries P on its top needs a horizontal force of (W/2 + P)
+// tan a, of which its partner supplies (W/2) tan a and the roof, held by friction under P, P tan a; at its foot W + P
+// balances all of it. A storey may settle by a gap under the feet and a gap under the roof; and, as the tops come a gap
+// closer or the feet creep outwards, by tan a of that.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Measures m(p.at("lean") * degree);
   const double slope = std::tan(m.lean);
@@ -80,7 +80,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                          return storeys * ((2 + slope) * s.gap + slope * s.creep * duration) +
                                 round_off(s, duration, y);
                        },
-                   .source = "equilibrium: friction above tan a; gaps and creep, storey by storey"});
+                   .source = "equilibrium, as friction is above tan a; gaps and creep, storey by storey"});
   }
   return all;
 }
@@ -88,9 +88,10 @@ std::vector<Expectation> expectations(const Parameters& p) {
 const Catalog<Scenario>::Entry entry{
     {.name = "card-house",
      .question = "Does a house of cards stand by friction alone?",
-     .parameters = {{.name = "levels", .value = 2, .min = 1, .max = 8, .about = "storeys", .whole = true},
-                    {.name = "lean", .value = 20, .min = 5, .max = 25, .unit = "deg", .about = "from the vertical"},
-                    {.name = "friction", .value = 0.6, .min = 0.5, .max = 1, .about = "between cards and ground"}},
+     .parameters =
+         {{.name = "levels", .value = 2, .min = 1, .max = 8, .about = "number of storeys", .whole = true},
+          {.name = "lean", .value = 20, .min = 5, .max = 25, .unit = "deg", .about = "of the cards from the vertical"},
+          {.name = "friction", .value = 0.6, .min = 0.5, .max = 1, .about = "of cards and ground"}},
      .variants = {{"pair", {{"levels", 1}}}, {"two", {}}, {"three", {{"levels", 3}}}},
      .scene = scene,
      .expectations = expectations}};

@@ -6,8 +6,9 @@
 
 #include "scenarios/scene/scene_json.h"
 
-// libFuzzer's entry. Whatever the bytes: refused by std::invalid_argument, or read whole, and then what is written can
-// be read and is written the same. Anything else ends the program, which the fuzzer reports.
+// The entry point for libFuzzer. Whatever the bytes are, the reader must either refuse them with std::invalid_argument
+// or read them completely, and then the written text must read back to the same text. Anything else aborts, which the
+// fuzzer reports.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   plumb::SceneFile read;
   try {

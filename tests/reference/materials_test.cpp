@@ -1,4 +1,4 @@
-#include "scenarios/scene/materials.h"
+#include "scenarios/scene/surface.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 TEST(Materials, AreThoseOfOurEngine) {
   ASSERT_EQ(materials().size(), impulse::materials().size());
   const auto as = [](double number) { return static_cast<impulse::Real>(number); };
-  for (const Material& material : materials()) {
+  for (const NamedSurface& material : materials()) {
     const impulse::Material* ours = impulse::find_material(material.name);
     ASSERT_NE(ours, nullptr) << material.name;
     EXPECT_EQ(ours->density, as(material.surface.density)) << material.name;

@@ -14,7 +14,7 @@
 namespace plumb {
 namespace {
 
-TEST(Scenarios, AreAllHere) {
+TEST(Scenarios, AreAllRegistered) {
   std::vector<std::string> names;
   for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);
   EXPECT_THAT(names,
@@ -28,7 +28,7 @@ TEST(Scenarios, AreAllHere) {
                                    "stopping-distance", "tautochrone", "teams", "thin-wall", "tipping", "tumbler"));
 }
 
-TEST(Scenarios, OfTheShortReportAreTheFourCanonicalOnes) {
+TEST(Scenarios, InTheShortReportAreTheFourCanonicalOnes) {
   std::vector<std::string> names;
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     if (scenario->canonical) names.push_back(scenario->name);
@@ -36,8 +36,8 @@ TEST(Scenarios, OfTheShortReportAreTheFourCanonicalOnes) {
   EXPECT_THAT(names, testing::ElementsAre("bounce", "slope", "spinning-obb", "stacking"));
 }
 
-// What every variant of every family must be: a scene with names to call its bodies by, on the grid of 1/60 s.
-TEST(Scenarios, MakeWellFormedScenes) {
+// Every variant of every family must give a valid scene: unique names, and a duration on the grid of 1/60 s.
+TEST(Scenarios, BuildWellFormedScenes) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     EXPECT_NE(scenario->question, "") << scenario->name;
     ASSERT_FALSE(scenario->variants.empty()) << scenario->name;
@@ -56,7 +56,7 @@ TEST(Scenarios, MakeWellFormedScenes) {
   }
 }
 
-// The defaults, and each parameter at either end of its range.
+// The defaults, and each parameter at both ends of its range.
 std::vector<Parameters> corners_of(const Scenario& scenario) {
   std::vector<Parameters> all{complete(scenario, {})};
   for (const Parameter& parameter : scenario.parameters) {
@@ -71,7 +71,7 @@ bool is_finite(const Body& body) {
          std::isfinite(body.velocity.x) && std::isfinite(body.velocity.y) && std::isfinite(body.angular_velocity);
 }
 
-TEST(Scenarios, AreMadeAtEitherEndOfEveryParameter) {
+TEST(Scenarios, CanBeBuiltAtBothEndsOfEveryParameter) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     for (const Parameters& parameters : corners_of(*scenario)) {
       const Scene scene = scenario->scene(parameters);
@@ -87,7 +87,7 @@ TEST(Scenarios, AreMadeAtEitherEndOfEveryParameter) {
   }
 }
 
-TEST(Scenarios, AreTheSameTwice) {
+TEST(Scenarios, AreDeterministic) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     const Scene once = scenario->scene(complete(*scenario, {}));
     const Scene again = scenario->scene(complete(*scenario, {}));
@@ -104,7 +104,7 @@ TEST(Scenarios, AreTheSameTwice) {
   }
 }
 
-TEST(Scenarios, ExpectOnlyOfBodiesThatAreThere) {
+TEST(Scenarios, ExpectOnlyOfBodiesThatExist) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     for (const Variant& variant : scenario->variants) {
       const Parameters parameters = complete(*scenario, variant.changes);
@@ -115,7 +115,7 @@ TEST(Scenarios, ExpectOnlyOfBodiesThatAreThere) {
         EXPECT_TRUE(bodies.count(expectation.body)) << scenario->name << ' ' << expectation.body;
         EXPECT_NE(expectation.source, "") << scenario->name;
         EXPECT_TRUE(bodies.count(expectation.other)) << scenario->name << ' ' << expectation.other;
-        // What belongs to a run and not to a moment, no closed form can be asked for.
+        // A closed form has no value for a quantity of a whole run.
         const bool of_a_moment = expectation.quantity < Quantity::load && expectation.over == 0;
         EXPECT_TRUE(expectation.expected || (of_a_moment && !scenario->closed_form.empty())) << scenario->name;
       }
@@ -123,9 +123,9 @@ TEST(Scenarios, ExpectOnlyOfBodiesThatAreThere) {
   }
 }
 
-// An allowance is what the method owes: finite at 60 steps a second, less with every finer step, round-off alone for
-// none.
-TEST(Scenarios, AllowLessWithFinerStepsAndAlmostNothingWithout) {
+// A tolerance is derived from the method: it must be finite at 60 steps a second, decrease with the step, and be only
+// round-off for an exact method.
+TEST(Scenarios, AllowLessWithFinerStepsAndOnlyRoundOffIfExact) {
   const auto stepping = [](double h) { return Stepping{.dt = h, .h = h, .drift = 0.5, .epsilon = 0x1p-53}; };
   const Stepping exact{.dt = 1e-9, .impact_lag = 0, .epsilon = 0x1p-53};
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
@@ -136,8 +136,8 @@ TEST(Scenarios, AllowLessWithFinerStepsAndAlmostNothingWithout) {
         const double coarse = expectation.allowed(stepping(1.0 / 60));
         const double fine = expectation.allowed(stepping(1.0 / 960));
         EXPECT_TRUE(std::isfinite(coarse) && fine > 0) << what;
-        // Four allowances are physics' own: the last sector of the billiard, half a wall that nothing may pass, the
-        // inside of a drum, and how far a few hundred discs are from Maxwell's law at any moment.
+        // Four tolerances are physical: the last sector of pi-billiard, half a wall that nothing may pass, the inside
+        // of a drum, and the distance of a few hundred discs from Maxwell's law at any moment.
         if (what == "thin-wall fast bullet x" || (scenario->name == "pi-billiard" && expectation.body == "heavy") ||
             expectation.source == "stays inside the drum" || expectation.quantity == Quantity::speed_spread)
           continue;

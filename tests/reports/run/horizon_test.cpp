@@ -4,7 +4,7 @@
 
 #include "reports/run/beyond.h"
 #include "reports/run/selection.h"
-#include "scenarios/perturbed.h"
+#include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {

@@ -8,8 +8,9 @@
 namespace plumb {
 namespace {
 
-// What the corners of the chain take goes with the length of its facets; on the cycloid itself all are at 0 together.
-TEST(Tautochrone, ExpectsTheBeadsTogetherAtTheBottomAsFacetsShrink) {
+// The losses at the corners of the chain are proportional to the length of its facets; on the cycloid itself all beads
+// are at 0 at the same time.
+TEST(Tautochrone, ExpectsAllBeadsAtTheBottomAsFacetsShrink) {
   const Scenario& scenario = *Catalog<Scenario>::find("tautochrone");
   const auto farthest = [&](double facets) {
     double far = 0;

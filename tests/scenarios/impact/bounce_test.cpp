@@ -11,8 +11,8 @@ namespace {
 
 const Scenario& bounce() { return *Catalog<Scenario>::find("bounce"); }
 
-// The plainest engine there is: symplectic Euler, a contact where the disc overlaps at the start of a step, the speed
-// turned round within it; `lift` moves the disc out of the ground. Its apexes, as a trace of every step shows them.
+// The simplest engine: symplectic Euler, a contact if the disc overlaps at the start of a step, and the velocity
+// reversed in that step. `lift` moves the disc out of the ground. Returns the apexes in a trace of every step.
 std::vector<double> apexes(const Parameters& p, double h, bool lift) {
   const double radius = p.at("radius");
   std::vector<double> tops;
@@ -39,7 +39,7 @@ std::vector<double> apexes(const Parameters& p, double h, bool lift) {
   return tops;
 }
 
-TEST(Bounce, AllowsWhatAPlainEngineDoesWhereverInAStepTheImpactFalls) {
+TEST(Bounce, AllowsTheErrorsOfASimpleEngineAtEveryPhaseOfTheImpact) {
   const double h = 1.0 / 60;
   const Stepping stepping{.dt = h, .h = h, .drift = 0.5, .epsilon = 0x1p-53};
   for (const double e : {0.5, 0.8, 1.0}) {
@@ -59,7 +59,7 @@ TEST(Bounce, AllowsWhatAPlainEngineDoesWhereverInAStepTheImpactFalls) {
   }
 }
 
-TEST(Bounce, AllowsAtMostThreeTimesTheWorstPhaseOfThatEngine) {
+TEST(Bounce, AllowsAtMostThreeTimesTheWorstErrorOfThatEngine) {
   const double h = 1.0 / 60;
   const Stepping stepping{.dt = h, .h = h, .drift = 0.5, .epsilon = 0x1p-53};
   for (const double e : {0.8, 1.0}) {

@@ -15,11 +15,11 @@ Expectation spread(double side) {
   for (const Expectation& one : gas.expectations(complete(gas, {{"side", side}}))) {
     if (one.quantity == Quantity::speed_spread) return one;
   }
-  throw std::logic_error("the gas has a spread of speeds");
+  throw std::logic_error("expected the gas to have a spread of speeds");
 }
 
-// States of one energy, each as likely as another: Gaussian velocities, scaled to that energy.
-TEST(Gas, ExpectsTheMeanAndAllowsFiveSigmaOfAllStatesOfItsEnergy) {
+// States of one energy, all equally likely: Gaussian velocities scaled to that energy.
+TEST(Gas, ExpectsTheMeanOfAllStatesOfItsEnergyWithinFiveSigma) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> gauss;
   for (const double side : {4.0, 16.0}) {
@@ -47,13 +47,13 @@ TEST(Gas, ExpectsTheMeanAndAllowsFiveSigmaOfAllStatesOfItsEnergy) {
   }
 }
 
-// Discs that never met would still be equally fast, 1: that must not pass.
-TEST(Gas, TellsMaxwellsLawFromNoMixing) {
+// Discs that never collide stay equally fast, with a spread of 1: that must not pass.
+TEST(Gas, TellsMaxwellsLawFromEqualSpeeds) {
   const Expectation expectation = spread(16);
   EXPECT_GT(*expectation.expected - expectation.allowed({}), 1.3);
 }
 
-TEST(Gas, BeginsWithDiscsThatAreEquallyFastAndApart) {
+TEST(Gas, StartsWithDiscsThatAreEquallyFast) {
   const Scenario& gas = *Catalog<Scenario>::find("gas");
   const Scene scene = gas.scene(complete(gas, {}));
   for (const Body& body : scene.bodies) {

@@ -10,22 +10,24 @@ namespace {
 
 const std::vector<std::string> names{"height", "radius", "restitution"};
 
-TEST(Nearest, FindsTheNameWithTheFewestChanges) {
+TEST(Nearest, FindsTheNameWithTheFewestEdits) {
   EXPECT_EQ(nearest("hieght", names), "height");
   EXPECT_EQ(nearest("restituton", names), "restitution");
   EXPECT_EQ(nearest("radios", names), "radius");
 }
 
-TEST(Nearest, DoesNotMindCapitals) { EXPECT_EQ(nearest("RADIUS", names), "radius"); }
+TEST(Nearest, IgnoresCase) { EXPECT_EQ(nearest("RADIUS", names), "radius"); }
 
-TEST(Nearest, TakesTheFirstOfEquals) { EXPECT_EQ(nearest("xx", std::vector<std::string>{"ab", "cd"}), "ab"); }
+TEST(Nearest, ReturnsTheFirstOfEquallyCloseNames) {
+  EXPECT_EQ(nearest("xx", std::vector<std::string>{"ab", "cd"}), "ab");
+}
 
-TEST(Nearest, HasNothingToSayWithoutNames) {
+TEST(Nearest, SuggestsNothingWithoutNames) {
   EXPECT_EQ(nearest("height", {}), "");
   EXPECT_EQ(unknown("parameter", "height", {}), "unknown parameter \"height\"");
 }
 
-TEST(Unknown, SaysWhatWasMeant) {
+TEST(Unknown, SuggestsTheNearestName) {
   EXPECT_EQ(unknown("parameter", "hieght", names), "unknown parameter \"hieght\", did you mean \"height\"?");
 }
 

@@ -10,11 +10,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "../random_scene.h"
-#include "../scene_bits.h"
-#include "scenarios/catalog.h"
 #include "scenarios/parts.h"
-#include "scenarios/scene/materials.h"
+#include "scenarios/scenario.h"
+#include "scenarios/scene/surface.h"
+#include "scene_samples.h"
 
 namespace plumb {
 namespace {
@@ -38,7 +37,7 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
-TEST(ReadScene, TakesEveryFeature) {
+TEST(ReadScene, ReadsEveryFeature) {
   const SceneFile read = read_scene(file("every_feature.json"), "every_feature.json");
   const Scene& scene = read.scene;
   EXPECT_EQ(scene.name, "every-feature");
@@ -61,7 +60,7 @@ TEST(ReadScene, TakesEveryFeature) {
   EXPECT_EQ(read.truth[1].time, std::nullopt);
 }
 
-TEST(ReadScene, TakesWhatIsNotSaidFromDefaults) {
+TEST(ReadScene, UsesDefaultsForAbsentMembers) {
   const Scene scene = read_scene(R"({"plumb": 1, "name": "least", "gravity": [0, -10], "duration": 1, "bodies": [
       {"name": "disc", "type": "dynamic", "position": [0, 0], "shapes": [{"type": "circle", "radius": 1}]}]})",
                                  "least.json")
@@ -70,15 +69,15 @@ TEST(ReadScene, TakesWhatIsNotSaidFromDefaults) {
   EXPECT_EQ(SceneBits::of({scene, {}}), SceneBits::of({expected, {}}));
 }
 
-TEST(ReadScene, LetsWhatStandsBesideAMaterialCountForMore) {
+TEST(ReadScene, PrefersExplicitValuesToTheMaterials) {
   const Surface surface = read_scene(file("every_feature.json"), "").scene.bodies[2].shapes[0].surface;
   EXPECT_EQ(surface.density, find_material("wood")->density);
   EXPECT_EQ(surface.restitution, find_material("wood")->restitution);
   EXPECT_EQ(surface.dynamic_friction, 0.2);
 }
 
-// refused.json changes every_feature.json in one place a row; the schema's test takes the same table.
-TEST(ReadScene, RefusesWithThePathWhatIsExpectedAndWhatIsFound) {
+// Each row of refused.json changes every_feature.json in one place. The test of the schema uses the same table.
+TEST(ReadScene, SaysThePathAndWhatWasExpectedAndFound) {
   for (const Json& row : Json::parse(file("refused.json"))) {
     Json scene = Json::parse(file("every_feature.json"));
     const Json::json_pointer at(row["at"].get<std::string>());
@@ -91,7 +90,7 @@ TEST(ReadScene, RefusesWithThePathWhatIsExpectedAndWhatIsFound) {
   }
 }
 
-TEST(ReadScene, RefusesWhatIsNoJsonWithLineAndColumn) {
+TEST(ReadScene, SaysLineAndColumnIfTheTextIsNotJson) {
   const std::pair<std::string, const char*> broken[] = {
       {"", "line 1, column 1: "},
       {"{\n  \"plumb\": 1,\n  }", "line 3, column 3: "},
@@ -106,7 +105,7 @@ TEST(ReadScene, RefusesWhatIsNoJsonWithLineAndColumn) {
   for (const auto& [text, place] : broken) EXPECT_THAT(refusal(text), StartsWith("scene.json: " + std::string(place)));
 }
 
-TEST(ReadScene, RefusesAKeyThatIsGivenTwice) {
+TEST(ReadScene, RefusesDuplicateKeys) {
   EXPECT_EQ(refusal(R"({"plumb": 1, "bodies": [{}, {"name": "a", "type": "static", "name": "b"}]})"),
             "scene.json: bodies[1].name: this key is given twice");
 }
@@ -116,24 +115,24 @@ TEST(ReadScene, RefusesNumbersBeyondDoublePrecision) {
             "scene.json: gravity[1]: expected a number that double precision holds, found -1e999");
 }
 
-TEST(ReadScene, RefusesNestingBeforeItBecomesDeep) {
-  EXPECT_THAT(refusal(std::string(1'000'000, '[')), HasSubstr("]: is nested deeper than anything in a scene"));
+TEST(ReadScene, RefusesDeepNesting) {
+  EXPECT_THAT(refusal(std::string(1'000'000, '[')), HasSubstr("]: is nested deeper than any scene"));
   std::string objects;
   for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
   EXPECT_THAT(refusal(objects), HasSubstr("a.a.a"));
 }
 
-TEST(ReadScene, RefusesAFileThatIsTooLarge) {
+TEST(ReadScene, RefusesFilesThatAreTooLarge) {
   EXPECT_THAT(refusal(file("every_feature.json") + std::string(largest_scene_file, ' ')), HasSubstr("16 MiB"));
 }
 
-TEST(ReadScene, ShowsNoControlCharactersOfAFile) {
+TEST(ReadScene, NeverShowsControlCharactersFromAFile) {
   const std::string said = refusal("{\"plumb\": 1, \"\\u001b[2J\\u009b\": 1}");
   EXPECT_THAT(said, HasSubstr("unknown key \"?[2J??\""));
   EXPECT_THAT(refusal("{\"plumb\": \x1b[2J}"), ::testing::Not(HasSubstr("\x1b")));
 }
 
-std::vector<SceneFile> whole_catalogue() {
+std::vector<SceneFile> whole_catalog() {
   std::vector<SceneFile> all;
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     for (const Variant& variant : scenario->variants) {
@@ -150,15 +149,15 @@ void expect_round_trip(const SceneFile& given) {
   EXPECT_EQ(write_scene(read), text);
 }
 
-TEST(WriteScene, GivesEveryCatalogueSceneBackToTheBit) {
-  for (const SceneFile& scene : whole_catalogue()) expect_round_trip(scene);
+TEST(WriteScene, RoundTripsEveryCatalogSceneToTheBit) {
+  for (const SceneFile& scene : whole_catalog()) expect_round_trip(scene);
 }
 
-TEST(WriteScene, GivesRandomScenesBackToTheBit) {
+TEST(WriteScene, RoundTripsRandomScenesToTheBit) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) expect_round_trip(RandomScene(seed).make());
 }
 
-TEST(WriteScene, WritesNothingThatCouldNotBeRead) {
+TEST(WriteScene, RefusesScenesThatCouldNotBeRead) {
   const auto refused = [](auto change) {
     SceneFile scene{{.name = "bad", .bodies = {disc("disc", {0, 0}, 1, {})}}, {}};
     change(scene.scene);
@@ -187,7 +186,7 @@ Scene pyramid(int rows) {
   return scene;
 }
 
-TEST(ReadScene, Takes5050BodiesInAFifthOfASecond) {
+TEST(ReadScene, Reads5050BodiesInAFifthOfASecond) {
 #ifdef NDEBUG
   constexpr double most = 0.2;  // s
 #else

@@ -1,0 +1,220 @@
+#include <cmath>
+
+#include "scenarios/allowance.h"
+#include "scenarios/parts.h"
+#include "scenarios/scenario.h"
+
+namespace plumb::scenarios::stacking {
+namespace {
+
+constexpr double size = 1;        // m
+constexpr double friction = 0.5;  // enough to prevent slipping; the exact solution needs none
+constexpr double gravity = 10;    // m/s^2
+
+std::string box_name(int k) { return "box " + std::to_string(k); }
+
+Scene scene(const Parameters& p) {
+  const int boxes = static_cast<int>(p.at("boxes"));
+  Scene scene{.name = "stacking",
+              .about = "A tower of boxes, stacked exactly and at rest.",
+              .gravity = {0, -gravity},
+              .duration = p.at("duration")};
+  scene.bodies.push_back(level_ground(surface(friction, 0)));
+  for (int k = 1; k <= boxes; ++k) {
+    const double density = k == boxes ? p.at("ratio") : 1;
+    scene.bodies.push_back(box(box_name(k), {0, (k - 0.5) * size}, {size, size}, surface(friction, 0, density)));
+  }
+  return scene;
+}
+
+// Nothing moves. The error allowed for box k comes from the k contacts below it, each of which may be off by the
+// engine's gap:
+//   y      k gap;
+//   angle  a contact may be open by the gap on one side and penetrate by it on the other: 2 gap/size each, so 2 k
+//          gap/size;
+//   x      each box adds to the lean of the one below: sum over j <= k of size 2 j gap/size = k (k+1) gap, plus the
+//          creep of k sticking contacts.
+// Only the round-off of positions accumulates; that of velocities is stopped by the contacts.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const double end = p.at("duration");
+  const int boxes = static_cast<int>(p.at("boxes"));
+  std::vector<Expectation> all;
+  for (int k = 1; k <= boxes; ++k) {
+    const double reach = (k + 1) * size;
+    all.push_back({.body = box_name(k),
+                   .quantity = Quantity::y,
+                   .allowed = [=](const Stepping& s) { return k * s.gap + round_off(s, end, reach); },
+                   .source = "equilibrium: does not move, within one gap per contact below"});
+  }
+  // The impulses of a contact add up to the weight above it times the time. What may be missing is a lag at the start,
+  // during which it may not push, and the speed of a last step.
+  for (int k = 1; k <= boxes; ++k) {
+    const double above = (boxes - k + p.at("ratio")) * size * size * gravity;  // N
+    all.push_back(
+        {.body = box_name(k),
+         .other = k == 1 ? "ground" : box_name(k - 1),
+         .quantity = Quantity::load,
+         .over = end,
+         .expected = above,
+         .allowed = [=](const Stepping& s) { return above * (lag(s) + s.h) / end + round_off(s, end, above); },
+         .source = "contact k carries (n-k+1) m g on average; a lag at the start and the last step"});
+  }
+  const int k = boxes;
+  const double reach = (k + 1) * size;
+  all.push_back(
+      {.body = box_name(k),
+       .quantity = Quantity::x,
+       .allowed = [=](const Stepping& s) { return k * (k + 1) * s.gap + k * s.creep * end + round_off(s, end, reach); },
+       .source = "equilibrium: leans at most by one gap per contact and the creep"});
+  all.push_back(
+      {.body = box_name(k),
+       .quantity = Quantity::angle,
+       .allowed = [=](const Stepping& s) { return 2 * k * s.gap / size + round_off(s, end, reach / size); },
+       .source = "equilibrium: each contact may be open by the gap on one side and penetrate by it on the other"});
+  return all;
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "stacking",
+     .question = "Does a tower of boxes stand still?",
+     .parameters = {{.name = "boxes", .value = 10, .min = 1, .max = 100, .about = "in the tower", .whole = true},
+                    {.name = "ratio",
+                     .value = 1,
+                     .min = 0.001,
+                     .max = 1000,
+                     .about = "mass of the top box divided by that of each other box"},
+                    {.name = "duration",
+                     .value = 10,
+                     .min = 0.1,
+                     .max = 100,
+                     .unit = "s",
+                     .about = "time for which it must stand"}},
+     .variants = {{"one", {{"boxes", 1}, {"duration", 2}}}, {"ten", {}}, {"heavy-top", {{"boxes", 2}, {"ratio", 100}}}},
+     .closed_form = "rest",
+     .scene = scene,
+     .expectations = expectations,
+     .canonical = true}};
+
+}  // namespace
+}  // namespace plumb::scenarios::stacking
+
+namespace plumb::scenarios::mass_ratio {
+namespace {
+
+constexpr double duration = 5;  // s
+
+std::string name(int k) { return "box " + std::to_string(k); }
+
+// Each box is `ratio` times as heavy as the one below it, so the lightest carries all.
+Scene scene(const Parameters& p) {
+  Scene scene{
+      .name = "mass-ratio", .about = "A tower in which every box is heavier than the one below.", .duration = duration};
+  scene.bodies.push_back(level_ground(surface(0.5, 0)));
+  for (int k = 1; k <= static_cast<int>(p.at("boxes")); ++k) {
+    const double density = std::pow(p.at("ratio"), k - 1);
+    scene.bodies.push_back(box(name(k), {0, k - 0.5}, {1, 1}, surface(0.5, 0, density)));
+  }
+  return scene;
+}
+
+// The masses cancel: as in any tower, nothing moves except by one gap per contact below.
+std::vector<Expectation> expectations(const Parameters& p) {
+  std::vector<Expectation> all;
+  for (int k = 1; k <= static_cast<int>(p.at("boxes")); ++k) {
+    all.push_back({.body = name(k),
+                   .quantity = Quantity::y,
+                   .allowed = [=](const Stepping& s) { return k * s.gap + round_off(s, duration, k + 1); },
+                   .source = "equilibrium: does not move, within one gap per contact below"});
+  }
+  return all;
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "mass-ratio",
+     .question = "Does a tower stand if each box is heavier than the one below it?",
+     .parameters = {{.name = "boxes", .value = 4, .min = 2, .max = 10, .about = "in the tower", .whole = true},
+                    {.name = "ratio",
+                     .value = 10,
+                     .min = 1,
+                     .max = 100,
+                     .about = "mass of a box divided by that of the one below"}},
+     .variants = {{"3", {{"ratio", 3}}}, {"10", {}}},
+     .closed_form = "rest",
+     .scene = scene,
+     .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::mass_ratio
+
+namespace plumb::scenarios::overhang {
+namespace {
+
+constexpr double friction = 0.5;
+constexpr double duration = 5;  // s
+const Vec block{2, 0.5};        // m
+
+std::string name(int k) { return "block " + std::to_string(k); }
+
+// Counted from the top, block k extends fraction * L/(2 k) beyond the next one; the lowest lies on the ground.
+Scene scene(const Parameters& p) {
+  const int blocks = static_cast<int>(p.at("blocks"));
+  Scene scene{
+      .name = "overhang", .about = "Blocks stacked with an overhang near the harmonic limit.", .duration = duration};
+  scene.bodies.push_back(level_ground(surface(friction, 0)));
+  double x = 0;
+  for (int k = blocks; k >= 1; --k) {
+    scene.bodies.push_back(box(name(k), {x, (blocks - k + 0.5) * block.y}, block, surface(friction, 0)));
+    if (k > 1) x += p.at("fraction") * block.x / (2 * (k - 1));
+  }
+  return scene;
+}
+
+// Beyond the limit the blocks above each surface have their common centre beyond its edge and turn about it. At the end
+// the top block has come down by at least its own height: wherever it comes to rest, it has left the pile.
+std::vector<Expectation> fallen(int blocks) {
+  return {{.body = name(1),
+           .quantity = Quantity::y,
+           .relation = Relation::at_most,
+           .expected = (blocks - 1.5) * block.y,
+           .allowed = [=](const Stepping& s) { return round_off(s, duration, block.x * blocks); },
+           .source = "topples, as the overhang is above (L/2) sum 1/k; falls by at least one block"}};
+}
+
+// Below the limit nothing moves, except by one gap per contact below in height and by the tilt of those gaps, 2
+// gap/bearing each. The bearing is the part of L under block k, L (1 - fraction/(2 k)), at least half of it.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const int blocks = static_cast<int>(p.at("blocks"));
+  if (p.at("fraction") > 1) return fallen(blocks);
+  std::vector<Expectation> all;
+  for (int k = 1; k <= blocks; ++k) {
+    const int below = blocks - k + 1;
+    const double tilt = 4.0 * below / block.x;  // rad per m of gap
+    all.push_back(
+        {.body = name(k),
+         .quantity = Quantity::y,
+         .allowed =
+             [=](const Stepping& s) {
+               return (below + tilt * block.x / 2 * below) * s.gap + round_off(s, duration, block.x * blocks);
+             },
+         .source = "equilibrium, as the overhang is below (L/2) sum 1/k; one gap per contact below, and their tilt"});
+    all.push_back({.body = name(k),
+                   .quantity = Quantity::angle,
+                   .allowed = [=](const Stepping& s) { return tilt * s.gap + round_off(s, duration, 1); },
+                   .source = "equilibrium: the tilt of one gap per contact below"});
+  }
+  return all;
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "overhang",
+     .question = "Do blocks with an overhang up to the harmonic series stand, and fall beyond it?",
+     .parameters =
+         {{.name = "blocks", .value = 4, .min = 2, .max = 20, .about = "in the pile", .whole = true},
+          {.name = "fraction", .value = 0.99, .min = 0, .max = 1.5, .about = "overhang as a fraction of the limit"}},
+     .variants = {{"90%", {{"fraction", 0.9}}}, {"99%", {}}, {"101%", {{"fraction", 1.01}}}},
+     .closed_form = "rest",
+     .scene = scene,
+     .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::overhang
