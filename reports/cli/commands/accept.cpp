@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/gate/options.h"
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/bounds.h"
 #include "reports/gate/compare.h"
+#include "reports/gate/options.h"
 #include "reports/gate/writers.h"
 #include "reports/run/selection.h"
 #include "reports/study/asked_cases.h"

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/gate/options.h"
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/compare.h"
+#include "reports/gate/options.h"
 #include "reports/gate/writers.h"
 #include "reports/system/files.h"
 #include "reports/timing/options.h"
