@@ -11,7 +11,7 @@
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/compare.h"
 #include "scenarios/catalog.h"
-#include "scenarios/scene/json_parse.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "reports/run/report_json.h"
-#include "scenarios/scene/json_parse.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {

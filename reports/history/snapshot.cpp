@@ -13,7 +13,7 @@
 #include "reports/history/commit.h"
 #include "reports/run/report_json.h"
 #include "reports/system/hash.h"
-#include "scenarios/scene/json_parse.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {

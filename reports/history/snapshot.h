@@ -25,7 +25,7 @@ struct StepTime {
   int repetitions = 0;
 };
 
-/// The metric that is added to those of a report: how many times its tolerance the worst check of a run is off.
+/// The metric that is added to those of a report: the largest error / tolerance of the checks of a run.
 constexpr const char* worst_ratio_metric = "worst_error_ratio";
 
 struct SnapshotRun {

@@ -145,6 +145,20 @@ CheckStatus check_status_from(const JsonReader& from) {
   return from.one_of<CheckStatus>(names);
 }
 
+void for_each_member(const JsonReader& object, const std::function<void(const std::string&, const JsonReader&)>& take) {
+  if (!object.value().is_object()) object.expected("an object");
+  for (const auto& member : object.value().items()) take(member.key(), object[member.key().c_str()]);
+}
+
+void for_each_entry(const JsonReader& list, std::initializer_list<const char*> keys,
+                    const std::function<void(const JsonReader&)>& take) {
+  for (std::size_t i = 0; i < list.list(); ++i) {
+    const JsonReader entry = list[i];
+    for (const char* key : keys) entry.must_have(key);
+    take(entry);
+  }
+}
+
 void rename_key(nlohmann::json& object, const char* old_key, const char* new_key) {
   if (!object.is_object() || !object.contains(old_key) || object.contains(new_key)) return;
   nlohmann::json value = std::move(object[old_key]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -32,21 +33,11 @@ Verdict verdict_from(const JsonReader&);
 CheckStatus check_status_from(const JsonReader&);
 
 /// Calls `take(name, value)` for every member of an object.
-template <class Take>
-void for_each_member(const JsonReader& object, Take take) {
-  if (!object.value().is_object()) object.expected("an object");
-  for (const auto& member : object.value().items()) take(member.key(), object[member.key().c_str()]);
-}
+void for_each_member(const JsonReader& object, const std::function<void(const std::string&, const JsonReader&)>& take);
 
 /// Calls `take(entry)` for every entry of a list. Refuses entries that lack any of the keys.
-template <class Take>
-void for_each_entry(const JsonReader& list, std::initializer_list<const char*> keys, Take take) {
-  for (std::size_t i = 0; i < list.list(); ++i) {
-    const JsonReader entry = list[i];
-    for (const char* key : keys) entry.must_have(key);
-    take(entry);
-  }
-}
+void for_each_entry(const JsonReader& list, std::initializer_list<const char*> keys,
+                    const std::function<void(const JsonReader&)>& take);
 
 /// Renames a key of an object that was written by an older version; does nothing if the key is not there.
 void rename_key(nlohmann::json& object, const char* old_key, const char* new_key);

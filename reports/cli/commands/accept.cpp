@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/gate/options.h"
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/bounds.h"
 #include "reports/gate/compare.h"
 #include "reports/run/plan_selection.h"
+#include "reports/gate/options.h"
 #include "reports/gate/writers.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"

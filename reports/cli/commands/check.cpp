@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/gate/options.h"
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/compare.h"
 #include "reports/gate/timing.h"
+#include "reports/gate/options.h"
 #include "reports/gate/writers.h"
 #include "reports/system/files.h"
 #include "scenarios/catalog.h"

@@ -20,12 +20,12 @@ struct Thrown {
   Engine engine = fakes::engine("ours");
 
   Plan plan(double gravity = 1, double moved = 0) const {
-    Case asked = fakes::case_of(scenario, &free_flight);
-    Scene scene = *asked.scene;
+    Case thrown_case = fakes::case_of(scenario, &free_flight);
+    Scene scene = *thrown_case.scene;
     scene.gravity.y *= gravity;
     scene.bodies[0].position.y += moved;
-    asked.scene = std::make_shared<const Scene>(scene);
-    return {.cases = {asked}, .configs = {{&engine, {}}}, .timed = false};
+    thrown_case.scene = std::make_shared<const Scene>(scene);
+    return {.cases = {thrown_case}, .configs = {{&engine, {}}}, .timed = false};
   }
   static Baseline on(const char* platform, const Plan& plan) {
     Report report = carry_out(plan, silent);
