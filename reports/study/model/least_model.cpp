@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Candidate {
+struct DropCandidate {
   FeatureDrop drop;
   double ratio;  // cost with only this drop, relative to the full model
 };
@@ -25,9 +25,9 @@ FeatureLevels with(FeatureLevels levels, const FeatureDrop& drop) {
 }
 
 // Keeps the drops that are sufficient by themselves: no other drop is known to make up for one that is not.
-std::vector<Candidate> by_saving(const std::vector<FeatureDrop>& drops, const FeatureLevels& full,
-                                 const ModelTrials& trials) {
-  std::vector<Candidate> candidates;
+std::vector<DropCandidate> by_saving(const std::vector<FeatureDrop>& drops, const FeatureLevels& full,
+                                     const ModelTrials& trials) {
+  std::vector<DropCandidate> candidates;
   for (const FeatureDrop& drop : drops) {
     const FeatureLevels alone = with(full, drop);
     if (trials.sufficient(alone)) candidates.push_back({drop, trials.cost_ratio(alone, full)});
@@ -129,8 +129,8 @@ EngineConfig automatic_model(const EngineConfig& full) {
 
 FeatureLevels least_model(const std::vector<FeatureDrop>& drops, std::size_t features, const ModelTrials& trials) {
   FeatureLevels least(features, 0);
-  const std::vector<Candidate> candidates = by_saving(drops, least, trials);
-  for (const Candidate& candidate : candidates) {
+  const std::vector<DropCandidate> candidates = by_saving(drops, least, trials);
+  for (const DropCandidate& candidate : candidates) {
     if (least[candidate.drop.feature] != 0) continue;
     const FeatureLevels lower = with(least, candidate.drop);
     if (trials.sufficient(lower) && trials.cheaper(lower, least)) least = lower;
