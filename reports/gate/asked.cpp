@@ -104,7 +104,7 @@ Baseline chosen(const Baseline& baseline, const GateAsked& asked, const Plan& pl
 
 Report carried_out(const Plan& plan) {
   const ProgressLine line;
-  Report report = carry_out(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
+  Report report = run_experiment(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
     line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
   });
   report.environment = environment();

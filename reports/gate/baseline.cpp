@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "reports/run/beyond.h"
+#include "reports/run/horizon.h"
 
 namespace plumb {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "reports/gate/rounding.h"
-#include "reports/run/examine.h"
+#include "reports/run/case_run.h"
 #include "reports/system/jobs.h"
 #include "reports/vec.h"
 #include "scenarios/perturbed.h"
@@ -100,11 +100,11 @@ class Witnessed {
   Witnessed(const Witnessed&) = delete;
   Witnessed& operator=(const Witnessed&) = delete;
   ~Witnessed() = default;
-  const Known& known() const { return known_; }
+  const ReferenceRun& known() const { return known_; }
 
  private:
   std::optional<Truth> truth_;
-  Known known_;
+  ReferenceRun known_;
 };
 
 void find_bounds(const Case& asked, const EngineConfig& config, double dt, KeptRun& kept_run) {
@@ -120,7 +120,7 @@ void find_bounds(const Case& asked, const EngineConfig& config, double dt, KeptR
     for (int seed = 1; seed <= neighbours; ++seed) {
       Case next = asked;
       next.scene = std::make_shared<const Scene>(perturbed(*asked.scene, size, static_cast<std::uint64_t>(seed)));
-      others.push_back(kept(examine(next, config, dt, run(*next.scene, config, dt), witnessed.known())));
+      others.push_back(kept(judged_record(next, config, dt, run_case(next, config, dt), witnessed.known())));
     }
   }
   set_bounds(kept_run, others, rounding, dt);

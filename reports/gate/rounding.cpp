@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/judge/energy_range.h"
+#include "reports/judge/mechanics.h"
 #include "reports/vec.h"
 #include "scenarios/scene/mass.h"
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "reports/judge/truth.h"
-#include "reports/run/phases.h"
+#include "reports/judge/observe.h"
+#include "reports/run/case_run.h"
 
 namespace plumb {
 namespace {
@@ -48,12 +48,6 @@ std::uint64_t bits_of(const Trace& trace) {
   return hash.value();
 }
 
-double ratio_of(const TruthCheck& check) {
-  const double ratio = check.error / check.tolerance;
-  if (std::isfinite(ratio)) return ratio;
-  return infinite;
-}
-
 Alarm alarm_of(const Case& asked, Means means, std::string metric) {
   return {.scenario = asked.scenario->name, .variant = asked.variant, .means = means, .metric = std::move(metric)};
 }
@@ -72,7 +66,8 @@ Examined examine_twice(const Case& asked, const EngineConfig& config, double dt)
   if (asked.closed_form != nullptr && asked.closed_form->unsupported(scene, complete(*asked.closed_form, {})).empty()) {
     truth.emplace(*asked.closed_form, scene);
   }
-  examined.judgement = judge_case(asked, config, dt, *outcome.trace, truth ? &*truth : nullptr);
+  examined.judgement =
+      judge_case(asked, config, dt, *outcome.trace, run_shifted(asked, config, dt), truth ? &*truth : nullptr);
   return examined;
 }
 
@@ -106,7 +101,7 @@ std::vector<Alarm> physics_alarms(const Case& asked, const Examined& right, cons
     off.unit = checks[i].unit;
     off.off = checks[i].error;
     off.tolerance = checks[i].tolerance;
-    off.ratio = ratio_of(checks[i]);
+    off.ratio = error_ratio(checks[i].error, checks[i].tolerance);
     all.push_back(off);
   }
   const auto& invariants = suspect.judgement.invariants;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reports/judge/overlap.h"
-#include "reports/judge/pose_difference.h"
+#include "reports/judge/states.h"
 #include "reports/report.h"
 
 namespace plumb {
@@ -13,7 +13,7 @@ namespace plumb {
 struct Course {
   const RunRecord* run = nullptr;     // has a scene and a trace with a moment at least
   std::vector<PoseDifference> apart;  // from the closed form of its case, else from the first engine; may end early
-  std::vector<Overlapping> deepest;   // overlaps, by the scene's geometry
+  std::vector<BodyOverlap> deepest;   // overlaps, by the scene's geometry
 };
 
 /// Of every run that left something to see. The report must outlive them.

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "reports/rank_test.h"
 #include "reports/statistics.h"
 
 namespace plumb {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reports/judge/outline.h"
+#include "reports/judge/overlap.h"
 #include "reports/system/files.h"
 #include "reports/system/tool.h"
 #include "reports/vec.h"

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 #include "reports/vec.h"
 #include "reports/writers/packed.h"
 #include "reports/writers/replay_scene.h"

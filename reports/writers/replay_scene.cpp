@@ -6,8 +6,8 @@
 #include <tuple>
 #include <variant>
 
-#include "reports/judge/conserved.h"
-#include "reports/judge/outline.h"
+#include "reports/judge/mechanics.h"
+#include "reports/judge/overlap.h"
 #include "reports/vec.h"
 #include "scenarios/scene/mass.h"
 

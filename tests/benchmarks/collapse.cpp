@@ -73,9 +73,9 @@ std::string gaping(const Start& start, std::span<const BodyState> states) {
   return reason;
 }
 
-Depth depth_of(const std::vector<Overlapping>& overlaps) {
+Depth depth_of(const std::vector<BodyOverlap>& overlaps) {
   Depth depth;
-  for (const Overlapping& one : overlaps) {
+  for (const BodyOverlap& one : overlaps) {
     depth.mean += one.depth / static_cast<double>(overlaps.size());
     depth.most = std::max(depth.most, one.depth);
   }

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "courses/pyramid.h"
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 #include "scenarios/parts.h"
 
 namespace plumb::benchmarks {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "collapse.h"
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 
 namespace plumb::benchmarks {
 namespace {

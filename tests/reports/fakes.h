@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 #include "reports/run/run.h"
 #include "reports/trace.h"
 #include "reports/vec.h"

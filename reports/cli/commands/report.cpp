@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "reports/cli/command.h"
@@ -30,14 +31,17 @@ struct Asked {
   std::string history;
 };
 
+void add_study(Report& report, nlohmann::ordered_json document) {
+  report.studies.push_back(std::make_shared<const nlohmann::ordered_json>(std::move(document)));
+}
+
 void add_studies(Report& report, int jobs) {
   const ProgressLine line;
   for (const Study* study : Catalog<Study>::all()) {
     if (!study->brief) continue;
-    report.studies.push_back(
-        brief_document(*study, jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
-          line.show(fmt::format("study {} [{}/{}] {}", study->name, done, of, key));
-        }));
+    add_study(report, brief_document(*study, jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
+                line.show(fmt::format("study {} [{}/{}] {}", study->name, done, of, key));
+              }));
   }
 }
 
@@ -48,7 +52,7 @@ Preview preview_of_case(const std::string& word, const Session& session) {
   plan.dt = parse_dt(session.dt);
   plan.refine = session.converged;
   plan.timed = false;
-  return preview_of(carry_out(plan, [](const std::string&, std::size_t, std::size_t) {}));
+  return preview_of(run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {}));
 }
 
 int report(const Asked& asked) {
@@ -64,13 +68,13 @@ int report(const Asked& asked) {
   asked.session.conduct("report", [&](Report& report) {
     GateAsked gate;
     gate.all = asked.session.all;
-    if (auto changes = changes_since(gate.file(), report)) report.studies.push_back(std::move(*changes));
+    if (auto changes = changes_since(gate.file(), report)) add_study(report, std::move(*changes));
     if (asked.no_studies) {
       report.command.emplace_back("--no-studies");
     } else {
       add_studies(report, asked.session.jobs);
     }
-    if (!history.is_null()) report.studies.push_back(history);
+    if (!history.is_null()) add_study(report, history);
   });
   const std::filesystem::path out = asked.session.out;
   if (asked.svg) take_pictures(out / "index.html", out / "svg");

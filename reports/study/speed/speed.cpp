@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "reports/report.h"
-#include "reports/run/phases.h"
+#include "reports/run/case_run.h"
 #include "reports/run/selection.h"
 #include "reports/study/answer.h"
 #include "reports/study/asked_cases.h"

@@ -6,8 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "reports/judge/conserved.h"
-#include "reports/judge/energy_range.h"
+#include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/vec.h"
 
@@ -63,7 +62,7 @@ Watch sinks(const SharedScene& scene, double depth, double gap) {
             std::optional<Symptom> symptom;
             if (now.time < next && !now.last) return symptom;
             next = now.time + pause;
-            const Overlapping deepest = overlap->deepest(now.states);
+            const BodyOverlap deepest = overlap->deepest(now.states);
             if (deepest.depth > depth + gap) symptom = Symptom{Fate::sinks, deepest.b};
             return symptom;
           }};
