@@ -1,4 +1,4 @@
-#include "reports/run/scene_case.h"
+#include "reports/run/scene_file.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -16,17 +16,17 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-TEST(MeansFile, TakesJsonAndPathsThatExist) {
-  EXPECT_TRUE(means_file("mine.json"));
-  EXPECT_TRUE(means_file("/dev/null"));
-  EXPECT_FALSE(means_file("bounce"));
-  EXPECT_FALSE(means_file("bounce:restitution=1/2"));
-  EXPECT_FALSE(means_file("no/such/place"));
+TEST(IsSceneFile, AcceptsJsonAndPathsThatExist) {
+  EXPECT_TRUE(is_scene_file("mine.json"));
+  EXPECT_TRUE(is_scene_file("/dev/null"));
+  EXPECT_FALSE(is_scene_file("bounce"));
+  EXPECT_FALSE(is_scene_file("bounce:restitution=1/2"));
+  EXPECT_FALSE(is_scene_file("no/such/place"));
 }
 
-class SceneCase : public ::testing::Test {
+class SceneFileCase : public ::testing::Test {
  protected:
-  ~SceneCase() override { fs::remove_all(folder_); }
+  ~SceneFileCase() override { fs::remove_all(folder_); }
 
   std::string write(const std::string& text) const {
     fs::create_directories(folder_);
@@ -42,48 +42,48 @@ const std::string falling =
   "bodies": [{"name": "disc", "type": "dynamic", "position": [0, 5], "shapes": [{"type": "circle", "radius": 1}]}],
   "truth": [{"body": "disc", "quantity": "vy", "time": 0.5, "value": -5, "tolerance": 0.001, "source": "g t"}]})";
 
-TEST_F(SceneCase, AsksWhatTheFileAsks) {
+TEST_F(SceneFileCase, HasTheExpectationsOfTheFile) {
   const std::string path = write(falling);
-  const Case asked = case_of_file(path);
-  EXPECT_EQ(asked.scenario->name, "drop");
-  EXPECT_EQ(asked.scenario->question, "Does it fall?");
-  EXPECT_EQ(asked.variant, path);
-  const auto expectations = asked.scenario->expectations({});
+  const Case test_case = case_of_file(path);
+  EXPECT_EQ(test_case.scenario->name, "drop");
+  EXPECT_EQ(test_case.scenario->question, "Does it fall?");
+  EXPECT_EQ(test_case.variant, path);
+  const auto expectations = test_case.scenario->expectations({});
   ASSERT_EQ(expectations.size(), 1u);
   EXPECT_EQ(expectations[0].time, 0.5);
   EXPECT_EQ(expectations[0].expected, -5);
   EXPECT_EQ(expectations[0].within, 0.001);
 }
 
-TEST_F(SceneCase, HasTheClosedFormThatKnowsIt) {
+TEST_F(SceneFileCase, HasTheClosedFormThatRecognisesIt) {
   ASSERT_NE(case_of_file(write(falling)).closed_form, nullptr);
   EXPECT_EQ(case_of_file(write(falling)).closed_form->name, "ballistic");
 }
 
-TEST_F(SceneCase, IsJudgedByItsTruthsForEveryEngine) {
+TEST_F(SceneFileCase, IsJudgedByItsTruthsForEveryEngine) {
   std::string wrong = falling;
   wrong.replace(wrong.find("-5,"), 3, "-6,");
   for (const auto& [text, verdict] : {std::pair{falling, Verdict::right}, {wrong, Verdict::wrong}}) {
-    const Report report = carry_out({.cases = {case_of_file(write(text))}, .configs = default_engines()},
-                                    [](const std::string&, std::size_t, std::size_t) {});
+    const Report report = run_experiment({.cases = {case_of_file(write(text))}, .configs = default_engines()},
+                                         [](const std::string&, std::size_t, std::size_t) {});
     for (const RunRecord& run : report.runs) {
       EXPECT_EQ(run.verdict, run.exact ? Verdict::right : verdict) << run.engine;
     }
   }
 }
 
-// Bounce is known to several closed forms; the first impact's ends at the second.
-TEST(WitnessOf, IsTheClosedFormThatHoldsLongest) {
-  const Engine* witness = witness_of(*parse_case("bounce").scene);
-  ASSERT_NE(witness, nullptr);
-  EXPECT_EQ(witness->name, "bounce");
-  EXPECT_EQ(witness_of({.bodies = {{.name = "none"}}, .joints = {Weld{}}}), nullptr);
+// Several closed forms recognise bounce; that of the first impact ends at the second.
+TEST(FindClosedForm, FindsTheOneThatIsValidLongest) {
+  const Engine* found = find_closed_form(*parse_case("bounce").scene);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->name, "bounce");
+  EXPECT_EQ(find_closed_form({.bodies = {{.name = "none"}}, .joints = {Weld{}}}), nullptr);
 }
 
-TEST(TruthsOf, AreTheExpectationsWithAFirstOrderMethodsAllowance) {
-  const Case asked = parse_case("spring");
-  const auto expectations = asked.scenario->expectations(asked.parameters);
-  const StatedTruths stated = truths_of(asked);
+TEST(TruthsOf, AreTheExpectationsWithTheTolerancesOfAFirstOrderMethod) {
+  const Case test_case = parse_case("spring");
+  const auto expectations = test_case.scenario->expectations(test_case.parameters);
+  const StatedTruths stated = truths_of(test_case);
   ASSERT_EQ(stated.truth.size(), expectations.size());
   EXPECT_TRUE(stated.left_out.empty());
   for (std::size_t i = 0; i < expectations.size(); ++i) {
@@ -94,7 +94,7 @@ TEST(TruthsOf, AreTheExpectationsWithAFirstOrderMethodsAllowance) {
   }
 }
 
-TEST(TruthsOf, SayWhatNoSceneFileCanSay) {
+TEST(TruthsOf, NameWhatASceneFileCannotState) {
   const StatedTruths stated = truths_of(parse_case("bounce"));
   EXPECT_EQ(stated.truth.size(), 1u);
   EXPECT_EQ(stated.left_out.size(), 6u);
@@ -102,18 +102,20 @@ TEST(TruthsOf, SayWhatNoSceneFileCanSay) {
   EXPECT_THAT(stated.left_out.at(3), HasSubstr("disc landing"));
 }
 
-// All that the catalogue knows can be asked from a file: what the closed form says is what the file states.
-TEST_F(SceneCase, OfAnExportedScenarioExpectsTheSame) {
-  for (const Case& asked : default_cases(true)) {
-    const StatedTruths stated = truths_of(asked);
-    EXPECT_EQ(stated.truth.size() + stated.left_out.size(), asked.scenario->expectations(asked.parameters).size());
-    const Case read = case_of_file(write(write_scene({*asked.scene, stated.truth})));
+// Every scenario of the catalog can be exported: the file states the values of the closed form.
+TEST_F(SceneFileCase, OfAnExportedScenarioExpectsTheSame) {
+  for (const Case& test_case : default_cases(true)) {
+    const StatedTruths stated = truths_of(test_case);
+    EXPECT_EQ(stated.truth.size() + stated.left_out.size(),
+              test_case.scenario->expectations(test_case.parameters).size());
+    const Case read = case_of_file(write(write_scene({*test_case.scene, stated.truth})));
     const auto expectations = read.scenario->expectations({});
     ASSERT_EQ(expectations.size(), stated.truth.size());
     for (std::size_t i = 0; i < expectations.size(); ++i) EXPECT_EQ(expectations[i].expected, stated.truth[i].value);
-    // What falls beyond the limit of a family is beyond its closed form too.
-    const bool solved = asked.closed_form != nullptr && asked.closed_form->unsupported(*asked.scene, {}).empty();
-    EXPECT_EQ(read.closed_form != nullptr, solved) << asked.scenario->name << ' ' << asked.variant;
+    // A scene outside the limits of its scenario is outside those of its closed form too.
+    const bool solved =
+        test_case.closed_form != nullptr && test_case.closed_form->unsupported(*test_case.scene, {}).empty();
+    EXPECT_EQ(read.closed_form != nullptr, solved) << test_case.scenario->name << ' ' << test_case.variant;
   }
 }
 
