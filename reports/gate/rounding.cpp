@@ -12,7 +12,7 @@ namespace plumb {
 
 // A number that is rounded n times, by u of its size each and either way, is off by sqrt(n) u of it: roundings walk at
 // random (Higham 2002, section 2.8). A speed's error is carried along for the time t. A contact turns the rounding of
-// places into a speed, by dividing by the step, anew in each step, and over an arm into a turn (see same_enough.cpp).
+// places into a speed, by dividing by the step, anew in each step, and over an arm into a turn (see compare/tolerance.cpp).
 Rounding::Rounding(const Scene& scene, const Trace& trace, const Stepping& stepping) {
   if (trace.size() < 2) return;
   double speed = 0, turn = 0, spin = 0, impulse = 0, gap = 0;
