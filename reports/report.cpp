@@ -48,16 +48,21 @@ const char* name_of(CheckStatus status) {
   return "";
 }
 
-std::optional<double> times_allowed(const RunRecord& run) {
+double error_ratio(double error, double tolerance) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(error) || !std::isfinite(tolerance)) return infinity;
+  if (error <= 0) return 0;
+  return tolerance > 0 ? error / tolerance : infinity;
+}
+
+std::optional<double> worst_error_ratio(const RunRecord& run) {
   std::optional<double> worst;
-  const auto see = [&](double ratio) { worst = std::max(worst.value_or(0), ratio); };
+  const auto add = [&](double ratio) { worst = std::max(worst.value_or(0), ratio); };
   for (const TruthCheck& check : run.truth) {
-    if (!check.reported) continue;
-    const double ratio = check.error == 0 ? 0 : check.error / check.tolerance;
-    see(std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity());
+    if (check.reported) add(error_ratio(check.error, check.tolerance));
   }
   for (const InvariantCheck& check : run.invariants) {
-    if (check.status != CheckStatus::not_reported) see(check.ratio);
+    if (check.status != CheckStatus::not_reported) add(check.ratio);
   }
   return worst;
 }

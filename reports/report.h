@@ -2,7 +2,7 @@
 
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,26 +10,43 @@
 #include "reports/trace.h"
 #include "scenarios/scenario.h"
 
-/// Everything a report says, ready to be written; writers look at nothing else.
+/// The contents of a report: runs, checks, comparisons and timings. Writers see nothing else.
 namespace plumb {
 
 enum class Status { ok, failed, not_supported };
 
-/// right: within what is allowed of the truth, no invariant broken. plausible: no truth to judge it by, and no
-/// invariant broken. wrong: what physics forbids, beyond what the order of the method predicts.
+/// right: within its tolerances of the truth, no invariant broken. plausible: nothing to judge it by, no invariant
+/// broken. wrong: breaks physics by more than the order of the method predicts.
 enum class Verdict { right, plausible, wrong, beyond_horizon, not_supported, failed };
+
+/// The state of a check. held: within its tolerance. not_reported: the engine does not report what the check needs;
+/// never a pass.
+enum class CheckStatus { held, broken, not_reported };
+
+/// "ok", "failed", "not supported".
+const char* name_of(Status);
+
+/// "right", "plausible", "wrong", "beyond horizon", "not supported", "failed".
+const char* name_of(Verdict);
+
+/// "held", "broken", "not reported".
+const char* name_of(CheckStatus);
+
+/// error / tolerance: 0 where the error is 0 or negative, infinity where the tolerance is 0 or either is not finite.
+double error_ratio(double error, double tolerance);
 
 struct Measured {
   double value = 0;
   std::string unit;
 };
 
-/// Errors of one check over runs whose steps fall differently, in its unit.
+/// The errors of one check over runs with shifted steps, in the check's unit.
 struct Spread {
   double min = 0, median = 0, max = 0;
   int phases = 0;
 };
 
+/// One reading of a run against its expected value.
 struct TruthCheck {
   std::string body;
   std::string quantity;
@@ -38,21 +55,18 @@ struct TruthCheck {
   Relation relation = Relation::equal;                          // of measured to expected
   double expected = 0, measured = 0, error = 0, tolerance = 0;  // error: by how much the relation is missed, >= 0
   bool passed = false;
-  bool reported = true;  // false where the engine does not show what was asked for: neither passed nor failed
+  bool reported = true;  // false if the engine does not report the quantity: neither passed nor failed
   std::string source;
-  std::optional<Spread> spread = std::nullopt;  // over the phases, where there are several; the rest is of the worst
+  std::optional<Spread> spread = std::nullopt;  // over all phases, if there are several; the rest is the worst phase's
 };
 
-/// held: within what is allowed. not_reported: the engine does not show what would tell; never a pass.
-enum class CheckStatus { held, broken, not_reported };
-
-/// How an invariant fared over a run: where it was missed most, against what is allowed there.
+/// An invariant over a run, where its error is largest against its tolerance.
 struct InvariantCheck {
   std::string name;
   std::string unit;
   CheckStatus status = CheckStatus::held;
   double value = 0, tolerance = 0;
-  double ratio = 0;   // value / tolerance; infinite where nothing is allowed
+  double ratio = 0;   // error_ratio(value, tolerance)
   double time = 0;    // s
   std::string where;  // body, or "a - b"; "" for the whole scene
 };
@@ -62,24 +76,30 @@ struct RunRecord {
   std::string variant;
   Parameters parameters;
   std::string engine;
-  std::string method;  // settings that tell methods of one engine apart, "key=value,..."; "" where there is one only
+  std::string method;  // settings that differ from the engine's defaults, "key=value,..."; "" for the defaults
   bool exact = false;  // a closed form
   double dt = 0;
   Status status = Status::ok;
   std::string reason;
   std::map<std::string, Measured> metrics;
   std::vector<TruthCheck> truth;
-  std::vector<InvariantCheck> invariants;  // those that apply
+  std::vector<InvariantCheck> invariants;  // those that apply to the scene
   Verdict verdict = Verdict::plausible;
   std::shared_ptr<const Scene> scene;  // for pictures; not part of report.json
   std::shared_ptr<const Trace> trace;  // the same
 };
 
-/// One engine against another, or against the truth, over one scenario.
+/// The largest error_ratio of a run's checks; nullopt if no check could judge it.
+std::optional<double> worst_error_ratio(const RunRecord&);
+
+/// "engine" or "engine:key=value,...", as --engine takes it.
+std::string label_of(const std::string& engine, const std::string& method);
+
+/// Two engines, or an engine and the truth, over one scenario.
 struct Comparison {
   std::string scenario;
   std::string variant;
-  std::string a, b;                         // engine (with method where needed)
+  std::string a, b;                         // labels, see label_of
   std::map<std::string, Measured> metrics;  // differences over time and at the end
   Verdict verdict = Verdict::plausible;
   std::string reason;
@@ -97,11 +117,11 @@ struct Timing {
   int repetitions = 0;
 };
 
-/// What readers of a report need to know of the names in it.
+/// The notes explain the names in a report to its readers.
 struct ScenarioNote {
   std::string name;
   std::string question;
-  std::string closed_form;  // "" where physics has none
+  std::string closed_form;  // "" if there is none
   std::vector<Parameter> parameters;
 };
 
@@ -128,7 +148,7 @@ struct InvariantNote {
 struct Report {
   std::string title;
   std::vector<std::string> command;                // that made it
-  std::map<std::string, std::string> environment;  // compiler, flags, build, versions, processor: no clock
+  std::map<std::string, std::string> environment;  // compiler, flags, build, versions, processor; nothing that varies
   std::vector<ScenarioNote> scenarios;
   std::vector<EngineNote> engines;
   std::vector<MetricNote> metrics;
@@ -136,24 +156,8 @@ struct Report {
   std::vector<RunRecord> runs;
   std::vector<Comparison> comparisons;
   std::vector<Timing> timings;
-  std::vector<nlohmann::ordered_json> studies;  // short forms, each a study's document; for the page alone
-  std::map<std::string, double> clock;  // wall seconds of the parts, share outside step: with the timings, apart
+  std::vector<std::shared_ptr<const nlohmann::ordered_json>> studies;  // each a study's short document; for the page
+  std::map<std::string, double> clock;  // wall times of the parts, s, and the share outside `step`
 };
-
-/// "ok", "failed", "not supported".
-const char* name_of(Status);
-
-/// "right", "plausible", "wrong", "beyond horizon", "not supported", "failed".
-const char* name_of(Verdict);
-
-/// "held", "broken", "not reported".
-const char* name_of(CheckStatus);
-
-/// How many times what is allowed a run is off where it is worst, by truth or invariant; nothing where nothing judged
-/// it.
-std::optional<double> times_allowed(const RunRecord&);
-
-/// "engine" or "engine:key=value,...", as --engine takes it.
-std::string label_of(const std::string& engine, const std::string& method);
 
 }  // namespace plumb

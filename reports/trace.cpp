@@ -8,8 +8,8 @@
 namespace plumb {
 
 void Trace::record(double time, std::span<const BodyState> states, std::span<const ContactState> contacts) {
-  if (states.size() != bodies_) throw std::invalid_argument("a trace must be given the state of every body");
-  if (!times_.empty() && !(time > times_.back())) throw std::invalid_argument("a trace runs forward in time");
+  if (states.size() != bodies_) throw std::invalid_argument("a trace needs the state of every body");
+  if (!times_.empty() && !(time > times_.back())) throw std::invalid_argument("a trace needs increasing times");
   times_.push_back(time);
   states_.insert(states_.end(), states.begin(), states.end());
   contacts_.insert(contacts_.end(), contacts.begin(), contacts.end());
@@ -25,7 +25,7 @@ std::span<const ContactState> Trace::contacts(std::size_t moment) const {
   return std::span(contacts_).subspan(begin, contact_end_[moment] - begin);
 }
 
-Trace::Between Trace::around(double time) const {
+Trace::Bracket Trace::bracket(double time) const {
   if (times_.empty()) throw std::invalid_argument("an empty trace has no states");
   const auto after = std::lower_bound(times_.begin(), times_.end(), time);
   if (after == times_.begin()) return {0, 0, 0};
@@ -35,13 +35,13 @@ Trace::Between Trace::around(double time) const {
 }
 
 BodyState Trace::state_at(std::size_t body, double time) const {
-  const auto [before, after, share] = around(time);
+  const auto [before, after, fraction] = bracket(time);
   const BodyState& a = states(before)[body];
   const BodyState& b = states(after)[body];
-  return {.position = a.position + share * (b.position - a.position),
-          .angle = a.angle + share * (b.angle - a.angle),
-          .velocity = a.velocity + share * (b.velocity - a.velocity),
-          .angular_velocity = a.angular_velocity + share * (b.angular_velocity - a.angular_velocity)};
+  return {.position = a.position + fraction * (b.position - a.position),
+          .angle = a.angle + fraction * (b.angle - a.angle),
+          .velocity = a.velocity + fraction * (b.velocity - a.velocity),
+          .angular_velocity = a.angular_velocity + fraction * (b.angular_velocity - a.angular_velocity)};
 }
 
 }  // namespace plumb

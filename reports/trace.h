@@ -8,13 +8,13 @@
 
 namespace plumb {
 
-/// What a run left behind: the state of every body before the first step and after each one, and the contacts of each
-/// step.
+/// The recording of a run: the state of every body before the first step and after each step, and the contacts of each
+/// step. A moment is the index of a recording; 0 is the start.
 class Trace {
  public:
   explicit Trace(std::size_t bodies) : bodies_(bodies) {}
 
-  /// Throws std::invalid_argument unless there is a state for every body and time has advanced.
+  /// Throws std::invalid_argument unless there is one state per body and `time`, s, is later than the last.
   void record(double time, std::span<const BodyState> states, std::span<const ContactState> contacts);
 
   std::size_t bodies() const { return bodies_; }
@@ -24,22 +24,25 @@ class Trace {
   std::span<const BodyState> states(std::size_t moment) const;
   std::span<const ContactState> contacts(std::size_t moment) const;
 
-  /// The two moments on either side of a time and how far between them it lies, 0 ... 1. Before the first and after the
-  /// last recorded moment: that moment itself. Throws std::invalid_argument when nothing is recorded.
-  struct Between {
-    std::size_t before, after;
-    double share;
-  };
-  Between around(double time) const;
+  /// Whether the engine reported a contact at any moment.
+  bool has_contacts() const { return !contacts_.empty(); }
 
-  /// The state at a time, interpolated linearly between steps (as the scene format says a reading is).
+  /// The moments before and after a time, and how far between them it lies, 0 ... 1. A time before the first or after
+  /// the last moment gives that moment twice. Throws std::invalid_argument if nothing is recorded.
+  struct Bracket {
+    std::size_t before, after;
+    double fraction;
+  };
+  Bracket bracket(double time) const;
+
+  /// The state at a time, interpolated linearly between moments, as the scene format specifies.
   BodyState state_at(std::size_t body, double time) const;
 
  private:
   std::size_t bodies_;
   std::vector<double> times_;
   std::vector<BodyState> states_;         // moment-major
-  std::vector<ContactState> contacts_;    // all moments in turn
+  std::vector<ContactState> contacts_;    // moment by moment
   std::vector<std::size_t> contact_end_;  // end of each moment's contacts
 };
 

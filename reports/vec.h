@@ -4,7 +4,7 @@
 
 #include "scenarios/scene/scene.h"
 
-/// The algebra of the plane, for weighing what engines answered.
+/// Vector algebra in double, shared by everything that evaluates runs.
 namespace plumb {
 
 inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
@@ -14,7 +14,7 @@ inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
 inline double length(Vec v) { return std::hypot(v.x, v.y); }
 
-/// v turned counter-clockwise by an angle, rad.
+/// v rotated counter-clockwise by an angle, rad.
 inline Vec rotated(Vec v, double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);

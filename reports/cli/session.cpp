@@ -28,7 +28,7 @@ bool wants_colour() {
 Report carry_out_with_progress(const Plan& plan) {
   const ProgressLine line;
   try {
-    return carry_out(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
+    return run_experiment(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
       line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
     });
   } catch (const std::invalid_argument& error) {

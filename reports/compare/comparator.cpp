@@ -4,19 +4,18 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/judge/conserved.h"
-#include "reports/judge/pose_difference.h"
-#include "reports/judge/still.h"
+#include "reports/judge/mechanics.h"
+#include "reports/judge/states.h"
 #include "reports/vec.h"
 
 namespace plumb {
 namespace {
 
-// Two runs have parted when their bodies are a centimetre apart: a hundredth of bodies the size of a metre.
+// Two runs have diverged when their bodies are a centimetre apart: a hundredth of a body of a metre.
 constexpr double diverged_by = 0.01;  // m
 
-// One difference over time, boiled down.
-class Series {
+// A difference over time, summarised.
+class DifferenceSummary {
  public:
   void add(double difference) {
     last_ = std::abs(difference);
@@ -35,39 +34,39 @@ class Series {
 };
 
 void compare_poses(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
-  const auto apart = pose_differences(*a.scene, *a.trace, *b.trace, std::numeric_limits<double>::infinity());
-  Series position;
-  Series angle;
-  for (const PoseDifference& one : apart) {
+  const auto differences = pose_differences(*a.scene, *a.trace, *b.trace, std::numeric_limits<double>::infinity());
+  DifferenceSummary position;
+  DifferenceSummary angle;
+  for (const PoseDifference& one : differences) {
     position.add(one.position);
     angle.add(one.angle);
   }
   position.put(comparison.metrics, "position_difference", "m");
   angle.put(comparison.metrics, "angle_difference", "rad");
   const auto first =
-      std::find_if(apart.begin(), apart.end(), [](const auto& one) { return one.position > diverged_by; });
-  if (first != apart.end()) {
-    comparison.metrics["parted_at"] = {a.trace->time(static_cast<std::size_t>(first - apart.begin())), "s"};
+      std::find_if(differences.begin(), differences.end(), [](const auto& one) { return one.position > diverged_by; });
+  if (first != differences.end()) {
+    comparison.metrics["parted_at"] = {a.trace->time(static_cast<std::size_t>(first - differences.begin())), "s"};
   }
 }
 
 void compare_conserved(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
   const Conserved conserved(*a.scene);
-  Series energy;
-  Series momentum;
-  Series angular;
-  Series resting;
-  std::vector<BodyState> there(a.trace->bodies());
+  DifferenceSummary energy;
+  DifferenceSummary momentum;
+  DifferenceSummary angular;
+  DifferenceSummary resting;
+  std::vector<BodyState> of_run_b(a.trace->bodies());
   const double end = b.trace->times().back() * (1 + 1e-12);
   for (std::size_t moment = 0; moment < a.trace->size() && a.trace->time(moment) <= end; ++moment) {
-    const auto here = a.trace->states(moment);
-    for (std::size_t i = 0; i < there.size(); ++i) there[i] = b.trace->state_at(i, a.trace->time(moment));
-    energy.add(conserved.energy(here).total() - conserved.energy(there).total());
-    const Momentum of_a = conserved.momentum(here);
-    const Momentum of_b = conserved.momentum(there);
+    const auto of_run_a = a.trace->states(moment);
+    for (std::size_t i = 0; i < of_run_b.size(); ++i) of_run_b[i] = b.trace->state_at(i, a.trace->time(moment));
+    energy.add(conserved.energy(of_run_a).total() - conserved.energy(of_run_b).total());
+    const Momentum of_a = conserved.momentum(of_run_a);
+    const Momentum of_b = conserved.momentum(of_run_b);
     momentum.add(length(of_a.linear - of_b.linear));
     angular.add(of_a.angular - of_b.angular);
-    resting.add(still_bodies(*a.scene, here) - still_bodies(*a.scene, there));
+    resting.add(still_bodies(*a.scene, of_run_a) - still_bodies(*a.scene, of_run_b));
   }
   energy.put(comparison.metrics, "energy_difference", "J");
   momentum.put(comparison.metrics, "momentum_difference", "kg m/s");
@@ -87,7 +86,7 @@ void compare_rest(const RunRecord& a, const RunRecord& b, Comparison& comparison
 
 std::string label(const RunRecord& run) { return label_of(run.engine, run.method); }
 
-// The worse of two verdicts is that of the comparison, and tells whose it is.
+// The verdict of the comparison is the worse of the two, with a reason that names its run.
 void conclude(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
   for (const Verdict worst : {Verdict::failed, Verdict::not_supported, Verdict::wrong, Verdict::beyond_horizon}) {
     for (const RunRecord* run : {&a, &b}) {
@@ -101,7 +100,7 @@ void conclude(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
   comparison.verdict = both ? Verdict::right : Verdict::plausible;
 }
 
-Comparison compare(const RunRecord& a, const RunRecord& b) {
+Comparison compare_two(const RunRecord& a, const RunRecord& b) {
   Comparison comparison{.scenario = a.scenario, .variant = a.variant, .a = label(a), .b = label(b)};
   conclude(a, b, comparison);
   if (a.status == Status::ok && b.status == Status::ok) {
@@ -126,10 +125,10 @@ std::vector<Comparison> compare(std::span<const RunRecord> runs) {
     }
   }
   for (const RunRecord* engine : engines) {
-    if (truth != nullptr) comparisons.push_back(compare(*engine, *truth));
+    if (truth != nullptr) comparisons.push_back(compare_two(*engine, *truth));
   }
   for (std::size_t i = 0; i < engines.size(); ++i) {
-    for (std::size_t j = i + 1; j < engines.size(); ++j) comparisons.push_back(compare(*engines[i], *engines[j]));
+    for (std::size_t j = i + 1; j < engines.size(); ++j) comparisons.push_back(compare_two(*engines[i], *engines[j]));
   }
   return comparisons;
 }

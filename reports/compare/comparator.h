@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// What the runs of one case say of each other: every engine against the closed form, and every two engines against
-/// each other. Differences are taken at the moments both have recorded; those of rest metrics are a's less b's.
+/// Compares the runs of one case: every engine with the closed form, and every two engines. Differences are taken at
+/// the moments of a, up to the end of the shorter run; differences of rest metrics are a's minus b's.
 std::vector<Comparison> compare(std::span<const RunRecord> runs_of_one_case);
 
 }  // namespace plumb

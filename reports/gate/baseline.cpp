@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "reports/run/beyond.h"
+#include "reports/run/horizon.h"
 #include "reports/system/hash.h"
 
 namespace plumb {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "reports/judge/energy_range.h"
-#include "reports/run/examine.h"
+#include "reports/judge/mechanics.h"
+#include "reports/run/case_run.h"
 #include "reports/system/jobs.h"
 #include "reports/vec.h"
 #include "scenarios/scene/mass.h"
@@ -101,11 +101,11 @@ class KnownAnswer {
   KnownAnswer(const KnownAnswer&) = delete;
   KnownAnswer& operator=(const KnownAnswer&) = delete;
   ~KnownAnswer() = default;
-  const Known& known() const { return known_; }
+  const ReferenceRun& known() const { return known_; }
 
  private:
   std::optional<Truth> truth_;
-  Known known_;
+  ReferenceRun known_;
 };
 
 void find_bounds_of_run(const Case& one_case, const EngineConfig& config, double dt, BaselineRun& baseline_run) {
@@ -122,7 +122,7 @@ void find_bounds_of_run(const Case& one_case, const EngineConfig& config, double
       Case next = one_case;
       next.scene = std::make_shared<const Scene>(perturbed(*one_case.scene, size, static_cast<std::uint64_t>(seed)));
       perturbed_results.push_back(
-          baseline_run_of(examine(next, config, dt, run(*next.scene, config, dt), answer.known())));
+          baseline_run_of(judged_record(next, config, dt, run_case(next, config, dt), answer.known())));
     }
   }
   set_bounds(baseline_run, perturbed_results, rounding, dt);

@@ -106,7 +106,7 @@ Baseline selected(const Baseline& baseline, const GateOptions& options, const Pl
 
 Report run_plan(const Plan& plan) {
   const ProgressLine line;
-  Report report = carry_out(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
+  Report report = run_experiment(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
     line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
   });
   report.environment = environment();

@@ -98,7 +98,7 @@ SnapshotRun run_of_line(const JsonReader& from) {
 
 SnapshotRun run_of_report(const RunRecord& record) {
   SnapshotRun run{.verdict = name_of(record.verdict), .metrics = record.metrics};
-  if (const auto ratio = times_allowed(record)) {
+  if (const auto ratio = worst_error_ratio(record)) {
     constexpr double not_finite = std::numeric_limits<double>::quiet_NaN();
     run.metrics[worst_ratio_metric] = {std::isfinite(*ratio) ? *ratio : not_finite, "1"};
   }

@@ -11,60 +11,50 @@
 
 namespace plumb {
 
-/// What an invariant may look at: the question, what came of it, and how the engine says it steps.
+/// What an invariant may look at: the scene, the run, and what the engine states of its stepping.
 struct InvariantContext {
   const Scene& scene;
-  const Trace& trace;  // two moments at least
+  const Trace& trace;  // at least two moments
   const Stepping& stepping;
 };
 
-/// Collects how far an invariant is missed, moment by moment, and keeps the one that is worst against what is allowed
-/// there.
-class Worst {
+/// A physical law that holds in every scene it applies to, whether or not there is a closed form.
+struct Invariant {
+  std::string name;
+  std::string unit;
+  std::string definition;
+  /// Returns nullopt if it does not apply to the scene.
+  std::function<std::optional<InvariantCheck>(const InvariantContext&)> check;
+};
+
+/// Collects the violations of an invariant over a run and keeps the one with the largest error_ratio.
+class WorstViolation {
  public:
-  /// `where` is only asked for when this is the worst so far. What is not finite is worse than anything that is.
+  /// `where` is called only if this is the worst so far.
   template <class Where>
-  void see(double value, double allowed, double time, Where&& where) {
-    const double ratio = times_allowed(value, allowed);
-    if (seen_ && !(ratio > check_.ratio)) return;
-    seen_ = true;
+  void add(double value, double tolerance, double time, Where&& where) {
+    const double ratio = error_ratio(value, tolerance);
+    if (any_ && !(ratio > check_.ratio)) return;
+    any_ = true;
     check_.value = value;
-    check_.tolerance = allowed;
+    check_.tolerance = tolerance;
     check_.ratio = ratio;
     check_.time = time;
     check_.where = where();
   }
 
-  /// Nothing was seen: nothing was missed.
+  /// Held if nothing was added.
   InvariantCheck result() const;
 
-  /// 0 where nothing is missed, infinity where nothing is allowed.
-  static double times_allowed(double value, double allowed);
-
  private:
-  bool seen_ = false;
+  bool any_ = false;
   InvariantCheck check_;
 };
 
-/// Something that holds whatever the scene: the truth where there is no closed form, and where there is one, too.
-struct Invariant {
-  std::string name;
-  std::string unit;
-  std::string definition;
-  /// Nothing where it does not apply to the scene.
-  std::function<std::optional<InvariantCheck>(const InvariantContext&)> check;
-};
-
-/// What an invariant says that needs contacts of a run that shows none.
+/// The result of an invariant that needs contacts when the engine reports none.
 InvariantCheck not_reported();
 
-/// Whether the engine showed a contact at any moment.
-bool reports_contacts(const Trace&);
-
-/// "a" or "a - b", by the names of the scene.
-std::string pair_name(const Scene&, std::size_t a, std::size_t b);
-
-/// Every invariant that applies, in order of names. A trace of fewer than two moments says nothing.
+/// Every invariant that applies, ordered by name; none for a trace of fewer than two moments.
 std::vector<InvariantCheck> check_invariants(const InvariantContext&);
 
 }  // namespace plumb

@@ -15,13 +15,16 @@ namespace plumb {
 struct MetricContext {
   const Scene& scene;
   const Trace& trace;
-  const Trace* truth = nullptr;  // the closed form's run, where there is one
-  double truth_until = 0;        // s, for how long it holds
+  const Trace* truth = nullptr;  // of the closed form, if there is one
+  double truth_until = 0;        // s, for how long it is valid
 };
 
 enum class Better { lower, higher, neither };
 
-/// One number from a trace. Nothing where it makes no sense for that scene.
+/// "lower", "higher", "neither".
+const char* name_of(Better);
+
+/// One number from a trace; nullopt if it does not apply to the scene.
 struct Metric {
   std::string name;
   std::string unit;
@@ -30,7 +33,7 @@ struct Metric {
   std::function<std::optional<double>(const MetricContext&)> measure;
 };
 
-/// By name, every metric that makes sense for the scene.
+/// By name, every metric that applies to the scene.
 std::map<std::string, Measured> measure(const MetricContext&);
 
 }  // namespace plumb

@@ -12,31 +12,31 @@
 namespace plumb {
 namespace {
 
-// Through (-1, a), (0, b), (1, c): y(s) = b + (c-a) s/2 + (a-2b+c) s^2/2, highest at s = (a-c)/(2 (a-2b+c)).
-Reading vertex(double time, double step, double a, double b, double c) {
+// Through (-1, a), (0, b), (1, c): y(s) = b + (c-a) s/2 + (a-2b+c) s^2/2, with its vertex at s = (a-c)/(2 (a-2b+c)).
+Observation vertex(double time, double step, double a, double b, double c) {
   const double bend = a - 2 * b + c;
   const double s = (a - c) / (2 * bend);
   return {time + s * step, b - (c - a) * (c - a) / (8 * bend)};
 }
 
-std::optional<Reading> apex(const Trace& trace, std::size_t body, int index) {
+std::optional<Observation> apex(const Trace& trace, std::size_t body, int index) {
   const auto y = [&](std::size_t moment) { return trace.states(moment)[body].position.y; };
-  int seen = 0;
+  int count = 0;
   for (std::size_t i = 1; i + 1 < trace.size(); ++i) {
     const bool highest = y(i - 1) < y(i) && y(i) >= y(i + 1);
-    if (highest && ++seen == index) {
+    if (highest && ++count == index) {
       return vertex(trace.time(i), trace.time(i) - trace.time(i - 1), y(i - 1), y(i), y(i + 1));
     }
   }
   return std::nullopt;
 }
 
-std::optional<Reading> landing(const Trace& trace, std::size_t body, int index) {
+std::optional<Observation> landing(const Trace& trace, std::size_t body, int index) {
   const auto y = [&](std::size_t moment) { return trace.states(moment)[body].position.y; };
-  int seen = 0;
+  int count = 0;
   for (std::size_t i = 1; i + 1 < trace.size(); ++i) {
     const bool lowest = y(i - 1) > y(i) && y(i) <= y(i + 1);
-    if (lowest && ++seen == index) return Reading{trace.time(i), trace.time(i)};
+    if (lowest && ++count == index) return Observation{trace.time(i), trace.time(i)};
   }
   return std::nullopt;
 }
@@ -55,7 +55,8 @@ double speed_spread(const Conserved& conserved, std::span<const BodyState> state
   return bodies * fourths / (squares * squares);
 }
 
-// Impulses of the last step over its length; a body that is not named is any.
+// N: the normal impulses of the step that ends at the moment, over its duration; between the two bodies, or on `body`
+// from any other.
 double load(const Trace& trace, std::size_t moment, std::size_t body, std::optional<std::size_t> other) {
   if (moment == 0) return 0;
   double impulse = 0;
@@ -68,9 +69,9 @@ double load(const Trace& trace, std::size_t moment, std::size_t body, std::optio
 
 }  // namespace
 
-Reading energy_rise(const Conserved& conserved, const Trace& trace, std::size_t last) {
+Observation energy_rise(const Conserved& conserved, const Trace& trace, std::size_t last) {
   double lowest = conserved.energy(trace.states(0)).total();
-  Reading most{trace.time(0), 0};
+  Observation most{trace.time(0), 0};
   for (std::size_t i = 1; i <= last; ++i) {
     const double energy = conserved.energy(trace.states(i)).total();
     if (energy - lowest > most.value) most = {trace.time(i), energy - lowest};
@@ -79,13 +80,7 @@ Reading energy_rise(const Conserved& conserved, const Trace& trace, std::size_t 
   return most;
 }
 
-bool reports(const Trace& trace, Quantity quantity) {
-  if (quantity != Quantity::load) return true;
-  for (std::size_t i = 0; i < trace.size(); ++i) {
-    if (!trace.contacts(i).empty()) return true;
-  }
-  return false;
-}
+bool is_reported(const Trace& trace, Quantity quantity) { return quantity != Quantity::load || trace.has_contacts(); }
 
 std::size_t index_of(const Scene& scene, std::string_view name) {
   std::vector<std::string> names;
@@ -128,18 +123,19 @@ double quantity_of(Quantity quantity, std::size_t body, const Conserved& conserv
     case Quantity::apex:
       break;
   }
-  throw std::invalid_argument(std::string(name_of(quantity)) + " belongs to a trace, not to a moment");
+  throw std::invalid_argument(std::string(name_of(quantity)) + " is a quantity of a trace, not of a moment");
 }
 
-std::optional<Reading> observe(const Scene& scene, const Trace& trace, const Expectation& expectation, double time) {
+std::optional<Observation> observe(const Scene& scene, const Trace& trace, const Expectation& expectation,
+                                   double time) {
   const std::size_t body = expectation.body.empty() ? 0 : index_of(scene, expectation.body);
   if (expectation.quantity == Quantity::apex) return apex(trace, body, expectation.index);
   if (expectation.quantity == Quantity::landing) return landing(trace, body, expectation.index);
   const double when = expectation.time.value_or(time);
-  // The last step ends at the scene's end but for the rounding of steps times dt.
+  // The last step ends at the end of the scene, except for the rounding of steps times dt.
   const double rounding = 1e-9 * std::abs(when);
   if (trace.size() == 0 || when > trace.times().back() + rounding) return std::nullopt;
-  const auto [before, after, share] = trace.around(when);
+  const auto [before, after, fraction] = trace.bracket(when);
   const Conserved conserved(scene);
   if (expectation.quantity == Quantity::energy_rise) return energy_rise(conserved, trace, after);
   std::optional<std::size_t> other;
@@ -148,12 +144,35 @@ std::optional<Reading> observe(const Scene& scene, const Trace& trace, const Exp
     if (expectation.quantity == Quantity::load) return load(trace, moment, body, other);
     return quantity_of(expectation.quantity, body, conserved, trace.states(moment));
   };
-  if (expectation.over == 0) return Reading{when, at(before) + share * (at(after) - at(before))};
-  // Each moment stands for the step that led to it: all steps of a trace are equally long.
+  if (expectation.over == 0) return Observation{when, at(before) + fraction * (at(after) - at(before))};
+  // Each moment stands for the step that ends there; all steps of a trace have the same length.
   double sum = at(after);
   std::size_t moments = 1;
   for (std::size_t i = after; i-- > 1 && trace.time(i) > when - expectation.over + rounding; ++moments) sum += at(i);
-  return Reading{when, sum / static_cast<double>(moments)};
+  return Observation{when, sum / static_cast<double>(moments)};
+}
+
+Truth::Truth(const Engine& closed_form, const Scene& scene)
+    : closed_form_(closed_form),
+      scene_(scene),
+      until_(closed_form.build(scene, complete(closed_form, {}))->valid_until()) {}
+
+std::optional<std::vector<BodyState>> Truth::at(double time) const {
+  if (time > until_) return std::nullopt;
+  const auto simulation = closed_form_.build(scene_, complete(closed_form_, {}));
+  if (time > 0) simulation->step(time);
+  std::vector<BodyState> states(scene_.bodies.size());
+  simulation->read(states);
+  return states;
+}
+
+std::optional<double> expected_value(const Scene& scene, const Expectation& expectation, const Truth* truth,
+                                     double time) {
+  if (expectation.expected) return expectation.expected;
+  const auto states = truth == nullptr ? std::nullopt : truth->at(time);
+  if (!states) return std::nullopt;
+  const std::size_t body = expectation.body.empty() ? 0 : index_of(scene, expectation.body);
+  return quantity_of(expectation.quantity, body, Conserved(scene), *states);
 }
 
 }  // namespace plumb

@@ -2,13 +2,117 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <variant>
 
 #include "reports/vec.h"
 #include "scenarios/scene/mass.h"
 
 namespace plumb {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Outline hull_of(const Circle& circle) { return {.points = {circle.center}, .radius = circle.radius}; }
+
+Outline hull_of(const Box& box) {
+  Outline outline;
+  for (const Vec corner : {Vec{-1, -1}, Vec{1, -1}, Vec{1, 1}, Vec{-1, 1}}) {
+    const Vec half{corner.x * box.size.x / 2, corner.y * box.size.y / 2};
+    outline.points.push_back(box.center + rotated(half, box.angle));
+  }
+  return outline;
+}
+
+Outline hull_of(const Polygon& polygon) { return {.points = polygon.vertices}; }
+Outline hull_of(const Capsule& capsule) { return {.points = {capsule.from, capsule.to}, .radius = capsule.radius}; }
+Outline hull_of(const Segment& segment) { return {.points = {segment.from, segment.to}}; }
+Outline hull_of(const HalfSpace& halfspace) { return {.halfspace = halfspace}; }
+
+Interval along(Vec direction, std::span<const Vec> points) {
+  Interval range{infinity, -infinity};
+  for (const Vec point : points) {
+    const double d = dot(direction, point);
+    range = {std::min(range.low, d), std::max(range.high, d)};
+  }
+  return range;
+}
+
+// The largest gap between the projections of two hulls on the normals of a's edges, in either order. A segment is
+// projected along itself too, which separates it from points beyond its ends.
+double gap_along_normals(std::span<const Vec> a, std::span<const Vec> b) {
+  double largest = -infinity;
+  const auto project_on = [&](Vec axis) {
+    const Interval of_a = along(axis, a);
+    const Interval of_b = along(axis, b);
+    largest = std::max({largest, of_b.low - of_a.high, of_a.low - of_b.high});
+  };
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec edge = a[(i + 1) % a.size()] - a[i];
+    const double size = length(edge);
+    if (size == 0) continue;
+    project_on({edge.y / size, -edge.x / size});
+    if (a.size() == 2) project_on({edge.x / size, edge.y / size});
+  }
+  return largest;
+}
+
+double distance(Vec point, Vec from, Vec to) {
+  const Vec edge = to - from;
+  const double square = dot(edge, edge);
+  const double share = square == 0 ? 0 : std::clamp(dot(point - from, edge) / square, 0.0, 1.0);
+  return length(point - from - share * edge);
+}
+
+// The smallest distance from a corner of a to an edge of b: if two hulls do not meet, one of their nearest points is a
+// corner.
+double distance(std::span<const Vec> a, std::span<const Vec> b) {
+  double nearest = infinity;
+  for (const Vec point : a) {
+    for (std::size_t i = 0; i < b.size(); ++i)
+      nearest = std::min(nearest, distance(point, b[i], b[(i + 1) % b.size()]));
+  }
+  return nearest;
+}
+
+double gap_to(const HalfSpace& ground, const Outline& outline) {
+  return along(ground.normal, outline.points).low - outline.radius - ground.offset;
+}
+
+}  // namespace
+
+Outline outline_of(const Geometry& geometry, Vec origin) {
+  const Outline outline = std::visit([](const auto& shape) { return hull_of(shape); }, geometry);
+  return placed(outline, Vec{-origin.x, -origin.y}, 0);
+}
+
+Outline placed(const Outline& outline, Vec position, double angle) {
+  Outline there = outline;
+  for (Vec& point : there.points) point = position + rotated(point, angle);
+  if (there.halfspace) {
+    there.halfspace->normal = rotated(outline.halfspace->normal, angle);
+    there.halfspace->offset += dot(there.halfspace->normal, position);
+  }
+  return there;
+}
+
+std::optional<Interval> range_along(Vec direction, const Outline& outline) {
+  if (outline.halfspace) return std::nullopt;
+  const Interval range = along(direction, outline.points);
+  return Interval{range.low - outline.radius, range.high + outline.radius};
+}
+
+// If the hulls overlap, the shortest way out is along an edge normal of one of them, because the edges of their
+// Minkowski difference are theirs. Growing both by their radii moves its boundary out by the sum, along the same
+// normal.
+double gap_between(const Outline& a, const Outline& b) {
+  if (a.halfspace && b.halfspace) return infinity;
+  if (a.halfspace) return gap_to(*a.halfspace, b);
+  if (b.halfspace) return gap_to(*b.halfspace, a);
+  const double along_normals = std::max(gap_along_normals(a.points, b.points), gap_along_normals(b.points, a.points));
+  const bool meet = along_normals <= 0 && along_normals > -infinity;
+  const double gap = meet ? along_normals : std::min(distance(a.points, b.points), distance(b.points, a.points));
+  return gap - a.radius - b.radius;
+}
 
 Overlap::Overlap(const Scene& scene) : scene_(scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -30,8 +134,7 @@ bool Overlap::may_touch(std::size_t a, std::size_t b) const {
   return !std::binary_search(jointed_.begin(), jointed_.end(), pair);
 }
 
-std::vector<Overlapping> Overlap::all(std::span<const BodyState> states) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+std::vector<BodyOverlap> Overlap::all(std::span<const BodyState> states) const {
   struct Placed {
     std::size_t body;
     Outline outline;
@@ -44,9 +147,9 @@ std::vector<Overlapping> Overlap::all(std::span<const BodyState> states) const {
     const Interval x = range_along({1, 0}, outline).value_or(Interval{-infinity, infinity});
     parts.push_back({part.body, std::move(outline), x});
   }
-  // From left to right, each part meets those that begin before it ends.
+  // Sorted by their left ends, a part can only overlap those after it that start before it ends.
   std::sort(parts.begin(), parts.end(), [](const Placed& a, const Placed& b) { return a.x.low < b.x.low; });
-  std::vector<Overlapping> overlaps;
+  std::vector<BodyOverlap> overlaps;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t j = i + 1; j < parts.size() && parts[j].x.low <= parts[i].x.high; ++j) {
       if (!may_touch(parts[i].body, parts[j].body)) continue;
@@ -59,7 +162,7 @@ std::vector<Overlapping> Overlap::all(std::span<const BodyState> states) const {
 }
 
 double Overlap::gap(std::size_t a, std::size_t b, std::span<const BodyState> states) const {
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = infinity;
   for (const Part& one : parts_) {
     if (one.body != a) continue;
     const Outline outline = placed(one.outline, states[a].position, states[a].angle);
@@ -71,10 +174,10 @@ double Overlap::gap(std::size_t a, std::size_t b, std::span<const BodyState> sta
   return nearest;
 }
 
-Overlapping Overlap::deepest(std::span<const BodyState> states) const {
-  const std::vector<Overlapping> overlaps = all(states);
-  const auto deeper = [](const Overlapping& one, const Overlapping& other) { return one.depth < other.depth; };
-  return overlaps.empty() ? Overlapping{} : *std::max_element(overlaps.begin(), overlaps.end(), deeper);
+BodyOverlap Overlap::deepest(std::span<const BodyState> states) const {
+  const std::vector<BodyOverlap> overlaps = all(states);
+  const auto deeper = [](const BodyOverlap& one, const BodyOverlap& other) { return one.depth < other.depth; };
+  return overlaps.empty() ? BodyOverlap{} : *std::max_element(overlaps.begin(), overlaps.end(), deeper);
 }
 
 }  // namespace plumb

@@ -1,39 +1,68 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "reports/judge/outline.h"
+#include "reference/simulation.h"
+#include "scenarios/scene/scene.h"
 
+/// Geometry of the scene's shapes: outlines, gaps and overlaps, from the scene and the states alone.
 namespace plumb {
 
-/// Two bodies, the smaller index first, and how deep two of their parts overlap.
-struct Overlapping {
-  std::size_t a = 0, b = 0;
-  double depth = 0;  // m, above zero
+/// The outline of a shape: the convex hull of its points grown by a radius (a disc is one point, a capsule two), or all
+/// that lies below a line.
+struct Outline {
+  std::vector<Vec> points;             // in order around, in either direction
+  double radius = 0;                   // m
+  std::optional<HalfSpace> halfspace;  // if set, there are no points
 };
 
-/// How far bodies reach into each other, from the scene's shapes and the states alone. Pairs that may touch are
-/// weighed: layers in common, one at least dynamic, not held together by a joint.
+/// In the body's frame, moved so that `origin` of that frame becomes (0, 0).
+Outline outline_of(const Geometry&, Vec origin);
+
+/// The outline rotated by an angle, rad, and then moved by a position.
+Outline placed(const Outline&, Vec position, double angle);
+
+struct Interval {
+  double low = 0, high = 0;
+};
+
+/// The smallest and largest value of direction . p over the outline; `direction` has unit length. Returns nullopt for a
+/// half-space, which is unbounded.
+std::optional<Interval> range_along(Vec direction, const Outline&);
+
+/// The gap between two outlines, m: their distance, or minus the depth by which one must be moved out of the other.
+/// Infinite for two half-spaces.
+double gap_between(const Outline&, const Outline&);
+
+/// Two bodies, the smaller index first, and how deep a part of one overlaps a part of the other.
+struct BodyOverlap {
+  std::size_t a = 0, b = 0;
+  double depth = 0;  // m, > 0
+};
+
+/// Overlaps of bodies. Pairs that may touch are measured: layers in common, at least one dynamic, no joint between
+/// them. The scene must outlive it.
 class Overlap {
  public:
   explicit Overlap(const Scene&);
 
   /// Every overlap of two parts.
-  std::vector<Overlapping> all(std::span<const BodyState>) const;
+  std::vector<BodyOverlap> all(std::span<const BodyState>) const;
 
-  /// The smallest gap between two bodies, m, negative where they overlap; infinite where one has no shape.
+  /// The deepest overlap; of depth 0 if nothing overlaps.
+  BodyOverlap deepest(std::span<const BodyState>) const;
+
+  /// The smallest gap between two bodies, m, negative where they overlap; infinite if one has no shape.
   double gap(std::size_t a, std::size_t b, std::span<const BodyState>) const;
-
-  /// The deepest; of depth 0 when nothing overlaps.
-  Overlapping deepest(std::span<const BodyState>) const;
 
  private:
   struct Part {
     std::size_t body;
-    Outline outline;  // about the centre of mass
+    Outline outline;  // relative to the centre of mass
   };
   bool may_touch(std::size_t a, std::size_t b) const;
 

@@ -3,11 +3,12 @@
 #include <span>
 #include <vector>
 
-#include "reports/judge/truth.h"
+#include "reports/judge/observe.h"
 #include "reports/report.h"
 #include "reports/trace.h"
 #include "scenarios/scenario.h"
 
+/// Judges traces against the truth and the invariants. Pure: runs nothing.
 namespace plumb {
 
 struct Judgement {
@@ -16,17 +17,21 @@ struct Judgement {
   Verdict verdict = Verdict::plausible;
 };
 
-/// Holds a trace against what must come true. Each reading may be off by what the scenario allows for this way of
-/// stepping, and by the round-off of its arithmetic, or by an absolute tolerance where one is stated. What is not
-/// finite, or could not be read, never passes. What the engine does not report counts neither way: with nothing else
-/// to judge by it is plausible. `truth` answers the expectations that leave the value to the closed form; without it
-/// they cannot pass. The invariants that apply to the scene are held against the trace, too.
+/// Judges a trace by a scenario's expectations and the invariants of its scene. The tolerance of a check is what the
+/// scenario allows for this stepping plus the rounding of the engine's arithmetic, or an absolute one if the
+/// expectation states it. A value that is not finite or could not be read never passes. A quantity that the engine does
+/// not report counts neither way: a run with no other checks is plausible. `truth`, which may be null, gives the values
+/// that expectations leave to the closed form; without it they cannot pass.
 Judgement judge(const Scene&, std::span<const Expectation>, const Trace&, const Stepping&, const Truth* truth);
 
-/// wrong where an invariant is broken or a reading is off, right where a reading passed, else plausible.
-Verdict concluded(std::span<const TruthCheck>, std::span<const InvariantCheck>);
+/// Judges a run together with runs of the same case with shifted steps (see run/case_run.h): every check is that of its
+/// worst phase and gives the spread of the errors, and the verdict is the worst. A null phase did not reach its end and
+/// is wrong.
+Judgement judge_phases(const Scene&, std::span<const Expectation>, const Trace&, std::span<const Trace* const> shifted,
+                       const Stepping&, const Truth* truth);
 
-/// How far a quantity may be off at the end of a trace by rounding alone, in its unit.
-double round_off(Quantity, std::size_t body, const Scene&, const Trace&, const Stepping&);
+/// wrong if an invariant is broken, whatever the truth says, or a truth check fails; right if one passes; else
+/// plausible.
+Verdict verdict_of(std::span<const TruthCheck> truth, std::span<const InvariantCheck>);
 
 }  // namespace plumb

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "reports/judge/truth.h"
-#include "reports/run/phases.h"
+#include "reports/judge/observe.h"
+#include "reports/run/case_run.h"
 #include "reports/system/hash.h"
 
 namespace plumb {

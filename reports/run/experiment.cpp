@@ -12,16 +12,17 @@
 #include "reports/compare/comparator.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
-#include "reports/judge/truth.h"
-#include "reports/run/beyond.h"
-#include "reports/run/examine.h"
+#include "reports/judge/observe.h"
+#include "reports/run/case_run.h"
+#include "reports/run/horizon.h"
 #include "reports/run/timings.h"
 #include "reports/system/jobs.h"
 
 namespace plumb {
 namespace {
 
-struct Spent {
+// Of the engines' runs.
+struct TimeSpent {
   double wall = 0, stepping = 0;  // s
 };
 
@@ -31,79 +32,71 @@ std::vector<double> moments_in(double duration, double dt) {
   return moments;
 }
 
-// All runs of one case: the closed form first, where there is one.
-class CaseRun {
+// All runs of one case: the reference first, if there is one.
+class CaseExperiment {
  public:
-  CaseRun(const Case& asked, double dt) : asked_(asked), dt_(dt) {}
+  CaseExperiment(const Case& test_case, double dt) : case_(test_case), dt_(dt) {}
 
-  void find_truth(bool refine) {
-    const Engine* witness = asked_.closed_form;
-    if (witness == nullptr && refine) {
-      refined_ = converged_truth(*asked_.scene, moments_in(asked_.scene->duration, dt_), {.dt = dt_});
-      witness = &refined_->engine;
+  void run_reference(bool refine) {
+    const Engine* engine = case_.closed_form;
+    if (engine == nullptr && refine) {
+      refined_ = converged_truth(*case_.scene, moments_in(case_.scene->duration, dt_), {.dt = dt_});
+      engine = &refined_->engine;
     }
-    if (witness == nullptr) return;
-    const EngineConfig closed_form{witness, complete(*witness, {})};
-    RunRecord record = record_of(asked_, closed_form, dt_, run(*asked_.scene, closed_form, dt_));
+    if (engine == nullptr) return;
+    const EngineConfig config{engine, complete(*engine, {})};
+    RunRecord record = record_of(case_, config, dt_, run(*case_.scene, config, dt_));
     if (record.status == Status::ok) {
-      truth_.emplace(*witness, *asked_.scene);
-      known_ = {&*truth_, record.trace};
-      record.metrics = measure(known_.context(*asked_.scene, *record.trace));
+      truth_.emplace(*engine, *case_.scene);
+      reference_ = {&*truth_, record.trace};
+      record.metrics = measure(reference_.context(*case_.scene, *record.trace));
       if (refined_) record.metrics["truth_estimate_max"] = {refined_->answer->largest_error(), "m"};
       if (!refined_) {
-        record.invariants =
-            check_invariants({*asked_.scene, *record.trace, witness->stepping(closed_form.settings, dt_)});
+        record.invariants = check_invariants({*case_.scene, *record.trace, engine->stepping(config.settings, dt_)});
       }
-      record.verdict = Verdict::right;  // by definition; its formula has tests of its own
+      record.verdict = Verdict::right;  // by definition; the formula has tests of its own
     }
     records_.push_back(std::move(record));
   }
 
-  void add(const EngineConfig& config) {
-    const Outcome outcome = run(*asked_.scene, config, dt_);
-    spent_.wall += outcome.wall;
-    spent_.stepping += outcome.stepping;
-    RunRecord record = examine(asked_, config, dt_, outcome, known_);
+  void run_engine(const EngineConfig& config) {
+    const CaseRun runs = run_case(case_, config, dt_);
+    add_time(runs.outcome);
+    for (const Outcome& shifted : runs.shifted) add_time(shifted);
+    RunRecord record = judged_record(case_, config, dt_, runs, reference_);
     if (record.status == Status::ok) runnable_.push_back(config);
     records_.push_back(std::move(record));
   }
 
-  void compare_all(int ensemble) {
+  void compare_engines(int ensemble) {
     comparisons_ = compare(records_);
-    if (ensemble > 0) look_beyond(asked_, runnable_, dt_, ensemble, records_, comparisons_);
+    if (ensemble > 0) compare_beyond_horizon(case_, runnable_, dt_, ensemble, records_, comparisons_);
   }
 
-  const Case& asked() const { return asked_; }
-  /// Who answers for the truth where no closed form does; null where none was asked.
+  const Case& test_case() const { return case_; }
+  /// The converged reference; null if there is none.
   const Engine* refined() const { return refined_ ? &refined_->engine : nullptr; }
-  const Spent& spent() const { return spent_; }
+  const TimeSpent& time_spent() const { return spent_; }
   std::vector<RunRecord>& records() { return records_; }
   std::vector<Comparison>& comparisons() { return comparisons_; }
   const std::vector<EngineConfig>& runnable() const { return runnable_; }
 
  private:
-  const Case& asked_;
+  void add_time(const Outcome& outcome) {
+    spent_.wall += outcome.wall;
+    spent_.stepping += outcome.stepping;
+  }
+
+  const Case& case_;
   double dt_;
-  Spent spent_;
+  TimeSpent spent_;
   std::optional<ConvergedTruth> refined_;
   std::optional<Truth> truth_;
-  Known known_;
+  ReferenceRun reference_;
   std::vector<RunRecord> records_;
   std::vector<Comparison> comparisons_;
   std::vector<EngineConfig> runnable_;
 };
-
-const char* name_of(Better better) {
-  switch (better) {
-    case Better::lower:
-      return "lower";
-    case Better::higher:
-      return "higher";
-    case Better::neither:
-      return "neither";
-  }
-  return "";
-}
 
 template <class Note>
 void add_once(std::vector<Note>& notes, Note note) {
@@ -117,11 +110,11 @@ void add_note(const Engine& one, Report& report) {
 
 void add_notes(const Plan& plan, Report& report) {
   for (const EngineConfig& config : plan.configs) add_note(*config.engine, report);
-  for (const Case& asked : plan.cases) {
-    const Scenario& scenario = *asked.scenario;
+  for (const Case& one : plan.cases) {
+    const Scenario& scenario = *one.scenario;
     add_once<ScenarioNote>(report.scenarios,
                            {scenario.name, scenario.question, scenario.closed_form, scenario.parameters});
-    if (asked.closed_form != nullptr) add_note(*asked.closed_form, report);
+    if (one.closed_form != nullptr) add_note(*one.closed_form, report);
   }
   for (const Metric* metric : Catalog<Metric>::all()) {
     report.metrics.push_back({metric->name, metric->unit, metric->definition, name_of(metric->better)});
@@ -129,7 +122,7 @@ void add_notes(const Plan& plan, Report& report) {
   if (plan.ensemble > 0) report.metrics.push_back(horizon_note());
   if (plan.refine) {
     report.metrics.push_back(
-        {"truth_estimate_max", "m", "largest error that a converged reference admits to, while it holds", "lower"});
+        {"truth_estimate_max", "m", "largest estimated error of the converged reference, while it is valid", "lower"});
   }
   for (const Invariant* invariant : Catalog<Invariant>::all()) {
     report.invariants.push_back({invariant->name, invariant->unit, invariant->definition});
@@ -138,37 +131,37 @@ void add_notes(const Plan& plan, Report& report) {
 
 }  // namespace
 
-Report carry_out(const Plan& plan, const Progress& progress) {
-  std::mutex telling;
+Report run_experiment(const Plan& plan, const Progress& progress) {
+  std::mutex reporting;
   std::size_t done = 0;
   const std::size_t all = plan.cases.size() * (plan.configs.size() + 1);
-  const auto tell = [&](const Case& asked, const std::string& what) {
-    const std::lock_guard alone(telling);
-    progress(asked.scenario->name + " " + asked.variant + ": " + what, done++, all);
+  const auto show = [&](const Case& one, const std::string& what) {
+    const std::lock_guard lock(reporting);
+    progress(one.scenario->name + " " + one.variant + ": " + what, done++, all);
   };
 
-  std::vector<CaseRun> runs;
-  for (const Case& asked : plan.cases) runs.emplace_back(asked, plan.dt);
-  do_all(runs.size(), plan.jobs, [&](std::size_t i) {
-    runs[i].find_truth(plan.refine);
+  std::vector<CaseExperiment> cases;
+  for (const Case& one : plan.cases) cases.emplace_back(one, plan.dt);
+  do_all(cases.size(), plan.jobs, [&](std::size_t i) {
+    cases[i].run_reference(plan.refine);
     for (const EngineConfig& config : plan.configs) {
-      tell(runs[i].asked(), label_of(config.engine->name, config.method()));
-      runs[i].add(config);
+      show(cases[i].test_case(), label_of(config.engine->name, config.method()));
+      cases[i].run_engine(config);
     }
-    runs[i].compare_all(plan.ensemble);
+    cases[i].compare_engines(plan.ensemble);
   });
 
   Report report;
-  Spent spent;
-  for (CaseRun& one : runs) {
+  TimeSpent spent;
+  for (CaseExperiment& one : cases) {
     if (one.refined() != nullptr) add_note(*one.refined(), report);
-    tell(one.asked(), plan.timed ? "cost of a step" : "done");
+    show(one.test_case(), plan.timed ? "cost of a step" : "done");
     if (plan.timed)
-      std::ranges::move(time_configs(one.asked(), one.runnable(), plan.dt), std::back_inserter(report.timings));
+      std::ranges::move(time_configs(one.test_case(), one.runnable(), plan.dt), std::back_inserter(report.timings));
     std::ranges::move(one.comparisons(), std::back_inserter(report.comparisons));
     std::ranges::move(one.records(), std::back_inserter(report.runs));
-    spent.wall += one.spent().wall;
-    spent.stepping += one.spent().stepping;
+    spent.wall += one.time_spent().wall;
+    spent.stepping += one.time_spent().stepping;
   }
   add_notes(plan, report);
   report.clock = {{"runs_s", spent.wall},

@@ -9,22 +9,23 @@
 
 namespace plumb {
 
+/// An experiment: cases, engines and how to run them.
 struct Plan {
   std::vector<Case> cases;
   std::vector<EngineConfig> configs;
   double dt = 1.0 / 60;  // s
-  int jobs = 1;          // cases run at once; their results do not depend on it
-  bool refine = false;   // a converged reference where there is no closed form
-  bool timed = true;     // what a step costs, measured when all else is done
-  int ensemble = 0;  // runs of each engine that are compared beyond a scene's horizon; 0: horizons are not looked for
+  int jobs = 1;          // cases that run at once; the results do not depend on it
+  bool refine = false;   // compute a converged reference where there is no closed form
+  bool timed = true;     // measure the cost of a step after everything else
+  int ensemble = 0;      // runs of each engine to compare beyond a scene's horizon; 0: do not look for horizons
 };
 
-/// Told before each run what comes next: "bounce e=0.5: box2d", the how-manieth of how many. Never two at a time.
+/// Called before each run with what comes next ("bounce e=0.5: box2d"), how many are done, and of how many; never
+/// concurrently.
 using Progress = std::function<void(const std::string& what, std::size_t done, std::size_t of)>;
 
 /// Runs every case with its closed form and all configs, measures, judges and compares; then, with nothing else
-/// running, times those that ran.
-/// `title`, `command` and `environment` are left to the caller.
-Report carry_out(const Plan&, const Progress&);
+/// running, times the configs that ran. The caller fills in `title`, `command` and `environment`.
+Report run_experiment(const Plan&, const Progress&);
 
 }  // namespace plumb

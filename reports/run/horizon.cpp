@@ -2,24 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "reference/scene_facts.h"
 #include "reports/vec.h"
+#include "scenarios/catalog.h"
 #include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {
 
-// Differences grow by the same factor a second whatever their direction, but one direction may begin as the one that
+// Differences grow at the same rate in almost any direction, but one perturbation may point in a direction that
 // shrinks.
-constexpr int neighbours = 2;
+constexpr int perturbed_runs = 2;
 
-bool far(const Scene& scene, std::span<const BodyState> a, std::span<const BodyState> b, double limit) {
+constexpr std::uint64_t first_ensemble_seed = 1;
+
+bool have_diverged(const Scene& scene, std::span<const BodyState> a, std::span<const BodyState> b, double limit) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies[i].type == BodyType::dynamic && !(length(a[i].position - b[i].position) <= limit)) return true;
   }
   return false;
 }
+
+std::string config_label(const EngineConfig& config) { return label_of(config.engine->name, config.method()); }
 
 }  // namespace
 
@@ -32,23 +39,78 @@ double smallest_difference(const Scene& scene, const Stepping& stepping) {
   return std::max(billionth, 8 * stepping.epsilon * farthest);
 }
 
-double parted_by(const Scene& scene) { return 0.1 * smallest_body(scene); }
+double divergence_distance(const Scene& scene) { return 0.1 * smallest_body(scene); }
 
 std::optional<double> horizon_of(const Scene& scene, const EngineConfig& config, double dt, const Trace& trace) {
   const double size = smallest_difference(scene, config.engine->stepping(config.settings, dt));
   std::optional<double> horizon;
-  for (int seed = 1; seed <= neighbours; ++seed) {
+  for (int seed = 1; seed <= perturbed_runs; ++seed) {
     const Outcome other = run(perturbed(scene, size, static_cast<std::uint64_t>(seed)), config, dt);
     if (!other.trace) continue;
     const std::size_t both = std::min(trace.size(), other.trace->size());
     for (std::size_t moment = 0; moment < both; ++moment) {
       if (horizon && trace.time(moment) >= *horizon) break;
-      if (!far(scene, trace.states(moment), other.trace->states(moment), parted_by(scene))) continue;
+      if (!have_diverged(scene, trace.states(moment), other.trace->states(moment), divergence_distance(scene))) {
+        continue;
+      }
       horizon = trace.time(moment);
       break;
     }
   }
   return horizon;
+}
+
+std::optional<double> horizon_of(const Scene& scene, double dt) {
+  const Engine& ours = *Catalog<Engine>::find("impulse");
+  const EngineConfig config{&ours, complete(ours, {{"precision", "double"}})};
+  const Outcome outcome = run(scene, config, dt);
+  if (outcome.status != Status::ok) return std::nullopt;
+  return horizon_of(scene, config, dt, *outcome.trace);
+}
+
+std::vector<EnsembleSample> run_ensemble(const Scene& scene, const EngineConfig& config, double dt, double size,
+                                         int members, std::uint64_t first_seed) {
+  std::vector<EnsembleSample> samples = empty_samples();
+  for (int member = 0; member < members; ++member) {
+    const Outcome outcome = run(perturbed(scene, size, first_seed + static_cast<std::uint64_t>(member)), config, dt);
+    if (outcome.status == Status::ok) add_run(samples, scene, *outcome.trace);
+  }
+  return samples;
+}
+
+void compare_beyond_horizon(const Case& test_case, std::span<const EngineConfig> configs, double dt, int members,
+                            std::span<RunRecord> records, std::span<Comparison> comparisons) {
+  const Scene& scene = *test_case.scene;
+  double size = 0;
+  for (const EngineConfig& config : configs) {
+    size = std::max(size, smallest_difference(scene, config.engine->stepping(config.settings, dt)));
+    for (RunRecord& record : records) {
+      if (label_of(record.engine, record.method) != config_label(config)) continue;
+      if (const auto own = horizon_of(scene, config, dt, *record.trace)) record.metrics["horizon"] = {*own, "s"};
+    }
+  }
+  const auto horizon = horizon_of(scene, dt);
+  if (!horizon || comparisons.empty()) return;
+  std::map<std::string, std::vector<EnsembleSample>> ensembles;
+  for (const EngineConfig& config : configs) {
+    ensembles[config_label(config)] = run_ensemble(scene, config, dt, size, members, first_ensemble_seed);
+  }
+  for (Comparison& comparison : comparisons) {
+    const auto a = ensembles.find(comparison.a);
+    const auto b = ensembles.find(comparison.b);
+    if (a == ensembles.end() || b == ensembles.end()) continue;
+    add_ensembles(comparison, compare_ensembles(a->second, b->second), *horizon, members);
+  }
+}
+
+MetricNote horizon_note() {
+  return {.name = "horizon",
+          .unit = "s",
+          .definition =
+              "time after which runs of this engine that started up to 1e-9 m apart (or 8 units of round-off "
+              "of a body's position, if that is more) differ by a tenth of the smallest body; missing if they "
+              "do not by the end",
+          .better = "neither"};
 }
 
 }  // namespace plumb

@@ -1,21 +1,44 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "reports/compare/ensembles.h"
+#include "reports/report.h"
 #include "reports/run/run.h"
-#include "reports/trace.h"
 
-/// How far ahead a scene can be told: until runs that began next to each other have parted.
+/// How far ahead a scene can be predicted, until runs that started next to each other have diverged, and the comparison
+/// of engines beyond that.
 namespace plumb {
 
-/// m, by which starts differ: a billionth, or what the engine's arithmetic can still tell from nothing.
+/// m, the size of a perturbation of the start: 1e-9, or what the engine's arithmetic can just resolve.
 double smallest_difference(const Scene&, const Stepping&);
 
-/// m, by which two answers differ that have parted: a thousandth of the smallest body.
-double parted_by(const Scene&);
+/// m, the difference at which two runs have diverged: a tenth of the smallest body.
+double divergence_distance(const Scene&);
 
-/// s, the first moment at which one of a few runs that began up to `smallest_difference` away has parted from this
-/// one; nothing where none does. `trace` is the config's own run of the scene with steps of dt.
-std::optional<double> horizon_of(const Scene&, const EngineConfig&, double dt, const Trace&);
+/// s, the first moment at which one of a few runs perturbed by up to `smallest_difference` has diverged from this one;
+/// nullopt if none does. `trace` is the config's own run of the scene with steps of dt.
+std::optional<double> horizon_of(const Scene&, const EngineConfig&, double dt, const Trace& trace);
+
+/// s, the horizon of the scene: that of our engine in double precision, which resolves the smallest differences.
+/// Returns nullopt if the scene can be predicted to its end.
+std::optional<double> horizon_of(const Scene&, double dt);
+
+/// Runs `members` times with starts perturbed by up to `size`, m, and seeds from `first_seed` on. Runs that fail do not
+/// count.
+std::vector<EnsembleSample> run_ensemble(const Scene&, const EngineConfig&, double dt, double size, int members,
+                                         std::uint64_t first_seed);
+
+/// Compares the engines of one case beyond its horizon; `records` and `comparisons` are those of the case. Every run
+/// that has a horizon of its own gets it as the metric "horizon". If the scene has one, every two engines are compared
+/// by ensembles of `members` runs from the same perturbed starts (see `add_ensembles`).
+void compare_beyond_horizon(const Case&, std::span<const EngineConfig>, double dt, int members,
+                            std::span<RunRecord> records, std::span<Comparison> comparisons);
+
+/// The description of the metric "horizon".
+MetricNote horizon_note();
 
 }  // namespace plumb

@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-// A NaN that no arithmetic makes: what still holds it was not written.
+// A NaN that no arithmetic produces: a value that still has it was not written.
 constexpr std::uint64_t blank_bits = 0x7ff8'706c'756d'6221;
 const double blank = std::bit_cast<double>(blank_bits);
 const BodyState unwritten{{blank, blank}, blank, {blank, blank}, blank};
@@ -24,26 +24,26 @@ bool any_blank(const BodyState& state) {
 
 bool finite(Vec v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
-std::string mistake_in(const ContactState& contact, std::size_t bodies) {
+std::string error_in(const ContactState& contact, std::size_t bodies) {
   if (contact.a >= bodies || contact.b >= bodies || contact.a == contact.b) {
     return fmt::format("is between bodies {} and {} of a scene of {}, counted from 0", contact.a, contact.b, bodies);
   }
-  const bool whole = finite(contact.point) && finite(contact.normal) && std::isfinite(contact.normal_impulse) &&
-                     std::isfinite(contact.tangent_impulse) && std::isfinite(contact.separation);
-  return whole ? "" : "has numbers that are not finite";
+  const bool all_finite = finite(contact.point) && finite(contact.normal) && std::isfinite(contact.normal_impulse) &&
+                          std::isfinite(contact.tangent_impulse) && std::isfinite(contact.separation);
+  return all_finite ? "" : "has numbers that are not finite";
 }
 
 }  // namespace
 
 std::span<const BodyState> Readout::states(const Simulation& simulation) {
   const std::size_t bodies = scene_.bodies.size();
-  constexpr std::size_t beyond = 16;  // places in which what is written past the end shows, and does no harm
-  states_.assign(bodies + beyond, unwritten);
-  const std::span<BodyState> asked = std::span(states_).first(bodies);
-  simulation.read(asked);
+  constexpr std::size_t guard = 16;  // states past the end, where a write does no harm and is noticed
+  states_.assign(bodies + guard, unwritten);
+  const std::span<BodyState> result = std::span(states_).first(bodies);
+  simulation.read(result);
   for (std::size_t i = 0; i < bodies; ++i) {
-    if (!any_blank(asked[i])) continue;
-    throw std::runtime_error(fmt::format("read() left out body \"{}\": it must write all of the state of all {} bodies",
+    if (!any_blank(result[i])) continue;
+    throw std::runtime_error(fmt::format("read() left out body \"{}\": it must write the whole state of all {} bodies",
                                          scene_.bodies[i].name, bodies));
   }
   for (const BodyState& state : std::span(states_).subspan(bodies)) {
@@ -51,15 +51,15 @@ std::span<const BodyState> Readout::states(const Simulation& simulation) {
     throw std::runtime_error(
         fmt::format("read() wrote past the end: the scene has {} bodies, in the order of Scene::bodies", bodies));
   }
-  return asked;
+  return result;
 }
 
 std::span<const ContactState> Readout::contacts(const Simulation& simulation) {
   contacts_.clear();
   simulation.read_contacts(contacts_);
   for (const ContactState& contact : contacts_) {
-    const std::string mistake = mistake_in(contact, scene_.bodies.size());
-    if (!mistake.empty()) throw std::runtime_error("read_contacts(): a contact " + mistake);
+    const std::string error = error_in(contact, scene_.bodies.size());
+    if (!error.empty()) throw std::runtime_error("read_contacts(): a contact " + error);
   }
   return contacts_;
 }

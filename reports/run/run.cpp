@@ -14,34 +14,34 @@
 namespace plumb {
 namespace {
 
-// A scene of this size, in SI units, that plays for minutes under Earth's gravity reaches 1e3 m/s and 1e5 m. Beyond a
-// hundred times as much an engine has blown up, though its numbers may still be finite.
-constexpr double absurd_speed = 1e6;     // m/s, and rad/s
-constexpr double absurd_distance = 1e7;  // m
+// A scene in SI units that plays for minutes under Earth's gravity reaches 1e3 m/s and 1e5 m. Beyond a hundred times
+// that, an engine has blown up, even if its numbers are still finite.
+constexpr double largest_sane_speed = 1e6;     // m/s, and rad/s
+constexpr double largest_sane_distance = 1e7;  // m
 
 // Comparisons with NaN are false, so what is not finite is not sane.
 bool sane(const BodyState& state) {
-  return std::abs(state.position.x) <= absurd_distance && std::abs(state.position.y) <= absurd_distance &&
-         std::abs(state.velocity.x) <= absurd_speed && std::abs(state.velocity.y) <= absurd_speed &&
-         std::abs(state.angular_velocity) <= absurd_speed && std::isfinite(state.angle);
+  return std::abs(state.position.x) <= largest_sane_distance && std::abs(state.position.y) <= largest_sane_distance &&
+         std::abs(state.velocity.x) <= largest_sane_speed && std::abs(state.velocity.y) <= largest_sane_speed &&
+         std::abs(state.angular_velocity) <= largest_sane_speed && std::isfinite(state.angle);
 }
 
-std::string divergence(const Body& body, const BodyState& lost, double time) {
+std::string divergence_message(const Body& body, const BodyState& lost, double time) {
   return fmt::format(
       "diverged at t = {:.4g} s: body \"{}\" at ({:.3g}, {:.3g}) m, {:.3g} rad, {:.3g} m/s, {:.3g} rad/s", time,
       body.name, lost.position.x, lost.position.y, lost.angle, length(lost.velocity), lost.angular_velocity);
 }
 
-void step_to_the_end(const Scene& scene, Simulation& simulation, double dt, double first_step, Readout& readout,
-                     const Observer& show, Outcome& outcome) {
-  if (!show(0, readout.states(simulation))) return;
+void step_to_end(const Scene& scene, Simulation& simulation, double dt, double first_step, Readout& readout,
+                 const Observer& observer, Outcome& outcome) {
+  if (!observer(0, readout.states(simulation))) return;
 
   const double valid = simulation.valid_until();
   const double missing = 1 - first_step;
   const bool cut = missing > 0;
   const std::size_t steps = steps_in(scene.duration + missing * dt, dt);
   for (std::size_t i = 1; i <= steps; ++i) {
-    // Not the sum of many dt, which would carry the rounding of each.
+    // Not a sum of steps, which would accumulate the rounding of each.
     const double whole = (static_cast<double>(i) - missing) * dt;
     const double time = cut && i == steps ? scene.duration : whole;
     if (time > valid) return;
@@ -56,16 +56,17 @@ void step_to_the_end(const Scene& scene, Simulation& simulation, double dt, doub
     if (lost != states.end()) {
       outcome.status = Status::failed;
       outcome.lost = static_cast<std::size_t>(lost - states.begin());
-      outcome.reason = divergence(scene.bodies[*outcome.lost], *lost, time);
+      outcome.reason = divergence_message(scene.bodies[*outcome.lost], *lost, time);
       return;
     }
-    if (!show(time, states)) return;
+    if (!observer(time, states)) return;
   }
 }
 
-// `look_at` makes the observer of a simulation that was built, from how it is read.
-template <class LookAt>
-Outcome carry_out(const Scene& scene, const EngineConfig& config, double dt, double first_step, LookAt look_at) {
+// `make_observer` makes the observer once the simulation is built.
+template <class MakeObserver>
+Outcome run_observed(const Scene& scene, const EngineConfig& config, double dt, double first_step,
+                     MakeObserver make_observer) {
   const Stopwatch all;
   Outcome outcome;
   try {
@@ -76,11 +77,11 @@ Outcome carry_out(const Scene& scene, const EngineConfig& config, double dt, dou
     }
     const auto simulation = config.engine->build(scene, config.settings);
     Readout readout(scene);
-    step_to_the_end(scene, *simulation, dt, first_step, readout, look_at(outcome, *simulation, readout), outcome);
-  } catch (const std::domain_error& beyond) {
-    // Some methods can only tell under way that a scene is too much for them.
+    step_to_end(scene, *simulation, dt, first_step, readout, make_observer(outcome, *simulation, readout), outcome);
+  } catch (const std::domain_error& error) {
+    // Some methods only find out during the run that they cannot handle a scene.
     outcome.status = Status::not_supported;
-    outcome.reason = beyond.what();
+    outcome.reason = error.what();
     outcome.trace = nullptr;
   } catch (const std::exception& error) {
     outcome.status = Status::failed;
@@ -102,12 +103,12 @@ std::string EngineConfig::method() const {
 }
 
 std::size_t steps_in(double duration, double dt) {
-  // 2 s at 1/60 s are 120 steps, though 2 / (1/60.) may round to a little more.
+  // 2 s at 1/60 s are 120 steps, although 2 / (1/60.) may round up.
   return static_cast<std::size_t>(std::max(0.0, std::ceil(duration / dt * (1 - 1e-12))));
 }
 
 Outcome run(const Scene& scene, const EngineConfig& config, double dt, double first_step) {
-  return carry_out(
+  return run_observed(
       scene, config, dt, first_step, [&](Outcome& outcome, const Simulation& simulation, Readout& readout) -> Observer {
         outcome.trace = std::make_shared<Trace>(scene.bodies.size());
         return [&](double time, std::span<const BodyState> states) {
@@ -119,8 +120,8 @@ Outcome run(const Scene& scene, const EngineConfig& config, double dt, double fi
 }
 
 Outcome watch(const Scene& scene, const EngineConfig& config, double dt, double first_step, const Observer& observer) {
-  return carry_out(scene, config, dt, first_step,
-                   [&](Outcome&, const Simulation&, Readout&) -> const Observer& { return observer; });
+  return run_observed(scene, config, dt, first_step,
+                      [&](Outcome&, const Simulation&, Readout&) -> const Observer& { return observer; });
 }
 
 }  // namespace plumb

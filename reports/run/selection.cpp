@@ -8,23 +8,23 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reports/run/scene_case.h"
+#include "reports/run/scene_file.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb {
 namespace {
 
-constexpr std::string_view home = "impulse";
+constexpr std::string_view our_engine = "impulse";
 
-// What stands before and after the first `mark`; all of it before, where there is none.
+// The text before and after the first `mark`; all of it before, if there is none.
 std::pair<std::string, std::string> split(std::string_view text, char mark) {
-  const auto place = text.find(mark);
-  if (place == std::string_view::npos) return {std::string(text), ""};
-  return {std::string(text.substr(0, place)), std::string(text.substr(place + 1))};
+  const auto position = text.find(mark);
+  if (position == std::string_view::npos) return {std::string(text), ""};
+  return {std::string(text.substr(0, position)), std::string(text.substr(position + 1))};
 }
 
-std::vector<std::string> pieces(std::string_view text) {
+std::vector<std::string> split_at_commas(std::string_view text) {
   std::vector<std::string> all;
   while (!text.empty()) {
     all.push_back(split(text, ',').first);
@@ -33,28 +33,28 @@ std::vector<std::string> pieces(std::string_view text) {
   return all;
 }
 
-// "key=value"
-std::pair<std::string, std::string> assignment(const std::string& context, const std::string& text) {
+// "key=value"; throws std::invalid_argument for anything else.
+std::pair<std::string, std::string> parse_assignment(const std::string& context, const std::string& text) {
   auto both = split(text, '=');
   if (!both.first.empty() && !both.second.empty()) return both;
   throw std::invalid_argument(fmt::format("{}: \"{}\" should read key=value", context, text));
 }
 
-// The same, or one word that is a choice of a single option; of those that have it by default none is meant.
-std::pair<std::string, std::string> setting(const Engine& engine, const std::string& text) {
+// "key=value", or one word that is a choice, but not the default, of exactly one option.
+std::pair<std::string, std::string> parse_setting(const Engine& engine, const std::string& text) {
   std::vector<std::string> keys;
   for (const Option& option : engine.options) {
     const bool offered = std::any_of(option.choices.begin(), option.choices.end(),
                                      [&](const auto& choice) { return choice.first == text; });
     if (offered && option.value != text) keys.push_back(option.key);
   }
-  if (keys.empty()) return assignment(engine.name, text);
+  if (keys.empty()) return parse_assignment(engine.name, text);
   if (keys.size() == 1) return {keys.front(), text};
   throw std::invalid_argument(
       fmt::format("{}: \"{}\" may mean {}={}", engine.name, text, fmt::join(keys, fmt::format("={} or ", text)), text));
 }
 
-double parse_plain(std::string_view what, std::string_view text) {
+double parse_decimal(std::string_view what, std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(number)) return number;
@@ -63,7 +63,7 @@ double parse_plain(std::string_view what, std::string_view text) {
 }
 
 template <class T>
-const T& find(const char* kind, const std::string& name, bool (*offered)(const T&)) {
+const T& find_entry(const char* kind, const std::string& name, bool (*offered)(const T&)) {
   const T* found = Catalog<T>::find(name);
   if (found != nullptr && offered(*found)) return *found;
   std::vector<std::string> names;
@@ -77,7 +77,7 @@ const Engine* closed_form_of(const Scenario& scenario) {
   if (scenario.closed_form.empty()) return nullptr;
   const Engine* closed_form = Catalog<Engine>::find(scenario.closed_form);
   if (closed_form != nullptr) return closed_form;
-  throw std::logic_error(scenario.name + ": there is no closed form \"" + scenario.closed_form + "\"");
+  throw std::logic_error(scenario.name + ": unknown closed form \"" + scenario.closed_form + "\"");
 }
 
 Case case_of(const Scenario& scenario, const std::string& label, const Parameters& changes) {
@@ -90,7 +90,7 @@ Case case_of(const Scenario& scenario, const std::string& label, const Parameter
 }
 
 const Scenario& find_scenario(const std::string& name) {
-  return find<Scenario>("scenario", name, [](const Scenario&) { return true; });
+  return find_entry<Scenario>("scenario", name, [](const Scenario&) { return true; });
 }
 
 std::vector<Case> all_variants(const Scenario& scenario) {
@@ -102,11 +102,11 @@ std::vector<Case> all_variants(const Scenario& scenario) {
 }  // namespace
 
 double parse_number(std::string_view what, std::string_view text) {
-  const auto [over, under] = split(text, '/');
-  if (under.empty()) return parse_plain(what, text);
-  const double divisor = parse_plain(what, under);
+  const auto [numerator, denominator] = split(text, '/');
+  if (denominator.empty()) return parse_decimal(what, text);
+  const double divisor = parse_decimal(what, denominator);
   if (divisor == 0) throw std::invalid_argument(std::string(what) + ": \"" + std::string(text) + "\" divides by zero");
-  return parse_plain(what, over) / divisor;
+  return parse_decimal(what, numerator) / divisor;
 }
 
 double parse_dt(std::string_view text) {
@@ -116,7 +116,7 @@ double parse_dt(std::string_view text) {
 }
 
 std::vector<Case> parse_cases(std::string_view word) {
-  if (means_file(word)) return {case_of_file(std::string(word))};
+  if (is_scene_file(word)) return {case_of_file(std::string(word))};
   const auto [name, rest] = split(word, ':');
   const Scenario& scenario = find_scenario(name);
   if (rest.empty()) return all_variants(scenario);
@@ -129,8 +129,8 @@ std::vector<Case> parse_cases(std::string_view word) {
     throw std::invalid_argument(name + ": " + unknown("variant", rest, labels) + " Or write parameter=value.");
   }
   Parameters changes;
-  for (const std::string& piece : pieces(rest)) {
-    const auto [key, value] = assignment(name, piece);
+  for (const std::string& piece : split_at_commas(rest)) {
+    const auto [key, value] = parse_assignment(name, piece);
     changes[key] = parse_number(fmt::format("{}: {}", name, key), value);
   }
   return {case_of(scenario, rest, changes)};
@@ -155,12 +155,12 @@ EngineConfig parse_engine(std::string_view word) {
   const auto [name, rest] = split(word, ':');
   const Engine* closed_form = Catalog<Engine>::find(name);
   if (closed_form != nullptr && closed_form->exact) {
-    throw std::invalid_argument("\"" + name + "\" is a closed form, not an engine; it answers its scenarios unasked");
+    throw std::invalid_argument("\"" + name + "\" is a closed form, not an engine; its scenarios always include it");
   }
-  const Engine& engine = find<Engine>("engine", name, [](const Engine& offered) { return !offered.exact; });
+  const Engine& engine = find_entry<Engine>("engine", name, [](const Engine& offered) { return !offered.exact; });
   Settings settings;
-  for (const std::string& piece : pieces(rest)) {
-    const auto [key, value] = setting(engine, piece);
+  for (const std::string& piece : split_at_commas(rest)) {
+    const auto [key, value] = parse_setting(engine, piece);
     settings[key] = value;
   }
   return {&engine, complete(engine, settings)};
@@ -174,7 +174,7 @@ std::vector<EngineConfig> default_engines() {
     for (const Settings& other : engine->also) configs.push_back({engine, complete(*engine, other)});
   }
   std::stable_partition(configs.begin(), configs.end(),
-                        [](const EngineConfig& config) { return config.engine->name == home; });
+                        [](const EngineConfig& config) { return config.engine->name == our_engine; });
   return configs;
 }
 

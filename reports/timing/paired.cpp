@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "reports/rank_test.h"
+#include "reports/statistics.h"
 #include "reports/statistics.h"
 #include "reports/timing/repetitions.h"
 

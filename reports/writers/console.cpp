@@ -83,7 +83,7 @@ std::string passed(const RunRecord& run) {
 
 // The largest error / tolerance.
 std::string worst(const RunRecord& run) {
-  const auto ratio = times_allowed(run);
+  const auto ratio = worst_error_ratio(run);
   return ratio ? fmt::format("{:.3g}", *ratio) : "-";
 }
 

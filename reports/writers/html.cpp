@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 #include "reports/writers/json.h"
 #include "reports/writers/output.h"
 #include "reports/writers/replay.h"
@@ -55,6 +55,12 @@ const Catalog<Writer>::Entry html_entry{
        return fill_page(page_template(), report, why_not);
      }}};
 
+Json studies_of(const Report& report) {
+  Json all = Json::array();
+  for (const auto& study : report.studies) all.push_back(*study);
+  return all;
+}
+
 }  // namespace
 
 Json series_of(std::span<const RunCurves> runs, std::size_t most) {
@@ -96,7 +102,7 @@ std::optional<std::string> fill_page(std::string_view page, const Report& report
                    Json{{"report", to_json(report)},
                         {"series", series_of(curves)},
                         {"replays", replays_of(curves)},
-                        {"studies", report.studies}},
+                        {"studies", studies_of(report)}},
                    why_not);
 }
 

@@ -40,6 +40,7 @@ Json of(const TruthCheck& check) {
           {"measured", check.measured},
           {"error", check.error},
           {"tolerance", check.tolerance},
+          {"ratio", error_ratio(check.error, check.tolerance)},
           {"passed", check.passed},
           {"reported", check.reported},
           {"phases", phases_of(check)},

@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reports/judge/outline.h"
+#include "reports/judge/overlap.h"
 #include "reports/system/files.h"
 #include "reports/system/processes.h"
 #include "reports/vec.h"

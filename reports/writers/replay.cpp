@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "reports/judge/conserved.h"
-#include "reports/judge/outline.h"
+#include "reports/judge/mechanics.h"
+#include "reports/judge/overlap.h"
 #include "reports/vec.h"
 #include "reports/writers/packed.h"
 #include "scenarios/scene/mass.h"

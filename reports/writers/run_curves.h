@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reports/judge/overlap.h"
-#include "reports/judge/pose_difference.h"
+#include "reports/judge/states.h"
 #include "reports/report.h"
 
 namespace plumb {
@@ -14,7 +14,7 @@ struct RunCurves {
   const RunRecord* run = nullptr;  // has a scene and a trace of at least one moment
   /// Distance from the case's closed form, or from its first engine if there is none. May end before the trace.
   std::vector<PoseDifference> difference;
-  std::vector<Overlapping> deepest;  // deepest overlap, from the scene's geometry
+  std::vector<BodyOverlap> deepest;  // deepest overlap, from the scene's geometry
 };
 
 /// One entry for every run with a trace. The report must outlive them.

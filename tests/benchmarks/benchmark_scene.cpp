@@ -77,9 +77,9 @@ std::string open_hinge(const SceneSetup& setup, std::span<const BodyState> state
   return reason;
 }
 
-OverlapDepth depth_of(const std::vector<Overlapping>& overlaps) {
+OverlapDepth depth_of(const std::vector<BodyOverlap>& overlaps) {
   OverlapDepth depth;
-  for (const Overlapping& one : overlaps) {
+  for (const BodyOverlap& one : overlaps) {
     depth.mean += one.depth / static_cast<double>(overlaps.size());
     depth.most = std::max(depth.most, one.depth);
   }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 #include "scenarios/parts.h"
 #include "scenes/pyramids.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 #include "scenarios/parts.h"
 
 namespace plumb::benchmarks {

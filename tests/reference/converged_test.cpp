@@ -7,7 +7,7 @@
 #include <string>
 
 #include "exact/integrate.h"
-#include "reports/judge/truth.h"
+#include "reports/judge/observe.h"
 #include "reports/run/run.h"
 #include "reports/vec.h"
 #include "scenarios/scenario.h"

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "reports/judge/truth.h"
+#include "reports/judge/observe.h"
 #include "reports/judge/verdict.h"
 #include "reports/run/selection.h"
 #include "scenarios/parts.h"

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 #include "reports/run/run.h"
 #include "reports/trace.h"
 #include "reports/vec.h"
 #include "scenarios/scenario.h"
 
-/// Small worlds and engines whose answers are known by heart.
+/// Small scenes and engines with known results.
 namespace plumb::fakes {
 
 /// One body, 1 m x 2 m and 2 kg, thrown with spin: I = 2 (1 + 4)/12.
@@ -31,7 +31,7 @@ inline Scene thrown_box() {
                       .shapes = {{.geometry = Box{.size = {1, 2}}, .surface = {.density = 1}}}}}};
 }
 
-/// Free bodies, evaluated exactly, for as long as told.
+/// Free bodies, evaluated exactly, valid for a given time, s.
 class FreeFlight : public Simulation {
  public:
   explicit FreeFlight(const Scene& scene, double valid = std::numeric_limits<double>::infinity())
@@ -56,7 +56,7 @@ class FreeFlight : public Simulation {
   double time_ = 0;
 };
 
-/// Symplectic Euler, or one that goes wrong at a time.
+/// Symplectic Euler, which fails at a given time, s, if told to.
 class Stepper : public Simulation {
  public:
   enum class Fault { none, nan, explosion, exception, beyond };
@@ -113,7 +113,7 @@ inline Engine free_flight(double valid = std::numeric_limits<double>::infinity()
           }};
 }
 
-/// A thrown box, expected where free flight has it at the end: symplectic Euler is off by g t dt/2 in y.
+/// A thrown box, expected to end where free flight ends: symplectic Euler is off by g t dt/2 in y.
 inline Scenario throwing() {
   return {.name = "throw",
           .question = "Does a thrown box fly as Galileo says?",

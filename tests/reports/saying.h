@@ -16,7 +16,7 @@ struct Said {
   std::string out, err;
 };
 
-/// What the program answers to a command line.
+/// Runs the program with a command line and captures its exit code and output.
 inline Said say(std::vector<std::string> arguments) {
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();

@@ -17,7 +17,7 @@ Trace two_moments() {
   return trace;
 }
 
-TEST(Trace, ReadsLinearlyBetweenSteps) {
+TEST(Trace, InterpolatesLinearlyBetweenSteps) {
   const BodyState quarter = two_moments().state_at(0, 1.5);
   EXPECT_EQ(quarter.position, (Vec{1, 2}));
   EXPECT_EQ(quarter.angle, 1.25);
@@ -25,7 +25,7 @@ TEST(Trace, ReadsLinearlyBetweenSteps) {
   EXPECT_EQ(quarter.angular_velocity, 2);
 }
 
-TEST(Trace, StaysAtItsEnds) {
+TEST(Trace, IsConstantBeyondItsEnds) {
   EXPECT_EQ(two_moments().state_at(0, 0).position, (Vec{0, 0}));
   EXPECT_EQ(two_moments().state_at(0, 9).position, (Vec{4, 8}));
 }
@@ -37,7 +37,7 @@ TEST(Trace, KeepsTheContactsOfEachMomentApart) {
   EXPECT_EQ(trace.contacts(1)[0].separation, -1);
 }
 
-TEST(Trace, RefusesMissingBodiesAndTimeThatStandsStill) {
+TEST(Trace, RefusesMissingBodiesAndATimeThatDoesNotIncrease) {
   Trace trace(1);
   const BodyState state;
   EXPECT_THROW(trace.record(0, {}, {}), std::invalid_argument);

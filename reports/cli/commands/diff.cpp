@@ -9,7 +9,7 @@
 #include "reports/cli/command.h"
 #include "reports/compare/divergence.h"
 #include "reports/run/run.h"
-#include "reports/run/scene_case.h"
+#include "reports/run/scene_file.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "scenarios/catalog.h"
@@ -30,7 +30,7 @@ struct Asked {
 struct Contestant {
   EngineConfig config;
   Outcome outcome;
-  Side side;
+  ComparedRun side;
 };
 
 EngineConfig config_of(const std::string& word, const Case& asked) {
@@ -47,7 +47,7 @@ Contestant run_of(const std::string& word, const Case& asked, double dt) {
         fmt::format("{} does not run {}: {}", word, asked.scenario->name,
                     outcome.reason.empty() ? "its answer ends before the first step" : outcome.reason));
   }
-  Side side{word, outcome.trace.get(), config.engine->stepping(config.settings, dt)};
+  ComparedRun side{word, outcome.trace.get(), config.engine->stepping(config.settings, dt)};
   return {config, std::move(outcome), std::move(side)};
 }
 
@@ -60,29 +60,29 @@ std::optional<double> tolerance_of(const std::string& text) {
 
 std::string number(const std::optional<double>& value) { return value ? fmt::format("{:.12g}", *value) : "-"; }
 
-std::string row(const Figure& figure) {
+std::string row(const ValueDifference& figure) {
   const bool both = figure.a && figure.b;
   return fmt::format("  {:<44}{:>20}{:>20}{:>12}{:>12}\n",
                      figure.what + (figure.unit.empty() ? "" : ", " + figure.unit), number(figure.a), number(figure.b),
                      both ? fmt::format("{:.3g}", figure.difference) : "-", fmt::format("{:.2g}", figure.tolerance));
 }
 
-std::string text_of(const Asked& asked, const Compared& compared) {
+std::string text_of(const Asked& asked, const TraceComparison& compared) {
   const std::string why = asked.tolerance.empty() ? "round-off explains" : "the tolerance is";
-  if (!compared.parted) {
+  if (!compared.divergence) {
     return fmt::format(
         "{} and {} never part in {} steps ({:.4g} s): nearest to it comes {}, by {:.3g} {}; {} {:.2g}.\n", asked.a,
         asked.b, compared.steps, compared.until, compared.largest.what, compared.largest.difference,
         compared.largest.unit, why, compared.largest.tolerance);
   }
-  const Divergence& parted = *compared.parted;
+  const Divergence& parted = *compared.divergence;
   std::string text = fmt::format("{} and {} part in step {} of {} ({:.4g} s): {} differs by {:.3g} {}; {} {:.2g}.\n",
                                  asked.a, asked.b, parted.step, compared.steps, parted.time, parted.first.what,
                                  parted.first.difference, parted.first.unit, why, parted.first.tolerance);
   text += fmt::format("Stage: {}. {}\n\n", name_of(parted.stage), parted.advice);
   text += fmt::format("  {:<44}{:>20}{:>20}{:>12}{:>12}\n", fmt::format("after step {}", parted.step), "first",
                       "second", "apart", "tolerance");
-  for (const Figure& figure : parted.figures) text += row(figure);
+  for (const ValueDifference& figure : parted.values) text += row(figure);
   text += fmt::format("\n  {:>13}{:>8}{:>10}{:>12} {}\n", "grown to", "step", "s", "apart,", parted.first.unit);
   for (const Growth& growth : parted.growth) {
     text += fmt::format("  {:>12.4g}x{:>8}{:>10.4g}{:>12.3g}{}\n", growth.factor, growth.step, growth.time,
@@ -93,7 +93,7 @@ std::string text_of(const Asked& asked, const Compared& compared) {
 
 Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json json_of(const Figure& figure) {
+Json json_of(const ValueDifference& figure) {
   return {{"what", figure.what},
           {"unit", figure.unit},
           {"a", json_of(figure.a)},
@@ -104,7 +104,7 @@ Json json_of(const Figure& figure) {
 
 Json json_of(const Divergence& parted) {
   Json figures = Json::array();
-  for (const Figure& figure : parted.figures) figures.push_back(json_of(figure));
+  for (const ValueDifference& figure : parted.values) figures.push_back(json_of(figure));
   Json growth = Json::array();
   for (const Growth& one : parted.growth) {
     growth.push_back({{"factor", one.factor}, {"step", one.step}, {"time", one.time}, {"difference", one.difference}});
@@ -114,21 +114,21 @@ Json json_of(const Divergence& parted) {
           {"figures", figures},  {"advice", parted.advice}, {"growth", growth}};
 }
 
-Json json_of(const Asked& asked, const Compared& compared, double dt) {
+Json json_of(const Asked& asked, const TraceComparison& compared, double dt) {
   return {{"scenario", asked.scenario},
           {"a", asked.a},
           {"b", asked.b},
           {"dt", dt},
           {"steps", compared.steps},
           {"until", compared.until},
-          {"largest", compared.parted ? Json(nullptr) : json_of(compared.largest)},
-          {"parted", compared.parted ? json_of(*compared.parted) : Json(nullptr)}};
+          {"largest", compared.divergence ? Json(nullptr) : json_of(compared.largest)},
+          {"parted", compared.divergence ? json_of(*compared.divergence) : Json(nullptr)}};
 }
 
 int diff(const Asked& asked) {
   const double dt = parse_dt(asked.dt);
   const std::optional<double> tolerance = tolerance_of(asked.tolerance);
-  const Case one = means_file(asked.scenario) ? case_of_file(asked.scenario) : parse_case(asked.scenario);
+  const Case one = is_scene_file(asked.scenario) ? case_of_file(asked.scenario) : parse_case(asked.scenario);
   std::optional<NewFile> file;
   if (!asked.json.empty()) {
     file.emplace(asked.json);
@@ -137,7 +137,7 @@ int diff(const Asked& asked) {
   }
   const Contestant a = run_of(asked.a, one, dt);
   const Contestant b = run_of(asked.b, one, dt);
-  const Compared compared = compare_steps(*one.scene, a.side, b.side, tolerance);
+  const TraceComparison compared = compare_traces(*one.scene, a.side, b.side, tolerance);
   fmt::print("{}", text_of(asked, compared));
   for (const Contestant* contestant : {&a, &b}) {
     if (contestant->outcome.status == Status::failed) {
@@ -151,7 +151,7 @@ int diff(const Asked& asked) {
     file->put_in_place();
   }
   const bool failed = a.outcome.status == Status::failed || b.outcome.status == Status::failed;
-  return compared.parted || failed ? 1 : 0;
+  return compared.divergence || failed ? 1 : 0;
 }
 
 const Catalog<Command>::Entry entry{

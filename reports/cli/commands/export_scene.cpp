@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/run/scene_case.h"
+#include "reports/run/scene_file.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "scenarios/catalog.h"

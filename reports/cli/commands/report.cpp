@@ -30,6 +30,10 @@ struct Asked {
   std::string history;
 };
 
+void add_study(Report& report, nlohmann::ordered_json document) {
+  report.studies.push_back(std::make_shared<const nlohmann::ordered_json>(std::move(document)));
+}
+
 void add_studies(Report& report, int jobs) {
   const ProgressLine line;
   for (const Study* study : Catalog<Study>::all()) {
@@ -48,7 +52,7 @@ Preview preview_of_case(const std::string& word, const Session& session) {
   plan.dt = parse_dt(session.dt);
   plan.refine = session.converged;
   plan.timed = false;
-  return preview_of(carry_out(plan, [](const std::string&, std::size_t, std::size_t) {}));
+  return preview_of(run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {}));
 }
 
 int report(const Asked& asked) {
@@ -70,7 +74,7 @@ int report(const Asked& asked) {
     } else {
       add_studies(report, asked.session.jobs);
     }
-    if (!history.is_null()) report.studies.push_back(history);
+    if (!history.is_null()) add_study(report, history);
   });
   const std::filesystem::path out = asked.session.out;
   if (asked.svg) take_pictures(out / "index.html", out / "svg");

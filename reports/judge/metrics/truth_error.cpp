@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "reports/judge/metric.h"
-#include "reports/judge/pose_difference.h"
+#include "reports/judge/states.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::metrics::truth_error {
@@ -48,7 +48,8 @@ const Catalog<Metric>::Entry max_entry{
 const Catalog<Metric>::Entry rms_entry{
     error("truth_error_rms", "m", "RMS over time and bodies of the distance from the closed form", rms)};
 const Catalog<Metric>::Entry end_entry{
-    error("truth_error_end", "m", "RMS distance of the bodies from the closed form when that ends, or the run", last)};
+    error("truth_error_end", "m",
+          "RMS distance of the bodies from the closed form at the end of the run, or when the closed form ends", last)};
 const Catalog<Metric>::Entry angle_entry{error("truth_angle_error_max", "rad",
                                                "largest RMS difference of the bodies' angles from the closed form",
                                                largest_angle)};

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "reference/scene_facts.h"
-#include "reports/judge/pose_difference.h"
-#include "reports/run/beyond.h"
-#include "reports/run/phases.h"
+#include "reports/judge/states.h"
+#include "reports/run/horizon.h"
+#include "reports/run/case_run.h"
 
 namespace plumb {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "reports/judge/conserved.h"
-#include "reports/judge/energy_range.h"
+#include "reports/judge/mechanics.h"
+#include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/vec.h"
 
@@ -84,7 +84,7 @@ Detector sink_detector(const SharedScene& scene, double depth, double gap) {
             std::optional<DetectorFinding> found;
             if (now.time < next && !now.last) return found;
             next = now.time + interval;
-            const Overlapping deepest = overlap->deepest(now.states);
+            const BodyOverlap deepest = overlap->deepest(now.states);
             if (deepest.depth > depth + gap) found = DetectorFinding{FailureMode::sinks, deepest.b};
             return found;
           }};

@@ -22,7 +22,7 @@ RunRecord record(const std::string& engine, std::initializer_list<double> xs, Ve
           .trace = trace};
 }
 
-TEST(Compare, TakesEveryTwoEnginesAgainstEachOtherAndAllAgainstTheTruth) {
+TEST(Compare, ComparesEveryTwoEnginesAndAllWithTheTruth) {
   RunRecord truth = record("exact", {0, 0}, Verdict::right);
   truth.exact = true;
   RunRecord method = record("ours", {0, 0});
@@ -50,17 +50,17 @@ TEST(Compare, MeasuresDifferencesOverTimeAndAtTheEnd) {
   EXPECT_DOUBLE_EQ(one.metrics.at("penetration_max_difference").value, 0.3 - 0.1);
 }
 
-TEST(Compare, KeepsTogetherWhatNeverParts) {
+TEST(Compare, HasNoDivergenceTimeForRunsThatStayTogether) {
   const auto one = compare(std::vector{record("ours", {0, 1}), record("rival", {0, 1.001})}).at(0);
   EXPECT_EQ(one.metrics.count("parted_at"), 0u);
 }
 
-TEST(Compare, ComparesOnlyWhereBothHaveBeen) {
+TEST(Compare, ComparesUpToTheEndOfTheShorterRun) {
   const auto one = compare(std::vector{record("ours", {0, 0, 0, 9}), record("rival", {0, 0})}).at(0);
   EXPECT_EQ(one.metrics.at("position_difference_max").value, 0);
 }
 
-TEST(Compare, IsAsGoodAsTheWorseOfTheTwo) {
+TEST(Compare, HasTheWorseVerdictOfTheTwo) {
   const auto verdict = [](Verdict a, Verdict b) {
     return compare(std::vector{record("ours", {0, 0}, a), record("rival", {0, 0}, b)}).at(0);
   };
@@ -70,7 +70,7 @@ TEST(Compare, IsAsGoodAsTheWorseOfTheTwo) {
   EXPECT_EQ(verdict(Verdict::right, Verdict::wrong).reason, "rival: wrong");
 }
 
-TEST(Compare, MeasuresNothingOnARunThatFailed) {
+TEST(Compare, MeasuresNothingIfARunFailed) {
   RunRecord failed = record("rival", {0, 0}, Verdict::failed);
   failed.status = Status::failed;
   failed.reason = "diverged";

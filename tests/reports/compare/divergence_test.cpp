@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 constexpr double dt = 0.125;  // s; exact in binary
 constexpr std::size_t steps = 16;
 
-/// A disc above the ground and another on top; nothing moves but what a test moves.
+/// A disc on the ground and another on top. Nothing moves unless a test moves it.
 Scene two_discs() {
   const auto disc = [](const char* name, double y) {
     return Body{.name = name, .position = {0, y}, .shapes = {{.geometry = Circle{.radius = 0.5}}}};
@@ -28,78 +28,78 @@ Scene two_discs() {
                      disc("high", 1.5)}};
 }
 
-using Meddle = std::function<void(std::size_t step, std::vector<BodyState>&, std::vector<ContactState>&)>;
+using Edit = std::function<void(std::size_t step, std::vector<BodyState>&, std::vector<ContactState>&)>;
 
 const ContactState low_on_ground{.a = 0, .b = 1, .point = {0, 0}, .normal = {0, 1}, .normal_impulse = 2};
 const ContactState high_on_low{.a = 1, .b = 2, .point = {0, 1}, .normal = {0, 1}, .normal_impulse = 1};
 
-/// A run as it would be with both contacts all along, but for what a test makes of it.
-class Told {
+/// A run with both contacts throughout, changed by a test.
+class EditedRun {
  public:
-  explicit Told(const char* name, const Meddle& meddle = nullptr, double epsilon = 0x1p-53) : trace_(3) {
+  explicit EditedRun(const char* name, const Edit& edit = nullptr, double epsilon = 0x1p-53) : trace_(3) {
     for (std::size_t step = 0; step <= steps; ++step) {
       std::vector<BodyState> states = initial_states(two_discs());
       std::vector<ContactState> contacts;
       if (step > 0) contacts = {low_on_ground, high_on_low};
-      if (meddle) meddle(step, states, contacts);
+      if (edit) edit(step, states, contacts);
       trace_.record(static_cast<double>(step) * dt, states, contacts);
     }
-    side_ = {name, &trace_, {.dt = dt, .h = dt, .drift = 0.5, .epsilon = epsilon}};
+    compared_ = {name, &trace_, {.dt = dt, .h = dt, .drift = 0.5, .epsilon = epsilon}};
   }
-  Told(const Told&) = delete;
-  const Side& side() const { return side_; }
+  EditedRun(const EditedRun&) = delete;
+  const ComparedRun& compared() const { return compared_; }
 
  private:
   Trace trace_;
-  Side side_;
+  ComparedRun compared_;
 };
 
-Compared compared(const Told& a, const Told& b, std::optional<double> tolerance = std::nullopt) {
-  return compare_steps(two_discs(), a.side(), b.side(), tolerance);
+TraceComparison compare_edited(const EditedRun& a, const EditedRun& b, std::optional<double> tolerance = std::nullopt) {
+  return compare_traces(two_discs(), a.compared(), b.compared(), tolerance);
 }
 
-Divergence parted(const Meddle& a, const Meddle& b) {
-  const Compared both = compared(Told("one", a), Told("other", b));
-  if (!both.parted) throw std::logic_error("they should part");
-  return *both.parted;
+Divergence divergence_of(const Edit& a, const Edit& b) {
+  const TraceComparison both = compare_edited(EditedRun("one", a), EditedRun("other", b));
+  if (!both.divergence) throw std::logic_error("the runs should diverge");
+  return *both.divergence;
 }
 
 void shift(std::vector<BodyState>& states, double by) { states[2].velocity.x += by; }
 
-TEST(CompareSteps, FindsThatEqualRunsNeverPart) {
-  const Compared same = compared(Told("one"), Told("other"));
-  EXPECT_FALSE(same.parted);
+TEST(CompareTraces, FindsNoDivergenceOfEqualRuns) {
+  const TraceComparison same = compare_edited(EditedRun("one"), EditedRun("other"));
+  EXPECT_FALSE(same.divergence);
   EXPECT_EQ(same.steps, steps);
   EXPECT_EQ(same.until, steps * dt);
   EXPECT_EQ(same.largest.difference, 0);
 }
 
-TEST(CompareSteps, TakesRoundOffForTheSameAndNothingMore) {
-  const auto off = [](double by) -> Meddle { return [by](auto, auto& states, auto&) { shift(states, by); }; };
+TEST(CompareTraces, ToleratesRoundOffAndNoMore) {
+  const auto off = [](double by) -> Edit { return [by](auto, auto& states, auto&) { shift(states, by); }; };
   constexpr double single = 0x1p-24;
-  EXPECT_FALSE(compared(Told("one"), Told("other", off(1e-15))).parted);
-  EXPECT_TRUE(compared(Told("one"), Told("other", off(1e-12))).parted);
-  EXPECT_FALSE(compared(Told("one"), Told("other", off(1e-7), single)).parted);
-  EXPECT_TRUE(compared(Told("one"), Told("other", off(1e-3), single)).parted);
+  EXPECT_FALSE(compare_edited(EditedRun("one"), EditedRun("other", off(1e-15))).divergence);
+  EXPECT_TRUE(compare_edited(EditedRun("one"), EditedRun("other", off(1e-12))).divergence);
+  EXPECT_FALSE(compare_edited(EditedRun("one"), EditedRun("other", off(1e-7), single)).divergence);
+  EXPECT_TRUE(compare_edited(EditedRun("one"), EditedRun("other", off(1e-3), single)).divergence);
 }
 
-TEST(CompareSteps, HoldsToAToleranceInstead) {
-  const Meddle off = [](auto, auto& states, auto&) { shift(states, 0.01); };
-  EXPECT_FALSE(compared(Told("one"), Told("other", off), 0.02).parted);
-  EXPECT_EQ(compared(Told("one"), Told("other", off), 0.02).largest.what, "vx of high");
-  EXPECT_TRUE(compared(Told("one"), Told("other", off), 0.005).parted);
+TEST(CompareTraces, UsesAToleranceInsteadOfRoundOff) {
+  const Edit off = [](auto, auto& states, auto&) { shift(states, 0.01); };
+  EXPECT_FALSE(compare_edited(EditedRun("one"), EditedRun("other", off), 0.02).divergence);
+  EXPECT_EQ(compare_edited(EditedRun("one"), EditedRun("other", off), 0.02).largest.what, "vx of high");
+  EXPECT_TRUE(compare_edited(EditedRun("one"), EditedRun("other", off), 0.005).divergence);
 }
 
-TEST(CompareSteps, SaysWhenTheyDoNotBeginAlike) {
-  const Divergence found = parted(nullptr, [](auto, auto& states, auto&) { states[1].position.x = 0.1; });
+TEST(CompareTraces, FindsDifferentStarts) {
+  const Divergence found = divergence_of(nullptr, [](auto, auto& states, auto&) { states[1].position.x = 0.1; });
   EXPECT_EQ(found.stage, Stage::start);
   EXPECT_EQ(found.step, 0u);
   EXPECT_EQ(found.first.what, "x of low");
 }
 
-TEST(CompareSteps, BlamesTheIntegrationOfWhatNothingTouches) {
-  const Meddle flies = [](auto, auto&, auto& contacts) { contacts.clear(); };
-  const Divergence found = parted(flies, [](std::size_t step, auto& states, auto& contacts) {
+TEST(CompareTraces, BlamesTheIntegrationOfABodyThatNothingTouches) {
+  const Edit flies = [](auto, auto&, auto& contacts) { contacts.clear(); };
+  const Divergence found = divergence_of(flies, [](std::size_t step, auto& states, auto& contacts) {
     if (!contacts.empty()) contacts = {low_on_ground};
     if (step >= 3) states[2].angle = 0.25;
   });
@@ -113,60 +113,60 @@ TEST(CompareSteps, BlamesTheIntegrationOfWhatNothingTouches) {
   EXPECT_THAT(found.advice, HasSubstr("Nothing touches high"));
 }
 
-TEST(CompareSteps, BlamesTheContactSetWhereOneTouchesWhatTheOtherDoesNot) {
-  const Divergence found = parted(nullptr, [](std::size_t step, auto& states, auto& contacts) {
+TEST(CompareTraces, BlamesTheContactSetIfBodiesTouchInOneRunOnly) {
+  const Divergence found = divergence_of(nullptr, [](std::size_t step, auto& states, auto& contacts) {
     if (step < 4) return;
     contacts = {high_on_low};
     shift(states, 1);
   });
   EXPECT_EQ(found.stage, Stage::contact_set);
   EXPECT_EQ(found.step, 4u);
-  EXPECT_THAT(found.advice, HasSubstr("one has ground touch low and other has not"));
+  EXPECT_THAT(found.advice, HasSubstr("ground and low touch in one but not in other"));
 }
 
-TEST(CompareSteps, BlamesTheEventTimeWhereTheOtherMeetsItSoon) {
-  const auto meets_in = [](std::size_t first) -> Meddle {
+TEST(CompareTraces, BlamesTheEventTimeIfTheOtherRunHasTheImpactSoon) {
+  const auto meets_in = [](std::size_t first) -> Edit {
     return [first](std::size_t step, auto& states, auto& contacts) {
       if (step < first) contacts.clear();
       if (step >= first) shift(states, 1);
     };
   };
-  const Divergence found = parted(meets_in(6), meets_in(5));
+  const Divergence found = divergence_of(meets_in(6), meets_in(5));
   EXPECT_EQ(found.stage, Stage::event_time);
   EXPECT_EQ(found.step, 5u);
   EXPECT_EQ(found.other, "low");
-  EXPECT_THAT(found.advice, HasSubstr("other has low meet high in step 5, one in step 6"));
-  EXPECT_EQ(parted(meets_in(9), meets_in(5)).stage, Stage::contact_set) << "that late it is no matter of time";
+  EXPECT_THAT(found.advice, HasSubstr("In other, low and high collide in step 5; in one, in step 6"));
+  EXPECT_EQ(divergence_of(meets_in(9), meets_in(5)).stage, Stage::contact_set) << "too late to be a matter of timing";
 }
 
-TEST(CompareSteps, BlamesTheEventTimeWithinAStepToo) {
-  const auto meets_and_is_at = [](double x) -> Meddle {
+TEST(CompareTraces, BlamesTheEventTimeWithinAStepToo) {
+  const auto meets_and_is_at = [](double x) -> Edit {
     return [x](std::size_t step, auto& states, auto& contacts) {
       if (step < 5) contacts.clear();
       if (step < 5) states[2].velocity.y = -20;
       if (step >= 5) states[2].position.x = x;
     };
   };
-  const Divergence found = parted(meets_and_is_at(0), meets_and_is_at(0.25));
+  const Divergence found = divergence_of(meets_and_is_at(0), meets_and_is_at(0.25));
   EXPECT_EQ(found.stage, Stage::event_time);
   EXPECT_THAT(found.advice, HasSubstr("at different moments of the step"));
 }
 
-TEST(CompareSteps, KnowsASkinFromAContactThatWasReportedAfterTheMove) {
+TEST(CompareTraces, TellsASkinFromAContactReportedAfterTheMove) {
   const auto lifted = [](double reported) {
-    return parted(nullptr, [reported](std::size_t step, auto& states, auto& contacts) {
+    return divergence_of(nullptr, [reported](std::size_t step, auto& states, auto& contacts) {
       if (step < 2) return;
       contacts[1].separation = reported;
       states[2].position.y += 0.01;
     });
   };
-  EXPECT_EQ(lifted(0.01).stage, Stage::not_reported) << "as far off as it moved";
-  EXPECT_EQ(lifted(-0.01).stage, Stage::manifold) << "deeper at first, hence the move";
+  EXPECT_EQ(lifted(0.01).stage, Stage::not_reported) << "off by as much as it moved";
+  EXPECT_EQ(lifted(-0.01).stage, Stage::manifold) << "deeper, so that it caused the move";
 }
 
-TEST(CompareSteps, BlamesTheManifoldWhereTheSameBodiesTouchOtherwise) {
+TEST(CompareTraces, BlamesTheManifoldIfTheSameBodiesTouchDifferently) {
   const auto with = [](const std::function<void(ContactState&)>& change) {
-    return parted(nullptr, [&](std::size_t step, auto& states, auto& contacts) {
+    return divergence_of(nullptr, [&](std::size_t step, auto& states, auto& contacts) {
       if (step < 2) return;
       change(contacts[1]);
       states[2].velocity.x = 1e-3;
@@ -183,12 +183,12 @@ TEST(CompareSteps, BlamesTheManifoldWhereTheSameBodiesTouchOtherwise) {
   }
 }
 
-TEST(CompareSteps, BlamesTheImpulseWhereTheContactIsTheSame) {
+TEST(CompareTraces, BlamesTheImpulseIfTheContactIsTheSame) {
   const auto with = [](double ContactState::*which) {
-    return parted(nullptr, [&](std::size_t step, auto& states, auto& contacts) {
+    return divergence_of(nullptr, [&](std::size_t step, auto& states, auto& contacts) {
       if (step < 7) return;
       contacts[1].*which += 0.5;
-      contacts[1].point.x += 1e-3;  // as reported after a move at the speed that parted
+      contacts[1].point.x += 1e-3;  // as reported after a move at the different velocity
       states[2].velocity.x = 0.5;
     });
   };
@@ -197,60 +197,61 @@ TEST(CompareSteps, BlamesTheImpulseWhereTheContactIsTheSame) {
   EXPECT_EQ(with(&ContactState::normal_impulse).step, 7u);
 }
 
-TEST(CompareSteps, FollowsContactsFromBodyToBodyButNotThroughTheGround) {
-  const Meddle below = [](std::size_t step, auto& states, auto& contacts) {
+TEST(CompareTraces, FollowsContactsFromBodyToBodyButNotThroughTheGround) {
+  const Edit below = [](std::size_t step, auto& states, auto& contacts) {
     if (step < 2) return;
-    contacts[0].normal_impulse = 3;  // of low alone
+    contacts[0].normal_impulse = 3;  // of low only
     shift(states, 1);                // shows in high
   };
-  const Divergence found = parted(nullptr, below);
+  const Divergence found = divergence_of(nullptr, below);
   EXPECT_EQ(found.body, "high");
   EXPECT_EQ(found.stage, Stage::impulse);
   EXPECT_EQ(found.other, "ground") << "where it came from";
-  const Meddle elsewhere = [&](std::size_t step, auto& states, auto& contacts) {
+  const Edit elsewhere = [&](std::size_t step, auto& states, auto& contacts) {
     below(step, states, contacts);
-    if (contacts.size() == 2) contacts.pop_back();  // nothing ties high to low
+    if (contacts.size() == 2) contacts.pop_back();  // nothing connects high to low
   };
-  EXPECT_EQ(parted([](auto, auto&, auto& contacts) { contacts.resize(contacts.empty() ? 0 : 1); }, elsewhere).stage,
-            Stage::integration);
+  EXPECT_EQ(
+      divergence_of([](auto, auto&, auto& contacts) { contacts.resize(contacts.empty() ? 0 : 1); }, elsewhere).stage,
+      Stage::integration);
 }
 
-TEST(CompareSteps, SaysWhenTheRunsDoNotRevealIt) {
-  const Divergence same = parted(nullptr, [](std::size_t step, auto& states, auto&) {
+TEST(CompareTraces, SaysIfTheReportedContactsDoNotExplainIt) {
+  const Divergence same = divergence_of(nullptr, [](std::size_t step, auto& states, auto&) {
     if (step > 0) shift(states, 1);
   });
   EXPECT_EQ(same.stage, Stage::not_reported);
   EXPECT_THAT(same.advice, HasSubstr("same contacts and impulses"));
 
-  const Divergence silent = parted(nullptr, [](std::size_t step, auto& states, auto& contacts) {
+  const Divergence silent = divergence_of(nullptr, [](std::size_t step, auto& states, auto& contacts) {
     contacts.clear();
     if (step > 0) shift(states, 1);
   });
   EXPECT_EQ(silent.stage, Stage::not_reported);
-  EXPECT_THAT(silent.advice, HasSubstr("other tells of no contacts"));
+  EXPECT_THAT(silent.advice, HasSubstr("other reports no contacts"));
 }
 
-TEST(CompareSteps, DoesNotCareWhichBodyAnEngineCallsA) {
-  EXPECT_FALSE(compared(Told("one"), Told("other",
-                                          [](auto, auto&, auto& contacts) {
-                                            for (ContactState& contact : contacts) {
-                                              std::swap(contact.a, contact.b);
-                                              contact.normal = -1 * contact.normal;
-                                            }
-                                          }))
-                   .parted);
-  const Divergence found = parted(nullptr, [](std::size_t step, auto& states, auto& contacts) {
+TEST(CompareTraces, DoesNotDependOnWhichBodyAnEngineCallsA) {
+  EXPECT_FALSE(compare_edited(EditedRun("one"), EditedRun("other",
+                                                          [](auto, auto&, auto& contacts) {
+                                                            for (ContactState& contact : contacts) {
+                                                              std::swap(contact.a, contact.b);
+                                                              contact.normal = -1 * contact.normal;
+                                                            }
+                                                          }))
+                   .divergence);
+  const Divergence found = divergence_of(nullptr, [](std::size_t step, auto& states, auto& contacts) {
     for (ContactState& contact : contacts) {
       std::swap(contact.a, contact.b);
       contact.normal = -1 * contact.normal;
     }
     if (step > 0) shift(states, 1);
   });
-  EXPECT_EQ(found.stage, Stage::not_reported) << "contacts are alike";
+  EXPECT_EQ(found.stage, Stage::not_reported) << "the contacts are the same";
 }
 
-TEST(CompareSteps, TellsHowTheyPartOverTime) {
-  const Divergence found = parted(nullptr, [](std::size_t step, auto& states, auto&) {
+TEST(CompareTraces, ReportsTheGrowthOverTime) {
+  const Divergence found = divergence_of(nullptr, [](std::size_t step, auto& states, auto&) {
     if (step > 0) shift(states, 1e-6 * std::ldexp(1.0, static_cast<int>(step)));
   });
   ASSERT_EQ(found.growth.size(), 6u);
@@ -259,21 +260,21 @@ TEST(CompareSteps, TellsHowTheyPartOverTime) {
   EXPECT_EQ(found.growth[1].step, 5u) << "2^4 is the first power of two above 10";
   EXPECT_DOUBLE_EQ(found.growth[1].factor, 16);
   EXPECT_EQ(found.growth[4].step, 15u);
-  EXPECT_EQ(found.growth[5].step, steps) << "the end is told whatever it is";
+  EXPECT_EQ(found.growth[5].step, steps) << "the end is always reported";
 }
 
-TEST(CompareSteps, NoticesThatMostOfItWasThereBefore) {
+TEST(CompareTraces, NoticesIfMostOfTheDifferenceWasThereBefore) {
   const auto of = [](double first) {
-    const Told slow("slow", [first](std::size_t step, auto& states, auto&) {
+    const EditedRun slow("slow", [first](std::size_t step, auto& states, auto&) {
       if (step > 0) shift(states, step == 1 ? first : 1);
     });
-    return compared(Told("one"), slow, 0.95).parted.value().advice;
+    return compare_edited(EditedRun("one"), slow, 0.95).divergence.value().advice;
   };
-  EXPECT_THAT(of(0.9), HasSubstr("there a step before"));
-  EXPECT_THAT(of(0.1), ::testing::Not(HasSubstr("there a step before")));
+  EXPECT_THAT(of(0.9), HasSubstr("there a step earlier"));
+  EXPECT_THAT(of(0.1), ::testing::Not(HasSubstr("there a step earlier")));
 }
 
-TEST(CompareSteps, RecognisesWhatTheStatedDriftsExplain) {
+TEST(CompareTraces, RecognisesADifferenceThatTheStatedDriftsExplain) {
   const Scene scene = fakes::thrown_box();
   const Trace exact = fakes::flight_of(scene, dt);
   Trace stepped(1);
@@ -285,20 +286,21 @@ TEST(CompareSteps, RecognisesWhatTheStatedDriftsExplain) {
     stepped.record(exact.time(i), states, {});
   }
   const auto advice = [&](double drift) {
-    const Side a{"exact", &exact, {.dt = dt, .epsilon = 0x1p-53}};
-    const Side b{"stepped", &stepped, {.dt = dt, .h = dt, .drift = drift, .epsilon = 0x1p-53}};
-    return compare_steps(scene, a, b, std::nullopt).parted.value().advice;
+    const ComparedRun a{"exact", &exact, {.dt = dt, .epsilon = 0x1p-53}};
+    const ComparedRun b{"stepped", &stepped, {.dt = dt, .h = dt, .drift = drift, .epsilon = 0x1p-53}};
+    return compare_traces(scene, a, b, std::nullopt).divergence.value().advice;
   };
   EXPECT_THAT(advice(0.5), HasSubstr("Their integrators explain it"));
   EXPECT_THAT(advice(0), ::testing::Not(HasSubstr("explain")));
 }
 
-TEST(CompareSteps, WantsRunsOfOneSceneAtTheSameMoments) {
-  const Told run("one");
+TEST(CompareTraces, RequiresRunsOfOneSceneAtTheSameMoments) {
+  const EditedRun run("one");
   Trace later(3);
-  later.record(1, run.side().trace->states(0), {});
-  EXPECT_THROW(compare_steps(two_discs(), run.side(), {"later", &later, {}}, std::nullopt), std::invalid_argument);
-  EXPECT_THROW(compare_steps(fakes::thrown_box(), run.side(), run.side(), std::nullopt), std::invalid_argument);
+  later.record(1, run.compared().trace->states(0), {});
+  EXPECT_THROW(compare_traces(two_discs(), run.compared(), {"later", &later, {}}, std::nullopt), std::invalid_argument);
+  EXPECT_THROW(compare_traces(fakes::thrown_box(), run.compared(), run.compared(), std::nullopt),
+               std::invalid_argument);
 }
 
 }  // namespace

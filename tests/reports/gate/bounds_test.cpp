@@ -28,7 +28,7 @@ struct Thrown {
     return {.cases = {thrown_case}, .configs = {{&engine, {}}}, .timed = false};
   }
   static Baseline on(const char* platform, const Plan& plan) {
-    Report report = carry_out(plan, silent);
+    Report report = run_experiment(plan, silent);
     report.environment["libm"] = platform;
     return baseline_of(report);
   }

@@ -22,7 +22,7 @@ TEST(Metrics, AreAllInTheCatalog) {
                           "truth_angle_error_max", "truth_error_end", "truth_error_max", "truth_error_rms"}));
 }
 
-TEST(Measure, LeavesOutWhatMakesNoSense) {
+TEST(Measure, LeavesOutMetricsThatDoNotApply) {
   const Scene scene = fakes::thrown_box();
   const Trace trace = fakes::flight_of(scene, 0.1);
   const auto measured = measure({.scene = scene, .trace = trace});

@@ -21,12 +21,12 @@ TEST(Observe, FindsTheApexOfAnArcExactlyWhateverTheStep) {
     const auto reading = observe(scene, fakes::flight_of(scene, dt), of_box(Quantity::apex, {}, 1), scene.duration);
     ASSERT_TRUE(reading) << dt;
     EXPECT_NEAR(reading->value, 5.2, 1e-12) << dt;
-    EXPECT_NEAR(reading->time, 0.8, 1e-9)
-        << dt;  // a vertex is flat: its time is known to sqrt of the rounding at worst
+    // A vertex is flat, so its time is only known to the square root of the rounding.
+    EXPECT_NEAR(reading->time, 0.8, 1e-9) << dt;
   }
 }
 
-TEST(Observe, CountsApexesAndMissesThoseThatNeverCome) {
+TEST(Observe, CountsApexesAndReturnsNothingForThoseThatNeverCome) {
   const Scene scene = fakes::thrown_box();
   Trace trace(1);
   for (int i = 0; i <= 100; ++i) {
@@ -39,7 +39,7 @@ TEST(Observe, CountsApexesAndMissesThoseThatNeverCome) {
   EXPECT_FALSE(observe(scene, trace, of_box(Quantity::apex, {}, 4), 10));
 }
 
-TEST(Observe, TellsWhenABodyWasLowest) {
+TEST(Observe, FindsWhenABodyWasLowest) {
   const Scene scene = fakes::thrown_box();
   Trace trace(1);
   const double heights[] = {5, 3, 1, 2, 4, 3, 3, 3.5};
@@ -52,27 +52,27 @@ TEST(Observe, TellsWhenABodyWasLowest) {
   EXPECT_FALSE(observe(scene, trace, of_box(Quantity::landing, {}, 3), 4));
 }
 
-TEST(Observe, ReadsBetweenStepsLinearly) {
+TEST(Observe, InterpolatesLinearlyBetweenSteps) {
   const Scene scene = fakes::thrown_box();
   const Trace trace = fakes::flight_of(scene, 0.5);
   const auto reading = observe(scene, trace, of_box(Quantity::y, 0.25), scene.duration);
   EXPECT_DOUBLE_EQ(reading->value, (2 + (2 + 4 - 1.25)) / 2);
 }
 
-TEST(Observe, ReadsTheEndWhereNoTimeIsGiven) {
+TEST(Observe, ReadsTheEndIfNoTimeIsGiven) {
   const Scene scene = fakes::thrown_box();
   const auto reading = observe(scene, fakes::flight_of(scene, 1.0 / 60), of_box(Quantity::x), scene.duration);
   EXPECT_DOUBLE_EQ(reading->time, 2);
   EXPECT_NEAR(reading->value, 7, 1e-12);
 }
 
-TEST(Observe, ReadsNothingAfterATraceBrokeOff) {
+TEST(Observe, ReadsNothingAfterTheEndOfATrace) {
   const Scene scene = fakes::thrown_box();
   const Trace trace = fakes::flight_of(scene, 0.1);
   EXPECT_FALSE(observe(scene, trace, of_box(Quantity::x, 2.5), scene.duration));
 }
 
-// Steps of half a second in which a floor and a wall push the only body with impulses of their own.
+// Steps of half a second in which a floor and a wall push the only dynamic body with the given impulses.
 Trace pushed(const std::vector<double>& floor, double wall) {
   Trace trace(3);
   const std::vector<BodyState> states(3);
@@ -87,7 +87,7 @@ Trace pushed(const std::vector<double>& floor, double wall) {
   return trace;
 }
 
-TEST(Observe, MakesALoadOfTheImpulsesOfAStep) {
+TEST(Observe, ComputesALoadFromTheImpulsesOfAStep) {
   const Scene scene{.name = "pushed", .duration = 2, .bodies = {{.name = "box"}, {.name = "floor"}, {.name = "wall"}}};
   const Trace trace = pushed({3, 5, 7, 9}, 4);
   Expectation load = of_box(Quantity::load);
@@ -100,22 +100,22 @@ TEST(Observe, MakesALoadOfTheImpulsesOfAStep) {
   EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 0);
 }
 
-TEST(Observe, TakesTheMeanOverTheTimeUpToAMoment) {
+TEST(Observe, AveragesOverTheTimeBeforeAMoment) {
   const Scene scene{.name = "pushed", .duration = 2, .bodies = {{.name = "box"}, {.name = "floor"}, {.name = "wall"}}};
   const Trace trace = pushed({3, 5, 7, 9}, 0);
   Expectation load = of_box(Quantity::load);
   load.over = 1;
   EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 2 * (8 + 1));
-  load.over = 2;  // all steps, and nothing of the moment before them
+  load.over = 2;  // all steps, but not the start
   EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 2 * (6 + 1));
   load.over = 0.5;
   EXPECT_DOUBLE_EQ(observe(scene, trace, load, 2)->value, 2 * (9 + 1));
 }
 
-TEST(Observe, KnowsWhoReportsNoContacts) {
-  EXPECT_TRUE(reports(pushed({1}, 0), Quantity::load));
-  EXPECT_FALSE(reports(fakes::flight_of(fakes::thrown_box(), 0.5), Quantity::load));
-  EXPECT_TRUE(reports(fakes::flight_of(fakes::thrown_box(), 0.5), Quantity::energy));
+TEST(Observe, NeedsContactsForALoad) {
+  EXPECT_TRUE(is_reported(pushed({1}, 0), Quantity::load));
+  EXPECT_FALSE(is_reported(fakes::flight_of(fakes::thrown_box(), 0.5), Quantity::load));
+  EXPECT_TRUE(is_reported(fakes::flight_of(fakes::thrown_box(), 0.5), Quantity::energy));
 }
 
 TEST(Observe, FindsTheLargestRiseOfTheEnergyAfterAnyFall) {
@@ -132,7 +132,7 @@ TEST(Observe, FindsTheLargestRiseOfTheEnergyAfterAnyFall) {
   EXPECT_DOUBLE_EQ(observe(scene, trace, {.quantity = Quantity::energy_rise, .time = 3}, 4)->value, 3);
 }
 
-TEST(Observe, MeasuresTheSpreadOfSpeedsWhateverTheirDirections) {
+TEST(Observe, MeasuresTheSpreadOfSpeedsInAnyDirections) {
   Scene scene{.name = "two", .bodies = {fakes::thrown_box().bodies[0], fakes::thrown_box().bodies[0]}};
   Trace trace(2);
   const BodyState states[] = {{.velocity = {3, 4}}, {.velocity = {0, -5}}};

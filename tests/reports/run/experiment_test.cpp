@@ -13,10 +13,10 @@ using fakes::Stepper;
 
 class Throwing : public ::testing::Test {
  protected:
-  Report carry_out(const std::vector<const Engine*>& engines) {
+  Report run_engines(const std::vector<const Engine*>& engines) {
     Plan plan{.cases = {fakes::case_of(scenario_, &closed_form_)}};
     for (const Engine* engine : engines) plan.configs.push_back({engine, {}});
-    return plumb::carry_out(plan, [](const std::string&, std::size_t, std::size_t) {});
+    return run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {});
   }
 
   Scenario scenario_ = fakes::throwing();
@@ -27,7 +27,7 @@ class Throwing : public ::testing::Test {
 };
 
 TEST_F(Throwing, SymplecticEulerIsRightWithinItsOwnDrift) {
-  const Report report = carry_out({&ours_});
+  const Report report = run_engines({&ours_});
   ASSERT_EQ(report.runs.size(), 2u);
   EXPECT_TRUE(report.runs[0].exact);
   const RunRecord& run = report.runs[1];
@@ -37,34 +37,34 @@ TEST_F(Throwing, SymplecticEulerIsRightWithinItsOwnDrift) {
   EXPECT_NEAR(run.metrics.at("truth_error_max").value, 10 * 2 / 60.0 / 2, 1e-12);
 }
 
-TEST_F(Throwing, AnEngineThatClaimsToBeExactIsFoundOut) {
+TEST_F(Throwing, AnEngineThatWronglyClaimsToBeExactIsWrong) {
   ours_.stepping = [](const Settings&, double dt) { return Stepping{.dt = dt, .h = dt, .epsilon = 1e-16}; };
-  EXPECT_EQ(carry_out({&ours_}).runs[1].verdict, Verdict::wrong);
+  EXPECT_EQ(run_engines({&ours_}).runs[1].verdict, Verdict::wrong);
 }
 
-TEST_F(Throwing, TheOthersGoOnWhenOneDiverges) {
-  const Report report = carry_out({&ours_, &lost_, &rival_});
+TEST_F(Throwing, OtherEnginesRunIfOneDiverges) {
+  const Report report = run_engines({&ours_, &lost_, &rival_});
   ASSERT_EQ(report.runs.size(), 4u);
   EXPECT_EQ(report.runs[2].status, Status::failed);
   EXPECT_EQ(report.runs[2].verdict, Verdict::failed);
   EXPECT_THAT(report.runs[2].reason, ::testing::StartsWith("diverged at t = 1 s"));
   EXPECT_EQ(report.runs[3].verdict, Verdict::right);
-  EXPECT_EQ(report.timings.size(), 2u) << "time on a failed run is no result";
+  EXPECT_EQ(report.timings.size(), 2u) << "a failed run has no timing";
 }
 
-TEST_F(Throwing, IsTheSameToTheByteTimesAside) {
+TEST_F(Throwing, IsIdenticalExceptForTimes) {
   const auto text = [&] {
-    auto json = to_json(carry_out({&ours_, &lost_, &rival_}));
+    auto json = to_json(run_engines({&ours_, &lost_, &rival_}));
     json.erase("timings");
     return json.dump();
   };
   EXPECT_EQ(text(), text());
 }
 
-TEST(CarryOut, IsTheSameToTheByteForAnyNumberOfJobs) {
+TEST(RunExperiment, IsIdenticalForAnyNumberOfJobs) {
   const auto text = [](int jobs) {
     const Plan plan{.cases = default_cases(false), .configs = default_engines(), .jobs = jobs};
-    auto json = to_json(carry_out(plan, [](const std::string&, std::size_t, std::size_t) {}));
+    auto json = to_json(run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {}));
     json.erase("timings");
     return json.dump();
   };
@@ -73,8 +73,8 @@ TEST(CarryOut, IsTheSameToTheByteForAnyNumberOfJobs) {
   EXPECT_EQ(alone, text(5));
 }
 
-TEST_F(Throwing, SaysWhatTheNamesInItMean) {
-  const Report report = carry_out({&ours_});
+TEST_F(Throwing, ExplainsItsNames) {
+  const Report report = run_engines({&ours_});
   ASSERT_EQ(report.scenarios.size(), 1u);
   EXPECT_EQ(report.scenarios[0].question, "Does a thrown box fly as Galileo says?");
   ASSERT_EQ(report.engines.size(), 2u);
@@ -83,8 +83,8 @@ TEST_F(Throwing, SaysWhatTheNamesInItMean) {
   EXPECT_FALSE(report.metrics.empty());
 }
 
-TEST_F(Throwing, TellsWhatShareOfTheRunsWasSpentOutsideStep) {
-  const double share = carry_out({&ours_}).clock.at("outside_step");
+TEST_F(Throwing, HasTheShareOfTimeOutsideStep) {
+  const double share = run_engines({&ours_}).clock.at("outside_step");
   EXPECT_GT(share, 0);
   EXPECT_LT(share, 1);
 }

@@ -13,8 +13,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Reads as it is told to.
-struct Careless : Simulation {
+/// A simulation that reads as a test specifies.
+struct CustomReader : Simulation {
   std::function<void(std::span<BodyState>)> reads = [](std::span<BodyState> out) {
     for (BodyState& state : out) state = {};
   };
@@ -24,7 +24,7 @@ struct Careless : Simulation {
   void read_contacts(std::vector<ContactState>& out) const override { out.push_back(touching); }
 };
 
-std::string told_of(const Careless& simulation) {
+std::string error_of(const CustomReader& simulation) {
   Scene scene = fakes::thrown_box();
   scene.bodies.push_back({.name = "other"});
   Readout readout(scene);
@@ -37,42 +37,42 @@ std::string told_of(const Careless& simulation) {
   return "";
 }
 
-TEST(Readout, HandsOutWhatIsRight) { EXPECT_EQ(told_of({}), ""); }
+TEST(Readout, AcceptsCorrectReads) { EXPECT_EQ(error_of({}), ""); }
 
-TEST(Readout, NamesTheBodyThatWasLeftOut) {
-  Careless simulation;
+TEST(Readout, NamesABodyThatWasLeftOut) {
+  CustomReader simulation;
   simulation.reads = [](std::span<BodyState> out) { out[0] = {}; };
-  EXPECT_THAT(told_of(simulation), HasSubstr("read() left out body \"other\""));
+  EXPECT_THAT(error_of(simulation), HasSubstr("read() left out body \"other\""));
   simulation.reads = [](std::span<BodyState> out) {
     for (BodyState& state : out) state.position = {1, 2};
   };
-  EXPECT_THAT(told_of(simulation), HasSubstr("read() left out body \"box\""));
+  EXPECT_THAT(error_of(simulation), HasSubstr("read() left out body \"box\""));
 }
 
-TEST(Readout, SeesWhatIsWrittenPastTheEnd) {
-  Careless simulation;
+TEST(Readout, NoticesAWritePastTheEnd) {
+  CustomReader simulation;
   simulation.reads = [](std::span<BodyState> out) {
     for (std::size_t i = 0; i < 3; ++i) out.data()[i] = {};
   };
-  EXPECT_THAT(told_of(simulation), HasSubstr("past the end: the scene has 2 bodies"));
+  EXPECT_THAT(error_of(simulation), HasSubstr("past the end: the scene has 2 bodies"));
 }
 
-TEST(Readout, LeavesItToTheRunToSayThatABodyWasLost) {
-  Careless simulation;
+TEST(Readout, AcceptsNaNWhichTheRunReports) {
+  CustomReader simulation;
   simulation.reads = [](std::span<BodyState> out) {
     for (BodyState& state : out) state = {.angle = std::numeric_limits<double>::quiet_NaN()};
   };
-  EXPECT_EQ(told_of(simulation), "");
+  EXPECT_EQ(error_of(simulation), "");
 }
 
-TEST(Readout, RefusesContactsThatCannotBe) {
-  Careless simulation;
+TEST(Readout, RefusesImpossibleContacts) {
+  CustomReader simulation;
   simulation.touching = {.a = 0, .b = 2};
-  EXPECT_THAT(told_of(simulation), HasSubstr("between bodies 0 and 2 of a scene of 2"));
+  EXPECT_THAT(error_of(simulation), HasSubstr("between bodies 0 and 2 of a scene of 2"));
   simulation.touching = {.a = 1, .b = 1};
-  EXPECT_THAT(told_of(simulation), HasSubstr("between bodies 1 and 1"));
+  EXPECT_THAT(error_of(simulation), HasSubstr("between bodies 1 and 1"));
   simulation.touching = {.a = 0, .b = 1, .normal_impulse = std::numeric_limits<double>::infinity()};
-  EXPECT_THAT(told_of(simulation), HasSubstr("not finite"));
+  EXPECT_THAT(error_of(simulation), HasSubstr("not finite"));
 }
 
 }  // namespace

@@ -17,13 +17,13 @@ std::string refusal(Call call) {
   return "accepted";
 }
 
-TEST(ParseDt, TakesNumbersAndFractions) {
+TEST(ParseDt, AcceptsNumbersAndFractions) {
   EXPECT_EQ(parse_dt("0.01"), 0.01);
   EXPECT_EQ(parse_dt("1/60"), 1.0 / 60);
   EXPECT_EQ(parse_dt("1e-3"), 1e-3);
 }
 
-TEST(ParseDt, RefusesWhatIsNoTimeStep) {
+TEST(ParseDt, RefusesAnythingThatIsNotATimeStep) {
   for (const char* text : {"", "0", "-1/60", "1/0", "nan", "inf", "1/60s", "fast", "2", "1/", "/60"}) {
     EXPECT_NE(refusal([&] { parse_dt(text); }), "accepted") << text;
   }
@@ -38,7 +38,7 @@ TEST(ParseEngine, SuggestsTheNearestEngine) {
   EXPECT_THAT(refusal([] { parse_engine("impulsse"); }), ::testing::StartsWith("unknown engine \"impulsse\""));
 }
 
-TEST(ParseCases, TakesAFamilyOneOfItsVariantsOrYourOwn) {
+TEST(ParseCases, AcceptsAScenarioAVariantOrYourOwn) {
   const auto family = parse_cases("bounce");
   ASSERT_GT(family.size(), 1u);
   EXPECT_EQ(parse_cases("bounce:" + family[1].variant).at(0).parameters, family[1].parameters);
@@ -57,11 +57,11 @@ TEST(ParseCases, RefusesUnknownParametersAndVariants) {
   EXPECT_THAT(refusal([] { parse_cases("bounce:restitution=high"); }), ::testing::HasSubstr("is not a number"));
 }
 
-TEST(ParseEngine, TellsAClosedFormFromAnEngine) {
+TEST(ParseEngine, RefusesAClosedForm) {
   EXPECT_THAT(refusal([] { parse_engine("bounce"); }), ::testing::HasSubstr("is a closed form"));
 }
 
-TEST(ParseEngine, TakesAWordForTheOneOptionThatItIsAChoiceOf) {
+TEST(ParseEngine, AcceptsAWordThatIsAChoiceOfOneOption) {
   EXPECT_EQ(parse_engine("impulse:auto").method(), "model=auto");
   EXPECT_EQ(parse_engine("impulse:float,rk4,substeps=8").method(), "integrator=rk4,substeps=8,precision=float");
   EXPECT_THAT(refusal([] { parse_engine("impulse:off"); }), ::testing::HasSubstr("rotation=off or "));
@@ -69,14 +69,14 @@ TEST(ParseEngine, TakesAWordForTheOneOptionThatItIsAChoiceOf) {
   EXPECT_THAT(refusal([] { parse_engine("impulse:nonsense"); }), ::testing::HasSubstr("key=value"));
 }
 
-TEST(DefaultEngines, BeginWithOursAndHoldNoClosedForm) {
+TEST(DefaultEngines, StartWithOursAndContainNoClosedForm) {
   const auto configs = default_engines();
   ASSERT_GT(configs.size(), 1u);
   EXPECT_EQ(configs[0].engine->name, "impulse");
   for (const EngineConfig& config : configs) EXPECT_FALSE(config.engine->exact) << config.engine->name;
 }
 
-TEST(DefaultCases, AreTheCanonicalOnesUnlessAllAreAskedFor) {
+TEST(DefaultCases, AreTheCanonicalOnesByDefault) {
   const auto canonical = default_cases(false);
   for (const Case& one : canonical) EXPECT_TRUE(one.scenario->canonical) << one.scenario->name;
   EXPECT_FALSE(canonical.empty());

@@ -4,7 +4,7 @@
 #include <memory>
 #include <variant>
 
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 #include "reports/study/stability/map.h"
 
 namespace plumb::maps::joints {

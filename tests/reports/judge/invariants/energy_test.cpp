@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "../../fakes.h"
-#include "holding.h"
+#include "forged_runs.h"
 
 namespace plumb {
 namespace {
@@ -16,7 +16,7 @@ Trace speeds(double before, double after) {
   return forged(h, {{box_at({0, 5}, {before, 0})}, {box_at({0, 5}, {after, 0})}});
 }
 
-TEST(EnergyInvariant, NeverRisesWhereNothingActs) {
+TEST(EnergyInvariant, NeverRisesIfNothingActs) {
   const Scene scene = box_on_ground();
   EXPECT_EQ(status("energy", scene, speeds(1, 1), symplectic), CheckStatus::held);
   EXPECT_EQ(status("energy", scene, speeds(1, 0.5), symplectic), CheckStatus::held);
@@ -26,14 +26,14 @@ TEST(EnergyInvariant, NeverRisesWhereNothingActs) {
   EXPECT_DOUBLE_EQ(check.time, h);
 }
 
-TEST(EnergyInvariant, AllowsWhatRoundingTakesAndNoMore) {
+TEST(EnergyInvariant, AllowsRoundingAndNoMore) {
   Stepping rounded = second_order;
-  rounded.epsilon = 1e-7;  // three steps' roundings of m v^2: 1 J
+  rounded.epsilon = 1e-7;  // three roundings of m v^2 = 1 J
   EXPECT_EQ(status("energy", box_on_ground(), speeds(1, 1 + 2e-7), rounded), CheckStatus::held);
   EXPECT_EQ(status("energy", box_on_ground(), speeds(1, 1 + 4e-7), rounded), CheckStatus::broken);
 }
 
-// From 1 m/s upwards: symplectic Euler loses g v h/2 of it, explicit Euler gains as much, and a second-order method
+// Thrown up at 1 m/s: symplectic Euler loses g v h/2, explicit Euler gains as much, and a second-order method does
 // neither.
 Trace thrown(double order) {
   Trace trace(2);
@@ -44,7 +44,7 @@ Trace thrown(double order) {
   return trace;
 }
 
-TEST(EnergyInvariant, TakesTheMethodsOwnOrderForWhatItIs) {
+TEST(EnergyInvariant, AccountsForTheOrderOfTheMethod) {
   const Scene scene = box_on_ground(0.5, {0, -10});
   Stepping before = symplectic;
   Stepping after = symplectic;
@@ -57,7 +57,8 @@ TEST(EnergyInvariant, TakesTheMethodsOwnOrderForWhatItIs) {
   EXPECT_EQ(status("energy", scene, thrown(-0.51), after), CheckStatus::broken);
 }
 
-// A spring of w = 2 stretched by 1 m, stepped by explicit Euler: E grows by 1 + (w h)^2 a step; by symplectic Euler.
+// A spring of w = 2 stretched by 1 m, stepped by explicit Euler, where E grows by 1 + (w h)^2 a step, or by symplectic
+// Euler.
 Trace on_a_spring(bool explicitly) {
   Trace trace(1);
   double x = 1;
@@ -72,7 +73,7 @@ Trace on_a_spring(bool explicitly) {
   return trace;
 }
 
-TEST(EnergyInvariant, CallsExplicitEulersGrowthOnASpringWrong) {
+TEST(EnergyInvariant, IsBrokenByExplicitEulerOnASpring) {
   const Scene scene{.gravity = {},
                     .bodies = {{.name = "box", .position = {3, 0}, .shapes = {{Box{}, {.density = 1}}}}},
                     .forces = {Spring{.b = 0, .stiffness = 4, .length = 2}}};
@@ -80,20 +81,20 @@ TEST(EnergyInvariant, CallsExplicitEulersGrowthOnASpringWrong) {
   EXPECT_EQ(status("energy", scene, on_a_spring(true), symplectic), CheckStatus::broken);
 }
 
-// Met 1 cm late at 1 m/s, and lifted out of it: m g v h.
+// An impact at 1 m/s that is noticed 1 cm late; lifting the box out takes m g v h.
 TEST(EnergyInvariant, LetsALateImpactBePushedOut) {
   const Scene scene = box_on_ground(0.5, {0, -10});
   const auto lifted = [](double by) {
     return forged(h, {{box_at({0, 0.5}, {0, -1})}, {box_at({0, 0.5 + by}, {0, 1})}});
   };
   // m g by <= (|d| + lag) h m g (1 + 1), and the modified energy has lost d h m g (1 + 1)
-  const double allowed = (1.5 + 0.5) * h * 2;
-  EXPECT_EQ(status("energy", scene, lifted(0.99 * allowed), symplectic), CheckStatus::held);
-  EXPECT_EQ(status("energy", scene, lifted(1.01 * allowed), symplectic), CheckStatus::broken);
-  EXPECT_EQ(status("energy", scene, lifted(0.1 * allowed), second_order), CheckStatus::broken);
+  const double tolerance = (1.5 + 0.5) * h * 2;
+  EXPECT_EQ(status("energy", scene, lifted(0.99 * tolerance), symplectic), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, lifted(1.01 * tolerance), symplectic), CheckStatus::broken);
+  EXPECT_EQ(status("energy", scene, lifted(0.1 * tolerance), second_order), CheckStatus::broken);
 }
 
-TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfBodiesThatMoveWhateverComes) {
+TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfKinematicBodies) {
   Scene pulled = box_on_ground();
   pulled.forces = {Constant{.body = 1, .force = {2, 0}}};
   // From rest over 1 m with 2 N: 2 J.
@@ -106,8 +107,8 @@ TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfBodiesThatMoveWhateverCo
   driven.bodies[0].type = BodyType::kinematic;
   driven.bodies[0].velocity = {0, 3};
   const auto hit = [](double speed, std::vector<ContactState> contacts) {
-    const BodyState context{.velocity = {0, 3}};
-    return forged(h, {{{context, box_at({0, 5})[1]}}, {{context, box_at({0, 5}, {0, speed})[1]}, std::move(contacts)}});
+    const BodyState ground{.velocity = {0, 3}};
+    return forged(h, {{{ground, box_at({0, 5})[1]}}, {{ground, box_at({0, 5}, {0, speed})[1]}, std::move(contacts)}});
   };
   EXPECT_EQ(status("energy", driven, hit(3, {pushing(3)}), exact), CheckStatus::held);
   EXPECT_EQ(status("energy", driven, hit(4.3, {pushing(3)}), exact), CheckStatus::broken);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../../fakes.h"
 #include "measuring.h"
 
@@ -7,7 +9,7 @@ namespace plumb {
 namespace {
 
 Scene on_ground() {
-  return {.bodies = {{.name = "context", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}}}},
+  return {.bodies = {{.name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}}}},
                      {.name = "box", .shapes = {{.geometry = Box{}}}}}};
 }
 
@@ -26,7 +28,7 @@ TEST(TimeToRest, CountsFromTheLastMotion) {
   EXPECT_EQ(measured("time_to_rest", {.scene = scene, .trace = trace}), 3);
 }
 
-TEST(TimeToRest, IsNothingForWhatStillMoves) {
+TEST(TimeToRest, IsMissingIfABodyStillMoves) {
   const Scene scene = on_ground();
   const Trace trace = speeds({0, 0, 0.02});
   EXPECT_FALSE(measured("time_to_rest", {.scene = scene, .trace = trace}));
@@ -36,6 +38,43 @@ TEST(ResidualSpeed, IsTheRmsOverTheLastTenth) {
   const Scene scene = on_ground();
   const Trace trace = speeds({9, 9, 9, 9, 9, 9, 9, 9, 9, 3, 4});
   EXPECT_DOUBLE_EQ(*measured("residual_speed", {.scene = scene, .trace = trace}), std::sqrt((9 + 16) / 2.0));
+}
+
+TEST(Penetration, IsTheDeepestEverAndAtTheEnd) {
+  const Scene scene{.bodies = {{.name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}}}},
+                               {.name = "box", .shapes = {{.geometry = Box{}}}}}};
+  Trace trace(2);
+  for (const double y : {1.0, 0.4, 0.48}) {
+    const BodyState states[] = {{}, {.position = {0, y}}};
+    trace.record(static_cast<double>(trace.size()), states, {});
+  }
+  EXPECT_NEAR(*measured("penetration_max", {.scene = scene, .trace = trace}), 0.1, 1e-14);
+  EXPECT_NEAR(*measured("penetration_end", {.scene = scene, .trace = trace}), 0.02, 1e-14);
+}
+
+Scene resting(Vec gravity) {
+  return {.gravity = gravity, .bodies = {{.name = "box", .shapes = {{.geometry = Box{}}}}}};
+}
+
+std::optional<double> drift(const Scene& scene) {
+  Trace trace(1);
+  for (const Vec position : {Vec{1, 1}, Vec{9, 9}, Vec{0.5, -2}}) {
+    const BodyState state{.position = position};
+    trace.record(static_cast<double>(trace.size()), std::span(&state, 1), {});
+  }
+  return measured("lateral_drift", {.scene = scene, .trace = trace});
+}
+
+TEST(LateralDrift, IsMeasuredPerpendicularToGravityAtTheEnd) {
+  EXPECT_DOUBLE_EQ(*drift(resting({0, -10})), 0.5);
+  EXPECT_DOUBLE_EQ(*drift(resting({3, 0})), 3);
+}
+
+TEST(LateralDrift, NeedsGravityAndAStartAtRest) {
+  EXPECT_FALSE(drift(resting({0, 0})));
+  Scene moving = resting({0, -10});
+  moving.bodies[0].velocity = {0, 1};
+  EXPECT_FALSE(drift(moving));
 }
 
 }  // namespace

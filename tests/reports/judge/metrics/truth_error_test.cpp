@@ -26,7 +26,7 @@ TEST(TruthError, IsTheLargestTheRmsAndTheLast) {
   EXPECT_DOUBLE_EQ(*measured("truth_angle_error_max", context), 0.25);
 }
 
-TEST(TruthError, CountsOnlyForAsLongAsTheTruthHolds) {
+TEST(TruthError, CountsOnlyWhileTheTruthIsValid) {
   const Scene scene{.bodies = {{.name = "box"}}};
   const Trace trace = line({0, 1, 2, 3}, 0);
   const Trace truth = line({0, 2, 9, 9}, 0);

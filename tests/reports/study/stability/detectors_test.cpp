@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "reports/judge/conserved.h"
+#include "reports/judge/mechanics.h"
 #include "scenarios/parts.h"
 
 namespace plumb {

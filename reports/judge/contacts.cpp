@@ -1,0 +1,101 @@
+#include "reports/judge/contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/vec.h"
+
+namespace plumb {
+
+Vec velocity_at(const BodyState& state, Vec point) {
+  const Vec arm = point - state.position;
+  return state.velocity + state.angular_velocity * Vec{-arm.y, arm.x};
+}
+
+Vec relative_velocity(const ContactState& contact, std::span<const BodyState> states) {
+  return velocity_at(states[contact.b], contact.point) - velocity_at(states[contact.a], contact.point);
+}
+
+Vec impulse_of(const ContactState& contact) {
+  const Vec tangent{-contact.normal.y, contact.normal.x};
+  return contact.normal_impulse * contact.normal + contact.tangent_impulse * tangent;
+}
+
+bool PairContacts::acts(double slack) const { return normal_impulse > 0 || separation() < -slack; }
+
+double PairContacts::separation() const {
+  return std::min_element(points.begin(), points.end(),
+                          [](const auto& one, const auto& other) { return one.separation < other.separation; })
+      ->separation;
+}
+
+ContactsByPair contacts_by_pair(std::span<const ContactState> contacts) {
+  ContactsByPair pairs;
+  for (ContactState contact : contacts) {
+    if (contact.a > contact.b) {
+      // Swapping the bodies flips the impulses and both directions, so their products stay.
+      std::swap(contact.a, contact.b);
+      contact.normal = -1 * contact.normal;
+    }
+    PairContacts& pair = pairs[{contact.a, contact.b}];
+    pair.normal_impulse += contact.normal_impulse;
+    pair.tangent_impulse += contact.tangent_impulse;
+    pair.points.push_back(contact);
+  }
+  return pairs;
+}
+
+std::string pair_name(const Scene& scene, std::size_t a, std::size_t b) {
+  return scene.bodies[a].name + " - " + scene.bodies[b].name;
+}
+
+double impulse_change(std::span<const ContactState> before, const ContactState& now) {
+  double impulse = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const ContactState& then : before) {
+    if (then.a != now.a || then.b != now.b) continue;
+    const double distance = length(then.point - now.point);
+    if (!(distance < nearest)) continue;
+    nearest = distance;
+    impulse = then.normal_impulse;
+  }
+  return std::abs(now.normal_impulse - impulse);
+}
+
+// A first-order method may use the normal impulse of the step before. A method that iterates n times over all contacts
+// uses that of the iteration before: if each iteration multiplies the error by r, iteration n + 1 changes it by
+// (1 - r) r^n, which is largest for r = n/(n + 1), whatever r the scene gives. The initial error is the step's change.
+std::vector<double> stale_impulse_error(std::span<const ContactState> before, std::span<const ContactState> now,
+                                        const Stepping& stepping) {
+  std::vector<double> errors;
+  errors.reserve(now.size());
+  for (const ContactState& contact : now) errors.push_back(stepping.drift == 0 ? 0 : impulse_change(before, contact));
+  if (stepping.iterations == 0 || errors.empty()) return errors;
+  const double n = stepping.iterations;
+  const double iterated = std::pow(n / (n + 1), n) / (n + 1) * *std::max_element(errors.begin(), errors.end());
+  for (double& one : errors) one = std::max(one, iterated);
+  return errors;
+}
+
+double FrictionBounds::largest_static(std::size_t a, std::size_t b) const {
+  double largest = 0;
+  for (const Shape& one : scene_.bodies[a].shapes) {
+    for (const Shape& other : scene_.bodies[b].shapes) {
+      largest = std::max(largest, mixed_static_friction(scene_.mixing, one.surface, other.surface));
+    }
+  }
+  return largest;
+}
+
+double FrictionBounds::smallest_dynamic(std::size_t a, std::size_t b) const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Shape& one : scene_.bodies[a].shapes) {
+    for (const Shape& other : scene_.bodies[b].shapes) {
+      smallest = std::min(smallest, mixed_dynamic_friction(scene_.mixing, one.surface, other.surface));
+    }
+  }
+  return smallest;
+}
+
+}  // namespace plumb

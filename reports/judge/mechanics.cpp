@@ -1,0 +1,229 @@
+#include "reports/judge/mechanics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "reports/judge/overlap.h"
+#include "reports/vec.h"
+
+namespace plumb {
+namespace {
+
+Vec point_of(const BodyState& state, Vec local) { return state.position + rotated(local, state.angle); }
+
+// One end of a spring.
+struct SpringEnd {
+  Vec arm;  // m, from the centre of mass
+  Vec point, velocity;
+};
+
+SpringEnd end_of(std::optional<std::size_t> body, Vec anchor, std::span<const Mass> masses,
+                 std::span<const BodyState> states) {
+  if (!body) return {{}, anchor, {}};
+  const BodyState& state = states[*body];
+  const Vec arm = rotated(anchor - masses[*body].center, state.angle);
+  return {arm, state.position + arm, state.velocity + state.angular_velocity * Vec{-arm.y, arm.x}};
+}
+
+// The extent of all dynamic bodies along gravity, m.
+double height_of(const Scene& scene, Vec down, const std::vector<BodyState>& start, std::span<const Mass> masses) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Interval all{infinity, -infinity};
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (masses[i].mass == 0) continue;
+    for (const Shape& shape : scene.bodies[i].shapes) {
+      const auto one =
+          range_along(down, placed(outline_of(shape.geometry, masses[i].center), start[i].position, start[i].angle));
+      if (one) all = {std::min(all.low, one->low), std::max(all.high, one->high)};
+    }
+  }
+  return std::max(0.0, all.high - all.low);
+}
+
+}  // namespace
+
+std::vector<BodyState> initial_states(const Scene& scene) {
+  std::vector<BodyState> states;
+  for (const Body& body : scene.bodies) {
+    states.push_back({.position = body.position + rotated(mass_of(body).center, body.angle),
+                      .angle = body.angle,
+                      .velocity = body.velocity,
+                      .angular_velocity = body.angular_velocity});
+  }
+  return states;
+}
+
+Conserved::Conserved(const Scene& scene) : scene_(scene) {
+  for (const Body& body : scene.bodies) masses_.push_back(mass_of(body));
+  for (const Force& force : scene.forces) {
+    if (const auto* spring = std::get_if<Spring>(&force)) {
+      elastics_.push_back({.a = spring->a,
+                           .b = spring->b,
+                           .at_a = spring->a ? spring->anchor_a - masses_[*spring->a].center : spring->anchor_a,
+                           .at_b = spring->anchor_b - masses_[spring->b].center,
+                           .stiffness = spring->stiffness,
+                           .length = spring->length});
+    }
+  }
+  // A distance joint with stiffness is a spring. Its anchors are world points at the start.
+  const std::vector<BodyState> start = initial_states(scene);
+  const auto local = [&](std::size_t body, Vec anchor) {
+    return rotated(anchor - start[body].position, -start[body].angle);
+  };
+  for (const Joint& joint : scene.joints) {
+    const auto* distance = std::get_if<Distance>(&joint);
+    if (distance == nullptr || distance->stiffness == 0) continue;
+    elastics_.push_back({.a = distance->a,
+                         .b = distance->b,
+                         .at_a = local(distance->a, distance->anchor_a),
+                         .at_b = local(distance->b, distance->anchor_b),
+                         .stiffness = distance->stiffness,
+                         .length = distance->length});
+  }
+}
+
+// The acceleration k/r^n towards `from` has the potential -k/((n-1) r^(n-1)) per kg, and k ln r for n = 1. If the
+// attraction is mutual, the opposite force makes this the potential of the pair.
+double Conserved::potential_of(const Attraction& attraction, std::span<const BodyState> states) const {
+  const double n = attraction.exponent;
+  double potential = 0;
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    if (i == attraction.from || scene_.bodies[i].type != BodyType::dynamic) continue;
+    const double r = length(states[i].position - states[attraction.from].position);
+    const double per_mass = n == 1 ? std::log(r) : -std::pow(r, 1 - n) / (n - 1);
+    potential += masses_[i].mass * attraction.strength * per_mass;
+  }
+  return potential;
+}
+
+Energy Conserved::energy(std::span<const BodyState> states) const {
+  Energy energy;
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    const BodyState& state = states[i];
+    const auto& [mass, inertia, center] = masses_[i];
+    energy.linear += mass * dot(state.velocity, state.velocity) / 2;
+    energy.rotational += inertia * state.angular_velocity * state.angular_velocity / 2;
+    energy.potential -= mass * scene_.bodies[i].gravity_scale * dot(scene_.gravity, state.position);
+  }
+  for (const Elastic& elastic : elastics_) {
+    const Vec a = elastic.a ? point_of(states[*elastic.a], elastic.at_a) : elastic.at_a;
+    const double stretch = length(point_of(states[elastic.b], elastic.at_b) - a) - elastic.length;
+    energy.potential += elastic.stiffness * stretch * stretch / 2;
+  }
+  for (const Force& force : scene_.forces) {
+    if (const auto* attraction = std::get_if<Attraction>(&force)) energy.potential += potential_of(*attraction, states);
+  }
+  return energy;
+}
+
+Momentum Conserved::momentum(std::span<const BodyState> states) const {
+  Momentum momentum;
+  for (std::size_t i = 0; i < masses_.size(); ++i) {
+    const BodyState& state = states[i];
+    const Vec linear = masses_[i].mass * state.velocity;
+    momentum.linear = momentum.linear + linear;
+    momentum.angular += cross(state.position, linear) + masses_[i].inertia * state.angular_velocity;
+  }
+  return momentum;
+}
+
+AppliedForces::AppliedForces(const Scene& scene) : scene_(scene), conserved_(scene) {}
+
+// m k / r^n towards the centre; zero at the centre, where there is no direction.
+Vec AppliedForces::attracted(const Attraction& attraction, std::size_t body, std::span<const BodyState> states) const {
+  if (body == attraction.from || masses()[body].mass == 0) return {};
+  const Vec towards = states[attraction.from].position - states[body].position;
+  const double r = length(towards);
+  if (r == 0) return {};
+  return masses()[body].mass * attraction.strength / std::pow(r, attraction.exponent + 1) * towards;
+}
+
+std::vector<Wrench> AppliedForces::at(std::span<const BodyState> states) const {
+  std::vector<Wrench> wrenches(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    wrenches[i].force = masses()[i].mass * scene_.bodies[i].gravity_scale * scene_.gravity;
+  }
+  for (const Force& force : scene_.forces) {
+    if (const auto* attraction = std::get_if<Attraction>(&force)) {
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        const Vec pull = attracted(*attraction, i, states);
+        wrenches[i].force = wrenches[i].force + pull;
+        if (!attraction->mutual) continue;
+        wrenches[attraction->from].force = wrenches[attraction->from].force - pull;
+      }
+    } else if (const auto* spring = std::get_if<Spring>(&force)) {
+      const SpringEnd a = end_of(spring->a, spring->anchor_a, masses(), states);
+      const SpringEnd b = end_of(spring->b, spring->anchor_b, masses(), states);
+      const double distance = length(b.point - a.point);
+      if (distance == 0) continue;
+      const Vec along = 1 / distance * (b.point - a.point);
+      const double rate = dot(along, b.velocity - a.velocity);
+      const Vec pull = (spring->stiffness * (distance - spring->length) + spring->damping * rate) * along;
+      if (spring->a) {
+        wrenches[*spring->a].force = wrenches[*spring->a].force + pull;
+        wrenches[*spring->a].torque += cross(a.arm, pull);
+      }
+      wrenches[spring->b].force = wrenches[spring->b].force - pull;
+      wrenches[spring->b].torque -= cross(b.arm, pull);
+    } else if (const auto* constant = std::get_if<Constant>(&force)) {
+      wrenches[constant->body].force = wrenches[constant->body].force + constant->force;
+      wrenches[constant->body].torque += constant->torque;
+    }
+  }
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (masses()[i].mass == 0) wrenches[i] = {};
+    if (masses()[i].inertia == 0) wrenches[i].torque = 0;
+  }
+  return wrenches;
+}
+
+// With U(r) the potential, dU/dt = -F.(v - v_centre): the work done on the body, F.v, exceeds the loss of potential by
+// F.v_centre.
+double AppliedForces::power(std::span<const BodyState> states) const {
+  double power = 0;
+  for (const Force& force : scene_.forces) {
+    const auto* attraction = std::get_if<Attraction>(&force);
+    if (attraction == nullptr || (attraction->mutual && masses()[attraction->from].mass > 0)) continue;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      power += dot(attracted(*attraction, i, states), states[attraction->from].velocity);
+    }
+  }
+  return power;
+}
+
+double AppliedForces::potential(std::span<const BodyState> states) const {
+  double potential = 0;
+  for (const Force& force : scene_.forces) {
+    const auto* constant = std::get_if<Constant>(&force);
+    if (constant == nullptr || masses()[constant->body].mass == 0) continue;
+    const BodyState& state = states[constant->body];
+    potential -= dot(constant->force, state.position) + constant->torque * state.angle;
+  }
+  return potential;
+}
+
+double energy_range(const Scene& scene, const Trace* truth) {
+  const Conserved conserved(scene);
+  const std::vector<BodyState> start = initial_states(scene);
+  const Energy energy = conserved.energy(start);
+  double weight = 0;      // N, the sum of all weights
+  double by_gravity = 0;  // J, its share of the potential energy
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const double scaled_mass = conserved.masses()[i].mass * scene.bodies[i].gravity_scale;
+    weight += std::abs(scaled_mass) * length(scene.gravity);
+    by_gravity -= scaled_mass * dot(scene.gravity, start[i].position);
+  }
+  double range = energy.kinetic() + std::abs(energy.potential - by_gravity);
+  if (weight > 0) {
+    const Vec down = 1 / length(scene.gravity) * scene.gravity;
+    range += weight * height_of(scene, down, start, conserved.masses());
+  }
+  for (std::size_t i = 0; truth != nullptr && i < truth->size(); ++i) {
+    range = std::max(range, conserved.energy(truth->states(i)).kinetic());
+  }
+  return range;
+}
+
+}  // namespace plumb

@@ -1,0 +1,96 @@
+#include "reports/run/case_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace plumb {
+namespace {
+
+const double golden_ratio = (std::sqrt(5.0) - 1) / 2;
+
+std::string choices_of(const Scene& scene, const EngineConfig& config) {
+  if (!config.engine->chooses) return "";
+  std::string text;
+  for (const Choice& choice : config.engine->chooses(scene, config.settings)) {
+    text += fmt::format("{}{}={}: {}", text.empty() ? "chose " : "; ", choice.option, choice.value, choice.reason);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<Case> phases(const Case& test_case, int n) {
+  std::vector<Case> all(static_cast<std::size_t>(std::max(n, 1)), test_case);
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const double multiple = static_cast<double>(k) * golden_ratio;
+    all[k].first_step = multiple - std::floor(multiple);
+  }
+  return all;
+}
+
+std::vector<Outcome> run_shifted(const Case& test_case, const EngineConfig& config, double dt) {
+  std::vector<Outcome> outcomes;
+  if (!test_case.scenario->phased) return outcomes;
+  for (const Case& phase : phases(test_case, judged_phases)) {
+    if (phase.first_step != test_case.first_step) {
+      outcomes.push_back(run(*phase.scene, config, dt, phase.first_step));
+    }
+  }
+  return outcomes;
+}
+
+CaseRun run_case(const Case& test_case, const EngineConfig& config, double dt) {
+  CaseRun all{.outcome = run(*test_case.scene, config, dt, test_case.first_step)};
+  if (all.outcome.status == Status::ok) all.shifted = run_shifted(test_case, config, dt);
+  return all;
+}
+
+Judgement judge_case(const Case& test_case, const EngineConfig& config, double dt, const Trace& trace,
+                     std::span<const Outcome> shifted, const Truth* truth) {
+  const auto expectations = test_case.scenario->expectations(test_case.parameters);
+  const Stepping stepping = config.engine->stepping(config.settings, dt);
+  if (!test_case.scenario->phased) return judge(*test_case.scene, expectations, trace, stepping, truth);
+  std::vector<const Trace*> traces;
+  for (const Outcome& one : shifted) traces.push_back(one.status == Status::ok ? one.trace.get() : nullptr);
+  return judge_phases(*test_case.scene, expectations, trace, traces, stepping, truth);
+}
+
+MetricContext ReferenceRun::context(const Scene& scene, const Trace& of) const {
+  return {.scene = scene, .trace = of, .truth = trace.get(), .truth_until = truth != nullptr ? truth->until() : 0};
+}
+
+RunRecord record_of(const Case& test_case, const EngineConfig& config, double dt, const Outcome& outcome) {
+  RunRecord record{.scenario = test_case.scenario->name,
+                   .variant = test_case.variant,
+                   .parameters = test_case.parameters,
+                   .engine = config.engine->name,
+                   .method = config.method(),
+                   .exact = config.engine->exact,
+                   .dt = dt,
+                   .status = outcome.status,
+                   .reason = outcome.reason,
+                   .scene = test_case.scene,
+                   .trace = outcome.trace};
+  if (record.status == Status::ok) record.reason = choices_of(*test_case.scene, config);
+  if (record.status == Status::failed) record.verdict = Verdict::failed;
+  if (record.status == Status::not_supported) record.verdict = Verdict::not_supported;
+  return record;
+}
+
+RunRecord judged_record(const Case& test_case, const EngineConfig& config, double dt, const CaseRun& runs,
+                        const ReferenceRun& reference) {
+  RunRecord record = record_of(test_case, config, dt, runs.outcome);
+  if (record.status != Status::ok) return record;
+  record.metrics = measure(reference.context(*test_case.scene, *record.trace));
+  Judgement judgement = judge_case(test_case, config, dt, *record.trace, runs.shifted, reference.truth);
+  record.truth = std::move(judgement.checks);
+  record.invariants = std::move(judgement.invariants);
+  record.verdict = judgement.verdict;
+  return record;
+}
+
+}  // namespace plumb

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "reports/judge/metric.h"
+#include "reports/judge/verdict.h"
+#include "reports/report.h"
+#include "reports/run/run.h"
+
+/// Runs a case with one engine, in several phases if its scenario asks for them, and then judges the runs.
+///
+/// An impact falls somewhere between two steps, and the error depends on where. The phases of a case sample that: they
+/// shift the steps, not the scene, so that the expected values and their times stay the same.
+namespace plumb {
+
+/// The case itself and n - 1 copies with a first step shorter than dt: by the fractional parts of multiples of the
+/// golden ratio, which fill 0 ... 1 evenly for any n. The last step is cut so that all end with the scene.
+std::vector<Case> phases(const Case&, int n);
+
+/// The number of phases that a phased scenario is judged by.
+constexpr int judged_phases = 8;
+
+struct CaseRun {
+  Outcome outcome;               // of the case itself
+  std::vector<Outcome> shifted;  // of its other phases; empty unless the scenario is phased and the outcome is ok
+};
+
+/// Runs a case, and its other phases if its scenario is phased.
+CaseRun run_case(const Case&, const EngineConfig&, double dt);
+
+/// Only the other phases of a case; none unless its scenario is phased.
+std::vector<Outcome> run_shifted(const Case&, const EngineConfig&, double dt);
+
+/// Judges a case by its trace and by its other phases (see `judge_phases`). Runs nothing. `truth` may be null.
+Judgement judge_case(const Case&, const EngineConfig&, double dt, const Trace&, std::span<const Outcome> shifted,
+                     const Truth* truth);
+
+/// The reference solution of a case; both are null if there is none.
+struct ReferenceRun {
+  const Truth* truth = nullptr;
+  std::shared_ptr<const Trace> trace = nullptr;  // with the steps of the runs that are compared with it
+
+  MetricContext context(const Scene&, const Trace&) const;
+};
+
+/// The record of a run before it is measured: what ran and how it ended.
+RunRecord record_of(const Case&, const EngineConfig&, double dt, const Outcome&);
+
+/// The record of a case, measured and judged. The case may start next to the one that the reference belongs to: the
+/// expected values are still the reference's.
+RunRecord judged_record(const Case&, const EngineConfig&, double dt, const CaseRun&, const ReferenceRun&);
+
+}  // namespace plumb

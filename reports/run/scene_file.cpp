@@ -1,0 +1,107 @@
+#include "reports/run/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "reports/judge/observe.h"
+#include "reports/system/files.h"
+
+namespace plumb {
+namespace {
+
+std::vector<Expectation> expectations_of(const std::vector<StatedTruth>& truths) {
+  std::vector<Expectation> all;
+  all.reserve(truths.size());
+  for (const StatedTruth& truth : truths) {
+    all.push_back({.body = truth.body,
+                   .quantity = truth.quantity,
+                   .time = truth.time,
+                   .expected = truth.value,
+                   .within = truth.tolerance,
+                   .source = truth.source});
+  }
+  return all;
+}
+
+std::optional<double> expected_in(const Case& test_case, const Expectation& expectation) {
+  const Scene& scene = *test_case.scene;
+  std::optional<Truth> truth;
+  if (test_case.closed_form != nullptr && !expectation.expected) truth.emplace(*test_case.closed_form, scene);
+  return expected_value(scene, expectation, truth ? &*truth : nullptr, expectation.time.value_or(scene.duration));
+}
+
+}  // namespace
+
+bool is_scene_file(std::string_view word) {
+  std::error_code ignored;
+  return word.ends_with(".json") ||
+         (word.find('/') != word.npos && std::filesystem::exists(std::filesystem::path(word), ignored));
+}
+
+const Engine* find_closed_form(const Scene& scene) {
+  const Engine* longest = nullptr;
+  double until = 0;
+  for (const Engine* engine : Catalog<Engine>::all()) {
+    if (!engine->exact || !engine->unsupported(scene, complete(*engine, {})).empty()) continue;
+    const double valid = std::min(Truth(*engine, scene).until(), scene.duration);
+    if (longest != nullptr && valid <= until) continue;
+    longest = engine;
+    until = valid;
+  }
+  return longest;
+}
+
+Case case_of_file(const std::string& path) {
+  SceneFile file = read_scene(read_text(path, largest_scene_file), path);
+  const auto scene = std::make_shared<const Scene>(std::move(file.scene));
+  const Engine* closed_form = find_closed_form(*scene);
+  const auto scenario = std::make_shared<const Scenario>(
+      Scenario{.name = scene->name,
+               .question = scene->about,
+               .variants = {{.label = path}},
+               .closed_form = closed_form == nullptr ? "" : closed_form->name,
+               .scene = [scene](const Parameters&) { return *scene; },
+               .expectations = [all = expectations_of(file.truth)](const Parameters&) { return all; }});
+  return {
+      .scenario = scenario.get(), .variant = path, .scene = scene, .closed_form = closed_form, .from_file = scenario};
+}
+
+Stepping reference_stepping() {
+  constexpr double dt = 1.0 / 60;
+  return {.dt = dt, .h = dt, .drift = 0.5, .impact_lag = 1, .gap = 0.01, .epsilon = 0x1p-24};
+}
+
+StatedTruths truths_of(const Case& test_case) {
+  StatedTruths stated;
+  for (const Expectation& expectation : test_case.scenario->expectations(test_case.parameters)) {
+    const std::string what = (expectation.body.empty() ? "" : expectation.body + " ") + name_of(expectation.quantity);
+    const std::string source = expectation.source + "; tolerance of symplectic Euler, 1/60 s, gap 0.01 m, float";
+    if (expectation.quantity == Quantity::apex) {
+      stated.left_out.push_back(
+          fmt::format("{} {}: a scene file states values at a time, not at an apex", what, expectation.index));
+      continue;
+    }
+    const bool of_a_moment = expectation.quantity < Quantity::speed_spread && expectation.over == 0;
+    if (!of_a_moment || expectation.relation != Relation::equal) {
+      stated.left_out.push_back(what + ": a scene file states values of a body or the scene at a time, not bounds");
+      continue;
+    }
+    const auto value = expected_in(test_case, expectation);
+    const double tolerance = expectation.within ? *expectation.within : expectation.allowed(reference_stepping());
+    if (!value || !std::isfinite(*value)) {
+      stated.left_out.push_back(what + ": the closed form is not valid that long");
+    } else if (!std::isfinite(tolerance)) {
+      stated.left_out.push_back(what + ": a first-order method at 1/60 s has no finite tolerance");
+    } else {
+      stated.truth.push_back({expectation.body, expectation.quantity, expectation.time, *value, tolerance, source});
+    }
+  }
+  return stated;
+}
+
+}  // namespace plumb

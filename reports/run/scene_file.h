@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/run/run.h"
+#include "scenarios/scene/scene_json.h"
+
+/// Cases from scene files, and the expectations of cases in the words of a scene file.
+namespace plumb {
+
+/// Whether a word of the command line means a scene file: it ends in ".json", or is the path of something that exists.
+bool is_scene_file(std::string_view word);
+
+/// The case of a scene file: its truths are the expectations, with their tolerances, and a closed form that recognises
+/// the scene is its closed form. Throws std::invalid_argument for a file that cannot be read.
+Case case_of_file(const std::string& path);
+
+/// The closed form that recognises this scene, and of several the one that is valid longest; null if there is none.
+const Engine* find_closed_form(const Scene&);
+
+/// What a case expects, as truths of a scene file. Their tolerances do not depend on the engine: each is what a
+/// first-order method is allowed (see `reference_stepping`).
+struct StatedTruths {
+  std::vector<StatedTruth> truth;
+  std::vector<std::string> left_out;  // what a scene file cannot state, and why
+};
+StatedTruths truths_of(const Case&);
+
+/// Symplectic Euler at 60 steps a second in single precision, which notices an impact at the end of its step, with
+/// contacts up to a centimetre off and no restitution threshold: typical of games, and of no engine in particular.
+Stepping reference_stepping();
+
+}  // namespace plumb

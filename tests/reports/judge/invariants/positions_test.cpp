@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include "forged_runs.h"
+
+namespace plumb {
+namespace {
+
+constexpr double dt = 0.01;
+const Stepping exact{.dt = dt, .h = dt, .drift = 0, .impact_lag = 0};
+const Stepping first_order{.dt = dt, .h = dt, .drift = 0.5, .impact_lag = 1, .gap = 0.005};
+
+TEST(OverlapInvariant, AllowsTheGapAndTheDistanceBeforeAnImpactIsNoticed) {
+  const Scene scene = box_on_ground();
+  const auto sunk = [](double depth) {
+    return forged(dt, {{box_at({0, 0.6}, {0, -2})}, {box_at({0, 0.5 - depth}, {0, 0})}});
+  };
+  EXPECT_EQ(status("overlap", scene, sunk(0.0249), first_order), CheckStatus::held);
+  const auto broken = checked("overlap", scene, sunk(0.0251), first_order).value();
+  EXPECT_EQ(broken.status, CheckStatus::broken);
+  EXPECT_EQ(broken.where, "ground - box");
+  EXPECT_EQ(status("overlap", scene, sunk(0.0001), exact), CheckStatus::broken);
+}
+
+Trace lying(Vec by) {
+  std::vector<Moment> moments(150, {box_at({0, 0.5})});
+  moments.resize(300, {box_at({by.x, 0.5 + by.y})});
+  return forged(dt, moments);
+}
+
+TEST(RestInvariant, ForbidsBodiesAtRestToCreep) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  EXPECT_EQ(status("rest", scene, lying({0.0049, 0}), first_order), CheckStatus::held);
+  EXPECT_EQ(status("rest", scene, lying({0.0051, 0}), first_order), CheckStatus::broken);
+  EXPECT_EQ(status("rest", scene, lying({0, -0.0051}), first_order), CheckStatus::broken);
+  Stepping creeping = first_order;
+  creeping.creep = 0.001;  // m/s, over 1.99 s
+  EXPECT_EQ(status("rest", scene, lying({0.0054, 0}), creeping), CheckStatus::held);
+}
+
+TEST(RestInvariant, LetsRoundBodiesRoll) {
+  Scene scene = box_on_ground(0.5, {0, -10});
+  scene.bodies[1].shapes = {{Circle{}, scene.bodies[1].shapes[0].surface}};
+  EXPECT_FALSE(checked("rest", scene, lying({1, 0}), first_order).has_value());
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,111 @@
+#include "reports/run/case_run.h"
+
+#include <gmock/gmock.h>
+
+#include "reports/run/experiment.h"
+#include "reports/run/selection.h"
+#include "reports/vec.h"
+#include "reports/writers/json.h"
+
+namespace plumb {
+namespace {
+
+constexpr double dt = 1.0 / 60;
+
+TEST(Phases, StartWithTheCaseItselfAndFillAStepEvenly) {
+  const auto all = phases(parse_case("bounce"), 8);
+  ASSERT_EQ(all.size(), 8u);
+  EXPECT_EQ(all.front().first_step, 1);
+  std::vector<double> shares;
+  for (const Case& one : all) shares.push_back(one.first_step);
+  std::sort(shares.begin(), shares.end());
+  double before = 0;
+  for (const double share : shares) {
+    EXPECT_GT(share, before);
+    EXPECT_LT(share - before, 2.0 / 8) << "an even filling has gaps of 1/8";
+    before = share;
+  }
+  EXPECT_EQ(phases(parse_case("bounce"), 1).size(), 1u);
+}
+
+TEST(Phases, EndWithTheScene) {
+  const Case test_case = parse_case("bounce");
+  for (const Case& one : phases(test_case, 5)) {
+    const Outcome outcome = run(*one.scene, parse_engine("impulse"), dt, one.first_step);
+    ASSERT_EQ(outcome.status, Status::ok);
+    EXPECT_DOUBLE_EQ(outcome.trace->time(1), one.first_step * dt);
+    EXPECT_NEAR(outcome.trace->times().back(), test_case.scene->duration, 1e-9);
+  }
+}
+
+Judgement judged(const Case& test_case, const EngineConfig& config) {
+  const Truth truth(*test_case.closed_form, *test_case.scene);
+  const CaseRun runs = run_case(test_case, config, dt);
+  return judge_case(test_case, config, dt, *runs.outcome.trace, runs.shifted, &truth);
+}
+
+// An impact that is noticed at the end of its step is late by anything from zero to a step; one whose time is computed
+// is not late at all.
+TEST(Phases, SpreadTheErrorOfImpactsThatAreNoticedLate) {
+  const Case test_case = parse_cases("head-on:e=0.5").front();
+  const Judgement late = judged(test_case, parse_engine("impulse:solver=article"));
+  const Judgement exact = judged(test_case, parse_engine("impulse"));
+  EXPECT_EQ(late.verdict, Verdict::right);
+  ASSERT_EQ(late.checks.size(), 4u);
+  const TruthCheck& x = late.checks[1];
+  ASSERT_EQ(x.quantity, "x");
+  ASSERT_TRUE(x.spread);
+  EXPECT_EQ(x.spread->phases, judged_phases);
+  EXPECT_EQ(x.error, x.spread->max) << "the worst phase is judged";
+  EXPECT_LT(x.spread->min, 0.3 * x.spread->max);
+  EXPECT_LE(x.spread->min, x.spread->median);
+  EXPECT_LE(x.spread->median, x.spread->max);
+  EXPECT_LT(exact.checks[1].spread->max, 1e-12);
+}
+
+TEST(Phases, AreWrongIfOneIs) {
+  const Case test_case = parse_cases("corner-impact:e=1").front();
+  Engine lucky = *Catalog<Engine>::find("impulse");
+  // Correct only for whole steps.
+  class Lucky : public Simulation {
+   public:
+    explicit Lucky(std::unique_ptr<Simulation> with) : with_(std::move(with)) {}
+    void step(double h) override {
+      with_->step(h);
+      broken_ = broken_ || std::abs(h - dt) > 1e-9;
+    }
+    void read(std::span<BodyState> out) const override {
+      with_->read(out);
+      if (broken_) out.back().velocity.y += 1;
+    }
+
+   private:
+    std::unique_ptr<Simulation> with_;
+    bool broken_ = false;
+  };
+  lucky.build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
+    return std::make_unique<Lucky>(Catalog<Engine>::find("impulse")->build(scene, settings));
+  };
+  const Judgement judgement = judged(test_case, {&lucky, complete(lucky, {})});
+  EXPECT_EQ(judgement.verdict, Verdict::wrong);
+  EXPECT_FALSE(judgement.checks[0].passed);
+  EXPECT_LT(judgement.checks[0].spread->min, 1e-9);
+  EXPECT_NEAR(judgement.checks[0].spread->max, 1, 1e-9);
+}
+
+TEST(RunCase, RunsOtherPhasesOnlyOfAPhasedScenarioThatRan) {
+  EXPECT_EQ(run_case(parse_cases("head-on:e=0.5").front(), parse_engine("impulse"), dt).shifted.size(),
+            judged_phases - 1u);
+  EXPECT_TRUE(run_case(parse_case("spring"), parse_engine("impulse"), dt).shifted.empty());
+}
+
+TEST(Phases, AreInTheReportOfAPhasedScenario) {
+  Plan plan{.cases = {parse_cases("head-on:e=0.5").front(), parse_cases("spring").front()},
+            .configs = {parse_engine("impulse")}};
+  const auto json = to_json(run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {}));
+  EXPECT_EQ(json["runs"][1]["truth"][0]["phases"]["count"], judged_phases);
+  EXPECT_TRUE(json["runs"][3]["truth"][0]["phases"].is_null());
+}
+
+}  // namespace
+}  // namespace plumb

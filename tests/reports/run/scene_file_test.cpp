@@ -1,0 +1,123 @@
+#include "reports/run/scene_file.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "reports/run/experiment.h"
+#include "reports/run/selection.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+TEST(IsSceneFile, AcceptsJsonAndPathsThatExist) {
+  EXPECT_TRUE(is_scene_file("mine.json"));
+  EXPECT_TRUE(is_scene_file("/dev/null"));
+  EXPECT_FALSE(is_scene_file("bounce"));
+  EXPECT_FALSE(is_scene_file("bounce:restitution=1/2"));
+  EXPECT_FALSE(is_scene_file("no/such/place"));
+}
+
+class SceneFileCase : public ::testing::Test {
+ protected:
+  ~SceneFileCase() override { fs::remove_all(folder_); }
+
+  std::string write(const std::string& text) const {
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "scene.json") << text;
+    return folder_ / "scene.json";
+  }
+
+  fs::path folder_ = fs::path(::testing::TempDir()) / ("plumb-scene-case-" + std::to_string(getpid()));
+};
+
+const std::string falling =
+    R"({"plumb": 1, "name": "drop", "about": "Does it fall?", "gravity": [0, -10], "duration": 1,
+  "bodies": [{"name": "disc", "type": "dynamic", "position": [0, 5], "shapes": [{"type": "circle", "radius": 1}]}],
+  "truth": [{"body": "disc", "quantity": "vy", "time": 0.5, "value": -5, "tolerance": 0.001, "source": "g t"}]})";
+
+TEST_F(SceneFileCase, HasTheExpectationsOfTheFile) {
+  const std::string path = write(falling);
+  const Case test_case = case_of_file(path);
+  EXPECT_EQ(test_case.scenario->name, "drop");
+  EXPECT_EQ(test_case.scenario->question, "Does it fall?");
+  EXPECT_EQ(test_case.variant, path);
+  const auto expectations = test_case.scenario->expectations({});
+  ASSERT_EQ(expectations.size(), 1u);
+  EXPECT_EQ(expectations[0].time, 0.5);
+  EXPECT_EQ(expectations[0].expected, -5);
+  EXPECT_EQ(expectations[0].within, 0.001);
+}
+
+TEST_F(SceneFileCase, HasTheClosedFormThatRecognisesIt) {
+  ASSERT_NE(case_of_file(write(falling)).closed_form, nullptr);
+  EXPECT_EQ(case_of_file(write(falling)).closed_form->name, "ballistic");
+}
+
+TEST_F(SceneFileCase, IsJudgedByItsTruthsForEveryEngine) {
+  std::string wrong = falling;
+  wrong.replace(wrong.find("-5,"), 3, "-6,");
+  for (const auto& [text, verdict] : {std::pair{falling, Verdict::right}, {wrong, Verdict::wrong}}) {
+    const Report report = run_experiment({.cases = {case_of_file(write(text))}, .configs = default_engines()},
+                                         [](const std::string&, std::size_t, std::size_t) {});
+    for (const RunRecord& run : report.runs) {
+      EXPECT_EQ(run.verdict, run.exact ? Verdict::right : verdict) << run.engine;
+    }
+  }
+}
+
+// Several closed forms recognise bounce; that of the first impact ends at the second.
+TEST(FindClosedForm, FindsTheOneThatIsValidLongest) {
+  const Engine* found = find_closed_form(*parse_case("bounce").scene);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->name, "bounce");
+  EXPECT_EQ(find_closed_form({.bodies = {{.name = "none"}}, .joints = {Weld{}}}), nullptr);
+}
+
+TEST(TruthsOf, AreTheExpectationsWithTheTolerancesOfAFirstOrderMethod) {
+  const Case test_case = parse_case("spring");
+  const auto expectations = test_case.scenario->expectations(test_case.parameters);
+  const StatedTruths stated = truths_of(test_case);
+  ASSERT_EQ(stated.truth.size(), expectations.size());
+  EXPECT_TRUE(stated.left_out.empty());
+  for (std::size_t i = 0; i < expectations.size(); ++i) {
+    EXPECT_EQ(stated.truth[i].quantity, expectations[i].quantity);
+    EXPECT_EQ(stated.truth[i].tolerance, expectations[i].allowed(reference_stepping()));
+    EXPECT_THAT(stated.truth[i].source, HasSubstr(expectations[i].source));
+    EXPECT_THAT(stated.truth[i].source, HasSubstr("1/60 s"));
+  }
+}
+
+TEST(TruthsOf, NameWhatASceneFileCannotState) {
+  const StatedTruths stated = truths_of(parse_case("bounce"));
+  EXPECT_EQ(stated.truth.size(), 1u);
+  EXPECT_EQ(stated.left_out.size(), 6u);
+  EXPECT_THAT(stated.left_out.at(0), HasSubstr("disc apex 1"));
+  EXPECT_THAT(stated.left_out.at(3), HasSubstr("disc landing"));
+}
+
+// Every scenario of the catalog can be exported: the file states the values of the closed form.
+TEST_F(SceneFileCase, OfAnExportedScenarioExpectsTheSame) {
+  for (const Case& test_case : default_cases(true)) {
+    const StatedTruths stated = truths_of(test_case);
+    EXPECT_EQ(stated.truth.size() + stated.left_out.size(),
+              test_case.scenario->expectations(test_case.parameters).size());
+    const Case read = case_of_file(write(write_scene({*test_case.scene, stated.truth})));
+    const auto expectations = read.scenario->expectations({});
+    ASSERT_EQ(expectations.size(), stated.truth.size());
+    for (std::size_t i = 0; i < expectations.size(); ++i) EXPECT_EQ(expectations[i].expected, stated.truth[i].value);
+    // A scene outside the limits of its scenario is outside those of its closed form too.
+    const bool solved =
+        test_case.closed_form != nullptr && test_case.closed_form->unsupported(*test_case.scene, {}).empty();
+    EXPECT_EQ(read.closed_form != nullptr, solved) << test_case.scenario->name << ' ' << test_case.variant;
+  }
+}
+
+}  // namespace
+}  // namespace plumb
