@@ -9,7 +9,6 @@
 #include "reference/adapters/impulse_world.h"
 #include "reference/needs.h"
 #include "reference/reduced.h"
-#include "reference/slowed.h"
 
 namespace plumb {
 namespace {
@@ -100,7 +99,7 @@ Engine impulse() {
   };
   engine.build = [](const Scene& scene, const Settings& given) {
     const Settings settings = chosen_for(scene, given);
-    return slowed(in_precision_of(settings).build(reduced(scene, settings), settings));
+    return in_precision_of(settings).build(reduced(scene, settings), settings);
   };
   engine.chooses = choices_of;
   return engine;

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/slowed.h"
 #include "reports/statistics.h"
 #include "reports/timing/pacer.h"
 #include "scenarios/scene/scene_json.h"
@@ -28,9 +27,6 @@ constexpr double turn_time = 1e-3;
 constexpr double sitting_time = 1e-2;
 constexpr std::size_t fewest_turns = 2;
 constexpr std::size_t most_turns = 9;
-
-// The fault that proves this gate is only ever in the program that is judged.
-const Pacer::Options as_it_is{.without = slowdown_variable};
 
 struct Range {
   std::size_t least, most;
@@ -127,7 +123,7 @@ std::vector<std::size_t> SideBySide::all() const {
 
 SideBySide::Turns SideBySide::plan(const Asked& asked) const {
   constexpr std::size_t few = 10;  // steps at a time
-  Sitter sitter(before_, question(asked.scene, engine_, dt_), as_it_is);
+  Sitter sitter(before_, question(asked.scene, engine_, dt_));
   const std::vector<double> tried =
       sitter.take_turn(request(1, asked.steps, few, longest_run), {1, (asked.steps + few - 1) / few});
   const double took = std::max(std::accumulate(tried.begin(), tried.end(), 0.0), 1e-7);
@@ -164,8 +160,8 @@ std::vector<TimedPair> SideBySide::measure(std::span<const std::size_t> which, i
 void SideBySide::sit(const Programs& programs, const Asked& asked, const Turns& turns, std::size_t first,
                      TimedPair& pair) const {
   const Json about = question(asked.scene, engine_, dt_);
-  std::array<Sitter, 3> sitters{Sitter(programs.before.path(), about, as_it_is), Sitter(programs.now.path(), about),
-                                Sitter(programs.again.path(), about, as_it_is)};
+  std::array<Sitter, 3> sitters{Sitter(programs.before.path(), about), Sitter(programs.now.path(), about),
+                                Sitter(programs.again.path(), about)};
   const Json turn = request(turns.runs, turns.steps, turns.chunk, std::numeric_limits<double>::max());
   const std::size_t chunks = (turns.steps + turns.chunk - 1) / turns.chunk;
   for (std::size_t i = 0; i < turns.turns * sitters.size(); ++i) {
