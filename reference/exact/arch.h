@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "reference/exact/plane.h"
+#include "reference/plane.h"
 
 namespace plumb {
 

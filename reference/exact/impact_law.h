@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "reference/exact/plane.h"
+#include "reference/plane.h"
 
 namespace plumb {
 

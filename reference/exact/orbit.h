@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/exact/plane.h"
+#include "reference/plane.h"
 
 namespace plumb {
 

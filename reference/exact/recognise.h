@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/exact/plane.h"
+#include "reference/plane.h"
 
 /// What closed forms look for in a scene.
 namespace plumb {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reference/exact/pendulum.h"
-#include "reference/exact/plane.h"
+#include "reference/plane.h"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "reference/fault.h"
+#include "reference/faults/fault.h"
 
 namespace plumb {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "reference/fault.h"
+#include "reference/faults/fault.h"
 #include "scenarios/scene/mass.h"
 
 namespace plumb {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/fault.h"
+#include "reference/faults/fault.h"
 #include "reports/prove/alarm.h"
 
 /// The harness put to the test: does it tell our engine with a mistake in it from the right one, and does it leave the

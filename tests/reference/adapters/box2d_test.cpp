@@ -46,7 +46,7 @@ TEST(Box2d, RefusesPolygonsItWouldChange) {
     const double angle = .69 * static_cast<double>(i);
     nine[i] = {std::cos(angle), std::sin(angle)};
   }
-  EXPECT_EQ(refusal(Polygon{nine}), "polygons have eight vertices at most");
+  EXPECT_EQ(refusal(Polygon{nine}), "polygons have at most eight vertices");
   nine.pop_back();
   EXPECT_EQ(refusal(Polygon{nine}), "");
   EXPECT_EQ(refusal(Polygon{{{0, 0}, {1, 0}, {1, .002}, {0, 1}}}), "welds vertices closer than 0.0025 m");

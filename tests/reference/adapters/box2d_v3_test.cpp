@@ -51,7 +51,7 @@ std::vector<Vec> regular(std::size_t count, double radius) {
 TEST_F(Box2dV3, NamesTheVersionItRunsWith) { EXPECT_EQ(box2d()->source.rfind("Box2D 3.", 0), 0u); }
 
 TEST_F(Box2dV3, RefusesPolygonsItWouldChange) {
-  EXPECT_EQ(refusal(Polygon{regular(9, 1)}), "polygons have eight vertices at most");
+  EXPECT_EQ(refusal(Polygon{regular(9, 1)}), "polygons have at most eight vertices");
   EXPECT_EQ(refusal(Polygon{regular(8, 1)}), "");
   EXPECT_EQ(refusal(Polygon{regular(8, .01)}), "drops vertices within 0.005 m of a line through others");
 }

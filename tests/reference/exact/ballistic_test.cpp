@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "integrate.h"
-#include "reference/exact/plane.h"
+#include "reference/plane.h"
 
 namespace plumb {
 namespace {

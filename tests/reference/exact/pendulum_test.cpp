@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "integrate.h"
-#include "reference/exact/plane.h"
+#include "reference/plane.h"
 #include "scenarios/scenario.h"
 
 namespace plumb {

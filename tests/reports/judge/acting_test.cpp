@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "reference/loads.h"
+#include "reference/adapter.h"
 #include "reports/vec.h"
 
 namespace plumb {

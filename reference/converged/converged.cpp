@@ -1,4 +1,4 @@
-#include "reference/converged.h"
+#include "reference/converged/converged.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "reference/exact/closed_form.h"
-#include "reference/exact/plane.h"
+#include "reference/plane.h"
 #include "reference/scene_facts.h"
 #include "scenarios/allowance.h"
 #include "scenarios/scaled.h"
@@ -20,16 +20,17 @@ namespace {
 const Engine& engine() { return *Catalog<Engine>::find("impulse"); }
 Settings settings() { return complete(engine(), {{"precision", "double"}}); }
 
-BodyState between(const BodyState& a, const BodyState& b, double share) {
+BodyState interpolated(const BodyState& a, const BodyState& b, double share) {
   return {.position = a.position + share * (b.position - a.position),
           .angle = a.angle + share * (b.angle - a.angle),
           .velocity = a.velocity + share * (b.velocity - a.velocity),
           .angular_velocity = a.angular_velocity + share * (b.angular_velocity - a.angular_velocity)};
 }
 
-// The refinement's k-th answer: 2^k times as many steps, lengths 2^k times as long. A power of two, so that enlarging
-// and shrinking round nothing. Read between two steps it is linear: an error that falls with the others.
-std::vector<BodyState> answer(const Scene& scene, std::span<const double> times, double coarsest, int halvings) {
+// The answer after k halvings: 2^k times as many steps in a scene 2^k times as large. Scaling by a power of two is
+// exact. Between two steps it is interpolated linearly; that error shrinks along with the others.
+std::vector<BodyState> refined_answer(const Scene& scene, std::span<const double> times, double coarsest,
+                                      int halvings) {
   const double scale = std::ldexp(1.0, halvings);
   const double dt = coarsest / scale;
   const auto simulation = engine().build(scaled(scene, scale), settings());
@@ -48,7 +49,7 @@ std::vector<BodyState> answer(const Scene& scene, std::span<const double> times,
     }
     const double share = 1 - std::clamp(steps - time / dt, 0.0, 1.0);
     for (std::size_t i = 0; i < now.size(); ++i) {
-      BodyState state = between(before[i], now[i], share);
+      BodyState state = interpolated(before[i], now[i], share);
       state.position = (1 / scale) * state.position;
       state.velocity = (1 / scale) * state.velocity;
       read.push_back(state);
@@ -63,18 +64,18 @@ struct Limit {
   bool ordered = false;
 };
 
-// x(h) = x + c h^p + ... : three successive answers differ in a ratio of 2^p, and so must the three one halving back
-// where that is more than chance; the differences point the same way. Then the limit lies another D/(2^p - 1) on, and
-// as much with Roache's factor of safety is the error claimed, although the extrapolation leaves a higher order only
-// (P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, 1994: 1.25 from three grids
-// on). Where the differences follow no order (an impact falls elsewhere in each step, and its error with it) the finest
-// answer stands as it is; the last three differences tell how far it may be off, twice over since each is a difference
-// of two errors.
+// x(h) = x + c h^p + ... : successive differences of the answers shrink by a ratio of 2^p and point the same way. Where
+// the last two ratios agree well enough not to be chance, the limit lies another D/(2^p - 1) beyond the finest answer,
+// D being the last difference. That extrapolation leaves only a higher order, but its whole length times Roache's
+// factor of safety is claimed as the error (P. J. Roache, Perspective: a method for uniform reporting of grid
+// refinement studies, 1994: 1.25 for three grids or more). Where the differences follow no order (an impact falls at a
+// different point of each step, and its error with it) the finest answer is the limit; its error is taken from the last
+// three differences, doubled because each is a difference of two errors.
 Limit limit_of(std::span<const Vec> answers) {
-  constexpr double slowest = 1.5;  // ratio; a first order has 2
-  constexpr double fastest = 5;    // the method is of second order: 4, and what scatters about it
-  constexpr double alike = 1.15;   // one ratio to the next
-  constexpr double aligned = 0.95;
+  constexpr double slowest = 1.5;   // ratio; first order has 2
+  constexpr double fastest = 5;     // the method is of second order: 4, and some scatter
+  constexpr double alike = 1.15;    // of one ratio to the next, at most
+  constexpr double aligned = 0.95;  // cosine between successive differences, at least
   constexpr double safety = 1.25;
   const std::size_t n = answers.size();
   const std::array<Vec, 3> step{answers[n - 3] - answers[n - 4], answers[n - 2] - answers[n - 3],
@@ -91,8 +92,8 @@ Limit limit_of(std::span<const Vec> answers) {
   return {answers[n - 1] + further, safety * length(further), true};
 }
 
-// Speeds at a support may agree for a while and then begin to change. Without an order a speed is known no better than
-// from the two places, each within its error, at the ends of a coarsest step.
+// Speeds at a support may agree for a while and then start to change. Without an order, a speed is known no better than
+// from two places at the ends of a coarsest step, each within its error.
 double error_of_speed(const Limit& speed, const Limit& place, double dt) {
   return speed.ordered ? speed.error : std::max(speed.error, 2 * place.error / dt);
 }
@@ -107,9 +108,9 @@ std::string in_words(const Scene& scene, std::size_t body, double time, std::spa
   return words.str();
 }
 
-// What no halving shows. Round-off grows with the steps; whatever a body does, each of them rounds the g h that gravity
-// adds and a support takes away, and the place x, which contacts and joints turn into a speed within one sub-step. Hops
-// slower than the engine's threshold for bouncing are missing, v^2/(2 g) high.
+// Errors that no halving reveals. Round-off grows with the number of steps. Every step rounds the g h that gravity adds
+// and a support takes away, and the place x, which contacts and joints turn into a speed within one sub-step. Hops
+// slower than the engine's restitution threshold are missing; they are v^2/(2 g) high.
 class ErrorFloor {
  public:
   ErrorFloor(const Scene& scene, const Refinement& refinement, int halvings)
@@ -117,10 +118,10 @@ class ErrorFloor {
         gravity_(length(scene.gravity)),
         size_(smallest_body(scene)),
         fastest_(scene.bodies.size()) {
-    const double bounces = std::ldexp(stepping_.restitution_threshold, -halvings);
+    const double threshold = std::ldexp(stepping_.restitution_threshold, -halvings);
     for (const Body& body : scene.bodies) {
       for (const Shape& shape : body.shapes) {
-        if (shape.surface.restitution > 0 && gravity_ > 0) slow_ = bounces;
+        if (shape.surface.restitution > 0 && gravity_ > 0) slowest_bounce_ = threshold;
       }
     }
   }
@@ -132,20 +133,21 @@ class ErrorFloor {
     const double position = round_off(stepping_, time, place + fastest * time);
     const double velocity =
         round_off(stepping_, time, fastest + gravity_ * stepping_.h) + round_off(stepping_, 0, place) / stepping_.h;
-    const double hop = gravity_ > 0 ? slow_ * slow_ / (2 * gravity_) : 0;
-    return {hop + position, position / size_, slow_ + velocity, velocity / size_};
+    const double hop = gravity_ > 0 ? slowest_bounce_ * slowest_bounce_ / (2 * gravity_) : 0;
+    return {hop + position, position / size_, slowest_bounce_ + velocity, velocity / size_};
   }
 
  private:
   Stepping stepping_;
   double gravity_, size_;
-  double slow_ = 0;
+  double slowest_bounce_ = 0;    // m/s
   std::vector<double> fastest_;  // m/s so far, of each body
 };
 
-class Samples {
+// Interpolates between the times of a solution, as the motion of a ClosedForm.
+class InterpolatedMotion {
  public:
-  explicit Samples(std::shared_ptr<const Converged> converged) : converged_(std::move(converged)) {}
+  explicit InterpolatedMotion(std::shared_ptr<const Converged> converged) : converged_(std::move(converged)) {}
 
   void at(double t, std::span<BodyState> out) const {
     const std::vector<double>& times = converged_->times();
@@ -154,7 +156,7 @@ class Samples {
     const std::size_t first = last == 0 ? 0 : last - 1;
     const double share = last == 0 ? 0 : std::min((t - times[first]) / (times[last] - times[first]), 1.0);
     for (std::size_t i = 0; i < out.size(); ++i) {
-      out[i] = between(converged_->states(first)[i], converged_->states(last)[i], share);
+      out[i] = interpolated(converged_->states(first)[i], converged_->states(last)[i], share);
     }
   }
   double valid_until() const { return converged_->valid_until() * (1 + 1e-12); }
@@ -168,7 +170,7 @@ class Samples {
 Converged::Converged(const Scene& scene, std::vector<double> times, const Refinement& refinement)
     : times_(std::move(times)), bodies_(scene.bodies.size()) {
   if (times_.empty() || times_.front() < 0 || !std::is_sorted(times_.begin(), times_.end())) {
-    throw std::invalid_argument("a converged reference answers at moments from 0 on, in ascending order");
+    throw std::invalid_argument("the times of a converged reference must ascend from 0 or later");
   }
   const std::string unsupported = engine().unsupported(scene, settings());
   if (!unsupported.empty()) throw std::domain_error(unsupported);
@@ -177,19 +179,19 @@ Converged::Converged(const Scene& scene, std::vector<double> times, const Refine
   const auto budget = static_cast<double>(refinement.budget);
   if (cost(fewest_halvings) > budget) {
     std::ostringstream words;
-    words << "over budget: " << fewest_halvings << " halvings take " << cost(fewest_halvings) << " body-steps of "
-          << budget;
+    words << "over budget: " << fewest_halvings << " halvings need " << cost(fewest_halvings)
+          << " body-steps, the limit is " << budget;
     throw std::domain_error(words.str());
   }
   while (halvings_ < refinement.halvings && cost(halvings_ + 1) <= budget) ++halvings_;
 
   std::vector<std::vector<BodyState>> answers;
-  for (int k = 0; k <= halvings_; ++k) answers.push_back(answer(scene, times_, refinement.dt, k));
-  conclude(scene, answers, refinement);
+  for (int k = 0; k <= halvings_; ++k) answers.push_back(refined_answer(scene, times_, refinement.dt, k));
+  extrapolate(scene, answers, refinement);
 }
 
-void Converged::conclude(const Scene& scene, std::span<const std::vector<BodyState>> answers,
-                         const Refinement& refinement) {
+void Converged::extrapolate(const Scene& scene, std::span<const std::vector<BodyState>> answers,
+                            const Refinement& refinement) {
   ErrorFloor floor(scene, refinement, halvings_);
   const double size = smallest_body(scene);
   std::vector<Vec> sequence(answers.size());
@@ -199,41 +201,41 @@ void Converged::conclude(const Scene& scene, std::span<const std::vector<BodySta
   };
   const auto place = [](const BodyState& state) { return state.position; };
   valid_until_ = times_.back();
-  for (std::size_t moment = 0; moment < times_.size(); ++moment) {
+  for (std::size_t time_index = 0; time_index < times_.size(); ++time_index) {
     for (std::size_t i = 0; i < bodies_; ++i) {
-      const std::size_t index = moment * bodies_ + i;
+      const std::size_t index = time_index * bodies_ + i;
       const Limit position = limit(index, place);
       const Limit angle = limit(index, [](const BodyState& state) { return Vec{state.angle, 0}; });
       const Limit velocity = limit(index, [](const BodyState& state) { return state.velocity; });
       const Limit turning = limit(index, [](const BodyState& state) { return Vec{state.angular_velocity, 0}; });
       states_.push_back({position.value, angle.value.x, velocity.value, turning.value.x});
-      StateError error = floor.at(times_[moment], i, states_.back());
+      StateError error = floor.at(times_[time_index], i, states_.back());
       error.position += position.error;
       error.angle += angle.error;
       error.velocity += error_of_speed(velocity, position, refinement.dt);
       error.angular_velocity += error_of_speed(turning, angle, refinement.dt);
       errors_.push_back(error);
-      // False for what is not finite.
+      // Written so that a NaN counts as not converged.
       if (error.position + size / 2 * error.angle <= refinement.tolerance * size || !reason_.empty()) continue;
-      valid_until_ = moment == 0 ? 0 : times_[moment - 1];
+      valid_until_ = time_index == 0 ? 0 : times_[time_index - 1];
       limit(index, place);
-      reason_ = in_words(scene, i, times_[moment], sequence);
+      reason_ = in_words(scene, i, times_[time_index], sequence);
     }
   }
 }
 
-std::span<const BodyState> Converged::states(std::size_t moment) const {
-  return std::span(states_).subspan(moment * bodies_, bodies_);
+std::span<const BodyState> Converged::states(std::size_t time_index) const {
+  return std::span(states_).subspan(time_index * bodies_, bodies_);
 }
 
-std::span<const StateError> Converged::errors(std::size_t moment) const {
-  return std::span(errors_).subspan(moment * bodies_, bodies_);
+std::span<const StateError> Converged::errors(std::size_t time_index) const {
+  return std::span(errors_).subspan(time_index * bodies_, bodies_);
 }
 
 double Converged::largest_error() const {
   double largest = 0;
-  for (std::size_t moment = 0; moment < times_.size() && times_[moment] <= valid_until_; ++moment) {
-    for (const StateError& error : errors(moment)) largest = std::max(largest, error.position);
+  for (std::size_t time_index = 0; time_index < times_.size() && times_[time_index] <= valid_until_; ++time_index) {
+    for (const StateError& error : errors(time_index)) largest = std::max(largest, error.position);
   }
   return largest;
 }
@@ -249,13 +251,13 @@ ConvergedTruth converged_truth(const Scene& scene, std::vector<double> times, co
   }
   Engine& engine = truth.engine;
   engine.name = "converged";
-  engine.about = "what our engine's answers tend to as its step is halved, where they agree";
-  engine.source = "this repository, reference/converged.h; L. F. Richardson (1911)";
+  engine.about = "the limit of our engine's solutions as the step is halved, where they converge";
+  engine.source = "this repository, reference/converged; L. F. Richardson (1911)";
   engine.exact = true;
   engine.stepping = [](const Settings&, double dt) { return Stepping{.dt = dt, .impact_lag = 0, .epsilon = 0x1p-53}; };
   engine.unsupported = [refused](const Scene&, const Settings&) { return refused; };
   engine.build = [answer = truth.answer](const Scene&, const Settings&) -> std::unique_ptr<Simulation> {
-    return std::make_unique<ClosedForm<Samples>>(Samples(answer));
+    return std::make_unique<ClosedForm<InterpolatedMotion>>(InterpolatedMotion(answer));
   };
   return truth;
 }

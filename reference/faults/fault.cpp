@@ -1,4 +1,4 @@
-#include "reference/fault.h"
+#include "reference/faults/fault.h"
 
 #include <algorithm>
 

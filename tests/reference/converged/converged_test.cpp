@@ -1,4 +1,4 @@
-#include "reference/converged.h"
+#include "reference/converged/converged.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "exact/integrate.h"
+#include "tests/reference/exact/integrate.h"
 #include "reports/judge/truth.h"
 #include "reports/run/run.h"
 #include "reports/vec.h"
@@ -133,7 +133,7 @@ TEST(Converged, SaysSoWhereTheBudgetIsTooSmall) {
     const Converged converged(scene, frames(3), {.budget = 1000});
     FAIL();
   } catch (const std::domain_error& refused) {
-    EXPECT_THAT(refused.what(), StartsWith("over budget: 3 halvings take"));
+    EXPECT_THAT(refused.what(), StartsWith("over budget: 3 halvings need"));
   }
 }
 
