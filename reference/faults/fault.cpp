@@ -7,10 +7,10 @@
 namespace plumb {
 namespace {
 
-const Engine& ours() { return *Catalog<Engine>::find("impulse"); }
+const Engine& our_engine() { return *Catalog<Engine>::find("impulse"); }
 
-Engine engine_of(const std::string& name, BuildSimulation build) {
-  Engine made = ours();
+Engine variant_of_ours(const std::string& name, BuildSimulation build) {
+  Engine made = our_engine();
   made.name = name;
   made.build = std::move(build);
   made.chooses = nullptr;
@@ -29,11 +29,13 @@ std::vector<Fault> all_faults() {
   return all;
 }
 
-Settings settings_of(const Fault& fault) { return complete(ours(), fault.method); }
+Settings settings_of(const Fault& fault) { return complete(our_engine(), fault.method); }
 
-Engine right_one(const Fault& fault) { return engine_of("impulse", fault.right == nullptr ? build_ours : fault.right); }
+Engine right_engine(const Fault& fault) {
+  return variant_of_ours("impulse", fault.right == nullptr ? build_ours : fault.right);
+}
 
-Engine faulty_one(const Fault& fault) { return engine_of(fault.name, fault.build); }
+Engine faulty_engine(const Fault& fault) { return variant_of_ours(fault.name, fault.build); }
 
 std::unique_ptr<Simulation> build_ours(const Scene& scene, const Settings& settings) {
   return double_precision::impulse_engine().build(scene, settings);

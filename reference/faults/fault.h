@@ -7,7 +7,7 @@
 
 #include "reference/simulation.h"
 
-/// Our own engine with a mistake made on purpose: what a harness is for is to tell it from the right one.
+/// Our own engine with a deliberate mistake. The harness proves itself by telling it from the right engine.
 namespace plumb {
 
 using BuildSimulation = std::function<std::unique_ptr<Simulation>(const Scene&, const Settings&)>;
@@ -15,23 +15,23 @@ using BuildSimulation = std::function<std::unique_ptr<Simulation>(const Scene&, 
 struct Fault {
   std::string name;
   std::string about;   // one line: what is wrong
-  std::string source;  // where the mistake comes from, as "row 18" of the seed's list; "" where anyone could make it
-  Settings method;     // of our engine: what it spoils; "{}" the default
+  std::string source;  // the part of the article that invites the mistake; "" if it comes from elsewhere
+  Settings method;     // settings of our engine that select the mutated method; empty for the default
   BuildSimulation build;
-  BuildSimulation right = nullptr;  // what it is held against; null: our engine as it is
+  BuildSimulation right = nullptr;  // what it is compared with; null for our engine as it is
 };
 
-/// Faults of the question, the reading and the engine, sorted by name.
+/// All faults, sorted by name.
 std::vector<Fault> all_faults();
 
 /// The complete settings of the right method.
 Settings settings_of(const Fault&);
 
-/// Two engines that differ in the fault alone; both state the errors of the right method.
-Engine right_one(const Fault&);
-Engine faulty_one(const Fault&);
+/// Two engines that differ only by the fault. Both state the errors of the right method.
+Engine right_engine(const Fault&);
+Engine faulty_engine(const Fault&);
 
-/// Joins the catalogue many at a time: what the engine brings.
+/// Adds many faults to the catalog at once.
 struct FaultSource {
   std::string name;
   std::vector<Fault> (*faults)();
