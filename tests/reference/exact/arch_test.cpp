@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "reference/plane.h"
+#include "reference/simulation.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
@@ -23,7 +25,7 @@ Arch semicircle(int n, double thickness, double friction, double scale = 1) {
   };
   const double inner = 1 - thickness / 2;
   const double outer = 1 + thickness / 2;
-  std::vector<Bed> beds;
+  std::vector<BedJoint> beds;
   std::vector<Arch::Stone> stones;
   for (int k = 0; k <= n; ++k) {
     const Vec out = (1 / scale) * at(1, k);
