@@ -6,11 +6,11 @@
 #include <cmath>
 #include <string>
 
-#include "tests/reference/exact/integrate.h"
 #include "reports/judge/truth.h"
 #include "reports/run/run.h"
 #include "reports/vec.h"
 #include "scenarios/scenario.h"
+#include "tests/reference/exact/integrate.h"
 
 namespace plumb {
 namespace {
@@ -30,16 +30,15 @@ Scene scene_of(const char* name, const Parameters& changes) {
   return scenario.scene(complete(scenario, changes));
 }
 
-// Of all moments and bodies the one that is farthest off, in units of the error claimed; where neither is off it counts
-// nothing.
+// The largest ratio of actual to claimed error over all times and bodies.
 struct Worst {
-  double share = 0;
+  double ratio = 0;
   std::string where;
 
-  void look_at(double off, double claimed, const std::string& what) {
+  void compare(double off, double claimed, const std::string& what) {
     const double now = off == 0 ? 0 : off / claimed;
-    if (now <= share) return;
-    share = now;
+    if (now <= ratio) return;
+    ratio = now;
     where = what + " off by " + std::to_string(off) + ", claimed " + std::to_string(claimed);
   }
 };
@@ -56,16 +55,16 @@ Worst worst_of(const Scene& scene, const Converged& converged, const Truth& trut
       const BodyState& here = converged.states(moment)[i];
       const StateError& error = converged.errors(moment)[i];
       const std::string at = scene.bodies[i].name + " at " + std::to_string(time) + " s: ";
-      worst.look_at(length(here.position - there.position), error.position, at + "place");
-      worst.look_at(std::abs(here.angle - there.angle), error.angle, at + "angle");
-      worst.look_at(length(here.velocity - there.velocity), error.velocity, at + "velocity");
-      worst.look_at(std::abs(here.angular_velocity - there.angular_velocity), error.angular_velocity, at + "spin");
+      worst.compare(length(here.position - there.position), error.position, at + "place");
+      worst.compare(std::abs(here.angle - there.angle), error.angle, at + "angle");
+      worst.compare(length(here.velocity - there.velocity), error.velocity, at + "velocity");
+      worst.compare(std::abs(here.angular_velocity - there.angular_velocity), error.angular_velocity, at + "spin");
     }
   }
   return worst;
 }
 
-TEST(Converged, MeetsEveryClosedFormWithinItsOwnError) {
+TEST(Converged, AgreesWithEveryClosedFormWithinItsError) {
   int met = 0;
   int to_the_end = 0;
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
@@ -76,18 +75,17 @@ TEST(Converged, MeetsEveryClosedFormWithinItsOwnError) {
       if (!closed_form.unsupported(scene, {}).empty()) continue;
       const Converged converged(scene, frames(scene.duration));
       const Worst worst = worst_of(scene, converged, Truth(closed_form, scene));
-      EXPECT_LE(worst.share, 1) << scenario->name << ' ' << variant.label << ": " << worst.where;
+      EXPECT_LE(worst.ratio, 1) << scenario->name << ' ' << variant.label << ": " << worst.where;
       EXPECT_GT(converged.valid_until(), 0) << scenario->name << ' ' << variant.label;
       ++met;
       to_the_end += converged.reason().empty();
     }
   }
   EXPECT_GE(met, 50);
-  EXPECT_GE(to_the_end, met - 2)
-      << "two sliding ladders, whose errors fall with the first order only, are left before the end";
+  EXPECT_GE(to_the_end, met - 2) << "two sliding ladders end early: their errors are of first order only";
 }
 
-TEST(Converged, RefusesAChaoticSceneBeyondItsHorizon) {
+TEST(Converged, EndsAChaoticSceneAtItsHorizon) {
   const Converged wild(scene_of("double-pendulum", {}), frames(5));
   EXPECT_GT(wild.valid_until(), 1);
   EXPECT_LT(wild.valid_until(), 4);
@@ -97,7 +95,8 @@ TEST(Converged, RefusesAChaoticSceneBeyondItsHorizon) {
   EXPECT_EQ(calm.reason(), "");
 }
 
-// Lagrange's equations of two uniform rods of mass 1 (it cancels) and length 1, by their angles from below.
+// Lagrange's equations of two uniform rods of length 1 m and mass 1 kg (the mass cancels), in the angles from the
+// vertical.
 TEST(Converged, AgreesWithAnIndependentIntegrationOfTheDoublePendulum) {
   constexpr double g = 10;
   constexpr double inertia = (1 + 0.1 * 0.1) / 12;
@@ -127,7 +126,7 @@ TEST(Converged, AgreesWithAnIndependentIntegrationOfTheDoublePendulum) {
   }
 }
 
-TEST(Converged, SaysSoWhereTheBudgetIsTooSmall) {
+TEST(Converged, RefusesIfTheBudgetIsTooSmall) {
   const Scene scene = scene_of("pyramid", {});
   try {
     const Converged converged(scene, frames(3), {.budget = 1000});
@@ -137,14 +136,14 @@ TEST(Converged, SaysSoWhereTheBudgetIsTooSmall) {
   }
 }
 
-TEST(Converged, TakesMomentsInOrderOnly) {
+TEST(Converged, NeedsTimesInAscendingOrder) {
   const Scene scene = scene_of("spring", {});
   EXPECT_THROW(Converged(scene, {1, 0.5}), std::invalid_argument);
   EXPECT_THROW(Converged(scene, {}), std::invalid_argument);
   EXPECT_THROW(Converged(scene, {-1, 0}), std::invalid_argument);
 }
 
-TEST(Converged, IsASimulationThatEndsWhereItKnowsNoMore) {
+TEST(Converged, RunsAsASimulationThatEndsWhereItIsNoLongerValid) {
   const Scene scene = scene_of("double-pendulum", {});
   const ConvergedTruth truth = converged_truth(scene, frames(5), {});
   const Outcome outcome = run(scene, {&truth.engine, {}}, frame);
@@ -153,7 +152,7 @@ TEST(Converged, IsASimulationThatEndsWhereItKnowsNoMore) {
   EXPECT_EQ(outcome.trace->state_at(2, 1).angle, truth.answer->states(60)[2].angle);
 }
 
-TEST(Converged, WhatIsRefusedSupportsNoScene) {
+TEST(Converged, SupportsNoSceneIfTheRefinementWasRefused) {
   const Scene scene = scene_of("pyramid", {});
   const ConvergedTruth truth = converged_truth(scene, frames(3), {.budget = 1000});
   const Outcome outcome = run(scene, {&truth.engine, {}}, frame);

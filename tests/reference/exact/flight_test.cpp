@@ -65,13 +65,13 @@ double lowest(const std::vector<Corner>& corners, const BodyState& state) {
   return least;
 }
 
-// Looks at a hundred thousand moments, then halves the interval in which the body first went under.
+// Looks at a hundred thousand times, then bisects the interval in which the body first went below the floor.
 double scan(const std::vector<Corner>& corners, const BodyState& start, double horizon) {
-  constexpr int moments = 100000;
-  for (int i = 1; i <= moments; ++i) {
-    double high = horizon * i / moments;
+  constexpr int samples = 100000;
+  for (int i = 1; i <= samples; ++i) {
+    double high = horizon * i / samples;
     if (lowest(corners, free_flight(start, gravity, high)) >= 0) continue;
-    double low = horizon * (i - 1) / moments;
+    double low = horizon * (i - 1) / samples;
     for (int k = 0; k < 60; ++k) {
       const double middle = (low + high) / 2;
       (lowest(corners, free_flight(start, gravity, middle)) < 0 ? high : low) = middle;
@@ -81,7 +81,7 @@ double scan(const std::vector<Corner>& corners, const BodyState& start, double h
   return horizon;
 }
 
-TEST(FirstContact, IsTheOneAScanFinds) {
+TEST(FirstContact, IsTheOneThatAScanFinds) {
   const std::vector<Corner> corners = corners_of(box("box", {0, 0}, {2, 0.2}, {}));
   for (int i = 0; i < 40; ++i) {
     const BodyState start{
@@ -98,13 +98,13 @@ TEST(FirstContact, OfADiscNeedsNoScan) {
   EXPECT_NEAR(first_contact(start, gravity, corners, ground, 2)->time, std::sqrt(0.8), 1e-15);
 }
 
-TEST(FirstContact, LeavesTheOneItStartsWith) {
+TEST(FirstContact, SkipsAContactThatItStartsWith) {
   const std::vector<Corner> corners = corners_of(disc("disc", {0, 0}, 0.5, {}));
   const BodyState start{.position = {0, 0.5}, .velocity = {0, 5}};
   EXPECT_NEAR(first_contact(start, gravity, corners, ground, 2)->time, 1, 1e-15);
 }
 
-TEST(FirstContact, NeverComesWhereNothingFalls) {
+TEST(FirstContact, IsNulloptIfNothingFalls) {
   const std::vector<Corner> corners = corners_of(box("box", {0, 0}, {1, 1}, {}));
   EXPECT_FALSE(first_contact({.position = {0, 3}, .angular_velocity = 4}, {}, corners, ground, 100));
   EXPECT_FALSE(first_contact({.position = {0, 3}, .velocity = {0, -0.01}}, {}, corners, ground, 100));

@@ -27,7 +27,7 @@ struct Block {
 
 Slide slide(const Block& b) { return {b.speed, b.drive, b.load, b.sticking, b.sliding}; }
 
-// Coulomb's law step by step; a step in which the speed would change its sign ends where it is zero.
+// Coulomb's law step by step. A step in which the speed would change its sign ends where the speed is zero.
 Slide::State integrate(const Block& b, double until) {
   const double h = until / 1000;
   Slide::State now{0, b.speed};
@@ -71,20 +71,20 @@ TEST(Slide, StopsAfterVOverMuG) {
   EXPECT_EQ(stopping.at(9).speed, 0);
 }
 
-TEST(Slide, SticksUpToTheAngleOfFrictionAndNoFurther) {
+TEST(Slide, SticksUpToTheAngleOfFriction) {
   const auto on_slope = [](double angle) { return Slide(0, 10 * std::sin(angle), 10 * std::cos(angle), 0.5, 0.5); };
   EXPECT_EQ(on_slope(std::atan(0.5) - 1e-9).at(1).speed, 0);
   EXPECT_GT(on_slope(std::atan(0.5) + 1e-9).at(1).speed, 0);
 }
 
-TEST(Slide, NeedsStaticFrictionToStartAndDynamicToGoOn) {
+TEST(Slide, NeedsStaticFrictionToStartAndDynamicToContinue) {
   const Slide breaks(0, 5, 10, 0.4, 0.1);
   EXPECT_DOUBLE_EQ(breaks.at(2).speed, 8);
   EXPECT_DOUBLE_EQ(breaks.friction(), 1);
   EXPECT_DOUBLE_EQ(Slide(0, 3, 10, 0.4, 0.1).friction(), 3);
 }
 
-TEST(Slide, KnowsWhenItPassesAPlace) {
+TEST(Slide, KnowsWhenItReachesADistance) {
   for (const double distance : {0.3, 0.5, -0.4, -7.0}) {
     const Slide there = slide(up_and_back);
     const double t = there.reaches(distance);
@@ -109,18 +109,18 @@ Scene tiled(int tiles) {
   return scene;
 }
 
-TEST(SlideScene, TakesTilesLaidFlushForOneFloor) {
+TEST(SlideScene, TreatsFlushTilesAsOneFloor) {
   const Engine& slide = *Catalog<Engine>::find("slide");
   const auto simulation = slide.build(tiled(6), {});
   simulation->step(1);
   std::vector<BodyState> states(7);
   simulation->read(states);
   EXPECT_NEAR(states[6].position.x, 1 + 3 - 0.5, 1e-14);  // 3 t - 0.1 g t^2/2
-  // Its centre at 5 it would reach over the end at 5.5, after 4 m: 3 t - t^2/2 = 4.
+  // With its centre at 5 it reaches the end at 5.5, after 4 m: 3 t - t^2/2 = 4.
   EXPECT_NEAR(simulation->valid_until(), 2, 1e-12);
 }
 
-TEST(SlideScene, RefusesTilesThatAreNotFlushOrRubDifferently) {
+TEST(SlideScene, RefusesTilesThatAreNotFlushOrDifferInFriction) {
   const Engine& slide = *Catalog<Engine>::find("slide");
   ASSERT_EQ(slide.unsupported(tiled(6), {}), "");
   Scene step = tiled(6);
@@ -136,7 +136,7 @@ TEST(SlideScene, RefusesTilesThatAreNotFlushOrRubDifferently) {
 
 namespace roll_tests {
 
-// Coulomb's law step by step; a step in which the slip would change its sign ends where it is zero.
+// Coulomb's law step by step. A step in which the slip would change its sign ends where the slip is zero.
 Roll::State integrate(const Roll::Setup& c, double until) {
   const double h = until / 1000;
   Roll::State now{0, c.speed, 0, c.spin};
@@ -193,7 +193,7 @@ TEST(Roll, SlipsUntilVOverThreeMuGThenKeepsTwoThirds) {
   EXPECT_DOUBLE_EQ(roll.at(5).spin, -8);
 }
 
-TEST(Roll, GoesDownASlopeWithTwoThirdsIffFrictionHolds) {
+TEST(Roll, AcceleratesDownASlopeWithTwoThirdsIffFrictionHolds) {
   const double angle = 0.4;
   const auto on_slope = [angle](double mu) {
     return Roll({.radius = 0.5,
@@ -222,9 +222,9 @@ namespace plank_tests {
 const Plank::Setup soft{
     .plank = 5, .body = 3, .radius = 0.4, .pull = 12, .gravity = 10, .static_friction = 0.5, .dynamic_friction = 0.5};
 
-// Friction as a very stiff brake on the slip, c (V - v - w r), at most mu m g: it knows nothing of rolling. What it
-// gives of the motion is as stiff a spring away from Coulomb's as 1/c.
-TEST(Plank, AgreesWithABrakeOnTheSlipThatKnowsNothingOfRolling) {
+// Friction as a very stiff viscous brake on the slip, c (V - v - w r), limited to mu m g. It has no notion of rolling;
+// the motion differs from Coulomb's by a term of order 1/c.
+TEST(Plank, AgreesWithAViscousBrakeOnTheSlip) {
   for (const double pull : {12.0, 200.0}) {
     Plank::Setup c = soft;
     c.pull = pull;
@@ -241,15 +241,15 @@ TEST(Plank, AgreesWithABrakeOnTheSlipThatKnowsNothingOfRolling) {
     }
     const Plank motion(c);
     EXPECT_EQ(motion.rolls(), pull < 100);
-    // The brake's slip, f/c, and its beginning, within m/c seconds, are what it lacks.
-    const double lacks = 1e-9 * pull + pull / brake;
-    EXPECT_NEAR(y[0], motion.plank(), lacks) << pull;
-    EXPECT_NEAR(y[1], motion.body(), lacks) << pull;
-    EXPECT_NEAR(y[2], motion.spin(), 2 * lacks / c.radius) << pull;
+    // The error of the brake: its slip f/c, and a transient of m/c seconds.
+    const double tolerance = 1e-9 * pull + pull / brake;
+    EXPECT_NEAR(y[0], motion.plank(), tolerance) << pull;
+    EXPECT_NEAR(y[1], motion.body(), tolerance) << pull;
+    EXPECT_NEAR(y[2], motion.spin(), 2 * tolerance / c.radius) << pull;
   }
 }
 
-TEST(Plank, KeepsNewtonsLawForBothAndTheRimWithThePlank) {
+TEST(Plank, ObeysNewtonsLawForBothBodiesAndRollsWithoutSlip) {
   const Plank motion(soft);
   EXPECT_NEAR(soft.plank * motion.plank() + soft.body * motion.body(), soft.pull, 1e-14 * soft.pull);
   EXPECT_NEAR(motion.body() + motion.spin() * soft.radius, motion.plank(), 1e-14);
@@ -257,8 +257,8 @@ TEST(Plank, KeepsNewtonsLawForBothAndTheRimWithThePlank) {
   EXPECT_NEAR(motion.plank(), soft.pull / (soft.plank + soft.body / 3), 1e-14);
 }
 
-// mu g (3 M + m) is the hardest pull that a disc follows without slipping.
-TEST(Plank, RollsUpToTheFrictionThatItTakes) {
+// mu g (3 M + m) is the strongest pull at which a disc does not slip.
+TEST(Plank, RollsUpToThePullThatFrictionAllows) {
   Plank::Setup c = soft;
   const double limit = c.static_friction * c.gravity * (3 * c.plank + c.body);
   c.pull = limit * (1 - 1e-12);
@@ -268,7 +268,7 @@ TEST(Plank, RollsUpToTheFrictionThatItTakes) {
   EXPECT_NEAR(Plank(c).body(), c.dynamic_friction * c.gravity, 1e-15);
 }
 
-TEST(Plank, UnderAWeightlessBodyIsPulledAloneAndABodyOnIceStays) {
+TEST(Plank, IgnoresAWeightlessBodyAndDoesNotMoveAFrictionlessOne) {
   Plank::Setup c = soft;
   c.body = 1e-12;
   EXPECT_NEAR(Plank(c).plank(), c.pull / c.plank, 1e-12);
@@ -278,8 +278,8 @@ TEST(Plank, UnderAWeightlessBodyIsPulledAloneAndABodyOnIceStays) {
   EXPECT_EQ(Plank(c).spin(), 0);
 }
 
-// Forces twice as large on masses twice as large, lengths thrice as long.
-TEST(Plank, ScalesAsItsUnitsDo) {
+// Twice the forces on twice the masses, three times the lengths.
+TEST(Plank, ScalesWithItsUnits) {
   Plank::Setup c = soft;
   c.plank *= 2;
   c.body *= 2;

@@ -36,8 +36,8 @@ After after(const PointImpact& m, Vec push) {
   return state;
 }
 
-// Keller's way: the impact as a process in the normal impulse, bit by bit, friction against the slip of the moment;
-// where the approach ends, Poisson's restitution gives the rest as e times the impulse of compression.
+// Keller's method: integrates the impact over the normal impulse, with friction against the present slip. When the
+// approach ends, Poisson's restitution adds e times the impulse of compression.
 Vec integrate(PointImpact m) {
   const Vec n = m.normal;
   const Vec t{n.y, -n.x};
@@ -75,7 +75,7 @@ TEST(ImpactImpulse, AgreesWithKellersProcessWhileTheSlipKeepsItsDirection) {
       const PointImpact meeting = corner(mu, e);
       const std::optional<Vec> push = impact_impulse(meeting);
       ASSERT_TRUE(push);
-      ASSERT_GT(after(meeting, *push).point.x, 0) << "this test needs slip that goes on";
+      ASSERT_GT(after(meeting, *push).point.x, 0) << "this test needs slip that continues";
       const Vec expected = integrate(meeting);
       EXPECT_NEAR(push->x, expected.x, 1e-9);
       EXPECT_NEAR(push->y, expected.y, 1e-9);
@@ -83,14 +83,14 @@ TEST(ImpactImpulse, AgreesWithKellersProcessWhileTheSlipKeepsItsDirection) {
   }
 }
 
-TEST(ImpactImpulse, WithoutFrictionIsTheTextbooks) {
+TEST(ImpactImpulse, WithoutFrictionIsTheTextbookFormula) {
   const PointImpact m = corner(0, 0.5);
   const double un = -5 + 1 * 0.3;
   EXPECT_DOUBLE_EQ(impact_impulse(m)->y, -1.5 * un / (1 / 2.0 + 0.09 / 0.3));
   EXPECT_EQ(impact_impulse(m)->x, 0);
 }
 
-TEST(ImpactImpulse, TurnsTheNormalSpeedRoundByTheRestitution) {
+TEST(ImpactImpulse, ReversesTheNormalSpeedByTheRestitution) {
   for (const double mu : {0.0, 0.2}) {
     const PointImpact m = corner(mu, 0.5);
     EXPECT_NEAR(after(m, *impact_impulse(m)).point.y, 0.5 * 4.7, 1e-14);
@@ -134,8 +134,8 @@ TEST(ImpactImpulse, IsTheSameInATurnedFrame) {
   EXPECT_NEAR(impact_impulse(there)->y, expected.y, 1e-13);
 }
 
-TEST(ImpactImpulse, IsSilentWhereTheLawsDisagree) {
-  PointImpact stops = corner(0.2, 0.5);  // on its other corner, the push upwards takes the slip away
+TEST(ImpactImpulse, IsNulloptWhereTheLawsDisagree) {
+  PointImpact stops = corner(0.2, 0.5);  // at the opposite corner the normal impulse stops the slip
   stops.arm.x = -0.3;
   EXPECT_FALSE(impact_impulse(stops));
   PointImpact leaving = corner(0.2, 0.5);
@@ -167,7 +167,7 @@ double energy(const BodyState& s) {
          c.inertia * s.angular_velocity * s.angular_velocity / 2;
 }
 
-TEST(FirstImpact, IsWhereACornerMeetsTheFloor) {
+TEST(FirstImpact, IsWhereACornerTouchesTheFloor) {
   const FirstImpact motion = solved(landing());
   double least = 1;
   for (const Corner& corner : landing().corners) {
@@ -176,7 +176,7 @@ TEST(FirstImpact, IsWhereACornerMeetsTheFloor) {
   EXPECT_NEAR(least, 0, 1e-15);
 }
 
-TEST(FirstImpact, MovesNothingButSpeedsAtTheImpact) {
+TEST(FirstImpact, ChangesOnlyVelocitiesAtTheImpact) {
   const FirstImpact motion = solved(landing());
   const double t = motion.impact();
   const double before = std::nextafter(t, 0.0);
@@ -185,7 +185,7 @@ TEST(FirstImpact, MovesNothingButSpeedsAtTheImpact) {
   EXPECT_GT(motion.at(t).velocity.y, motion.at(before).velocity.y + 1);
 }
 
-TEST(FirstImpact, KeepsTheEnergyButForTheImpact) {
+TEST(FirstImpact, KeepsTheEnergyExceptInTheImpact) {
   const FirstImpact motion = solved(landing());
   const double t = motion.impact();
   EXPECT_NEAR(energy(motion.at(0)), energy(motion.at(t * 0.99)), 1e-13);
@@ -203,7 +203,7 @@ TEST(FirstImpact, EndsAtTheSecondContact) {
   EXPECT_NEAR(least, 0, 1e-14);
 }
 
-TEST(FirstImpact, HoldsForEverWhereNothingIsHit) {
+TEST(FirstImpact, IsValidForEverIfNothingIsHit) {
   FirstImpact::Setup high = landing();
   high.start.position.y = 1e4;
   EXPECT_EQ(solved(high).impact(), std::numeric_limits<double>::infinity());
@@ -219,7 +219,7 @@ TEST(FirstImpact, OfADiscBouncesBackToESquaredH) {
   EXPECT_NEAR(motion.at((motion.impact() + motion.valid_until()) / 2).position.y, 0.5 + 0.64 * 4, 1e-14);
 }
 
-TEST(FirstImpact, RefusesWhatTheLawsDoNotSettle) {
+TEST(FirstImpact, RefusesCasesThatTheLawsDoNotDetermine) {
   FirstImpact::Setup flat_landing = landing();
   flat_landing.start.angle = 0;
   flat_landing.start.angular_velocity = 0;

@@ -29,8 +29,8 @@ Ladder::Setup rod(double degrees, double friction) {
           .friction = friction};
 }
 
-// Newton and Euler for a free rod with forces at both ends, found each moment from the two conditions that its foot
-// stays down and its head at the wall: the angle's equation is not used. y = x, y, a and their rates.
+// Newton's and Euler's equations for a free rod with forces at both ends. These follow from the conditions that the
+// foot stays on the floor and the head at the wall; the equation of the angle is not used. y = x, y, a and their rates.
 std::array<double, 6> pushed(const Ladder::Setup& c, const std::array<double, 6>& y, Vec& push) {
   const double s = std::sin(y[2]);
   const double k = std::cos(y[2]);
@@ -74,8 +74,8 @@ TEST(Ladder, AgreesWithARodPushedAtBothEnds) {
   }
 }
 
-// Without friction it is a pendulum of a + pi/2.
-TEST(Ladder, OnIceIsAPendulumUpsideDown) {
+// Without friction it is a pendulum with angle a + pi/2.
+TEST(Ladder, WithoutFrictionIsAnInvertedPendulum) {
   const Ladder::Setup c = rod(60, 0);
   const double w = std::sqrt(c.gravity * half / (c.gyration + half * half));
   const Pendulum pendulum(c.angle + std::numbers::pi / 2, w);
@@ -85,7 +85,7 @@ TEST(Ladder, OnIceIsAPendulumUpsideDown) {
   }
 }
 
-TEST(Ladder, OnIceLeavesTheWallAtTwoThirdsOfItsHeight) {
+TEST(Ladder, WithoutFrictionLeavesTheWallAtTwoThirdsOfItsHeight) {
   for (const double degrees : {30.0, 60.0, 80.0}) {
     const Ladder ladder(rod(degrees, 0));
     const double high = std::sin(degrees * std::numbers::pi / 180);
@@ -104,7 +104,7 @@ TEST(Ladder, StandsIffItsTangentIsAtLeastOneOverTwoMu) {
   EXPECT_NEAR(standing.push(standing.at(1)).x, 10 / (2 * std::tan(50 * std::numbers::pi / 180)), 1e-14);
 }
 
-TEST(Ladder, LosesToFrictionWhatItsFootSlides) {
+TEST(Ladder, LosesTheFrictionWorkOfItsFoot) {
   const Ladder::Setup c = rod(45, 0.3);
   const Ladder ladder(c);
   const double end = 0.5;
@@ -119,7 +119,7 @@ TEST(Ladder, LosesToFrictionWhatItsFootSlides) {
   EXPECT_NEAR(kinetic + work, c.gravity * half * (std::sin(c.angle) - std::sin(now.angle)), 1e-6);
 }
 
-TEST(Ladder, ScalesAsItsUnitsDo) {
+TEST(Ladder, ScalesWithItsUnits) {
   Ladder::Setup large = rod(50, 0.2);
   large.half *= 4;
   large.gyration *= 16;

@@ -26,7 +26,7 @@ TEST(Line, HeadOnSharesMomentumByMassAndRestitution) {
   EXPECT_DOUBLE_EQ(now[0].position, 0.4 * v1 + 4.6 * now[0].speed);  // they meet after 2/5 s
 }
 
-TEST(Line, CradleHandsTheSpeedToTheLast) {
+TEST(Line, CradlePassesTheSpeedToTheLastBall) {
   Particles row;
   for (int i = 0; i < 6; ++i) row.push_back({1.1 * i, i == 0 ? 2.0 : 0.0, 1, 0.5});
   const Line line(row, {}, std::vector<double>(7, 1), 10);
@@ -68,14 +68,15 @@ TEST(Line, EndsWhereThreeWouldMeetAtOnce) {
   EXPECT_DOUBLE_EQ(line.valid_until(), 1);
 }
 
-TEST(Line, EndsWhereImpactsPileUp) {
+TEST(Line, EndsWhereImpactsAccumulate) {
   // Three equal masses collapse for e < 7 - 4 sqrt 3 = 0.072 (Bernu & Mazighi, 1990).
   const Line line({{0, 1, 1, 0.1}, {1, 0, 1, 0.1}, {2.1, -1, 1, 0.1}}, {}, {0, 0.03, 0.03, 0}, 100);
   EXPECT_LT(line.valid_until(), 100);
 }
 
-// Independent: no event is looked for, small steps just push apart what overlaps; right as the step goes to zero.
-TEST(Line, AgreesWithSmallStepsThatKnowNoEvents) {
+// An independent check without event detection: small steps reverse the velocities of bodies that overlap. It converges
+// as the step goes to zero.
+TEST(Line, AgreesWithSmallStepsWithoutEventDetection) {
   const Particles start{{1, 3, 1, 0.2}, {2, -1, 2.5, 0.3}};
   const double e = 0.8;
   const Line line(start, {.left = 0, .right = 4}, {e, e, e}, 2);
@@ -96,7 +97,7 @@ TEST(Line, AgreesWithSmallStepsThatKnowNoEvents) {
   const Particles exact = at(line, 2, 2);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(exact[i].speed, now[i].speed, 1e-9);
-    EXPECT_NEAR(exact[i].position, now[i].position, 1e-4);  // impacts up to h late, with up to ten jumps of 5 m/s
+    EXPECT_NEAR(exact[i].position, now[i].position, 1e-4);  // impacts are up to h late, with up to ten jumps of 5 m/s
   }
 }
 

@@ -32,14 +32,14 @@ TEST(Oscillator, AgreesWithRungeKutta) {
   }
 }
 
-TEST(Oscillator, ComesBackAfterItsPeriod) {
+TEST(Oscillator, ReturnsAfterItsPeriod) {
   const Oscillator swing(1, 0, 2, 50, 0);
   EXPECT_DOUBLE_EQ(swing.frequency(), 5);
   EXPECT_NEAR(swing.at(2 * std::numbers::pi / 5).stretch, 1, 1e-14);
   EXPECT_NEAR(swing.at(std::numbers::pi / 10).stretch, 0, 1e-14);
 }
 
-TEST(Oscillator, KeepsItsEnergyWithoutDampingAndOnlyThen) {
+TEST(Oscillator, KeepsItsEnergyOnlyWithoutDamping) {
   const auto energy = [](const Oscillator& o, double t) {
     return 25 * o.at(t).stretch * o.at(t).stretch + o.at(t).speed * o.at(t).speed;
   };
@@ -70,14 +70,14 @@ TEST(Pendulum, AgreesWithRungeKutta) {
   }
 }
 
-TEST(Pendulum, SwingsAsSmallSwingsDoWhenTheyAreSmall) {
+TEST(Pendulum, HasTheSmallAngleFrequencyAtSmallAmplitudes) {
   EXPECT_NEAR(Pendulum(1e-5, w).period(), 2 * std::numbers::pi / w, 1e-10);
   // The series 1 + a^2/16 + 11 a^4/3072 + ...
   const double a = 0.1;
   EXPECT_NEAR(Pendulum(a, w).period() * w / (2 * std::numbers::pi), 1 + a * a / 16 + 11 * a * a * a * a / 3072, 1e-8);
 }
 
-TEST(Pendulum, ComesBackAfterItsPeriodAndIsBelowAfterAQuarter) {
+TEST(Pendulum, ReturnsAfterItsPeriodAndIsAtTheBottomAfterAQuarter) {
   const Pendulum swing(2.5, w);
   EXPECT_NEAR(swing.at(swing.period()).angle, 2.5, 1e-13);
   EXPECT_NEAR(swing.at(swing.period() / 2).angle, -2.5, 1e-13);
@@ -94,7 +94,7 @@ TEST(Pendulum, KeepsItsEnergy) {
 }
 
 // w^2 = (3 g/L)(cos b0 - cos b) of a toppling rod, b from the vertical.
-TEST(Pendulum, OfATopplingRodTurnsAsItsEnergySays) {
+TEST(Pendulum, OfATopplingRodHasTheAngularVelocityFromEnergy) {
   const Scenario& toppling = *Catalog<Scenario>::find("rod-toppling");
   const Scene scene = toppling.scene(complete(toppling, {}));
   const auto simulation = Catalog<Engine>::find("pendulum")->build(scene, {});
@@ -102,7 +102,7 @@ TEST(Pendulum, OfATopplingRodTurnsAsItsEnergySays) {
   std::vector<BodyState> states(scene.bodies.size());
   simulation->read(states);
   const double b = std::atan2(states[1].position.x, states[1].position.y);
-  // The rod has a thickness, d: I about its end is m (L^2/3 + d^2/12).
+  // The rod has a thickness d: I about its end is m (L^2/3 + d^2/12).
   const double stiffer = 1 + 0.01 / (4 * 16);
   const double expected = 3 * 10 / 4.0 * (std::cos(std::numbers::pi / 12) - std::cos(b)) / stiffer;
   EXPECT_NEAR(states[1].angular_velocity * states[1].angular_velocity, expected, 1e-12);

@@ -30,12 +30,12 @@ TEST(Beam, HasAllItsWeightOnASupportBelowItsCentre) {
   EXPECT_NEAR(Beam(30, 1e-12, 2).right(), 0, 1e-10);
 }
 
-TEST(Beam, ScalesWithItsWeightAloneWhateverTheLengthsAreMeasuredIn) {
+TEST(Beam, ScalesWithItsWeightAndNotWithItsLength) {
   EXPECT_DOUBLE_EQ(Beam(30, 1, 3).left(), Beam(30, 100, 300).left());
   EXPECT_DOUBLE_EQ(Beam(60, 1, 3).left(), 2 * Beam(30, 1, 3).left());
 }
 
-TEST(BeamScene, GivesTheImpulsesOfAStepToTheSupports) {
+TEST(BeamScene, ReportsTheImpulsesOfAStepOnTheSupports) {
   const Scenario& family = *Catalog<Scenario>::find("beam");
   const Scene scene = family.scene(complete(family, {}));
   const auto simulation = Catalog<Engine>::find("beam")->build(scene, {});
@@ -82,7 +82,7 @@ std::vector<ContactState> loads(const Scene& scene) {
   return contacts;
 }
 
-TEST(Rest, EachContactCarriesWhatIsAboveIt) {
+TEST(RestingTower, EachContactCarriesTheWeightAboveIt) {
   const std::vector<ContactState> contacts = loads(tower({0, 0, 0}));
   ASSERT_EQ(contacts.size(), 6u);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -93,8 +93,8 @@ TEST(Rest, EachContactCarriesWhatIsAboveIt) {
   }
 }
 
-// Forces and moments on every body must balance, whatever the tower.
-TEST(Rest, BalancesForcesAndMomentsOnEveryBody) {
+// In any tower the forces and moments on every body balance.
+TEST(RestingTower, BalancesForcesAndMomentsOnEveryBody) {
   const Scene scene = tower({0, 0.3, 0.1, 0.6});
   const std::vector<ContactState> contacts = loads(scene);
   for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
@@ -111,12 +111,12 @@ TEST(Rest, BalancesForcesAndMomentsOnEveryBody) {
   for (const ContactState& contact : contacts) EXPECT_GE(contact.normal_impulse, 0);
 }
 
-TEST(Rest, RefusesWhatTopples) {
+TEST(RestingTower, RefusesATowerThatTopples) {
   EXPECT_THAT(rest().unsupported(tower({0, 1.01}), {}), testing::HasSubstr("topples"));
   EXPECT_EQ(rest().unsupported(tower({0, 0.99}), {}), "");
 }
 
-TEST(Rest, RefusesWhatMovesOrFloats) {
+TEST(RestingTower, RefusesATowerThatMovesOrFloats) {
   Scene moving = tower({0});
   moving.bodies[1].velocity.x = 1;
   EXPECT_NE(rest().unsupported(moving, {}), "");

@@ -27,8 +27,8 @@ Topple::Setup box(double slope = 35 * std::numbers::pi / 180, double friction = 
           .landing = std::numbers::pi / 2};
 }
 
-// The centre's own motion under gravity and the push that holds the edge in place, both found from the two conditions
-// that the edge does not accelerate: nothing of a pendulum, its frequency or its elliptic functions.
+// The motion of the centre under gravity and the force that holds the edge. Both follow from the condition that the
+// edge does not accelerate, without the formulas of a pendulum.
 struct Edge {
   std::array<double, 6> rate;
   Vec push;
@@ -69,29 +69,29 @@ TEST(Topple, AgreesWithABodyWhoseEdgeIsHeldByForces) {
   EXPECT_NEAR(Topple(c).push(end).y, push.y, 1e-8);
 }
 
-TEST(Topple, StandsUpToTheSlopeWhoseTangentIsBOverHAndTipsBeyond) {
+TEST(Topple, StandsUpToTheSlopeWhoseTangentIsBOverH) {
   const double limit = std::atan(0.5);
   EXPECT_EQ(Topple(box(limit - 1e-9)).at(3).turn, 0);
   EXPECT_GT(Topple(box(limit + 1e-9)).at(3).turn, 0);
-  // Standing it carries its weight: g cos a, and sticks with g sin a.
+  // While it stands the floor supports g cos a, and friction g sin a.
   const Vec push = Topple(box(0.3)).push(1);
   EXPECT_NEAR(push.y, 10 * std::cos(0.3), 1e-14);
   EXPECT_NEAR(push.x, -10 * std::sin(0.3), 1e-14);
 }
 
-TEST(Topple, HoldsUntilItsEdgeSlips) {
+TEST(Topple, IsValidUntilItsEdgeSlips) {
   const double until = Topple(box(35 * std::numbers::pi / 180, 0.8)).valid_until();
   EXPECT_GT(until, 0.1);
   const Topple::Setup c = box(35 * std::numbers::pi / 180, 0.8);
   const Vec push = Topple(c).push(until);
   EXPECT_NEAR(std::abs(push.x) / push.y, 0.8, 1e-9);
   EXPECT_EQ(Topple(box(35 * std::numbers::pi / 180, 0.3)).valid_until(), 0);
-  EXPECT_EQ(Topple(box(0.3, 0.2)).valid_until(), 0);  // slides before it could tip
+  EXPECT_EQ(Topple(box(0.3, 0.2)).valid_until(), 0);  // slides before it tips
   EXPECT_EQ(Topple(box(0.3, 0.5)).valid_until(), std::numeric_limits<double>::infinity());
 }
 
-// Four times the lengths: half as fast.
-TEST(Topple, ScalesAsItsUnitsDo) {
+// Four times the lengths, half the angular velocity.
+TEST(Topple, ScalesWithItsUnits) {
   Topple::Setup large = box();
   large.arm *= 4;
   large.gyration *= 16;
