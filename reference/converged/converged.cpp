@@ -93,12 +93,12 @@ Limit limit_of(std::span<const Vec> answers) {
 }
 
 // Speeds at a support may agree for a while and then start to change. Without an order, a speed is known no better than
-// from two places at the ends of a coarsest step, each within its error.
-double error_of_speed(const Limit& speed, const Limit& place, double dt) {
-  return speed.ordered ? speed.error : std::max(speed.error, 2 * place.error / dt);
+// from two positions at the ends of a coarsest step, each within its error.
+double error_of_speed(const Limit& speed, const Limit& position, double dt) {
+  return speed.ordered ? speed.error : std::max(speed.error, 2 * position.error / dt);
 }
 
-std::string in_words(const Scene& scene, std::size_t body, double time, std::span<const Vec> answers) {
+std::string divergence_in_words(const Scene& scene, std::size_t body, double time, std::span<const Vec> answers) {
   const std::size_t n = answers.size();
   std::ostringstream words;
   words.precision(3);
@@ -109,7 +109,7 @@ std::string in_words(const Scene& scene, std::size_t body, double time, std::spa
 }
 
 // Errors that no halving reveals. Round-off grows with the number of steps. Every step rounds the g h that gravity adds
-// and a support takes away, and the place x, which contacts and joints turn into a speed within one sub-step. Hops
+// and a support takes away, and the position x, which contacts and joints turn into a speed within one sub-step. Hops
 // slower than the engine's restitution threshold are missing; they are v^2/(2 g) high.
 class ErrorFloor {
  public:
@@ -129,10 +129,10 @@ class ErrorFloor {
   StateError at(double time, std::size_t body, const BodyState& state) {
     double& fastest = fastest_[body];
     fastest = std::max(fastest, length(state.velocity) + size_ * std::abs(state.angular_velocity));
-    const double place = length(state.position) + size_ * std::abs(state.angle);
-    const double position = round_off(stepping_, time, place + fastest * time);
+    const double extent = length(state.position) + size_ * std::abs(state.angle);
+    const double position = round_off(stepping_, time, extent + fastest * time);
     const double velocity =
-        round_off(stepping_, time, fastest + gravity_ * stepping_.h) + round_off(stepping_, 0, place) / stepping_.h;
+        round_off(stepping_, time, fastest + gravity_ * stepping_.h) + round_off(stepping_, 0, extent) / stepping_.h;
     const double hop = gravity_ > 0 ? slowest_bounce_ * slowest_bounce_ / (2 * gravity_) : 0;
     return {hop + position, position / size_, slowest_bounce_ + velocity, velocity / size_};
   }
@@ -219,7 +219,7 @@ void Converged::extrapolate(const Scene& scene, std::span<const std::vector<Body
       if (error.position + size / 2 * error.angle <= refinement.tolerance * size || !reason_.empty()) continue;
       valid_until_ = time_index == 0 ? 0 : times_[time_index - 1];
       limit(index, place);
-      reason_ = in_words(scene, i, times_[time_index], sequence);
+      reason_ = divergence_in_words(scene, i, times_[time_index], sequence);
     }
   }
 }

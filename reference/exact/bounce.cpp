@@ -91,7 +91,7 @@ Recognised<BouncingDisc> recognise_bounce(const Scene& scene) {
   if (mixed.dynamic_friction != 0 && (along != 0 || start.angular_velocity != 0)) {
     return "handles only a drop without spin or sideways speed, or without friction";
   }
-  if (along != 0 && std::isfinite(floor->to)) return "handles only sideways speed over an endless floor only";
+  if (along != 0 && std::isfinite(floor->to)) return "handles sideways speed only over an endless floor";
   const double height = dot(start.position, floor->normal) - floor->offset - circle->radius;
   if (height < 0) return "handles only a disc that starts above the floor";
   return BouncingDisc{start_of(scene), pair->body, floor->normal, height,

@@ -96,7 +96,7 @@ Recognised<SlidingBox> recognise_slide(const Scene& scene) {
     return "handles only a box that moves along the floor without spin";
   }
   const double load = -dot(gravity, floor.normal);
-  if (load <= 0) return "handles only a box that gravity presses on";
+  if (load <= 0) return "handles only a box that gravity presses down";
   const Coefficients mixed = mixed_coefficients(scene, scene.bodies[found->ground], body);
   const Slide slide(dot(start.velocity, floor.along()), dot(gravity, floor.along()), load, mixed.static_friction,
                     mixed.dynamic_friction);
@@ -180,7 +180,7 @@ Recognised<RollingDisc> recognise_roll(const Scene& scene) {
     return "handles only a disc that moves along the ground";
   const double load = -dot(gravity, floor->normal);
   const Mass mass = mass_of(body);
-  if (load <= 0 || mass.inertia <= 0) return "handles only a disc that gravity presses on and that can rotate";
+  if (load <= 0 || mass.inertia <= 0) return "handles only a disc that gravity presses down and that can rotate";
   const Coefficients mixed = mixed_coefficients(scene, scene.bodies[pair->ground], body);
   // `along` is to the right of the normal, so a counter-clockwise spin moves the lowest point along it.
   return RollingDisc{start_of(scene), pair->body, floor->along(),

@@ -130,7 +130,7 @@ std::variant<std::vector<LineObject>, std::string> objects_on_line(const Scene& 
     if (body.type == BodyType::dynamic) {
       const std::optional<double> half = half_extent(body);
       if (!half) return "handles only discs and upright boxes";
-      if (gravity_of(scene, body) != Vec{}) return "handles only a line without gravity";
+      if (gravity_of(scene, body) != Vec{}) return "handles only motion without gravity";
       if (body.position.y != 0 || body.velocity.y != 0 || body.angular_velocity != 0)
         return "handles only motion along y = 0";
       row.push_back({i, false, body.position.x - *half, body.position.x + *half});

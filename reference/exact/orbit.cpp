@@ -71,7 +71,7 @@ Recognised<Planet> recognise_orbit(const Scene& scene) {
   if (pull == nullptr || pull->from != pair->ground) return "handles only one body about one fixed attractor";
   if (pull->exponent != 2 || pull->strength <= 0) return "handles only attraction with 1/r^2";
   const Body& body = scene.bodies[pair->body];
-  if (gravity_of(scene, body) != Vec{}) return "handles only an orbit without gravity";
+  if (gravity_of(scene, body) != Vec{}) return "handles only motion without gravity";
   if (body.linear_damping != 0 || body.angular_damping != 0) return "does not support damping";
   if ((body.layers & scene.bodies[pair->ground].layers) != 0) return "handles only bodies that share no layer";
   const std::vector<BodyState> start = start_of(scene);

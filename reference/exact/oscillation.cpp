@@ -53,7 +53,7 @@ Recognised<SpringMass> recognise_spring(const Scene& scene) {
   const Body& body = scene.bodies.front();
   if (spring == nullptr || spring->a || body.type != BodyType::dynamic)
     return "handles only a spring fixed to the world";
-  if (gravity_of(scene, body) != Vec{}) return "handles only a spring without gravity";
+  if (gravity_of(scene, body) != Vec{}) return "handles only motion without gravity";
   if (body.linear_damping != 0 || body.angular_damping != 0) return "supports no damping except the spring's";
   const Mass mass = mass_of(body);
   if (mass.mass <= 0 || length(spring->anchor_b - mass.center) > geometry_tolerance)

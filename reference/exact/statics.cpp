@@ -44,7 +44,7 @@ Recognised<LyingBeam> recognise_beam(const Scene& scene) {
   const Body& body = scene.bodies[*beam];
   if (body.velocity != Vec{} || body.angular_velocity != 0) return "handles only bodies that start at rest";
   const Vec gravity = gravity_of(scene, body);
-  if (length(gravity) == 0) return "handles only a beam that gravity presses on";
+  if (length(gravity) == 0) return "handles only a beam that gravity presses down";
   const Vec up = -(1 / length(gravity)) * gravity;
   const Floor level{.normal = up};
   const std::optional<Footprint> foot = footprint(*only_shape<Box>(body), body.angle, level);

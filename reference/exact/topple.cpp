@@ -101,7 +101,7 @@ Recognised<TopplingBox> recognise_topple(const Scene& scene) {
   }
   const double load = -dot(gravity, floor->normal);
   const Mass mass = mass_of(body);
-  if (load <= 0 || mass.inertia <= 0) return "handles only a box that gravity presses on and that can rotate";
+  if (load <= 0 || mass.inertia <= 0) return "handles only a box that gravity presses down and that can rotate";
   const double drive = dot(gravity, floor->along());
   const Vec down = drive < 0 ? -floor->along() : floor->along();
   const double slope = std::atan2(std::abs(drive), load);

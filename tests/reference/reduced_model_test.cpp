@@ -147,7 +147,7 @@ Scene two(Vec apart, Vec closing) {
 
 bool none_meet(const Scene& scene) { return !why_none_meet(scene).empty(); }
 
-TEST(WhyNoneMeet, TellsBodiesThatPassFromBodiesThatMeet) {
+TEST(WhyNoneMeet, DistinguishesBodiesThatPassFromBodiesThatMeet) {
   EXPECT_TRUE(none_meet(two({3, 0}, {})));
   EXPECT_TRUE(none_meet(two({3, 0}, {-1.9, 0})));
   EXPECT_FALSE(none_meet(two({3, 0}, {-2.1, 0})));
