@@ -4,87 +4,49 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/plane.h"
 #include "scenarios/scene/mass.h"
 
 namespace plumb {
 namespace {
 
-Vec minus(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
+// Moves a geometry by -offset.
+struct ShiftGeometry {
+  Vec offset;
 
-struct Moved {
-  Vec by;  // taken off every point
-
-  void operator()(Circle& circle) const { circle.center = minus(circle.center, by); }
-  void operator()(Box& box) const { box.center = minus(box.center, by); }
+  void operator()(Circle& circle) const { circle.center = circle.center - offset; }
+  void operator()(Box& box) const { box.center = box.center - offset; }
   void operator()(Polygon& polygon) const {
-    for (Vec& vertex : polygon.vertices) vertex = minus(vertex, by);
+    for (Vec& vertex : polygon.vertices) vertex = vertex - offset;
   }
   void operator()(Capsule& capsule) const {
-    capsule.from = minus(capsule.from, by);
-    capsule.to = minus(capsule.to, by);
+    capsule.from = capsule.from - offset;
+    capsule.to = capsule.to - offset;
   }
   void operator()(Segment& segment) const {
-    segment.from = minus(segment.from, by);
-    segment.to = minus(segment.to, by);
+    segment.from = segment.from - offset;
+    segment.to = segment.to - offset;
   }
-  void operator()(HalfSpace& half_space) const {
-    half_space.offset -= half_space.normal.x * by.x + half_space.normal.y * by.y;
-  }
+  void operator()(HalfSpace& half_space) const { half_space.offset -= dot(half_space.normal, offset); }
 };
 
 }  // namespace
 
-double reach(const Scene& scene) {
-  const double t = scene.duration;
-  const double fall = std::hypot(scene.gravity.x, scene.gravity.y) * t * t / 2;
-  double farthest = 100;
-  for (const Body& body : scene.bodies) {
-    const double start = std::hypot(body.position.x, body.position.y);
-    const double flight = std::hypot(body.velocity.x, body.velocity.y) * t + std::abs(body.gravity_scale) * fall;
-    farthest = std::max(farthest, start + flight);
-  }
-  return farthest;
+BodyState start_of(const Body& body) {
+  return {.position = body.position + rotated(mass_of(body).center, body.angle),
+          .angle = body.angle,
+          .velocity = body.velocity,
+          .angular_velocity = body.angular_velocity};
 }
 
-double smallest_body(const Scene& scene) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Body& body : scene.bodies) {
-    const Mass of = mass_of(body);
-    if (of.inertia > 0) smallest = std::min(smallest, 2 * std::sqrt(2 * of.inertia / of.mass));  // a disc has m r^2/2
-  }
-  return std::isfinite(smallest) ? smallest : 1;
+std::vector<BodyState> start_of(const Scene& scene) {
+  std::vector<BodyState> states;
+  for (const Body& body : scene.bodies) states.push_back(start_of(body));
+  return states;
 }
 
-std::string needs_two_frictions(const Scene& scene) {
-  for (const Body& body : scene.bodies) {
-    for (const Shape& shape : body.shapes) {
-      if (shape.surface.static_friction != shape.surface.dynamic_friction) {
-        return "knows one coefficient of friction; \"" + body.name + "\" sticks and slides with different ones";
-      }
-    }
-  }
-  return "";
-}
-
-std::string needs_dynamic_half_space(const Scene& scene) {
-  for (const Body& body : scene.bodies) {
-    if (body.type != BodyType::dynamic) continue;
-    for (const Shape& shape : body.shapes) {
-      if (std::holds_alternative<HalfSpace>(shape.geometry)) {
-        return "knows no half-space that is free to move, as \"" + body.name + "\" is";
-      }
-    }
-  }
-  return "";
-}
-
-std::string needs_massless_body(const Scene& scene) {
-  for (const Body& body : scene.bodies) {
-    if (body.type == BodyType::dynamic && mass_of(body).mass == 0) {
-      return "moves nothing without mass; \"" + body.name + "\" has none";
-    }
-  }
-  return "";
+Vec gravity_of(const Scene& scene, const Body& body) {
+  return body.type == BodyType::dynamic ? body.gravity_scale * scene.gravity : Vec{};
 }
 
 Body centered(const Body& body) {
@@ -93,8 +55,18 @@ Body centered(const Body& body) {
   const double s = std::sin(body.angle);
   Body moved = body;
   moved.position = {body.position.x + c * center.x - s * center.y, body.position.y + s * center.x + c * center.y};
-  for (Shape& shape : moved.shapes) std::visit(Moved{center}, shape.geometry);
+  for (Shape& shape : moved.shapes) std::visit(ShiftGeometry{center}, shape.geometry);
   return moved;
+}
+
+double smallest_body(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Body& body : scene.bodies) {
+    const Mass mass = mass_of(body);
+    // A disc of radius r has I = m r^2/2.
+    if (mass.inertia > 0) smallest = std::min(smallest, 2 * std::sqrt(2 * mass.inertia / mass.mass));
+  }
+  return std::isfinite(smallest) ? smallest : 1;
 }
 
 }  // namespace plumb

@@ -1,30 +1,33 @@
 #pragma once
 
-#include <string>
+#include <variant>
+#include <vector>
 
+#include "reference/simulation.h"
 #include "scenarios/scene/scene.h"
 
-/// What adapters ask of a scene before they build it.
+/// Facts that adapters, closed forms and reports read off a scene.
 namespace plumb {
 
-/// Metres from the origin within which everything stays while nothing but gravity and the speeds of the start carry it;
-/// at least 100. Engines without half-spaces get an edge that long to either side.
-double reach(const Scene&);
+/// State of the centre of mass at the start.
+BodyState start_of(const Body&);
+/// The same for all bodies, in Scene order.
+std::vector<BodyState> start_of(const Scene&);
 
-/// m, the diameter of the disc with the radius of gyration of the smallest dynamic body; 1 where none has an extent.
+/// Gravitational acceleration of the body, m/s^2: scaled as the body says, zero unless it is dynamic.
+Vec gravity_of(const Scene&, const Body&);
+
+/// The body with its frame's origin at its centre of mass: position and shapes change, the motion does not. Engines and
+/// closed forms differ in whether "velocity" is that of the origin; in this frame the two agree.
+Body centered(const Body&);
+
+/// Diameter in m of the disc with the smallest radius of gyration among the dynamic bodies; 1 if none has an extent.
 double smallest_body(const Scene&);
 
-/// Why an engine with a single coefficient of friction cannot run it; "" when it can.
-std::string needs_two_frictions(const Scene&);
-
-/// Why an engine that makes half-spaces from edges of fixed bodies cannot run it; "" when it can.
-std::string needs_dynamic_half_space(const Scene&);
-
-/// Why an engine that gives every dynamic body mass cannot run it; "" when it can.
-std::string needs_massless_body(const Scene&);
-
-/// The body's frame moved to its centre of mass: position and shapes change, the motion does not. Engines and closed
-/// forms differ in whether "velocity" is that of the frame's origin; in this frame there is no difference.
-Body centered(const Body&);
+/// The only shape of a body if it is of that kind, else null.
+template <class Kind>
+const Kind* only_shape(const Body& body) {
+  return body.shapes.size() == 1 ? std::get_if<Kind>(&body.shapes.front().geometry) : nullptr;
+}
 
 }  // namespace plumb

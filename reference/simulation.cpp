@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-std::string place(const Engine& engine, const Option& option) { return engine.name + ": option " + option.key + ": "; }
+std::string prefix(const Engine& engine, const Option& option) { return engine.name + ": option " + option.key + ": "; }
 
 void check_choice(const Engine& engine, const Option& option, const std::string& value) {
   std::vector<std::string> choices;
@@ -20,7 +20,7 @@ void check_choice(const Engine& engine, const Option& option, const std::string&
     if (choice == value) return;
     choices.push_back(choice);
   }
-  throw std::invalid_argument(place(engine, option) + unknown("choice", value, choices));
+  throw std::invalid_argument(prefix(engine, option) + unknown("choice", value, choices));
 }
 
 void check_number(const Engine& engine, const Option& option, std::string_view value) {
@@ -30,7 +30,7 @@ void check_number(const Engine& engine, const Option& option, std::string_view v
   const bool fits = !option.whole || number == std::trunc(number);
   if (read && fits && number >= option.min && number <= option.max) return;
   std::ostringstream what;
-  what << place(engine, option) << '"' << value << "\" must be a " << (option.whole ? "whole number, " : "number, ")
+  what << prefix(engine, option) << '"' << value << "\" must be a " << (option.whole ? "whole number, " : "number, ")
        << option.min << " ... " << option.max;
   throw std::invalid_argument(what.str());
 }

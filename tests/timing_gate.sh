@@ -1,21 +1,23 @@
 #!/usr/bin/env bash
-# How good a detector the timing gate is: how many of 20 slowdowns of 5 % it finds, and how often it cries wolf in 100
-# tries without any. Prints both; no test, since what else the machine does has its say. The program is compared with
-# itself; PLUMB_SLOWDOWN (see reference/slowed.h) is only ever heeded by the side that is judged.
+# How well the timing gate detects a slowdown: in how many of 20 tries it finds one of 5 %, and in how many of 100 tries
+# without a delay it reports one by mistake. Prints both counts. This is not a test, since the result depends on what
+# else the machine does. The program is judged against plumb_delayed, which is the same program with an injected delay
+# in our engine (see tests/timing/injected_delay.h); both counts come from the same pair of programs.
 #
-#   tests/timing_gate.sh PLUMB [TRIES WITH] [TRIES WITHOUT] [PERCENT] [further words for plumb check]
+#   tests/timing_gate.sh PLUMB PLUMB_DELAYED [TRIES WITH] [TRIES WITHOUT] [PERCENT] [further words for plumb check]
 set -euo pipefail
 
 plumb=$(realpath -- "${1:?the program}")
-with=${2:-20} without=${3:-100} percent=${4:-5}
-shift $(($# < 4 ? $# : 4))
+delayed=$(realpath -- "${2:?the program with an injected delay, plumb_delayed}")
+with=${3:-20} without=${4:-100} percent=${5:-5}
+shift $(($# < 5 ? $# : 5))
 
-# Of so many tries those in which something was slower; their verdicts go to standard error.
+# Counts the tries in which something was slower; the verdicts go to standard error.
 count() {
   local found=0 try said begun seconds=0
   for ((try = 1; try <= $1; ++try)); do
     begun=$(date +%s%N)
-    said=$("$plumb" check --time-against "$plumb" "${@:2}" || true)
+    said=$("$delayed" check --time-against "$plumb" "${@:2}" || true)
     seconds=$((seconds + ($(date +%s%N) - begun) / 1000000))
     said=$(sed -n '/^Times:/,$p' <<<"$said")
     [ -n "$said" ] || { echo "no times" >&2; return 1; }
@@ -25,6 +27,6 @@ count() {
   printf '%s of %s, %s s each\n' "$found" "$1" "$(awk "BEGIN { printf \"%.1f\", $seconds / 1000 / ($1 > 0 ? $1 : 1) }")"
 }
 
-printf 'with %s %%: found in %s\n' "$percent" "$(PLUMB_SLOWDOWN=$percent count "$with" "$@")"
-printf 'without: reported in %s\n' "$(PLUMB_SLOWDOWN='' count "$without" "$@")"
+printf 'with %s %%: found in %s\n' "$percent" "$(PLUMB_INJECTED_DELAY=$percent count "$with" "$@")"
+printf 'without: reported in %s\n' "$(PLUMB_INJECTED_DELAY='' count "$without" "$@")"
 cat /proc/loadavg

@@ -1,4 +1,4 @@
-# Chipmunk comes without a CMake package. Defines chipmunk::chipmunk. Installed with Plumb, whose package asks it too.
+# Chipmunk has no CMake package of its own: this defines chipmunk::chipmunk. Installed with Plumb, whose package uses it.
 include(FindPackageHandleStandardArgs)
 find_path(CHIPMUNK_INCLUDE_DIR chipmunk/chipmunk.h)
 find_library(CHIPMUNK_LIBRARY chipmunk)

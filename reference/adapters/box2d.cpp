@@ -1,25 +1,25 @@
 // What this engine does differently
 // - Float arithmetic throughout, angles included: unit round-off 2^-24.
 // - Symplectic Euler: velocities first, then positions with the new velocities. Free fall is off by +g t h/2.
-// - Damping c divides velocities by 1 + c h each step (Pade), where the scene means e^(-c h).
+// - Damping c divides velocities by 1 + c h each step (Pade), while the scene means e^(-c h).
 // - Polygons, boxes and edges carry a skin of b2_polygonRadius (0.01 m): two of them come to rest 0.015 m apart, a
 // circle
 //   on one of them 0.005 m. Circles have none. Position correction leaves b2_linearSlop (0.005 m) of overlap, measured
 //   from the skins.
 // - Restitution acts only above a closing speed of 1 m/s (option `restitution`).
-// - Contacts are solved by sequential impulses, 8 velocity and 3 position iterations, warm-started: an approximation
-//   whose error shows in tall stacks and large mass ratios.
+// - Contacts are solved by sequential impulses, 8 velocity and 3 position iterations, warm-started. The remaining error
+//   shows in tall stacks and large mass ratios.
 // - Nothing moves by more than 2 m or turns by more than a quarter turn in a step: faster bodies are slowed down.
-// - One coefficient of friction; mixed values are ours, set on each contact when it begins.
-// - Continuous collision moves back in time bodies that hit fixed ones (and bullets); such a body loses the rest of
-//   its step, so a bounce off the ground may cost time.
-// - Vertices closer than 0.0025 m are welded; polygons have eight at most.
-// - No capsules: built from a rectangle, thinned by its skin so that sides and caps are flush, and two circles. No
-//   half-spaces: built from an edge in a frame whose x axis is the boundary, which keeps float errors along the edge.
-//   It has two sides; continuous collision keeps bodies from passing. (A large box gives the same figures.)
-// - A soft distance joint is an implicit spring: it damps more than its damping says.
-// - Sleeping is off unless asked for: a sleeping stack has perfect energy.
-// Every body's frame is moved to its centre of mass, whose mass data are those of plumb::mass_of.
+// - One coefficient of friction. We mix the coefficients and set them on each contact when it begins.
+// - Continuous collision moves bodies that hit fixed ones (and bullets) back in time. Such a body loses the rest of its
+//   step, so a bounce off the ground may cost time.
+// - Vertices closer than 0.0025 m are welded; polygons have at most eight.
+// - No capsules: we build them from two circles and a rectangle, thinned by its skin so that sides and caps are flush.
+// - No half-spaces: we build them from an edge (see HalfSpaceEdge). An edge has two sides; continuous collision keeps
+//   bodies from passing through. (A large box gives the same results.)
+// - A soft distance joint is an implicit spring: it damps more than its damping coefficient says.
+// - Sleeping is off by default: a sleeping stack would have perfect energy.
+// The origin of every body is moved to its centre of mass; mass and inertia come from plumb::mass_of.
 
 #include <box2d/box2d.h>
 
@@ -33,7 +33,7 @@
 #include <variant>
 #include <vector>
 
-#include "reference/loads.h"
+#include "reference/adapter.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
@@ -44,7 +44,7 @@ namespace {
 b2Vec2 to_b2(Vec v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 Vec from_b2(b2Vec2 v) { return {v.x, v.y}; }
 
-// What a fixture must know of the scene it came from; its user data is an index into a list of these.
+// What a fixture keeps from the scene. The user data of a fixture is an index into a list of these.
 struct Tag {
   std::size_t body = 0;
   std::uint32_t layers = 0;
@@ -59,7 +59,7 @@ class Tags {
     data.pointer = tags_.size() - 1;
     return data;
   }
-  // const_cast: b2Fixture::GetUserData is not const, though it changes nothing.
+  // const_cast because b2Fixture::GetUserData is not const, although it changes nothing.
   const Tag& of(const b2Fixture* fixture) const {
     return tags_[const_cast<b2Fixture*>(fixture)->GetUserData().pointer];
   }
@@ -78,9 +78,8 @@ class SharedLayers : public b2ContactFilter {
   const Tags& tags_;
 };
 
-// The scene's coefficients go in when a contact begins and persist; its impulses come out after each solve, of which a
-// step has several where continuous collision acts. What sleeps is not solved: it goes on bearing what it bore in its
-// last step awake.
+// Sets the scene's coefficients when a contact begins; they persist. Collects the impulses after each solve: a step has
+// several if continuous collision acts. A sleeping contact is not solved and keeps the impulses of its last step awake.
 class Contacts : public b2ContactListener {
  public:
   Contacts(const Tags& tags, Mixing mixing, float threshold) : tags_(tags), mixing_(mixing), threshold_(threshold) {}
@@ -161,8 +160,8 @@ class Contacts : public b2ContactListener {
   std::map<const b2Contact*, b2WorldManifold> met_;  // only looked up: its order never shows
 };
 
-// Hangs a scene's shapes on a Box2D body.
-struct Hang {
+// Attaches the shapes of the scene to a Box2D body.
+struct AttachShape {
   b2Body& body;
   b2FixtureUserData tag;
 
@@ -171,11 +170,10 @@ struct Hang {
   void operator()(const Box& box) { rectangle(box.center, box.size.x / 2, box.size.y / 2, box.angle); }
 
   void operator()(const Polygon& polygon) {
-    std::vector<b2Vec2> vertices;
-    for (const Vec& vertex : polygon.vertices) vertices.push_back(to_b2(vertex));
+    const std::vector<b2Vec2> vertices = converted(polygon.vertices, to_b2);
     b2PolygonShape shape;
     shape.Set(vertices.data(), static_cast<int32>(vertices.size()));
-    attach(shape);
+    create(shape);
   }
 
   void operator()(const Capsule& capsule) {
@@ -189,7 +187,7 @@ struct Hang {
   void operator()(const Segment& segment) {
     b2EdgeShape shape;
     shape.SetTwoSided(to_b2(segment.from), to_b2(segment.to));
-    attach(shape);
+    create(shape);
   }
 
   void operator()(const HalfSpace&) {}  // has a body of its own
@@ -198,17 +196,17 @@ struct Hang {
     b2CircleShape shape;
     shape.m_p = to_b2(center);
     shape.m_radius = static_cast<float>(radius);
-    attach(shape);
+    create(shape);
   }
 
   void rectangle(Vec center, double half_width, double half_height, double angle) {
     b2PolygonShape shape;
     shape.SetAsBox(static_cast<float>(half_width), static_cast<float>(half_height), to_b2(center),
                    static_cast<float>(angle));
-    attach(shape);
+    create(shape);
   }
 
-  void attach(const b2Shape& shape) {
+  void create(const b2Shape& shape) {
     b2FixtureDef def;
     def.userData = tag;
     def.shape = &shape;
@@ -223,23 +221,22 @@ class Box2d : public Simulation {
         filter_(tags_),
         contacts_(tags_, scene.mixing, std::stof(settings.at("restitution"))),
         world_(to_b2(scene.gravity)),
-        velocity_iterations_(static_cast<int>(std::stod(settings.at("velocity")))),
-        position_iterations_(static_cast<int>(std::stod(settings.at("position")))) {
+        velocity_iterations_(whole_number(settings, "velocity")),
+        position_iterations_(whole_number(settings, "position")) {
     world_.SetAllowSleeping(settings.at("sleep") == "on");
     world_.SetContinuousPhysics(settings.at("continuous") == "on");
     world_.SetWarmStarting(settings.at("warm") == "on");
     world_.SetContactFilter(&filter_);
     world_.SetContactListener(&contacts_);
-    const double edge = reach(scene);
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) add(i, scene.bodies[i], edge);
+    const double extent = scene_extent(scene);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) add(i, scene.bodies[i], extent);
     for (const Joint& joint : scene.joints) {
       std::visit([&](const auto& kind) { add(kind); }, joint);
     }
-    states_.resize(bodies_.size());
   }
 
   void step(double dt) override {
-    if (loads_.any()) push();
+    if (loads_.any()) apply_loads();
     contacts_.begin_step(world_.GetAllowSleeping());
     world_.Step(static_cast<float>(dt), velocity_iterations_, position_iterations_);
     contacts_.end_step();
@@ -256,16 +253,19 @@ class Box2d : public Simulation {
   void read_contacts(std::vector<ContactState>& out) const override { contacts_.read(out); }
 
  private:
-  void add(std::size_t index, const Body& given, double edge) {
+  void add(std::size_t index, const Body& given, double extent) {
     const Body body = centered(given);
     b2Body* made = make(body, body.angle);
     bodies_.push_back(made);
     for (const Shape& shape : body.shapes) {
+      const b2FixtureUserData tag = tags_.add({index, body.layers, shape.surface});
       if (const auto* half_space = std::get_if<HalfSpace>(&shape.geometry)) {
-        add(index, body, *half_space, shape.surface, edge);
+        const HalfSpaceEdge edge = edge_of(body, *half_space, extent);
+        AttachShape attach{*make(body, edge.angle), tag};
+        attach(edge.segment);
       } else {
-        Hang hang{*made, tags_.add({index, body.layers, shape.surface})};
-        std::visit(hang, shape.geometry);
+        AttachShape attach{*made, tag};
+        std::visit(attach, shape.geometry);
       }
     }
     const Mass mass = mass_of(given);
@@ -273,18 +273,9 @@ class Box2d : public Simulation {
     made->SetMassData(&data);
   }
 
-  // Turned until the normal is its y axis.
-  void add(std::size_t index, const Body& body, const HalfSpace& half_space, const Surface& surface, double edge) {
-    b2Body* made = make(body, body.angle + std::atan2(-half_space.normal.x, half_space.normal.y));
-    Hang hang{*made, tags_.add({index, body.layers, surface})};
-    hang(Segment{{edge, half_space.offset}, {-edge, half_space.offset}});
-  }
-
   b2Body* make(const Body& body, double angle) {
     b2BodyDef def;
-    def.type = body.type == BodyType::fixed       ? b2_staticBody
-               : body.type == BodyType::kinematic ? b2_kinematicBody
-                                                  : b2_dynamicBody;
+    def.type = body_type(body.type, b2_staticBody, b2_kinematicBody, b2_dynamicBody);
     def.position = to_b2(body.position);
     def.angle = static_cast<float>(angle);
     def.linearVelocity = to_b2(body.velocity);
@@ -327,9 +318,8 @@ class Box2d : public Simulation {
     world_.CreateJoint(&def);
   }
 
-  void push() {
-    read(states_);
-    const std::span<const Load> loads = loads_.at(states_);
+  void apply_loads() {
+    const std::span<const Load> loads = loads_.at(*this);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       bodies_[i]->ApplyForceToCenter(to_b2(loads[i].force), true);
       bodies_[i]->ApplyTorque(static_cast<float>(loads[i].torque), true);
@@ -337,7 +327,6 @@ class Box2d : public Simulation {
   }
 
   Loads loads_;
-  std::vector<BodyState> states_;
   Tags tags_;
   SharedLayers filter_;
   Contacts contacts_;
@@ -347,7 +336,7 @@ class Box2d : public Simulation {
   int position_iterations_;
 };
 
-// b2PolygonShape::Set would weld them, and make a 1 m box of what is left when fewer than three are.
+// b2PolygonShape::Set would weld close vertices, and replace the polygon by a 1 m box if fewer than three are left.
 bool welds(const std::vector<Vec>& vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -360,12 +349,12 @@ bool welds(const std::vector<Vec>& vertices) {
 
 struct Refusal {
   std::string operator()(const Polygon& polygon) const {
-    if (polygon.vertices.size() > b2_maxPolygonVertices) return "polygons have eight vertices at most";
+    if (polygon.vertices.size() > b2_maxPolygonVertices) return "polygons have at most eight vertices";
     return welds(polygon.vertices) ? "welds vertices closer than 0.0025 m" : "";
   }
   std::string operator()(const Capsule& capsule) const {
     const bool thin = capsule.radius <= 2 * b2_polygonRadius;
-    return thin ? "knows no capsule; one built from a rectangle with a skin needs a radius above 0.02 m" : "";
+    return thin ? "has no capsules; one built from a rectangle with a skin needs a radius above 0.02 m" : "";
   }
   template <class Other>
   std::string operator()(const Other&) const {
@@ -374,17 +363,8 @@ struct Refusal {
 };
 
 std::string unsupported(const Scene& scene, const Settings&) {
-  for (const std::string& reason :
-       {needs_two_frictions(scene), needs_dynamic_half_space(scene), needs_massless_body(scene)}) {
-    if (!reason.empty()) return reason;
-  }
-  for (const Body& body : scene.bodies) {
-    for (const Shape& shape : body.shapes) {
-      std::string reason = std::visit(Refusal{}, shape.geometry);
-      if (!reason.empty()) return reason;
-    }
-  }
-  return "";
+  const std::string reason = common_refusal(scene);
+  return reason.empty() ? geometry_refusal(scene, Refusal{}) : reason;
 }
 
 const Engine& self() { return *Catalog<Engine>::find("box2d"); }
@@ -399,10 +379,10 @@ Stepping stepping(const Settings& given, double dt) {
   stated.impact_lag = 1;
   stated.gap = 2 * b2_polygonRadius;
   stated.creep = 0;
-  stated.iterations = std::stoi(settings.at("velocity"));
+  stated.iterations = whole_number(settings, "velocity");
   stated.restitution_threshold = std::stod(settings.at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
-  stated.whole_impulses = settings.at("sleep") == "off";  // sleepers show none
+  stated.whole_impulses = settings.at("sleep") == "off";  // sleeping contacts report none
   stated.spring_limit = 2;                                // symplectic Euler
   return stated;
 }
@@ -410,10 +390,6 @@ Stepping stepping(const Settings& given, double dt) {
 std::string version() {
   return std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
          std::to_string(b2_version.revision);
-}
-
-std::vector<std::pair<std::string, std::string>> on_or_off(const char* on, const char* off) {
-  return {{"on", on}, {"off", off}};
 }
 
 const Catalog<Engine>::Entry entry{{
@@ -434,23 +410,10 @@ const Catalog<Engine>::Entry entry{{
              .min = 0,
              .max = 10000,
              .whole = true},
-            {.key = "restitution",
-             .value = "1",
-             .about = "m/s, closing speed below which nothing bounces",
-             .min = 0,
-             .max = 100},
-            {.key = "continuous",
-             .value = "on",
-             .choices = on_or_off("stops bodies at fixed ones in mid-step", "bodies may overlap after a step"),
-             .about = "continuous collision"},
-            {.key = "sleep",
-             .value = "off",
-             .choices = on_or_off("stops bodies that hardly move", "bodies never sleep"),
-             .about = "sleeping"},
-            {.key = "warm",
-             .value = "on",
-             .choices = on_or_off("starts from the last step's impulses", "starts from nothing"),
-             .about = "warm starting"},
+            restitution_threshold_option(),
+            continuous_option(),
+            sleep_option(),
+            warm_start_option(),
         },
     .ladders = {{.option = "velocity", .values = {"4", "8", "16"}}},
     .stepping = stepping,

@@ -1,25 +1,27 @@
 // What this engine does differently
-// - Float arithmetic: unit round-off 2^-24 (with double positions where it was built so).
-// - Soft step: each step is cut into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off by +g t h/2,
-//   h being a sub-step's length.
-// - Contacts are damped springs of 30 Hz at most, relaxed afterwards: they don't converge with the step, and a load
+// - Float arithmetic: unit round-off 2^-24 (with double positions if it was built so).
+// - Soft step: each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off by +g t
+// h/2,
+//   h being the length of a sub-step.
+// - Contacts are damped springs of at most 30 Hz, relaxed afterwards: they do not converge with the step, and a load
 //   presses boxes a few millimetres into each other. Up to B2_LINEAR_SLOP (0.005 m) of overlap is left alone.
-// - Collisions are found once a step, a little ahead ("speculative"); from 3.2 on contacts that hardly changed are
-//   recycled, which its stacks need. Continuous collision against fixed bodies.
+// - Collisions are found once a step, a little ahead ("speculative"). From 3.2 on, contacts that hardly changed are
+//   recycled, which stacks need. Continuous collision against fixed bodies.
 // - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step.
-// - Rotations are cosine and sine. They start from exact ones (b2MakeRot is an approximation) and advance by atan(w h):
-//   fast spins lose (w h)^2/3 of their angle. Whole turns are counted here, from one reading to the next.
-// - Damping c divides velocities by 1 + c h each sub-step (Pade), where the scene means e^(-c h).
+// - Rotations are stored as cosine and sine. We start them from exact values (b2MakeRot is an approximation). They
+//   advance by atan(w h): fast spins lose (w h)^2/3 of their angle. We count whole turns from one reading to the next.
+// - Damping c divides velocities by 1 + c h each sub-step (Pade), while the scene means e^(-c h).
 // - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
-// - One coefficient of friction, mixed by a callback that is told the coefficients alone: one callback per rule.
+// - One coefficient of friction. It is mixed by a callback that gets only the coefficients, so there is one per rule.
 // - Joints are stiff springs too, soft ones tuned by frequency: see box2d_v3/joints.cpp.
-// - Hulls lose vertices within 0.005 m of a line through others; they have eight at most.
-// - No half-spaces: built from a segment in a frame whose x axis is the boundary, which keeps float errors along it.
-// - Contacts' impulses: the normal ones are the step's sum (before 3.2: the last sub-step's times their number), the
-//   tangential ones in the proportion of the last sub-step.
-// - Sleeping is off unless asked for.
-// Every body's frame is moved to its centre of mass, whose mass data are those of plumb::mass_of. Fields that 3.1 and
-// 3.2 name differently are asked for by `requires`.
+// - Hulls lose vertices within 0.005 m of a line through others; they have at most eight.
+// - No half-spaces: we build them from a segment (see HalfSpaceEdge).
+// - Contact impulses: the normal ones are the step's sum (before 3.2: the last sub-step's times the number of
+// sub-steps),
+//   the tangential ones are in proportion to the last sub-step's.
+// - Sleeping is off by default.
+// The origin of every body is moved to its centre of mass; mass and inertia come from plumb::mass_of. Fields that 3.1
+// and 3.2 name differently are told apart by `requires`.
 
 #include <box2d/box2d.h>
 
@@ -33,9 +35,8 @@
 #include <variant>
 #include <vector>
 
+#include "reference/adapter.h"
 #include "reference/adapters/box2d_v3/joints.h"
-#include "reference/adapters/box2d_v3/vectors.h"
-#include "reference/loads.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
@@ -47,7 +48,7 @@ using namespace box2d_v3;
 
 constexpr double linear_slop = 0.005;  // m, B2_LINEAR_SLOP
 
-// The type of the identifiers, which this does not need, changed with 3.2.
+// The ids are not needed. Their type changed with 3.2.
 template <FrictionMixing rule, class Id>
 float mixed_friction(float a, Id, float b, Id) {
   return static_cast<float>(
@@ -92,14 +93,12 @@ b2RestitutionCallback* callback_of(RestitutionMixing rule) {
 }
 
 b2Hull hull_of(const std::vector<Vec>& given) {
-  std::vector<b2Vec2> vertices;
-  vertices.reserve(given.size());
-  for (const Vec& vertex : given) vertices.push_back(to_b2(vertex));
+  const std::vector<b2Vec2> vertices = converted(given, to_b2);
   return b2ComputeHull(vertices.data(), static_cast<int>(vertices.size()));
 }
 
-// Hangs a scene's shapes on a Box2D body.
-struct Hang {
+// Attaches the shapes of the scene to a Box2D body.
+struct AttachShape {
   b2BodyId body;
   b2ShapeDef def;
 
@@ -109,7 +108,7 @@ struct Hang {
   }
   void operator()(const Box& box) const {
     const b2Polygon made = b2MakeOffsetBox(static_cast<float>(box.size.x / 2), static_cast<float>(box.size.y / 2),
-                                           to_b2(box.center), turn_of(box.angle));
+                                           to_b2(box.center), rotation_by(box.angle));
     b2CreatePolygonShape(body, &def, &made);
   }
   void operator()(const Polygon& polygon) const {
@@ -128,7 +127,7 @@ struct Hang {
   void operator()(const HalfSpace&) const {}  // has a body of its own
 };
 
-// Worlds come from one table for the whole program, which is not guarded.
+// All worlds of the program live in one table that Box2D does not guard.
 std::mutex& table() {
   static std::mutex guard;
   return guard;
@@ -161,11 +160,11 @@ b2WorldDef world_of(const Scene& scene, const Settings& settings) {
   def.restitutionCallback = callback_of(scene.mixing.restitution);
   def.enableSleep = settings.at("sleep") == "on";
   def.enableContinuous = settings.at("continuous") == "on";
-  def.workerCount = static_cast<int>(std::stod(settings.at("workers")));
+  def.workerCount = whole_number(settings, "workers");
   return def;
 }
 
-// The impulse along the normal, over the whole step of so many sub-steps.
+// The normal impulse over the whole step.
 template <class Data>
 double normal_impulse(const Data& contact, int point, int substeps) {
   const b2ManifoldPoint& at = contact.manifold.points[point];
@@ -176,18 +175,15 @@ double normal_impulse(const Data& contact, int point, int substeps) {
 class Box2dV3 : public Simulation {
  public:
   Box2dV3(const Scene& scene, const Settings& settings)
-      : loads_(scene),
-        world_(world_of(scene, settings)),
-        substeps_(static_cast<int>(std::stod(settings.at("substeps")))) {
+      : loads_(scene), world_(world_of(scene, settings)), substeps_(whole_number(settings, "substeps")) {
     b2World_EnableWarmStarting(world_.id(), settings.at("warm") == "on");
-    const double edge = reach(scene);
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) add(i, scene.bodies[i], edge);
+    const double extent = scene_extent(scene);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) add(i, scene.bodies[i], extent);
     add_joints(world_.id(), scene, bodies_);
-    states_.resize(bodies_.size());
   }
 
   void step(double dt) override {
-    if (loads_.any()) push();
+    if (loads_.any()) apply_loads();
     b2World_Step(world_.id(), static_cast<float>(dt), substeps_);
     since_reading_ += dt;
   }
@@ -208,16 +204,19 @@ class Box2dV3 : public Simulation {
  private:
   static std::size_t index_of(b2BodyId body) { return *static_cast<const std::size_t*>(b2Body_GetUserData(body)); }
 
-  void add(std::size_t index, const Body& given, double edge) {
+  void add(std::size_t index, const Body& given, double extent) {
     const Body body = centered(given);
     const b2BodyId made = make(index, body, body.angle);
     bodies_.push_back(made);
     angles_.push_back(body.angle);
     for (const Shape& shape : body.shapes) {
+      const b2ShapeDef def = shape_of(body, shape.surface);
       if (const auto* half_space = std::get_if<HalfSpace>(&shape.geometry)) {
-        add(index, body, *half_space, shape.surface, edge);
+        const HalfSpaceEdge edge = edge_of(body, *half_space, extent);
+        const AttachShape attach{make(index, body, edge.angle), def};
+        attach(edge.segment);
       } else {
-        std::visit(Hang{made, shape_of(body, shape.surface)}, shape.geometry);
+        std::visit(AttachShape{made, def}, shape.geometry);
       }
     }
     if (body.type != BodyType::dynamic) return;
@@ -225,21 +224,12 @@ class Box2dV3 : public Simulation {
     b2Body_SetMassData(made, {static_cast<float>(mass.mass), {0, 0}, static_cast<float>(mass.inertia)});
   }
 
-  // Turned until the normal is its y axis.
-  void add(std::size_t index, const Body& body, const HalfSpace& half_space, const Surface& surface, double edge) {
-    const b2BodyId made = make(index, body, body.angle + std::atan2(-half_space.normal.x, half_space.normal.y));
-    const Hang hang{made, shape_of(body, surface)};
-    hang(Segment{{edge, half_space.offset}, {-edge, half_space.offset}});
-  }
-
   b2BodyId make(std::size_t index, const Body& body, double angle) {
     b2BodyDef def = b2DefaultBodyDef();
-    def.type = body.type == BodyType::fixed       ? b2_staticBody
-               : body.type == BodyType::kinematic ? b2_kinematicBody
-                                                  : b2_dynamicBody;
+    def.type = body_type(body.type, b2_staticBody, b2_kinematicBody, b2_dynamicBody);
     def.position.x = static_cast<decltype(def.position.x)>(body.position.x);
     def.position.y = static_cast<decltype(def.position.y)>(body.position.y);
-    def.rotation = turn_of(angle);
+    def.rotation = rotation_by(angle);
     def.linearVelocity = to_b2(body.velocity);
     def.angularVelocity = static_cast<float>(body.angular_velocity);
     def.linearDamping = static_cast<float>(body.linear_damping);
@@ -260,16 +250,15 @@ class Box2dV3 : public Simulation {
     return def;
   }
 
-  void push() {
-    read(states_);
-    const std::span<const Load> loads = loads_.at(states_);
+  void apply_loads() {
+    const std::span<const Load> loads = loads_.at(*this);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       b2Body_ApplyForceToCenter(bodies_[i], to_b2(loads[i].force), true);
       b2Body_ApplyTorque(bodies_[i], static_cast<float>(loads[i].torque), true);
     }
   }
 
-  // The angle that the rotation stands for, nearest to where the last reading and the present spin lead.
+  // The angle of the rotation that is nearest to the last reading extrapolated by the present angular velocity.
   double unwound(std::size_t i, double w) const {
     const b2Rot turn = b2Body_GetRotation(bodies_[i]);
     const double expected = angles_[i] + w * since_reading_;
@@ -278,7 +267,7 @@ class Box2dV3 : public Simulation {
     return angles_[i];
   }
 
-  // Each contact is met at both its bodies and taken at the first.
+  // Both bodies of a contact list it: it is reported from the first.
   void append(b2BodyId body, std::vector<ContactState>& out) const {
     std::vector<b2ContactData> contacts(static_cast<std::size_t>(b2Body_GetContactCapacity(body)));
     const int count = b2Body_GetContactData(body, contacts.data(), static_cast<int>(contacts.size()));
@@ -304,7 +293,6 @@ class Box2dV3 : public Simulation {
   }
 
   Loads loads_;
-  std::vector<BodyState> states_;
   std::deque<std::size_t> indices_;  // bodies point into it
   World world_;
   std::vector<b2BodyId> bodies_;        // one for each of the scene
@@ -316,7 +304,7 @@ class Box2dV3 : public Simulation {
 
 struct Refusal {
   std::string operator()(const Polygon& polygon) const {
-    if (polygon.vertices.size() > B2_MAX_POLYGON_VERTICES) return "polygons have eight vertices at most";
+    if (polygon.vertices.size() > B2_MAX_POLYGON_VERTICES) return "polygons have at most eight vertices";
     const bool whole = hull_of(polygon.vertices).count == static_cast<int>(polygon.vertices.size());
     return whole ? "" : "drops vertices within 0.005 m of a line through others";
   }
@@ -327,23 +315,15 @@ struct Refusal {
 };
 
 std::string unsupported(const Scene& scene, const Settings&) {
-  for (std::string reason : {needs_two_frictions(scene), needs_dynamic_half_space(scene), needs_massless_body(scene),
-                             needs_eccentric_spring(scene)}) {
-    if (!reason.empty()) return reason;
-  }
-  for (const Body& body : scene.bodies) {
-    for (const Shape& shape : body.shapes) {
-      std::string reason = std::visit(Refusal{}, shape.geometry);
-      if (!reason.empty()) return reason;
-    }
-  }
-  return "";
+  std::string reason = common_refusal(scene);
+  if (reason.empty()) reason = eccentric_spring_refusal(scene);
+  return reason.empty() ? geometry_refusal(scene, Refusal{}) : reason;
 }
 
 const Engine& self() { return *Catalog<Engine>::find("box2d-v3"); }
 
-// A force stays the same through n sub-steps: x' = x + v dt - (1 + 1/n)/2 k^2 x and v' dt = v dt - k^2 x, with k = w
-// dt, whose determinant 1 + k^2 (n - 1)/(2 n) is above 1 for n > 1: a spring gains energy, whatever the step.
+// A force is constant over the n sub-steps of a step, so that with k = w dt x' = x + v dt - (1 + 1/n)/2 k^2 x and
+// v' dt = v dt - k^2 x. The determinant 1 + k^2 (n - 1)/(2 n) is above 1 for n > 1: a spring gains energy at any step.
 Stepping stepping(const Settings& given, double dt) {
   const Settings settings = complete(self(), given);
   Stepping stated;
@@ -351,10 +331,10 @@ Stepping stepping(const Settings& given, double dt) {
   stated.h = dt / std::stod(settings.at("substeps"));
   stated.drift = 0.5;
   stated.order = 1;
-  stated.impact_lag = std::stod(settings.at("substeps"));  // found once a step
+  stated.impact_lag = std::stod(settings.at("substeps"));  // impacts are found once a step
   stated.gap = linear_slop;
   stated.creep = 0;
-  stated.iterations = 1;  // of restitution, a step
+  stated.iterations = 1;  // restitution is applied once a step
   stated.restitution_threshold = std::stod(settings.at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
   stated.whole_impulses = false;
@@ -367,40 +347,23 @@ std::string version() {
   return std::to_string(version.major) + "." + std::to_string(version.minor) + "." + std::to_string(version.revision);
 }
 
-std::vector<std::pair<std::string, std::string>> on_or_off(const char* on, const char* off) {
-  return {{"on", on}, {"off", off}};
-}
-
 const Catalog<Engine>::Entry entry{{
     .name = "box2d-v3",
     .about = "Box2D 3: soft contacts in sub-steps, float",
     .source = "Box2D " + version() + ", Erin Catto, box2d.org",
     .options =
         {
-            {.key = "substeps", .value = "4", .about = "of a step", .min = 1, .max = 1000, .whole = true},
-            {.key = "restitution",
-             .value = "1",
-             .about = "m/s, closing speed below which nothing bounces",
-             .min = 0,
-             .max = 100},
-            {.key = "continuous",
-             .value = "on",
-             .choices = on_or_off("stops bodies at fixed ones in mid-step", "bodies may overlap after a step"),
-             .about = "continuous collision"},
-            {.key = "sleep",
-             .value = "off",
-             .choices = on_or_off("stops bodies that hardly move", "bodies never sleep"),
-             .about = "sleeping"},
+            {.key = "substeps", .value = "4", .about = "sub-steps of a step", .min = 1, .max = 1000, .whole = true},
+            restitution_threshold_option(),
+            continuous_option(),
+            sleep_option(),
             {.key = "workers",
              .value = "1",
-             .about = "threads; before 3.2 there is one, whatever is said",
+             .about = "threads; ignored before 3.2, which uses one",
              .min = 1,
              .max = 64,
              .whole = true},
-            {.key = "warm",
-             .value = "on",
-             .choices = on_or_off("starts from the last step's impulses", "starts from nothing"),
-             .about = "warm starting"},
+            warm_start_option(),
         },
     .ladders = {{.option = "substeps", .values = {"1", "2", "4", "8"}}},
     .stepping = stepping,

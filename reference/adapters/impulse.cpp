@@ -1,15 +1,13 @@
-// Our own engine, on the same terms as its rivals: public headers only, its own defaults.
+// Our own engine, on the same terms as the others: public headers only, its own defaults.
 //
-// What this engine does differently is stated by each of its methods (impulse::stated_errors); this file only chooses
-// the model and the precision and hands over to impulse_world.cpp, compiled once for each.
+// What this engine does differently is stated by each of its methods (impulse::stated_errors). This file only chooses
+// the model and the precision; the rest is in impulse_world.cpp, which is compiled once for each precision.
 
 #include <algorithm>
 #include <iterator>
 
 #include "reference/adapters/impulse_world.h"
-#include "reference/needs.h"
-#include "reference/reduced.h"
-#include "reference/slowed.h"
+#include "reference/reduced_model.h"
 
 namespace plumb {
 namespace {
@@ -20,13 +18,12 @@ ImpulseEngine in_precision_of(const Settings& settings) {
   return settings.at("precision") == "float" ? single_precision::impulse_engine() : double_precision::impulse_engine();
 }
 
-// What the scene does not need, as far as the settings leave that open: one that is set otherwise than by default
-// stays.
+// The redundant features of the scene, except those whose option is not at its default.
 std::vector<Choice> choices_of(const Scene& scene, const Settings& given) {
   const Settings settings = complete(self(), given);
   if (settings.at("model") != "auto") return {};
   const Settings defaults = complete(self(), {});
-  std::vector<Choice> choices = needless(scene);
+  std::vector<Choice> choices = redundant_features(scene);
   std::erase_if(choices, [&](const Choice& one) { return settings.at(one.option) != defaults.at(one.option); });
   return choices;
 }
@@ -41,9 +38,11 @@ std::vector<Option> all_options() {
   std::vector<Option> options{
       {.key = "model",
        .value = "given",
-       .choices = {{"given", "as the other options say"},
-                   {"auto", "less, where the scene alone shows that no motion changes; what other options set stays"}},
-       .about = "how much is modelled"}};
+       .choices =
+           {{"given", "what the other options say"},
+            {"auto",
+             "leaves out features that provably do not change the motion in this scene; options that are set stay"}},
+       .about = "which features are modelled"}};
   std::ranges::move(reductions(), std::back_inserter(options));
   std::ranges::move(double_precision::impulse_engine().options(), std::back_inserter(options));
   options.push_back({.key = "precision",
@@ -53,29 +52,29 @@ std::vector<Option> all_options() {
   return options;
 }
 
-// Every solver with what makes it work harder, sub-steps where it cuts the step up and iterations where it does not;
-// and every integrator, with contacts solved exactly, so that what is seen is its own error.
+// Every solver with the option that makes it more accurate: sub-steps if it splits the step, else iterations. And every
+// integrator with the solver that leaves its free motion alone, so that only its own error shows.
 std::vector<WorkLadder> ladders_of(const Engine& engine) {
-  const std::string integrated = "exact";  // which has nothing to work harder at
+  const std::string exact = "exact";  // has no option that makes it more accurate
   const auto stepping_with = [&](const Settings& settings) {
     return double_precision::impulse_engine().stepping(complete(engine, settings), 1);
   };
   std::vector<WorkLadder> ladders;
   for (const Option& option : engine.options) {
     for (const auto& [choice, about] : option.choices) {
-      if (choice == "accurate-scalar") continue;  // the oracle of another, and no method of its own
+      if (choice == "accurate-scalar") continue;  // the test oracle of "accurate", not a method of its own
       const Settings method = choice == option.value ? Settings{} : Settings{{option.key, choice}};
       if (option.key == "solver") {
-        if (choice == integrated) {
+        if (choice == exact) {
           ladders.push_back({method, "", {}});
           continue;
         }
-        const bool cuts = stepping_with({{"solver", choice}, {"substeps", "2"}}).h < 1;
+        const bool splits = stepping_with({{"solver", choice}, {"substeps", "2"}}).h < 1;
         ladders.push_back(
-            {method, cuts ? "substeps" : "iterations",
-             cuts ? std::vector<std::string>{"1", "2", "4", "8"} : std::vector<std::string>{"5", "10", "20"}});
+            {method, splits ? "substeps" : "iterations",
+             splits ? std::vector<std::string>{"1", "2", "4", "8"} : std::vector<std::string>{"5", "10", "20"}});
       } else if (option.key == "integrator" && choice != option.value) {
-        ladders.push_back({{{"solver", integrated}, {"integrator", choice}}, "", {}});
+        ladders.push_back({{{"solver", exact}, {"integrator", choice}}, "", {}});
       }
     }
   }
@@ -100,7 +99,7 @@ Engine impulse() {
   };
   engine.build = [](const Scene& scene, const Settings& given) {
     const Settings settings = chosen_for(scene, given);
-    return slowed(in_precision_of(settings).build(reduced(scene, settings), settings));
+    return in_precision_of(settings).build(reduced(scene, settings), settings);
   };
   engine.chooses = choices_of;
   return engine;

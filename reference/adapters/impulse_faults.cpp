@@ -2,7 +2,7 @@
 
 #include "reference/faults/engine/fault.h"
 
-#include "reference/fault.h"
+#include "reference/faults/fault.h"
 
 namespace plumb {
 namespace {

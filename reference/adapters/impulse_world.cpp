@@ -9,6 +9,8 @@
 #include <utility>
 #include <variant>
 
+#include "reference/adapter.h"
+
 namespace plumb::IMPULSE_PRECISION {
 namespace {
 
@@ -26,9 +28,7 @@ struct ShapeOf {
                                static_cast<Real>(box.angle));
   }
   impulse::Shape operator()(const Polygon& polygon) const {
-    std::vector<impulse::Vec2> vertices;
-    for (const Vec& vertex : polygon.vertices) vertices.push_back(to_engine(vertex));
-    return impulse::Shape::polygon(vertices);
+    return impulse::Shape::polygon(converted(polygon.vertices, to_engine));
   }
   impulse::Shape operator()(const Capsule& capsule) const {
     return impulse::Shape::capsule(to_engine(capsule.from), to_engine(capsule.to), static_cast<Real>(capsule.radius));
@@ -43,9 +43,7 @@ struct ShapeOf {
 
 impulse::BodyDef def_of(const Body& body) {
   impulse::BodyDef def;
-  def.type = body.type == BodyType::fixed       ? impulse::BodyType::fixed
-             : body.type == BodyType::kinematic ? impulse::BodyType::kinematic
-                                                : impulse::BodyType::dynamic;
+  def.type = body_type(body.type, impulse::BodyType::fixed, impulse::BodyType::kinematic, impulse::BodyType::dynamic);
   def.position = to_engine(body.position);
   def.angle = static_cast<Real>(body.angle);
   def.velocity = to_engine(body.velocity);
@@ -59,7 +57,8 @@ impulse::BodyDef def_of(const Body& body) {
   return def;
 }
 
-// The engine has no body without a shape: a mere place to hang things from becomes a disc on no layer.
+// The engine has no bodies without a shape: a fixed or kinematic body that only anchors joints becomes a disc on no
+// layer.
 std::vector<impulse::Part> parts_of(const Body& body) {
   if (body.shapes.empty() && body.type != BodyType::dynamic) return {{impulse::Shape::circle(1), {}}};
   std::vector<impulse::Part> parts;
@@ -77,24 +76,24 @@ impulse::Continuous continuous_of(const std::string& name) {
   return name == "on" ? impulse::Continuous::on : impulse::Continuous::automatic;
 }
 
-impulse::Settings settings_of(const Settings& settings) {
+impulse::Settings engine_settings(const Settings& settings) {
   impulse::Settings made;
   made.solver = settings.at("solver");
   made.integrator = settings.at("integrator");
   made.broad_phase = settings.at("broad-phase");
-  made.iterations = static_cast<int>(std::stod(settings.at("iterations")));
-  made.position_iterations = static_cast<int>(std::stod(settings.at("position-iterations")));
-  made.substeps = static_cast<int>(std::stod(settings.at("substeps")));
-  made.workers = static_cast<int>(std::stod(settings.at("workers")));
+  made.iterations = whole_number(settings, "iterations");
+  made.position_iterations = whole_number(settings, "position-iterations");
+  made.substeps = whole_number(settings, "substeps");
+  made.workers = whole_number(settings, "workers");
   made.contacts = settings.at("contacts") == "on";
   made.continuous = continuous_of(settings.at("continuous"));
   made.sleeping = settings.at("sleeping") == "on";
   return made;
 }
 
-// The scene's mixing rules are the engine's, in the same order.
-impulse::Settings settings_of(const Scene& scene, const Settings& settings) {
-  impulse::Settings made = settings_of(settings);
+// The enumerations of mixing rules are the same in scene and engine, in the same order.
+impulse::Settings engine_settings(const Scene& scene, const Settings& settings) {
+  impulse::Settings made = engine_settings(settings);
   made.gravity = to_engine(scene.gravity);
   made.friction_mixing = static_cast<impulse::FrictionMixing>(scene.mixing.friction);
   made.restitution_mixing = static_cast<impulse::RestitutionMixing>(scene.mixing.restitution);
@@ -103,7 +102,7 @@ impulse::Settings settings_of(const Scene& scene, const Settings& settings) {
 
 class Impulse : public Simulation {
  public:
-  Impulse(const Scene& scene, const Settings& settings) : world_(settings_of(scene, settings)) {
+  Impulse(const Scene& scene, const Settings& settings) : world_(engine_settings(scene, settings)) {
     for (const Body& body : scene.bodies) {
       const impulse::BodyId id = world_.create_body(def_of(body), parts_of(body));
       bodies_.push_back(id);
@@ -187,7 +186,7 @@ class Impulse : public Simulation {
                                   static_cast<Real>(constant.torque)};
   }
 
-  mutable impulse::World world_;  // its views of bodies can write as well as read
+  mutable impulse::World world_;  // mutable because a view of a body can write as well as read
   std::vector<impulse::BodyId> bodies_;
   std::vector<std::size_t> scene_index_;  // by BodyId::index
 };
@@ -204,71 +203,72 @@ std::vector<Option> options() {
   return {{.key = "solver",
            .value = standard.solver,
            .choices = choices(impulse::solvers()),
-           .about = "method of solving contacts"},
+           .about = "method that solves contacts"},
           {.key = "integrator",
            .value = standard.integrator,
            .choices = choices(impulse::integrators()),
-           .about = "method of free motion, for solvers that leave the choice"},
+           .about = "method that integrates free motion, for solvers that leave the choice"},
           {.key = "broad-phase",
            .value = standard.broad_phase,
            .choices = choices(impulse::broad_phases()),
-           .about = "search for pairs"},
+           .about = "method that finds pairs of bodies"},
           {.key = "iterations",
            .value = std::to_string(standard.iterations),
-           .about = "of the velocity solver",
+           .about = "iterations of the velocity solver",
            .min = 1,
            .max = 10000,
            .whole = true},
           {.key = "position-iterations",
            .value = std::to_string(standard.position_iterations),
-           .about = "of solvers that correct positions apart from velocities",
+           .about = "iterations of solvers that correct positions separately from velocities",
            .min = 0,
            .max = 10000,
            .whole = true},
           {.key = "substeps",
            .value = std::to_string(standard.substeps),
-           .about = "of a step, for solvers that cut it up",
+           .about = "sub-steps of a step, for solvers that split it",
            .min = 1,
            .max = 1000,
            .whole = true},
           {.key = "contacts",
            .value = standard.contacts ? "on" : "off",
-           .choices = {{"on", "bodies meet"}, {"off", "they pass through each other, and no pair is looked for"}},
-           .about = "between bodies"},
+           .choices = {{"on", "bodies collide"}, {"off", "bodies pass through each other, and no pairs are searched"}},
+           .about = "contacts between bodies"},
           {.key = "continuous",
            .value = "auto",
            .choices = {{"off",
-                        "a body passes through what is thinner than its way in a step, unless the solver looks "
-                        "ahead"},
+                        "a body passes through anything thinner than its displacement in a step, unless the solver "
+                        "looks ahead"},
                        {"auto",
-                        "one that moves farther than half its thickness in a step stops where it meets a fixed "
-                        "or kinematic body, a bullet where it meets any; conservative advancement, B. Mirtich "
+                        "a body that moves more than half its thickness in a step stops where it meets a fixed or "
+                        "kinematic body, a bullet where it meets any body; conservative advancement, B. Mirtich "
                         "(1996)"},
                        {"on", "as if every body were a bullet"}},
            .about = "continuous collision"},
           {.key = "workers",
            .value = std::to_string(standard.workers),
-           .about = "threads; the same bits for any number",
+           .about = "threads; the result is the same to the bit for any number",
            .min = 1,
            .max = 256,
            .whole = true},
           {.key = "sleeping",
            .value = standard.sleeping ? "on" : "off",
-           .choices = {{"off", "every body is solved in every step: a sleeping stack has perfect energy"},
-                       {"on", "islands at rest for half a second stop costing time, until something disturbs them"}},
-           .about = "of islands at rest"}};
+           .choices = {{"off", "every body is solved in every step: a sleeping stack would have perfect energy"},
+                       {"on", "islands at rest for half a second are not solved until something disturbs them"}},
+           .about = "sleeping of islands at rest"}};
 }
 
 // Explicit Euler multiplies a spring's energy by 1 + (w h)^2; the fourth-order Runge-Kutta polynomial is within the
 // unit circle up to w h = 2 sqrt 2 on the imaginary axis; symplectic Euler and Verlet have the trace 2 - (w h)^2 and
-// the determinant 1. Forces are met in every sub-step. (Hairer, Lubich, Wanner 2006, I.1; Hairer, Wanner 1996, IV.2)
+// the determinant 1. Forces are evaluated in every sub-step. (Hairer, Lubich, Wanner 2006, I.1; Hairer, Wanner 1996,
+// IV.2)
 double spring_limit(const impulse::StatedErrors& errors, double dt) {
   if (errors.drift < 0) return 0;
   return (errors.order == 4 ? 2 * std::numbers::sqrt2 : 2) * std::round(dt / errors.h);
 }
 
 Stepping stepping(const Settings& settings, double dt) {
-  impulse::Settings with_dt = settings_of(settings);
+  impulse::Settings with_dt = engine_settings(settings);
   with_dt.dt = static_cast<Real>(dt);
   const impulse::StatedErrors errors = impulse::stated_errors(with_dt);
   Stepping stated;
@@ -289,10 +289,10 @@ Stepping stepping(const Settings& settings, double dt) {
   return stated;
 }
 
-// Whatever the engine itself refuses, in its words.
+// The engine checks a scene as it builds it, so this builds one to collect the engine's own message.
 std::string unsupported(const Scene& scene, const Settings& settings) {
-  if (!scene.joints.empty() && !impulse::stated_errors(settings_of(scene, settings)).joints) {
-    return "its solver " + settings.at("solver") + " holds no joints";
+  if (!scene.joints.empty() && !impulse::stated_errors(engine_settings(scene, settings)).joints) {
+    return "its solver " + settings.at("solver") + " does not support joints";
   }
   try {
     const Impulse tried(scene, settings);

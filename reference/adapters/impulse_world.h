@@ -9,15 +9,15 @@
 
 namespace plumb {
 
-/// Our engine as compiled for one precision. The settings it is given are complete.
+/// Our engine compiled for one precision. All settings passed to it must be complete.
 struct ImpulseEngine {
-  std::vector<Option> (*options)();  // as the engine itself names and sets them
+  std::vector<Option> (*options)();  // with the names and defaults of the engine
   Stepping (*stepping)(const Settings&, double dt);
   std::string (*unsupported)(const Scene&, const Settings&);
   std::unique_ptr<Simulation> (*build)(const Scene&, const Settings&);
 };
 
-// impulse_world.cpp is compiled twice, once into each.
+// impulse_world.cpp is compiled once into each of these.
 namespace single_precision {
 ImpulseEngine impulse_engine();
 }

@@ -2,19 +2,18 @@
 
 #include <vector>
 
-#include "reference/exact/plane.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 
-/// A surface between two neighbours of a chain, from one end to the other. `forward` is its unit normal, towards the
-/// later neighbour.
-struct Bed {
+/// The surface between two neighbours of a chain of stones.
+struct BedJoint {
   Vec from, to;
-  Vec forward;
+  Vec forward;  // unit normal, towards the later neighbour
 };
 
-/// A chain of rigid stones laid dry between two abutments. Stone k lies between joints k and k + 1. Joints push only,
-/// within their ends and their cone of friction.
+/// A chain of rigid stones laid dry between two abutments. Stone k lies between joints k and k + 1. A joint transmits
+/// only a push, between its ends and within its friction cone.
 class Arch {
  public:
   struct Stone {
@@ -22,15 +21,15 @@ class Arch {
     Vec weight;  // N
   };
 
-  /// One joint more than stones.
-  Arch(std::vector<Bed> joints, std::vector<Stone> stones, double friction);
+  /// Needs one more joint than stones.
+  Arch(std::vector<BedJoint> joints, std::vector<Stone> stones, double friction);
 
-  /// Whether some line of thrust stays within all joints: the safe theorem of limit analysis. It says that the arch
-  /// stands where nothing slides first.
+  /// Whether some line of thrust stays within all joints. By the safe theorem of limit analysis the arch then stands,
+  /// unless a joint slides first.
   bool stands() const;
 
  private:
-  std::vector<Bed> joints_;
+  std::vector<BedJoint> joints_;
   std::vector<Stone> stones_;
   double friction_;
 };

@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-// The first landing: h + v t - g t^2/2 = 0 at u = sqrt(v^2 + 2 g h) after (v + u)/g. Each landing turns u into e u, and
-// the flight after it takes 2 e u/g: a geometric series, of sum 2 e u/(g (1 - e)).
+// The first landing, h + v t - g t^2/2 = 0, is at speed u = sqrt(v^2 + 2 g h) after (v + u)/g. Each landing turns u
+// into e u, and the flight after it takes 2 e u/g: a geometric series with the sum 2 e u/(g (1 - e)).
 Bounce::Bounce(double height, double speed, double gravity, double restitution)
     : start_{height, speed},
       gravity_(gravity),
@@ -25,7 +25,7 @@ Bounce::State Bounce::at(double t) const {
   double begin = landing_;
   for (double up = restitution_ * landing_speed_;; up *= restitution_) {
     const double end = begin + 2 * up / gravity_;
-    if (end == begin) return {};  // what is left of the series is below round-off
+    if (end == begin) return {};  // the rest of the series is below round-off
     if (t < end) return flight({0, up}, t - begin);
     begin = end;
   }
@@ -53,7 +53,7 @@ double Bounce::rest() const {
 
 namespace {
 
-// The disc as a Simulation: along the floor it drifts as it started.
+// Along the floor the disc keeps its initial velocity.
 struct BouncingDisc {
   std::vector<BodyState> start;
   std::size_t disc = 0;
@@ -62,7 +62,7 @@ struct BouncingDisc {
   Bounce bounce;
 
   void at(double t, std::span<BodyState> out) const {
-    for (std::size_t i = 0; i < start.size(); ++i) out[i] = start[i];
+    write_states(start, out);
     const Bounce::State now = bounce.at(t);
     const BodyState& from = start[disc];
     const Vec drift = from.velocity - dot(from.velocity, up) * up;
@@ -73,33 +73,34 @@ struct BouncingDisc {
 };
 
 Recognised<BouncingDisc> recognise_bounce(const Scene& scene) {
-  if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
-  const std::optional<Pair> pair = one_on_ground(scene);
-  if (!pair) return "solves one disc over fixed ground";
+  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  const std::optional<BodyOnGround> pair = single_body_on_ground(scene);
+  if (!pair) return "handles only one disc over fixed ground";
   const Body& body = scene.bodies[pair->body];
   const Vec gravity = gravity_of(scene, body);
   const std::optional<Floor> floor = floor_of(scene.bodies[pair->ground], gravity);
-  if (!floor) return "solves a floor made of one half-space or one box";
-  const Circle* circle = lone<Circle>(body);
-  if (circle == nullptr || circle->center != Vec{}) return "solves a single disc";
+  if (!floor) return "handles only a floor made of one half-space or one box";
+  const Circle* circle = only_shape<Circle>(body);
+  if (circle == nullptr || circle->center != Vec{}) return "handles only a single disc";
   const double g = length(gravity);
-  if (g == 0 || std::abs(cross(gravity, floor->normal)) > flat * g) return "solves a level floor under gravity";
+  if (g == 0 || std::abs(cross(gravity, floor->normal)) > geometry_tolerance * g)
+    return "handles only a level floor under gravity";
   const BodyState start = start_of(body);
-  const Coefficients mixed = between(scene, scene.bodies[pair->ground], body);
+  const Coefficients mixed = mixed_coefficients(scene, scene.bodies[pair->ground], body);
   const double along = dot(start.velocity, floor->along());
   if (mixed.dynamic_friction != 0 && (along != 0 || start.angular_velocity != 0)) {
-    return "solves a drop without spin or sideways speed, or without friction";
+    return "handles only a drop without spin or sideways speed, or without friction";
   }
-  if (along != 0 && std::isfinite(floor->to)) return "solves sideways speed over an endless floor only";
+  if (along != 0 && std::isfinite(floor->to)) return "handles sideways speed only over an endless floor";
   const double height = dot(start.position, floor->normal) - floor->offset - circle->radius;
-  if (height < 0) return "solves a disc that starts above the floor";
+  if (height < 0) return "handles only a disc that starts above the floor";
   return BouncingDisc{start_of(scene), pair->body, floor->normal, height,
                       Bounce(height, dot(start.velocity, floor->normal), g, mixed.restitution)};
 }
 
 const Catalog<Engine>::Entry bounce_entry{closed_form<BouncingDisc>(
     {.name = "bounce",
-     .about = "A disc that bounces on a level floor: apex n = e^(2n) h, at rest after a finite time",
+     .about = "A disc that bounces on a level floor: apex n = e^(2n) h; comes to rest after a finite time",
      .source = "Newton's law of restitution, Principia (1687), Scholium to the laws; geometric series of flights"},
     recognise_bounce)};
 

@@ -1,17 +1,12 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "reference/simulation.h"
-
 namespace plumb {
 
-/// A point dropped on a floor at right angles: parabola after parabola, each landing at e times the speed of the last.
-/// Holds for ever: where e < 1 the landings pile up at a finite time and it rests from there on.
+/// A point dropped vertically onto a floor: a sequence of parabolas, each starting at e times the speed of the last.
+/// Valid for ever: if e < 1 the landings accumulate at a finite time, and the point rests from then on.
 class Bounce {
  public:
-  /// height m above the floor, speed m/s upwards at the start, gravity m/s^2 > 0, restitution 0 ... 1.
+  /// height in m above the floor and speed in m/s upwards at the start, gravity in m/s^2 > 0, restitution 0 ... 1.
   Bounce(double height, double speed, double gravity, double restitution);
 
   struct State {
@@ -20,9 +15,9 @@ class Bounce {
   };
   State at(double t) const;
 
-  double apex(int n) const;    // m, after the n-th landing
-  double impact(int n) const;  // s, of the n-th landing
-  double rest() const;         // s, infinite for e = 1
+  double apex(int n) const;    // m, height after the n-th landing
+  double impact(int n) const;  // s, time of the n-th landing
+  double rest() const;         // s, time when it comes to rest; infinite for e = 1
 
  private:
   State start_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <limits>
@@ -13,17 +14,17 @@
 
 #include "reference/simulation.h"
 
-/// The road that every closed form takes: recognise a scene, then evaluate.
+/// How every closed form becomes an engine: recognise a scene, then evaluate a formula.
 namespace plumb {
 
-/// s, when what does not happen happens.
+/// s, the time of an event that does not happen.
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// What a closed form makes of a scene: the motion it can solve, or why it cannot.
+/// The motion of a scene, or why the closed form cannot solve it.
 template <class Motion>
 using Recognised = std::variant<Motion, std::string>;
 
-/// Time by compensated summation (Kahan), so that a million steps are as exact as one.
+/// Time by compensated summation (Kahan): after a million steps it is as exact as after one.
 class Elapsed {
  public:
   void add(double dt) {
@@ -38,6 +39,11 @@ class Elapsed {
   double time_ = 0;
   double lost_ = 0;
 };
+
+/// Writes initial states; the formula of a motion then overwrites those of the bodies that move.
+inline void write_states(const std::vector<BodyState>& start, std::span<BodyState> out) {
+  std::copy(start.begin(), start.end(), out.begin());
+}
 
 /// A formula as a Simulation. Motion has
 ///     void at(double t, std::span<BodyState> out) const;                              // every body, in Scene order
@@ -80,7 +86,7 @@ struct ClosedFormText {
   std::string source;
 };
 
-/// The catalog's entry of a closed form; `recognise` reads nothing but the scene.
+/// A closed form as an engine of the catalog. `recognise` depends on the scene alone.
 template <class Motion>
 Engine closed_form(ClosedFormText text, Recognised<Motion> (*recognise)(const Scene&)) {
   Engine engine;

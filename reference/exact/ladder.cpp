@@ -10,19 +10,17 @@
 
 namespace plumb {
 
-// Foot at (2 l cos a, 0), head at (0, 2 l sin a), centre at l (cos a, sin a); the wall pushes out with R, the floor up
-// with N and, while the foot slides, back with mu N. Per mass, k^2 = I/m:
+// Foot at (2 l cos a, 0), head at (0, 2 l sin a), centre at l (cos a, sin a). The wall pushes outwards with R, the
+// floor upwards with N and, while the foot slides, back with mu N. Per mass, with k^2 = I/m:
 //   x'' = R - mu N,   y'' = N - g,   -k^2 a'' = N l (cos a - mu sin a) - R l sin a.
-// With x'' = -l (sin a a'' + cos a a'^2) and y'' = l (cos a a'' - sin a a'^2), R and N drop out:
+// With x'' = -l (sin a a'' + cos a a'^2) and y'' = l (cos a a'' - sin a a'^2), R and N can be eliminated:
 //   a'' = -(g l (cos a - 2 mu sin a) + 2 mu l^2 sin^2 a a'^2) / (k^2 + l^2 (1 - mu sin 2a)).
-// From rest it moves iff cos a > 2 mu sin a. Without friction it is a pendulum of a + pi/2, and R, that is x'', is zero
-// where sin a is 2/3 of what it was. The denominator stays positive for mu < 1.
-Ladder::Ladder(const Case& given)
-    : given_(given),
-      stands_(std::tan(given.angle) * 2 * given.friction >= 1),
-      until_(std::numeric_limits<double>::infinity()) {
+// From rest it moves iff cos a > 2 mu sin a. Without friction it is a pendulum with angle a + pi/2, and R = x''
+// vanishes where sin a is 2/3 of its initial value. The denominator stays positive for mu < 1.
+Ladder::Ladder(const Setup& given)
+    : given_(given), stands_(std::tan(given.angle) * 2 * given.friction >= 1), until_(never) {
   if (stands_) return;
-  // The head is held back less and less; the step in which the wall would have to pull is halved down to nothing.
+  // The wall pushes less and less. A step after which it would have to pull is halved, down to nothing.
   double h = 1e-3 * std::sqrt(given.half / given.gravity);
   State now{given.angle, 0};
   until_ = 0;
@@ -37,7 +35,7 @@ Ladder::Ladder(const Case& given)
   }
 }
 
-double Ladder::turning(const State& now) const {
+double Ladder::angular_acceleration(const State& now) const {
   const double l = given_.half;
   const double s = std::sin(now.angle);
   const double c = std::cos(now.angle);
@@ -46,12 +44,12 @@ double Ladder::turning(const State& now) const {
   return -drive / (given_.gyration + l * l * (1 - 2 * mu * s * c));
 }
 
-// Runge and Kutta's fourth order. Steps of a thousandth of sqrt(l/g) leave 1e-13 of the angle.
+// Fourth-order Runge-Kutta. With steps of sqrt(l/g)/1000 the angle is off by 1e-13.
 Ladder::State Ladder::after(const State& now, double h) const {
   const auto moved = [&now](const State& rate, double by) {
     return State{now.angle + by * rate.angle, now.speed + by * rate.speed};
   };
-  const auto rate = [this](const State& one) { return State{one.speed, turning(one)}; };
+  const auto rate = [this](const State& one) { return State{one.speed, angular_acceleration(one)}; };
   const State k1 = rate(now);
   const State k2 = rate(moved(k1, h / 2));
   const State k3 = rate(moved(k2, h / 2));
@@ -73,10 +71,10 @@ Vec Ladder::push(const State& now) const {
   const double s = std::sin(now.angle);
   const double c = std::cos(now.angle);
   if (stands_) return {given_.gravity * c / (2 * s), given_.gravity};
-  const double turn = turning(now);
-  const double fling = now.speed * now.speed;
-  const double floor = given_.gravity + l * (c * turn - s * fling);
-  return {-l * (s * turn + c * fling) + given_.friction * floor, floor};
+  const double turn = angular_acceleration(now);
+  const double centripetal = now.speed * now.speed;
+  const double floor = given_.gravity + l * (c * turn - s * centripetal);
+  return {-l * (s * turn + c * centripetal) + given_.friction * floor, floor};
 }
 
 namespace {
@@ -84,27 +82,28 @@ namespace {
 struct LeaningLadder {
   std::vector<BodyState> start;
   std::size_t ladder = 0, floor = 0, wall = 0;
-  Vec corner, out, up;  // of floor and wall; out of the wall, up from the floor
+  Vec corner, out, up;  // where floor and wall meet; unit vectors out of the wall and up from the floor
   double half = 0, mass = 0;
   Ladder motion;
 
   Vec from_corner(double angle, double along, double above) const {
     return corner + along * std::cos(angle) * out + above * std::sin(angle) * up;
   }
-  // Per mass, x out of the wall and y up: what changed the momentum, less gravity's part; and friction against x.
+  // The normal impulses per mass, x of the wall and y of the floor: the change of momentum without gravity's part, plus
+  // in x what friction took away.
   Vec impulse(double from, double to) const {
     const Vec by = velocity(motion.at(to)) - velocity(motion.at(from));
     const double lifted = dot(by, up) + motion.given().gravity * (to - from);
-    return {dot(by, out) + drag(lifted, to - from), lifted};
+    return {dot(by, out) + friction_impulse(lifted, to - from), lifted};
   }
-  double drag(double lifted, double dt) const {
+  double friction_impulse(double lifted, double dt) const {
     return motion.stands() ? dt * motion.push(motion.at(0)).x : motion.given().friction * lifted;
   }
   Vec velocity(const Ladder::State& now) const {
     return half * now.speed * (std::cos(now.angle) * up - std::sin(now.angle) * out);
   }
   void at(double t, std::span<BodyState> out_states) const {
-    for (std::size_t i = 0; i < start.size(); ++i) out_states[i] = start[i];
+    write_states(start, out_states);
     const Ladder::State now = motion.at(t);
     const double sense = cross(out, up);  // the angle grows towards the wall
     BodyState& state = out_states[ladder];
@@ -121,7 +120,7 @@ struct LeaningLadder {
                         .point = from_corner(now.angle, 2 * half, 0),
                         .normal = up,
                         .normal_impulse = push.y,
-                        .tangent_impulse = -mass * drag(push.y / mass, dt) * cross(up, out)});
+                        .tangent_impulse = -mass * friction_impulse(push.y / mass, dt) * cross(up, out)});
     contacts.push_back({.a = wall,
                         .b = ladder,
                         .point = from_corner(now.angle, 0, 2 * half),
@@ -131,75 +130,77 @@ struct LeaningLadder {
   double valid_until() const { return motion.valid_until(); }
 };
 
-struct Touch {
+struct LadderEnd {
   std::size_t body = 0;
   Floor surface;
   Vec point;
 };
 
-// The one vertex that touches a fixed surface; nothing if none does, or more.
+// The one vertex that touches a fixed surface; nullopt unless there is exactly one.
 std::optional<Vec> touching(const Polygon& polygon, const Body& body, const Floor& surface) {
   std::optional<Vec> only;
   for (const Vec& vertex : polygon.vertices) {
-    const Vec point = body.position + turned(vertex, body.angle);
+    const Vec point = body.position + rotated(vertex, body.angle);
     const double off = dot(point, surface.normal) - surface.offset;
-    if (off > flat) continue;
-    if (off < -flat || only) return std::nullopt;
+    if (off > geometry_tolerance) continue;
+    if (off < -geometry_tolerance || only) return std::nullopt;
     only = point;
   }
   return only;
 }
 
 Recognised<LeaningLadder> recognise_ladder(const Scene& scene) {
-  if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
+  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
   std::optional<std::size_t> ladder;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies[i].type == BodyType::dynamic) ladder = i;
   }
-  if (scene.bodies.size() != 3 || !ladder) return "solves one body between a floor and a wall";
+  if (scene.bodies.size() != 3 || !ladder) return "handles only one body between a floor and a wall";
   const Body& body = scene.bodies[*ladder];
-  const Polygon* polygon = lone<Polygon>(body);
-  if (polygon == nullptr) return "solves a ladder made of one polygon";
-  if (body.velocity != Vec{} || body.angular_velocity != 0) return "solves what starts at rest";
+  const Polygon* polygon = only_shape<Polygon>(body);
+  if (polygon == nullptr) return "handles only a ladder made of one polygon";
+  if (body.velocity != Vec{} || body.angular_velocity != 0) return "handles only bodies that start at rest";
   const Vec gravity = gravity_of(scene, body);
   const Mass mass = mass_of(body);
-  if (length(gravity) == 0 || mass.inertia <= 0) return "solves a ladder that gravity pulls at and that may turn";
+  if (length(gravity) == 0 || mass.inertia <= 0) return "handles only a ladder under gravity that can rotate";
   const Vec up = -(1 / length(gravity)) * gravity;
 
-  std::optional<Touch> floor, wall;
+  std::optional<LadderEnd> floor, wall;
   for (std::size_t i = 0; i < 3; ++i) {
     if (i == *ladder) continue;
     const std::optional<Floor> surface = floor_of(scene.bodies[i], gravity);
-    if (!surface || std::isfinite(surface->to)) return "solves a floor and a wall that are half-spaces";
+    if (!surface || std::isfinite(surface->to)) return "handles only a floor and a wall that are half-spaces";
     const std::optional<Vec> point = touching(*polygon, body, *surface);
-    if (!point) return "solves a ladder that touches floor and wall with one end each";
+    if (!point) return "handles only a ladder that touches the floor and the wall with one end each";
     const double rise = dot(surface->normal, up);
-    if (std::abs(rise - 1) < flat) floor = Touch{i, *surface, *point};
-    if (std::abs(rise) < flat) wall = Touch{i, *surface, *point};
+    if (std::abs(rise - 1) < geometry_tolerance) floor = LadderEnd{i, *surface, *point};
+    if (std::abs(rise) < geometry_tolerance) wall = LadderEnd{i, *surface, *point};
   }
-  if (!floor || !wall) return "solves a level floor and an upright wall";
+  if (!floor || !wall) return "handles only a level floor and an upright wall";
   const Vec center = start_of(body).position;
-  if (length(0.5 * (floor->point + wall->point) - center) > flat) return "solves a ladder with its centre midway";
+  if (length(0.5 * (floor->point + wall->point) - center) > geometry_tolerance)
+    return "handles only a ladder with its centre midway";
   const Vec out = wall->surface.normal;
   const Vec lie = floor->point - wall->point;
   const double angle = std::atan2(-dot(lie, up), dot(lie, out));
-  if (between(scene, scene.bodies[wall->body], body).static_friction != 0) return "solves a smooth wall";
-  const Coefficients mixed = between(scene, scene.bodies[floor->body], body);
-  if (mixed.static_friction != mixed.dynamic_friction) return "knows one coefficient of friction";
+  if (mixed_coefficients(scene, scene.bodies[wall->body], body).static_friction != 0)
+    return "handles only a frictionless wall";
+  const Coefficients mixed = mixed_coefficients(scene, scene.bodies[floor->body], body);
+  if (mixed.static_friction != mixed.dynamic_friction) return "supports only one coefficient of friction";
   const double half = length(lie) / 2;
   const Ladder motion({.half = half,
                        .gyration = mass.inertia / mass.mass,
                        .angle = angle,
                        .gravity = length(gravity),
                        .friction = mixed.static_friction});
-  if (!motion.stands() && mixed.static_friction >= 1) return "solves a sliding foot with less friction than 1";
+  if (!motion.stands() && mixed.static_friction >= 1) return "handles only a sliding foot with friction below 1";
   const Vec corner = floor->surface.offset * up + wall->surface.offset * out;
   return LeaningLadder{start_of(scene), *ladder, floor->body, wall->body, corner, out, up, half, mass.mass, motion};
 }
 
 const Catalog<Engine>::Entry ladder_entry{closed_form<LeaningLadder>(
     {.name = "ladder",
-     .about = "A ladder on a smooth wall: stands iff tan a >= 1/(2 mu), else slides and leaves the wall",
+     .about = "A ladder on a frictionless wall: stands iff tan a >= 1/(2 mu), else slides and leaves the wall",
      .source = "Statics and energy: e.g. Goldstein, Classical Mechanics, ch. 1 and 2; without friction it leaves at "
                "sin a = (2/3) sin a0"},
     recognise_ladder)};

@@ -1,40 +1,40 @@
 #pragma once
 
-#include "reference/exact/plane.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 
-/// A ladder, its centre midway, let go at rest between a rough floor and a smooth wall: it stands iff
-/// tan(angle) >= 1/(2 mu), else its foot slides out. Holds until its head leaves the wall.
+/// A ladder with its centre midway, released at rest between a rough floor and a frictionless wall: it stands iff
+/// tan(angle) >= 1/(2 mu), else its foot slides out. Valid until its head leaves the wall.
 class Ladder {
  public:
-  struct Case {
+  struct Setup {
     double half = 0;      // m, from the centre to either end
     double gyration = 0;  // m^2, I/m about the centre
-    double angle = 0;     // rad above the level at the start, 0 ... pi/2
+    double angle = 0;     // rad above the horizontal at the start, 0 ... pi/2
     double gravity = 0;   // m/s^2
-    double friction = 0;  // of the floor, sticking and sliding
+    double friction = 0;  // of the floor, static and dynamic
   };
-  explicit Ladder(const Case&);
+  explicit Ladder(const Setup&);
 
   struct State {
     double angle = 0;  // rad
-    double speed = 0;  // rad/s, of the angle: not positive
+    double speed = 0;  // rad/s, of the angle: never positive
   };
   State at(double t) const;
 
-  const Case& given() const { return given_; }
+  const Setup& given() const { return given_; }
   bool stands() const { return stands_; }
   double valid_until() const { return until_; }  // s, when the head leaves the wall
 
-  /// Per mass, N/kg: x the wall's push out of it, y the floor's push up.
+  /// The normal forces per mass, N/kg: x of the wall, y of the floor.
   Vec push(const State&) const;
 
  private:
-  double turning(const State&) const;
+  double angular_acceleration(const State&) const;
   State after(const State&, double h) const;
 
-  Case given_;
+  Setup given_;
   bool stands_;
   double until_;
 };

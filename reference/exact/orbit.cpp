@@ -9,24 +9,24 @@
 namespace plumb {
 
 // Vis viva: v^2 = k (2/r - 1/a).
-Orbit::Orbit(Vec place, Vec velocity, double strength)
-    : place_(place),
+Orbit::Orbit(Vec position, Vec velocity, double strength)
+    : position_(position),
       velocity_(velocity),
       strength_(strength),
-      axis_(1 / (2 / length(place) - dot(velocity, velocity) / strength)) {}
+      axis_(1 / (2 / length(position) - dot(velocity, velocity) / strength)) {}
 
 double Orbit::period() const { return 2 * std::numbers::pi * std::sqrt(axis_ * axis_ * axis_ / strength_); }
 
-// Kepler's equation from the starting point instead of the perihelion, in the change x of the eccentric anomaly:
+// Kepler's equation from the starting point instead of the perihelion, for the change x of the eccentric anomaly:
 //   n t = x - (1 - r0/a) sin x + (r0.v0/sqrt(k a)) (1 - cos x),   n = sqrt(k/a^3),
-// whose derivative is r/a > 0; then Lagrange's f and g give r = f r0 + g v0 (Battin, ch. 4.3). It rises with x, so that
-// Newton's method kept within a shrinking bracket always arrives.
+// Lagrange's f and g then give r = f r0 + g v0 (Battin, ch. 4.3). The derivative of the right-hand side is r/a > 0, so
+// Newton's method within a shrinking bracket always converges.
 Orbit::State Orbit::at(double t) const {
-  const double r0 = length(place_);
+  const double r0 = length(position_);
   const double n = std::sqrt(strength_ / (axis_ * axis_ * axis_));
   const double m = n * std::remainder(t, period());
   const double ec = 1 - r0 / axis_;
-  const double es = dot(place_, velocity_) / std::sqrt(strength_ * axis_);
+  const double es = dot(position_, velocity_) / std::sqrt(strength_ * axis_);
   double low = m - 2;  // |x - n t| <= 2 e < 2
   double high = m + 2;
   double x = m;
@@ -38,13 +38,13 @@ Orbit::State Orbit::at(double t) const {
     if (next == x) break;
     x = next;
   }
-  const double less = 2 * std::sin(x / 2) * std::sin(x / 2);  // 1 - cos x without cancelling
+  const double less = 2 * std::sin(x / 2) * std::sin(x / 2);  // 1 - cos x without cancellation
   const double r = axis_ * (1 - ec * std::cos(x) + es * std::sin(x));
   const double f = 1 - axis_ / r0 * less;
   const double g = (r0 * std::sin(x) + axis_ * es * less) / (n * axis_);
   const double df = -std::sqrt(strength_ * axis_) / (r * r0) * std::sin(x);
   const double dg = 1 - axis_ / r * less;
-  return {f * place_ + g * velocity_, df * place_ + dg * velocity_};
+  return {f * position_ + g * velocity_, df * position_ + dg * velocity_};
 }
 
 namespace {
@@ -55,30 +55,31 @@ struct Planet {
   Orbit orbit;
 
   void at(double t, std::span<BodyState> out) const {
-    for (std::size_t i = 0; i < start.size(); ++i) out[i] = start[i];
+    write_states(start, out);
     const Orbit::State now = orbit.at(t);
-    out[body].position = start[sun].position + now.place;
+    out[body].position = start[sun].position + now.position;
     out[body].velocity = now.velocity;
     out[body].angle = start[body].angle + t * start[body].angular_velocity;
   }
 };
 
 Recognised<Planet> recognise_orbit(const Scene& scene) {
-  const std::optional<Pair> pair = one_on_ground(scene);
-  if (!scene.joints.empty() || !pair || scene.forces.size() != 1) return "solves one body about one fixed attractor";
+  const std::optional<BodyOnGround> pair = single_body_on_ground(scene);
+  if (!scene.joints.empty() || !pair || scene.forces.size() != 1)
+    return "handles only one body about one fixed attractor";
   const Attraction* pull = std::get_if<Attraction>(&scene.forces.front());
-  if (pull == nullptr || pull->from != pair->ground) return "solves one body about one fixed attractor";
-  if (pull->exponent != 2 || pull->strength <= 0) return "solves attraction with 1/r^2";
+  if (pull == nullptr || pull->from != pair->ground) return "handles only one body about one fixed attractor";
+  if (pull->exponent != 2 || pull->strength <= 0) return "handles only attraction with 1/r^2";
   const Body& body = scene.bodies[pair->body];
-  if (gravity_of(scene, body) != Vec{}) return "solves an orbit without gravity";
-  if (body.linear_damping != 0 || body.angular_damping != 0) return "knows no damping";
-  if ((body.layers & scene.bodies[pair->ground].layers) != 0) return "solves bodies that share no layer";
+  if (gravity_of(scene, body) != Vec{}) return "handles only motion without gravity";
+  if (body.linear_damping != 0 || body.angular_damping != 0) return "does not support damping";
+  if ((body.layers & scene.bodies[pair->ground].layers) != 0) return "handles only bodies that share no layer";
   const std::vector<BodyState> start = start_of(scene);
-  const Vec place = start[pair->body].position - start[pair->ground].position;
+  const Vec position = start[pair->body].position - start[pair->ground].position;
   const Vec velocity = start[pair->body].velocity;
-  if (cross(place, velocity) == 0) return "solves orbits, not a fall into the centre";
-  if (dot(velocity, velocity) / 2 >= pull->strength / length(place)) return "solves a body that cannot escape";
-  return Planet{start, pair->body, pair->ground, Orbit(place, velocity, pull->strength)};
+  if (cross(position, velocity) == 0) return "handles only orbits, not a fall into the centre";
+  if (dot(velocity, velocity) / 2 >= pull->strength / length(position)) return "handles only a body that cannot escape";
+  return Planet{start, pair->body, pair->ground, Orbit(position, velocity, pull->strength)};
 }
 
 const Catalog<Engine>::Entry orbit_entry{

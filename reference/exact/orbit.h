@@ -1,17 +1,18 @@
 #pragma once
 
-#include "reference/exact/plane.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 
-/// An ellipse about a centre that attracts with strength/r^2 (Kepler). Holds for ever.
+/// An ellipse about a centre that attracts with strength/r^2 (Kepler). Valid for ever.
 class Orbit {
  public:
-  /// place m and velocity m/s against the centre at the start, strength m^3/s^2. Needs v^2/2 < strength/r.
-  Orbit(Vec place, Vec velocity, double strength);
+  /// position in m and velocity in m/s relative to the centre at the start, strength in m^3/s^2. Needs
+  /// v^2/2 < strength/r.
+  Orbit(Vec position, Vec velocity, double strength);
 
   struct State {
-    Vec place, velocity;
+    Vec position, velocity;
   };
   State at(double t) const;
 
@@ -19,7 +20,7 @@ class Orbit {
   double semi_major_axis() const { return axis_; }
 
  private:
-  Vec place_, velocity_;
+  Vec position_, velocity_;
   double strength_;
   double axis_;  // m
 };

@@ -11,13 +11,13 @@
 namespace plumb {
 namespace {
 
-constexpr double grain = 1e-3;  // s; what holds at one and fails at the next fails between them
+constexpr double search_step = 1e-3;  // s, between two tests of whether the edge still holds
 
-double frequency(const Topple::Case& c) { return std::sqrt(c.gravity * c.arm / (c.gyration + c.arm * c.arm)); }
+double frequency(const Topple::Setup& c) { return std::sqrt(c.gravity * c.arm / (c.gyration + c.arm * c.arm)); }
 
 }  // namespace
 
-Topple::Topple(const Case& given)
+Topple::Topple(const Setup& given)
     : given_(given), pendulum_(std::numbers::pi - std::max(given.lean, 0.0), frequency(given)), until_(never) {
   if (stands()) {
     until_ = std::tan(given.slope) <= given.friction ? never : 0;
@@ -28,8 +28,8 @@ Topple::Topple(const Case& given)
     until_ = 0;
     return;
   }
-  double first = grain;
-  for (; holds(first); first += grain) last = first;
+  double first = search_step;
+  for (; holds(first); first += search_step) last = first;
   while (first - last > 1e-15 * first) {
     const double middle = (first + last) / 2;
     if (middle == first || middle == last) break;
@@ -44,16 +44,17 @@ Topple::State Topple::at(double t) const {
   return {std::numbers::pi - now.angle - given_.lean, -now.speed};
 }
 
-// With s the lean, the centre is at arm (sin s, cos s); s'' = w^2 sin s. The floor gives its acceleration less gravity.
+// With s the lean, the centre is at arm (sin s, cos s) and s'' = w^2 sin s. The floor's force per mass is the
+// acceleration of the centre minus gravity.
 Vec Topple::push(double t) const {
   const State now = at(t);
   const double s = given_.lean + now.turn;
   const double w = frequency(given_);
-  const double turning = stands() ? 0 : w * w * std::sin(s);
-  const double fling = now.spin * now.spin;
-  const Vec force{given_.arm * (turning * std::cos(s) - fling * std::sin(s)),
-                  given_.gravity - given_.arm * (turning * std::sin(s) + fling * std::cos(s))};
-  return turned(force, given_.slope);  // into the floor's frame, which the fall goes down
+  const double angular_acceleration = stands() ? 0 : w * w * std::sin(s);
+  const double centripetal = now.spin * now.spin;
+  const Vec force{given_.arm * (angular_acceleration * std::cos(s) - centripetal * std::sin(s)),
+                  given_.gravity - given_.arm * (angular_acceleration * std::sin(s) + centripetal * std::cos(s))};
+  return rotated(force, given_.slope);  // into the frame of the floor, which slopes down in the direction of the fall
 }
 
 bool Topple::holds(double t) const {
@@ -71,36 +72,36 @@ struct TopplingBox {
   Topple topple;
 
   void at(double t, std::span<BodyState> out) const {
-    for (std::size_t i = 0; i < start.size(); ++i) out[i] = start[i];
+    write_states(start, out);
     const Topple::State now = topple.at(t);
-    const Vec here = turned(arm, sense * now.turn);
+    const Vec here = rotated(arm, sense * now.turn);
     out[box].position = edge + here;
     out[box].angle = start[box].angle + sense * now.turn;
-    out[box].velocity = sense * now.spin * left_of(here);
+    out[box].velocity = sense * now.spin * perpendicular(here);
     out[box].angular_velocity = sense * now.spin;
   }
   double valid_until() const { return topple.valid_until(); }
 };
 
 Recognised<TopplingBox> recognise_topple(const Scene& scene) {
-  if (const std::string reason = beyond_textbook(scene); !reason.empty()) return reason;
-  const std::optional<Pair> pair = one_on_ground(scene);
-  if (!pair) return "solves one box on fixed ground";
+  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  const std::optional<BodyOnGround> pair = single_body_on_ground(scene);
+  if (!pair) return "handles only one box on fixed ground";
   const Body& body = scene.bodies[pair->body];
   const Vec gravity = gravity_of(scene, body);
   const std::optional<Floor> floor = floor_of(scene.bodies[pair->ground], gravity);
-  const Box* box = lone<Box>(body);
-  if (!floor || box == nullptr) return "solves one box on a floor made of one half-space or one box";
+  const Box* box = only_shape<Box>(body);
+  if (!floor || box == nullptr) return "handles only one box on a floor made of one half-space or one box";
   const BodyState start = start_of(body);
-  if (start.velocity != Vec{} || start.angular_velocity != 0) return "solves what starts at rest";
+  if (start.velocity != Vec{} || start.angular_velocity != 0) return "handles only bodies that start at rest";
   const std::optional<Footprint> foot = footprint(*box, body.angle, *floor);
-  if (!foot) return "solves a box that lies flat";
-  if (std::abs(dot(start.position, floor->normal) - floor->offset - foot->height / 2) > flat) {
-    return "solves a box that touches the floor";
+  if (!foot) return "handles only a box that lies flat";
+  if (std::abs(dot(start.position, floor->normal) - floor->offset - foot->height / 2) > geometry_tolerance) {
+    return "handles only a box that touches the floor";
   }
   const double load = -dot(gravity, floor->normal);
   const Mass mass = mass_of(body);
-  if (load <= 0 || mass.inertia <= 0) return "solves a box that gravity presses on and that may turn";
+  if (load <= 0 || mass.inertia <= 0) return "handles only a box that gravity presses down and that can rotate";
   const double drive = dot(gravity, floor->along());
   const Vec down = drive < 0 ? -floor->along() : floor->along();
   const double slope = std::atan2(std::abs(drive), load);
@@ -110,16 +111,16 @@ Recognised<TopplingBox> recognise_topple(const Scene& scene) {
                        .gyration = mass.inertia / mass.mass,
                        .gravity = length(gravity),
                        .slope = slope,
-                       .friction = between(scene, scene.bodies[pair->ground], body).static_friction,
+                       .friction = mixed_coefficients(scene, scene.bodies[pair->ground], body).static_friction,
                        .landing = std::numbers::pi / 2});
-  if (topple.valid_until() == 0) return "solves a box that does not slide";
+  if (topple.valid_until() == 0) return "handles only a box that does not slide";
   return TopplingBox{start_of(scene), pair->body, start.position - arm, arm, drive < 0 ? 1.0 : -1.0, topple};
 }
 
 const Catalog<Engine>::Entry topple_entry{closed_form<TopplingBox>(
     {.name = "topple",
-     .about = "A box on a rough slope: stands while tan a <= b/h, else turns about its lower edge",
-     .source = "An upside-down pendulum until its edge slips: Landau & Lifshitz, Mechanics, par. 11; forces by Newton"},
+     .about = "A box on a rough slope: stands while tan a <= b/h, else topples about its lower edge",
+     .source = "An inverted pendulum until its edge slips: Landau & Lifshitz, Mechanics, par. 11; forces by Newton"},
     recognise_topple)};
 
 }  // namespace

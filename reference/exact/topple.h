@@ -1,25 +1,25 @@
 #pragma once
 
-#include "reference/exact/pendulum.h"
-#include "reference/exact/plane.h"
+#include "reference/exact/oscillation.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 
-/// A rigid body at rest on a rough floor, about to turn about the edge of its base: with its centre beyond the edge it
-/// topples, an upside-down pendulum; with its centre above the base it stands. Holds until the edge slips or leaves
-/// the floor, or the body lands on its side.
+/// A rigid body at rest on a rough floor that may turn about the edge of its base. With its centre beyond the edge it
+/// topples as an inverted pendulum; with its centre above the base it stands. Valid until the edge slips or leaves the
+/// floor, or the body lands on its side.
 class Topple {
  public:
-  struct Case {
+  struct Setup {
     double arm = 0;       // m, from the edge to the centre
-    double lean = 0;      // rad, of the arm beyond the vertical at the start; at most 0: it stands
+    double lean = 0;      // rad, of the arm beyond the vertical at the start; the body stands if it is at most 0
     double gyration = 0;  // m^2, I/m about the centre
     double gravity = 0;   // m/s^2
-    double slope = 0;     // rad, of the floor, down in the direction of the fall
+    double slope = 0;     // rad, of the floor, downwards in the direction of the fall
     double friction = 0;  // static
-    double landing = 0;   // rad, turned when it lands
+    double landing = 0;   // rad, rotation at which it lands
   };
-  explicit Topple(const Case&);
+  explicit Topple(const Setup&);
 
   struct State {
     double turn = 0;  // rad, in the direction of the fall
@@ -27,16 +27,16 @@ class Topple {
   };
   State at(double t) const;
 
-  /// The floor's force on the body per mass, N/kg: x along the floor in the direction of the fall, y off the floor.
+  /// The floor's force on the body per mass, N/kg: x along the floor in the direction of the fall, y normal to it.
   Vec push(double t) const;
 
-  double valid_until() const { return until_; }  // s; 0 where it slips from the start
+  double valid_until() const { return until_; }  // s; 0 if it slips from the start
 
  private:
   bool stands() const { return given_.lean <= 0; }
   bool holds(double t) const;
 
-  Case given_;
+  Setup given_;
   Pendulum pendulum_;
   double until_;
 };

@@ -45,7 +45,7 @@ class RightEngines {
   explicit RightEngines(const std::vector<Fault>& faults) {
     for (const Fault& fault : faults) {
       if (number_.emplace(key_of(fault), engines_.size()).second) {
-        engines_.push_back(right_one(fault));
+        engines_.push_back(right_engine(fault));
         settings_.push_back(settings_of(fault));
       }
     }
@@ -114,7 +114,7 @@ std::vector<FaultResult> prove(const std::vector<Fault>& faults, const std::vect
   });
 
   std::vector<Engine> faulty;
-  for (const Fault& fault : faults) faulty.push_back(faulty_one(fault));
+  for (const Fault& fault : faults) faulty.push_back(faulty_engine(fault));
   std::vector<std::vector<Detection>> found(faults.size() * cases.size());
   do_all(found.size(), jobs, [&](std::size_t i) {
     const std::size_t f = i / cases.size();

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/fault.h"
+#include "reference/faults/fault.h"
 #include "reports/prove/detection.h"
 #include "reports/run/experiment.h"
 

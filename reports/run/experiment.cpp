@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "reference/converged.h"
+#include "reference/converged/converged.h"
 #include "reports/compare/comparator.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "reference/converged.h"
+#include "reference/converged/converged.h"
 #include "reports/run/run.h"
 
 namespace plumb {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "reports/statistics.h"
-#include "reports/statistics.h"
 #include "reports/timing/repetitions.h"
 
 namespace plumb {

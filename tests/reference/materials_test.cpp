@@ -7,8 +7,8 @@
 namespace plumb {
 namespace {
 
-// The engine and the scene files must mean the same by a name.
-TEST(Materials, AreThoseOfOurEngine) {
+// A material name must mean the same in the engine and in scene files.
+TEST(Materials, AreTheSameInEngineAndSceneFiles) {
   ASSERT_EQ(materials().size(), impulse::materials().size());
   const auto as = [](double number) { return static_cast<impulse::Real>(number); };
   for (const NamedSurface& material : materials()) {

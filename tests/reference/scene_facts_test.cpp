@@ -17,16 +17,6 @@ Body box(Vec position) {
   return body;
 }
 
-TEST(SceneFacts, ReachAsFarAsGravityAndTheStartCarry) {
-  Scene scene;
-  scene.duration = 10;
-  scene.bodies = {box({30, 40})};
-  scene.bodies[0].velocity = {6, 8};
-  EXPECT_DOUBLE_EQ(reach(scene), 50 + 10 * 10 + 10 * 100 / 2.0);
-  scene.duration = .1;
-  EXPECT_DOUBLE_EQ(reach(scene), 100);
-}
-
 TEST(SceneFacts, CenteringMovesTheFrameAndNotTheShapes) {
   Body body = box({1, 2});
   body.angle = .5;
@@ -42,18 +32,13 @@ TEST(SceneFacts, CenteringMovesTheFrameAndNotTheShapes) {
   EXPECT_NEAR(x, 1 + 2 * std::cos(.5), 1e-15 * 8);
 }
 
-TEST(SceneFacts, NameTheBodyThatAsksTooMuch) {
+TEST(SceneFacts, MeasureTheSmallestBodyByItsGyration) {
   Scene scene;
-  scene.bodies = {box({})};
-  EXPECT_EQ(needs_two_frictions(scene), "");
-  EXPECT_EQ(needs_dynamic_half_space(scene), "");
-  EXPECT_EQ(needs_massless_body(scene), "");
-  scene.bodies[0].shapes[0].surface.static_friction = .7;
-  EXPECT_NE(needs_two_frictions(scene).find("\"box\""), std::string::npos);
-  scene.bodies[0].shapes[0].surface.density = 0;
-  EXPECT_NE(needs_massless_body(scene).find("\"box\""), std::string::npos);
-  scene.bodies[0].shapes[0].geometry = HalfSpace{};
-  EXPECT_NE(needs_dynamic_half_space(scene).find("\"box\""), std::string::npos);
+  EXPECT_EQ(smallest_body(scene), 1);
+  Body disc;
+  disc.shapes.push_back({Circle{.25, {}}, {}});
+  scene.bodies = {box({}), disc};
+  EXPECT_NEAR(smallest_body(scene), .5, 1e-15);
 }
 
 }  // namespace

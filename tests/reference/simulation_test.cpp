@@ -27,19 +27,19 @@ TEST(CompleteSettings, FillInWhatIsMissing) {
   EXPECT_EQ(complete(engine, {{"solver", "soft"}}), (Settings{{"iterations", "8"}, {"solver", "soft"}}));
 }
 
-TEST(CompleteSettings, RefuseUnknownKeysAndChoicesWithTheNearest) {
+TEST(CompleteSettings, RefuseUnknownKeysAndChoicesNamingTheNearest) {
   EXPECT_EQ(complaint({{"iteration", "3"}}), "engine: unknown option \"iteration\", did you mean \"iterations\"?");
   EXPECT_EQ(complaint({{"solver", "sotf"}}), "engine: option solver: unknown choice \"sotf\", did you mean \"soft\"?");
 }
 
-TEST(CompleteSettings, RefuseWhatIsNoNumberInRange) {
+TEST(CompleteSettings, RefuseNumbersThatAreMalformedOrOutOfRange) {
   for (const char* value : {"", "many", "8x", "0", "101", "nan", "inf"}) {
     EXPECT_EQ(complaint({{"iterations", value}}),
               "engine: option iterations: \"" + std::string(value) + "\" must be a number, 1 ... 100");
   }
 }
 
-TEST(CompleteSettings, RefuseBrokenNumbersWhereWholeOnesAreMeant) {
+TEST(CompleteSettings, RefuseFractionsWhereWholeNumbersAreNeeded) {
   const Engine counting{.name = "counting", .options = {{.key = "n", .value = "8", .max = 9, .whole = true}}};
   EXPECT_EQ(complete(counting, {{"n", "7"}}).at("n"), "7");
   try {
@@ -50,7 +50,7 @@ TEST(CompleteSettings, RefuseBrokenNumbersWhereWholeOnesAreMeant) {
   }
 }
 
-TEST(Simulation, HoldsForEverUnlessItSaysOtherwise) {
+TEST(Simulation, IsValidForEverByDefault) {
   class Still : public Simulation {
     void step(double) override {}
     void read(std::span<BodyState>) const override {}

@@ -1,12 +1,12 @@
 // What Box2D's joints do differently: they are stiff springs. A soft distance joint is tuned by frequency and damping
-// ratio, which is stiffness and damping only where the effective mass stays the same: between centres of mass.
+// ratio. These correspond to a stiffness and a damping only if the effective mass is constant: between centres of mass.
+
 #include "reference/adapters/box2d_v3/joints.h"
 
 #include <cmath>
 #include <numbers>
 #include <variant>
 
-#include "reference/adapters/box2d_v3/vectors.h"
 #include "reference/scene_facts.h"
 #include "scenarios/scene/mass.h"
 
@@ -28,7 +28,7 @@ class Joiner {
     b2CreateRevoluteJoint(world_, &def);
   }
 
-  // k = m w^2 and d = 2 z m w for the mass m that the line between the centres of mass feels.
+  // k = m w^2 and d = 2 z m w for the effective mass m along the line between the centres of mass.
   void operator()(const Distance& joint) const {
     auto def = between(b2DefaultDistanceJointDef(), joint.a, joint.b, joint.anchor_a, joint.anchor_b);
     def.length = static_cast<float>(joint.length);
@@ -54,14 +54,14 @@ class Joiner {
   }
 
  private:
-  // Names the two bodies of a joint, where it holds them and its axis (rad, world frame).
+  // Fills in the two bodies of a joint, its anchors and the angle of its axis (rad, world frame).
   template <class Def>
   Def between(Def def, std::size_t index_a, std::size_t index_b, Vec anchor_a, Vec anchor_b, double axis = 0) const {
     const b2BodyId a = bodies_[index_a];
     const b2BodyId b = bodies_[index_b];
     const b2Vec2 on_a = local(a, anchor_a);
     const b2Vec2 on_b = local(b, anchor_b);
-    const b2Rot along = turn_of(axis);
+    const b2Rot along = rotation_by(axis);
     const b2Rot axis_a = b2InvMulRot(b2Body_GetRotation(a), along);
     const b2Rot axis_b = b2InvMulRot(b2Body_GetRotation(b), along);
     if constexpr (requires { def.base; }) {
@@ -94,7 +94,7 @@ class Joiner {
 };
 
 bool at_center(const Body& body, Vec anchor) {
-  constexpr double same = 1e-6;  // m, what float makes of one place
+  constexpr double same = 1e-6;  // m, round-off of a float position
   const Vec center = centered(body).position;
   return std::hypot(anchor.x - center.x, anchor.y - center.y) < same;
 }
@@ -105,7 +105,7 @@ void add_joints(b2WorldId world, const Scene& scene, std::span<const b2BodyId> b
   for (const Joint& joint : scene.joints) std::visit(Joiner(world, scene, bodies), joint);
 }
 
-std::string needs_eccentric_spring(const Scene& scene) {
+std::string eccentric_spring_refusal(const Scene& scene) {
   const auto eccentric = [&](std::size_t i, Vec anchor) {
     return scene.bodies[i].type == BodyType::dynamic && !at_center(scene.bodies[i], anchor);
   };
@@ -113,7 +113,7 @@ std::string needs_eccentric_spring(const Scene& scene) {
     const auto* distance = std::get_if<Distance>(&joint);
     if (distance == nullptr || distance->stiffness == 0) continue;
     if (eccentric(distance->a, distance->anchor_a) || eccentric(distance->b, distance->anchor_b)) {
-      return "tunes springs by frequency, so that their stiffness is known between centres of mass only";
+      return "tunes springs by frequency, so it supports soft distance joints between centres of mass only";
     }
   }
   return "";

@@ -38,10 +38,9 @@ void add_studies(Report& report, int jobs) {
   const ProgressLine line;
   for (const Study* study : Catalog<Study>::all()) {
     if (!study->summary) continue;
-    report.studies.push_back(
-        summary_document(*study, jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
-          line.show(fmt::format("study {} [{}/{}] {}", study->name, done, of, key));
-        }));
+    add_study(report, summary_document(*study, jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
+                line.show(fmt::format("study {} [{}/{}] {}", study->name, done, of, key));
+              }));
   }
 }
 
@@ -68,7 +67,7 @@ int report(const Asked& asked) {
   asked.session.conduct("report", [&](Report& report) {
     GateOptions gate;
     gate.all = asked.session.all;
-    if (auto changes = changes_since(gate.baseline_file(), report)) report.studies.push_back(std::move(*changes));
+    if (auto changes = changes_since(gate.baseline_file(), report)) add_study(report, std::move(*changes));
     if (asked.no_studies) {
       report.command.emplace_back("--no-studies");
     } else {

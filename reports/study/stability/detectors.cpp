@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "reports/judge/mechanics.h"
-#include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/vec.h"
 

@@ -1,54 +1,31 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "reference/simulation.h"
+#include "scenes.h"
 
 namespace plumb {
 namespace {
 
+using namespace adapter_tests;
+
 const Engine& box2d() { return *Catalog<Engine>::find("box2d"); }
 
-Body body(BodyType type, Vec position, Geometry geometry, double restitution = 0) {
-  Body made;
-  made.name = "body";
-  made.type = type;
-  made.position = position;
-  made.shapes.push_back({std::move(geometry), {1, .5, .5, restitution}});
-  return made;
-}
-
-Scene scene_of(std::vector<Body> bodies) {
-  Scene scene;
-  scene.bodies = std::move(bodies);
-  return scene;
+BodyState last(const Scene& scene, const Settings& settings, int steps) {
+  return last_state(box2d(), scene, settings, steps);
 }
 
 std::string refusal(const Geometry& geometry) {
-  return box2d().unsupported(scene_of({body(BodyType::dynamic, {}, geometry)}), {});
-}
-
-BodyState last(const Scene& scene, const Settings& settings, int steps) {
-  const std::unique_ptr<Simulation> simulation = box2d().build(scene, settings);
-  for (int i = 0; i < steps; ++i) simulation->step(1.0 / 60);
-  std::vector<BodyState> states(scene.bodies.size());
-  simulation->read(states);
-  return states.back();
+  return box2d().unsupported(scene_of({body_of(BodyType::dynamic, {}, geometry)}), {});
 }
 
 TEST(Box2d, NamesTheVersionItRunsWith) { EXPECT_NE(box2d().source.find("2.4."), std::string::npos) << box2d().source; }
 
 TEST(Box2d, RefusesPolygonsItWouldChange) {
-  std::vector<Vec> nine(9);
-  for (std::size_t i = 0; i < nine.size(); ++i) {
-    const double angle = .69 * static_cast<double>(i);
-    nine[i] = {std::cos(angle), std::sin(angle)};
-  }
-  EXPECT_EQ(refusal(Polygon{nine}), "polygons have eight vertices at most");
-  nine.pop_back();
-  EXPECT_EQ(refusal(Polygon{nine}), "");
+  EXPECT_EQ(refusal(Polygon{regular_polygon(9)}), "polygons have at most eight vertices");
+  EXPECT_EQ(refusal(Polygon{regular_polygon(8)}), "");
   EXPECT_EQ(refusal(Polygon{{{0, 0}, {1, 0}, {1, .002}, {0, 1}}}), "welds vertices closer than 0.0025 m");
 }
 
@@ -58,13 +35,15 @@ TEST(Box2d, RefusesCapsulesThinnerThanItsSkin) {
 }
 
 TEST(Box2d, HoldsPolygonsApartByItsSkin) {
-  const Scene scene = scene_of({body(BodyType::fixed, {0, 0}, HalfSpace{}), body(BodyType::dynamic, {0, .6}, Box{})});
+  const Scene scene =
+      scene_of({body_of(BodyType::fixed, {0, 0}, HalfSpace{}), body_of(BodyType::dynamic, {0, .6}, Box{})});
   // Two skins of 0.01 m, less the slop of 0.005 m that position correction leaves.
   EXPECT_NEAR(last(scene, {}, 120).position.y, .5 + .015, 1e-3);
 }
 
 TEST(Box2d, BouncesOnlyAboveItsThreshold) {
-  Scene scene = scene_of({body(BodyType::fixed, {0, 0}, HalfSpace{}), body(BodyType::dynamic, {0, .6}, Circle{.5}, 1)});
+  Scene scene =
+      scene_of({body_of(BodyType::fixed, {0, 0}, HalfSpace{}), body_of(BodyType::dynamic, {0, .6}, Circle{.5}, 1)});
   scene.gravity = {};
   scene.bodies[1].velocity = {0, -.9};
   EXPECT_NEAR(last(scene, {}, 30).velocity.y, 0, 1e-3);
@@ -73,16 +52,16 @@ TEST(Box2d, BouncesOnlyAboveItsThreshold) {
 }
 
 TEST(Box2d, StopsAtThinWallsUnlessContinuousCollisionIsOff) {
-  Scene scene =
-      scene_of({body(BodyType::fixed, {0, 0}, Segment{{-1, 0}, {1, 0}}), body(BodyType::dynamic, {0, 2}, Circle{.1})});
+  Scene scene = scene_of(
+      {body_of(BodyType::fixed, {0, 0}, Segment{{-1, 0}, {1, 0}}), body_of(BodyType::dynamic, {0, 2}, Circle{.1})});
   scene.gravity = {};
   scene.bodies[1].velocity = {0, -60};
   EXPECT_GT(last(scene, {}, 10).position.y, 0);
   EXPECT_LT(last(scene, {{"continuous", "off"}}, 10).position.y, -1);
 }
 
-TEST(Box2d, SleepsOnlyWhenAskedTo) {
-  Scene scene = scene_of({body(BodyType::dynamic, {0, 0}, Circle{.5})});
+TEST(Box2d, SleepsOnlyIfTheOptionIsOn) {
+  Scene scene = scene_of({body_of(BodyType::dynamic, {0, 0}, Circle{.5})});
   scene.gravity = {};
   scene.bodies[0].velocity = {.001, 0};
   EXPECT_GT(last(scene, {}, 120).velocity.x, 0);

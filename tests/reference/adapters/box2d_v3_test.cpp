@@ -6,13 +6,16 @@
 #include <vector>
 
 #include "reference/simulation.h"
+#include "scenes.h"
 
 namespace plumb {
 namespace {
 
+using namespace adapter_tests;
+
 const Engine* box2d() { return Catalog<Engine>::find("box2d-v3"); }
 
-// The library is optional: without it there is nothing to test.
+// The library is optional.
 class Box2dV3 : public testing::Test {
  protected:
   void SetUp() override {
@@ -20,50 +23,26 @@ class Box2dV3 : public testing::Test {
   }
 };
 
-Body body(BodyType type, Vec position, Geometry geometry) {
-  Body made;
-  made.name = "body";
-  made.type = type;
-  made.position = position;
-  made.shapes.push_back({std::move(geometry), {1, .5, .5, 0}});
-  return made;
-}
-
-Scene scene_of(std::vector<Body> bodies) {
-  Scene scene;
-  scene.bodies = std::move(bodies);
-  return scene;
-}
-
 std::string refusal(const Geometry& geometry) {
-  return box2d()->unsupported(scene_of({body(BodyType::dynamic, {}, geometry)}), {});
-}
-
-std::vector<Vec> regular(std::size_t count, double radius) {
-  std::vector<Vec> vertices(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
-    vertices[i] = {radius * std::cos(angle), radius * std::sin(angle)};
-  }
-  return vertices;
+  return box2d()->unsupported(scene_of({body_of(BodyType::dynamic, {}, geometry)}), {});
 }
 
 TEST_F(Box2dV3, NamesTheVersionItRunsWith) { EXPECT_EQ(box2d()->source.rfind("Box2D 3.", 0), 0u); }
 
 TEST_F(Box2dV3, RefusesPolygonsItWouldChange) {
-  EXPECT_EQ(refusal(Polygon{regular(9, 1)}), "polygons have eight vertices at most");
-  EXPECT_EQ(refusal(Polygon{regular(8, 1)}), "");
-  EXPECT_EQ(refusal(Polygon{regular(8, .01)}), "drops vertices within 0.005 m of a line through others");
+  EXPECT_EQ(refusal(Polygon{regular_polygon(9, 1)}), "polygons have at most eight vertices");
+  EXPECT_EQ(refusal(Polygon{regular_polygon(8, 1)}), "");
+  EXPECT_EQ(refusal(Polygon{regular_polygon(8, .01)}), "drops vertices within 0.005 m of a line through others");
 }
 
-TEST_F(Box2dV3, CutsStepsIntoSubSteps) {
+TEST_F(Box2dV3, SplitsStepsIntoSubSteps) {
   EXPECT_EQ(box2d()->stepping({}, 1).h, .25);
   EXPECT_EQ(box2d()->stepping({{"substeps", "10"}}, 1).h, .1);
 }
 
-// b2MakeRot would make 20 degrees steeper by 0.08.
-TEST_F(Box2dV3, TurnsBodiesByTheAngleAsked) {
-  Scene scene = scene_of({body(BodyType::fixed, {}, Box{})});
+// b2MakeRot would make 20 degrees 0.08 degrees steeper.
+TEST_F(Box2dV3, StartsBodiesAtTheGivenAngle) {
+  Scene scene = scene_of({body_of(BodyType::fixed, {}, Box{})});
   scene.bodies[0].angle = std::numbers::pi / 9;
   std::vector<BodyState> states(1);
   box2d()->build(scene, {})->read(states);
@@ -71,7 +50,7 @@ TEST_F(Box2dV3, TurnsBodiesByTheAngleAsked) {
 }
 
 TEST_F(Box2dV3, CountsWholeTurns) {
-  Scene scene = scene_of({body(BodyType::dynamic, {}, Circle{.5})});
+  Scene scene = scene_of({body_of(BodyType::dynamic, {}, Circle{.5})});
   scene.gravity = {};
   scene.bodies[0].angular_velocity = -5;
   for (const int between : {1, 7, 240}) {
@@ -89,7 +68,8 @@ TEST_F(Box2dV3, CountsWholeTurns) {
 
 // Two bodies on a spring between their centres: period 2 pi sqrt(mu/k) for the reduced mass mu.
 TEST_F(Box2dV3, TunesSpringsToTheirStiffness) {
-  Scene scene = scene_of({body(BodyType::dynamic, {0, 0}, Box{}), body(BodyType::dynamic, {3, 0}, Box{{2, 1}, {}, 0})});
+  Scene scene =
+      scene_of({body_of(BodyType::dynamic, {0, 0}, Box{}), body_of(BodyType::dynamic, {3, 0}, Box{{2, 1}, {}, 0})});
   scene.gravity = {};
   scene.joints.push_back(Distance{0, 1, {0, 0}, {3, 0}, 2.5, 4, 0});
   ASSERT_EQ(box2d()->unsupported(scene, {}), "");
@@ -99,13 +79,13 @@ TEST_F(Box2dV3, TunesSpringsToTheirStiffness) {
   for (int i = 0; i < n; ++i) simulation->step(half_period / n);
   std::vector<BodyState> states(2);
   simulation->read(states);
-  // Implicit: amplitude falls by w h/2 a radian, to first order; w half_period = pi.
+  // The spring is implicit: its amplitude falls by w h/2 per radian, to first order; w half_period = pi.
   const double damped = .5 * (1 - std::numbers::pi * std::numbers::pi / (2.0 * n * 100));
   EXPECT_NEAR(states[1].position.x - states[0].position.x, 2.5 - damped, 1e-3);
 }
 
 TEST_F(Box2dV3, RefusesSpringsAwayFromTheCentres) {
-  Scene scene = scene_of({body(BodyType::fixed, {0, 0}, Box{}), body(BodyType::dynamic, {3, 0}, Box{})});
+  Scene scene = scene_of({body_of(BodyType::fixed, {0, 0}, Box{}), body_of(BodyType::dynamic, {3, 0}, Box{})});
   scene.joints.push_back(Distance{0, 1, {0, .5}, {3, .5}, 3, 4, 0});
   EXPECT_NE(box2d()->unsupported(scene, {}), "");
 }

@@ -5,13 +5,16 @@
 #include <vector>
 
 #include "reference/simulation.h"
+#include "scenes.h"
 
 namespace plumb {
 namespace {
 
+using namespace adapter_tests;
+
 const Engine* chipmunk() { return Catalog<Engine>::find("chipmunk"); }
 
-// The library is optional: without it there is nothing to test.
+// The library is optional.
 class Chipmunk : public testing::Test {
  protected:
   void SetUp() override {
@@ -19,41 +22,22 @@ class Chipmunk : public testing::Test {
   }
 };
 
-Body body(BodyType type, Vec position, Geometry geometry, double restitution = 0) {
-  Body made;
-  made.name = "body";
-  made.type = type;
-  made.position = position;
-  made.shapes.push_back({std::move(geometry), {1, .5, .5, restitution}});
-  return made;
-}
-
-Scene scene_of(std::vector<Body> bodies) {
-  Scene scene;
-  scene.bodies = std::move(bodies);
-  return scene;
-}
-
 BodyState last(const Scene& scene, const Settings& settings, int steps) {
-  const std::unique_ptr<Simulation> simulation = chipmunk()->build(scene, settings);
-  for (int i = 0; i < steps; ++i) simulation->step(1.0 / 60);
-  std::vector<BodyState> states(scene.bodies.size());
-  simulation->read(states);
-  return states.back();
+  return last_state(*chipmunk(), scene, settings, steps);
 }
 
 TEST_F(Chipmunk, NamesTheVersionItRunsWith) { EXPECT_EQ(chipmunk()->source.rfind("Chipmunk2D 7", 0), 0u); }
 
-TEST_F(Chipmunk, GreetsNobody) {
+TEST_F(Chipmunk, PrintsNoGreeting) {
   testing::internal::CaptureStdout();
-  last(scene_of({body(BodyType::dynamic, {}, Circle{.5})}), {}, 1);
+  last(scene_of({body_of(BodyType::dynamic, {}, Circle{.5})}), {}, 1);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
-// Positions move before velocities, and forces are taken after the move: on a spring that is symplectic Euler with its
-// two halves swapped, whose energy stays within w h of what it was (w h = sqrt(100)/60).
+// Positions move before velocities, and forces are evaluated after the move. On a spring that is symplectic Euler with
+// its two halves swapped, whose energy stays within a relative error of w h (w h = sqrt(100)/60).
 TEST_F(Chipmunk, KeepsTheEnergyOfASpring) {
-  Scene scene = scene_of({body(BodyType::dynamic, {1, 0}, Box{})});
+  Scene scene = scene_of({body_of(BodyType::dynamic, {1, 0}, Box{})});
   scene.gravity = {};
   scene.forces.push_back(Spring{{}, 0, {0, 0}, {0, 0}, 100, 0, 0});
   const std::unique_ptr<Simulation> simulation = chipmunk()->build(scene, {});
@@ -68,7 +52,7 @@ TEST_F(Chipmunk, KeepsTheEnergyOfASpring) {
 }
 
 TEST_F(Chipmunk, DampsExponentially) {
-  Scene scene = scene_of({body(BodyType::dynamic, {}, Box{})});
+  Scene scene = scene_of({body_of(BodyType::dynamic, {}, Box{})});
   scene.gravity = {};
   scene.bodies[0].velocity = {3, 0};
   scene.bodies[0].angular_velocity = 5;
@@ -81,7 +65,8 @@ TEST_F(Chipmunk, DampsExponentially) {
 
 TEST_F(Chipmunk, LeavesOverlapUpToTheSlop) {
   const auto rest = [](const Settings& settings) {
-    const Scene scene = scene_of({body(BodyType::fixed, {}, HalfSpace{}), body(BodyType::dynamic, {0, .45}, Box{})});
+    const Scene scene =
+        scene_of({body_of(BodyType::fixed, {}, HalfSpace{}), body_of(BodyType::dynamic, {0, .45}, Box{})});
     return last(scene, settings, 300).position.y;
   };
   EXPECT_NEAR(rest({}), .45, 1e-2);
@@ -89,7 +74,8 @@ TEST_F(Chipmunk, LeavesOverlapUpToTheSlop) {
 }
 
 TEST_F(Chipmunk, BouncesAtAnySpeed) {
-  Scene scene = scene_of({body(BodyType::fixed, {}, HalfSpace{}), body(BodyType::dynamic, {0, .51}, Circle{.5}, .5)});
+  Scene scene =
+      scene_of({body_of(BodyType::fixed, {}, HalfSpace{}), body_of(BodyType::dynamic, {0, .51}, Circle{.5}, .5)});
   scene.gravity = {};
   scene.bodies[1].velocity = {0, -.1};
   EXPECT_NEAR(last(scene, {}, 30).velocity.y, .05, 1e-12);

@@ -1,5 +1,5 @@
-// What every engine's adapter owes, whoever wrote the engine: each test runs for every engine that is not a closed
-// form, with its default settings and with every other solver, broad phase and precision that it offers.
+// What every adapter must satisfy. Each test runs for every engine that is not a closed form, with its default settings
+// and with every other solver, broad phase and precision that it offers.
 
 #include <gtest/gtest.h>
 
@@ -44,17 +44,17 @@ Scene scene_of(std::vector<Body> bodies) {
   return scene;
 }
 
-struct EngineConfig {
+struct TestedEngine {
   std::string name;
   Settings settings;
 };
 
-void PrintTo(const EngineConfig& config, std::ostream* out) {
+void PrintTo(const TestedEngine& config, std::ostream* out) {
   *out << config.name;
   for (const auto& [key, value] : config.settings) *out << ' ' << key << '=' << value;
 }
 
-class EveryEngine : public testing::TestWithParam<EngineConfig> {
+class EveryEngine : public testing::TestWithParam<TestedEngine> {
  protected:
   const Engine& engine() const { return *Catalog<Engine>::find(GetParam().name); }
   Stepping stated() const { return engine().stepping(GetParam().settings, dt); }
@@ -74,7 +74,7 @@ class EveryEngine : public testing::TestWithParam<EngineConfig> {
 
   std::vector<BodyState> run(const Scene& scene, int steps) const { return read(scene, *after(scene, steps)); }
 
-  /// What the roundings of n steps, in sub-steps each, of a value of that size can add up to.
+  /// Bound on the round-off of n steps, with all their sub-steps, of a value of that size.
   double rounding(int n, double size) const { return 2 * n * (dt / stated().h) * stated().epsilon * size; }
 };
 
@@ -87,7 +87,7 @@ TEST_P(EveryEngine, FallsAsItsStatedDriftSays) {
   EXPECT_NEAR(fallen.velocity.y, -g * t, rounding(n, g * t));
 }
 
-TEST_P(EveryEngine, AnswersInSceneOrder) {
+TEST_P(EveryEngine, ReportsStatesInSceneOrder) {
   const Scene scene = scene_of({box({0, 5}), ground(), box({3, 7}), box({6, 9})});
   const std::vector<BodyState> states = run(scene, 0);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -130,7 +130,7 @@ TEST_P(EveryEngine, TakesMassAndInertiaFromTheScene) {
   EXPECT_NEAR(state.angular_velocity, 3 / mass.inertia * dt, rounding(8, .1));
 }
 
-TEST_P(EveryEngine, FixesRotationAndScalesGravityWhereAsked) {
+TEST_P(EveryEngine, FixesRotationAndScalesGravity) {
   Body still = box({0, 5});
   still.fixed_rotation = true;
   still.gravity_scale = -.5;
@@ -164,8 +164,8 @@ TEST_P(EveryEngine, KeepsLayersApart) {
   EXPECT_NEAR(states[2].position.y, .5, stated().gap + rounding(60, 1));
 }
 
-// Straight from a slide: v(t) = v0 - mu g t. The first contact may be found a step late and the last half-taken:
-// two steps of sixty.
+// A sliding box slows down by v(t) = v0 - mu g t. The first contact may be found a step late and the last one count
+// half: an error of two steps in sixty.
 TEST_P(EveryEngine, UsesTheMixedFrictionOfEveryRule) {
   for (const FrictionMixing rule : {FrictionMixing::geometric, FrictionMixing::pythagorean, FrictionMixing::average,
                                     FrictionMixing::min, FrictionMixing::max, FrictionMixing::multiply}) {
@@ -200,7 +200,7 @@ TEST_P(EveryEngine, SticksJustBelowTheAngleOfFrictionAndSlidesJustAbove) {
   }
 }
 
-// Far above every threshold the first rebound has speed e v; the impact speed is known to one step of gravity.
+// Far above every threshold the first rebound has speed e v.
 TEST_P(EveryEngine, UsesTheMixedRestitutionOfEveryRule) {
   for (const RestitutionMixing rule :
        {RestitutionMixing::max, RestitutionMixing::min, RestitutionMixing::average, RestitutionMixing::multiply}) {
@@ -240,7 +240,7 @@ Vec push_on_ground(const std::vector<ContactState>& contacts) {
   return sum;
 }
 
-TEST_P(EveryEngine, HoldsUpARestingBoxByImpulsesOfItsWeight) {
+TEST_P(EveryEngine, SupportsARestingBoxByImpulsesOfItsWeight) {
   const Scene scene = scene_of({ground(), box({0, .5})});
   std::vector<ContactState> contacts;
   after(scene, 120)->read_contacts(contacts);
@@ -252,7 +252,7 @@ TEST_P(EveryEngine, HoldsUpARestingBoxByImpulsesOfItsWeight) {
     EXPECT_LT(std::abs(contact.separation), stated().gap);
     EXPECT_LE(std::abs(contact.point.x), .5 + stated().gap);
   }
-  // At rest the step's contact impulse equals the step's weight, to the round-off of the velocities it is made from.
+  // At rest the contact impulse of a step equals the weight times the step.
   const double mass = 1;
   const Vec push = push_on_ground(contacts);
   EXPECT_NEAR(push.y, -mass * g * dt, 1e-3 * mass * g * dt);
@@ -260,7 +260,7 @@ TEST_P(EveryEngine, HoldsUpARestingBoxByImpulsesOfItsWeight) {
 }
 
 // A second box lands on the sleeping one after 1.48 s and wakes it; then both sleep.
-TEST_P(EveryEngine, BearsAsleepWhatItBoreAwake) {
+TEST_P(EveryEngine, KeepsContactImpulsesWhileAsleep) {
   Settings settings = GetParam().settings;
   for (const Option& option : engine().options) {
     if (option.key == "sleep" || option.key == "sleeping") settings[option.key] = "on";
@@ -275,7 +275,7 @@ TEST_P(EveryEngine, BearsAsleepWhatItBoreAwake) {
   }
 }
 
-// Friction is the tangent's test: on a slope it carries m g sin, uphill.
+// On a slope friction carries m g sin(slope), uphill. This tests the direction of the tangent.
 TEST_P(EveryEngine, ReportsFrictionUphill) {
   const double slope = .2;
   Body plane = ground();
@@ -290,7 +290,7 @@ TEST_P(EveryEngine, ReportsFrictionUphill) {
   EXPECT_NEAR(std::abs(friction), .5 * g * std::sin(slope) * dt, 2e-3 * g * dt);
 }
 
-// Every ground under every body: they come to rest at the height geometry says, within the stated gap.
+// Every body comes to rest on every ground at the height given by its geometry, within the stated gap.
 TEST_P(EveryEngine, RestsEveryShapeOnEveryGround) {
   const double tilt = .3;
   Body by_angle = ground();
@@ -318,7 +318,6 @@ TEST_P(EveryEngine, RestsEveryShapeOnEveryGround) {
       const Scene scene = scene_of({floor, rider});
       if (!refusal(scene).empty()) continue;
       const BodyState state = run(scene, 120).at(1);
-      // A flat thing on the big circle stands off by at most its own sagitta, nothing at its middle.
       EXPECT_NEAR(state.position.y, .5, stated().gap + 1e-4) << above << " on " << below;
       EXPECT_NEAR(state.position.x, 0, 1e-2) << above << " on " << below;
       EXPECT_NEAR(state.velocity.y, 0, 1e-2) << above << " on " << below;
@@ -341,7 +340,7 @@ TEST_P(EveryEngine, SwingsAPendulumOnItsRod) {
   }
 }
 
-TEST_P(EveryEngine, HangsABodyFromAPlaceThatHasNoShape) {
+TEST_P(EveryEngine, HingesABodyToAFixedBodyWithoutShapes) {
   Scene scene = scene_of({{.name = "hook", .type = BodyType::fixed}, box({2, 0})});
   scene.joints.push_back(Revolute{0, 1, {0, 0}});
   const std::string reason = refusal(scene);
@@ -370,13 +369,13 @@ TEST_P(EveryEngine, SlidesOnARailAndKeepsAWeld) {
   EXPECT_NEAR(std::hypot(pair[1].position.x - pair[0].position.x, pair[1].position.y - pair[0].position.y), 1, .01);
 }
 
-TEST_P(EveryEngine, RefusesWhatHasNoMass) {
+TEST_P(EveryEngine, RefusesBodiesWithoutMass) {
   Body ghost = box({0, 1});
   ghost.shapes[0].surface.density = 0;
   EXPECT_NE(refusal(scene_of({ghost})), "");
 }
 
-TEST_P(EveryEngine, AnswersTheSameTwice) {
+TEST_P(EveryEngine, RepeatsItselfExactly) {
   Scene scene = scene_of({ground(), box({0, .6}), box({.3, 1.7}), box({-.2, 2.8})});
   const std::vector<BodyState> once = run(scene, 90);
   const std::vector<BodyState> again = run(scene, 90);
@@ -393,8 +392,8 @@ TEST_P(EveryEngine, StatesWhereItComesFrom) {
   EXPECT_GT(stated().epsilon, 0);
 }
 
-std::vector<EngineConfig> configs() {
-  std::vector<EngineConfig> all;
+std::vector<TestedEngine> configs() {
+  std::vector<TestedEngine> all;
   for (const Engine* engine : Catalog<Engine>::all()) {
     if (engine->exact) continue;
     all.push_back({engine->name, {}});
@@ -408,7 +407,7 @@ std::vector<EngineConfig> configs() {
   return all;
 }
 
-std::string test_name(const testing::TestParamInfo<EngineConfig>& info) {
+std::string test_name(const testing::TestParamInfo<TestedEngine>& info) {
   std::string name = testing::PrintToString(info.param);
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';

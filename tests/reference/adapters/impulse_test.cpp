@@ -8,9 +8,12 @@
 #include "reference/simulation.h"
 #include "reports/run/experiment.h"
 #include "reports/run/selection.h"
+#include "scenes.h"
 
 namespace plumb {
 namespace {
+
+using namespace adapter_tests;
 
 constexpr double dt = 1.0 / 60;
 
@@ -23,25 +26,17 @@ const Option& option(const std::string& key) {
   throw std::out_of_range(key);
 }
 
-Scene scene_of(Geometry geometry) {
-  Body body;
-  body.name = "body";
-  body.position = {0, 10};
-  body.shapes.push_back({std::move(geometry), {}});
-  Scene scene;
-  scene.bodies = {body};
+Scene falling(Geometry geometry) {
+  Scene scene = scene_of({body_of(BodyType::dynamic, {0, 10}, std::move(geometry))});
+  scene.bodies[0].shapes[0].surface = {};
   return scene;
 }
 
 BodyState last(const Scene& scene, const Settings& settings, int steps) {
-  const std::unique_ptr<Simulation> simulation = engine().build(scene, settings);
-  for (int i = 0; i < steps; ++i) simulation->step(dt);
-  std::vector<BodyState> states(scene.bodies.size());
-  simulation->read(states);
-  return states.back();
+  return last_state(engine(), scene, settings, steps);
 }
 
-TEST(Impulse, OffersWhatTheEngineListsWithALineAboutEach) {
+TEST(Impulse, OffersEveryMethodOfTheEngineWithADescription) {
   for (const char* key : {"solver", "integrator", "broad-phase"}) {
     EXPECT_FALSE(option(key).choices.empty()) << key;
     for (const auto& [choice, about] : option(key).choices) EXPECT_NE(about, "") << choice;
@@ -53,7 +48,7 @@ TEST(Impulse, FallsByTheDriftOfTheIntegratorChosen) {
     const Settings settings{{"solver", "article"}, {"integrator", integrator}};
     const Stepping stated = engine().stepping(settings, dt);
     const int n = 60;
-    const double error = last(scene_of(Circle{}), settings, n).position.y - 5;
+    const double error = last(falling(Circle{}), settings, n).position.y - 5;
     // n roundings of heights below 16 m.
     EXPECT_NEAR(error, -10 * stated.drift * n * dt * stated.h, n * 16 * stated.epsilon) << integrator;
   }
@@ -62,16 +57,16 @@ TEST(Impulse, FallsByTheDriftOfTheIntegratorChosen) {
 TEST(Impulse, RunsInEitherPrecision) {
   EXPECT_EQ(engine().stepping({{"precision", "float"}}, dt).epsilon, std::ldexp(1.0, -24));
   EXPECT_EQ(engine().stepping({{"precision", "double"}}, dt).epsilon, std::ldexp(1.0, -53));
-  const double in_float = last(scene_of(Circle{}), {{"precision", "float"}}, 31).position.y;
+  const double in_float = last(falling(Circle{}), {{"precision", "float"}}, 31).position.y;
   EXPECT_EQ(in_float, static_cast<double>(static_cast<float>(in_float)));
-  // After 31/60 s the height has no end in binary: the two precisions must round it differently.
-  EXPECT_NE(in_float, last(scene_of(Circle{}), {}, 31).position.y);
+  // After 31/60 s the height has no finite binary expansion: the two precisions must round it differently.
+  EXPECT_NE(in_float, last(falling(Circle{}), {}, 31).position.y);
 }
 
-// 25 m in a step, through a disc of 1 m.
-TEST(Impulse, TunnelsOnlyIfToldTo) {
+// 25 m in a step, through a disc 1 m wide.
+TEST(Impulse, TunnelsOnlyWithoutContinuousCollision) {
   const auto end = [](const char* continuous) {
-    Scene scene = scene_of(Circle{});
+    Scene scene = falling(Circle{});
     scene.gravity = {};
     Body wall = scene.bodies[0];
     wall.type = BodyType::fixed;
@@ -85,26 +80,21 @@ TEST(Impulse, TunnelsOnlyIfToldTo) {
   EXPECT_LT(end("on"), 10);
 }
 
-TEST(Impulse, SleepsOnlyWhenAskedTo) {
-  Scene scene = scene_of(Circle{.5});
+TEST(Impulse, SleepsOnlyIfTheOptionIsOn) {
+  Scene scene = falling(Circle{.5});
   scene.gravity = {};
   scene.bodies[0].velocity = {1e-5, 0};
   EXPECT_GT(last(scene, {}, 120).velocity.x, 0);
   EXPECT_EQ(last(scene, {{"sleeping", "on"}}, 120).velocity.x, 0);
 }
 
-TEST(Impulse, RefusesInTheEnginesOwnWords) {
-  std::vector<Vec> nine(9);
-  for (std::size_t i = 0; i < nine.size(); ++i) {
-    const double angle = .69 * static_cast<double>(i);
-    nine[i] = {std::cos(angle), std::sin(angle)};
-  }
-  EXPECT_NE(engine().unsupported(scene_of(Polygon{nine}), {}), "");
-  EXPECT_EQ(engine().unsupported(scene_of(Circle{}), {}), "");
+TEST(Impulse, RefusesPolygonsThatTheEngineRejects) {
+  EXPECT_NE(engine().unsupported(falling(Polygon{regular_polygon(9)}), {}), "");
+  EXPECT_EQ(engine().unsupported(falling(Circle{}), {}), "");
 }
 
 TEST(Impulse, RunsJoints) {
-  Scene scene = scene_of(Circle{});
+  Scene scene = falling(Circle{});
   scene.bodies.push_back(scene.bodies[0]);
   scene.bodies[1].position = {2, 10};
   scene.joints.push_back(Revolute{0, 1, {1, 10}});
@@ -112,10 +102,10 @@ TEST(Impulse, RunsJoints) {
   EXPECT_EQ(engine().unsupported(scene, {{"solver", "accurate"}}), "");
 }
 
-// With forces known to the engine, a method of second order keeps its order: halving the step quarters the error of
-// an oscillation. Handed over from outside once a step, they would leave it at first order.
+// The engine evaluates forces itself, so a second-order method keeps its order: halving the step quarters the error of
+// an oscillation. Forces applied from outside once a step would reduce it to first order.
 TEST(Impulse, KeepsTheOrderOfItsIntegratorUnderForces) {
-  Scene scene = scene_of(Box{});
+  Scene scene = falling(Box{});
   scene.gravity = {};
   scene.bodies[0].position = {1, 0};
   scene.forces.push_back(Spring{{}, 0, {0, 0}, {0, 0}, 25, 0, 0});
@@ -130,8 +120,8 @@ TEST(Impulse, KeepsTheOrderOfItsIntegratorUnderForces) {
   EXPECT_NEAR(error(60) / error(120), 4, .1);
 }
 
-TEST(Impulse, ChoosesForTheSceneWhatOptionsLeaveOpen) {
-  const Scene alone = scene_of(Circle{});
+TEST(Impulse, ChoosesOnlyOptionsThatAreAtTheirDefault) {
+  const Scene alone = falling(Circle{});
   EXPECT_TRUE(engine().chooses(alone, {}).empty());
   const auto chosen = [&](Settings settings) {
     settings["model"] = "auto";
@@ -146,8 +136,8 @@ TEST(Impulse, ChoosesForTheSceneWhatOptionsLeaveOpen) {
   EXPECT_EQ(std::find(less.begin(), less.end(), "friction"), less.end());
 }
 
-TEST(Impulse, LeavesOutTurningFrictionAndReboundWhereToldTo) {
-  Scene scene = scene_of(Box{});
+TEST(Impulse, LeavesOutRotationFrictionAndRestitution) {
+  Scene scene = falling(Box{});
   scene.bodies[0].angular_velocity = 3;
   EXPECT_NEAR(last(scene, {}, 60).angle, 3, 1e-12);
   EXPECT_EQ(last(scene, {{"rotation", "off"}}, 60).angle, 0);

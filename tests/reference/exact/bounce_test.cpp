@@ -17,7 +17,7 @@ std::array<double, 2> fall(std::array<double, 2> y, double h) {
   return runge_kutta(y, h, [](const std::array<double, 2>& now) { return std::array<double, 2>{now[1], -g}; });
 }
 
-// Small steps; one that ends below the floor is halved until it ends on it, where the speed turns round.
+// Small steps. A step that ends below the floor is bisected until it ends on it; there the speed is reversed.
 std::array<double, 2> integrate(double height, double speed, double e, double until) {
   std::array<double, 2> y{height, speed};
   constexpr double h = 1e-3;

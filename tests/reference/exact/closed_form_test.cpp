@@ -15,7 +15,7 @@
 namespace plumb {
 namespace {
 
-TEST(ClosedForms, AreAllHere) {
+TEST(ClosedForms, AreAllInTheCatalog) {
   std::vector<std::string> names;
   for (const Engine* engine : Catalog<Engine>::all()) {
     if (engine->exact) names.push_back(engine->name);
@@ -30,19 +30,20 @@ TEST(Engines, NameTheirSource) {
   }
 }
 
-// A variant that says all its values itself may be beyond the closed form: what falls is no equilibrium.
-bool asks(const Scenario& scenario, const Variant& variant) {
+// Whether a variant takes expected values from the closed form. One that states them all itself may be beyond it: a
+// tower that falls is not in equilibrium.
+bool needs_closed_form(const Scenario& scenario, const Variant& variant) {
   const auto all = scenario.expectations(complete(scenario, variant.changes));
   return std::any_of(all.begin(), all.end(), [](const Expectation& one) { return !one.expected; });
 }
 
-TEST(ClosedForms, AcceptEveryVariantThatAsksThem) {
+TEST(ClosedForms, AcceptEveryVariantThatNeedsThem) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     if (scenario->closed_form.empty()) continue;
     const Engine* form = Catalog<Engine>::find(scenario->closed_form);
     ASSERT_NE(form, nullptr) << scenario->name;
     for (const Variant& variant : scenario->variants) {
-      if (!asks(*scenario, variant)) continue;
+      if (!needs_closed_form(*scenario, variant)) continue;
       const Scene scene = scenario->scene(complete(*scenario, variant.changes));
       EXPECT_EQ(form->unsupported(scene, {}), "") << scenario->name << ' ' << variant.label;
     }
@@ -53,7 +54,7 @@ TEST(ClosedForms, StartWhereTheirSceneDoesAndHoldUntilTheLastExpectation) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
     if (scenario->closed_form.empty()) continue;
     for (const Variant& variant : scenario->variants) {
-      if (!asks(*scenario, variant)) continue;
+      if (!needs_closed_form(*scenario, variant)) continue;
       const Parameters parameters = complete(*scenario, variant.changes);
       const Scene scene = scenario->scene(parameters);
       const auto simulation = Catalog<Engine>::find(scenario->closed_form)->build(scene, {});
@@ -81,7 +82,7 @@ TEST(ClosedForm, RefusesToBuildWhatItDoesNotSupport) {
 TEST(Elapsed, DoesNotDriftOverAMillionSteps) {
   Elapsed elapsed;
   for (int i = 0; i < 1000000; ++i) elapsed.add(1.0 / 60);
-  EXPECT_NEAR(elapsed.seconds(), 1000000 / 60.0, 4e-12);  // an ulp of the sum
+  EXPECT_NEAR(elapsed.seconds(), 1000000 / 60.0, 4e-12);  // one ulp of the sum
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// The classical Runge-Kutta method of fourth order, one step of y' = f(y): the independent witness of closed forms.
+/// One step of y' = f(y) by the classical fourth-order Runge-Kutta method: an independent check of closed forms.
 template <std::size_t N, class Derivative>
 std::array<double, N> runge_kutta(const std::array<double, N>& y, double h, const Derivative& f) {
   const auto plus = [&y](const std::array<double, N>& k, double s) {

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "integrate.h"
-#include "reference/exact/pendulum.h"
+#include "reference/exact/oscillation.h"
+#include "reference/plane.h"
+#include "reference/simulation.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
@@ -19,7 +21,7 @@ namespace {
 
 constexpr double half = 1.5;  // m
 
-Ladder::Case rod(double degrees, double friction) {
+Ladder::Setup rod(double degrees, double friction) {
   return {.half = half,
           .gyration = half * half / 3,
           .angle = degrees * std::numbers::pi / 180,
@@ -27,9 +29,9 @@ Ladder::Case rod(double degrees, double friction) {
           .friction = friction};
 }
 
-// Newton and Euler for a free rod with forces at both ends, found each moment from the two conditions that its foot
-// stays down and its head at the wall: the angle's equation is not used. y = x, y, a and their rates.
-std::array<double, 6> pushed(const Ladder::Case& c, const std::array<double, 6>& y, Vec& push) {
+// Newton's and Euler's equations for a free rod with forces at both ends. These follow from the conditions that the
+// foot stays on the floor and the head at the wall; the equation of the angle is not used. y = x, y, a and their rates.
+std::array<double, 6> pushed(const Ladder::Setup& c, const std::array<double, 6>& y, Vec& push) {
   const double s = std::sin(y[2]);
   const double k = std::cos(y[2]);
   // Foot (x + l cos a, y - l sin a), head (x - l cos a, y + l sin a). With R and N per mass:
@@ -52,7 +54,7 @@ std::array<double, 6> pushed(const Ladder::Case& c, const std::array<double, 6>&
 
 TEST(Ladder, AgreesWithARodPushedAtBothEnds) {
   for (const double friction : {0.0, 0.1, 0.3}) {
-    const Ladder::Case c = rod(50, friction);
+    const Ladder::Setup c = rod(50, friction);
     const Ladder ladder(c);
     const double end = 0.8 * std::min(ladder.valid_until(), 1.0);
     std::array<double, 6> y{half * std::cos(c.angle), half * std::sin(c.angle), c.angle, 0, 0, 0};
@@ -72,9 +74,9 @@ TEST(Ladder, AgreesWithARodPushedAtBothEnds) {
   }
 }
 
-// Without friction it is a pendulum of a + pi/2.
-TEST(Ladder, OnIceIsAPendulumUpsideDown) {
-  const Ladder::Case c = rod(60, 0);
+// Without friction it is a pendulum with angle a + pi/2.
+TEST(Ladder, WithoutFrictionIsAnInvertedPendulum) {
+  const Ladder::Setup c = rod(60, 0);
   const double w = std::sqrt(c.gravity * half / (c.gyration + half * half));
   const Pendulum pendulum(c.angle + std::numbers::pi / 2, w);
   for (const double t : {0.1, 0.3, 0.5}) {
@@ -83,7 +85,7 @@ TEST(Ladder, OnIceIsAPendulumUpsideDown) {
   }
 }
 
-TEST(Ladder, OnIceLeavesTheWallAtTwoThirdsOfItsHeight) {
+TEST(Ladder, WithoutFrictionLeavesTheWallAtTwoThirdsOfItsHeight) {
   for (const double degrees : {30.0, 60.0, 80.0}) {
     const Ladder ladder(rod(degrees, 0));
     const double high = std::sin(degrees * std::numbers::pi / 180);
@@ -102,8 +104,8 @@ TEST(Ladder, StandsIffItsTangentIsAtLeastOneOverTwoMu) {
   EXPECT_NEAR(standing.push(standing.at(1)).x, 10 / (2 * std::tan(50 * std::numbers::pi / 180)), 1e-14);
 }
 
-TEST(Ladder, LosesToFrictionWhatItsFootSlides) {
-  const Ladder::Case c = rod(45, 0.3);
+TEST(Ladder, LosesTheFrictionWorkOfItsFoot) {
+  const Ladder::Setup c = rod(45, 0.3);
   const Ladder ladder(c);
   const double end = 0.5;
   double work = 0;
@@ -117,8 +119,8 @@ TEST(Ladder, LosesToFrictionWhatItsFootSlides) {
   EXPECT_NEAR(kinetic + work, c.gravity * half * (std::sin(c.angle) - std::sin(now.angle)), 1e-6);
 }
 
-TEST(Ladder, ScalesAsItsUnitsDo) {
-  Ladder::Case large = rod(50, 0.2);
+TEST(Ladder, ScalesWithItsUnits) {
+  Ladder::Setup large = rod(50, 0.2);
   large.half *= 4;
   large.gyration *= 16;
   EXPECT_NEAR(Ladder(large).at(0.8).angle, Ladder(rod(50, 0.2)).at(0.4).angle, 1e-13);

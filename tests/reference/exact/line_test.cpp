@@ -23,10 +23,10 @@ TEST(Line, HeadOnSharesMomentumByMassAndRestitution) {
   const Particles now = at(line, 5, 2);
   EXPECT_DOUBLE_EQ(now[0].speed, ((m1 - e * m2) * v1 + (1 + e) * m2 * v2) / (m1 + m2));
   EXPECT_DOUBLE_EQ(now[1].speed, ((m2 - e * m1) * v2 + (1 + e) * m1 * v1) / (m1 + m2));
-  EXPECT_DOUBLE_EQ(now[0].place, 0.4 * v1 + 4.6 * now[0].speed);  // they meet after 2/5 s
+  EXPECT_DOUBLE_EQ(now[0].position, 0.4 * v1 + 4.6 * now[0].speed);  // they meet after 2/5 s
 }
 
-TEST(Line, CradleHandsTheSpeedToTheLast) {
+TEST(Line, CradlePassesTheSpeedToTheLastBall) {
   Particles row;
   for (int i = 0; i < 6; ++i) row.push_back({1.1 * i, i == 0 ? 2.0 : 0.0, 1, 0.5});
   const Line line(row, {}, std::vector<double>(7, 1), 10);
@@ -55,10 +55,10 @@ TEST(Line, ElasticImpactsKeepEnergyAndNeverOverlap) {
   for (double t = 0; t < 50; t += 0.37) {
     const Particles now = at(line, t, 3);
     EXPECT_NEAR(energy(now), energy(at(line, 0, 3)), 1e-12);
-    EXPECT_GE(now[0].place - now[0].half, -1e-12);
-    EXPECT_LE(now[2].place + now[2].half, 5 + 1e-12);
+    EXPECT_GE(now[0].position - now[0].half, -1e-12);
+    EXPECT_LE(now[2].position + now[2].half, 5 + 1e-12);
     for (std::size_t i = 1; i < 3; ++i) {
-      EXPECT_GE(now[i].place - now[i].half, now[i - 1].place + now[i - 1].half - 1e-12);
+      EXPECT_GE(now[i].position - now[i].half, now[i - 1].position + now[i - 1].half - 1e-12);
     }
   }
 }
@@ -68,14 +68,15 @@ TEST(Line, EndsWhereThreeWouldMeetAtOnce) {
   EXPECT_DOUBLE_EQ(line.valid_until(), 1);
 }
 
-TEST(Line, EndsWhereImpactsPileUp) {
+TEST(Line, EndsWhereImpactsAccumulate) {
   // Three equal masses collapse for e < 7 - 4 sqrt 3 = 0.072 (Bernu & Mazighi, 1990).
   const Line line({{0, 1, 1, 0.1}, {1, 0, 1, 0.1}, {2.1, -1, 1, 0.1}}, {}, {0, 0.03, 0.03, 0}, 100);
   EXPECT_LT(line.valid_until(), 100);
 }
 
-// Independent: no event is looked for, small steps just push apart what overlaps; right as the step goes to zero.
-TEST(Line, AgreesWithSmallStepsThatKnowNoEvents) {
+// An independent check without event detection: small steps reverse the velocities of bodies that overlap. It converges
+// as the step goes to zero.
+TEST(Line, AgreesWithSmallStepsWithoutEventDetection) {
   const Particles start{{1, 3, 1, 0.2}, {2, -1, 2.5, 0.3}};
   const double e = 0.8;
   const Line line(start, {.left = 0, .right = 4}, {e, e, e}, 2);
@@ -83,11 +84,11 @@ TEST(Line, AgreesWithSmallStepsThatKnowNoEvents) {
   constexpr int steps = 2000000;
   const double h = 2.0 / steps;
   for (int i = 0; i < steps; ++i) {
-    for (Line::Particle& one : now) one.place += h * one.speed;
-    if (now[0].place < now[0].half && now[0].speed < 0) now[0].speed *= -e;
-    if (now[1].place > 4 - now[1].half && now[1].speed > 0) now[1].speed *= -e;
+    for (Line::Particle& one : now) one.position += h * one.speed;
+    if (now[0].position < now[0].half && now[0].speed < 0) now[0].speed *= -e;
+    if (now[1].position > 4 - now[1].half && now[1].speed > 0) now[1].speed *= -e;
     const double approach = now[0].speed - now[1].speed;
-    if (now[1].place - now[0].place < 0.5 && approach > 0) {
+    if (now[1].position - now[0].position < 0.5 && approach > 0) {
       const double impulse = (1 + e) * approach / (1 / now[0].mass + 1 / now[1].mass);
       now[0].speed -= impulse / now[0].mass;
       now[1].speed += impulse / now[1].mass;
@@ -96,7 +97,7 @@ TEST(Line, AgreesWithSmallStepsThatKnowNoEvents) {
   const Particles exact = at(line, 2, 2);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(exact[i].speed, now[i].speed, 1e-9);
-    EXPECT_NEAR(exact[i].place, now[i].place, 1e-4);  // impacts up to h late, with up to ten jumps of 5 m/s
+    EXPECT_NEAR(exact[i].position, now[i].position, 1e-4);  // impacts are up to h late, with up to ten jumps of 5 m/s
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "integrate.h"
+#include "reference/plane.h"
 
 namespace plumb {
 namespace {
@@ -22,8 +23,8 @@ TEST(Orbit, AgreesWithRungeKutta) {
     constexpr int steps = 40000;
     for (int i = 0; i < steps; ++i) y = runge_kutta(y, 20.0 / steps, pull);
     const Orbit::State state = Orbit({3, 0}, velocity, k).at(20);
-    EXPECT_NEAR(state.place.x, y[0], 3e-9);
-    EXPECT_NEAR(state.place.y, y[1], 3e-9);
+    EXPECT_NEAR(state.position.x, y[0], 3e-9);
+    EXPECT_NEAR(state.position.y, y[1], 3e-9);
     EXPECT_NEAR(state.velocity.x, y[2], 3e-9);
     EXPECT_NEAR(state.velocity.y, y[3], 3e-9);
   }
@@ -32,9 +33,9 @@ TEST(Orbit, AgreesWithRungeKutta) {
 TEST(Orbit, KeepsEnergyAngularMomentumAndApseLine) {
   const Orbit orbit({3, 0}, {0.5, 1.1}, k);
   const auto invariants = [](const Orbit::State& s) {
-    const double r = length(s.place);
-    const double momentum = cross(s.place, s.velocity);
-    const Vec apse = momentum * (-left_of(s.velocity)) - (k / r) * s.place;  // Laplace's vector
+    const double r = length(s.position);
+    const double momentum = cross(s.position, s.velocity);
+    const Vec apse = momentum * (-perpendicular(s.velocity)) - (k / r) * s.position;  // Laplace's vector
     return std::array<double, 4>{dot(s.velocity, s.velocity) / 2 - k / r, momentum, apse.x, apse.y};
   };
   const std::array<double, 4> start = invariants(orbit.at(0));
@@ -46,16 +47,16 @@ TEST(Orbit, KeepsEnergyAngularMomentumAndApseLine) {
 
 TEST(Orbit, ClosesAfterKeplersPeriod) {
   const Orbit orbit({3, 0}, {0.5, 1.1}, k);
-  EXPECT_NEAR(length(orbit.at(orbit.period()).place - Vec{3, 0}), 0, 1e-13);
-  EXPECT_GT(length(orbit.at(orbit.period() / 2).place - Vec{3, 0}), 1);
+  EXPECT_NEAR(length(orbit.at(orbit.period()).position - Vec{3, 0}), 0, 1e-13);
+  EXPECT_GT(length(orbit.at(orbit.period() / 2).position - Vec{3, 0}), 1);
 }
 
 TEST(Orbit, OfACircleIsACircle) {
   const Orbit orbit({3, 0}, {0, 2}, k);
   EXPECT_DOUBLE_EQ(orbit.semi_major_axis(), 3);
   const double t = 1.3;
-  EXPECT_NEAR(orbit.at(t).place.x, 3 * std::cos(2 * t / 3), 1e-14);
-  EXPECT_NEAR(orbit.at(t).place.y, 3 * std::sin(2 * t / 3), 1e-14);
+  EXPECT_NEAR(orbit.at(t).position.x, 3 * std::cos(2 * t / 3), 1e-14);
+  EXPECT_NEAR(orbit.at(t).position.y, 3 * std::sin(2 * t / 3), 1e-14);
 }
 
 }  // namespace

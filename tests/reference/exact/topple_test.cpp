@@ -9,13 +9,15 @@
 #include <numbers>
 
 #include "integrate.h"
+#include "reference/plane.h"
+#include "reference/simulation.h"
 #include "scenarios/scenario.h"
 
 namespace plumb {
 namespace {
 
 // A box of 1 m x 2 m on a slope of 35 degrees: arctan(1/2) is 26.6.
-Topple::Case box(double slope = 35 * std::numbers::pi / 180, double friction = 10) {
+Topple::Setup box(double slope = 35 * std::numbers::pi / 180, double friction = 10) {
   return {.arm = std::sqrt(1.25),
           .lean = slope - std::atan(0.5),
           .gyration = 5.0 / 12,
@@ -25,13 +27,13 @@ Topple::Case box(double slope = 35 * std::numbers::pi / 180, double friction = 1
           .landing = std::numbers::pi / 2};
 }
 
-// The centre's own motion under gravity and the push that holds the edge in place, both found from the two conditions
-// that the edge does not accelerate: nothing of a pendulum, its frequency or its elliptic functions.
+// The motion of the centre under gravity and the force that holds the edge. Both follow from the condition that the
+// edge does not accelerate, without the formulas of a pendulum.
 struct Edge {
   std::array<double, 6> rate;
   Vec push;
 };
-Edge held(const Topple::Case& c, const std::array<double, 6>& y) {
+Edge held(const Topple::Setup& c, const std::array<double, 6>& y) {
   const Vec arm{c.arm * std::sin(y[2]), c.arm * std::cos(y[2])};  // from the edge to the centre; y[2] clockwise
   const double w = y[5];
   // Acceleration of the edge: a + w' (-arm.y, arm.x) + w^2 arm, with a = g + F and w' = cross(F, arm)/k^2 clockwise.
@@ -49,7 +51,7 @@ Edge held(const Topple::Case& c, const std::array<double, 6>& y) {
 }
 
 TEST(Topple, AgreesWithABodyWhoseEdgeIsHeldByForces) {
-  const Topple::Case c = box();
+  const Topple::Setup c = box();
   std::array<double, 6> y{c.arm * std::sin(c.lean), c.arm * std::cos(c.lean), c.lean, 0, 0, 0};
   constexpr int steps = 20000;
   constexpr double end = 0.8;
@@ -62,35 +64,35 @@ TEST(Topple, AgreesWithABodyWhoseEdgeIsHeldByForces) {
   EXPECT_NEAR(state.turn, y[2] - c.lean, 1e-9 * state.turn);
   EXPECT_NEAR(state.spin, y[5], 1e-9 * state.spin);
   EXPECT_NEAR(c.arm * std::sin(c.lean + state.turn), y[0], 1e-9);
-  const Vec push = turned(held(c, y).push, c.slope);
+  const Vec push = rotated(held(c, y).push, c.slope);
   EXPECT_NEAR(Topple(c).push(end).x, push.x, 1e-8);
   EXPECT_NEAR(Topple(c).push(end).y, push.y, 1e-8);
 }
 
-TEST(Topple, StandsUpToTheSlopeWhoseTangentIsBOverHAndTipsBeyond) {
+TEST(Topple, StandsUpToTheSlopeWhoseTangentIsBOverH) {
   const double limit = std::atan(0.5);
   EXPECT_EQ(Topple(box(limit - 1e-9)).at(3).turn, 0);
   EXPECT_GT(Topple(box(limit + 1e-9)).at(3).turn, 0);
-  // Standing it carries its weight: g cos a, and sticks with g sin a.
+  // While it stands the floor supports g cos a, and friction g sin a.
   const Vec push = Topple(box(0.3)).push(1);
   EXPECT_NEAR(push.y, 10 * std::cos(0.3), 1e-14);
   EXPECT_NEAR(push.x, -10 * std::sin(0.3), 1e-14);
 }
 
-TEST(Topple, HoldsUntilItsEdgeSlips) {
+TEST(Topple, IsValidUntilItsEdgeSlips) {
   const double until = Topple(box(35 * std::numbers::pi / 180, 0.8)).valid_until();
   EXPECT_GT(until, 0.1);
-  const Topple::Case c = box(35 * std::numbers::pi / 180, 0.8);
+  const Topple::Setup c = box(35 * std::numbers::pi / 180, 0.8);
   const Vec push = Topple(c).push(until);
   EXPECT_NEAR(std::abs(push.x) / push.y, 0.8, 1e-9);
   EXPECT_EQ(Topple(box(35 * std::numbers::pi / 180, 0.3)).valid_until(), 0);
-  EXPECT_EQ(Topple(box(0.3, 0.2)).valid_until(), 0);  // slides before it could tip
+  EXPECT_EQ(Topple(box(0.3, 0.2)).valid_until(), 0);  // slides before it tips
   EXPECT_EQ(Topple(box(0.3, 0.5)).valid_until(), std::numeric_limits<double>::infinity());
 }
 
-// Four times the lengths: half as fast.
-TEST(Topple, ScalesAsItsUnitsDo) {
-  Topple::Case large = box();
+// Four times the lengths, half the angular velocity.
+TEST(Topple, ScalesWithItsUnits) {
+  Topple::Setup large = box();
   large.arm *= 4;
   large.gyration *= 16;
   EXPECT_NEAR(Topple(large).at(1).turn, Topple(box()).at(0.5).turn, 1e-14);

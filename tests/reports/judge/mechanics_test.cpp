@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "../fakes.h"
-#include "reference/loads.h"
+#include "reference/adapter.h"
 #include "reports/vec.h"
 
 namespace plumb {

@@ -96,7 +96,7 @@ TEST_F(DiffCommand, ExitsWith2ForWhatCannotBeCompared) {
       {{"diff", "bounce", "impulse", "box2d", "--tolerance", "-1"}, "must not be below 0"},
       {{"diff", "bounce", "impulse", "box2d", "--json", "/dev/null/out"}, "cannot be written"},
       {{"diff", "bounce", "impulse", "box2d", "--json", ::testing::TempDir()}, "cannot be written"},
-      {{"diff", "pendulum", "impulse", "impulse:solver=exact"}, "holds no joints"},
+      {{"diff", "pendulum", "impulse", "impulse:solver=exact"}, "does not support joints"},
   };
   for (const auto& [words, advice] : wrong) {
     const Said said = say(words);

@@ -1,0 +1,181 @@
+#include "reference/adapter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/plane.h"
+#include "scenarios/scene/mass.h"
+
+namespace plumb {
+namespace {
+
+std::string two_frictions_refusal(const Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    for (const Shape& shape : body.shapes) {
+      if (shape.surface.static_friction != shape.surface.dynamic_friction) {
+        return "has one coefficient of friction, but static and dynamic friction of \"" + body.name + "\" differ";
+      }
+    }
+  }
+  return "";
+}
+
+std::string moving_half_space_refusal(const Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    if (body.type != BodyType::dynamic) continue;
+    for (const Shape& shape : body.shapes) {
+      if (std::holds_alternative<HalfSpace>(shape.geometry)) {
+        return "cannot move a half-space, as \"" + body.name + "\" would need";
+      }
+    }
+  }
+  return "";
+}
+
+std::string massless_refusal(const Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    if (body.type == BodyType::dynamic && mass_of(body).mass == 0) {
+      return "cannot move a body without mass, as \"" + body.name + "\" is";
+    }
+  }
+  return "";
+}
+
+// A point fixed to a body or to the world.
+struct Anchor {
+  Vec arm;  // from the centre of mass, world frame
+  Vec point;
+  Vec velocity;
+};
+
+Anchor on_body(const BodyState& body, Vec center, Vec local) {
+  const Vec arm = rotated(local - center, body.angle);
+  return {arm,
+          body.position + arm,
+          {body.velocity.x - body.angular_velocity * arm.y, body.velocity.y + body.angular_velocity * arm.x}};
+}
+
+void push(Load& load, Vec force, Vec arm) {
+  load.force = load.force + force;
+  load.torque += cross(arm, force);
+}
+
+std::vector<std::pair<std::string, std::string>> on_or_off(const char* on, const char* off) {
+  return {{"on", on}, {"off", off}};
+}
+
+}  // namespace
+
+std::string common_refusal(const Scene& scene) {
+  std::string reason = two_frictions_refusal(scene);
+  if (reason.empty()) reason = moving_half_space_refusal(scene);
+  if (reason.empty()) reason = massless_refusal(scene);
+  return reason;
+}
+
+double scene_extent(const Scene& scene) {
+  const double t = scene.duration;
+  const double fall = std::hypot(scene.gravity.x, scene.gravity.y) * t * t / 2;
+  double farthest = 100;
+  for (const Body& body : scene.bodies) {
+    const double start = length(body.position);
+    const double flight = length(body.velocity) * t + std::abs(body.gravity_scale) * fall;
+    farthest = std::max(farthest, start + flight);
+  }
+  return farthest;
+}
+
+HalfSpaceEdge edge_of(const Body& body, const HalfSpace& half_space, double extent) {
+  return {body.angle + std::atan2(-half_space.normal.x, half_space.normal.y),
+          {{extent, half_space.offset}, {-extent, half_space.offset}}};
+}
+
+Loads::Loads(const Scene& scene) : forces_(scene.forces), loads_(scene.bodies.size()), states_(scene.bodies.size()) {
+  for (const Body& body : scene.bodies) {
+    const Mass mass = mass_of(body);
+    bodies_.push_back({mass.mass, mass.center});
+  }
+}
+
+std::span<const Load> Loads::at(std::span<const BodyState> states) {
+  std::fill(loads_.begin(), loads_.end(), Load{});
+  for (const Force& force : forces_) {
+    std::visit([&](const auto& kind) { add(kind, states); }, force);
+  }
+  return loads_;
+}
+
+std::span<const Load> Loads::at(const Simulation& simulation) {
+  simulation.read(states_);
+  return at(states_);
+}
+
+// F = m strength / r^exponent towards `from`. Two bodies at the same point have no direction and so no force.
+void Loads::add(const Attraction& attraction, std::span<const BodyState> states) {
+  const Vec center = states[attraction.from].position;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (i == attraction.from || bodies_[i].mass == 0) continue;
+    const Vec d = center - states[i].position;
+    const double r = length(d);
+    if (r == 0) continue;
+    const double f = bodies_[i].mass * attraction.strength / std::pow(r, attraction.exponent);
+    const Vec force{f * d.x / r, f * d.y / r};
+    push(loads_[i], force, {});
+    if (attraction.mutual) push(loads_[attraction.from], -force, {});
+  }
+}
+
+void Loads::add(const Spring& spring, std::span<const BodyState> states) {
+  const Anchor a = spring.a ? on_body(states[*spring.a], bodies_[*spring.a].center, spring.anchor_a)
+                            : Anchor{{}, spring.anchor_a, {}};
+  const Anchor b = on_body(states[spring.b], bodies_[spring.b].center, spring.anchor_b);
+  const Vec d = b.point - a.point;
+  const double distance = length(d);
+  if (distance == 0) return;
+  const Vec u{d.x / distance, d.y / distance};
+  const double rate = dot(u, b.velocity - a.velocity);
+  const double pull = spring.stiffness * (distance - spring.length) + spring.damping * rate;
+  if (spring.a) push(loads_[*spring.a], pull * u, a.arm);
+  push(loads_[spring.b], -pull * u, b.arm);
+}
+
+void Loads::add(const Constant& constant, std::span<const BodyState>) {
+  push(loads_[constant.body], constant.force, {});
+  loads_[constant.body].torque += constant.torque;
+}
+
+// By way of a floating-point number, since settings may be written as 1e3.
+int whole_number(const Settings& settings, const std::string& key) {
+  return static_cast<int>(std::stod(settings.at(key)));
+}
+
+Option restitution_threshold_option() {
+  return {.key = "restitution",
+          .value = "1",
+          .about = "m/s, closing speed below which nothing bounces",
+          .min = 0,
+          .max = 100};
+}
+
+Option continuous_option() {
+  return {.key = "continuous",
+          .value = "on",
+          .choices = on_or_off("stops bodies at fixed ones within a step", "bodies may overlap after a step"),
+          .about = "continuous collision"};
+}
+
+Option sleep_option() {
+  return {.key = "sleep",
+          .value = "off",
+          .choices = on_or_off("stops bodies that hardly move", "bodies never sleep"),
+          .about = "sleeping"};
+}
+
+Option warm_start_option() {
+  return {.key = "warm",
+          .value = "on",
+          .choices = on_or_off("starts from the last step's impulses", "starts from zero"),
+          .about = "warm starting"};
+}
+
+}  // namespace plumb

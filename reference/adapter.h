@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "reference/simulation.h"
+#include "scenarios/scene/scene.h"
+
+/// What adapters of physics engines share: refusals, features of a scene that an engine lacks, and options. Nothing
+/// here depends on the types of an engine.
+namespace plumb {
+
+/// Why an engine cannot run the scene if it has one coefficient of friction per surface, half-spaces on fixed bodies
+/// only (see HalfSpaceEdge) and no massless dynamic bodies; "" if it can.
+std::string common_refusal(const Scene&);
+
+/// The first refusal among all geometries of the scene; "" if there is none. `refuse` maps each type of geometry to the
+/// reason why the engine cannot run it, "" if it can.
+template <class Refuse>
+std::string geometry_refusal(const Scene& scene, const Refuse& refuse) {
+  for (const Body& body : scene.bodies) {
+    for (const Shape& shape : body.shapes) {
+      std::string reason = std::visit(refuse, shape.geometry);
+      if (!reason.empty()) return reason;
+    }
+  }
+  return "";
+}
+
+/// Distance from the origin, m, within which everything stays that is only moved by gravity and its initial velocity;
+/// at least 100. Engines without half-spaces get an edge of that length to either side.
+double scene_extent(const Scene&);
+
+/// A half-space as an edge, for engines that have none. The edge lies in a frame with the body's origin whose x axis is
+/// parallel to the boundary, so that float errors are errors along the edge.
+struct HalfSpaceEdge {
+  double angle = 0;  // rad, of that frame
+  Segment segment;   // in that frame
+};
+HalfSpaceEdge edge_of(const Body&, const HalfSpace&, double extent);
+
+struct Load {
+  Vec force;          // N at the centre of mass, world frame
+  double torque = 0;  // N m about the centre of mass
+};
+
+/// What a scene's attractions, springs and constant forces exert on its bodies, for engines without such forces: their
+/// adapters apply it before each step as an external force, constant over the step.
+class Loads {
+ public:
+  explicit Loads(const Scene&);
+
+  /// Whether anything but gravity acts.
+  bool any() const { return !forces_.empty(); }
+
+  /// The loads on all bodies in these states, in Scene order. Valid until the next call.
+  std::span<const Load> at(std::span<const BodyState>);
+  /// The same in the present states of a simulation.
+  std::span<const Load> at(const Simulation&);
+
+ private:
+  void add(const Attraction&, std::span<const BodyState>);
+  void add(const Spring&, std::span<const BodyState>);
+  void add(const Constant&, std::span<const BodyState>);
+
+  struct LoadedBody {
+    double mass = 0;  // kg; 0 for an immovable body
+    Vec center;       // of mass, body frame
+  };
+  std::vector<Force> forces_;
+  std::vector<LoadedBody> bodies_;
+  std::vector<Load> loads_;
+  std::vector<BodyState> states_;
+};
+
+/// The engine's constant for a type of body.
+template <class Type>
+Type body_type(BodyType type, Type fixed, Type kinematic, Type dynamic) {
+  return type == BodyType::fixed ? fixed : type == BodyType::kinematic ? kinematic : dynamic;
+}
+
+/// The points in the engine's own type.
+template <class Convert>
+auto converted(const std::vector<Vec>& points, const Convert& convert) {
+  std::vector<decltype(convert(Vec{}))> all;
+  all.reserve(points.size());
+  for (const Vec& point : points) all.push_back(convert(point));
+  return all;
+}
+
+/// The value of an option for a whole number. The settings must be complete.
+int whole_number(const Settings&, const std::string& key);
+
+/// Options that several engines have under the same name.
+Option restitution_threshold_option();
+Option continuous_option();
+Option sleep_option();
+Option warm_start_option();
+
+}  // namespace plumb
