@@ -56,8 +56,8 @@ void Block::push_apart(ImpulseRow& row, ContactFrame& frame) const {
   const Vec2 speed{frame.normal_velocity(p1) - row.rebound[0], frame.normal_velocity(p2) - row.rebound[1]};
   const std::optional<Vec2> total = complementary(k, speed - k * before);
   if (!total) return push_apart_in_turn(row, frame);
-  push_to(row, p1, frame, total->x);
-  push_to(row, p2, frame, total->y);
+  apply_accumulated(row, p1, frame, total->x);
+  apply_accumulated(row, p2, frame, total->y);
 }
 
 const MethodList<Solver>::Entry block_entry{

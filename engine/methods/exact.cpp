@@ -265,7 +265,7 @@ void Exact::solve(BodySet& bodies, std::vector<Place>& places) {
     ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
     frame.push_normal(row, p, p.normal_impulse);
     frame.push_tangent(row, p, p.tangent_impulse);
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    frame.write_back(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }
 

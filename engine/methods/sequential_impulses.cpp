@@ -43,7 +43,7 @@ void SequentialImpulses::warm_start(StepData& data) {
   for (const ImpulseRow& row : rows_) {
     ContactFrame frame(row, velocity[row.a], velocity[row.b]);
     impulse::warm_start(row, frame);
-    frame.leave(row, velocity[row.a], velocity[row.b]);
+    frame.write_back(row, velocity[row.a], velocity[row.b]);
   }
 }
 
@@ -54,9 +54,9 @@ void SequentialImpulses::iterate(StepData& data, Real joint_share) {
   for (ActiveJoint& joint : data.joints) solve_joint(joint.block, data.settings.dt, joint_share, data.bodies);
   for (ImpulseRow& row : rows_) {
     ContactFrame frame(row, velocity[row.a], velocity[row.b]);
-    rub(row, frame);
+    solve_friction(row, frame);
     push_apart(row, frame);
-    frame.leave(row, velocity[row.a], velocity[row.b]);
+    frame.write_back(row, velocity[row.a], velocity[row.b]);
   }
 }
 

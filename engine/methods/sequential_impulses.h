@@ -56,7 +56,7 @@ class SequentialImpulses : public Solver {
 inline void push_apart(ImpulseRow& row, std::size_t point, ContactFrame& frame) {
   RowPoint& p = row.points[point];
   const Real push = p.normal_mass * (row.rebound[point] - frame.normal_velocity(p));
-  push_to(row, p, frame, p.normal_impulse + push > 0 ? p.normal_impulse + push : Real{0});
+  apply_accumulated(row, p, frame, p.normal_impulse + push > 0 ? p.normal_impulse + push : Real{0});
 }
 
 /// The same at all points, one after the other.

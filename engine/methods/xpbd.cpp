@@ -215,7 +215,7 @@ void Xpbd::solve_velocities(BodySet& bodies) {
       p.tangent_impulse = held;
       p.total_tangent += held;
     }
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    frame.write_back(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }
 

@@ -34,7 +34,7 @@ struct Workspace {
   Impacts impacts;
   JointWorkspace joints;
   EnergyBound bound;
-  Pile pile{pile_kernels()};
+  Pile pile{solver_kernels()};
   Pile::RowOf row_of;
   Colouring colouring;
   Turning turning;
@@ -103,7 +103,7 @@ class Accurate : public Solver {
     errors.joint_omega = softness_of_swept(errors.h).omega;
     errors.restitution_threshold = slow_impact(length(settings.gravity), errors.h);
   }
-  bool recycles() const override { return true; }
+  bool contact_persistence() const override { return true; }
   RestingPiles* resting() override { return lanes_ ? &resting_ : nullptr; }
   /// Whatever may be hit within the step, gravity's part included.
   Margin margin(const Settings& settings) const override {

@@ -194,7 +194,7 @@ void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& f
     frame.push_normal(row, point, normal_impulse);
     point.total_normal += normal_impulse;
   };
-  const auto rub = [&](RowPoint& point, Real normal_impulse) {
+  const auto solve_friction_at = [&](RowPoint& point, Real normal_impulse) {
     const Real wanted = -effective_mass(row, point.dot_a, point.dot_b) * frame.tangent_velocity(point);
     const Real given = within_cone(row, wanted, normal_impulse);
     frame.push_tangent(row, point, given);
@@ -202,8 +202,8 @@ void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& f
   };
   push(p, j.x);
   push(q, j.y);
-  rub(p, j.x);
-  rub(q, j.y);
+  solve_friction_at(p, j.x);
+  solve_friction_at(q, j.y);
 }
 
 /// Which of the points hits: the lower of those that approach, and the other one too if it is as good as there.
@@ -255,7 +255,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   } else {
     strike_one(now, *points.first, frame);
   }
-  frame.leave(now, a, b);
+  frame.write_back(now, a, b);
 
   // Five rounds and sixty were found equal for a cradle on strings; each shares out what the last left over.
   constexpr int rounds = 5;
@@ -268,7 +268,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
       again.push_normal(now, *hit[i], more);
       hit[i]->total_normal += more;
     }
-    again.leave(now, a, b);
+    again.write_back(now, a, b);
   }
 
   for (std::size_t i = 0; i < 2; ++i) {

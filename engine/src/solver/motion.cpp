@@ -54,7 +54,6 @@ void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Mo
   constexpr std::size_t handful = 32;
   std::array<Real, handful> angles, cosines, sines;
   std::array<std::size_t, handful> turned;
-  const Kernels& by_lanes = kernels();
   for (std::size_t first = 0; first < bodies.size(); first += handful) {
     const std::size_t end = std::min(first + handful, bodies.size());
     std::uint32_t count = 0;
@@ -74,8 +73,8 @@ void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Mo
       turned[count++] = i;
     }
     if (count == 0) continue;
-    for (std::uint32_t k = count; k % most_lanes != 0; ++k) angles[k] = 0;  // whole registers are read
-    by_lanes.turn_to_angles(angles.data(), count, cosines.data(), sines.data());
+    for (std::uint32_t k = count; k % most_angles_at_once != 0; ++k) angles[k] = 0;  // whole registers are read
+    solver_kernels().turn_to_angles(angles.data(), count, cosines.data(), sines.data());
     for (std::uint32_t k = 0; k < count; ++k) bodies.pose[turned[k]].q = {cosines[k], sines[k]};
   }
 }

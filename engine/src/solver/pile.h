@@ -25,7 +25,7 @@ class Pile {
   /// that do so one after the other may share it.
   using RowOf = std::vector<std::uint32_t>;
 
-  explicit Pile(const PileKernels& by) : kernels_(&by), lanes_(PileLanes::make(by)) {}
+  explicit Pile(const SolverKernels& by) : kernels_(&by), lanes_(PileLanes::make(by)) {}
 
   /// Lays contacts out once for many steps: from now on these are the first `island.contacts`, which no step names, of
   /// the bodies `island.bodies`, all of which every step names. `contacts` must live as long, in their place.
@@ -58,7 +58,7 @@ class Pile {
   Real work() const;
   void leave(const StepData& data, const Island& island, const RowOf& row_of, std::vector<Motion>& motion);
 
-  const PileKernels* kernels_;
+  const SolverKernels* kernels_;
   std::unique_ptr<PileLanes> lanes_;
   std::unique_ptr<PileLanes> kept_;
   Colouring kept_colouring_;

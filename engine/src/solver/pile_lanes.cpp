@@ -94,7 +94,7 @@ class PileLanesOf : public PileLanes {
 
 }  // namespace
 
-std::unique_ptr<PileLanes> PileLanes::make(const PileKernels& kernels) {
+std::unique_ptr<PileLanes> PileLanes::make(const SolverKernels& kernels) {
   if (kernels.contacts_by_sixteen != nullptr) return std::make_unique<PileLanesOf<16>>(*kernels.contacts_by_sixteen);
   return std::make_unique<PileLanesOf<8>>(*kernels.contacts_by_eight);
 }

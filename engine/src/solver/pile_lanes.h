@@ -15,7 +15,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// The contacts of a pile in lanes, of as many as the kernels take at a time.
 class PileLanes {
  public:
-  static std::unique_ptr<PileLanes> make(const PileKernels& kernels);
+  static std::unique_ptr<PileLanes> make(const SolverKernels& kernels);
   PileLanes() = default;
   PileLanes(const PileLanes&) = delete;
   PileLanes& operator=(const PileLanes&) = delete;

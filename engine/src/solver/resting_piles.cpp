@@ -6,7 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "contacts/contact_order.h"
+#include "contacts/contact_search.h"
+#include "contacts/lanes/persistence.h"
 #include "solver/lanes/kernels.h"
 #include "solver/pile_island.h"
 
@@ -50,8 +51,6 @@ bool something_drives(const BodySet& bodies) {
   return drives;
 }
 
-bool in_order(const Contact& left, const Contact& right) { return ContactOrder(left) < ContactOrder(right); }
-
 /// Two discs touch along the line of their centres.
 void meet_again(Contact& contact, const BodySet& bodies) {
   const Vec2 between = bodies.pose[contact.body_b].p - bodies.pose[contact.body_a].p;
@@ -66,20 +65,13 @@ void meet_again(Contact& contact, const BodySet& bodies) {
 
 }  // namespace
 
-bool kept_by_pile(const BodySet& bodies, const Contact& contact) {
-  const std::uint32_t a = contact.body_a;
-  const std::uint32_t b = contact.body_b;
-  return (bodies.pile[a] != 0 || !bodies.pushable(a)) && (bodies.pile[b] != 0 || !bodies.pushable(b)) &&
-         (bodies.pile[a] != 0 || bodies.pile[b] != 0);
-}
-
 RestingPile::RestingPile(const StepData& data, const Partition& parts, const Island& island, std::vector<Tie> kept,
                          std::vector<Tie> others, Pile::RowOf& row_of)
     : members_(bodies_of(kept)),
       ties_(std::move(kept)),
       others_(std::move(others)),
       last_(members_.size()),
-      pile_(pile_kernels()),
+      pile_(solver_kernels()),
       substeps_(island.substeps),
       offset_scale_(island.offset_scale),
       webbed_(island.webbed),
@@ -123,8 +115,8 @@ std::vector<Contact> RestingPile::contacts(const BodySet& bodies) {
   std::vector<std::uint32_t> all(now.size());
   std::iota(all.begin(), all.end(), 0U);
   std::vector<std::uint8_t> kept(now.size());
-  kernels().keep_points(now.data(), all.data(), static_cast<std::uint32_t>(now.size()), bodies.pose.data(),
-                        bodies.reach.data(), std::numeric_limits<Real>::infinity(), kept.data());
+  contact_kernels().persist_points(now.data(), all.data(), static_cast<std::uint32_t>(now.size()), bodies.pose.data(),
+                                   bodies.reach.data(), std::numeric_limits<Real>::infinity(), kept.data());
   for (Contact& contact : now) {
     contact.offset /= offset_scale_;
     contact.age += steps_ - 1;  // one was counted when they were measured
@@ -200,7 +192,7 @@ bool RestingPiles::let_go_hindered(StepData& data, const Partition& parts, bool 
   }
   if (contacts.empty()) return false;
   data.contacts.insert(data.contacts.end(), contacts.begin(), contacts.end());
-  std::sort(data.contacts.begin(), data.contacts.end(), in_order);
+  std::sort(data.contacts.begin(), data.contacts.end(), comes_before);
   data.contact_changes = 0;
   return true;
 }

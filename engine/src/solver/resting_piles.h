@@ -58,9 +58,6 @@ class RestingPile {
   bool rests_ = true;
 };
 
-/// Whether a pile at rest keeps a contact: it is of its bodies alone, or of them and what stands still.
-bool kept_by_pile(const BodySet& bodies, const Contact& contact);
-
 /// The piles of a world that are at rest. BodySet::pile tells of which a body is, from 1 on.
 class RestingPiles {
  public:

@@ -13,8 +13,8 @@ template <class Frame>
   auto& [p, q] = row.points;
   const Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + masses * change;
   if (total.x < 0 || total.y < 0) return false;
-  push_to(row, p, frame, total.x);
-  push_to(row, q, frame, total.y);
+  apply_accumulated(row, p, frame, total.x);
+  apply_accumulated(row, q, frame, total.y);
   return true;
 }
 
@@ -26,7 +26,7 @@ void ScalarContacts::in_frame(ImpactRow& row, std::vector<Velocity>& velocity, S
   Velocity& b = velocity[row.b];
   const auto solve_in = [&](auto frame) {
     solve(row, frame);
-    frame.leave(row, a, b);
+    frame.write_back(row, a, b);
   };
   if (!row.stirs_a) return solve_in(FrameOf<false, true>(row, a, b));
   if (!row.stirs_b) return solve_in(FrameOf<true, false>(row, a, b));
@@ -105,10 +105,10 @@ void ScalarContacts::press(const Island& island) {
         const Real v = frame.normal_velocity(p);
         const Real push = s > 0 ? -p.normal_mass * (v + s / island.h)
                                 : -p.normal_mass * soft.strength * (v + soft.rate * s) - soft.relief * p.normal_impulse;
-        push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+        apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
-    if (row.fresh) rub(row, frame);
+    if (row.fresh) solve_friction(row, frame);
   });
 }
 
@@ -119,10 +119,10 @@ void ScalarContacts::relax(const Island& island) {
         RowPoint& p = row.points[i];
         if (p.normal_impulse == 0 && gap<Frame>(row, p) > 0) continue;
         const Real push = -p.normal_mass * frame.normal_velocity(p);
-        push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+        apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
-    rub(row, frame);
+    solve_friction(row, frame);
   });
 }
 

@@ -36,7 +36,7 @@ class SoftStep : public Solver {
  public:
   void step(StepData& data) override;
   void state(const Settings& settings, StatedErrors& errors) const override;
-  bool recycles() const override { return true; }
+  bool contact_persistence() const override { return true; }
   Margin margin(const Settings& settings) const override { return {speculative, settings.dt}; }
 
  private:
@@ -167,7 +167,7 @@ void SoftStep::warm_start(StepData& data) {
   for (const ContactRow& row : rows_) {
     ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
     impulse::warm_start(row, frame);
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    frame.write_back(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }
 
@@ -185,9 +185,9 @@ void SoftStep::press(StepData& data) {
       const Real push = s > 0 ? -p.normal_mass * (v + s * per_h_)
                               : -p.normal_mass * soft.strength * (v + std::max(soft.rate * s, -push_out_speed)) -
                                     soft.relief * p.normal_impulse;
-      push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+      apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
     }
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    frame.write_back(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }
 
@@ -214,12 +214,12 @@ void SoftStep::relax(StepData& data) {
       RowPoint& p = row.points[i];
       const Real s = separation(row, p, motion_[row.a], motion_[row.b]);
       const Real push = -p.normal_mass * (frame.normal_velocity(p) + std::max(s, Real{0}) * per_h_);
-      push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+      apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       p.total_normal += p.normal_impulse;
     }
-    rub(row, frame);
+    solve_friction(row, frame);
     for (RowPoint& p : row.points) p.total_tangent += p.tangent_impulse;
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    frame.write_back(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }
 
@@ -237,7 +237,7 @@ void SoftStep::restitute(BodySet& bodies) {
       frame.push_normal(row, p, push);
       p.total_normal += push;
     }
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    frame.write_back(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }
 

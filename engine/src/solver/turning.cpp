@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "contacts/closing.h"
 #include "narrow_phase/collide.h"
+#include "narrow_phase/margin.h"
 #include "solver/scalar_contacts.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -117,7 +117,7 @@ Real Turning::way(const Turned& turned, const Pair& now, const BodySet& bodies) 
 }
 
 /// From the core of a to that of b: what is rounded there is left out.
-Vec2 Turning::between(const Turned& turned, const PointPlace& p, const Pair& by) {
+Vec2 Turning::between(const Turned& turned, const PointArms& p, const Pair& by) {
   const Vec2 n = turned.normal;
   const Vec2 apart = by.b.d - by.a.d;
   const Vec2 at_first{turned.radius_a + turned.radius_b + p.separation, 0};
@@ -143,7 +143,7 @@ void Turning::turn(const Island& island, const Turned& turned, const Pair& at, c
   const Vec2 facing = direction(turned, now);
   row.normal = n.x * turned.normal + n.y * perpendicular(turned.normal);
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-    const PointPlace& place = turned.points[i];
+    const PointArms& place = turned.points[i];
     RowPoint& p = row.points[i];
     Vec2 a = turned_arm(place.turn_a, place.cross_a, then.a);
     Vec2 b = turned_arm(place.turn_b, place.cross_b, then.b);
@@ -215,12 +215,11 @@ void Turning::take_points(Turned& turned, Contact& contact, const Manifold& foun
     p.arm_b = found.points[i].point - contact.found_b.p;
     p.separation = contact.found_separation[i] = found.points[i].separation;
     p.feature = found.points[i].feature;
-    turned.points[i] = place_of(contact, i);
+    turned.points[i] = arms_of(contact, i);
     RowPoint& point = row.points[i];
     point.normal_impulse = point.tangent_impulse = 0;
     for (std::size_t j = 0; j < last_count; ++j) {
       if (last[j].feature != p.feature) continue;
-      p.fresh = last[j].fresh;
       point.normal_impulse = given[j].normal_impulse;
       point.tangent_impulse = given[j].tangent_impulse;
     }

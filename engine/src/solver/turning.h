@@ -8,6 +8,7 @@
 #include "bodies/body_set.h"
 #include "contacts/contact.h"
 #include "contacts/contact_rows.h"
+#include "narrow_phase/manifolds.h"
 #include "solver/impacts.h"
 #include "solver/island.h"
 #include "solver/motion.h"
@@ -64,7 +65,7 @@ class Turning {
     NormalOf normal_of;
     Vec2 normal;
     Real radius_a, radius_b;
-    std::array<PointPlace, 2> points;
+    std::array<PointArms, 2> points;
     bool again = false;  // it was found within the step:
     Pair found;          // how its bodies had moved then
 
@@ -73,7 +74,7 @@ class Turning {
   };
   void take_points(Turned& turned, Contact& contact, const Manifold& found);
   static Real way(const Turned& turned, const Pair& now, const BodySet& bodies);
-  static Vec2 between(const Turned& turned, const PointPlace& p, const Pair& by);
+  static Vec2 between(const Turned& turned, const PointArms& p, const Pair& by);
   static Vec2 direction(const Turned& turned, const Pair& by);
   static void turn(const Island& island, const Turned& turned, const Pair& now, const Pair& then, bool from_start);
 

@@ -25,7 +25,7 @@ class SpoiltSolver : public Solver {
 
   void step(StepData& data) final;
   void state(const Settings& settings, StatedErrors& errors) const final { right_->state(settings, errors); }
-  bool recycles() const final { return right_->recycles(); }
+  bool contact_persistence() const final { return right_->contact_persistence(); }
   Margin margin(const Settings& settings) const override { return right_->margin(settings); }
 
  protected:

@@ -51,13 +51,17 @@ Proxies make_proxies(const Crowd& crowd, unsigned seed) {
     const std::uint32_t layers = random.number(0, 1) < 0.7_r ? ~0U : 1U << static_cast<unsigned>(random.number(0, 3.9));
     const int parts = random.number(0, 1) < 0.8_r ? 1 : 3;
     const Vec2 by = random.number(0, 1) < 0.5_r ? Vec2{} : random.point(crowd.smallest);
-    const Way way{by, length(by)};
+    const Displacement displacement{by, length(by)};
     for (int part = 0; part < parts; ++part) {
       const Real half = static_cast<Real>(
           crowd.smallest * std::pow(crowd.largest / crowd.smallest, static_cast<double>(random.number(0, 1))));
       const Vec2 at = center + random.point(static_cast<double>(half));
-      proxies.push_back(
-          {{at - Vec2{half, half}, at + Vec2{half, half}}, way, body, static_cast<std::uint16_t>(part), moves, layers});
+      proxies.push_back({{at - Vec2{half, half}, at + Vec2{half, half}},
+                         displacement,
+                         body,
+                         static_cast<std::uint16_t>(part),
+                         moves,
+                         layers});
     }
   }
   return proxies;
@@ -167,11 +171,11 @@ TEST_P(EveryBroadPhase, MeetsOnceEachThatLiesAcrossAWideOne) {
   EXPECT_EQ(pairs_of(GetParam(), proxies), expected);
 }
 
-/// What goes the same way needs to be near already.
+/// Proxies that move the same way must be close already.
 TEST_P(EveryBroadPhase, LeavesOutWhatGoesTheSameWay) {
   const auto going = [](Real x, std::uint32_t body, Vec2 by) {
-    const Way way{by, length(by)};
-    return Proxy{grown({{x, 0}, {x + 1, 1}}, way.length), way, body, 0, true, 1};
+    const Displacement displacement{by, length(by)};
+    return Proxy{grown({{x, 0}, {x + 1, 1}}, displacement.length), displacement, body, 0, true, 1};
   };
   const auto meet = [&](Real x, Vec2 by) {
     return pairs_of(GetParam(), {going(0, 0, {2, 0}), going(x, 1, by)}).size();

@@ -26,7 +26,7 @@ class Crowd {
     for (std::uint32_t i = 0; i < proxies_.size(); ++i) {
       const Vec2 by = random_.point(i < leaving ? 1 : little);
       centers_[i] = centers_[i] + by;
-      proxies_[i].way = {by, length(by)};
+      proxies_[i].displacement = {by, length(by)};
       proxies_[i].bounds = grown({centers_[i], centers_[i] + Vec2{1, 1}}, length(by));
     }
   }

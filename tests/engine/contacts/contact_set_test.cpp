@@ -20,7 +20,7 @@ struct Heap {
   Settings settings;
   Margin margin;
   JointSet joints;
-  bool recycle = false;
+  bool persistence = false;
 
   std::size_t add(const BodyDef& def, std::span<const Part> parts) {
     const std::size_t i = bodies.add(def, parts).index;
@@ -32,7 +32,7 @@ struct Heap {
     return add(def, std::span(&part, 1));
   }
   std::vector<Contact>& find() {
-    contacts.find({bodies, *broad_phase, settings, margin, recycle, joints});
+    contacts.find({bodies, *broad_phase, settings, margin, persistence, joints});
     return contacts.rows();
   }
 };
@@ -76,7 +76,6 @@ TEST(ContactSet, CarriesImpulsesOverWhileAContactLasts) {
   heap.add(at(3, 0), Shape::circle(1));
   ASSERT_EQ(heap.find().size(), 2U);
   for (Contact& row : heap.contacts.rows()) {
-    EXPECT_TRUE(row.points[0].fresh);
     EXPECT_EQ(row.age, 0);
     row.points[0].normal_impulse = static_cast<Real>(row.body_b);
     row.points[0].tangent_impulse = -1;
@@ -85,14 +84,13 @@ TEST(ContactSet, CarriesImpulsesOverWhileAContactLasts) {
   heap.bodies.pose[0].p = {-9, 0};  // the first contact ends, the second lasts
   ASSERT_EQ(heap.find().size(), 1U);
   const Contact& row = heap.contacts.rows()[0];
-  EXPECT_FALSE(row.points[0].fresh);
   EXPECT_EQ(row.age, 1);
   EXPECT_EQ(row.points[0].normal_impulse, 2);
   EXPECT_EQ(row.points[0].tangent_impulse, -1);
   EXPECT_EQ(row.points[0].total_normal_impulse, 0);
   heap.bodies.pose[0].p = {0, 0};  // and begins anew
   ASSERT_EQ(heap.find().size(), 2U);
-  EXPECT_TRUE(heap.contacts.rows()[0].points[0].fresh);
+  EXPECT_EQ(heap.contacts.rows()[0].age, 0);
   EXPECT_EQ(heap.contacts.rows()[0].points[0].normal_impulse, 0);
   EXPECT_EQ(heap.contacts.rows()[1].age, 2);
 }
@@ -158,7 +156,7 @@ TEST(ContactSet, GivesArmsFromBothCentresToOnePoint) {
 
 TEST(ContactSet, RecyclesPointsOfBodiesThatHardlyMoved) {
   Heap heap;
-  heap.recycle = true;
+  heap.persistence = true;
   heap.margin.distance = real(.02);
   heap.add(at(0, 0), Shape::box({1, 1}));
   const std::size_t above = heap.add(at(0, 2), Shape::box({1, 1}));
@@ -176,7 +174,7 @@ TEST(ContactSet, RecyclesPointsOfBodiesThatHardlyMoved) {
 // What counts is the motion since the points were found, however fast the last of it was.
 TEST(ContactSet, RecyclesPointsOfBodiesThatCameBack) {
   Heap heap;
-  heap.recycle = true;
+  heap.persistence = true;
   heap.margin.distance = real(.02);
   heap.add(at(0, 0), Shape::box({1, 1}));
   const std::size_t above = heap.add(at(0, 2), Shape::box({1, 1}));
@@ -194,7 +192,7 @@ TEST(ContactSet, RecyclesPointsOfBodiesThatCameBack) {
 
 TEST(ContactSet, MixesRecycledContactsByTheRuleOfToday) {
   Heap heap;
-  heap.recycle = true;
+  heap.persistence = true;
   heap.add(at(0, 0), Shape::box({1, 1}), {1, real(.4), real(.4), 0});
   heap.add(at(0, 2), Shape::box({1, 1}), {1, real(.3), real(.3), 0});
   heap.settings.friction_mixing = FrictionMixing::max;

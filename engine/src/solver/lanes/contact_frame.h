@@ -71,7 +71,7 @@ struct CentresFrame {
     give(x, y);
     normal = normal + mass * (normal_x * x + normal_y * y);
   }
-  [[gnu::always_inline]] void leave() {
+  [[gnu::always_inline]] void write_back() {
     give(normal_sum * normal_x, normal_sum * normal_y);
     scatter();
   }
@@ -120,7 +120,7 @@ struct LanesFrame : CentresFrame {
     CentresFrame::push_centres(x, y);
     tangent = tangent + mass * (normal_x * y - normal_y * x);
   }
-  [[gnu::always_inline]] void leave() {
+  [[gnu::always_inline]] void write_back() {
     // The sums as a vector of the world.
     const Lanes x = normal_sum * normal_x - tangent_sum * normal_y;
     const Lanes y = normal_sum * normal_y + tangent_sum * normal_x;

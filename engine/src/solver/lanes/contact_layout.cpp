@@ -52,7 +52,7 @@ void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& 
   }
 }
 
-/// Where it is: place_of() and effective_mass() (contact_rows.h).
+/// Where it is: arms_of() and effective_mass() (contact_rows.h).
 template <class Contacts>
 void place_point(const Contact* const* contact, std::uint32_t i, const Lanes& normal_x, const Lanes& normal_y,
                  const Lanes& found_separation, const Lanes& mass, Contacts& lanes) {

@@ -55,12 +55,12 @@ template <class Contacts>
 }
 
 /// (K + G) d = -(v + bias + G lambda), see ScalarContacts::solve_pair. Lanes where that fails keep what they have.
-struct Pair {
+struct SolvedPair {
   Lanes impulse[2];
   Lanes::Mask holds;
 };
-[[gnu::always_inline]] inline Pair solve_pair(const ContactLanes<2>& contacts, const LanesFrame& frame,
-                                              const Lanes impulse[2], const Lanes give[2], const Lanes bias[2]) {
+[[gnu::always_inline]] inline SolvedPair solve_pair(const ContactLanes<2>& contacts, const LanesFrame& frame,
+                                                    const Lanes impulse[2], const Lanes give[2], const Lanes bias[2]) {
   const PointLanes& p = contacts.point[0];
   const PointLanes& q = contacts.point[1];
   const Lanes one = Lanes::all(1);
@@ -71,7 +71,7 @@ struct Pair {
   const Lanes determinant = k11 * k22 - k12 * k12;
   const Lanes wanted_p = -(frame.normal_velocity(p) + bias[0] + give[0] * impulse[0]);
   const Lanes wanted_q = -(frame.normal_velocity(q) + bias[1] + give[1] * impulse[1]);
-  Pair pair;
+  SolvedPair pair;
   pair.impulse[0] = impulse[0] + (wanted_p * k22 - k12 * wanted_q) / determinant;
   pair.impulse[1] = impulse[1] + (k11 * wanted_q - wanted_p * k12) / determinant;
   // Two points almost in one place: the matrix says nothing about the difference of their loads.
@@ -85,7 +85,7 @@ struct Pair {
 /// Points one after the other, but for lanes whose pair of points was solved at once.
 template <class Each>
 [[gnu::always_inline]] inline void push_points(ContactLanes<2>& contacts, LanesFrame& frame, Lanes impulse[2],
-                                               const Pair& pair, Each wanted) {
+                                               const SolvedPair& pair, Each wanted) {
   for (std::uint32_t i = 0; i < 2; ++i) {
     const Lanes next = select(pair.holds, pair.impulse[i], wanted(i));
     frame.push_normal(contacts.point[i], next - impulse[i]);
@@ -175,7 +175,7 @@ void relax(Contacts& contacts, FrameOf<Contacts>& frame) {
   };
   if constexpr (block) {
     const Lanes none[2] = {nothing, nothing};
-    Pair pair = solve_pair(contacts, frame, impulse, none, none);
+    SolvedPair pair = solve_pair(contacts, frame, impulse, none, none);
     pair.holds = pair.holds & !(idle[0] | idle[1]);
     push_points(contacts, frame, impulse, pair, rigid);
   } else {
@@ -234,7 +234,7 @@ void relax_discs(Discs& discs, const LanesMotion& motion, Real* velocity) {
     }
   }
   relax<false, again>(discs, frame);
-  frame.leave();
+  frame.write_back();
 }
 
 void begin_late(const ContactTable& table, const BodyRows& bodies) {
@@ -270,7 +270,7 @@ void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
         store(Lanes::all(0), p.total_tangent);
       }
     }
-    frame.leave();
+    frame.write_back();
   });
 }
 
@@ -279,7 +279,7 @@ void press_contacts(const ContactTable& table, const BodyRows& bodies, const Sof
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto block) {
     FrameOf<Contacts> frame(contacts, bodies.velocity);
     press<block>(contacts, frame, soft, per_h);
-    frame.leave();
+    frame.write_back();
   });
 }
 
@@ -293,7 +293,7 @@ void relax_once(const ContactTable& table, const BodyRows& bodies) {
       find_gaps(contacts, motion);
       FrameOf<Contacts> frame(contacts, bodies.velocity);
       relax<block, again>(contacts, frame);
-      frame.leave();
+      frame.write_back();
     }
   });
 }

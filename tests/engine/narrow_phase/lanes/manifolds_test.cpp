@@ -9,11 +9,9 @@
 #include <vector>
 
 #include "../../random_shapes.h"
-#include "broad_phase/shape_table.h"
-#include "contacts/closing.h"
 #include "narrow_phase/collide.h"
 #include "narrow_phase/narrow_phase.h"
-#include "solver/lanes/kernels.h"
+#include "narrow_phase/shape_table.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -24,7 +22,7 @@ struct Pairs {
   BodySet bodies;
   ShapeTable shapes;
   Margin margin{static_cast<Real>(0.05), static_cast<Real>(0.02)};
-  std::vector<Real> knocks;
+  std::vector<Real> impact_changes;
   std::vector<Pair> pairs;
 
   void add(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
@@ -39,28 +37,29 @@ struct Pairs {
     for (const Pair& pair : pairs) {
       const Pose& a = bodies.pose[pair.first];
       const Pose& b = bodies.pose[pair.second];
-      const Real gap =
-          closing(bodies, pair.first, pair.second, margin) + margin.time * (knocks[pair.first] + knocks[pair.second]);
+      const Real gap = speculative_gap(bodies, pair.first, pair.second, margin) +
+                       margin.time * (impact_changes[pair.first] + impact_changes[pair.second]);
       all.push_back(points_of(collide(shape(pair.first), a, shape(pair.second), b, gap), a.p, b.p));
     }
     return all;
   }
 
   /// With each version of a kernel; returns how many pairs it found to touch.
-  std::size_t compare(CollidePairs* Kernels::*kernel, std::size_t most_left) {
+  std::size_t compare(CollidePairs* NarrowPhaseKernels::*kernel, std::size_t most_left) {
     shapes.update(bodies, margin);
-    shapes.grow(bodies, margin, knocks);
+    shapes.grow(bodies, margin, impact_changes);
     const std::vector<PairPoints> right = expected();
     std::vector<std::uint32_t> items(pairs.size());
     std::iota(items.rbegin(), items.rend(), 0U);
     std::size_t touching = 0;
-    for (const Kernels* version : runnable_kernels()) {
+    for (const InstructionSet set : runnable_instruction_sets()) {
       std::vector<PairPoints> found(pairs.size());
       std::vector<std::uint32_t> left(pairs.size());
       const PairBatch batch{
           shapes.records().data(), pairs.data(), items.data(), static_cast<std::uint32_t>(items.size()),
           margin.distance,         margin.time};
-      left.resize(static_cast<std::size_t>((version->*kernel)(batch, found.data(), left.data()) - left.data()));
+      left.resize(static_cast<std::size_t>((narrow_phase_kernels(set).*kernel)(batch, found.data(), left.data()) -
+                                           left.data()));
       EXPECT_LE(left.size(), most_left);
       for (const std::uint32_t item : left) found[item] = right[item];
       touching = 0;
@@ -84,7 +83,7 @@ struct Pairs {
     bodies.insert(i);
     bodies.pose[i] = pose;
     bodies.velocity[i] = {{static_cast<Real>(i % 3), static_cast<Real>(i % 5)}, static_cast<Real>(i % 7)};
-    knocks.push_back(static_cast<Real>(i % 4));
+    impact_changes.push_back(static_cast<Real>(i % 4));
   }
 
   static bool same(Real a, Real b) {
@@ -105,15 +104,15 @@ struct Pairs {
 
 struct Kind {
   const char* name;
-  CollidePairs* Kernels::*kernel;
+  CollidePairs* NarrowPhaseKernels::*kernel;
   ShapeType first, second;
 };
 
 const std::array kinds{
-    Kind{"boxes", &Kernels::collide_boxes, ShapeType::box, ShapeType::box},
-    Kind{"discs", &Kernels::collide_discs, ShapeType::circle, ShapeType::circle},
-    Kind{"disc_with_box", &Kernels::collide_disc_with_box, ShapeType::circle, ShapeType::box},
-    Kind{"box_with_disc", &Kernels::collide_box_with_disc, ShapeType::box, ShapeType::circle},
+    Kind{"boxes", &NarrowPhaseKernels::collide_boxes, ShapeType::box, ShapeType::box},
+    Kind{"discs", &NarrowPhaseKernels::collide_discs, ShapeType::circle, ShapeType::circle},
+    Kind{"disc_with_box", &NarrowPhaseKernels::collide_disc_with_box, ShapeType::circle, ShapeType::box},
+    Kind{"box_with_disc", &NarrowPhaseKernels::collide_box_with_disc, ShapeType::box, ShapeType::circle},
 };
 
 class CollidingKernels : public testing::TestWithParam<Kind> {};

@@ -125,7 +125,7 @@ struct Tangle {
   }
 
   /// A whole step of two sub-steps.
-  void step(const PileKernels& by, const ContactPasses<width>& passes) {
+  void step(const SolverKernels& by, const ContactPasses<width>& passes) {
     const BodyRows rows{body_count,    velocity.data(), before.data(),      kick.data(),
                         motion.data(), turn.data(),     acceleration.data()};
     const ContactTable<width> table{one.data(),    discs.data(),        two.data(),  block.data(),
@@ -171,7 +171,7 @@ std::vector<Real> numbers_of(const std::vector<Lanes>& all) {
 }
 
 template <std::size_t width>
-void expect_same_bits(const Tangle<8>& oracle, const PileKernels& by, const ContactPasses<width>& passes,
+void expect_same_bits(const Tangle<8>& oracle, const SolverKernels& by, const ContactPasses<width>& passes,
                       unsigned seed) {
   Tangle<width> tangle(seed);
   tangle.step(by, passes);
@@ -189,14 +189,15 @@ void expect_same_bits(const Tangle<8>& oracle, const PileKernels& by, const Cont
 
 TEST(ContactPasses, GiveTheSameBitsWithEveryInstructionSet) {
   for (unsigned seed = 0; seed < 200; ++seed) {
-    const PileKernels& scalar = *runnable_pile_kernels().front();
+    const SolverKernels& scalar = solver_kernels(InstructionSet::scalar);
     Tangle<8> oracle(seed);
     oracle.step(scalar, *scalar.contacts_by_eight);
-    for (const PileKernels* version : runnable_pile_kernels()) {
-      if (version->contacts_by_eight != nullptr) {
-        expect_same_bits(oracle, *version, *version->contacts_by_eight, seed);
+    for (const InstructionSet set : runnable_instruction_sets()) {
+      const SolverKernels& version = solver_kernels(set);
+      if (version.contacts_by_eight != nullptr) {
+        expect_same_bits(oracle, version, *version.contacts_by_eight, seed);
       } else {
-        expect_same_bits(oracle, *version, *version->contacts_by_sixteen, seed);
+        expect_same_bits(oracle, version, *version.contacts_by_sixteen, seed);
       }
     }
   }
@@ -209,7 +210,7 @@ TEST(ContactPasses, LeaveLanesWithoutContactAlone) {
     std::fill_n(rows->begin() + static_cast<std::ptrdiff_t>(nobody), 4, Real{0});
   }
   tangle.turn.back() = 0;
-  const PileKernels& scalar = *runnable_pile_kernels().front();
+  const SolverKernels& scalar = solver_kernels(InstructionSet::scalar);
   tangle.step(scalar, *scalar.contacts_by_eight);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(tangle.velocity[nobody + k], 0);
 }
@@ -241,7 +242,7 @@ void widen(const std::vector<Smooth>& from, std::vector<Lanes>& to) {
 // Where r x n and the friction are 0, all that the smooth kernels leave out comes to adding 0.
 TEST(ContactPasses, GiveSmoothContactsTheBitsOfContactsWithoutFriction) {
   for (unsigned seed = 0; seed < 200; ++seed) {
-    const PileKernels& scalar = *runnable_pile_kernels().front();
+    const SolverKernels& scalar = solver_kernels(InstructionSet::scalar);
     Tangle<8> smooth(seed);
     Tangle<8> rough = smooth;
     widen(smooth.smooth, rough.one);
@@ -276,7 +277,7 @@ TEST(ContactPasses, GiveSharpShapesTheBitsOfShapesRoundedByNothing) {
   for (auto& lanes : rounded.two) lanes.radius_a = lanes.radius_b = {};
   Tangle<8> sharp = rounded;
   for (auto& lanes : sharp.two) lanes.rounded = false;
-  const PileKernels& scalar = *runnable_pile_kernels().front();
+  const SolverKernels& scalar = solver_kernels(InstructionSet::scalar);
   rounded.step(scalar, *scalar.contacts_by_eight);
   sharp.step(scalar, *scalar.contacts_by_eight);
   EXPECT_TRUE(same_bits(numbers_of<8>(sharp.two), numbers_of<8>(rounded.two)));

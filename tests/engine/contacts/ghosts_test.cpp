@@ -1,4 +1,4 @@
-#include "narrow_phase/ghosts.h"
+#include "contacts/ghosts.h"
 
 #include <gtest/gtest.h>
 

@@ -5,21 +5,21 @@
 #include <vector>
 
 #include "../../random_shapes.h"
-#include "solver/lanes/kernels.h"
+#include "narrow_phase/lanes/manifolds.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real felt = static_cast<Real>(0.05);
+constexpr Real least = static_cast<Real>(0.05);
 constexpr Real time = static_cast<Real>(0.1);
 
 bool fast(const ShapeRecord& a, const ShapeRecord& b, const PairPoints& found, bool known) {
   const Vec2 between = b.velocity - a.velocity;
   const Real turning = a.rim + b.rim;
-  if (time * (std::abs(between.x) + std::abs(between.y) + turning) <= felt * (Real{63} / 64)) return false;
+  if (time * (std::abs(between.x) + std::abs(between.y) + turning) <= least * (Real{63} / 64)) return false;
   const Real speed = turning - dot({found.normal[0], found.normal[1]}, between);
-  return !known || time * speed > std::max(std::min(found.separation[0], found.separation[1]), felt);
+  return !known || time * speed > std::max(std::min(found.separation[0], found.separation[1]), least);
 }
 
 TEST(FindFast, AgreesWithOneAtATime) {
@@ -48,11 +48,11 @@ TEST(FindFast, AgreesWithOneAtATime) {
       if (fast(records[pair.first], records[pair.second], found[item], counts[item] >= 0)) expected.push_back(item);
     }
     hits += expected.size();
-    const PairBatch batch{records.data(), pairs.data(), items.data(), count, felt, time};
-    for (const Kernels* version : runnable_kernels()) {
+    const PairBatch batch{records.data(), pairs.data(), items.data(), count, least, time};
+    for (const InstructionSet set : runnable_instruction_sets()) {
       std::vector<std::uint32_t> to(count);
-      to.resize(
-          static_cast<std::size_t>(version->find_fast(batch, found.data(), counts.data(), to.data()) - to.data()));
+      to.resize(static_cast<std::size_t>(
+          narrow_phase_kernels(set).find_fast(batch, found.data(), counts.data(), to.data()) - to.data()));
       EXPECT_EQ(to, expected) << count;
     }
   }

@@ -25,9 +25,9 @@ auto bits(Real number) {
 void expect_bits_of_sin_cos(std::vector<Real> angles) {
   const std::size_t count = angles.size();
   angles.resize(count + 8);
-  for (const Kernels* version : runnable_kernels()) {
+  for (const InstructionSet set : runnable_instruction_sets()) {
     std::vector<Real> cosines(angles.size()), sines(angles.size());
-    version->turn_to_angles(angles.data(), static_cast<std::uint32_t>(count), cosines.data(), sines.data());
+    solver_kernels(set).turn_to_angles(angles.data(), static_cast<std::uint32_t>(count), cosines.data(), sines.data());
     for (std::size_t i = 0; i < count; ++i) {
       const SinCos of = sin_cos(angles[i]);
       ASSERT_EQ(bits(cosines[i]), bits(of.cos)) << angles[i];

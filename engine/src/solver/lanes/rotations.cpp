@@ -1,4 +1,4 @@
-#include "narrow_phase/lanes/rotations.h"
+#include "solver/lanes/rotations.h"
 
 #include <cstring>
 
@@ -9,13 +9,13 @@ namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 namespace {
 
-// As many doubles as a register holds, and as many of what goes with them.
+// The number of doubles in a register; the other vectors have as many elements.
 constexpr std::uint32_t register_bytes = Register::width * sizeof(Real);
-constexpr std::uint32_t width = register_bytes > sizeof(double) ? register_bytes / sizeof(double) : 1;
-typedef double Doubles __attribute__((vector_size(width * sizeof(double))));
-typedef std::uint64_t Bits __attribute__((vector_size(width * sizeof(double))));
-typedef std::int32_t Counts __attribute__((vector_size(width * sizeof(std::int32_t))));
-typedef Real Reals __attribute__((vector_size(width * sizeof(Real))));
+constexpr std::uint32_t doubles_at_once = register_bytes > sizeof(double) ? register_bytes / sizeof(double) : 1;
+typedef double Doubles __attribute__((vector_size(doubles_at_once * sizeof(double))));
+typedef std::uint64_t Bits __attribute__((vector_size(doubles_at_once * sizeof(double))));
+typedef std::int32_t Counts __attribute__((vector_size(doubles_at_once * sizeof(std::int32_t))));
+typedef Real Reals __attribute__((vector_size(doubles_at_once * sizeof(Real))));
 
 Doubles load(const Real* from) {
   Reals numbers;
@@ -30,7 +30,7 @@ void store(Bits bits, Real* to) {
 
 bool any(Bits bits) {
   bool some = false;
-  for (std::uint32_t i = 0; i < width; ++i) some |= bits[i] != 0;
+  for (std::uint32_t i = 0; i < doubles_at_once; ++i) some |= bits[i] != 0;
   return some;
 }
 
@@ -38,7 +38,7 @@ bool any(Bits bits) {
 
 void turn_to_angles(const Real* angles, std::uint32_t count, Real* cosines, Real* sines) {
   Bits far{};
-  for (std::uint32_t i = 0; i < count; i += width) {
+  for (std::uint32_t i = 0; i < count; i += doubles_at_once) {
     Doubles angle = load(angles + i);
     const auto near = (angle <= exact_range) & (angle >= -exact_range);
     far |= reinterpret_cast<Bits>(~near);
@@ -47,7 +47,7 @@ void turn_to_angles(const Real* angles, std::uint32_t count, Real* cosines, Real
     const Reduced<Doubles> reduced = reduce(angle, __builtin_convertvector(turns, Doubles));
     const auto sine_bits = reinterpret_cast<Bits>(sine(reduced));
     const auto cosine_bits = reinterpret_cast<Bits>(cosine(reduced));
-    // An odd count exchanges the two, and a count of 2 and 3 turns the sign of the sine, of 1 and 2 of the cosine.
+    // An odd quadrant swaps the two; quadrants 2 and 3 flip the sign of the sine, 1 and 2 that of the cosine.
     const Bits quadrant = __builtin_convertvector(turns, Bits);
     const Bits odd = Bits{} - (quadrant & 1);
     const Bits exchange = odd & (sine_bits ^ cosine_bits);

@@ -1,26 +1,25 @@
-#include "narrow_phase/lanes/recycle.h"
+#include "contacts/lanes/persistence.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "../../random_shapes.h"
-#include "solver/lanes/kernels.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// How a body has moved, one at a time.
+/// The motion of a body between two poses.
 struct Moved {
   Vec2 by;
   Rotation turn;
   Moved(const Pose& now, const Pose& then) : by(now.p - then.p), turn(now.q * then.q.inverse()) {}
   Vec2 arm(Vec2 arm) const { return turn * arm - arm; }
-  Real way(Real reach) const { return length(by) + std::abs(turn.s) * reach; }
+  Real displacement(Real reach) const { return length(by) + std::abs(turn.s) * reach; }
 };
 
-TEST(KeepPoints, AgreesWithOneAtATime) {
+TEST(PersistPoints, AgreesWithOneAtATime) {
   RandomShapes random(1);
   std::vector<Pose> poses;
   std::vector<Real> reach;
@@ -45,17 +44,18 @@ TEST(KeepPoints, AgreesWithOneAtATime) {
   for (std::uint32_t count = 0; count < 20; ++count) {
     std::vector<std::uint32_t> items;
     for (std::uint32_t i = 0; i < count; ++i) items.push_back((37 * i + count) % 100);
-    for (const Kernels* version : runnable_kernels()) {
+    for (const InstructionSet set : runnable_instruction_sets()) {
       std::vector<Contact> now = contacts;
       std::vector<std::uint8_t> kept(count);
       constexpr Real most_motion = 5;
-      version->keep_points(now.data(), items.data(), count, poses.data(), reach.data(), most_motion, kept.data());
+      contact_kernels(set).persist_points(now.data(), items.data(), count, poses.data(), reach.data(), most_motion,
+                                          kept.data());
       for (std::uint32_t i = 0; i < count; ++i) {
         const Contact& before = contacts[items[i]];
         const Contact& contact = now[items[i]];
         const Moved a(poses[contact.body_a], contact.found_a);
         const Moved b(poses[contact.body_b], contact.found_b);
-        const bool stays = a.way(reach[contact.body_a]) + b.way(reach[contact.body_b]) < most_motion;
+        const bool stays = a.displacement(reach[contact.body_a]) + b.displacement(reach[contact.body_b]) < most_motion;
         EXPECT_EQ(kept[i], stays ? 1 : 0);
         EXPECT_EQ(contact.age, stays ? before.age + 1 : before.age);
         for (std::size_t p = 0; p < 2; ++p) {
@@ -63,7 +63,6 @@ TEST(KeepPoints, AgreesWithOneAtATime) {
           const Real separation = contact.found_separation[p] + dot(contact.normal, (b.by - a.by) + arms);
           const bool written = stays && static_cast<int>(p) < contact.count;
           EXPECT_EQ(contact.points[p].separation, written ? separation : before.points[p].separation);
-          EXPECT_EQ(contact.points[p].fresh, !written);
         }
       }
     }

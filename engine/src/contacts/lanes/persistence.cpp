@@ -1,4 +1,4 @@
-#include "narrow_phase/lanes/recycle.h"
+#include "contacts/lanes/persistence.h"
 
 #include "narrow_phase/lanes/pair_lanes.h"
 
@@ -17,20 +17,20 @@ PoseLanes gather_poses(const Real* const* rows) {
   return {{columns[0], columns[1]}, {columns[2], columns[3]}};
 }
 
-/// How a body has moved since some time.
+/// The motion of a body between two poses.
 struct MovedLanes {
   Vec2Lanes by;
   RotationLanes turn;
 
   MovedLanes(const PoseLanes& now, const PoseLanes& then) : by(now.p - then.p), turn(now.q * then.q.inverse()) {}
-  /// How far any point within reach can have come.
-  Lanes way(const Lanes& reach) const { return length(by) + abs(turn.s) * reach; }
+  /// The greatest displacement of a point within reach.
+  Lanes displacement(const Lanes& reach) const { return length(by) + abs(turn.s) * reach; }
 };
 
 }  // namespace
 
-void keep_points(Contact* contacts, const std::uint32_t* items, std::uint32_t count, const Pose* poses,
-                 const Real* reach, Real most_motion, std::uint8_t* kept) {
+void persist_points(Contact* contacts, const std::uint32_t* items, std::uint32_t count, const Pose* poses,
+                    const Real* reach, Real most_motion, std::uint8_t* kept) {
   const Lanes most = Lanes::all(most_motion);
   for (std::uint32_t from = 0; from < count; from += lane_count) {
     const Real* normals[lane_count];
@@ -70,7 +70,7 @@ void keep_points(Contact* contacts, const std::uint32_t* items, std::uint32_t co
       const Vec2Lanes turned = (b.turn * arm_b - arm_b) - (a.turn * arm_a - arm_a);
       (head[2 + p] + dot(normal, apart + turned)).store(separation[p]);
     }
-    const Lanes motion = a.way(Lanes::load(reach_a)) + b.way(Lanes::load(reach_b));
+    const Lanes motion = a.displacement(Lanes::load(reach_a)) + b.displacement(Lanes::load(reach_b));
     const std::uint32_t stay = (motion < most).bits();
     for (std::uint32_t lane = 0; lane < lane_count && from + lane < count; ++lane) {
       kept[from + lane] = stay >> lane & 1U;
@@ -80,10 +80,12 @@ void keep_points(Contact* contacts, const std::uint32_t* items, std::uint32_t co
       auto* points = reinterpret_cast<ContactPoint*>(&contact.points);
       for (std::int32_t p = 0; p < contact.count; ++p) {
         points[p].separation = separation[p][lane];
-        points[p].fresh = false;
       }
     }
   }
 }
+
+extern const ContactKernels contact_table;
+const ContactKernels contact_table{persist_points};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

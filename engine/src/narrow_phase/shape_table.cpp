@@ -1,9 +1,9 @@
-#include "broad_phase/shape_table.h"
+#include "narrow_phase/shape_table.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/closing.h"
+#include "narrow_phase/margin.h"
 #include "shapes/box_bounds.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -37,7 +37,7 @@ void ShapeTable::update(const BodySet& bodies, const Margin& margin) {
 }
 
 void ShapeTable::update(const BodySet& bodies, const Margin& margin, std::span<const Pair> pairs) {
-  if (bodies.pile_changes == 0) return;  // none was ever at rest
+  if (bodies.pile_changes == 0) return;  // no pile was ever at rest
   const auto update_one = [&](std::size_t i) {
     if (bodies.pile[proxies_[i].body] != 0) place(i, bodies, margin, 0);
   };
@@ -47,61 +47,61 @@ void ShapeTable::update(const BodySet& bodies, const Margin& margin, std::span<c
   }
 }
 
-void ShapeTable::grow(const BodySet& bodies, const Margin& margin, std::span<const Real> knocks) {
+void ShapeTable::grow(const BodySet& bodies, const Margin& margin, std::span<const Real> impact_changes) {
   for (std::size_t i = 0; i < proxies_.size(); ++i) {
-    const Real knock = knocks[proxies_[i].body];
-    if (knock > 0) place(i, bodies, margin, knock);
+    const Real change = impact_changes[proxies_[i].body];
+    if (change > 0) place(i, bodies, margin, change);
   }
 }
 
-void ShapeTable::place(std::size_t i, const BodySet& bodies, const Margin& margin, Real knock) {
-  const Still& still = still_[i];
+void ShapeTable::place(std::size_t i, const BodySet& bodies, const Margin& margin, Real impact_change) {
+  const FixedData& fixed = fixed_[i];
   const std::size_t body = proxies_[i].body;
   const Pose& pose = bodies.pose[body];
   ShapeRecord& record = records_[i];
   record.position = pose.p;
   record.velocity = bodies.velocity[body].v;
   record.rim = rim_speed(bodies, body);
-  record.knock = knock;
-  record.size = still.size;
+  record.impact_change = impact_change;
+  record.size = fixed.size;
   Aabb bounds;
-  switch (still.kind) {
+  switch (fixed.kind) {
     case ShapeKind::box:
-      record.offset = pose.q * still.centroid;
-      record.turn = pose.q * still.turn;
-      bounds = box_bounds(record.position + record.offset, record.turn, still.size);
-      slanted_[i] = fills_little(bounds, still.size) ? 1 : 0;
+      record.offset = pose.q * fixed.centroid;
+      record.turn = pose.q * fixed.turn;
+      bounds = box_bounds(record.position + record.offset, record.turn, fixed.size);
+      slanted_[i] = fills_little(bounds, fixed.size) ? 1 : 0;
       break;
     case ShapeKind::disc: {
-      record.offset = still.centroid;
+      record.offset = fixed.centroid;
       record.turn = pose.q;
-      const Vec2 center = to_world(pose, still.centroid);
-      bounds = grown(Aabb{center, center}, still.size.x);
+      const Vec2 center = to_world(pose, fixed.centroid);
+      bounds = grown(Aabb{center, center}, fixed.size.x);
       break;
     }
     case ShapeKind::other:
-      bounds = still.part->shape.bounds(pose);
+      bounds = fixed.part->shape.bounds(pose);
       break;
   }
   const Real speed = length(record.velocity);
-  const Real by = margin.distance / 2 + margin.time * (speed + record.rim) + margin.time * knock;
+  const Real by = margin.distance / 2 + margin.time * (speed + record.rim) + margin.time * impact_change;
   proxies_[i].bounds = grown(bounds, by);
   grown_by_[i] = by;
-  proxies_[i].way = {margin.time * record.velocity, margin.time * speed};
+  proxies_[i].displacement = {margin.time * record.velocity, margin.time * speed};
 }
 
-/// The other's bounds, seen in the box's frame.
+/// Tests the other's bounds in the box's frame.
 bool ShapeTable::beside(std::size_t box, std::size_t other) const {
   const ShapeRecord& record = records_[box];
   const Aabb& bounds = proxies_[other].bounds;
   const Vec2 half = Real{0.5} * (bounds.high - bounds.low);
   const Vec2 center = bounds.low + half;
-  const Vec2 there = record.turn.inverse() * (center - (record.position + record.offset));
+  const Vec2 local = record.turn.inverse() * (center - (record.position + record.offset));
   const Real c = std::abs(record.turn.c);
   const Real s = std::abs(record.turn.s);
   const Real by = grown_by_[box];
-  return std::abs(there.x) > record.size.x + by + (c * half.x + s * half.y) ||
-         std::abs(there.y) > record.size.y + by + (s * half.x + c * half.y);
+  return std::abs(local.x) > record.size.x + by + (c * half.x + s * half.y) ||
+         std::abs(local.y) > record.size.y + by + (s * half.x + c * half.y);
 }
 
 void ShapeTable::list(const BodySet& bodies) {
@@ -109,7 +109,7 @@ void ShapeTable::list(const BodySet& bodies) {
   part_changes_ = bodies.part_changes;
   sleep_changes_ = bodies.sleep_changes;
   pile_changes_ = bodies.pile_changes;
-  still_.clear();
+  fixed_.clear();
   proxies_.clear();
   several_parts_ = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -120,7 +120,7 @@ void ShapeTable::list(const BodySet& bodies) {
       const Shape& shape = body.parts[p].shape;
       const ShapeKind kind = kind_of(shape);
       const Vec2 x = shape.normal(1);  // of a box, along its x axis
-      still_.push_back({&body.parts[p], shape.centroid(), Rotation(x.x, x.y),
+      fixed_.push_back({&body.parts[p], shape.centroid(), Rotation(x.x, x.y),
                         kind == ShapeKind::box ? shape.half_extents() : Vec2{shape.radius(), 0},
                         body.parts[p].material.restitution, kind});
       proxies_.push_back({{},

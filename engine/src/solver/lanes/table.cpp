@@ -7,6 +7,7 @@ extern const ContactPasses<lane_count> contact_passes;
 KickByForces kick_by_forces;
 KickBodies kick_bodies;
 DriftBodies drift_bodies;
+TurnToAngles turn_to_angles;
 
 namespace {
 
@@ -21,7 +22,8 @@ constexpr const ContactPasses<width>* passes_of() {
 
 }  // namespace
 
-extern const PileKernels pile_table;
-const PileKernels pile_table{passes_of<8>(), passes_of<16>(), kick_by_forces, kick_bodies, drift_bodies};
+extern const SolverKernels solver_table;
+const SolverKernels solver_table{passes_of<8>(), passes_of<16>(), kick_by_forces,
+                                 kick_bodies,    drift_bodies,    turn_to_angles};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

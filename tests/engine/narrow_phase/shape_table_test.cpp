@@ -1,11 +1,11 @@
-#include "broad_phase/shape_table.h"
+#include "narrow_phase/shape_table.h"
 
 #include <gtest/gtest.h>
 
 #include "../random_shapes.h"
 #include "../support.h"
-#include "contacts/closing.h"
 #include "narrow_phase/collide.h"
+#include "narrow_phase/margin.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -42,7 +42,7 @@ TEST(ShapeTable, TellsApartOnlyWhatMakesNoContact) {
     const std::size_t b = add(bodies, shape, pose, {v, w});
     ShapeTable shapes;
     shapes.update(bodies, margin);
-    const bool meet = collide(plank, plank_pose, shape, pose, closing(bodies, a, b, margin)).count > 0;
+    const bool meet = collide(plank, plank_pose, shape, pose, speculative_gap(bodies, a, b, margin)).count > 0;
     EXPECT_FALSE(meet && shapes.apart(a, b)) << i;
     EXPECT_EQ(shapes.apart(a, b), shapes.apart(b, a));
     apart += shapes.apart(a, b) ? 1 : 0;
