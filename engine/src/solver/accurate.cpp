@@ -11,19 +11,15 @@
 #include "core/method_list.h"
 #include "core/stages.h"
 #include "solver/colouring.h"
-#include "solver/descent.h"
 #include "solver/energy_bound.h"
-#include "solver/impact_rows.h"
 #include "solver/impacts.h"
 #include "solver/island.h"
 #include "solver/partition.h"
 #include "solver/pile.h"
-#include "solver/pile_island.h"
 #include "solver/resting_piles.h"
 #include "solver/scalar_contacts.h"
 #include "solver/solver.h"
 #include "solver/turning.h"
-#include "solver/unpushed.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -472,20 +468,13 @@ void Accurate::note_loads(const Island& island) {
   }
 }
 
-constexpr const char* source =
-    "soft contacts and relaxation after E. Catto, Soft Constraints (GDC 2011) and Solver2D (2024); velocity Verlet; "
-    "time-of-impact events";
-
 const MethodList<Solver>::Entry accurate_entry{
     {"accurate", "sub-steps by kick, press, drift, kick, relax; impacts at their own times; loads without sinking",
-     source},
-    [] { return std::make_unique<Accurate>(true); }};
-
-const MethodList<Solver>::Entry scalar_entry{
-    {"accurate-scalar", "the same one contact at a time in piles, too: what the lanes of `accurate` are tested against",
-     source},
-    [] { return std::make_unique<Accurate>(false); }};
+     accurate_source},
+    [] { return make_accurate(true); }};
 
 }  // namespace
+
+std::unique_ptr<Solver> make_accurate(bool lanes) { return std::make_unique<Accurate>(lanes); }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -10,7 +10,6 @@
 #include "solver/lanes/contact_lanes.h"
 #include "solver/partition.h"
 #include "solver/solver.h"
-#include "solver/tie.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

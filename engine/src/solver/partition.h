@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "islands/islands.h"
+#include "solver/lanes/contact_lanes.h"
 #include "solver/solver.h"
-#include "solver/tie.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -10,10 +10,33 @@
 #include "solver/lanes/kernels.h"
 #include "solver/motion.h"
 #include "solver/partition.h"
-#include "solver/pile_lanes.h"
 #include "solver/solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
+
+/// The contacts of a pile in lanes, of as many as the kernels take at a time.
+class PileLanes {
+ public:
+  static std::unique_ptr<PileLanes> make(const SolverKernels& kernels);
+  PileLanes() = default;
+  PileLanes(const PileLanes&) = delete;
+  PileLanes& operator=(const PileLanes&) = delete;
+  virtual ~PileLanes() = default;
+
+  /// How many contacts: the colouring must have been made for that.
+  virtual std::uint32_t at_a_time() const = 0;
+  /// `row_of` has the row of each body of the world that has one; `no_row` is the first row of no body.
+  virtual void lay_out(std::span<Contact> contacts, const BodySet& bodies, const Island& island,
+                       const Colouring& colouring, const std::vector<std::uint32_t>& row_of, std::uint32_t no_row) = 0;
+  // See ContactPasses.
+  virtual void begin_late(const BodyRows& bodies) = 0;
+  virtual void kick(const BodyRows& bodies) = 0;
+  virtual void press(const BodyRows& bodies, Real h) = 0;
+  virtual void relax(const BodyRows& bodies, bool again) = 0;
+  virtual void settle(bool settling) = 0;
+  /// Hands impulses and offsets back to the contacts that were laid out.
+  virtual void store() = 0;
+};
 
 /// A large island of `accurate` without joints and rebounds, carried over a step eight or sixteen contacts at a time:
 /// the same sub-step as in accurate.cpp with two liberties that cost no accuracy. Contacts are taken by colours, and
@@ -73,5 +96,19 @@ class Pile {
   std::vector<Real> mass_;                       // kg, kg, kg m^2, 0 of each row
   BodyRows rows_{};
 };
+
+/// Whether an island under constant forces is worth the laying out in lanes, and needs nothing that these cannot do:
+/// few bodies in motion are followed closely, but for discs, whose normals turn in lanes, too.
+bool is_pile(const StepData& data, const Island& island);
+
+/// Chooses sub-steps and sweeps of a pile.
+void plan_pile(const StepData& data, Island& island, const std::vector<Velocity>& acceleration);
+/// Those sweeps more that it may take after a blow at one of its contacts.
+void relax_blows(const StepData& data, Island& island);
+
+/// Carries a pile that was planned over a step.
+void step_as_pile(StepData& data, const Partition& parts, const Island& island,
+                  const std::vector<Velocity>& acceleration, std::vector<Motion>& motion, Pile& pile,
+                  Pile::RowOf& row_of);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

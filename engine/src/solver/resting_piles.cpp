@@ -9,7 +9,6 @@
 #include "contacts/contact_search.h"
 #include "contacts/lanes/persistence.h"
 #include "solver/lanes/kernels.h"
-#include "solver/pile_island.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

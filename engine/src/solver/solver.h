@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "bodies/body_set.h"
@@ -47,5 +48,11 @@ class Solver {
   /// The piles at rest whose contacts it keeps to itself; null if it never does.
   virtual RestingPiles* resting() { return nullptr; }
 };
+
+/// The default method, `accurate`. `lanes`: solves large islands with the kernels, otherwise one contact at a time.
+std::unique_ptr<Solver> make_accurate(bool lanes);
+constexpr const char* accurate_source =
+    "soft contacts and relaxation after E. Catto, Soft Constraints (GDC 2011) and Solver2D (2024); velocity Verlet; "
+    "time-of-impact events";
 
 }  // namespace impulse::inline IMPULSE_PRECISION

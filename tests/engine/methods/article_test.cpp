@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "../support.h"
+#include "core/method_list.h"
+#include "reference/faults/engine/misprinted_article.h"
 
 namespace {
 
@@ -219,6 +221,41 @@ TEST(Article, NeverPulls) {
   const BodyId b = world.create_body(at(.99, 0, 1, 0), Shape::circle(Real{0.5}));
   world.step();
   EXPECT_EQ(world.body(b).velocity(), (Vec2{1, 0}));
+}
+
+// The faults of reference/faults/engine replace formulas in a copy of the method, which must not drift apart from it.
+TEST(Article, HasTheBitsOfItsCopyWithoutMisprints) {
+  MethodList<Solver>::extend([](std::string_view name) -> std::unique_ptr<Solver> {
+    if (name != "copy") return nullptr;
+    return std::make_unique<MisprintedArticle<PrintedFormulas>>();
+  });
+  const auto run_pile = [](const char* solver) {
+    Settings settings;
+    settings.solver = solver;
+    World world(settings);
+    const Material material{1, real(.5), real(.3), real(.4)};
+    add_floor(world, material);
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 8; ++i) {
+      const BodyDef def = at(.3 * (i % 3), 1 + 1.1 * i, i % 2, 0);
+      bodies.push_back(i % 2 == 0 ? world.create_body(def, Shape::box({real(.5), real(.4)}), material)
+                                  : world.create_body(def, Shape::circle(Real{0.5}), material));
+    }
+    world.create_joint(RevoluteJoint{bodies[0], bodies[1], {0, real(1.5)}});
+    run(world, 120);
+    std::vector<Real> numbers;
+    for (const BodyId id : bodies) {
+      const Body body = world.body(id);
+      for (const Real number : {body.position().x, body.position().y, body.angle(), body.velocity().x,
+                                body.velocity().y, body.angular_velocity()}) {
+        numbers.push_back(number);
+      }
+    }
+    return numbers;
+  };
+  const std::vector<Real> copy = run_pile("copy");
+  MethodList<Solver>::extend(nullptr);
+  EXPECT_EQ(run_pile("article"), copy);
 }
 
 }  // namespace

@@ -181,4 +181,7 @@ constexpr std::uint32_t count_points(const Contacts& contacts) {
   return std::extent_v<decltype(contacts.point)>;
 }
 
+void lay_out_contacts(const ContactTable& table, const LayoutInput& input);
+void store_contacts(const ContactTable& table, const LayoutInput& input);
+
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

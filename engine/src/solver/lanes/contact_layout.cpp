@@ -1,4 +1,4 @@
-#include "solver/lanes/contact_layout.h"
+#include "solver/lanes/contact_frame.h"
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 

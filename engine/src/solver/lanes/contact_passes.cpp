@@ -1,5 +1,4 @@
 #include "solver/lanes/contact_frame.h"
-#include "solver/lanes/contact_layout.h"
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 

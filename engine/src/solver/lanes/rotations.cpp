@@ -1,9 +1,9 @@
-#include "solver/lanes/rotations.h"
-
 #include <cstring>
 
+#include "core/simd.h"
 #include "core/sin_cos.h"
 #include "impulse/math.h"
+#include "solver/lanes/kernels.h"
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 

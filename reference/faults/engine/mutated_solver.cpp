@@ -1,4 +1,4 @@
-#include "reference/faults/engine/spoilt_solver.h"
+#include "reference/faults/engine/mutated_solver.h"
 
 #include <algorithm>
 
@@ -10,7 +10,8 @@ bool same_pair(const Contact& a, const Contact& b) {
   return a.body_a == b.body_a && a.body_b == b.body_b && a.part_a == b.part_a && a.part_b == b.part_b;
 }
 
-// What a solver leaves in a contact for the next step and for the outside; of points that it was not shown, nothing.
+// Copies the impulses for the next step and for readers back to the contacts; points that the solver was not shown get
+// none.
 void store(const std::vector<Contact>& from, std::vector<Contact>& contacts) {
   for (Contact& contact : contacts) {
     const auto solved =
@@ -29,14 +30,14 @@ void store(const std::vector<Contact>& from, std::vector<Contact>& contacts) {
 
 }  // namespace
 
-void SpoiltSolver::step(StepData& data) {
-  SpoiltStep spoilt{data.bodies, data.contacts, data.forces, data.settings};
-  before(spoilt);
-  StepData shown{spoilt.bodies,   spoilt.contacts, data.joints, spoilt.forces,
-                 data.integrator, spoilt.settings, data.workers};
+void MutatedSolver::step(StepData& data) {
+  MutatedStep mutated{data.bodies, data.contacts, data.forces, data.settings};
+  before(mutated);
+  StepData shown{mutated.bodies,  mutated.contacts, data.joints, mutated.forces,
+                 data.integrator, mutated.settings, data.workers};
   right_->step(shown);
-  store(spoilt.contacts, data.contacts);
-  after(spoilt);
+  store(mutated.contacts, data.contacts);
+  after(mutated);
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "methods/article_formulas.h"
@@ -10,28 +9,17 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// The method of the seed (R. Gaul, "How to create a custom 2D physics engine", parts 1, 3 and 4, and the demo engine
-/// that comes with it): impulses point by point, not accumulated, then linear projection of the overlap.
-///
-/// With vn = (vB - vA).n at a point and k = 1/mA + 1/mB + (rA x n)^2/IA + (rB x n)^2/IB, where the print has lost the
-/// minus sign and the (1 + e),
-///
-///     j = -(1 + e) vn / k,
-///
-/// divided by the number of the manifold's points, as in the demo engine: each would stop a flat landing alone. The
-/// points share out the velocities that all of them find (the demo engine lets the second see what the first did, and
-/// so a flat landing turns a box and its friction drives it sideways).
-///
-/// Iterated over two points the formula ends at vn = 0, whatever e, since every impulse sees only what the others left.
-/// So the approach before any impulse, vn0, settles the speed of parting, and until a point has reached it
-///
-///     j = (e |vn0| - vn) / k:  a single point gets the printed impulse exactly, and at once.
-///
-/// Friction has no (1 + e): jt = -vt / kt, divided likewise. Amontons-Coulomb: it sticks while |jt| <= mu_static j,
-/// else it slides with mu_dynamic j against the motion. In the plane the print's tangent, vr - (vr.n) n at unit length,
-/// is perpendicular(n) up to its sign; taking that, nothing is divided by a tangential speed of zero.
+/// What a misprint is derived from; `part` is also told the length of the step.
+struct PrintedFormulas : ArticleFormulas {
+  static void part(BodySet& bodies, const Contact& contact, Real depth, Real /*dt*/) {
+    ArticleFormulas::part(bodies, contact, depth);
+  }
+};
+
+/// The engine's solver `article` (see engine/methods/article.cpp), step by step, with some of its formulas replaced.
+/// With PrintedFormulas themselves it gives the same bits.
 template <class Formulas>
-class Article : public Solver {
+class MisprintedArticle : public Solver {
  public:
   void step(StepData& data) override {
     const Real dt = data.settings.dt;
@@ -39,7 +27,7 @@ class Article : public Solver {
     prepare(data);
     for (ActiveJoint& joint : data.joints) forget_impulses(joint.block);
     for (int i = 0; i < data.settings.iterations; ++i) {
-      for (ActiveJoint& joint : data.joints) solve_joint(joint.block, dt, joint_percent, data.bodies);
+      for (ActiveJoint& joint : data.joints) solve_joint(joint.block, dt, Formulas::joint_percent, data.bodies);
       solve(data);
     }
     data.integrator.finish(data.bodies, data.forces, dt);
@@ -47,41 +35,23 @@ class Article : public Solver {
   }
 
   void state(const Settings& settings, StatedErrors& errors) const override {
-    errors.gap = slop;
-    errors.joints = true;
-    // Friction is held against each push of its own and not against their sum, so what gravity adds along a slope in a
-    // step, |g| sin(slope) dt, is never taken out whole. Half of |g| dt is that on 30 degrees.
-    errors.creep = length(settings.gravity) * settings.dt / 2;
-    errors.restitution_threshold = resting_speed(settings);
+    Formulas::state_errors(settings, errors);
   }
 
  private:
-  static constexpr Real slop =
-      static_cast<Real>(.005);  // m, overlap left alone, so that a resting contact is there in every step
-  static constexpr Real joint_percent =
-      static_cast<Real>(0.2);  // of a joint's error, taken away in a step (Baumgarte 1972)
-  static constexpr Real percent =
-      static_cast<Real>(.4);  // of the overlap beyond it, removed a step; all at once makes stacks jitter
-
-  /// What a point needs besides its contact.
+  /// What a point needs in addition to its contact.
   struct Point {
     Real normal_mass = 0;   // kg
     Real tangent_mass = 0;  // kg
-    Real rebound = 0;       // m/s, the speed of parting that the approach before any impulse asks for; 0 once reached
+    Real rebound = 0;       // m/s, the rebound speed for the approach before any impulse; 0 once reached
   };
-
-  // The demo engine's rule: gravity alone presses resting bodies together at |g| dt in every step. That is no impact,
-  // so e = 0 up to this speed; and a tenth beyond it, for what the iterations of the last step left.
-  static Real resting_speed(const Settings& settings) {
-    return static_cast<Real>(1.1) * length(settings.gravity) * settings.dt;
-  }
 
   static Real normal_velocity(const Touching& pair, const Contact& contact, std::size_t p) {
     return dot(Formulas::relative_velocity(pair, contact.points[p]), contact.normal);
   }
 
   void prepare(const StepData& data) {
-    resting_speed_ = resting_speed(data.settings);
+    resting_speed_ = Formulas::resting_speed(data.settings);
     points_.resize(data.contacts.size());
     for (std::size_t c = 0; c < data.contacts.size(); ++c) {
       const Contact& contact = data.contacts[c];
@@ -101,7 +71,7 @@ class Article : public Solver {
       Contact& contact = data.contacts[c];
       Touching pair(data.bodies, contact);
       const auto j = push_apart(pair, contact, points_[c]);
-      rub(pair, contact, points_[c], j);
+      apply_friction(pair, contact, points_[c], j);
       data.bodies.velocity[contact.body_a] = pair.a;
       data.bodies.velocity[contact.body_b] = pair.b;
     }
@@ -113,7 +83,7 @@ class Article : public Solver {
     const auto count = static_cast<std::size_t>(contact.count);
     for (std::size_t p = 0; p < count; ++p) {
       const Real vn = normal_velocity(pair, contact, p);
-      // What others set in motion, as in a row of touching balls, answers to how it approaches now.
+      // Bodies set in motion by others, as in a row of touching balls, rebound by how they approach now.
       const Real target = std::max(points[p].rebound, Formulas::rebound(contact, vn, resting_speed_));
       if (vn >= target || count == 1) points[p].rebound = 0;
       if (vn < target) j[p] = Formulas::normal_impulse(target, vn, points[p].normal_mass, contact.count);
@@ -126,7 +96,8 @@ class Article : public Solver {
     return j;
   }
 
-  static void rub(Touching& pair, Contact& contact, const std::array<Point, 2>& points, const std::array<Real, 2>& j) {
+  static void apply_friction(Touching& pair, Contact& contact, const std::array<Point, 2>& points,
+                             const std::array<Real, 2>& j) {
     const Vec2 tangent = perpendicular(contact.normal);
     std::array<Real, 2> jt{};
     const auto count = static_cast<std::size_t>(contact.count);
@@ -149,8 +120,8 @@ class Article : public Solver {
       }
       const Real ma = data.bodies.inverse_mass[contact.body_a].m;
       const Real mb = data.bodies.inverse_mass[contact.body_b].m;
-      if (overlap <= slop || ma + mb == 0) continue;
-      Formulas::part(data.bodies, contact, percent * (overlap - slop), data.settings.dt);
+      if (overlap <= Formulas::slop || ma + mb == 0) continue;
+      Formulas::part(data.bodies, contact, Formulas::percent * (overlap - Formulas::slop), data.settings.dt);
     }
   }
 

@@ -1,4 +1,4 @@
-#include "solver/offset_rule.h"
+#include "solver/island.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/descent.h"
+#include "solver/energy_bound.h"
 
 #include <gtest/gtest.h>
 
