@@ -10,8 +10,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// x += v dt with the old v, then v += a dt. Here to be seen failing: on a spring it multiplies the energy by
-/// 1 + (w dt)^2 every step, whatever the step.
+/// x += v dt with the old v, then v += a dt. Included because it fails: on a spring it multiplies the energy by
+/// 1 + (w dt)^2 in every step, whatever the step.
 class ExplicitEuler : public Integrator {
  public:
   void begin(BodySet& bodies, const ForceField& forces, Real) override {
@@ -26,7 +26,7 @@ class ExplicitEuler : public Integrator {
     }
   }
 
-  // x = g (t^2 - t h)/2: every step moves with the velocity it began with.
+  // x = g (t^2 - t h)/2: every step moves with its initial velocity.
   Real drift() const override { return -static_cast<Real>(.5); }
   int order() const override { return 1; }
 
@@ -41,12 +41,12 @@ const MethodList<Integrator>::Entry explicit_euler_entry{
 /// Kick, drift, kick: v += a(x) h/2, x += v h, v += a(x') h/2. Second order, symplectic, stable on a spring up to
 /// w h = 2, and exact where the acceleration is constant: x + h (v + a h/2) is the parabola itself.
 ///
-/// A body that a contact or joint held in the last step does not fly: where it goes is what its support lets it, so it
-/// takes the whole kick before the contacts are solved. (Half a kick after them would leave it pressed into its support
-/// at the end of each step, with a velocity of g h/2.)
+/// A body that a contact or joint held in the last step does not fly: its support determines its motion, so it gets the
+/// whole kick before the contacts are solved. (Half a kick after them would leave it moving into its support at the end
+/// of each step, at g h/2.)
 ///
-/// Damping stays of second order and stable: implicit in the first half, explicit in the second, together
-/// v (1 - h d/2)/(1 + h d/2), the trapezoidal rule; a whole kick implicit over h/2 is the same.
+/// Damping is of second order and stable: implicit in the first half, explicit in the second, together
+/// v (1 - h d/2)/(1 + h d/2), the trapezoidal rule; a whole kick, implicit over h/2, is the same.
 class VelocityVerlet : public Integrator {
  public:
   void begin(BodySet& bodies, const ForceField& forces, Real h) override {
@@ -83,8 +83,8 @@ const MethodList<Integrator>::Entry velocity_verlet_entry{
 /// The classical fourth-order Runge-Kutta method on poses and velocities of all bodies together. Stable on a spring up
 /// to w h = 2 sqrt 2; not symplectic, energy fades slowly.
 ///
-/// The stages are of free motion; contacts change the velocity only at the end of it: the poses move by the mean of the
-/// stages' velocities plus what the contacts added. Where they do, the order is lost.
+/// The stages are free motion; contacts change the velocity only after them: the poses move by the mean of the stages'
+/// velocities plus the change by the contacts. With contacts the order is lower.
 class RungeKutta4 : public Integrator {
  public:
   void begin(BodySet& bodies, const ForceField& forces, Real h) override {
@@ -121,14 +121,15 @@ class RungeKutta4 : public Integrator {
 
   Real drift() const override { return 0; }
   int order() const override { return 4; }
-  /// Along a support. Its normal part n of gravity moves the pose by n h^2/2 less in a step than the contact gives
-  /// back, n h^2: the body is lifted by n h^2/2 once, and from then on approaches with n h/2. That half a kick, which
-  /// the contact has not given, is friction not given either: along the support the body is faster by mu n h/2, and
-  /// that makes up for mu n h^2/2 of way that friction, acting on the pose for whole steps, takes too much in each.
+  /// Along a support. The normal part n of gravity moves the pose by n h^2/2 in a step, but the contact moves it back
+  /// by n h^2: the body is lifted by n h^2/2 once, and from then on approaches at n h/2. The contact lacks that half of
+  /// a kick, and so does friction: along the support the body is faster by mu n h/2, which compensates for the mu n
+  /// h^2/2 of displacement that friction, acting on the pose for whole steps, removes too much in each.
   int order_in_contact() const override { return 2; }
 
  private:
-  /// Adds the slopes at the present state by `weight`, then puts the bodies `next` seconds along them from the start.
+  /// Adds the slopes at the current state times `weight`, then moves the bodies along them by `next` seconds from the
+  /// start.
   void stage(BodySet& bodies, const ForceField& forces, Real weight, Real next) {
     forces.accelerations(bodies, 0, acceleration_);
     for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -52,8 +52,7 @@ void SequentialImpulses::warm_start(StepData& data) {
   }
 }
 
-// Joints and friction first: what comes last is fulfilled best, and that bodies do not pass through each other matters
-// most.
+// Joints and friction first: the constraint solved last is satisfied best, and non-penetration matters most.
 void SequentialImpulses::iterate(StepData& data, Real joint_share) {
   std::vector<Velocity>& velocity = data.bodies.velocity;
   for (ActiveJoint& joint : data.joints) solve_joint(joint.block, data.settings.dt, joint_share, data.bodies);
@@ -67,14 +66,14 @@ void SequentialImpulses::iterate(StepData& data, Real joint_share) {
 
 namespace {
 
-constexpr Real beta = static_cast<Real>(.2);  // of the error, taken away in a step
+constexpr Real beta = static_cast<Real>(.2);  // fraction of the error removed in a step
 
-/// Sequential impulses with Baumgarte's stabilisation: a point that overlaps beyond the slop is made to part at
+/// Sequential impulses with Baumgarte's stabilisation: a point that overlaps beyond the slop must separate at
 ///
 ///   beta (overlap - slop) / dt,
 ///
-/// so the same impulses that stop bodies also push them apart. Simple, but that velocity is energy: bodies that were
-/// pushed into each other jump.
+/// so the same impulses that stop bodies also push them apart. Simple, but that velocity is energy: overlapping bodies
+/// jump apart.
 class SequentialImpulse : public SequentialImpulses {
  private:
   void push_apart(ImpulseRow& row, ContactFrame& frame) const override { push_apart_in_turn(row, frame); }

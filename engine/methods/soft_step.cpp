@@ -14,24 +14,24 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real speculative = static_cast<Real>(.02);  // m, gap up to which a contact is watched
+constexpr Real speculative = static_cast<Real>(.02);  // m, gap up to which contacts are considered
 constexpr Real highest_frequency = 30;                // 1/s, of contacts; but never beyond a quarter of the sub-steps'
 constexpr Real damping_ratio = 10;
-constexpr Real push_out_speed = 3;         // m/s, at which overlap is undone at most
+constexpr Real push_out_speed = 3;         // m/s, the greatest speed at which overlap is removed
 constexpr Real restitution_threshold = 1;  // m/s, of approach
-/// Joints are springs of the frequency of fixed contacts, so much damped that an error creeps away.
+/// Joints are springs of the frequency of fixed contacts, overdamped so that errors decay slowly.
 constexpr Real joint_damping_ratio = 5;
 
 /// A step is cut into sub-steps of h, each of them
 ///
 ///   kick     v += h a
 ///   warm     the impulses of the last sub-step again
-///   press    contacts as damped springs on the depth: velocities that correct positions too
+///   press    contacts as soft constraints: velocities that correct positions too
 ///   drift    x += h v
-///   relax    the same contacts rigid, with friction: takes out of the velocities what the springs put in
+///   relax    the same contacts rigid, with friction: removes the velocity that the soft constraints added
 ///
-/// and at the end of the step the contacts that were hit get their restitution, once. One sweep each: what converges
-/// is the small steps ("small steps in physics simulation", Macklin et al. 2019), not iterations.
+/// and at the end of the step restitution is applied once to the contacts that were hit. One iteration each: the small
+/// steps converge ("small steps in physics simulation", Macklin et al. 2019), not iterations.
 class SoftStep : public Solver {
  public:
   void step(StepData& data) override;
@@ -62,8 +62,8 @@ class SoftStep : public Solver {
   }
 
   Real h_ = 0;
-  Real per_h_ = 0;         // 1/h: a product is soon there, a quotient is not
-  Softness soft_, stiff_;  // between movable bodies; against what cannot move
+  Real per_h_ = 0;         // 1/h: multiplying is faster than dividing
+  Softness soft_, stiff_;  // between movable bodies; against fixed ones
   Softness joint_;         // of joints
   std::vector<ContactRow> rows_;
   std::vector<Approach> approaches_;
@@ -85,8 +85,8 @@ void SoftStep::step(StepData& data) {
   end_stage("store");
 }
 
-/// Impulses are kept per step, since the number of sub-steps may change: of a whole step to those of a sub-step, and
-/// back.
+/// Scales impulses between a whole step and a sub-step. They are stored per step, because the number of sub-steps may
+/// change.
 void SoftStep::share_impulses(StepData& data, Real by) {
   for (ContactRow& row : rows_) {
     for (RowPoint& p : row.points) {
@@ -171,7 +171,7 @@ void SoftStep::warm_start(StepData& data) {
   }
 }
 
-/// A gap may close within the sub-step, but no further; overlap pushes back as a spring.
+/// A gap may close within the sub-step, but no further; overlap is a soft constraint.
 void SoftStep::press(StepData& data) {
   BodySet& bodies = data.bodies;
   for (ActiveJoint& joint : data.joints) solve_soft_joint(joint.block, h_, joint_, bodies);
@@ -223,8 +223,9 @@ void SoftStep::relax(StepData& data) {
   }
 }
 
-/// Newton's law for the points that were struck: what approached faster than the threshold parts with e times that.
-/// The sum of impulses stays a push. Left out of the warm start: the next step begins with no such load.
+/// Newton's law for the points that were hit: those that approached faster than the threshold separate at e times that
+/// speed. The sum of impulses stays >= 0. The warm start does not include this impulse, because the next step has no
+/// such load.
 void SoftStep::restitute(BodySet& bodies) {
   for (const Approach& approach : approaches_) {
     ContactRow& row = rows_[approach.row];

@@ -9,8 +9,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Velocities and positions apart: sequential impulses that only stop what approaches, then the overlap is removed by
-/// moving the bodies. What was pushed into each other parts without a jump.
+/// Solves velocities and positions separately: sequential impulses only stop the approach, then overlap is removed by
+/// moving the bodies, which therefore separate without a jump.
 class SplitImpulse : public SequentialImpulses {
  private:
   void push_apart(ImpulseRow& row, ContactFrame& frame) const override { push_apart_in_turn(row, frame); }
@@ -26,16 +26,16 @@ const MethodList<Solver>::Entry split_impulse_entry{
      "E. Catto, Modeling and Solving Constraints (GDC 2009), and Box2D 2.4"},
     [] { return std::make_unique<SplitImpulse>(); }};
 
-/// Two points almost in one place have a matrix that says nothing about the difference of their loads.
+/// The matrix of two points almost in one place does not determine the difference of their loads.
 constexpr Real worst_condition = 1000;
 
-/// Sequential impulses in which the two points of a manifold are solved together, so that a box that rests on a side
-/// does not rock between its corners. With K the matrix of inverse effective masses, w the speeds of parting beyond
-/// those wanted, and x the accumulated impulses,
+/// Sequential impulses in which the two points of a manifold are solved together, so that a box resting on a side does
+/// not rock between its corners. With K the matrix of inverse effective masses, w the separating speeds beyond those
+/// required, and x the accumulated impulses,
 ///
 ///   w = K x + q,   w >= 0,   x >= 0,   w . x = 0,
 ///
-/// a linear complementarity problem so small that its four cases are tried in turn (Murty, Linear Complementarity,
+/// a linear complementarity problem small enough to try its four cases in turn (Murty, Linear Complementarity,
 /// 1988, total enumeration). Positions as in split-impulse.
 class Block : public SequentialImpulses {
  private:
@@ -47,7 +47,7 @@ class Block : public SequentialImpulses {
   PositionCorrection positions_;
 };
 
-/// x of the problem above, K = ((k11, k12), (k12, k22)); nothing where rounding leaves no case.
+/// x of the problem above, K = ((k11, k12), (k12, k22)); nullopt if rounding excludes all four cases.
 std::optional<Vec2> complementary(const Mat22& k, Vec2 q) {
   const Vec2 both = k.solve(-q);
   if (both.x >= 0 && both.y >= 0) return both;

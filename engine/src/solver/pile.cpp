@@ -16,7 +16,7 @@ namespace {
 
 const Contact no_contact{};
 
-/// What is the same for all contacts of an island.
+/// The layout input common to all contacts of an island.
 LayoutInput input_of(std::span<Contact> contacts, const BodySet& bodies, const Island& island,
                      const std::vector<std::uint32_t>& row_of, std::uint32_t no_row) {
   LayoutInput input{};
@@ -100,7 +100,7 @@ class PileLanesOf : public PileLanes {
   ContactTable<width> table_{};
 };
 
-/// Contacts, from which laying them out in lanes pays.
+/// Contacts from which laying them out in lanes pays.
 constexpr std::size_t least_pile = 64;
 
 void scale_offsets(const StepData& data, const Island& island, Real by) {
@@ -109,7 +109,7 @@ void scale_offsets(const StepData& data, const Island& island, Real by) {
 }
 
 constexpr std::uint32_t nowhere = ~std::uint32_t{0};
-constexpr std::size_t block = 16;  // rows that kernels take at a time at most
+constexpr std::size_t block = 16;  // the most rows that kernels process at a time
 
 std::size_t rounded_up(std::size_t count) { return (count + block - 1) / block * block; }
 
@@ -171,8 +171,8 @@ void Pile::forget_rows(RowOf& row_of) const {
   }
 }
 
-/// What is kept has its rows. Then bodies of the island, then those that it touches and does not move, then at least
-/// one row of no body.
+/// Assigns rows: first the bodies of kept contacts, then bodies of the island, then those that it touches and does not
+/// move, then at least one unused row.
 void Pile::take_bodies(const BodySet& bodies, const Island& island, RowOf& row_of) {
   row_of.resize(bodies.size(), nowhere);
   present_.resize(kept_rows_);
@@ -186,7 +186,7 @@ void Pile::take_bodies(const BodySet& bodies, const Island& island, RowOf& row_o
   }
 }
 
-/// Motions go on where they are kept, the others begin.
+/// Motions of kept rows continue; the others start at 0.
 void Pile::take_motions(const BodySet& bodies, const std::vector<Velocity>& acceleration) {
   const std::size_t count = rounded_up(present_.size() + 1);
   for (auto* rows : {&velocity_, &before_, &kick_, &acceleration_}) rows->assign(4 * count, 0);
@@ -227,7 +227,7 @@ void Pile::substep(const Island& island, bool first) {
   if (island.settling) lanes_->settle(true);
 }
 
-/// As Accurate::relax_until_bounded.
+/// Like Accurate::relax_until_bounded.
 void Pile::relax_until_bounded(const Island& island) {
   const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   const Real most = start_energy_ + work() + rounding * start_energy_;
@@ -247,7 +247,7 @@ void Pile::leave(const StepData& data, const Island& island, const RowOf& row_of
   }
 }
 
-/// Sine and cosine of bodies that have turned too far for the series of the kernel.
+/// Recomputes sine and cosine of bodies that have rotated too far for the series of the kernel.
 void Pile::turn_far() {
   for (std::size_t i = 0; i < turn_.size(); ++i) {
     Motion turned;
@@ -257,7 +257,7 @@ void Pile::turn_far() {
   }
 }
 
-/// Of the bodies that can be pushed; the others do not share in an island's energy.
+/// Sets the masses of the bodies that can be pushed; others do not count in an island's energy.
 void Pile::weigh(const StepData& data, const Island& island, const RowOf& row_of) {
   mass_.assign(velocity_.size(), 0);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
@@ -268,7 +268,7 @@ void Pile::weigh(const StepData& data, const Island& island, const RowOf& row_of
   }
 }
 
-/// J. In several sums at once, here and below: a single one would wait at every body for the body before.
+/// J. In several partial sums, here and below: in a single one every addition would wait for the one before.
 Real Pile::kinetic_energy() const {
   std::array<Real, block> sums{};
   for (std::size_t i = 0; i < velocity_.size(); i += block) {
@@ -277,7 +277,7 @@ Real Pile::kinetic_energy() const {
   return std::accumulate(sums.begin(), sums.end(), Real{0}) / 2;
 }
 
-/// J, that the forces gave in this sub-step.
+/// J, the work of the forces in this sub-step.
 Real Pile::work() const {
   std::array<Real, 4> sums{};
   for (std::size_t i = 0; i < turn_.size(); i += sums.size()) {

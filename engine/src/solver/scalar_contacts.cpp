@@ -7,15 +7,15 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Whether these are the points that the row was made of: of two discs they never are, whose normal turns with them.
+/// Whether the row was made from the contact's current points; never for two discs, whose normal rotates with them.
 bool keeps_points(const ImpactRow& row, const Contact& contact) {
   const auto same = [](const Pose& then, const Pose& now) { return then.p == now.p && then.q == now.q; };
   return row.made && !contact.discs() && same(row.found_a, contact.found_a) && same(row.found_b, contact.found_b) &&
          row.normal == contact.normal && row.found_separation == contact.found_separation;
 }
 
-/// A row whose contact keeps its points: only how deep they are and what they bear is new.
-void go_on(ImpactRow& row, const Contact& contact) {
+/// Updates a row whose contact kept its points: only their separations and impulses are new.
+void update(ImpactRow& row, const Contact& contact) {
   row.static_friction = contact.static_friction;
   row.dynamic_friction = contact.dynamic_friction;
   row.restitution = contact.restitution;
@@ -30,14 +30,14 @@ void go_on(ImpactRow& row, const Contact& contact) {
   }
 }
 
-/// The normal along which a contact acted in this step. It is no longer the one that its points were found with, from
-/// which they could be kept.
+/// Sets the normal along which a contact acted in this step. The points were found with another one, so they must not
+/// persist.
 void show(Vec2 normal, Contact& contact) {
   contact.normal = normal;
   contact.found_a.p = contact.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
 }
 
-/// Both points at once, to these changes of velocity; not if a point would pull.
+/// Solves both points together for these velocity changes; false if a point would pull.
 template <class Frame>
 [[gnu::always_inline]] inline bool push_both(const PairMatrix& masses, ImpactRow& row, Frame& frame, Vec2 change) {
   if (!masses.usable) return false;
@@ -55,7 +55,7 @@ void renew(ImpactRow& row, const BodySet& bodies, const std::vector<Pose>& start
            std::uint32_t index) {
   const Contact& contact = contacts[index];
   if (keeps_points(row, contact)) {
-    go_on(row, contact);
+    update(row, contact);
   } else {
     row = {make_row(bodies, contacts, index)};
     row.made = true;
@@ -72,7 +72,7 @@ void renew(ImpactRow& row, const BodySet& bodies, const std::vector<Pose>& start
   row.fresh = contact.age == 0;
 }
 
-void leave(ImpactRow& row, Real offset_scale, std::vector<Contact>& contacts) {
+void write_back(ImpactRow& row, Real offset_scale, std::vector<Contact>& contacts) {
   Contact& contact = contacts[row.contact];
   contact.offset = row.offset / offset_scale;
   if (row.turns) show(row.join(), contact);
@@ -135,8 +135,8 @@ void ScalarContacts::count_halves(const Island& island) {
   }
 }
 
-/// The normal of two discs follows them, and with it what was given along it in this sub-step. What press gave and
-/// relax takes back would else leave a push across, which no contact shows.
+/// Rotates the normal of two discs with them, and with it the impulses of this sub-step. Otherwise the difference of
+/// the impulses that press applied and relax removes would have a tangential part that no contact reports.
 void ScalarContacts::turn_normal(ImpactRow& row) {
   RowPoint& p = row.points[0];
   const Vec2 before = row.normal;
@@ -193,7 +193,7 @@ Real ScalarContacts::deepening(const Island& island, bool held) const {
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       const RowPoint& p = row.points[i];
       const Real closing = -island.h * frame.normal_velocity(p);
-      if (closing <= most) continue;  // it comes deeper by that at most
+      if (closing <= most) continue;  // an upper bound of the growth
       const Real s = gap<ContactFrame>(row, p);
       if (held && p.normal_impulse == 0 && s > 0) continue;
       most = std::max(most, held ? closing : std::min(s, Real{0}) - (s - closing));
@@ -216,7 +216,7 @@ PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
   return pair;
 }
 
-/// (K + G) d = -(v + bias + G lambda) with G the give of those springs that are pressed.
+/// (K + G) d = -(v + bias + G lambda) with G the compliance of the points that overlap.
 template <bool rigidly, class Frame>
 [[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, ImpactRow& row,
                                                               Frame& frame) const {
@@ -247,11 +247,11 @@ template <class Frame>
   return push_both(row.pair.rigid, row, frame, {-frame.normal_velocity(p), -frame.normal_velocity(q)});
 }
 
-/// A standing load presses its springs in. The offset, one for both points of a contact (one each would take away the
-/// stiffness that keeps a column upright), slowly moves the springs' rest length until the surfaces just touch; it
-/// never exceeds the depth that the load explains, load / (2 m_eff w^2), and goes with the load (see OffsetRule). Each
-/// point counts by its load: what leans on one corner has the other in the air. Near an even load that is the mean, and
-/// takes away no stiffness.
+/// A steady load causes penetration in soft contacts. The offset, one for both points of a contact (one each would
+/// remove the stiffness that keeps a column upright), slowly moves the rest length until the surfaces just touch; it
+/// never exceeds the penetration that the load explains, load / (2 m_eff w^2), and vanishes with the load (see
+/// OffsetRule). Points are weighted by their loads: a body that leans on one corner has the other in the air. Near an
+/// even load that is the mean, and removes no stiffness.
 void ScalarContacts::settle_offsets(const Island& island) {
   for (ImpactRow& row : island.rows) {
     const Softness& soft = island.softness(row);
@@ -264,7 +264,7 @@ void ScalarContacts::settle_offsets(const Island& island) {
       speed += p.normal_impulse * (p.normal_impulse / p.normal_mass);
       depth -= p.normal_impulse * separation(row, p, motion_[row.a], motion_[row.b]);
     }
-    // Not by 1 / load: a load may be so small that this is infinite.
+    // Not times 1 / load, which is infinite for a tiny load.
     if (load > 0) {
       speed /= load;
       depth /= load;

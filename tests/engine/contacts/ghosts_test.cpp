@@ -13,7 +13,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-enum class InvariantContext { one_floor, tiles, tiles_of_one_body, segments };
+enum class FloorKind { one_floor, tiles, tiles_of_one_body, segments };
 enum class Slider { box, disc, capsule };
 
 constexpr double pitch = .5;  // m, of the joins
@@ -32,8 +32,8 @@ void add_fixed(World& world, const Shape& shape, const Material& material) {
   add_fixed(world, std::array{Part{shape, material}});
 }
 
-void lay(World& world, InvariantContext ground, const Material& material) {
-  if (ground == InvariantContext::one_floor) {
+void lay(World& world, FloorKind ground, const Material& material) {
+  if (ground == FloorKind::one_floor) {
     add_floor(world, material);
     return;
   }
@@ -42,10 +42,9 @@ void lay(World& world, InvariantContext ground, const Material& material) {
     const double from = i * pitch;
     const double to = from + pitch;
     parts.push_back(
-        {ground == InvariantContext::segments ? Shape::segment({real(from), 0}, {real(to), 0}) : slab(from, to, 0),
-         material});
+        {ground == FloorKind::segments ? Shape::segment({real(from), 0}, {real(to), 0}) : slab(from, to, 0), material});
   }
-  if (ground != InvariantContext::tiles) {
+  if (ground != FloorKind::tiles) {
     add_fixed(world, parts);
     return;
   }
@@ -59,7 +58,7 @@ Shape shape_of(Slider slider) {
 }
 
 /// m/s, along the floor after 2 s from 10 m/s.
-double slid(InvariantContext ground, Slider slider, double friction, double dt) {
+double slid(FloorKind ground, Slider slider, double friction, double dt) {
   Settings settings;
   settings.dt = real(dt);
   settings.gravity = {0, -10};
@@ -77,9 +76,8 @@ TEST(Ghosts, AreNotHitWhereFixedShapesJoin) {
   for (const Slider slider : {Slider::box, Slider::disc, Slider::capsule}) {
     for (const double friction : {0., .2}) {
       for (const double dt : {1 / 30., 1 / 60., 1 / 240.}) {
-        const double alone = slid(InvariantContext::one_floor, slider, friction, dt);
-        for (const InvariantContext ground :
-             {InvariantContext::tiles, InvariantContext::tiles_of_one_body, InvariantContext::segments}) {
+        const double alone = slid(FloorKind::one_floor, slider, friction, dt);
+        for (const FloorKind ground : {FloorKind::tiles, FloorKind::tiles_of_one_body, FloorKind::segments}) {
           // A rounding of 10 m/s in each of 4 sub-steps' kicks, presses and relaxations.
           EXPECT_NEAR(slid(ground, slider, friction, dt), alone, 12 * 10 * 2 / dt * static_cast<double>(round_off))
               << static_cast<int>(slider) << ' ' << friction << ' ' << dt << ' ' << static_cast<int>(ground);
@@ -89,18 +87,18 @@ TEST(Ghosts, AreNotHitWhereFixedShapesJoin) {
   }
 }
 
-TEST(Ghosts, LeaveAKerbThatStandsOut) {
+TEST(Ghosts, LeaveAKerb) {
   World world(Settings{});
   add_fixed(world, slab(-2, 2, 0), frictionless());
   add_fixed(world, slab(2, 4, .01), frictionless());
   BodyDef def = at(0, .2, 5);
-  def.fixed_rotation = true;  // else it tips over
+  def.fixed_rotation = true;  // otherwise it tips over
   const BodyId body = world.create_body(def, Shape::box({real(.2), real(.2)}), frictionless());
   run(world, 120);
   EXPECT_NEAR(world.body(body).position().x, 1.8, 1e-3);
 }
 
-TEST(Ghosts, LeaveAWallThatStandsOnTheFloor) {
+TEST(Ghosts, LeaveAWallOnTheFloor) {
   for (const Slider slider : {Slider::box, Slider::disc, Slider::capsule}) {
     World world(Settings{});
     add_floor(world, frictionless());
@@ -112,8 +110,8 @@ TEST(Ghosts, LeaveAWallThatStandsOnTheFloor) {
   }
 }
 
-TEST(Ghosts, MeetARiseAlongItsOwnNormal) {
-  // Of the speed, what is across the rise is lost: v cos(a). Up it by h, v^2 falls by 2 g h.
+TEST(Ghosts, CollideWithARiseAlongItsOwnNormal) {
+  // The component across the rise is lost, which leaves v cos(a). Up by h, v^2 decreases by 2 g h.
   constexpr double angle = .1;
   for (const Slider slider : {Slider::box, Slider::disc}) {
     World world(Settings{});
@@ -146,7 +144,7 @@ TEST(Ghosts, LetABodyFlyOverAnEdgeThatFallsAway) {
   EXPECT_NEAR(world.body(body).velocity().x, 8, 1e-5);
 }
 
-TEST(Ghosts, HangBelowAFaceOnlyForThePartThatIsAboveIt) {
+TEST(Ghosts, AreRemovedOnlyForThePartAboveAFace) {
   // A hook: one part slides on the table, the other hangs beside it and is stopped by a post below the table's level.
   World world(Settings{});
   add_fixed(world, slab(-4, 0, 0), frictionless());

@@ -68,7 +68,7 @@ bool obeys_the_closed_form(HeadOn::Solve solve) {
 
 TEST(Article, CollidesTwoDiscsAsTheClosedForm) { EXPECT_TRUE(obeys_the_closed_form(by_the_engine)); }
 
-TEST(Article, ItsImpulseAsPrintedWouldNot) {
+TEST(Article, ItsPrintedImpulseDoesNot) {
   EXPECT_TRUE(obeys_the_closed_form([](const HeadOn& m) { return by_one_impulse(m, -(1 + m.restitution)); }));
   EXPECT_FALSE(obeys_the_closed_form([](const HeadOn& m) { return by_one_impulse(m, 1 + m.restitution); }));
   EXPECT_FALSE(obeys_the_closed_form([](const HeadOn& m) { return by_one_impulse(m, -1); }));
@@ -120,7 +120,7 @@ TEST(Article, SticksWhereFrictionSuffices) {
   EXPECT_NEAR(after.v.x + after.w * Real{0.5}, 0, few);  // the point of contact stands still
 }
 
-TEST(Article, SlidesWhereItDoesNot) {
+TEST(Article, SlidesWhereFrictionDoesNotSuffice) {
   const Oblique after = hit_floor(.1, .1, .5);
   EXPECT_NEAR(std::abs(after.jt), .45, few);
   EXPECT_NEAR(after.v.x, 1.55, few);
@@ -133,13 +133,13 @@ TEST(Article, SticksByTheStaticAndSlidesByTheDynamicCoefficient) {
   EXPECT_NEAR(std::abs(hit_floor(.14, .05, .5).jt), 4.5 * .05, few);
 }
 
-// With (1 + e), as the print has it, the surface would be thrown back: 1.5 times the impulse that stops it.
-TEST(Article, FrictionKnowsNoRestitution) {
+// With (1 + e), as printed, the surface would bounce back: 1.5 times the impulse that stops it.
+TEST(Article, FrictionDoesNotDependOnRestitution) {
   EXPECT_NEAR(std::abs(hit_floor(9, 9, 0).jt), std::abs(hit_floor(9, 9, .5).jt), few);
 }
 
 // The print normalises a tangent of length 0 here.
-TEST(Article, StandsAStraightHit) {
+TEST(Article, HandlesAHitWithoutTangentialSpeed) {
   const Oblique after = hit_floor(.5, .5, .5, 0);
   EXPECT_EQ(after.v.x, 0);
   EXPECT_EQ(after.w, 0);
@@ -148,7 +148,7 @@ TEST(Article, StandsAStraightHit) {
 
 // Per unit of speed still to gain, each of two points at arms of .5 m gives 1/2 of 1/(1 + .25 * 6) N s to 1 kg:
 // together they leave .6 of it, ten times over, of 4.5 m/s.
-TEST(Article, BouncesAFlatBoxByItsRestitutionWithoutTurningIt) {
+TEST(Article, BouncesAFlatBoxByItsRestitutionWithoutRotatingIt) {
   World world(weightless());
   add_floor(world, frictionless(.5));
   const BodyId box = world.create_body(at(0, .5, 0, -3), Shape::box({Real{0.5}, Real{0.5}}), frictionless(.5));
@@ -157,7 +157,7 @@ TEST(Article, BouncesAFlatBoxByItsRestitutionWithoutTurningIt) {
   EXPECT_NEAR(world.body(box).angular_velocity(), 0, few);
 }
 
-// Points that see each other's pushes would set friction to work sideways.
+// If points saw each other's impulses, friction would act sideways.
 TEST(Article, LetsAStraightStackStandStraight) {
   World world(falling());
   add_floor(world);
@@ -168,8 +168,8 @@ TEST(Article, LetsAStraightStackStandStraight) {
   EXPECT_EQ(world.body(top).angle(), 0);
 }
 
-// Equal masses and e = 1: each hands its speed on.
-TEST(Article, HandsTheSpeedOnThroughARowOfTouchingBalls) {
+// Equal masses and e = 1: each passes its speed on.
+TEST(Article, PassesTheSpeedThroughARowOfTouchingBalls) {
   World world(weightless());
   std::array<BodyId, 5> balls;
   for (std::size_t i = 0; i < balls.size(); ++i) {

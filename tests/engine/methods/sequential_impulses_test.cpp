@@ -1,4 +1,4 @@
-// The three methods of sequential impulses: what they share, and what theory says of one against the other.
+// The three methods of sequential impulses: common properties, and differences that theory predicts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ double load_on_floor(World& world) {
   return sum;
 }
 
-// One iteration a step is far from enough for three boxes; what each step has learned is kept for the next.
+// One iteration a step is far too few for three boxes without warm starting.
 TEST(SequentialImpulse, FindsTheLoadOfAStackInOneIterationAStepByWarmStarting) {
   for (const char* solver : {"sequential-impulse", "split-impulse", "block"}) {
     Settings settings = with(solver);
@@ -47,7 +47,7 @@ TEST(SequentialImpulse, FindsTheLoadOfAStackInOneIterationAStepByWarmStarting) {
 }
 
 // beta (overlap - slop)/dt = .2 (.1 - .005) 60 m/s at most.
-TEST(SequentialImpulse, ThrowsOverlappingBodiesApart) {
+TEST(SequentialImpulse, PushesOverlappingBodiesApartWithSpeed) {
   World world(with("sequential-impulse", false));
   add_floor(world);
   const BodyId disc = world.create_body(at(0, .4), Shape::circle(real(.5)));
@@ -56,7 +56,7 @@ TEST(SequentialImpulse, ThrowsOverlappingBodiesApart) {
 }
 
 // A fifth of what is left beyond the slop in each of three iterations.
-TEST(SplitImpulse, PartsOverlappingBodiesWithoutSpeed) {
+TEST(SplitImpulse, SeparatesOverlappingBodiesWithoutSpeed) {
   for (const char* solver : {"split-impulse", "block"}) {
     World world(with(solver, false));
     add_floor(world);
@@ -67,7 +67,7 @@ TEST(SplitImpulse, PartsOverlappingBodiesWithoutSpeed) {
   }
 }
 
-/// What is left of the turning of a box that lands flat, rad/s.
+/// rad/s, the remaining spin of a box that lands flat.
 double turning(const char* solver) {
   World world(with(solver, false));
   add_floor(world, frictionless(.5));
@@ -76,8 +76,8 @@ double turning(const char* solver) {
   return std::abs(static_cast<double>(world.body(box).angular_velocity()));
 }
 
-// Point by point each iteration leaves .6 of what the last one left; solved together nothing is left.
-TEST(Block, LandsABoxWithoutTurningIt) {
+// Point by point, each iteration leaves .6 of the last one's error; solved together, none is left.
+TEST(Block, LandsABoxWithoutRotatingIt) {
   EXPECT_LT(turning("block"), 32 * round_off);
   EXPECT_LT(turning("block"), turning("sequential-impulse"));
   EXPECT_EQ(turning("split-impulse"), turning("sequential-impulse"));
@@ -120,7 +120,7 @@ double drift(const char* solver) {
   return farthest;
 }
 
-// Without accumulation friction is held against each push and not their sum.
+// Without accumulation, friction is limited by each impulse and not by their sum.
 TEST(SequentialImpulse, HoldsAStackBetterThanWithoutAccumulation) {
   EXPECT_LT(drift("sequential-impulse"), drift("article"));
   EXPECT_LT(drift("split-impulse"), drift("article"));

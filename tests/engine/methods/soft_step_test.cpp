@@ -64,7 +64,7 @@ TEST(SoftStep, GivesNoEnergyToABridgeBuiltStraight) {
 
 // load / (m_eff w^2) with w = 2 pi 60 Hz against the ground: a disc bears m g at m; each corner of a square m g/2 at
 // 1/m_eff = 1/m + (a/2)^2/(m a^2/6) = 2.5/m.
-TEST(SoftStep, RestsAtTheDepthOfItsSprings) {
+TEST(SoftStep, RestsAtTheDepthOfItsSoftConstraints) {
   const double w = 2 * static_cast<double>(pi) * 60;
   const double tolerance = is_double ? 1e-9 : 1e-6;
   Drop disc(soft_step(8), Shape::circle(real(.5)), .5);
@@ -76,7 +76,7 @@ TEST(SoftStep, RestsAtTheDepthOfItsSprings) {
 }
 
 // Symplectic Euler with sub-steps h: short by g t h/2, a quarter of a whole step's.
-TEST(SoftStep, FallsAsFarAsSymplecticEulerDoes) {
+TEST(SoftStep, FallsLikeSymplecticEuler) {
   for (const int substeps : {1, 4, 10}) {
     Drop ball(soft_step(substeps), Shape::circle(real(.5)), 100);
     ball.run(60);

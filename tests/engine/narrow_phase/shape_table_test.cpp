@@ -22,8 +22,8 @@ std::size_t add(BodySet& bodies, const Shape& shape, const Pose& pose, const Vel
   return i;
 }
 
-/// A long plank at every angle, and something near it.
-TEST(ShapeTable, TellsApartOnlyWhatMakesNoContact) {
+/// A long plank at every angle, and a shape near it.
+TEST(ShapeTable, CallsApartOnlyPartsWithoutContact) {
   RandomShapes random(1);
   const Margin margin{real(.02), real(.02)};
   std::size_t apart = 0;
@@ -52,7 +52,7 @@ TEST(ShapeTable, TellsApartOnlyWhatMakesNoContact) {
   EXPECT_GT(touching, 500U);
 }
 
-TEST(ShapeTable, FollowsBodiesThatComeAndGo) {
+TEST(ShapeTable, FollowsBodiesThatAppearAndDisappear) {
   BodySet bodies;
   const std::size_t first = add(bodies, Shape::circle(1), {}, {});
   const std::size_t second = add(bodies, Shape::box({1, 1}), {}, {});

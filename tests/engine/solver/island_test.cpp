@@ -33,7 +33,7 @@ double taken(const OffsetRule& rule, const Softness& soft, double swing) {
   return offset.imag() + swing * 2 * damping_ratio / soft.omega;
 }
 
-TEST(OffsetRule, OfHeapsTakesEnergyFromWhateverSwings) {
+TEST(OffsetRule, OfGranularPilesDampsEveryOscillation) {
   const OffsetRule rule = OffsetRule::passive(static_cast<Real>(dt), static_cast<Real>(damping_ratio));
   for_all_softnesses([&](const Softness& soft) {
     for (double swing = 1e-3; swing < std::numbers::pi / dt; swing *= 1.1) {
@@ -42,7 +42,7 @@ TEST(OffsetRule, OfHeapsTakesEnergyFromWhateverSwings) {
   });
 }
 
-TEST(OffsetRule, ThatLiftsAltogetherGivesEnergyToWhatSwingsSlowly) {
+TEST(OffsetRule, WithoutALeakExcitesSlowOscillations) {
   const double h = dt / 4;
   const Softness soft = Softness::of(static_cast<Real>(1 / (12 * h)), static_cast<Real>(damping_ratio), Real(h));
   const OffsetRule rule = OffsetRule::lifting(static_cast<Real>(dt), 60, static_cast<Real>(damping_ratio), soft);
@@ -63,7 +63,7 @@ double rests_at(const OffsetRule& rule, const Softness& soft, double explained) 
   return explained - offset;
 }
 
-TEST(OffsetRule, BringsALoadToRestAtAThirdOfItsDepthInHeapsAndNowhereElse) {
+TEST(OffsetRule, LeavesAThirdOfThePenetrationOnlyInGranularPiles) {
   const double h = dt / 4;
   const Softness soft = Softness::of(static_cast<Real>(1 / (12 * h)), static_cast<Real>(damping_ratio), Real(h));
   const OffsetRule passive = OffsetRule::passive(static_cast<Real>(dt), static_cast<Real>(damping_ratio));

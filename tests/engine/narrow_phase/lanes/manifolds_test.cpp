@@ -1,4 +1,4 @@
-// Kernels that collide pairs against the colliders that they repeat in lanes, bit for bit.
+// The colliding kernels against their scalar twins, bit for bit.
 #include "narrow_phase/lanes/manifolds.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Pairs of bodies, the first of one type and the second of another, and what the colliders say of them.
+/// Pairs of bodies of two types, and the manifolds by the colliders.
 struct Pairs {
   BodySet bodies;
   ShapeTable shapes;
@@ -44,7 +44,7 @@ struct Pairs {
     return all;
   }
 
-  /// With each version of a kernel; returns how many pairs it found to touch.
+  /// Compares each version of a kernel; returns the number of touching pairs.
   std::size_t compare(CollidePairs* NarrowPhaseKernels::*kernel, std::size_t most_left) {
     shapes.update(bodies, margin);
     shapes.grow(bodies, margin, impact_changes);
@@ -131,7 +131,7 @@ TEST_P(CollidingKernels, AgreeWithTheCollidersOnRandomPairs) {
   EXPECT_GT(pairs.compare(GetParam().kernel, count / 50), count / 4);
 }
 
-/// On a grid, turned by quarters or by next to nothing: faces lie on faces, corners on corners, centres on centres.
+/// On a grid, rotated by quarter turns or very little: faces lie on faces, corners on corners, centres on centres.
 TEST_P(CollidingKernels, AgreeWithTheCollidersOnAlignedPairs) {
   RandomShapes random(2);
   const auto half = [&random](int most) {
@@ -157,8 +157,8 @@ TEST_P(CollidingKernels, AgreeWithTheCollidersOnAlignedPairs) {
   EXPECT_GT(pairs.compare(GetParam().kernel, count / 5), count / 4);
 }
 
-/// Boxes that lie on each other but for rounding, of very different size, far from the origin.
-TEST_P(CollidingKernels, AgreeWithTheCollidersWhereRoundingRules) {
+/// Boxes that lie on each other up to rounding, of very different size, far from the origin.
+TEST_P(CollidingKernels, AgreeWithTheCollidersNearRounding) {
   RandomShapes random(3);
   const auto sized = [&](ShapeType type) {
     const auto scale = static_cast<Real>(std::pow(10, static_cast<double>(random.number(-3, 2))));
@@ -182,8 +182,8 @@ TEST_P(CollidingKernels, AgreeWithTheCollidersWhereRoundingRules) {
   EXPECT_GT(pairs.compare(GetParam().kernel, count), count / 10);
 }
 
-/// What is not a number meets the same fate in lanes.
-TEST_P(CollidingKernels, AgreeWithTheCollidersOnWhatIsNotANumber) {
+/// NaN and infinity give the same result in lanes.
+TEST_P(CollidingKernels, AgreeWithTheCollidersOnNan) {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
   constexpr Real inf = std::numeric_limits<Real>::infinity();
   RandomShapes random(4);

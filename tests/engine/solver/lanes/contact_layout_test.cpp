@@ -214,7 +214,7 @@ void expect_laid_out_and_stored(const ContactPasses<width>& passes, unsigned see
   }
 }
 
-TEST(ContactLayout, GivesLanesTheNumbersOfRowsAndTakesThemBack) {
+TEST(ContactLayout, CopiesRowsToLanesAndBack) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     for (const InstructionSet set : runnable_instruction_sets()) {
       const SolverKernels& version = solver_kernels(set);

@@ -150,7 +150,7 @@ bool same_bits(const std::vector<Item>& a, const std::vector<Item>& b) {
   return std::memcmp(a.data(), b.data(), a.size() * sizeof(Item)) == 0;
 }
 
-/// Of all lanes, whatever their width.
+/// For lanes of any width.
 template <std::size_t width, class Lanes>
 std::vector<Real> numbers_of(const std::vector<Lanes>& all) {
   std::vector<Real> numbers;
@@ -203,7 +203,7 @@ TEST(ContactPasses, GiveTheSameBitsWithEveryInstructionSet) {
   }
 }
 
-TEST(ContactPasses, LeaveLanesWithoutContactAlone) {
+TEST(ContactPasses, LeaveEmptyLanesUnchanged) {
   Tangle<8> tangle(1);
   const std::size_t nobody = std::size_t{4} * (body_count - 1);
   for (auto* rows : {&tangle.velocity, &tangle.before, &tangle.kick, &tangle.motion, &tangle.acceleration}) {
@@ -215,7 +215,7 @@ TEST(ContactPasses, LeaveLanesWithoutContactAlone) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(tangle.velocity[nobody + k], 0);
 }
 
-/// Smooth contacts as they would be without kernels of their own.
+/// Frictionless contacts as general ones.
 template <class Lanes, class Smooth>
 void widen(const std::vector<Smooth>& from, std::vector<Lanes>& to) {
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -239,8 +239,8 @@ void widen(const std::vector<Smooth>& from, std::vector<Lanes>& to) {
   }
 }
 
-// Where r x n and the friction are 0, all that the smooth kernels leave out comes to adding 0.
-TEST(ContactPasses, GiveSmoothContactsTheBitsOfContactsWithoutFriction) {
+// With r x n and friction 0, everything that the frictionless kernels leave out only adds 0.
+TEST(ContactPasses, GiveFrictionlessKindsTheBitsOfContactsWithoutFriction) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     const SolverKernels& scalar = solver_kernels(InstructionSet::scalar);
     Tangle<8> smooth(seed);
@@ -272,7 +272,7 @@ TEST(ContactPasses, GiveSmoothContactsTheBitsOfContactsWithoutFriction) {
   }
 }
 
-TEST(ContactPasses, GiveSharpShapesTheBitsOfShapesRoundedByNothing) {
+TEST(ContactPasses, GiveSharpShapesTheBitsOfShapesWithZeroRadius) {
   Tangle<8> rounded(1);
   for (auto& lanes : rounded.two) lanes.radius_a = lanes.radius_b = {};
   Tangle<8> sharp = rounded;

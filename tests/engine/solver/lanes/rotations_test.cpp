@@ -55,7 +55,7 @@ TEST(Rotations, AreThoseOfSinCosNextToMultiplesOfAnEighthTurn) {
   expect_bits_of_sin_cos(angles);
 }
 
-TEST(Rotations, AreThoseOfSinCosWhereAnglesAreZeroHugeOrNoNumbers) {
+TEST(Rotations, AreThoseOfSinCosForZeroHugeAndNanAngles) {
   constexpr Real huge = std::numeric_limits<Real>::max();
   constexpr Real infinity = std::numeric_limits<Real>::infinity();
   constexpr Real tiny = std::numeric_limits<Real>::denorm_min();
