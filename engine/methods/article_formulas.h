@@ -6,10 +6,11 @@
 
 #include "bodies/body_set.h"
 #include "contacts/contact.h"
+#include "impulse/settings.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Two bodies that touch, for as long as their contact is worked on.
+/// The velocities of two touching bodies while their contact is solved.
 struct Touching {
   Velocity a, b;
   InverseMass inverse_a, inverse_b;
@@ -21,14 +22,36 @@ struct Touching {
         inverse_b(bodies.inverse_mass[contact.body_b]) {}
 };
 
-/// The formulas of the seed, one function each, as Article puts them together (see article.h). The print has some of
-/// them wrong; engine/faults prints them so again, one at a time.
+/// The formulas and constants of the article's method, one function each; see Article in article.cpp. Misprints in the
+/// article are corrected.
 struct ArticleFormulas {
+  static constexpr Real slop =
+      static_cast<Real>(.005);  // m, overlap left alone, so that a resting contact exists in every step
+  static constexpr Real percent =
+      static_cast<Real>(.4);  // of the overlap beyond it, removed in a step; all at once makes stacks jitter
+  static constexpr Real joint_percent =
+      static_cast<Real>(0.2);  // of a joint's error, removed in a step (Baumgarte 1972)
+
+  /// m/s. The demo engine's rule: gravity alone presses resting bodies together at |g| dt in every step. That is no
+  /// impact, so e = 0 up to this speed; and a tenth more, for what the iterations of the last step left.
+  static Real resting_speed(const Settings& settings) {
+    return static_cast<Real>(1.1) * length(settings.gravity) * settings.dt;
+  }
+
+  static void state_errors(const Settings& settings, StatedErrors& errors) {
+    errors.gap = slop;
+    errors.joints = true;
+    // Friction is limited by each normal impulse and not by their sum, so the speed that gravity adds along a slope in
+    // a step, |g| sin(slope) dt, is never removed completely. Half of |g| dt is that on 30 degrees.
+    errors.creep = length(settings.gravity) * settings.dt / 2;
+    errors.restitution_threshold = resting_speed(settings);
+  }
+
   static Vec2 relative_velocity(const Touching& pair, const ContactPoint& at) {
     return pair.b.v + cross(pair.b.w, at.arm_b) - pair.a.v - cross(pair.a.w, at.arm_a);
   }
 
-  /// The mass that an impulse along `direction` feels: 1 / (1/mA + 1/mB + (rA x d)^2/IA + (rB x d)^2/IB).
+  /// kg, the effective mass along `direction`: 1 / (1/mA + 1/mB + (rA x d)^2/IA + (rB x d)^2/IB).
   static Real mass(const Touching& pair, const ContactPoint& at, Vec2 direction) {
     const Real ra = cross(at.arm_a, direction);
     const Real rb = cross(at.arm_b, direction);
@@ -47,12 +70,12 @@ struct ArticleFormulas {
     pair.b.w += pair.inverse_b.i * cross(at.arm_b, impulse);
   }
 
-  /// m/s, the speed of parting that an approach at vn < 0 asks for: e |vn|, faster than gravity alone presses.
+  /// m/s, the rebound speed for an approach at vn < 0: e |vn|, or 0 up to the resting speed.
   static Real rebound(const Contact& contact, Real vn, Real resting_speed) {
     return -vn > resting_speed ? contact.restitution * -vn : 0;
   }
 
-  /// N s, what brings a normal velocity to `target`.
+  /// N s, the impulse that changes the normal velocity to `target`, divided by the number of points.
   static Real normal_impulse(Real target, Real vn, Real normal_mass, int points) {
     return (target - vn) * normal_mass / static_cast<Real>(points);
   }
@@ -61,19 +84,20 @@ struct ArticleFormulas {
     return dot(relative, perpendicular(contact.normal));
   }
 
-  /// N s, friction before the law of Coulomb limits it.
+  /// N s, the friction impulse before Coulomb's law limits it.
   static Real stopping_impulse(const Contact& contact, Real vt, Real tangent_mass) {
     return -vt * tangent_mass / static_cast<Real>(contact.count);
   }
 
-  /// Amontons-Coulomb: sticks up to mu_static j, else slides with mu_dynamic j.
+  /// Amontons-Coulomb: sticks up to mu_static j, otherwise slides with mu_dynamic j.
   static Real friction(const Contact& contact, Real jt, Real j) {
     if (std::abs(jt) <= contact.static_friction * j) return jt;
     return std::copysign(contact.dynamic_friction * j, jt);
   }
 
-  /// Part 1: moves overlapping bodies apart along the normal by `depth` in all, the lighter one farther.
-  static void part(BodySet& bodies, const Contact& contact, Real depth, Real /*dt*/) {
+  /// Part 1 of the article: moves overlapping bodies apart along the normal by a total of `depth`, the lighter one
+  /// farther.
+  static void part(BodySet& bodies, const Contact& contact, Real depth) {
     const Real ma = bodies.inverse_mass[contact.body_a].m;
     const Real mb = bodies.inverse_mass[contact.body_b].m;
     const Vec2 correction = depth / (ma + mb) * contact.normal;

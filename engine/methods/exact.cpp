@@ -19,40 +19,40 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr std::size_t most_points = 24;           // of an island: its problem has four unknowns for each
+constexpr std::size_t most_points = 24;           // of an island: each point adds four unknowns
 constexpr Real watched = static_cast<Real>(.02);  // m, gap up to which a contact takes part
 
-// Share of the largest speed to be stopped that pivoting takes for zero. A coupling is a sum of four products of three
-// rounded factors each, and speeds are rounded once more.
+// Fraction of the largest speed to be stopped that pivoting treats as zero. A coupling is a sum of four products of
+// three rounded factors each, and speeds are rounded once more.
 constexpr double pivot_noise = std::max(8 * static_cast<double>(std::numeric_limits<Real>::epsilon()), lcp_round_off);
 
 constexpr Real fits = 64 * std::numeric_limits<Real>::epsilon();  // m, overlap that is round-off
 
-/// One point of a row, in double: the problem is solved exactly whatever the engine's precision.
-struct Place {
+/// One contact point of the problem, which is solved in double whatever the engine's precision.
+struct ProblemPoint {
   const ContactRow* row = nullptr;
   RowPoint* point = nullptr;
-  double least = 0;     // m/s, speed of parting asked for
+  double least = 0;     // m/s, the least separating speed required
   double friction = 0;  // coefficient in force
 };
 
-/// The contacts of an island at once, as the linear complementarity problem that they are: in the plane the friction
-/// cone is a polyhedron, so Coulomb's law loses nothing. For every point, with normal impulse n, friction t+ - t- and
+/// Solves all contacts of an island at once, as a linear complementarity problem: in the plane the friction cone is a
+/// polyhedron, so Coulomb's law is represented exactly. For every point, with normal impulse n, friction t+ - t- and
 /// the sliding speed g,
 ///
-///   vn - least   >= 0   against n  >= 0      (parts, or pushes)
+///   vn - least   >= 0   against n  >= 0      (separates, or pushes)
 ///   g + vt       >= 0   against t+ >= 0      (friction against the sliding,
 ///   g - vt       >= 0   against t- >= 0       at its full strength)
 ///   mu n - t+ - t- >= 0 against g  >= 0      (within the cone, or slides)
 ///
-/// where vn and vt are the velocities after all impulses. `least` is e times the approach (Newton; at the velocities
-/// that the step begins with, so that a load at rest is no impact), or -gap/dt for a point that does not touch yet: it
-/// may close its gap within the step, but no more. The velocities of the end of a step thus fit the positions there;
-/// what rotation adds to second order, and overlap that was there at the start, goes by a second such problem, for
+/// where vn and vt are the velocities after all impulses. `least` is e times the approach (Newton; at the velocities at
+/// the start of the step, so that a load at rest is no impact), or -gap/dt for a point that does not touch yet: it may
+/// close its gap within the step, but no more. So the velocities at the end of a step are consistent with the positions
+/// there. The second-order effect of rotation, and overlap at the start, are removed by a second such problem, for
 /// displacements, without friction.
 ///
-/// Static friction differs from dynamic: solved with the static one first, then again with the dynamic one at the
-/// points that slide, until no more do.
+/// Static and dynamic friction differ: the problem is solved with the static coefficient first, then again with the
+/// dynamic one at the points that slide, until no more points slide.
 class Exact : public Solver {
  public:
   void step(StepData& data) override;
@@ -65,11 +65,11 @@ class Exact : public Solver {
   Margin margin(const Settings& settings) const override { return {watched, settings.dt}; }
 
  private:
-  // m/s, by which pivoting leaves speeds of rest. What it takes for zero is a share of the largest speed to be stopped,
-  // at rest g dt. That is more than it rounds: a body of mass m that bears L times its weight is given impulses of L m
-  // g dt from below and from above, and each of up to 4 n pivots may round their difference by u L m g dt; with all n =
-  // 24 points, 96 u L stays below that share up to L = 900; in float, to which impulses are rounded when they are
-  // given, up to L = 8. The next step closes the gap that this opens, but nothing takes back the sliding.
+  // m/s, the speed that pivoting may leave at rest. It treats a fraction of the largest speed to be stopped as zero, at
+  // rest g dt. That is more than its rounding: a body of mass m that bears L times its weight gets impulses of L m g dt
+  // from below and from above, and each of up to 4 n pivots may round their difference by u L m g dt; with all n = 24
+  // points, 96 u L stays below that fraction up to L = 900; in float, to which impulses are rounded when applied, up to
+  // L = 8. The next step closes the gap that this opens, but nothing reverses the sliding.
   static Real rounding(const Settings& settings) {
     return static_cast<Real>(pivot_noise) * length(settings.gravity) * settings.dt;
   }
@@ -78,10 +78,10 @@ class Exact : public Solver {
   static Real inelastic_speed(const Settings& settings) { return 2 * length(settings.gravity) * settings.dt; }
 
   void prepare(StepData& data);
-  void tie_islands(const BodySet& bodies);
-  std::vector<Place> places(std::size_t island);
-  void solve(BodySet& bodies, std::vector<Place>& places);
-  void project(BodySet& bodies, std::vector<Place>& places);
+  void find_islands(const BodySet& bodies);
+  std::vector<ProblemPoint> points_of(std::size_t island);
+  void solve(BodySet& bodies, std::vector<ProblemPoint>& points);
+  void project(BodySet& bodies, std::vector<ProblemPoint>& points);
 
   std::vector<ContactRow> rows_;
   std::vector<std::array<double, 2>> least_;  // of each row
@@ -91,14 +91,14 @@ class Exact : public Solver {
   std::vector<Real> start_angle_;
 };
 
-/// The change of velocity that a unit impulse at one place makes at another, K; `across` chooses normal or tangent.
-double coupling(const Place& p, bool tangent_p, const Place& q, bool tangent_q) {
-  const auto arm = [](const Place& place, bool tangent, bool of_b) {
-    const RowPoint& at = *place.point;
+/// The entry of K for two points: the change of velocity at p for a unit impulse at q, each along normal or tangent.
+double coupling(const ProblemPoint& p, bool tangent_p, const ProblemPoint& q, bool tangent_q) {
+  const auto arm = [](const ProblemPoint& at_point, bool tangent, bool of_b) {
+    const RowPoint& at = *at_point.point;
     return static_cast<double>(tangent ? (of_b ? at.dot_b : at.dot_a) : (of_b ? at.cross_b : at.cross_a));
   };
-  const auto direction = [](const Place& place, bool tangent) {
-    return tangent ? perpendicular(place.row->normal) : place.row->normal;
+  const auto direction = [](const ProblemPoint& at_point, bool tangent) {
+    return tangent ? perpendicular(at_point.row->normal) : at_point.row->normal;
   };
   const Vec2 dp = direction(p, tangent_p);
   const Vec2 dq = direction(q, tangent_q);
@@ -128,24 +128,24 @@ std::vector<double> solution(const std::vector<double>& m, const std::vector<dou
   return *z;
 }
 
-/// What it cannot do it says before anything has moved.
+/// Throws std::domain_error, before anything has moved, for islands that it cannot solve.
 void Exact::step(StepData& data) {
-  if (!data.joints.empty()) refuse("knows no joints");
+  if (!data.joints.empty()) refuse("does not support joints");
   const Real dt = data.settings.dt;
   start_ = data.bodies.pose;
   start_angle_ = data.bodies.angle;
   prepare(data);
-  std::vector<std::vector<Place>> groups;
-  for (std::size_t island = 0; island < islands_.size(); ++island) groups.push_back(places(island));
+  std::vector<std::vector<ProblemPoint>> groups;
+  for (std::size_t island = 0; island < islands_.size(); ++island) groups.push_back(points_of(island));
   data.integrator.begin(data.bodies, data.forces, dt);
-  for (std::vector<Place>& group : groups) solve(data.bodies, group);
+  for (std::vector<ProblemPoint>& group : groups) solve(data.bodies, group);
   for (const ContactRow& row : rows_) store_row(row, data.contacts);
   data.integrator.finish(data.bodies, data.forces, dt);
-  for (std::vector<Place>& group : groups) project(data.bodies, group);
+  for (std::vector<ProblemPoint>& group : groups) project(data.bodies, group);
 }
 
-/// A fast contact with restitution that does not touch yet is left out: it hits in the next step, with the velocity
-/// that it then has.
+/// A fast contact with restitution that does not touch yet is left out: it hits in the next step, with its velocity
+/// then.
 void Exact::prepare(StepData& data) {
   const Real dt = data.settings.dt;
   prepare_rows(data.bodies, data.contacts, rows_);
@@ -168,10 +168,10 @@ void Exact::prepare(StepData& data) {
     }
     least_.push_back(least);
   }
-  tie_islands(data.bodies);
+  find_islands(data.bodies);
 }
 
-void Exact::tie_islands(const BodySet& bodies) {
+void Exact::find_islands(const BodySet& bodies) {
   islands_.clear(bodies.size());
   for (const ContactRow& row : rows_) {
     if (row.mass_a.m + row.mass_a.i > 0 && row.mass_b.m + row.mass_b.i > 0) islands_.connect(row.a, row.b);
@@ -184,8 +184,8 @@ void Exact::tie_islands(const BodySet& bodies) {
   }
 }
 
-std::vector<Place> Exact::places(std::size_t island) {
-  std::vector<Place> found;
+std::vector<ProblemPoint> Exact::points_of(std::size_t island) {
+  std::vector<ProblemPoint> found;
   for (const std::size_t r : island_rows_[island]) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(rows_[r].count); ++i) {
       if (least_[r][i] == -std::numeric_limits<double>::infinity()) continue;
@@ -193,14 +193,13 @@ std::vector<Place> Exact::places(std::size_t island) {
     }
   }
   if (found.size() > most_points) {
-    refuse("solves at most " + std::to_string(most_points) + " points that hang together, not " +
-           std::to_string(found.size()));
+    refuse("solves at most " + std::to_string(most_points) + " connected points, not " + std::to_string(found.size()));
   }
   return found;
 }
 
-void Exact::solve(BodySet& bodies, std::vector<Place>& places) {
-  const std::size_t n = places.size();
+void Exact::solve(BodySet& bodies, std::vector<ProblemPoint>& points) {
+  const std::size_t n = points.size();
   if (n == 0) return;
   // Unknowns in blocks: n, t+, t-, g.
   const std::size_t size = 4 * n;
@@ -211,10 +210,10 @@ void Exact::solve(BodySet& bodies, std::vector<Place>& places) {
   };
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
-      const double nn = coupling(places[i], false, places[j], false);
-      const double nt = coupling(places[i], false, places[j], true);
-      const double tn = coupling(places[i], true, places[j], false);
-      const double tt = coupling(places[i], true, places[j], true);
+      const double nn = coupling(points[i], false, points[j], false);
+      const double nt = coupling(points[i], false, points[j], true);
+      const double tn = coupling(points[i], true, points[j], false);
+      const double tt = coupling(points[i], true, points[j], true);
       at(0, i, 0, j) = nn;
       at(0, i, 1, j) = nt;
       at(0, i, 2, j) = -nt;
@@ -229,10 +228,10 @@ void Exact::solve(BodySet& bodies, std::vector<Place>& places) {
     at(2, i, 3, i) = 1;
     at(3, i, 1, i) = -1;
     at(3, i, 2, i) = -1;
-    const ContactRow& row = *places[i].row;
+    const ContactRow& row = *points[i].row;
     const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
-    const auto vt = static_cast<double>(frame.tangent_velocity(*places[i].point));
-    q[i] = static_cast<double>(frame.normal_velocity(*places[i].point)) - places[i].least;
+    const auto vt = static_cast<double>(frame.tangent_velocity(*points[i].point));
+    q[i] = static_cast<double>(frame.normal_velocity(*points[i].point)) - points[i].least;
     q[n + i] = vt;
     q[2 * n + i] = -vt;
   }
@@ -241,21 +240,22 @@ void Exact::solve(BodySet& bodies, std::vector<Place>& places) {
   std::vector<double> z;
   const auto slides = [&](std::size_t i) { return z[3 * n + i] > pivot_noise * fastest; };
   for (bool more = true; more;) {
-    for (std::size_t i = 0; i < n; ++i) at(3, i, 0, i) = places[i].friction;
+    for (std::size_t i = 0; i < n; ++i) at(3, i, 0, i) = points[i].friction;
     z = solution(m, q);
     more = false;
     for (std::size_t i = 0; i < n; ++i) {
-      const auto dynamic = static_cast<double>(places[i].row->dynamic_friction);
-      if (!slides(i) || places[i].friction == dynamic) continue;
-      places[i].friction = dynamic;
+      const auto dynamic = static_cast<double>(points[i].row->dynamic_friction);
+      if (!slides(i) || points[i].friction == dynamic) continue;
+      points[i].friction = dynamic;
       more = true;
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const ContactRow& row = *places[i].row;
-    RowPoint& p = *places[i].point;
-    // Rounding may leave a trace of friction to a point that does not push, and take one from a point that slides.
-    const double cone = places[i].friction * z[i];
+    const ContactRow& row = *points[i].row;
+    RowPoint& p = *points[i].point;
+    // Without this, rounding could leave a trace of friction at a point that does not push, and remove one from a
+    // point that slides.
+    const double cone = points[i].friction * z[i];
     const double friction = z[n + i] - z[2 * n + i];
     p.normal_impulse = static_cast<Real>(z[i]);
     p.tangent_impulse =
@@ -265,33 +265,35 @@ void Exact::solve(BodySet& bodies, std::vector<Place>& places) {
     ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
     frame.push_normal(row, p, p.normal_impulse);
     frame.push_tangent(row, p, p.tangent_impulse);
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    frame.write_back(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }
 
-/// The least displacement, in the metric of the masses, after which nothing overlaps: s + K z >= 0 against z >= 0.
-void Exact::project(BodySet& bodies, std::vector<Place>& places) {
+/// Applies the smallest displacement, in the metric of the masses, that removes all overlap: s + K z >= 0 against
+/// z >= 0.
+void Exact::project(BodySet& bodies, std::vector<ProblemPoint>& points) {
   const auto moved = [&](std::uint32_t body) {
     Motion motion;
     motion.d = bodies.pose[body].p - start_[body].p;
     motion.turn_by(bodies.angle[body] - start_angle_[body]);
     return motion;
   };
-  const std::size_t n = places.size();
+  const std::size_t n = points.size();
   std::vector<double> s;
   s.reserve(n);
-  for (const Place& place : places) {
-    s.push_back(static_cast<double>(separation(*place.row, *place.point, moved(place.row->a), moved(place.row->b))));
+  for (const ProblemPoint& at_point : points) {
+    s.push_back(static_cast<double>(
+        separation(*at_point.row, *at_point.point, moved(at_point.row->a), moved(at_point.row->b))));
   }
   if (std::none_of(s.begin(), s.end(), [](double gap) { return gap < -static_cast<double>(fits); })) return;
   std::vector<double> m(n * n);
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) m[i * n + j] = coupling(places[i], false, places[j], false);
+    for (std::size_t j = 0; j < n; ++j) m[i * n + j] = coupling(points[i], false, points[j], false);
   }
   const std::vector<double> z = solution(m, s);
   for (std::size_t i = 0; i < n; ++i) {
-    const ContactRow& row = *places[i].row;
-    const RowPoint& p = *places[i].point;
+    const ContactRow& row = *points[i].row;
+    const RowPoint& p = *points[i].point;
     const auto push = static_cast<Real>(z[i]);
     bodies.advance(row.a, {-push * row.mass_a.m * row.normal, -push * row.mass_a.i * p.cross_a}, 1);
     bodies.advance(row.b, {push * row.mass_b.m * row.normal, push * row.mass_b.i * p.cross_b}, 1);

@@ -10,8 +10,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Columns: w (0 ... n-1), z (n ... 2n-1), the artificial variable (2n), the right-hand side (2n + 1). The rows hold
-/// w - M z - d z0 = q, in terms of the present basis; the columns of w are then the inverse of the basis.
+/// Columns: w (0 ... n-1), z (n ... 2n-1), the artificial variable (2n), the right-hand side (2n + 1). The rows are
+/// w - M z - d z0 = q in terms of the current basis; the columns of w are the inverse of the basis.
 class Tableau {
  public:
   Tableau(std::span<const double> m, std::span<const double> q, double noise)
@@ -19,7 +19,7 @@ class Tableau {
     for (std::size_t i = 0; i < n_; ++i) {
       at(i, i) = 1;
       for (std::size_t j = 0; j < n_; ++j) at(i, n_ + j) = -m[i * n_ + j];
-      // Scaled as the row is, so that rows of other units weigh alike.
+      // Scaled like the row, so that rows of different units have the same weight.
       const double slope = std::max(largest(m.subspan(i * n_, n_)), std::numeric_limits<double>::min());
       at(i, artificial()) = -slope;
       steepest_ = std::max(steepest_, slope);
@@ -33,11 +33,11 @@ class Tableau {
     std::optional<std::size_t> row = first_row();
     if (!row) return std::vector<double>(n_, 0);  // q >= 0
     std::size_t entering = artificial();
-    // Lexicographic pivoting visits no basis twice; the bound is against what rounding could do.
+    // Lexicographic pivoting visits no basis twice; the bound guards against rounding.
     for (std::size_t pivots = 0; pivots < 50 * n_ + 100; ++pivots) {
       const std::size_t leaving = basis_[*row];
       pivot(*row, entering);
-      // Solved as soon as the artificial variable is gone, or adds to no w more than rounding leaves of a zero.
+      // Solved as soon as the artificial variable leaves, or contributes less than rounding to every w.
       if (leaving == artificial() || steepest_ * excess() <= negligible_) return values();
       entering = leaving < n_ ? leaving + n_ : leaving - n_;
       row = blocking_row(entering);
@@ -64,8 +64,8 @@ class Tableau {
     return row == basis_.end() ? 0 : at(static_cast<std::size_t>(row - basis_.begin()), right());
   }
 
-  /// Whether row r leaves before row s as `column` grows: r / |column| is lexicographically smaller. Ties, which is
-  /// what the rule is for, are told by what rounding may have made of them.
+  /// Whether row r leaves before row s as `column` grows: r / |column| is lexicographically smaller. Numbers that
+  /// differ by no more than rounding count as ties, which the lexicographic rule resolves.
   bool before(std::size_t r, std::size_t s, std::size_t column) const {
     const double by_r = std::abs(at(r, column));
     const double by_s = std::abs(at(s, column));
@@ -83,7 +83,7 @@ class Tableau {
     return false;
   }
 
-  /// Where the artificial variable enters, just large enough to make every w >= 0.
+  /// The row where the artificial variable enters, just large enough to make every w >= 0.
   std::optional<std::size_t> first_row() const {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -92,7 +92,7 @@ class Tableau {
     return best;
   }
 
-  /// The first basic variable that falls to 0 as the entering one grows; the artificial one wherever it is among them.
+  /// The first basic variable that falls to 0 as the entering one grows; the artificial one if it is tied for first.
   std::optional<std::size_t> blocking_row(std::size_t entering) const {
     double scale = 0;
     for (std::size_t i = 0; i < n_; ++i) scale = std::max(scale, std::abs(at(i, entering)));
@@ -132,8 +132,8 @@ class Tableau {
 
   std::size_t n_, width_;
   double noise_;
-  double negligible_ = 0;  // as a w
-  double steepest_ = 0;    // growth of a w with the artificial variable
+  double negligible_ = 0;  // a w up to this counts as zero
+  double steepest_ = 0;    // greatest growth of a w with the artificial variable
   std::vector<double> cell_;
   std::vector<std::size_t> basis_;  // the variable of each row
 };

@@ -8,21 +8,21 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// What elimination leaves of a zero, relative to the numbers that it came from.
+/// The error that elimination leaves in a zero, relative to the numbers it was computed from.
 constexpr double lcp_round_off = 1e-11;
 
-/// The linear complementarity problem: z with
+/// Solves the linear complementarity problem: finds z with
 ///
 ///   w = M z + q,   w >= 0,   z >= 0,   w . z = 0,
 ///
-/// M dense, n x n, row by row. By Lemke's complementary pivoting (Cottle, Pang, Stone, The Linear Complementarity
-/// Problem, 1992, algorithm 4.4.5) with the lexicographic rule, which no degenerate problem can make circle. For a
-/// copositive-plus M it finds a solution wherever one exists. In double whatever the engine's precision. w is >= 0 but
-/// for what counts as zero, the share `noise` of the largest q: what M and q were rounded to before, if that is more
-/// than elimination leaves. Pivots no larger than the noise that they were made from would lead astray.
+/// M dense, n x n, row by row. Uses Lemke's complementary pivoting (Cottle, Pang, Stone, The Linear Complementarity
+/// Problem, 1992, algorithm 4.4.5) with the lexicographic rule, which prevents cycling. For a copositive-plus M it
+/// finds a solution if one exists. Computes in double whatever the engine's precision. w >= 0 holds up to the fraction
+/// `noise` of the largest q, which counts as zero: the rounding error of M and q, if larger than that of elimination.
+/// Pivots no larger than the noise of their inputs would be meaningless.
 ///
-/// Returns nothing where the pivoting ends on a ray: for such an M there is no solution. Throws std::invalid_argument
-/// for sizes that do not fit.
+/// Returns nullopt if the pivoting ends on a ray; for such an M there is no solution. Throws std::invalid_argument for
+/// sizes that do not match.
 std::optional<std::vector<double>> solve_lcp(std::span<const double> m, std::span<const double> q,
                                              double noise = lcp_round_off);
 

@@ -7,14 +7,14 @@ namespace impulse::inline IMPULSE_PRECISION {
 namespace {
 
 constexpr Real share = static_cast<Real>(.2);     // of the overlap beyond the slop
-constexpr Real farthest = static_cast<Real>(.2);  // m, corrected at once
+constexpr Real farthest = static_cast<Real>(.2);  // m, corrected at most in one iteration
 
-/// The arm's part across the normal when its body has turned: (R r) x n = cos (r x n) - sin (r . n).
+/// r x n after the body has turned: (R r) x n = cos (r x n) - sin (r . n).
 Real turned_cross(Real cross, Real dot, const Motion& by) { return cross + by.drop * cross - by.sine * dot; }
 
 }  // namespace
 
-// The equations of velocities serve for displacements as well: from rest, with the error as bias and no memory.
+// The velocity equations also work for displacements: from rest, with the error as bias and without accumulation.
 void close_joint(const ActiveJoint& joint, const StartPoses& start, Motion& a, Motion& b) {
   JointBlock block = joint.block;
   joint.model->write({a.from(start.pose[block.a]), start.angle[block.a] + a.turn},

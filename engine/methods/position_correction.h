@@ -8,21 +8,21 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Where all bodies were at the start of the step.
+/// The poses of all bodies at the start of the step.
 struct StartPoses {
   const std::vector<Pose>& pose;
   const std::vector<Real>& angle;
 };
 
-/// Moves two bodies so that a joint fits (stops too), whatever it takes, up to .2 m.
+/// Moves two bodies to satisfy a joint and its stops completely, by up to .2 m.
 void close_joint(const ActiveJoint& joint, const StartPoses& start, Motion& a, Motion& b);
 
-/// Removes overlap and the errors of joints by moving bodies, with no trace in their velocities: nonlinear
-/// Gauss-Seidel, every separation taken anew where the bodies stand just then. Of the overlap beyond the slop a fifth
-/// goes in each iteration; joints are closed at once.
+/// Removes overlap and joint errors by moving bodies, without changing their velocities: nonlinear Gauss-Seidel, with
+/// every separation computed from the current poses. Each iteration removes a fifth of the overlap beyond the slop, and
+/// joint errors completely.
 class PositionCorrection {
  public:
-  /// After the bodies have moved from `start` (rows are of there).
+  /// To be called after the bodies have moved from `start`, where the rows were made.
   template <class Row>
   void run(BodySet& bodies, const std::vector<Row>& rows, const std::vector<ActiveJoint>& joints,
            const StartPoses& start, Real slop, int iterations) {
@@ -42,7 +42,7 @@ class PositionCorrection {
   void finish(BodySet& bodies) const;
 
   std::vector<Motion> motion_;  // of each body since the start of the step
-  std::vector<Motion> moved_;   // the same before the correction
+  std::vector<Motion> moved_;   // motion_ before the correction
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -9,21 +9,21 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// A row, and the speed of parting (m/s) that each of its points is to have.
+/// A row with the separating speed (m/s) required at each of its points.
 struct ImpulseRow : ContactRow {
   std::array<Real, 2> rebound{};
 };
 
-/// What the methods of sequential impulses share: one step of the chosen integrator, between whose halves the contacts
-/// are solved one after the other, over and over (projected Gauss-Seidel). Impulses are accumulated: each iteration may
-/// take back what an earlier one gave too much, and only the sum must push; and the sums are where the next step begins
-/// (warm starting).
+/// The common part of the methods of sequential impulses: one step of the chosen integrator, between whose halves the
+/// contacts are solved one after the other, repeatedly (projected Gauss-Seidel). Impulses are accumulated: an iteration
+/// may reduce what an earlier one applied, and only the sum must be >= 0; the sums are the start of the next step (warm
+/// starting).
 ///
-/// Restitution as Newton has it, on the velocities that the contacts are first met with.
+/// Restitution follows Newton's law, from the velocities at the start of the step.
 class SequentialImpulses : public Solver {
  public:
   void step(StepData& data) final;
-  /// Of an overlap beyond the slop a share goes in each step: a hundredth of the slop is what time has not yet taken.
+  /// A fraction of the overlap beyond the slop is removed in each step; 1 % of the slop is allowed for what remains.
   void state(const Settings&, StatedErrors& errors) const final {
     errors.gap = slop + slop / 100;
     errors.restitution_threshold = restitution_threshold;
@@ -36,9 +36,10 @@ class SequentialImpulses : public Solver {
 
   /// Non-penetration at the points of one row.
   virtual void push_apart(ImpulseRow& row, ContactFrame& frame) const = 0;
-  /// Adds to the speeds of parting, and says how much of a joint's error its velocities are to take away in a step.
+  /// May add to the required separating speeds; returns the fraction of a joint's error to be removed by velocities in
+  /// a step.
   virtual Real steer(std::vector<ImpulseRow>&, Real /*dt*/) const { return 0; }
-  /// After the bodies have moved; the rows are of where they started.
+  /// Corrects positions after the bodies have moved; the rows are of the start of the step.
   virtual void correct(StepData&, const std::vector<ImpulseRow>&, const StartPoses&) {}
 
  private:
@@ -56,7 +57,7 @@ class SequentialImpulses : public Solver {
 inline void push_apart(ImpulseRow& row, std::size_t point, ContactFrame& frame) {
   RowPoint& p = row.points[point];
   const Real push = p.normal_mass * (row.rebound[point] - frame.normal_velocity(p));
-  push_to(row, p, frame, p.normal_impulse + push > 0 ? p.normal_impulse + push : Real{0});
+  apply_accumulated(row, p, frame, p.normal_impulse + push > 0 ? p.normal_impulse + push : Real{0});
 }
 
 /// The same at all points, one after the other.

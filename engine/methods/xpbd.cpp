@@ -14,9 +14,9 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real kept_gap = static_cast<Real>(.02);  // m, gap up to which a pair is kept for the step's sub-steps
+constexpr Real kept_gap = static_cast<Real>(.02);  // m, gap up to which a pair is considered in the sub-steps
 
-/// A row, and the speed at which its points approached in this sub-step, before anything was solved.
+/// A row with the approach speed of its points in this sub-step, before anything is solved.
 struct PositionRow : ContactRow {
   std::array<Real, 2> approach{};  // m/s
 };
@@ -25,12 +25,12 @@ struct PositionRow : ContactRow {
 /// of h, each of them
 ///
 ///   drift       v += h a, x += h v
-///   positions   what slid is put back where static friction can hold it, and overlap is removed
+///   positions   sliding is undone where static friction holds, and overlap is removed
 ///   velocities  v = (x - x before) / h
 ///   impacts     restitution and friction on those velocities
 ///
-/// one sweep each. Lambda, the positional impulse (kg m), is h times an impulse; rows hold it divided by h, in N s. All
-/// contacts are rigid: the compliance of the paper is 0.
+/// one iteration each. Lambda, the positional impulse (kg m), is h times an impulse; rows hold it divided by h, in N s.
+/// All contacts are rigid: the compliance of the paper is 0.
 class Xpbd : public Solver {
  public:
   void step(StepData& data) override;
@@ -76,16 +76,16 @@ void Xpbd::step(StepData& data) {
   }
 }
 
-// In each sub-step a body falls g h^2, and its contact gives back its share: between equal bodies half of the overlap
-// p that the lower meets the upper with, so p = 2 g h^2 for every body on top; for the corners of squares, of which
-// each bears half at 1/m_eff = 5/m, 2.5 g h^2.
+// In each sub-step a body falls g h^2, and its contact removes its share: between equal bodies half of their overlap p,
+// so p = 2 g h^2 for every body on top; for the corners of squares, each of which bears half at 1/m_eff = 5/m,
+// 2.5 g h^2.
 void Xpbd::state(const Settings& settings, StatedErrors& errors) const {
   errors.h = settings.dt / static_cast<Real>(settings.substeps);
   errors.drift = static_cast<Real>(.5);  // symplectic Euler
   errors.order = 1;
   errors.order_in_contact = 1;
   errors.gap = static_cast<Real>(2.5) * length(settings.gravity) * errors.h * errors.h;
-  // A point that static friction cannot hold alone slides for the sub-step with what gravity gives it there.
+  // A point that static friction alone cannot hold slides for the sub-step at the speed that gravity gives it.
   errors.creep = length(settings.gravity) * errors.h;
   errors.restitution_threshold = inelastic_speed(settings);
   errors.joints = true;
@@ -145,9 +145,9 @@ void Xpbd::solve_positions(StepData& data) {
   for (PositionRow& row : rows_) part(row);
 }
 
-/// What a point has slid in this sub-step is undone, if static friction can: |lambda_t| < mu_s lambda_n, with the
-/// normal impulse of the sub-step before. The paper does this contact by contact, after `part`; that opens and closes
-/// gaps which were just set right, their removal becomes velocity, and a stack of three does not come to rest.
+/// Undoes the sliding of each point in this sub-step if static friction holds: |lambda_t| < mu_s lambda_n, with the
+/// normal impulse of the last sub-step. The paper does this contact by contact, after `part`; but that opens and closes
+/// gaps that were just corrected, their removal becomes velocity, and a stack of three does not come to rest.
 void Xpbd::hold(PositionRow& row) {
   const Vec2 tangent = perpendicular(row.normal);
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
@@ -166,7 +166,7 @@ void Xpbd::hold(PositionRow& row) {
   }
 }
 
-/// Section 3.5 of the paper: the overlap of each point goes at once.
+/// Section 3.5 of the paper: removes all overlap of each point.
 void Xpbd::part(PositionRow& row) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
     RowPoint& p = row.points[i];
@@ -193,10 +193,10 @@ void Xpbd::derive_velocities(BodySet& bodies) const {
   }
 }
 
-/// Section 3.6: points that pushed are left with e times their approach, no more, so that what removing an overlap did
-/// to the velocity is taken out again; then friction. Its cone is that of all that the sub-step gave: the paper has one
-/// cone for static friction, of lambda_n, and another for dynamic friction beside it, which together hold twice what
-/// Coulomb allows, and leaves out of both what is given here.
+/// Section 3.6: points that pushed get exactly e times their approach, which removes the velocity added by removing
+/// overlap; then friction. Its cone is that of all normal impulses of the sub-step. The paper has one cone for static
+/// friction, from lambda_n, and a second for dynamic friction, which together allow twice Coulomb's limit, and neither
+/// includes the impulses of this pass.
 void Xpbd::solve_velocities(BodySet& bodies) {
   for (PositionRow& row : rows_) {
     ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
@@ -215,7 +215,7 @@ void Xpbd::solve_velocities(BodySet& bodies) {
       p.tangent_impulse = held;
       p.total_tangent += held;
     }
-    frame.leave(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+    frame.write_back(row, bodies.velocity[row.a], bodies.velocity[row.b]);
   }
 }
 

@@ -1,4 +1,4 @@
-// The faults inside our engine: it is built as always, with the faulty method's name where the right one's was.
+// The faults inside our engine: it is built as usual, with the faulty method's name in place of the right one's.
 
 #include "reference/faults/engine/fault.h"
 
@@ -7,9 +7,9 @@
 namespace plumb {
 namespace {
 
-// Integrators show in a solver that leaves them the free motion.
+// An integrator takes effect only in a solver that leaves it the free motion.
 Settings method_of(const impulse::Fault& fault) {
-  Settings method{{fault.kind, fault.spoils}};
+  Settings method{{fault.kind, fault.mutates}};
   if (fault.kind == "integrator") method["solver"] = "exact";
   return method;
 }

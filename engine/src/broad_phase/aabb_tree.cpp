@@ -6,7 +6,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// Half of it: the measure of how likely a small box is to meet this one.
+// Half the perimeter: proportional to the chance that a small box overlaps this one.
 Real perimeter_of(const Aabb& box) { return (box.high.x - box.low.x) + (box.high.y - box.low.y); }
 
 }  // namespace
@@ -36,8 +36,8 @@ void AabbTree::clear() {
   free_ = none;
 }
 
-// Goes down as long as a child promises a lower cost than becoming the sibling of the node itself. `inherited` is what
-// every box above has to grow by.
+// Descends while a child promises a lower cost than becoming the sibling of the node itself. `inherited` is the growth
+// of all boxes above.
 std::uint32_t AabbTree::best_sibling(const Aabb& bounds) const {
   std::uint32_t node = root_;
   Real inherited = 0;
@@ -92,7 +92,7 @@ void AabbTree::remove(std::uint32_t leaf) {
   give_back(leaf);
 }
 
-// `by` takes the place of `child` below `parent`, or becomes the root.
+// Replaces `child` of `parent` by another node, which becomes the root if there is no parent.
 void AabbTree::replace_child(std::uint32_t parent, std::uint32_t child, std::uint32_t by) {
   nodes_[by].parent = parent;
   if (parent == none) {
@@ -123,7 +123,7 @@ void AabbTree::rotate(std::uint32_t node) {
   if (!trade(node, left, right)) trade(node, right, left);
 }
 
-// Lets `child` change places with one child of `other`, its sibling, if that makes the sibling's box smaller.
+// Swaps `child` with a child of its sibling `other` if that makes the box of `other` smaller.
 bool AabbTree::trade(std::uint32_t node, std::uint32_t child, std::uint32_t other) {
   if (nodes_[other].leaf()) return false;
   const std::uint32_t near = nodes_[other].left;

@@ -7,16 +7,16 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// A dynamic tree of bounding boxes: leaves come and go one at a time, and the tree keeps itself short and tight.
+/// A dynamic tree of bounding boxes: leaves are inserted and removed one at a time, and the tree stays short and tight.
 ///
-/// A leaf goes where it adds least to the perimeters of the boxes above it; on the way back up, a node trades a child
-/// for a grandchild of the other side where that shrinks a box (Catto, "Dynamic bounding volume hierarchies", GDC
+/// A leaf is inserted where it adds least to the perimeters of the boxes above it; on the way back up, a node swaps a
+/// child for a grandchild of the other side if that shrinks a box (Catto, "Dynamic bounding volume hierarchies", GDC
 /// 2019).
 class AabbTree {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  /// Returns the number by which the leaf is known until it is removed.
+  /// Returns the handle of the leaf, valid until it is removed.
   std::uint32_t insert(const Aabb& bounds, std::uint32_t item, bool moves);
   void remove(std::uint32_t leaf);
   void clear();
@@ -24,10 +24,10 @@ class AabbTree {
   const Aabb& bounds(std::uint32_t leaf) const { return nodes_[leaf].bounds; }
   std::uint32_t item(std::uint32_t leaf) const { return nodes_[leaf].item; }
   void set_item(std::uint32_t leaf, std::uint32_t item) { nodes_[leaf].item = item; }
-  /// Nodes on the longest way from the root to a leaf.
+  /// Number of nodes on the longest path from the root to a leaf.
   int height() const;
 
-  /// Calls visit(item) for every leaf whose bounds overlap the box. The tree must not change meanwhile.
+  /// Calls visit(item) for every leaf whose bounds overlap the box. visit must not change the tree.
   template <class Visit>
   void visit(const Aabb& box, const Visit& visit) {
     stack_.clear();
@@ -45,7 +45,7 @@ class AabbTree {
     }
   }
 
-  /// Calls visit(item, item) once for every two leaves whose bounds overlap, unless both don't move.
+  /// Calls visit(item, item) once for every two leaves whose bounds overlap and of which at least one moves.
   template <class Visit>
   void visit_pairs(const Visit& visit) {
     stack_.clear();
@@ -74,10 +74,10 @@ class AabbTree {
   struct Node {
     Aabb bounds;
     std::uint32_t parent = none;
-    std::uint32_t left = none;  // next free one in the list of free nodes
+    std::uint32_t left = none;  // of a free node: the next free one
     std::uint32_t right = none;
     std::uint32_t item = 0;
-    bool moves = false;  // anything below does
+    bool moves = false;  // any leaf below does
 
     bool leaf() const { return right == none; }
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,23 +11,23 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// m, straight on.
-struct Way {
+/// m, along a straight line.
+struct Displacement {
   Vec2 by;
   Real length = 0;
 };
 
 /// One part of one body, for the search of pairs.
 struct Proxy {
-  Aabb bounds;  // already grown by the margin, and by its own way to all sides
-  Way way;      // that it may go within the margin
+  Aabb bounds;                // already grown by the margin, and by its own displacement to all sides
+  Displacement displacement;  // how far it may move within the margin's time
   std::uint32_t body = 0;
   std::uint16_t part = 0;
   bool moves = false;        // fixed and kinematic bodies don't collide with each other
-  std::uint32_t layers = 0;  // two proxies may meet only if a bit is shared
+  std::uint32_t layers = 0;  // two proxies can collide only if they share a bit
 };
 
-/// Indices into the proxies, first < second.
+/// Indices of two proxies, first < second.
 struct Pair {
   std::uint32_t first = 0, second = 0;
   friend constexpr bool operator==(const Pair&, const Pair&) = default;
@@ -35,18 +36,30 @@ struct Pair {
   }
 };
 
-/// Whether the bounds of two overlap as deep as it takes to meet: both were grown by the way of each, but what goes the
-/// same way closes no distance. A little less, that rounding never parts what meets, nor counts beside what stands
-/// still.
+/// Whether the bounds overlap deeply enough for the two to meet. Both were grown by their own displacement, but bodies
+/// that move the same way do not approach each other. The depth is reduced by 1/64, so that rounding never separates
+/// proxies that meet, and has no effect next to a proxy that stands still.
 inline bool within_reach(const Proxy& a, const Proxy& b) {
-  const Real both = a.way.length + b.way.length;
-  const Real depth = std::max(both - both / 64 - length(a.way.by - b.way.by), Real{0});
+  const Real both = a.displacement.length + b.displacement.length;
+  const Real depth = std::max(both - both / 64 - length(a.displacement.by - b.displacement.by), Real{0});
   const Vec2 deep{depth, depth};
   return overlap({a.bounds.low + deep, a.bounds.high}, {b.bounds.low + deep, b.bounds.high});
 }
 
-/// Finds the pairs that may touch: within reach, layers share a bit, at least one moves, not of one body. Each pair
-/// once, sorted. Proxies come sorted by (body, part).
+/// Whether two proxies may collide at all if their bounds overlap. Takes any type with these fields of Proxy.
+template <class One>
+constexpr bool may_collide(const One& a, const One& b) {
+  return (a.layers & b.layers) != 0 && (a.moves || b.moves) && a.body != b.body;
+}
+
+/// Whether `inner` lies in `outer`, edges included; false if any bound is NaN.
+constexpr bool within(const Aabb& inner, const Aabb& outer) {
+  return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y && inner.high.x <= outer.high.x &&
+         inner.high.y <= outer.high.y;
+}
+
+/// Finds the pairs that may touch: within reach of each other, sharing a layer, at least one moving, and of different
+/// bodies. Each pair appears once, and pairs are sorted. Proxies must be sorted by (body, part).
 class BroadPhase {
  public:
   BroadPhase() = default;
@@ -54,7 +67,7 @@ class BroadPhase {
   BroadPhase& operator=(const BroadPhase&) = delete;
   virtual ~BroadPhase() = default;
   virtual void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) = 0;
-  /// Only those pairs in which one is chosen, or both; a flag for each proxy.
+  /// Finds only the pairs with at least one chosen proxy; `chosen` has a flag for each proxy.
   virtual void find_pairs_of(std::span<const Proxy> proxies, std::span<const std::uint8_t> chosen,
                              std::vector<Pair>& pairs) {
     find_pairs(proxies, pairs);
@@ -62,16 +75,30 @@ class BroadPhase {
   }
 };
 
-/// Whether two proxies whose bounds overlap may collide at all; for whatever says as much of them as a Proxy.
-template <class One>
-constexpr bool may_collide(const One& a, const One& b) {
-  return (a.layers & b.layers) != 0 && (a.moves || b.moves) && a.body != b.body;
+/// The longer side of a proxy's bounds, in double: far from the origin, float would lose a small size.
+inline double extent(const Proxy& proxy) {
+  const double x = static_cast<double>(proxy.bounds.high.x) - static_cast<double>(proxy.bounds.low.x);
+  const double y = static_cast<double>(proxy.bounds.high.y) - static_cast<double>(proxy.bounds.low.y);
+  return x > y ? x : y;
 }
 
-/// Whether `inner` lies in `outer`, edges included. Bounds that are not numbers lie nowhere.
-constexpr bool within(const Aabb& inner, const Aabb& outer) {
-  return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y && inner.high.x <= outer.high.x &&
-         inner.high.y <= outer.high.y;
+/// Approximately the median extent, from a sample spread evenly over the proxies; 0 if there are none.
+inline double typical_extent(std::span<const Proxy> proxies) {
+  constexpr std::size_t most = 63;
+  if (proxies.empty()) return 0;
+  const std::size_t count = std::min(most, proxies.size());
+  std::array<double, most> sample{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double size = extent(proxies[i * proxies.size() / count]);
+    sample[i] = size > 0 ? size : 0;  // NaN cannot be sorted
+  }
+  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(sample.begin(), middle, sample.begin() + static_cast<std::ptrdiff_t>(count));
+  return *middle;
 }
+
+/// A grid treats a proxy longer than this many typical extents as large, and one whose bounds are NaN.
+constexpr double largest_ordinary = 2;
+inline bool is_large(const Proxy& proxy, double typical) { return !(extent(proxy) <= largest_ordinary * typical); }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -5,53 +5,51 @@
 #include "broad_phase/bounds_table.h"
 #include "broad_phase/broad_phase.h"
 #include "broad_phase/pair_order.h"
-#include "broad_phase/proxy_sizes.h"
 #include "core/method_list.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// A uniform grid made anew by counting sort each time. Each proxy is in the cell of its low corner, and reaches no
-/// farther than `reach_` cells from there, unless it is large.
+/// A uniform grid, rebuilt by counting sort in each call. Each proxy is in the cell of its low corner and, unless it is
+/// large, extends at most `reach_` cells from there.
 ///
-/// The endless plane of cells is laid onto `buckets_` many buckets as if on a screw: cell (x, y) goes to x + pitch y,
-/// modulo their number. Neighbours in a row stay neighbours in memory, no distant body can make the grid large, and
-/// cells that share a bucket only cost a few tests more. Behind the last bucket stands a copy of the first few, so that
-/// the neighbours in a row are always one range; behind that, what is too large for the cells. Each of those meets what
-/// lies in the cells that it covers, so that a ground of many long pieces costs little.
+/// The infinite plane of cells is hashed to `buckets_` buckets: cell (x, y) goes to x + pitch y, modulo their number.
+/// Neighbours in a row stay neighbours in memory, a distant body cannot make the grid large, and cells that share a
+/// bucket only cost a few more tests. The first few buckets are copied behind the last one, so that neighbours in a row
+/// always form one range; proxies too large for the cells come after that. Each large proxy is tested against what lies
+/// in the cells it covers, so that a ground of many long pieces costs little.
 class Grid : public BroadPhase {
  public:
   void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) override {
     lay_out(proxies);
-    forget_questions();
+    clear_queries();
     for (std::uint32_t bucket = 0; bucket < buckets_; ++bucket) {
-      for (std::uint32_t q = start_[bucket]; q < start_[bucket + 1]; ++q) ask_around(q, bucket);
+      for (std::uint32_t q = start_[bucket]; q < start_[bucket + 1]; ++q) query_around(q, bucket);
     }
-    for (std::uint32_t q = first_large_; q < end_; ++q) ask_as_large(q);
+    for (std::uint32_t q = first_large_; q < end_; ++q) query_as_large(q);
     report(pairs, [](std::uint32_t, std::uint32_t) { return true; });
     order_.sort(proxies.size(), pairs);
   }
 
-  /// Where the others are still as they were laid out, and the chosen have only grown a little, all stay in their
-  /// cells.
+  /// If the chosen proxies have only grown a little and the others are unchanged, all stay in their cells.
   void find_pairs_of(std::span<const Proxy> proxies, std::span<const std::uint8_t> chosen,
                      std::vector<Pair>& pairs) override {
     if (!grow(proxies, chosen)) lay_out(proxies);
-    forget_questions();
-    // A few large ones are asked by the chosen, many ask.
-    const bool large_ask = end_ - first_large_ > few_large;
+    clear_queries();
+    // Few large proxies are tested by the queries of the chosen; many query themselves.
+    const bool large_query = end_ - first_large_ > few_large;
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
-      if (chosen[i] == 0 || (large_ask && slot_of_[i] >= first_large_)) continue;
-      ask_cells(slot_of_[i]);
-      if (!large_ask) ask(slot_of_[i], every_row, {first_large_, end_});
+      if (chosen[i] == 0 || (large_query && slot_of_[i] >= first_large_)) continue;
+      query_cells(slot_of_[i]);
+      if (!large_query) query(slot_of_[i], every_row, {first_large_, end_});
     }
-    for (std::uint32_t q = first_large_; large_ask && q < end_; ++q) ask_as_large(q);
-    report(pairs, [&, first_large = first_large_](std::uint32_t asker, std::uint32_t other) {
-      const std::uint32_t a = items_[asker].proxy;
+    for (std::uint32_t q = first_large_; large_query && q < end_; ++q) query_as_large(q);
+    report(pairs, [&, first_large = first_large_](std::uint32_t from, std::uint32_t other) {
+      const std::uint32_t a = items_[from].proxy;
       const std::uint32_t b = items_[other].proxy;
-      if (large_ask && asker >= first_large) return (chosen[a] | chosen[b]) != 0;
-      return static_cast<bool>((chosen[b] == 0) | (a < b));  // of two that are chosen, both ask
+      if (large_query && from >= first_large) return (chosen[a] | chosen[b]) != 0;
+      return static_cast<bool>((chosen[b] == 0) | (a < b));  // two chosen proxies both query
     });
     order_.sort(proxies.size(), pairs);
   }
@@ -70,7 +68,7 @@ class Grid : public BroadPhase {
         large_.push_back(i);
       }
     }
-    // What stands still meets only those large ones that move: they come first and meet all behind them.
+    // Proxies that stand still meet only the large ones that move: those come first and query all behind them.
     std::stable_partition(large_.begin(), large_.end(), [proxies](std::uint32_t i) { return proxies[i].moves; });
     fill(proxies);
     laid_out_.assign(proxies.begin(), proxies.end());
@@ -83,14 +81,14 @@ class Grid : public BroadPhase {
       const double size = extent(proxy);
       if (!is_large(proxy, typical_) && size > largest) largest = size;
     }
-    // Two cells for the largest. A little more, so that rounding never puts two that touch too far apart.
+    // The largest spans two cells; a little more, so that rounding never puts two that touch too far apart.
     const double reach = 1.001 * largest;
     const double cell = std::max(typical_, reach / 2);
     cells_per_meter_ = reach > 0 ? 1 / cell : 0;
     reach_ = reach * cells_per_meter_;
     growth_ = 0;
     buckets_ = std::max(least_buckets, std::bit_ceil(static_cast<std::uint32_t>(proxies.size())));
-    // Odd and near the golden section: rows that follow each other land far apart, whatever the width of the scene.
+    // Odd and near the golden ratio: successive rows land far apart, whatever the width of the scene.
     pitch_ = static_cast<std::uint32_t>(0.6180339887 * buckets_) | 1U;
   }
 
@@ -105,13 +103,13 @@ class Grid : public BroadPhase {
     bounds_.resize(2 * proxies.size());
     slot_of_.resize(proxies.size());
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
-      // start_[b + 1] runs from bucket b's begin to its end, which is where b + 1 begins.
+      // start_[b + 1] advances from the start of bucket b to its end, where b + 1 starts.
       if (place_[i].bucket != none) put(start_[place_[i].bucket + 1]++, proxies[i], i);
     }
     for (std::uint32_t b = 1; b <= repeated; ++b) start_[buckets_ + b] = count_ + start_[b];
     for (std::uint32_t q = 0; q < start_[repeated]; ++q) {
       items_[count_ + q] = items_[q];
-      bounds_.set(count_ + q, bounds_.bounds(q), bounds_.way(q));
+      bounds_.set(count_ + q, bounds_.bounds(q), bounds_.displacement(q));
     }
     first_large_ = end_ = count_ + start_[repeated];
     for (const std::uint32_t large : large_) put(end_++, proxies[large], large);
@@ -119,20 +117,22 @@ class Grid : public BroadPhase {
 
   void put(std::uint32_t at, const Proxy& proxy, std::uint32_t i) {
     items_[at] = {i, proxy.body, proxy.layers, place_[i], proxy.moves};
-    bounds_.set(at, proxy.bounds, proxy.way);
+    bounds_.set(at, proxy.bounds, proxy.displacement);
     slot_of_[i] = at;
   }
 
-  /// Whether the others are as they were laid out, and the chosen have grown by less than a cell: then these are put
-  /// into the table as they are now.
+  /// Updates the bounds of the chosen proxies if they have grown by less than a cell and the others are unchanged since
+  /// the layout; otherwise returns false.
   bool grow(std::span<const Proxy> proxies, std::span<const std::uint8_t> chosen) {
     if (growth_ > 0 || laid_out_.size() != proxies.size()) return false;
     Real growth = 0;  // m
     for (std::size_t i = 0; i < proxies.size(); ++i) {
       const Proxy& now = proxies[i];
       const Proxy& then = laid_out_[i];
-      const bool same_way = (now.way.by.x == then.way.by.x) & (now.way.by.y == then.way.by.y);
-      if (!(same_way & (now.body == then.body) & (now.moves == then.moves) & (now.layers == then.layers))) return false;
+      const bool same_displacement =
+          (now.displacement.by.x == then.displacement.by.x) & (now.displacement.by.y == then.displacement.by.y);
+      if (!(same_displacement & (now.body == then.body) & (now.moves == then.moves) & (now.layers == then.layers)))
+        return false;
       const Vec2 low = then.bounds.low - now.bounds.low;
       const Vec2 high = now.bounds.high - then.bounds.high;
       const Real by = std::max(std::max(low.x, low.y), std::max(high.x, high.y));
@@ -144,98 +144,98 @@ class Grid : public BroadPhase {
     for (std::size_t i = 0; growth > 0 && i < proxies.size(); ++i) {
       if (chosen[i] == 0) continue;
       const std::uint32_t slot = slot_of_[i];
-      bounds_.set(slot, proxies[i].bounds, proxies[i].way);
-      if (slot < start_[repeated]) bounds_.set(count_ + slot, proxies[i].bounds, proxies[i].way);
+      bounds_.set(slot, proxies[i].bounds, proxies[i].displacement);
+      if (slot < start_[repeated]) bounds_.set(count_ + slot, proxies[i].bounds, proxies[i].displacement);
     }
     return true;
   }
 
-  // Half of the neighbourhood, for each pair of cells meets once: the rest of the own cell with those to the right, and
-  // the rows above; of these, as many as it reaches.
-  void ask_around(std::uint32_t q, std::uint32_t bucket) {
+  // Half of the neighbourhood, so that each pair of cells is tested once: the rest of its own cell and those to the
+  // right, and the rows above that it reaches.
+  void query_around(std::uint32_t q, std::uint32_t bucket) {
     const Place& place = items_[q].place;
-    ask(q, place.row, {q + 1, start_[bucket + 1 + place.right]});
+    query(q, place.row, {q + 1, start_[bucket + 1 + place.right]});
     for (std::uint32_t up = 1; up <= place.above; ++up) {
       const std::uint32_t begin = (bucket + up * pitch_ - place.left) & (buckets_ - 1);
-      ask(q, place.row + up, {start_[begin], start_[begin + place.left + 1 + place.right]});
+      query(q, place.row + up, {start_[begin], start_[begin + place.left + 1 + place.right]});
     }
   }
 
-  // The large ones behind it, and what is in the cells that it covers.
-  void ask_as_large(std::uint32_t q) {
-    if (items_[q].moves) ask(q, every_row, {q + 1, end_});
-    ask_cells(q);
+  // The large proxies behind it, and those in the cells it covers.
+  void query_as_large(std::uint32_t q) {
+    if (items_[q].moves) query(q, every_row, {q + 1, end_});
+    query_cells(q);
   }
 
-  // All that can be within its bounds.
-  void ask_cells(std::uint32_t q) {
+  // All proxies that can overlap its bounds.
+  void query_cells(std::uint32_t q) {
     const Cells own = cells_of(bounds_.bounds(q));
     const double before = reach_ + growth_;
     const Cells cells{own.left - before, own.bottom - before, own.right + growth_, own.top + growth_};
     const double columns = cells.right - cells.left + 2;
     const double rows = cells.top - cells.bottom + 2;
     if (!(cells.countable() && columns < buckets_ && rows * worth_a_row < count_))
-      return ask(q, every_row, {0, count_});
+      return query(q, every_row, {0, count_});
     const std::uint32_t left = whole(cells.left);
     const std::uint32_t width = whole(cells.right) - left + 1;
     for (std::uint32_t row = whole(cells.bottom); row != whole(cells.top) + 1; ++row) {
       const std::uint32_t begin = bucket_at(left, row);
       const std::uint32_t end = begin + width;
       if (end <= buckets_ + repeated) {
-        ask(q, row, {start_[begin], start_[end]});
+        query(q, row, {start_[begin], start_[end]});
       } else {
-        ask(q, row, {start_[begin], count_});
-        ask(q, row, {0, start_[end - buckets_]});
+        query(q, row, {start_[begin], count_});
+        query(q, row, {0, start_[end - buckets_]});
       }
     }
   }
 
-  void ask(std::uint32_t q, std::uint32_t row, const Range& range) {
-    questions_.push_back({q, range});
-    row_asked_.push_back(row);
+  void query(std::uint32_t q, std::uint32_t row, const Range& range) {
+    queries_.push_back({q, range});
+    query_row_.push_back(row);
   }
-  void forget_questions() {
-    questions_.clear();
-    row_asked_.clear();
+  void clear_queries() {
+    queries_.clear();
+    query_row_.clear();
   }
 
-  /// Adds who may collide and is allowed to, allowed(asker, other), among those who answer.
+  /// Runs the queries and lists the hits that may collide and for which allowed(from, other) holds.
   template <class Allowed>
   void report(std::vector<Pair>& pairs, const Allowed& allowed) {
     const Item* items = items_.data();
-    const Question* questions = questions_.data();
-    const std::uint32_t* rows = row_asked_.data();
+    const Query* queries = queries_.data();
+    const std::uint32_t* rows = query_row_.data();
     std::size_t count = 0;
     Pair* to = pairs.data();
-    bounds_.answer(questions_, [&](std::uint32_t question, std::uint32_t other) {
+    bounds_.answer(queries_, [&](std::uint32_t query, std::uint32_t other) {
       if (count == pairs.size()) {
         pairs.resize(2 * count + 1024);
         to = pairs.data();
       }
-      const std::uint32_t asker = questions[question].asker;
-      const Item& a = items[asker];
+      const std::uint32_t from = queries[query].from;
+      const Item& a = items[from];
       const Item& b = items[other];
-      // Not what is by chance in the same bucket: it may be asked for there, too.
-      const bool there = (rows[question] == every_row) | (rows[question] == b.place.row);
+      // A bucket may also hold proxies of other rows, which a query for their own row finds.
+      const bool in_row = (rows[query] == every_row) | (rows[query] == b.place.row);
       to[count] = in_order(a.proxy, b.proxy);
-      count += there && may_collide(a, b) && allowed(asker, other) ? 1 : 0;
+      count += in_row && may_collide(a, b) && allowed(from, other) ? 1 : 0;
     });
     pairs.resize(count);
   }
 
-  // No branch, for no processor foresees which comes first.
+  // Without a branch, which would be mispredicted half of the time.
   static Pair in_order(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t swapped = (a ^ b) & (0U - static_cast<std::uint32_t>(b < a));
     return {a ^ swapped, b ^ swapped};
   }
 
-  // To the nearest, which is as good a border of cells as any. The sum has no bits for fractions, and the number's own
-  // are its lowest.
+  // Rounded to the nearest, which is as good a border of cells as any: the sum has no bits for fractions, and its
+  // lowest bits are those of the integer.
   static std::uint32_t whole(double x) {
     return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + 0x1.8p52));
   }
 
-  /// Where bounds begin and end, in cells.
+  /// Bounds in units of cells.
   struct Cells {
     double left, bottom, right, top;
     bool countable() const {
@@ -251,8 +251,8 @@ class Grid : public BroadPhase {
     return (column + pitch_ * row) & (buckets_ - 1);
   }
 
-  /// The cell that bounds begin in, and how many cells they reach beyond it; how many to the left of it those begin in
-  /// that may reach them.
+  /// The cell of the low corner, and the number of cells the bounds extend to the right and above; `left` is how many
+  /// cells further left other proxies may start that reach them.
   struct Place {
     std::uint32_t bucket, row;
     std::uint8_t left, right, above;
@@ -265,7 +265,7 @@ class Grid : public BroadPhase {
             few(whole(cells.top) - row)};
   }
 
-  /// What is asked of a proxy whose bounds overlap another's.
+  /// The fields of a proxy that are needed when its bounds overlap another's.
   struct Item {
     std::uint32_t proxy, body, layers;
     Place place;
@@ -273,31 +273,31 @@ class Grid : public BroadPhase {
   };
 
   static constexpr std::uint32_t none = ~std::uint32_t{0};
-  static constexpr std::uint32_t every_row = std::uint32_t{1} << 31U;  // no row, for it is too far
+  static constexpr std::uint32_t every_row = std::uint32_t{1} << 31U;  // farther than any row
   static constexpr std::uint32_t least_buckets = 64;
-  static constexpr std::uint32_t repeated = 6;  // as many as are in a row about an ordinary one
-  static constexpr double farthest = 1e9;       // cells; beyond, doubles no longer tell neighbours apart well
-  // So many proxies are tested in the time that it takes to turn to another row of cells.
+  static constexpr std::uint32_t repeated = 6;  // cells in a row that an ordinary proxy can touch
+  static constexpr double farthest = 1e9;       // cells; beyond, doubles are too coarse to tell neighbours apart
+  // Going to another row of cells takes as long as testing this many proxies.
   static constexpr double worth_a_row = 32;
   static constexpr std::uint32_t few_large = 64;
 
   std::vector<Proxy> laid_out_;
   double typical_ = 0;  // m
   double cells_per_meter_ = 0;
-  double reach_ = 0;           // cells, of the largest that is not large
-  double growth_ = 0;          // cells, by which bounds grew since they were laid out
+  double reach_ = 0;           // cells, of the largest ordinary proxy
+  double growth_ = 0;          // cells, by which bounds grew since the layout
   std::uint32_t buckets_ = 0;  // a power of two
   std::uint32_t pitch_ = 0;
-  std::uint32_t count_ = 0;                  // in the buckets, copies aside
-  std::uint32_t first_large_ = 0, end_ = 0;  // of the items, behind the copies
+  std::uint32_t count_ = 0;                  // in the buckets, without copies
+  std::uint32_t first_large_ = 0, end_ = 0;  // of the items; large ones follow the copies
   std::vector<Place> place_;                 // of each proxy
   std::vector<std::uint32_t> slot_of_;       // of each proxy, among the items
   std::vector<std::uint32_t> large_;
   std::vector<std::uint32_t> start_;  // of each bucket's items; one more at the end
   std::vector<Item> items_;
   BoundsTable bounds_;  // of the items
-  std::vector<Question> questions_;
-  std::vector<std::uint32_t> row_asked_;  // of each question: who answers must be in it
+  std::vector<Query> queries_;
+  std::vector<std::uint32_t> query_row_;  // of each query: hits must be in it
   PairOrder order_;
 };
 

@@ -6,17 +6,18 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// m, to each side: what a body that is all but still moves in many steps, and little beside the margin of contacts.
-constexpr Real room = static_cast<Real>(0.02);
+/// m, added to each side of the bounds: many steps of motion for a body that hardly moves, and small next to the margin
+/// of contacts.
+constexpr Real fat_margin = static_cast<Real>(0.02);
 
-/// From so many proxies on, keeping pays; below, a search costs as little.
+/// With fewer proxies, a search costs no more than keeping pairs.
 constexpr std::size_t least_proxies = 64;
 
-/// One leaver costs about .15 ns for each proxy, a new search 30 to 40 ns.
-constexpr std::size_t most_leavers = 64;
+/// One moved proxy costs about .15 ns for each proxy, a new search 30 to 40 ns for each.
+constexpr std::size_t most_moved = 64;
 
-constexpr int soon = 4;   // steps: rooms that did not last so long were no use
-constexpr int rest = 16;  // steps until they are tried again
+constexpr int soon = 4;    // steps: fat AABBs that did not last so long did not pay
+constexpr int pause = 16;  // steps until they are tried again
 
 }  // namespace
 
@@ -24,7 +25,7 @@ void Neighbours::find(BroadPhase& broad_phase, std::span<const Proxy> proxies, s
                       std::vector<Pair>& pairs) {
   if (proxies.size() < least_proxies) return broad_phase.find_pairs(proxies, pairs);
   if (!keep_near(proxies, version)) {
-    if (version == version_ && steps_with_rooms_ < soon) steps_without_ = rest;
+    if (version == version_ && steps_with_fat_ < soon) steps_without_ = pause;
     if (steps_without_ > 0) {
       --steps_without_;
       version_ = 0;
@@ -32,72 +33,72 @@ void Neighbours::find(BroadPhase& broad_phase, std::span<const Proxy> proxies, s
     }
     search_again(broad_phase, proxies);
     version_ = version;
-    steps_with_rooms_ = 0;
+    steps_with_fat_ = 0;
   }
-  ++steps_with_rooms_;
+  ++steps_with_fat_;
   pairs.resize(near_.size());
-  pairs.resize(
-      kernels().filter_pairs(proxies.data(), near_.data(), static_cast<std::uint32_t>(near_.size()), pairs.data()));
+  pairs.resize(broad_phase_kernels().filter_pairs(proxies.data(), near_.data(),
+                                                  static_cast<std::uint32_t>(near_.size()), pairs.data()));
 }
 
-/// Whether `near_` could be kept up to date.
+/// Brings `near_` up to date; false if that needs a new search.
 bool Neighbours::keep_near(std::span<const Proxy> proxies, std::uint64_t version) {
   if (version != version_) return false;
-  leavers_.clear();
+  moved_.clear();
   for (std::uint32_t i = 0; i < proxies.size(); ++i) {
-    if (within(proxies[i].bounds, rooms_[i].bounds)) continue;
-    if (leavers_.size() == most_leavers) return false;
-    leavers_.push_back(i);
+    if (within(proxies[i].bounds, fat_[i].bounds)) continue;
+    if (moved_.size() == most_moved) return false;
+    moved_.push_back(i);
   }
-  if (!leavers_.empty()) follow_leavers(proxies);
+  if (!moved_.empty()) update_moved(proxies);
   return true;
 }
 
-void Neighbours::give_room(std::span<const Proxy> proxies, std::uint32_t i) {
-  rooms_[i] = proxies[i];
-  rooms_[i].bounds = grown(proxies[i].bounds, room);
-  rooms_[i].way = {};
-  table_.set(i, rooms_[i].bounds, rooms_[i].way);
+void Neighbours::set_fat(std::span<const Proxy> proxies, std::uint32_t i) {
+  fat_[i] = proxies[i];
+  fat_[i].bounds = grown(proxies[i].bounds, fat_margin);
+  fat_[i].displacement = {};
+  table_.set(i, fat_[i].bounds, fat_[i].displacement);
 }
 
 void Neighbours::search_again(BroadPhase& broad_phase, std::span<const Proxy> proxies) {
-  rooms_.resize(proxies.size());
-  left_.assign(proxies.size(), 0);
+  fat_.resize(proxies.size());
+  moved_flag_.assign(proxies.size(), 0);
   table_.resize(proxies.size());
-  for (std::uint32_t i = 0; i < proxies.size(); ++i) give_room(proxies, i);
-  broad_phase.find_pairs(rooms_, near_);
+  for (std::uint32_t i = 0; i < proxies.size(); ++i) set_fat(proxies, i);
+  broad_phase.find_pairs(fat_, near_);
 }
 
-/// Their pairs are taken out of `near_`, and those of their new rooms put in.
-void Neighbours::follow_leavers(std::span<const Proxy> proxies) {
-  for (const std::uint32_t i : leavers_) {
-    give_room(proxies, i);
-    left_[i] = 1;
+/// Replaces the pairs of the moved proxies in `near_` by those of their new fat AABBs.
+void Neighbours::update_moved(std::span<const Proxy> proxies) {
+  for (const std::uint32_t i : moved_) {
+    set_fat(proxies, i);
+    moved_flag_[i] = 1;
   }
-  list_near_leavers();
+  list_near_moved();
   next_near_.clear();
-  auto next = of_leavers_.begin();
+  auto next = near_moved_.begin();
   for (const Pair& pair : near_) {
-    if ((left_[pair.first] | left_[pair.second]) != 0) continue;
-    while (next != of_leavers_.end() && *next < pair) next_near_.push_back(*next++);
+    if ((moved_flag_[pair.first] | moved_flag_[pair.second]) != 0) continue;
+    while (next != near_moved_.end() && *next < pair) next_near_.push_back(*next++);
     next_near_.push_back(pair);
   }
-  next_near_.insert(next_near_.end(), next, of_leavers_.end());
+  next_near_.insert(next_near_.end(), next, near_moved_.end());
   near_.swap(next_near_);
-  for (const std::uint32_t i : leavers_) left_[i] = 0;
+  for (const std::uint32_t i : moved_) moved_flag_[i] = 0;
 }
 
-void Neighbours::list_near_leavers() {
-  of_leavers_.clear();
-  const auto count = static_cast<std::uint32_t>(rooms_.size());
-  for (const std::uint32_t i : leavers_) {
-    for (const std::uint32_t other : table_.within_reach(rooms_[i].bounds, {}, {{0, count}})) {
-      // Of two leavers the first reports.
-      if (left_[other] != 0 && other < i) continue;
-      if (may_collide(rooms_[i], rooms_[other])) of_leavers_.push_back({std::min(i, other), std::max(i, other)});
+void Neighbours::list_near_moved() {
+  near_moved_.clear();
+  const auto count = static_cast<std::uint32_t>(fat_.size());
+  for (const std::uint32_t i : moved_) {
+    for (const std::uint32_t other : table_.within_reach(fat_[i].bounds, {}, {{0, count}})) {
+      // A pair of two moved proxies is listed by the first of them.
+      if (moved_flag_[other] != 0 && other < i) continue;
+      if (may_collide(fat_[i], fat_[other])) near_moved_.push_back({std::min(i, other), std::max(i, other)});
     }
   }
-  std::sort(of_leavers_.begin(), of_leavers_.end());
+  std::sort(near_moved_.begin(), near_moved_.end());
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

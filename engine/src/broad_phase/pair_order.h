@@ -10,7 +10,7 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Sorts pairs in time proportional to their number, by counting.
+/// Sorts pairs in linear time, by counting sort.
 class PairOrder {
  public:
   /// By first, then by second.
@@ -23,7 +23,7 @@ class PairOrder {
         proxy_count, sorted_, [](const Pair& pair) { return pair.first; }, pairs);
   }
 
-  /// By a key below key_count; those with equal keys keep their order.
+  /// By a key below key_count; pairs with equal keys keep their order.
   template <class Key>
   void stable_sort(std::size_t key_count, std::span<Pair> pairs, const Key& key) {
     if (few(pairs.size(), key_count)) {
@@ -36,7 +36,7 @@ class PairOrder {
   }
 
  private:
-  /// Too few to be worth counting of how many keys they are.
+  /// Too few pairs for a pass over all keys to pay.
   static bool few(std::size_t pairs, std::size_t keys) { return pairs < keys / 16; }
 
   template <class Key>
@@ -47,7 +47,7 @@ class PairOrder {
     for (const Pair& pair : pairs) to[start_[key(pair)]++] = pair;
   }
 
-  std::vector<std::uint32_t> start_;  // of each key's pairs
+  std::vector<std::uint32_t> start_;  // where each key's pairs start
   std::vector<Pair> sorted_;
 };
 

@@ -9,16 +9,16 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// Bounds that are not numbers overlap nothing, but would spoil every box above them.
+// NaN bounds overlap nothing, but would corrupt every box above them.
 constexpr bool ordered(const Aabb& box) { return box.low.x <= box.high.x && box.low.y <= box.high.y; }
 
-/// A dynamic tree of boxes that is kept from call to call. Its boxes are a little fat, so that a proxy that moves a
+/// A dynamic tree of boxes that is kept from call to call. Its leaves are fat AABBs, so that a proxy that moves a
 /// little can stay where it is.
 class Tree : public BroadPhase {
  public:
   void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) override {
     pairs.clear();
-    follow(proxies);
+    update(proxies);
     tree_.visit_pairs([&](std::uint32_t a, std::uint32_t b) {
       if (within_reach(proxies[a], proxies[b]) && may_collide(proxies[a], proxies[b])) {
         pairs.push_back({std::min(a, b), std::max(a, b)});
@@ -28,7 +28,7 @@ class Tree : public BroadPhase {
   }
 
  private:
-  // What the tree holds of one proxy.
+  // A proxy as the tree knows it.
   struct Known {
     std::uint32_t body = 0;
     std::uint16_t part = 0;
@@ -40,9 +40,9 @@ class Tree : public BroadPhase {
     return known.body == proxy.body && known.part == proxy.part && known.moves == proxy.moves;
   }
 
-  // Both lists are sorted by (body, part), so one walk along both finds who is new and who is gone. Leaves are removed
-  // before others are inserted, so that the new find a tidy tree.
-  void follow(std::span<const Proxy> proxies) {
+  // Both lists are sorted by (body, part), so one pass over both finds the proxies that are new or gone. All removals
+  // come before all insertions, which keeps the tree balanced.
+  void update(std::span<const Proxy> proxies) {
     next_.clear();
     std::size_t old = 0;
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
@@ -82,13 +82,13 @@ class Tree : public BroadPhase {
     if (known.leaf != AabbTree::none) tree_.remove(known.leaf);
   }
 
-  // A tenth of the size on every side: of the order of what a body moves in some steps.
+  // A tenth of the mean side on every side: of the order of what a body moves in a few steps.
   static Aabb fat(const Proxy& proxy) {
     const Vec2 size = proxy.bounds.high - proxy.bounds.low;
     return grown(proxy.bounds, proxy.moves ? (size.x + size.y) / 20 : 0);
   }
 
-  // Whether the bounds have shrunk so much that the fat ones find too many others.
+  // Whether the bounds have shrunk so much that the fat ones overlap too many others.
   bool loose(const Proxy& proxy, const Known& known) const {
     const Vec2 size = proxy.bounds.high - proxy.bounds.low;
     const Aabb& held = tree_.bounds(known.leaf);

@@ -5,10 +5,10 @@ namespace impulse::inline IMPULSE_PRECISION {
 namespace {
 
 RowPoint point_of(const Contact& contact, std::size_t i, const InverseMass& a, const InverseMass& b) {
-  const PointPlace place = place_of(contact, i);
-  return {place,
-          effective_mass(a, b, place.cross_a, place.cross_b),
-          effective_mass(a, b, place.dot_a, place.dot_b),
+  const PointArms arms = arms_of(contact, i);
+  return {arms,
+          effective_mass(a, b, arms.cross_a, arms.cross_b),
+          effective_mass(a, b, arms.dot_a, arms.dot_b),
           contact.points[i].normal_impulse,
           contact.points[i].tangent_impulse,
           0,
@@ -28,7 +28,7 @@ bool solvable(const BodySet& bodies, const Contact& contact) {
   return contact.count > 0 && a.m + b.m + a.i + b.i > 0;
 }
 
-// In one go: rows that are cleared first cost twice as much.
+// Built in one expression: clearing rows first would cost twice as much.
 ContactRow make_row(const BodySet& bodies, const std::vector<Contact>& contacts, std::uint32_t index) {
   const Contact& contact = contacts[index];
   const InverseMass& mass_a = bodies.inverse_mass[contact.body_a];

@@ -16,21 +16,21 @@ namespace impulse::inline IMPULSE_PRECISION {
 ///   along n:  n.(vB - vA) + wB (rB x n) - wA (rA x n)
 ///   along t:  t.(vB - vA) + wB (rB . n) - wA (rA . n)        because r x t = r . n
 ///
-/// so four numbers a point say all about where it is.
-struct PointPlace {
+/// so four numbers describe where a point is.
+struct PointArms {
   Real cross_a = 0, cross_b = 0;  // r x n, m
   Real dot_a = 0, dot_b = 0;      // r . n, m
-  Real turn_a = 0, turn_b = 0;    // the part of r . n that turns with the body: a disc's rim does not
+  Real turn_a = 0, turn_b = 0;    // the part of r . n that rotates with the body: a disc's rim does not
   Real separation = 0;            // m, at the start of the step
 };
 
-/// Where the i-th point of a contact is.
-inline PointPlace place_of(const Contact& contact, std::size_t i) {
+/// The arms of the i-th point of a contact.
+inline PointArms arms_of(const Contact& contact, std::size_t i) {
   const ContactPoint& from = contact.points[i];
-  PointPlace to;
+  PointArms to;
   to.cross_a = cross(from.arm_a, contact.normal);
   to.cross_b = cross(from.arm_b, contact.normal);
-  // The point lay midway when it was found; each arm ends on its own body's surface.
+  // The point lay midway between the surfaces when it was found; each arm ends on its own body's surface.
   to.dot_a = dot(from.arm_a, contact.normal) - contact.found_separation[i] / 2;
   to.dot_b = dot(from.arm_b, contact.normal) + contact.found_separation[i] / 2;
   to.turn_a = to.dot_a - contact.radius_a;
@@ -39,7 +39,7 @@ inline PointPlace place_of(const Contact& contact, std::size_t i) {
   return to;
 }
 
-struct RowPoint : PointPlace {
+struct RowPoint : PointArms {
   Real normal_mass = 0, tangent_mass = 0;        // effective, kg
   Real normal_impulse = 0, tangent_impulse = 0;  // N s, of one sub-step
   Real total_normal = 0, total_tangent = 0;      // N s, of the whole step
@@ -51,12 +51,13 @@ struct ContactRow {
   InverseMass mass_a, mass_b;
   Real static_friction = 0, dynamic_friction = 0, restitution = 0;
   int count = 0;
-  std::uint32_t contact = 0;  // index it was made from
+  std::uint32_t contact = 0;  // index of the contact it was made from
   std::array<RowPoint, 2> points;
 };
 
-/// The two bodies of a row seen along its normal and tangent. Impulses act on this; the bodies learn the sum at the
-/// end. Of a body that neither moves nor can be pushed all terms are 0: a frame without it gives the same bits.
+/// The velocities of a row's two bodies along its normal and tangent. Impulses change only this; write_back() applies
+/// their sum to the bodies. All terms of a body that neither moves nor can be pushed are 0, so a frame without it gives
+/// the same bits.
 template <bool has_a, bool has_b>
 struct FrameOf {
   static constexpr bool with_a = has_a;
@@ -64,7 +65,7 @@ struct FrameOf {
 
   Real normal = 0, tangent = 0;          // relative velocity of the centres, m/s
   Real wa = 0, wb = 0;                   // rad/s
-  Real normal_sum = 0, tangent_sum = 0;  // N s given so far
+  Real normal_sum = 0, tangent_sum = 0;  // N s applied so far
 
   FrameOf(const ContactRow& row, const Velocity& a, const Velocity& b) : wa(a.w), wb(b.w) {
     const Vec2 between = difference(a.v, b.v);
@@ -85,8 +86,8 @@ struct FrameOf {
     turn(row, p.dot_a, p.dot_b, impulse);
     tangent_sum += impulse;
   }
-  /// What cannot be pushed is not written: it may belong to other islands too.
-  void leave(const ContactRow& row, Velocity& a, Velocity& b) const {
+  /// Bodies that cannot be pushed are not written: they may belong to other islands too.
+  void write_back(const ContactRow& row, Velocity& a, Velocity& b) const {
     const Vec2 impulse = normal_sum * row.normal + tangent_sum * perpendicular(row.normal);
     if (has_a && row.mass_a.m + row.mass_a.i > 0) {
       a.v -= row.mass_a.m * impulse;
@@ -122,8 +123,8 @@ struct FrameOf {
 };
 using ContactFrame = FrameOf<true, true>;
 
-/// 1 / (1/mA + 1/mB + cA^2/IA + cB^2/IB): the mass that an impulse along a direction feels, c = arm x direction; 0 if
-/// neither body can move.
+/// The effective mass along a direction, 1 / (1/mA + 1/mB + cA^2/IA + cB^2/IB) with c = arm x direction; 0 if neither
+/// body can move.
 Real effective_mass(const InverseMass& a, const InverseMass& b, Real arm_a, Real arm_b);
 inline Real effective_mass(const ContactRow& row, Real arm_a, Real arm_b) {
   return effective_mass(row.mass_a, row.mass_b, arm_a, arm_b);
@@ -138,25 +139,25 @@ ContactRow make_row(const BodySet& bodies, const std::vector<Contact>& contacts,
 /// Rows of all solvable contacts.
 void prepare_rows(const BodySet& bodies, const std::vector<Contact>& contacts, std::vector<ContactRow>& rows);
 
-/// Hands a row's impulses back for the next warm start, and the totals of the step.
+/// Writes a row's impulses back to its contact for the next warm start, and the totals of the step.
 void store_row(const ContactRow& row, std::vector<Contact>& contacts);
 
-/// Coulomb: the friction impulse `wanted` held by a normal impulse; sticks up to the static coefficient, slides with
-/// the dynamic one beyond it.
+/// Coulomb friction: limits the impulse `wanted` by the normal impulse. Sticks up to the static coefficient, and slides
+/// with the dynamic one beyond.
 inline Real within_cone(const ContactRow& row, Real wanted, Real normal_impulse) {
   if (std::abs(wanted) <= row.static_friction * normal_impulse) return wanted;
   const Real most = row.dynamic_friction * normal_impulse;
   return clamp(wanted, -most, most);
 }
 
-/// Brings a point's accumulated normal impulse to `total`.
+/// Applies the impulse that changes a point's accumulated normal impulse to `total`.
 template <class Frame>
-[[gnu::always_inline]] inline void push_to(const ContactRow& row, RowPoint& p, Frame& frame, Real total) {
+[[gnu::always_inline]] inline void apply_accumulated(const ContactRow& row, RowPoint& p, Frame& frame, Real total) {
   frame.push_normal(row, p, total - p.normal_impulse);
   p.normal_impulse = total;
 }
 
-/// Gives again what a row's points gave last.
+/// Applies the accumulated impulses of a row's points again.
 inline void warm_start(const ContactRow& row, ContactFrame& frame) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
     frame.push_normal(row, row.points[i], row.points[i].normal_impulse);
@@ -164,9 +165,9 @@ inline void warm_start(const ContactRow& row, ContactFrame& frame) {
   }
 }
 
-/// Friction at all points: stops the sliding as far as the cone of the accumulated normal impulse allows.
+/// Friction at all points: stops the sliding as far as the friction cone of the accumulated normal impulse allows.
 template <class Frame>
-[[gnu::always_inline]] inline void rub(ContactRow& row, Frame& frame) {
+[[gnu::always_inline]] inline void solve_friction(ContactRow& row, Frame& frame) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
     RowPoint& p = row.points[i];
     const Real wanted = p.tangent_impulse - p.tangent_mass * frame.tangent_velocity(p);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contacts/lanes/persistence.h"
 #include "core/stages.h"
 #include "impulse/material.h"
 
@@ -9,13 +10,14 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// m, of both bodies' motion together since the points were found; and the points count as touching (m) up to here.
-constexpr Real recycled_motion = static_cast<Real>(0.01);
-constexpr Real recycled_gap = static_cast<Real>(0.005);
+/// m: contacts persist while both bodies together have moved by less than this since the points were found, if the
+/// points are closer than the gap.
+constexpr Real most_persistent_motion = static_cast<Real>(0.01);
+constexpr Real most_persistent_gap = static_cast<Real>(0.005);
 
-bool may_keep(const Contact& contact) {
-  const bool first = contact.points[0].separation > recycled_gap;
-  const bool second = (contact.count > 1) & (contact.points[1].separation > recycled_gap);
+bool close_enough(const Contact& contact) {
+  const bool first = contact.points[0].separation > most_persistent_gap;
+  const bool second = (contact.count > 1) & (contact.points[1].separation > most_persistent_gap);
   return !(contact.discs() | first | second);
 }
 
@@ -40,33 +42,33 @@ void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bo
   find_points(input, all);
   list_touching(all);
   end_stage("list touching");
-  struck_piles_.clear();
-  // Once: what a third body is handed on within the same step is little.
-  const bool knocked = input.margin.time > 0 && foresee_knocks(input);
-  end_stage("foresee knocks");
-  if (knocked) reach_farther(input);
-  std::sort(struck_piles_.begin(), struck_piles_.end());
-  struck_piles_.erase(std::unique(struck_piles_.begin(), struck_piles_.end()), struck_piles_.end());
+  hit_piles_.clear();
+  // Only once: what impacts pass on to a third body within the same step is small.
+  const bool impacts = input.margin.time > 0 && predict_impacts(input);
+  end_stage("predict impacts");
+  if (impacts) search_farther(input);
+  std::sort(hit_piles_.begin(), hit_piles_.end());
+  hit_piles_.erase(std::unique(hit_piles_.begin(), hit_piles_.end()), hit_piles_.end());
   found_the_same_ = touching_are_last();
 }
 
-/// Leaves out pairs that are none, and puts the others in order of contacts.
+/// Removes pairs that are apart or joined, and sorts the others in the order of contacts.
 void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pairs) {
   const std::span<const Proxy> proxies = shapes_.proxies();
   const JointSet& joints = input.joints;
-  const bool tied = !joints.connected_pairs().empty();
-  if (tied || shapes_.some_slanted()) {
+  const bool joined = !joints.tied().empty();
+  if (joined || shapes_.some_slanted()) {
     std::size_t left = 0;
     for (const Pair& pair : pairs) {
       const bool apart = shapes_.apart(pair.first, pair.second) ||
-                         (tied && joints.connects(proxies[pair.first].body, proxies[pair.second].body));
+                         (joined && joints.ties(proxies[pair.first].body, proxies[pair.second].body));
       pairs[left] = pair;
       left += apart ? 0 : 1;
     }
     pairs.resize(left);
   }
   if (!shapes_.several_parts()) return;
-  // They come in order of (body_a, part_a, body_b, part_b): wrong only around what is not of its body's first part.
+  // They are sorted by (body_a, part_a, body_b, part_b), which differs only if body_a has several parts.
   const auto body_a = [proxies](const Pair& pair) { return proxies[pair.first].body; };
   const auto body_b = [proxies](const Pair& pair) { return proxies[pair.second].body; };
   const auto of_later_part = [proxies](const Pair& pair) { return proxies[pair.first].part != 0; };
@@ -81,10 +83,10 @@ void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pa
   }
 }
 
-/// Pairs and contacts are in one order: one walk along both. While the proxies are the same and no contact was taken
-/// out or put in, the pairs that touched tell of the contacts, in less memory. Where pairs and contacts are still those
-/// of the last search, which is which is known; and nothing changes if that search found the contacts of the one
-/// before.
+/// Finds the last contact of each pair. Pairs and contacts are in the same order, so one pass over both suffices. While
+/// the proxies are the same and no contact was removed or added, the last touching pairs stand for the contacts, which
+/// reads less memory; and if the pairs are the same too, and the last search found the contacts of the one before,
+/// nothing changes.
 void ContactSearch::match(bool undisturbed) {
   last_of_.resize(pairs_.size());
   std::uint32_t last = 0;
@@ -102,69 +104,71 @@ void ContactSearch::match(bool undisturbed) {
   }
 }
 
-/// Goes on in `last_` from a place to where the contact must be, and past it if it is there.
+/// Advances `place` in `last_` to where the contact would be, and past it if it is there.
 std::uint32_t ContactSearch::find_last(const ContactOrder& wanted, std::uint32_t& place) const {
   while (place < last_.size() && ContactOrder(last_[place]) < wanted) ++place;
   const bool known = place < last_.size() && ContactOrder(last_[place]) == wanted;
   return known ? place++ : none;
 }
 
-/// Those that they had, or new ones.
+/// The points of persistent contacts, or new ones.
 void ContactSearch::find_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs) {
   counts_.resize(pairs_.size());
   found_.resize(pairs_.size());
-  keep_points(input, of_pairs);
-  end_stage("recycle");
+  persist_points(input, of_pairs);
+  end_stage("persist");
   narrow_phase_.collide(input.bodies, shapes_, input.margin, pairs_, to_collide_, found_.data());
   for (const std::uint32_t pair : to_collide_) counts_[pair] = static_cast<std::int8_t>(found_[pair].count);
   end_stage("collide pairs");
 }
 
-/// Of some pairs, those whose bodies hardly moved since their points were found (see ContactSet::find).
-void ContactSearch::keep_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs) {
-  // Both lists are written at every turn, and go on where the pair belongs: which that is, no processor foresees.
+/// Updates the contacts that persist (see ContactSet::find), and lists all other pairs to be collided.
+void ContactSearch::persist_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs) {
+  // Both lists are written for every pair, but only the right one advances: a branch would be unpredictable.
   to_collide_.resize(of_pairs.size());
-  to_keep_.resize(of_pairs.size());
-  may_keep_.resize(of_pairs.size());
+  may_persist_.resize(of_pairs.size());
+  candidate_contacts_.resize(of_pairs.size());
   std::size_t collided = 0;
-  std::size_t asked = 0;
+  std::size_t candidates = 0;
   for (const std::uint32_t pair : of_pairs) {
     const std::uint32_t last = last_of_[pair];
-    const bool still = moved_[pairs_[pair].first] + moved_[pairs_[pair].second] < recycled_motion;
-    // Points that the last search found, what has moved since cannot keep: that spares a visit.
-    const std::size_t ask =
-        input.recycle && last != none && (still || fresh_[last] == 0) && may_keep(last_[last]) ? 1 : 0;
+    const bool still = moved_[pairs_[pair].first] + moved_[pairs_[pair].second] < most_persistent_motion;
+    // Points found by the last search cannot persist if the bodies have moved since: no need to visit the contact.
+    const std::size_t may =
+        input.persistence && last != none && (still || collided_[last] == 0) && close_enough(last_[last]) ? 1 : 0;
     to_collide_[collided] = pair;
-    to_keep_[asked] = pair;
-    may_keep_[asked] = last;
-    collided += 1 - ask;
-    asked += ask;
+    may_persist_[candidates] = pair;
+    candidate_contacts_[candidates] = last;
+    collided += 1 - may;
+    candidates += may;
   }
-  may_keep_.resize(asked);
-  kept_.resize(asked);
-  kernels().keep_points(last_.data(), may_keep_.data(), static_cast<std::uint32_t>(asked), input.bodies.pose.data(),
-                        input.bodies.bounding_radius.data(), recycled_motion, kept_.data());
-  for (std::size_t i = 0; i < asked; ++i) {
-    const std::uint32_t pair = to_keep_[i];
-    counts_[pair] = kept;
+  candidate_contacts_.resize(candidates);
+  kept_.resize(candidates);
+  contact_kernels().persist_points(last_.data(), candidate_contacts_.data(), static_cast<std::uint32_t>(candidates),
+                                   input.bodies.pose.data(), input.bodies.reach.data(), most_persistent_motion,
+                                   kept_.data());
+  for (std::size_t i = 0; i < candidates; ++i) {
+    const std::uint32_t pair = may_persist_[i];
+    counts_[pair] = persistent;
     to_collide_[collided] = pair;
     collided += kept_[i] != 0 ? 0 : 1;
   }
   to_collide_.resize(collided);
 }
 
-/// How far each proxy's body has come since the last search, and which points that search found: where there are so
-/// many that it pays; else as if nothing had moved.
+/// Records how far each proxy's body has moved since the last search, and which contacts that search collided. With few
+/// contacts it does not pay, and all count as unmoved.
 void ContactSearch::note_motion(const SearchInput& input, bool undisturbed) {
   constexpr std::size_t worth_it = 64;
   const BodySet& bodies = input.bodies;
   const std::span<const Proxy> proxies = shapes_.proxies();
-  fresh_.assign(last_.size(), 0);
+  collided_.assign(last_.size(), 0);
   moved_.assign(proxies.size(), 0);
   if (last_.size() < worth_it) return poses_.clear();
   const bool known = poses_.size() == bodies.size();
   if (!known) poses_ = bodies.pose;
-  for (std::size_t i = 0; i < fresh_.size(); ++i) fresh_[i] = undisturbed && known && !keeps(touching_[i]) ? 1 : 0;
+  for (std::size_t i = 0; i < collided_.size(); ++i)
+    collided_[i] = undisturbed && known && !persists(touching_[i]) ? 1 : 0;
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     const std::size_t body = proxies[i].body;
     const Pose& now = bodies.pose[body];
@@ -192,28 +196,29 @@ bool ContactSearch::touching_are_last() const {
   return true;
 }
 
-/// Two bodies that meet at a speed u change each other's by (1 + e) u mB / (mA + mB) at most. What is struck within the
-/// step may then meet others than those it was on its way to: a disc thrown back into its followers, the next in a
-/// stack that lands. Whether that takes any farther than the margin already allows for.
-bool ContactSearch::foresee_knocks(const SearchInput& input) {
+/// Two bodies that hit each other at a speed u change the velocity of a by at most (1 + e) u mB / (mA + mB). A body
+/// that is hit within the step may then hit others than those it was approaching: a disc thrown back into its
+/// followers, the next box in a stack that lands. Returns whether that moves any body farther than the margin allows
+/// for.
+bool ContactSearch::predict_impacts(const SearchInput& input) {
   const BodySet& bodies = input.bodies;
   const Margin& margin = input.margin;
-  const Real felt = margin.distance / 2;
-  // As fast as all that would be too slow: 1/64 is for rounding.
-  const auto too_slow = [&](Real speed) { return margin.time * speed <= felt * (Real{63} / 64); };
+  const Real allowed = margin.distance / 2;
+  // 1/64 is for rounding.
+  const auto too_slow = [&](Real speed) { return margin.time * speed <= allowed * (Real{63} / 64); };
   if (too_slow(2 * shapes_.fastest())) return false;
-  knocks_.assign(bodies.size(), 0);
+  impact_changes_.assign(bodies.size(), 0);
   bool farther = false;
-  const auto knock = [&](std::size_t i, Real change) {
-    if (margin.time * change <= felt) return;
-    knocks_[i] = std::max(knocks_[i], change);
+  const auto change_velocity = [&](std::size_t i, Real change) {
+    if (margin.time * change <= allowed) return;
+    impact_changes_[i] = std::max(impact_changes_[i], change);
     farther = true;
-    if (bodies.pile[i] != 0) struck_piles_.push_back(bodies.pile[i]);
+    if (bodies.pile[i] != 0) hit_piles_.push_back(bodies.pile[i]);
   };
   const auto count = static_cast<std::uint32_t>(touching_.size());
-  const PairBatch all{shapes_.records().data(), pairs_.data(), touching_.data(), count, felt, margin.time};
+  const PairBatch all{shapes_.records().data(), pairs_.data(), touching_.data(), count, allowed, margin.time};
   fast_.resize(count);
-  const std::uint32_t* end = kernels().find_fast(all, found_.data(), counts_.data(), fast_.data());
+  const std::uint32_t* end = narrow_phase_kernels().find_fast(all, found_.data(), counts_.data(), fast_.data());
   for (const std::uint32_t pair : std::span(fast_.data(), end)) {
     const PairPoints& found = found_[pair];
     const ShapeRecord& record_a = shapes_.records()[pairs_[pair].first];
@@ -222,36 +227,36 @@ bool ContactSearch::foresee_knocks(const SearchInput& input) {
     const Real turning = record_a.rim + record_b.rim;
     Vec2 normal{found.normal[0], found.normal[1]};
     Real gap = found.count == 2 ? std::min(found.separation[0], found.separation[1]) : found.separation[0];
-    if (keeps(pair)) {
+    if (persists(pair)) {
       const Contact& contact = last_[last_of_[pair]];
       normal = contact.normal;
       gap = contact.points[0].separation;
       if (contact.count == 2) gap = std::min(gap, contact.points[1].separation);
     }
     const Real speed = turning - dot(normal, between);
-    if (margin.time * speed <= std::max(gap, felt)) continue;
+    if (margin.time * speed <= std::max(gap, allowed)) continue;
     const std::size_t a = first(pair).body;
     const std::size_t b = second(pair).body;
-    const Real mass_a = bodies.inverse_mass[a].m;
-    const Real mass_b = bodies.inverse_mass[b].m;
+    const Real inv_mass_a = bodies.inverse_mass[a].m;
+    const Real inv_mass_b = bodies.inverse_mass[b].m;
     const Real restitution = mix(input.settings.restitution_mixing, shapes_.restitution(pairs_[pair].first),
                                  shapes_.restitution(pairs_[pair].second));
-    const Real change = (1 + restitution) * speed / (mass_a + mass_b);
-    knock(a, change * mass_a);
-    knock(b, change * mass_b);
+    const Real change = (1 + restitution) * speed / (inv_mass_a + inv_mass_b);
+    change_velocity(a, change * inv_mass_a);
+    change_velocity(b, change * inv_mass_b);
   }
   return farther;
 }
 
-/// Searches once more, but only around what is knocked: bounds have grown there, so that pairs are added, and points
-/// count from farther away.
-void ContactSearch::reach_farther(const SearchInput& input) {
-  shapes_.grow(input.bodies, input.margin, knocks_);
+/// The second speculative query, only around bodies that are hit: with their bounds grown there are more pairs, and
+/// points count from farther away.
+void ContactSearch::search_farther(const SearchInput& input) {
+  shapes_.grow(input.bodies, input.margin, impact_changes_);
   const std::span<const Proxy> proxies = shapes_.proxies();
-  knocked_.resize(proxies.size());
-  for (std::size_t i = 0; i < proxies.size(); ++i) knocked_[i] = knocks_[proxies[i].body] > 0 ? 1 : 0;
+  hit_.resize(proxies.size());
+  for (std::size_t i = 0; i < proxies.size(); ++i) hit_[i] = impact_changes_[proxies[i].body] > 0 ? 1 : 0;
   end_stage("farther: grow");
-  input.broad_phase.find_pairs_of(proxies, knocked_, farther_pairs_);
+  input.broad_phase.find_pairs_of(proxies, hit_, farther_pairs_);
   end_stage("farther: find pairs");
   put_in_order(input, farther_pairs_);
 
@@ -271,7 +276,7 @@ void ContactSearch::reach_farther(const SearchInput& input) {
       in_order_[placed++] = late;
       undecided_.push_back(late);
       pairs_.push_back(pair);
-      // Its contact comes after that of the nearest pair before it that has one.
+      // Its contact comes after that of the last pair before it that has one.
       std::uint32_t known = next;
       while (known > 0 && last_of_[known - 1] == none) --known;
       if (known > 0) last = std::max(last, last_of_[known - 1] + 1);
@@ -286,13 +291,13 @@ void ContactSearch::reach_farther(const SearchInput& input) {
   end_stage("farther: list touching");
 }
 
-/// A greater gap gives no more points to pairs that stay as they were, to a full set, or to a disc that has its one.
+/// A greater gap adds no points to persistent contacts, to boxes with two points, or to a disc with one.
 bool ContactSearch::may_gain_points(std::uint32_t pair) const {
   const auto kind = [this](std::uint32_t i) { return shapes_.kind(i); };
   const Pair& of = pairs_[pair];
-  if (kind(of.first) == ShapeKind::other || kind(of.second) == ShapeKind::other) return !keeps(pair);
+  if (kind(of.first) == ShapeKind::other || kind(of.second) == ShapeKind::other) return !persists(pair);
   const bool disc = kind(of.first) == ShapeKind::disc || kind(of.second) == ShapeKind::disc;
-  return !keeps(pair) && counts_[pair] < (disc ? 1 : 2);
+  return !persists(pair) && counts_[pair] < (disc ? 1 : 2);
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

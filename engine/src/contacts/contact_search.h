@@ -8,63 +8,76 @@
 #include "broad_phase/broad_phase.h"
 #include "broad_phase/neighbours.h"
 #include "broad_phase/pair_order.h"
-#include "broad_phase/shape_table.h"
 #include "contacts/contact.h"
-#include "contacts/contact_order.h"
 #include "impulse/settings.h"
 #include "joints/joint_set.h"
 #include "narrow_phase/narrow_phase.h"
-#include "solver/lanes/kernels.h"
-#include "solver/solver.h"
+#include "narrow_phase/shape_table.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// What a search for contacts is given (see ContactSet::find).
+/// The order of contacts, (body_a, body_b, part_a, part_b), as two numbers.
+struct ContactOrder {
+  std::uint64_t bodies;
+  std::uint32_t parts;
+
+  explicit ContactOrder(const Contact& c) : ContactOrder(c.body_a, c.body_b, c.part_a, c.part_b) {}
+  ContactOrder(const Proxy& a, const Proxy& b) : ContactOrder(a.body, b.body, a.part, b.part) {}
+  ContactOrder(std::uint32_t a, std::uint32_t b, std::uint16_t part_a, std::uint16_t part_b)
+      : bodies(std::uint64_t{a} << 32U | b), parts(std::uint32_t{part_a} << 16U | part_b) {}
+  bool operator<(const ContactOrder& other) const {
+    return bodies != other.bodies ? bodies < other.bodies : parts < other.parts;
+  }
+  bool operator==(const ContactOrder&) const = default;
+};
+inline bool comes_before(const Contact& left, const Contact& right) { return ContactOrder(left) < ContactOrder(right); }
+
+/// The input of a search for contacts (see ContactSet::find).
 struct SearchInput {
   const BodySet& bodies;
   BroadPhase& broad_phase;
   const Settings& settings;
   const Margin& margin;
-  bool recycle;
+  bool persistence;
   const JointSet& joints;
 };
 
-/// Finds the pairs of parts that touch, or will within the margin, and their points.
+/// Finds the pairs of parts that touch or are within the speculative margin, and their contact points.
 class ContactSearch {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  /// `last` are the contacts that the last search ended in; the span must hold while results are read. Those that keep
-  /// their points are brought up to date. `undisturbed`: none was taken out or put in since.
+  /// `last` are the contacts as they are since the last search; the span must stay valid while results are read. Those
+  /// that persist are brought up to date. `undisturbed`: none was removed or added since that search.
   void search(const SearchInput& input, std::span<Contact> last, bool undisturbed);
 
-  /// Numbers of the pairs that have points, in order of contacts.
+  /// Indices of the pairs that have points, in the order of contacts.
   std::span<const std::uint32_t> touching() const { return touching_; }
-  /// Piles at rest of which a body is struck: whom it then meets was not looked for. Ascending.
-  std::span<const std::uint32_t> struck_piles() const { return struck_piles_; }
-  /// Whether these are the contacts of `last`, no more and no less.
+  /// Piles at rest with a body that is hit, ascending: the search did not look for what that body hits next.
+  std::span<const std::uint32_t> hit_piles() const { return hit_piles_; }
+  /// Whether these are exactly the contacts of `last`.
   bool found_the_same() const { return found_the_same_; }
   const Proxy& first(std::uint32_t pair) const { return shapes_.proxies()[pairs_[pair].first]; }
   const Proxy& second(std::uint32_t pair) const { return shapes_.proxies()[pairs_[pair].second]; }
   const Part& first_part(std::uint32_t pair) const { return shapes_.part(pairs_[pair].first); }
   const Part& second_part(std::uint32_t pair) const { return shapes_.part(pairs_[pair].second); }
-  /// The place of the pair's contact in `last`, or none.
+  /// The index of the pair's contact in `last`, or none.
   std::uint32_t last_of(std::uint32_t pair) const { return last_of_[pair]; }
-  /// Whether that contact's points stay; then points() says nothing.
-  bool keeps(std::uint32_t pair) const { return counts_[pair] == kept; }
+  /// Whether that contact persists with its points; then points() is not defined.
+  bool persists(std::uint32_t pair) const { return counts_[pair] == persistent; }
   const PairPoints& points(std::uint32_t pair) const { return found_[pair]; }
 
  private:
-  static constexpr std::int8_t kept = -1;  // instead of a count of points
+  static constexpr std::int8_t persistent = -1;  // instead of a count of points
 
   void put_in_order(const SearchInput& input, std::vector<Pair>& pairs);
   void match(bool undisturbed);
   std::uint32_t find_last(const ContactOrder& wanted, std::uint32_t& place) const;
   void find_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs);
-  void keep_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs);
+  void persist_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs);
   void note_motion(const SearchInput& input, bool undisturbed);
-  bool foresee_knocks(const SearchInput& input);
-  void reach_farther(const SearchInput& input);
+  bool predict_impacts(const SearchInput& input);
+  void search_farther(const SearchInput& input);
   bool may_gain_points(std::uint32_t pair) const;
   void list_touching(std::span<const std::uint32_t> in_order);
   bool touching_are_last() const;
@@ -72,12 +85,13 @@ class ContactSearch {
     return {shapes_.proxies()[pair.first], shapes_.proxies()[pair.second]};
   }
 
-  /// In order of contacts. Proxies are in order of (body, part) themselves, so that only the parts of one first body
-  /// make a difference.
+  /// The order of contacts. Proxies are sorted by (body, part) themselves, so this differs from the order of pairs only
+  /// if the first body has several parts.
   bool before(const Pair& left, const Pair& right) const {
     const auto body = [this](std::uint32_t i) { return shapes_.proxies()[i].body; };
-    const bool plain = !shapes_.several_parts() || left.first == right.first || body(left.first) != body(right.first);
-    return plain ? left < right : order_of(left) < order_of(right);
+    const bool same_order =
+        !shapes_.several_parts() || left.first == right.first || body(left.first) != body(right.first);
+    return same_order ? left < right : order_of(left) < order_of(right);
   }
 
   ShapeTable shapes_;
@@ -85,28 +99,28 @@ class ContactSearch {
   std::span<Contact> last_;
   Neighbours neighbours_;
   PairOrder pair_order_;
-  std::vector<Pair> pairs_;              // in order of contacts, but for those that come late
-  std::vector<Pair> last_pairs_;         // of the search before
-  std::vector<std::uint32_t> numbers_;   // 0, 1, 2, ... : all pairs, in order of contacts until some come late
-  std::vector<std::uint32_t> in_order_;  // the same with those
+  std::vector<Pair> pairs_;              // in the order of contacts, except for late ones
+  std::vector<Pair> last_pairs_;         // of the last search
+  std::vector<std::uint32_t> numbers_;   // 0, 1, 2, ...: all pairs, in the order of contacts until late ones are added
+  std::vector<std::uint32_t> in_order_;  // all pairs with late ones
   std::vector<std::uint32_t> last_of_;   // of each pair
-  std::vector<std::int8_t> counts_;      // of the points of each pair, or kept
-  std::vector<PairPoints> found_;        // of each pair that was collided
+  std::vector<std::int8_t> counts_;      // of the points of each pair, or `persistent`
+  std::vector<PairPoints> found_;        // of each pair that was collided in this search
   bool found_the_same_ = false;
-  std::vector<Pose> poses_;                // of each body in the last search
-  std::vector<Real> moved_;                // m, by which no point of each proxy's body moved farther since
-  std::vector<std::uint8_t> fresh_;        // of each contact of `last_`: whether that search found its points
-  std::vector<std::uint32_t> undecided_;   // pairs that have no points yet, or may have more
-  std::vector<std::uint32_t> to_collide_;  // those of them that do not keep what they had
-  std::vector<std::uint32_t> to_keep_;     // and those that may
-  std::vector<std::uint32_t> may_keep_;    // their contacts
-  std::vector<std::uint8_t> kept_;         // and whether they do
-  std::vector<std::uint32_t> fast_;        // touching pairs that may meet with a knock
-  std::vector<Real> knocks_;  // m/s, by which each body's velocity may change within the step when it is struck
-  std::vector<std::uint8_t> knocked_;  // whether each proxy's body has such a knock
-  std::vector<Pair> farther_pairs_;    // of those proxies
+  std::vector<Pose> poses_;                 // of each body in the last search
+  std::vector<Real> moved_;                 // m, of each proxy: bound of its body's motion since
+  std::vector<std::uint8_t> collided_;      // of each contact of `last_`: whether that search collided it
+  std::vector<std::uint32_t> undecided_;    // pairs that have no points yet or may get more
+  std::vector<std::uint32_t> to_collide_;   // pairs whose contacts do not persist
+  std::vector<std::uint32_t> may_persist_;  // pairs whose contacts may
+  std::vector<std::uint32_t> candidate_contacts_;   // their contacts
+  std::vector<std::uint8_t> kept_;          // and whether they do
+  std::vector<std::uint32_t> fast_;         // touching pairs that may hit each other within the step
+  std::vector<Real> impact_changes_;  // m/s, of each body: predicted change of velocity by impacts within the step
+  std::vector<std::uint8_t> hit_;     // of each proxy: whether its body has such a change
+  std::vector<Pair> farther_pairs_;   // of those proxies
   std::vector<std::uint32_t> touching_;
-  std::vector<std::uint32_t> struck_piles_;
+  std::vector<std::uint32_t> hit_piles_;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -8,18 +8,14 @@
 #include <span>
 #include <tuple>
 
-#include "contacts/contact_order.h"
+#include "contacts/ghosts.h"
 #include "core/stages.h"
-#include "narrow_phase/ghosts.h"
-#include "solver/resting_piles.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-bool in_order(const Contact& left, const Contact& right) { return ContactOrder(left) < ContactOrder(right); }
-
-bool of_sleepers(const Contact& c, const BodySet& bodies) {
+bool is_asleep(const Contact& c, const BodySet& bodies) {
   return bodies.asleep[c.body_a] != 0 || bodies.asleep[c.body_b] != 0;
 }
 
@@ -41,8 +37,8 @@ void take_points(Contact& contact, const BodySet& bodies, const PairPoints& foun
   }
 }
 
-/// One without points.
-Contact begin(const Proxy& a, const Proxy& b, const Shape& shape_a, const Shape& shape_b) {
+/// A new contact, without points.
+Contact make_contact(const Proxy& a, const Proxy& b, const Shape& shape_a, const Shape& shape_b) {
   Contact contact;
   contact.body_a = a.body;
   contact.body_b = b.body;
@@ -62,25 +58,24 @@ void mix_materials(Contact& contact, const Material& a, const Material& b, const
   contact.restitution = mix(settings.restitution_mixing, a.restitution, b.restitution);
 }
 
-void carry_impulses(Contact& contact, std::span<const ContactPoint> last) {
+void match_impulses(Contact& contact, std::span<const ContactPoint> last) {
   for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
     ContactPoint& point = contact.points[p];
     for (const ContactPoint& before : last) {
       if (point.feature != before.feature) continue;
       point.normal_impulse = before.normal_impulse;
       point.tangent_impulse = before.tangent_impulse;
-      point.fresh = false;
     }
   }
 }
 
-/// A contact that was there before, with the points that the search found of it now.
-void go_on(Contact& contact, const BodySet& bodies, const PairPoints& found) {
+/// Updates a known contact to the points that the search found now.
+void update(Contact& contact, const BodySet& bodies, const PairPoints& found) {
   ++contact.age;
   const std::array<ContactPoint, 2> last = contact.points;
   const int last_count = contact.count;
   take_points(contact, bodies, found);
-  carry_impulses(contact, std::span(last).first(static_cast<std::size_t>(last_count)));
+  match_impulses(contact, std::span(last).first(static_cast<std::size_t>(last_count)));
 }
 
 }  // namespace
@@ -100,9 +95,9 @@ void ContactSet::write_rows(const SearchInput& input) {
   if (!disturbed_ && search_.found_the_same()) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const std::uint32_t pair = search_.touching()[i];
-      if (search_.keeps(pair)) continue;
+      if (search_.persists(pair)) continue;
       const int before = rows_[i].count;
-      go_on(rows_[i], input.bodies, search_.points(pair));
+      update(rows_[i], input.bodies, search_.points(pair));
       if (rows_[i].count != before) ++changes_;
     }
     return;
@@ -123,18 +118,17 @@ void ContactSet::write_rows(const SearchInput& input) {
     Contact& row = rows_[next++];
     if (search_.last_of(pair) != ContactSearch::none) {
       row = last_rows_[search_.last_of(pair)];
-      if (!search_.keeps(pair)) go_on(row, input.bodies, search_.points(pair));
+      if (!search_.persists(pair)) update(row, input.bodies, search_.points(pair));
       continue;
     }
     const Part& part_a = search_.first_part(pair);
     const Part& part_b = search_.second_part(pair);
-    row = begin(a, b, part_a.shape, part_b.shape);
+    row = make_contact(a, b, part_a.shape, part_b.shape);
     mix_materials(row, part_a.material, part_b.material, input.settings);
     take_points(row, input.bodies, search_.points(pair));
   }
 }
 
-/// The rules of mixing have changed.
 void ContactSet::mix_again(const BodySet& bodies, const Settings& settings) {
   mixed_by_ = {settings.friction_mixing, settings.restitution_mixing};
   ++changes_;
@@ -144,11 +138,11 @@ void ContactSet::mix_again(const BodySet& bodies, const Settings& settings) {
   }
 }
 
-// Only a part that meets several fixed shapes can meet a join of them.
+// Only a part that touches several fixed shapes can have a ghost collision at their join.
 void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
   const auto part = [](const OnGround& meets) { return std::tie(meets.body, meets.part); };
   const auto before = [&](const OnGround& left, const OnGround& right) { return part(left) < part(right); };
-  // In order already on a single floor, and sorting takes memory.
+  // Sorted already on a single floor, and sorting allocates memory.
   if (!std::is_sorted(on_ground_.begin(), on_ground_.end(), before)) {
     std::stable_sort(on_ground_.begin(), on_ground_.end(), before);
   }
@@ -162,10 +156,10 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
   disturb();
 }
 
-// A face that has taken the place of a ghost hides others in turn: those two joins ahead.
+// A face that replaced a ghost can in turn reveal others, at the next join but one.
 bool ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin) {
-  // Only ground that stands still has joins.
-  const auto stands = [&](const OnGround& meets) { return !bodies.moves(meets.ground); };
+  // Only ground that stands still has joins to consider.
+  const auto stands = [&](const OnGround& meets) { return !bodies.stirs(meets.ground); };
   supports_.clear();
   std::copy_if(of_part.begin(), of_part.end(), std::back_inserter(supports_), stands);
   if (supports_.size() < 2) return false;
@@ -173,17 +167,17 @@ bool ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet&
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     const OnGround below = supports_[i];
     if (rows_[below.row].count == 0) continue;
-    const std::optional<Plane> plane = face_under(Meeting(rows_[below.row], bodies, below.dynamic_first), bodies);
+    const std::optional<Plane> plane = face_under(GroundContact(rows_[below.row], bodies, below.dynamic_first), bodies);
     if (!plane) continue;
     for (const OnGround& ahead : of_part) {
       Contact& contact = rows_[ahead.row];
       if (ahead.row == below.row || contact.count == 0 || !stands(ahead)) continue;
       const std::optional<Manifold> instead =
-          without_ghost(Meeting(contact, bodies, ahead.dynamic_first), *plane, bodies, margin);
+          without_ghost(GroundContact(contact, bodies, ahead.dynamic_first), *plane, bodies, margin);
       if (!instead) continue;
       const Contact was = contact;
       take_points(contact, bodies, points_of(*instead, bodies.pose[contact.body_a].p, bodies.pose[contact.body_b].p));
-      carry_impulses(contact, std::span(was.points).first(static_cast<std::size_t>(was.count)));
+      match_impulses(contact, std::span(was.points).first(static_cast<std::size_t>(was.count)));
       supports_.push_back(ahead);
       removed |= contact.count == 0;
     }
@@ -200,23 +194,22 @@ void ContactSet::forget(std::size_t body) {
 
 void ContactSet::lay_to_rest(const BodySet& bodies) {
   disturb();
-  const auto passed_by = [&](std::uint32_t body) { return bodies.dynamic(body) && bodies.asleep[body] == 0; };
-  std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(resting_), [&](const Contact& c) {
-    return of_sleepers(c, bodies) && !passed_by(c.body_a) && !passed_by(c.body_b);
-  });
-  std::sort(resting_.begin(), resting_.end(), in_order);
-  std::erase_if(rows_, [&](const Contact& c) { return of_sleepers(c, bodies); });
+  const auto awake = [&](std::uint32_t body) { return bodies.dynamic(body) && bodies.asleep[body] == 0; };
+  std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(resting_),
+               [&](const Contact& c) { return is_asleep(c, bodies) && !awake(c.body_a) && !awake(c.body_b); });
+  std::sort(resting_.begin(), resting_.end(), comes_before);
+  std::erase_if(rows_, [&](const Contact& c) { return is_asleep(c, bodies); });
 }
 
 void ContactSet::take_back(const BodySet& bodies) {
   disturb();
   const auto woken =
-      std::stable_partition(resting_.begin(), resting_.end(), [&](const Contact& c) { return of_sleepers(c, bodies); });
+      std::stable_partition(resting_.begin(), resting_.end(), [&](const Contact& c) { return is_asleep(c, bodies); });
   const auto awake = static_cast<std::ptrdiff_t>(rows_.size());
   rows_.insert(rows_.end(), woken, resting_.end());
   resting_.erase(woken, resting_.end());
-  mixed_by_.reset();  // they may be from before a change
-  std::inplace_merge(rows_.begin(), rows_.begin() + awake, rows_.end(), in_order);
+  mixed_by_.reset();  // they may have been mixed by other rules
+  std::inplace_merge(rows_.begin(), rows_.begin() + awake, rows_.end(), comes_before);
 }
 
 void ContactSet::forget_new() {
@@ -226,7 +219,11 @@ void ContactSet::forget_new() {
 
 void ContactSet::leave_to_piles(const BodySet& bodies) {
   disturb();
-  std::erase_if(rows_, [&](const Contact& contact) { return kept_by_pile(bodies, contact); });
+  const auto still = [&](std::uint32_t body) { return bodies.pile[body] != 0 || !bodies.pushable(body); };
+  std::erase_if(rows_, [&](const Contact& contact) {
+    return still(contact.body_a) && still(contact.body_b) &&
+           (bodies.pile[contact.body_a] != 0 || bodies.pile[contact.body_b] != 0);
+  });
 }
 
 void ContactSet::put_in(std::span<const Contact> contacts) {
@@ -234,8 +231,8 @@ void ContactSet::put_in(std::span<const Contact> contacts) {
   disturb();
   const auto before = static_cast<std::ptrdiff_t>(rows_.size());
   rows_.insert(rows_.end(), contacts.begin(), contacts.end());
-  std::sort(rows_.begin() + before, rows_.end(), in_order);
-  std::inplace_merge(rows_.begin(), rows_.begin() + before, rows_.end(), in_order);
+  std::sort(rows_.begin() + before, rows_.end(), comes_before);
+  std::inplace_merge(rows_.begin(), rows_.begin() + before, rows_.end(), comes_before);
 }
 
 void ContactSet::stretch_rest(Real times) {
@@ -255,7 +252,7 @@ std::vector<const Contact*> ContactSet::all(std::span<const Contact> more) const
     for (const Contact& contact : some) merged.push_back(&contact);
   }
   std::sort(merged.begin(), merged.end(),
-            [](const Contact* left, const Contact* right) { return in_order(*left, *right); });
+            [](const Contact* left, const Contact* right) { return comes_before(*left, *right); });
   return merged;
 }
 

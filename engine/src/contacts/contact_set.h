@@ -9,50 +9,51 @@
 #include "contacts/contact.h"
 #include "contacts/contact_search.h"
 #include "impulse/settings.h"
-#include "solver/solver.h"
+#include "narrow_phase/margin.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 /// The contacts of a world from step to step.
 class ContactSet {
  public:
-  /// Finds what touches, or will within the margin; contacts that were there before keep their impulses and age.
+  /// Finds the contacts of shapes that touch or are within the margin; known contacts keep their impulses and age.
   ///
-  /// With `recycle`, a contact whose bodies hardly moved since its points were found keeps normal and arms as they were
-  /// and only measures its separations anew. That is stability, not thrift: arms that turn with every tremor make the
-  /// stiffness of a stack depend on its lean, and a tall one buckles.
+  /// With `persistence`, a contact whose bodies hardly moved since its points were found keeps its normal and arms, and
+  /// only its separations are measured again. The reason is stability, not speed: if arms turned with every jitter, the
+  /// stiffness of a stack would depend on how it leans, and a tall one would buckle.
   void find(const SearchInput& input);
 
-  /// Forgets what the last search found for the first time, so that another before the step finds it new again.
+  /// Removes the contacts that the last search added, so that another search before the step adds them again.
   void forget_new();
   /// See ContactSearch.
-  std::span<const std::uint32_t> struck_piles() const { return search_.struck_piles(); }
+  std::span<const std::uint32_t> hit_piles() const { return search_.hit_piles(); }
 
-  /// Forgets the contacts of a body.
+  /// Removes the contacts of a body.
   void forget(std::size_t body);
 
-  /// Of bodies that are awake. Sorted by (body_a, body_b, part_a, part_b).
+  /// The contacts of bodies that are awake, sorted by (body_a, body_b, part_a, part_b).
   std::vector<Contact>& rows() { return rows_; }
   const std::vector<Contact>& rows() const { return rows_; }
 
-  /// Not 0, and another number whenever rows came or went or have other numbers of points or other materials.
+  /// Never 0; changes whenever a contact is added or removed, or its number of points or its material changes.
   std::uint64_t changes() const { return changes_; }
 
-  /// Of bodies asleep, as their last step left them; sorted likewise. Solvers don't see them.
+  /// The contacts of bodies asleep, as their last step left them, in the same order. Solvers don't see them.
   std::span<const Contact> resting() const { return resting_; }
-  /// Steps last so many times as long from now on: what carries the sleepers in one of them does, too.
+  /// Scales the impulses of the contacts of bodies asleep, when the length of the step changes by this factor.
   void stretch_rest(Real times);
-  /// Lays aside the contacts of bodies that have fallen asleep.
+  /// Moves the contacts of bodies that have fallen asleep to resting().
   void lay_to_rest(const BodySet& bodies);
-  /// Takes up again those of bodies that have woken, so that the next search finds them known.
+  /// Moves the contacts of bodies that have woken back to rows(), so that the next search knows them.
   void take_back(const BodySet& bodies);
 
-  /// Leaves out those that piles at rest keep now.
+  /// Removes the contacts that piles at rest now keep: those among their bodies, and between them and bodies that
+  /// cannot be pushed.
   void leave_to_piles(const BodySet& bodies);
-  /// Takes up those that they have kept, so that the next search finds them known.
+  /// Adds contacts that piles at rest have kept, so that the next search knows them.
   void put_in(std::span<const Contact> contacts);
 
-  /// Those of rows() and resting() and these in one order.
+  /// The contacts of rows(), of resting() and these, sorted.
   std::vector<const Contact*> all(std::span<const Contact> more) const;
 
  private:
@@ -63,7 +64,7 @@ class ContactSet {
   void write_rows(const SearchInput& input);
   void mix_again(const BodySet& bodies, const Settings& settings);
 
-  /// One that has a dynamic body and one that is not.
+  /// A contact of a dynamic body with a fixed or kinematic one.
   struct OnGround {
     std::uint32_t body;  // the dynamic one
     std::uint16_t part;
@@ -72,10 +73,10 @@ class ContactSet {
     std::size_t row;
   };
   void remove_ghosts(const BodySet& bodies, const Margin& margin);
-  /// Whether some contact lost all its points.
+  /// For the contacts of one part; returns whether some contact lost all its points.
   bool remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin);
 
-  /// The rules by which materials were mixed last.
+  /// The mixing rules of the last search.
   struct Mixing {
     FrictionMixing friction;
     RestitutionMixing restitution;
@@ -86,7 +87,7 @@ class ContactSet {
   std::vector<Contact> last_rows_;
   std::optional<Mixing> mixed_by_;
   std::uint64_t changes_ = 1;
-  bool disturbed_ = true;  // whether rows were taken out or put in since they were written
+  bool disturbed_ = true;  // whether contacts were removed or added since the last search
   std::vector<OnGround> on_ground_;
   std::vector<OnGround> supports_;
   std::vector<Contact> resting_;

@@ -10,7 +10,7 @@ namespace {
 
 bool touches(const ContactPoint& point) { return point.separation <= 0 || point.total_normal_impulse > 0; }
 
-/// `count` of the contact's points touch.
+/// `count` is the number of the contact's points that touch.
 TouchingParts touching_parts(const BodySet& bodies, const Contact& contact, int count) {
   TouchingParts pair;
   pair.a = bodies.id(contact.body_a);
@@ -31,14 +31,14 @@ TouchingParts touching_parts(const BodySet& bodies, const Contact& contact, int 
   return pair;
 }
 
-/// Order of the contacts; a body that came into the row of another is another body.
+/// The order of contacts. The generation distinguishes a body from an earlier one with the same index.
 auto key(const TouchingParts& pair) {
   const auto joined = [](std::uint64_t high, std::uint64_t low) { return high << 32 | low; };
   return std::tuple(joined(pair.a.index, pair.b.index), joined(pair.part_a, pair.part_b),
                     joined(pair.a.generation, pair.b.generation));
 }
 
-// An object, that sorting may inline it.
+// A lambda, so that sorting can inline it.
 constexpr auto before = [](const TouchingParts& left, const TouchingParts& right) { return key(left) < key(right); };
 
 }  // namespace
@@ -50,7 +50,7 @@ void TouchLog::note(const BodySet& bodies, std::span<const Contact> contacts) {
   awake_.clear();
   begun_.clear();
   ended_.clear();
-  // Most pairs go on touching: both lists are walked through once.
+  // One pass over both sorted lists.
   auto old = last_.cbegin();
   for (const Contact& contact : contacts) {
     const auto count = std::count_if(contact.points.begin(), contact.points.begin() + contact.count, touches);
@@ -69,7 +69,7 @@ void TouchLog::note(const BodySet& bodies, std::span<const Contact> contacts) {
   std::merge(awake_.begin(), awake_.end(), asleep_.begin(), asleep_.end(), std::back_inserter(all_), before);
 }
 
-/// What fell asleep goes on touching what it touched; what woke is asked again.
+/// Pairs that fell asleep keep touching; pairs that woke are compared with this step's again.
 void TouchLog::follow_sleep(const BodySet& bodies) {
   sleep_changes_ = bodies.sleep_changes;
   const auto move = [](std::vector<TouchingParts>& from, std::vector<TouchingParts>& to, const auto& stays) {

@@ -10,10 +10,10 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Tells which parts began and ceased to touch from one step to the next.
+/// Reports which parts began and stopped touching from one step to the next.
 class TouchLog {
  public:
-  /// Takes down a step that has been solved. The contacts are sorted, and of bodies that are awake.
+  /// Records a step that has been solved. The contacts must be sorted, and of bodies that are awake.
   void note(const BodySet& bodies, std::span<const Contact> contacts);
   ContactEvents events() const { return {begun_, asleep_.empty() ? awake_ : all_, ended_}; }
 
@@ -22,10 +22,10 @@ class TouchLog {
 
   std::vector<TouchingParts> begun_, ended_;
   std::vector<TouchingParts> awake_;   // pairs that the last step found touching
-  std::vector<TouchingParts> last_;    // the same of the step before
+  std::vector<TouchingParts> last_;    // the same of the previous step
   std::vector<TouchingParts> asleep_;  // pairs with a body asleep, as they were when it fell asleep
-  std::vector<TouchingParts> all_;     // both, where some sleep
-  std::uint64_t sleep_changes_ = 0;    // of the bodies, when they were last looked at
+  std::vector<TouchingParts> all_;     // awake_ and asleep_ merged, if any sleep
+  std::uint64_t sleep_changes_ = 0;    // of the bodies, at the last note()
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

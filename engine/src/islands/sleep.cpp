@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contacts/closing.h"
+#include "narrow_phase/margin.h"
 #include "narrow_phase/collide.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -42,8 +42,8 @@ bool Sleep::may_meet(std::size_t mover, std::size_t sleeper, const Margin& margi
   const BodyDetail& a = bodies_.detail[mover];
   const BodyDetail& b = bodies_.detail[sleeper];
   if ((a.def.layers & b.def.layers) == 0) return false;
-  if (joints_.connects(static_cast<std::uint32_t>(mover), static_cast<std::uint32_t>(sleeper))) return false;
-  const Real gap = closing(bodies_, mover, sleeper, margin);
+  if (joints_.ties(static_cast<std::uint32_t>(mover), static_cast<std::uint32_t>(sleeper))) return false;
+  const Real gap = speculative_gap(bodies_, mover, sleeper, margin);
   for (const Part& part : a.parts) {
     const Aabb around = grown(part.shape.bounds(bodies_.pose[mover]), gap);
     for (const Part& other : b.parts) {

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "narrow_phase/colliders.h"
-#include "narrow_phase/edges.h"
+#include "narrow_phase/collide.h"
+#include "shapes/edges.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// A box's own frame has its centre as the origin and its sides along the axes.
+// The frame with the box's centre as origin and its sides along the axes.
 Rotation frame_of(const Shape& box, const Pose& pose) { return pose.q * Rotation(box.normal(1).x, box.normal(1).y); }
 
 // The better of two opposite pairs of faces of one box.
@@ -17,14 +17,14 @@ struct BoxFace {
   Real separation = 0;
 };
 
-// h: half extents of this box; there: the other's centre; (c, s): |cosine|, |sine| of the angle between the two.
+// h, other: half extents; there: the other's centre; (c, s): |cosine|, |sine| of the angle between the two.
 BoxFace best_box_face(Vec2 h, Vec2 there, Real c, Real s, Vec2 other) {
   const Real x = std::abs(there.x) - (h.x + c * other.x + s * other.y);
   const Real y = std::abs(there.y) - (h.y + s * other.x + c * other.y);
   return x > y ? BoxFace{true, x} : BoxFace{false, y};
 }
 
-// The side of a box that faces along a direction: 0 below, 1 right, 2 above, 3 left, as Shape::box numbers its edges.
+// The side of a box that faces a direction: 0 below, 1 right, 2 above, 3 left, as Shape::box numbers its edges.
 int side_towards(Vec2 direction, bool along_x) {
   if (along_x) return direction.x > 0 ? 1 : 3;
   return direction.y > 0 ? 2 : 0;
@@ -43,7 +43,7 @@ Edge side(Vec2 h, int i) {
   }
 }
 
-// In the frame of the box that has the reference face.
+// In the frame of the box with the reference face.
 Manifold against(Vec2 h, const BoxFace& face, Vec2 other, const Pose& there, Real margin) {
   const Edge reference = side(h, side_towards(there.p, face.across_x));
   const Vec2 facing = there.q.inverse() * -reference.normal;

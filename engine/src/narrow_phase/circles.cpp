@@ -1,16 +1,15 @@
 #include <cmath>
 
-#include "narrow_phase/colliders.h"
-#include "narrow_phase/manifolds.h"
+#include "narrow_phase/collide.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// A circle touches at one point, which remains the same contact while it rolls from edge to edge.
+// The feature of a circle's contact point, which stays the same while the circle rolls from edge to edge.
 constexpr std::uint32_t rolling = 0;
 
-// All in one frame: the nearest point of the other shape's core has this outward normal towards the circle's centre.
+// All in one frame; `outward` is the normal of the other shape towards the circle's centre.
 Manifold round_contact(Vec2 center, Real radius, Vec2 outward, Real separation, Real margin) {
   Manifold m;
   m.normal = -outward;
@@ -18,7 +17,7 @@ Manifold round_contact(Vec2 center, Real radius, Vec2 outward, Real separation, 
   return m;
 }
 
-// The other shape is a point grown by `core_radius`; where the centres coincide, the normal is `fallback`.
+// The other shape is a point grown by `core_radius`; the normal is `fallback` if the centres coincide.
 Manifold point_contact(Vec2 center, Real radius, Vec2 core, Real core_radius, Vec2 fallback, Real margin) {
   const Vec2 apart = center - core;
   const Real distance = length(apart);
@@ -66,7 +65,7 @@ Manifold circle_polygon(const Shape& a, const Pose& pose_a, const Shape& b, cons
   const Vec2 from = b.vertex(face);
   const Vec2 to = b.vertex(face + 1 < b.count() ? face + 1 : 0);
   const Vec2 n = b.normal(face);
-  // Nearest to a corner only from outside; its face is one of those next to it.
+  // Only from outside may a corner be nearest; it is an end of the best face.
   if (separation > 0 && dot(center - from, to - from) < 0) {
     return to_world(pose_b, point_contact(center, a.radius(), from, 0, n, margin));
   }

@@ -2,32 +2,50 @@
 
 #include <array>
 
-#include "narrow_phase/colliders.h"
-#include "narrow_phase/manifolds.h"
-#include "narrow_phase/order.h"
-
 namespace impulse::inline IMPULSE_PRECISION {
 
+namespace {
+
+/// Shapes without an inside never collide with each other: half-spaces and segments.
 Manifold never(const Shape& /*a*/, const Pose& /*pose_a*/, const Shape& /*b*/, const Pose& /*pose_b*/,
                Real /*margin*/) {
   return {};
 }
 
-namespace {
+/// A total order of posed shapes: exactly one of in_order(a, b) and in_order(b, a) holds, unless both shapes and poses
+/// are equal. The lower one along a slanted direction comes first, so that shapes at rest on each other don't swap when
+/// they jitter.
+bool in_order(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
+  constexpr Vec2 slanted{static_cast<Real>(0.52573), static_cast<Real>(0.85065)};  // the golden ratio as slope
+  // Differences first: they change sign exactly when the two are swapped.
+  const Vec2 between = (pose_b.p - pose_a.p) + (pose_b.q * b.centroid() - pose_a.q * a.centroid());
+  const Real rise = dot(slanted, between);
+  if (rise != 0) return rise > 0;
+  if (between.x != 0) return between.x > 0;
+  if (pose_a.q.c != pose_b.q.c) return pose_a.q.c < pose_b.q.c;
+  if (pose_a.q.s != pose_b.q.s) return pose_a.q.s < pose_b.q.s;
+  if (a.count() != b.count()) return a.count() < b.count();
+  if (a.radius() != b.radius()) return a.radius() < b.radius();
+  for (int i = 0; i < a.count(); ++i) {
+    if (a.vertex(i).x != b.vertex(i).x) return a.vertex(i).x < b.vertex(i).x;
+    if (a.vertex(i).y != b.vertex(i).y) return a.vertex(i).y < b.vertex(i).y;
+  }
+  return true;
+}
 
 struct Cell {
   Collider* collider = nullptr;
-  bool filled = false;  // gcc under UBSan takes no comparison with null for a constant
+  bool filled = false;  // under UBSan, gcc does not accept a comparison with null as a constant
 };
 using Table = std::array<std::array<Cell, shape_type_count>, shape_type_count>;
 
-// For the entries below the diagonal.
+// For entries below the diagonal.
 template <Collider collider>
 Manifold swapped(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {
   return flipped(collider(b, pose_b, a, pose_a, margin));
 }
 
-// For the entries on it: what rounding does must not depend on which of the two is called a.
+// For entries on the diagonal: rounding must not depend on which of the two shapes is called a.
 template <Collider collider>
 Manifold ordered(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {
   if (in_order(a, pose_a, b, pose_b)) return collider(a, pose_a, b, pose_b, margin);
@@ -78,13 +96,13 @@ constexpr bool full(const Table& table) {
   return true;
 }
 
-constexpr Table table = make_table();
-static_assert(full(table), "every pair of shape types needs a collider, be it `never`");
+constexpr Table colliders = make_table();
+static_assert(full(colliders), "every pair of shape types needs a collider, even if it is `never`");
 
 }  // namespace
 
 Manifold collide(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {
-  const Cell& cell = table[static_cast<std::size_t>(a.type())][static_cast<std::size_t>(b.type())];
+  const Cell& cell = colliders[static_cast<std::size_t>(a.type())][static_cast<std::size_t>(b.type())];
   return cell.collider(a, pose_a, b, pose_b, margin);
 }
 

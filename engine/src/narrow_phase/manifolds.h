@@ -1,20 +1,35 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
-#include "contacts/contact.h"
+#include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Names a contact point by the corner of each shape next to it. Two faces that lie on each other have a point at each
-/// end of their overlap; whichever of the two corners is the limit there, and whichever shape's face the other is
-/// clipped against, the name is the same: it lasts while the same faces meet.
+struct ManifoldPoint {
+  Vec2 point;                 // midway between the two surfaces; frame as the manifold's
+  Real separation = 0;        // m, along the normal; negative when they overlap
+  std::uint32_t feature = 0;  // see feature(); the same from step to step while the contact is the same
+};
+
+/// How two shapes touch: up to two points along one normal.
+struct Manifold {
+  Vec2 normal;  // unit, from a to b
+  int count = 0;
+  std::array<ManifoldPoint, 2> points;
+};
+
+/// Identifies a contact point by the adjacent corner of each shape. Two faces that lie on each other have a point at
+/// each end of their overlap; whichever of the two corners limits the overlap there, and whichever shape has the
+/// reference face, the id is the same, so it lasts while the same faces meet.
 constexpr std::uint32_t feature(int corner_of_a, int corner_of_b) {
   return static_cast<std::uint32_t>(corner_of_a) | static_cast<std::uint32_t>(corner_of_b) << 8;
 }
 
-/// The same contact as the other shape sees it.
+/// The same contact with the shapes' roles swapped.
 inline Manifold flipped(Manifold m) {
   m.normal = -m.normal;
   for (ManifoldPoint& p : m.points) p.feature = (p.feature & 0xff) << 8 | p.feature >> 8;

@@ -2,7 +2,6 @@
 
 #include <initializer_list>
 
-#include "contacts/closing.h"
 #include "narrow_phase/collide.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -53,10 +52,11 @@ void NarrowPhase::collide(const BodySet& bodies, const ShapeTable& shapes, const
     const Pair& pair = pairs[*item];
     const std::size_t a = shapes.proxies()[pair.first].body;
     const std::size_t b = shapes.proxies()[pair.second].body;
-    const Real knocks = shapes.records()[pair.first].knock + shapes.records()[pair.second].knock;
+    const Real impact_changes =
+        shapes.records()[pair.first].impact_change + shapes.records()[pair.second].impact_change;
     const Manifold manifold =
         impulse::collide(shapes.part(pair.first).shape, bodies.pose[a], shapes.part(pair.second).shape, bodies.pose[b],
-                         closing(bodies, a, b, margin) + margin.time * knocks);
+                         speculative_gap(bodies, a, b, margin) + margin.time * impact_changes);
     found[*item] = points_of(manifold, bodies.pose[a].p, bodies.pose[b].p);
   }
 }

@@ -7,26 +7,27 @@
 
 #include "bodies/body_set.h"
 #include "broad_phase/broad_phase.h"
-#include "broad_phase/shape_table.h"
-#include "solver/lanes/kernels.h"
-#include "solver/solver.h"
+#include "narrow_phase/lanes/manifolds.h"
+#include "narrow_phase/manifolds.h"
+#include "narrow_phase/margin.h"
+#include "narrow_phase/shape_table.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Collides many pairs of shapes at once: boxes and discs eight at a time, by kernels; all others, and what a kernel
-/// leaves, by the colliders of collide.h. Both give the same bits.
+/// Collides many pairs of shapes at once: boxes and discs by kernels; all others, and those a kernel cannot decide, by
+/// collide(). Both give the same bits.
 class NarrowPhase {
  public:
-  /// Writes what pairs[item] reports to found[item], for each of the items.
+  /// Writes the contact points of pairs[item] to found[item], for each item.
   void collide(const BodySet& bodies, const ShapeTable& shapes, const Margin& margin, std::span<const Pair> pairs,
                std::span<const std::uint32_t> items, PairPoints* found);
 
  private:
-  const Kernels* kernels_ = &kernels();
+  const NarrowPhaseKernels* kernels_ = &narrow_phase_kernels();
   std::array<std::vector<std::uint32_t>, 5> bins_;
 };
 
-/// What two shapes report, as the kernels write it.
+/// A manifold in the form that the kernels write; the centres are those of the bodies.
 PairPoints points_of(const Manifold& manifold, Vec2 center_a, Vec2 center_b);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

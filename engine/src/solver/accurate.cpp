@@ -11,45 +11,41 @@
 #include "core/method_list.h"
 #include "core/stages.h"
 #include "solver/colouring.h"
-#include "solver/descent.h"
 #include "solver/energy_bound.h"
-#include "solver/impact_rows.h"
 #include "solver/impacts.h"
 #include "solver/island.h"
 #include "solver/partition.h"
 #include "solver/pile.h"
-#include "solver/pile_island.h"
 #include "solver/resting_piles.h"
 #include "solver/scalar_contacts.h"
 #include "solver/solver.h"
 #include "solver/turning.h"
-#include "solver/unpushed.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// What one worker needs to itself.
+/// The working storage of one worker.
 struct Workspace {
   Impacts impacts;
   JointWorkspace joints;
   EnergyBound bound;
-  Pile pile{pile_kernels()};
+  Pile pile{solver_kernels()};
   Pile::RowOf row_of;
   Colouring colouring;
   Turning turning;
   Unpushed unpushed;
-  std::vector<Island> alike;  // waiting to be stepped together
+  std::vector<Island> alike;  // waiting to be stepped as one
 };
 
-/// Share of its kinetic energy that an island with joints may seem to gain in a sub-step, because RATTLE's energy
-/// swings about the true one; 1e-5 is seen of a pendulum, 1e-2 and more of chains too fast for the sub-step.
+/// Fraction of its kinetic energy that an island with joints may gain in a sub-step, because RATTLE's energy oscillates
+/// about the true one: 1e-5 for a pendulum, 1e-2 and more for chains too fast for the sub-step.
 constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
-/// m that a blow may press contacts in within a sub-step: small against what the loads at rest may.
+/// m, penetration that an impact may add within a sub-step: small against that of loads at rest.
 constexpr Real not_felt = tolerated_sink / 10;
 
-/// Contacts of islands that are stepped together: the rows then stay in the nearest cache.
+/// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
 constexpr std::size_t most_together = 64;
 
 bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
@@ -63,30 +59,29 @@ bool has_stops(const IslandJoints& joints) {
                                        [](const ActiveJoint* joint) { return joint->block.stops > 0; });
 }
 
-/// Whether one of the two is a disc and the other stands still: whatever friction does, that turns nothing into the
-/// other.
+/// Whether one of the two is a disc and the other stands still: then no rotation by friction changes the gap.
 bool rolls(const Contact& contact, const ImpactRow& row) {
   return (contact.disc_a && !row.stirs_b) || (contact.disc_b && !row.stirs_a);
 }
 
-/// What lies from the first of one span to the last of another behind it.
+/// From the start of one span to the end of a later one.
 template <class T>
 std::span<T> from_to(std::span<T> first, std::span<T> last) {
   return {first.data(), last.data() + last.size()};
 }
 
-/// The sub-step that makes flight and impacts exact to rounding. A step of dt is cut into N sub-steps of h, each
-/// kick, press, drift, kick, relax:
+/// The default method, which makes flight and impacts exact up to rounding. A step of dt is divided into N sub-steps of
+/// h, each kick, press, drift, kick, relax:
 ///
-///   impacts  events of contacts with restitution, at their own times (impacts.h)
-///   kick     v += h/2 a, and half of the impulse that held the contact in the last sub-step
-///   press    contacts as damped springs on the depth s: velocities that correct positions too
-///   drift    x += h v
-///   kick     the other halves, with the forces at the new place
-///   relax    rigid contacts with friction: velocities keep no trace of the correction
+///   impacts  of contacts with restitution, at their own times (impacts.h)
+///   kick     integrate velocities: v += h/2 a, and half of the contact impulses of the last sub-step
+///   press    solve with bias, contacts as soft constraints: velocities that correct positions too
+///   drift    integrate positions: x += h v
+///   kick     the other halves, with the forces at the new positions
+///   relax    solve rigid contacts with friction: removes the velocity of the correction
 ///
-/// Kick-drift-kick (velocity Verlet) is exact for a parabola and second order for any smooth force; that contacts, too,
-/// give half their impulse before the drift and half after keeps a resting body where it is.
+/// Kick-drift-kick (velocity Verlet) is exact for a parabola and second order for any smooth force; applying contact
+/// impulses half before and half after the drift, too, keeps a resting body where it is.
 class Accurate : public Solver {
  public:
   explicit Accurate(bool lanes) : lanes_(lanes) {}
@@ -97,15 +92,15 @@ class Accurate : public Solver {
     errors.order = 2;
     errors.order_in_contact = 2;
     errors.impact_lag = 0;
-    errors.gap = tolerated_sink;  // until the offset has taken it up
+    errors.gap = tolerated_sink;  // until the offset has corrected it
     errors.creep = 0;
     errors.joints = true;
     errors.joint_omega = softness_of_swept(errors.h).omega;
     errors.restitution_threshold = slow_impact(length(settings.gravity), errors.h);
   }
-  bool recycles() const override { return true; }
+  bool contact_persistence() const override { return true; }
   RestingPiles* resting() override { return lanes_ ? &resting_ : nullptr; }
-  /// Whatever may be hit within the step, gravity's part included.
+  /// Everything that may be hit within the step, including the effect of gravity.
   Margin margin(const Settings& settings) const override {
     return {static_cast<Real>(0.02) + 2 * length(settings.gravity) * settings.dt * settings.dt, settings.dt};
   }
@@ -129,22 +124,19 @@ class Accurate : public Solver {
   void relax_through(BodySet& bodies, Island& island);
   void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
   void note_loads(const Island& island);
-  /// Only bodies that can be pushed: the others are shared among islands.
-  void note_load(const ImpactRow& row) {
-    if (pushable(row.mass_a)) loaded_[row.a] = 1;
-    if (pushable(row.mass_b)) loaded_[row.b] = 1;
-  }
-  void note_load(const JointBlock& block) {
-    if (pushable(block.inv_mass_a)) loaded_[block.a] = 1;
-    if (pushable(block.inv_mass_b)) loaded_[block.b] = 1;
+  /// Marks only bodies that can be pushed: the others are shared among islands.
+  template <class Tie>
+  void note_load(const Tie& tie) {
+    if (pushable(tie.mass_a)) loaded_[tie.a] = 1;
+    if (pushable(tie.mass_b)) loaded_[tie.b] = 1;
   }
 
-  bool lanes_;  // large islands are solved eight contacts at a time
+  bool lanes_;  // large islands are solved by kernels
   Partition parts_;
   RestingPiles resting_;
   std::vector<std::unique_ptr<RestingPile>> begun_;  // in this step, of each island
   std::uint64_t contact_changes_ = 0;                // when rows were made
-  std::vector<ImpactRow> rows_;                      // island by island; those whose contacts keep their points stay
+  std::vector<ImpactRow> rows_;                      // island by island; those of persistent contacts are kept
   std::vector<Motion> motion_;                       // of each body since the start of the step
   std::vector<Pose> start_;                          // of each body
   std::vector<Velocity> acceleration_;               // of each body, by the force field
@@ -163,7 +155,7 @@ void Accurate::step(StepData& data) {
   const auto workers = static_cast<std::size_t>(data.workers.count());
   if (spaces_.size() != workers) spaces_.clear();
   while (spaces_.size() < workers) spaces_.emplace_back();
-  // Small islands are handed out in batches; an island's bits depend on nothing outside it.
+  // Small islands are distributed in batches; an island's bits do not depend on others.
   constexpr std::size_t batch = 32;
   const std::size_t batches = (parts_.size() + batch - 1) / batch;
   const auto step_batch = [&](std::size_t piece, std::size_t worker) {
@@ -171,7 +163,7 @@ void Accurate::step(StepData& data) {
     for (std::size_t number = piece * batch; number < end; ++number) step_island(data, number, spaces_[worker]);
     step_alike(data, spaces_[worker]);
   };
-  data.workers.share_out(batches, std::ref(step_batch));  // a copy would ask for memory
+  data.workers.share_out(batches, std::ref(step_batch));  // a copy would allocate memory
   for (Workspace& space : spaces_) {
     if (space.turning.counts_changed()) parts_.forget_points();
   }
@@ -218,8 +210,8 @@ void Accurate::step_pile(StepData& data, std::size_t number, Island& island, Wor
   begun->step(data, parts_, island, acceleration_, motion_, space.row_of);
 }
 
-/// Neighbours of as many sub-steps each, as if they were one island, which changes no bit: no sum of one waits for
-/// another's, and a processor works on several of them at once.
+/// Steps consecutive islands with the same number of sub-steps as if they were one, which changes no bit: they are
+/// independent, so a processor overlaps their computations.
 void Accurate::step_alike(StepData& data, Workspace& space) {
   if (space.alike.empty()) return;
   Island all = space.alike.front();
@@ -237,11 +229,11 @@ void Accurate::step_alike(StepData& data, Workspace& space) {
     if (!one.settling) ScalarContacts(data.bodies, motion_).settle_offsets(one);
   }
   all.share(substeps);
-  for (ImpactRow& row : all.rows) leave(row, all.offset_scale, data.contacts);
+  for (ImpactRow& row : all.rows) write_back(row, all.offset_scale, data.contacts);
   space.alike.clear();
 }
 
-/// Bodies that meet nothing under forces that stay the same: x += v t + a t^2/2 is exact, whatever the step.
+/// Free flight under constant forces: x += v t + a t^2/2 is exact, whatever the step.
 void Accurate::fly(StepData& data, const Island& island) {
   const Real t = data.settings.dt;
   for (const std::uint32_t body : island.bodies) {
@@ -249,7 +241,7 @@ void Accurate::fly(StepData& data, const Island& island) {
   }
 }
 
-/// A step in which no body meets any: the same, to the last bit, without islands.
+/// A step without contacts and joints: the same, to the bit, without islands.
 void Accurate::fly_all(StepData& data) {
   BodySet& bodies = data.bodies;
   const Real t = data.settings.dt;
@@ -287,7 +279,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   relax_through(data.bodies, island);
   if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
   if (!joints_fit || island.ideal) {
-    // Springs that let go give back what stretched them as height, not as speed.
+    // Compliant joints must return their energy as height, not as speed.
     const Real gain = joints_fit && !island.joints.swept() ? ideal_gain : Real{0};
     const bool slowed = space.bound.keep(island.bodies, island.held, data.bodies, motion_, acceleration_, gain);
     if (slowed && !joints_fit) island.joints.forget();
@@ -327,7 +319,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     const Contact& contact = data.contacts[island.contacts[i].contact];
     ImpactRow& row = island.rows[i];
     renew(row, data.bodies, start_, data.contacts, island.contacts[i].contact);
-    // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
+    // In columns the pair of points is solved as a block, which settles faster; in the web of a pyramid it is worse.
     row.web = parts_.in_web(island.contacts[i]);
     row.block = !row.web && row.count == 2;
     if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
@@ -354,16 +346,16 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
       row.pair = ScalarContacts::pair_of(island, row);
     }
   }
-  // What is swept is spread over the sub-steps instead.
+  // Joints solved by iteration rely on the sub-steps instead.
   const bool takes_turns =
       !island.joints.empty() && !island.joints.swept() && (!island.rows.empty() || has_stops(island.joints));
-  // A body that slides from one fixed shape to the next hands its load over at once, not in several sub-steps.
+  // For a body that slides from one fixed shape to the next, its load moves over at once, not in several sub-steps.
   const bool on_several = island.bodies.size() == 1 && island.rows.size() > 1;
   if (takes_turns || on_several) island.sweeps = data.settings.iterations;
   island.settling = settles(data, island);
   const bool is_closed = !forces_vary_ && closed(data.bodies, island.bodies);
   island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
-  // Few bodies in motion are followed closely.
+  // Small islands in motion are solved more closely.
   const int more_sweeps = more_sweeps_for(island.bodies.size());
   const bool follows = island.turning || island.struck;
   island.turning = is_few && follows;
@@ -416,9 +408,9 @@ void Accurate::press(BodySet& bodies, Island& island, bool rigidly) {
   }
 }
 
-/// A blow goes through soft contacts by 1 - strength of its way in a sub-step, and as far as one sweep has not handed
-/// it on: at 10 m/s that is centimetres. Then contacts are pressed rigidly, until in this sub-step none comes deeper.
-/// Returns how often.
+/// Extra rigid iterations. In an impact, a soft contact penetrates by 1 - strength of the displacement in a sub-step,
+/// and by what one iteration has not propagated: at 10 m/s that is centimetres. So contacts are solved rigidly until
+/// none penetrates deeper in this sub-step. Returns the number of iterations.
 int Accurate::press_through(BodySet& bodies, Island& island) {
   int sweeps = 0;
   while (sweeps < island.press_sweeps && ScalarContacts(bodies, motion_).deepening(island, false) > not_felt) {
@@ -435,7 +427,7 @@ void Accurate::relax(BodySet& bodies, Island& island, int sweeps) {
   }
 }
 
-/// What friction turns into the ground, one sweep leaves on its way there.
+/// The same for relax: after one iteration, bodies that friction rotates into the ground still approach it.
 void Accurate::relax_through(BodySet& bodies, Island& island) {
   for (int sweep = 0; sweep < island.press_sweeps; ++sweep) {
     if (ScalarContacts(bodies, motion_).deepening(island, true) <= not_felt) return;
@@ -467,7 +459,7 @@ void Accurate::note_loads(const Island& island) {
   for (ImpactRow& row : island.rows) {
     for (RowPoint& p : row.points) row.note(p, {p.normal_impulse, p.tangent_impulse}, row.normal);
   }
-  if (!island.bounces && island.press_sweeps == 0) return;  // nobody asks who is loaded
+  if (!island.bounces && island.press_sweeps == 0) return;  // not needed
   for (const std::uint32_t body : island.bodies) loaded_[body] = 0;
   for (const ActiveJoint* joint : island.joints.all()) note_load(joint->block);
   for (const ImpactRow& row : island.rows) {
@@ -475,20 +467,13 @@ void Accurate::note_loads(const Island& island) {
   }
 }
 
-constexpr const char* source =
-    "soft contacts and relaxation after E. Catto, Soft Constraints (GDC 2011) and Solver2D (2024); velocity Verlet; "
-    "time-of-impact events";
-
 const MethodList<Solver>::Entry accurate_entry{
     {"accurate", "sub-steps by kick, press, drift, kick, relax; impacts at their own times; loads without sinking",
-     source},
-    [] { return std::make_unique<Accurate>(true); }};
-
-const MethodList<Solver>::Entry scalar_entry{
-    {"accurate-scalar", "the same one contact at a time in piles, too: what the lanes of `accurate` are tested against",
-     source},
-    [] { return std::make_unique<Accurate>(false); }};
+     accurate_source},
+    [] { return make_accurate(true); }};
 
 }  // namespace
+
+std::unique_ptr<Solver> make_accurate(bool lanes) { return std::make_unique<Accurate>(lanes); }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -6,15 +6,15 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// One bit each. A body with more contacts than there are colours (a drum, a floor that can move) leaves some without:
-/// each of those gets lanes of its own, after all others.
+/// One bit each. If a body has more contacts than there are colours (a drum, a floor that can move), each contact
+/// without a colour gets lanes of its own, after all others.
 constexpr std::uint16_t colours = 64;
 constexpr std::uint64_t fixed_colours = ~std::uint64_t{0} << 16;
 
 LanesKind kind_of(const Tie& tie, bool web) {
   if (tie.discs) return tie.smooth ? LanesKind::smooth_discs : LanesKind::discs;
   if (tie.points == 1) return tie.smooth ? LanesKind::smooth : LanesKind::one;
-  // In columns the pair of points is solved as a block, which settles them sooner; in the web of a pyramid it harms.
+  // In columns the pair of points is solved as a block, which settles faster; in the web of a pyramid it is worse.
   return web ? LanesKind::two : LanesKind::block;
 }
 

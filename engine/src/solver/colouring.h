@@ -10,16 +10,15 @@
 #include "solver/lanes/contact_lanes.h"
 #include "solver/partition.h"
 #include "solver/solver.h"
-#include "solver/tie.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Sorts the contacts of an island into colours, so that no two of a colour share a body that can be pushed, and into
-/// kinds within each. A contact takes the first colour that is free at both bodies, in the order of the contacts. What
-/// rests on fixed shapes comes last, so that nothing pushes it into them afterwards.
+/// Graph colouring of the contacts of an island: no two contacts of a colour share a body that can be pushed. Within a
+/// colour they are sorted by kind. Contacts take the first colour that is free at both bodies, in order. Those with
+/// fixed shapes are solved last, so that nothing pushes a body into them afterwards.
 class Colouring {
  public:
-  /// `width` contacts are taken at a time; the order of contacts does not hang on it.
+  /// `width` contacts are solved at a time; the order of contacts does not depend on it.
   void assign(const Partition& parts, const Island& island, std::uint32_t width);
 
   /// All lanes of a kind, `width` by `width`.
@@ -39,11 +38,11 @@ class Colouring {
   void place();
 
   std::uint32_t width_ = 0;
-  std::vector<std::uint64_t> taken_;  // colours that each body's contacts have
+  std::vector<std::uint64_t> taken_;  // colours used at each body
   std::vector<Choice> choices_;       // in the order of the contacts
   std::array<std::vector<Slot>, lanes_kinds> lanes_;
   std::vector<LanesRun> runs_;
-  std::vector<std::uint32_t> next_;  // how many of each colour and kind; then its next free lane
+  std::vector<std::uint32_t> next_;  // of each colour and kind: the count, then the next free lane
   std::vector<Tie> order_;
 };
 

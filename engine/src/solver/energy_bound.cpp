@@ -17,7 +17,7 @@ Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies
 
 namespace {
 
-/// What bodies would be moving as one rigid body with the momentum and the angular momentum that they have.
+/// The motion as one rigid body with the same momentum and angular momentum.
 class RigidMotion {
  public:
   RigidMotion() = default;
@@ -68,7 +68,7 @@ void EnergyBound::note(std::span<const std::uint32_t> island, const BodySet& bod
   for (const std::uint32_t body : island) start_.push_back(motion[body]);
 }
 
-/// What the island had and what its forces gave since.
+/// The energy at the start plus the work of the forces since.
 Real EnergyBound::most(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion,
                        const std::vector<Velocity>& acceleration) const {
   Real most = kinetic_;

@@ -11,10 +11,10 @@ namespace {
 
 constexpr Real never = std::numeric_limits<Real>::infinity();
 
-/// Points closer than this (m) at an impact are struck together: a box that lands flat must not start to spin.
+/// Points closer than this (m) at an impact are solved together: a box that lands flat must not start to spin.
 constexpr Real together = static_cast<Real>(0.0005);
 
-/// The bodies as they fly, if nothing hits them.
+/// The ballistic motion of the bodies.
 struct Flight {
   const BodySet& bodies;
   const std::vector<Motion>& motion;
@@ -37,7 +37,7 @@ struct Flight {
   }
 };
 
-/// r x n of an arm that has turned with its body (a disc's rim does not).
+/// r x n of an arm that has rotated with its body (a disc's rim does not).
 Real turned_cross(Real cross, Real turn, const Motion& body) { return cross + body.drop * cross - body.sine * turn; }
 /// r . n of the same.
 Real turned_dot(Real dot, Real cross, Real turn, const Motion& body) {
@@ -49,7 +49,7 @@ struct Approach {
   Real speed = 0;  // d separation / dt
 };
 
-/// The two bodies of a row as they will be at a time; of two discs the normal is renewed.
+/// The two bodies of a row at a later time; for two discs with the normal at that time.
 struct Encounter {
   const ImpactRow& row;
   Motion a, b;
@@ -78,7 +78,7 @@ struct Encounter {
             along + vb.w * turned_cross(p.cross_b, p.turn_b, b) - va.w * turned_cross(p.cross_a, p.turn_a, a)};
   }
 
-  /// The row as it stands then.
+  /// The row at that time.
   ImpactRow moved() const {
     ImpactRow now = row;
     now.normal = normal;
@@ -99,8 +99,8 @@ struct Encounter {
   }
 };
 
-/// d2 separation / dt2: the accelerations along the normal, the centripetal terms of the arms, and for two discs that
-/// pass each other |v across|^2 / distance.
+/// d2 separation / dt2: the accelerations along the normal, the centripetal terms of the arms, and for two discs
+/// |tangential velocity|^2 / distance.
 Real curvature(const Encounter& now, const RowPoint& p, const Flight& flight) {
   const ImpactRow& row = now.row;
   const Velocity& a = flight.bodies.velocity[row.a];
@@ -114,7 +114,7 @@ Real curvature(const Encounter& now, const RowPoint& p, const Flight& flight) {
   return c;
 }
 
-/// When a point hits, and how fast.
+/// Time and speed at which a point hits.
 struct Hit {
   Real time = never;
   Real speed = 0;
@@ -123,8 +123,8 @@ struct Hit {
 /// The first time from now on, `rest` seconds at most, at which the point touches while approaching faster than the
 /// threshold.
 ///
-/// s(now + x) = s + v x + c x^2/2 gives the first guess; Newton's iteration on the exact path finishes it (quadratic:
-/// from a guess good to 1e-3, three rounds are below round-off).
+/// s(now + x) = s + v x + c x^2/2 gives the initial guess; Newton's iteration on the exact path refines it (quadratic:
+/// from a guess accurate to 1e-3, three iterations are below round-off).
 Hit first_hit(const Encounter& here, const RowPoint& p, const Flight& flight, Real now, Real rest) {
   const Approach start = here.of(p);
   if (start.separation <= 0) return start.speed < -flight.slow ? Hit{now, -start.speed} : Hit{};
@@ -147,9 +147,9 @@ Hit first_hit(const Encounter& here, const RowPoint& p, const Flight& flight, Re
   return {now + x, -Encounter(here.row, flight, now + x).of(p).speed};
 }
 
-/// Normal and tangential impulse at one point, with both laws at once: the normal velocity is reversed times e, and the
-/// tangential one is stopped if Coulomb's cone allows, else opposed by mu J. K is the 2x2 matrix of inverse effective
-/// masses in (n, t).
+/// Normal and tangential impulse at one point, satisfying both laws: the normal velocity is reversed and multiplied by
+/// e, and the tangential one is stopped if Coulomb's cone allows, otherwise opposed by mu J. K is the 2x2 matrix of
+/// inverse effective masses in (n, t).
 void strike_one(const ContactRow& row, RowPoint& p, ContactFrame& frame) {
   const Real vn = frame.normal_velocity(p);
   const Real vt = frame.tangent_velocity(p);
@@ -157,7 +157,7 @@ void strike_one(const ContactRow& row, RowPoint& p, ContactFrame& frame) {
   const Real kt = 1 / effective_mass(row, p.dot_a, p.dot_b);
   const Real knt = row.mass_a.i * p.cross_a * p.dot_a + row.mass_b.i * p.cross_b * p.dot_b;
   const Real wanted = -(1 + row.restitution) * vn;
-  if (wanted <= 0) return;  // rounding: what hits approaches
+  if (wanted <= 0) return;  // by rounding: a point that hits approaches
 
   Vec2 j = Mat22({kn, knt}, {knt, kt}).solve({wanted, -vt});  // sticks
   if (std::abs(j.y) > row.static_friction * j.x) {
@@ -165,8 +165,8 @@ void strike_one(const ContactRow& row, RowPoint& p, ContactFrame& frame) {
     j.x = wanted / (kn + mu * knt);
     j.y = mu * j.x;
   }
-  // Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985) and fails where kn + mu
-  // knt <= 0 (Painleve); then the normal impulse is taken without regard to friction, which only ever takes energy.
+  // Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985) and fails if kn + mu knt
+  // <= 0 (Painleve); then the normal impulse is computed without friction, and friction only removes energy.
   const Real work = j.x * vn + j.y * vt + (kn * j.x * j.x + 2 * knt * j.x * j.y + kt * j.y * j.y) / 2;
   if (!(j.x > 0) || work > 0) {
     j.x = wanted / kn;
@@ -178,7 +178,7 @@ void strike_one(const ContactRow& row, RowPoint& p, ContactFrame& frame) {
   p.total_tangent += j.y;
 }
 
-/// Two points struck together: the normal impulses solve the 2x2 complementarity problem K J + (1+e) v >= 0, J >= 0;
+/// Two points hit together: the normal impulses solve the 2x2 complementarity problem K J + (1+e) v >= 0, J >= 0;
 /// then friction at each.
 void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& frame) {
   const Real k11 = 1 / effective_mass(row, p.cross_a, p.cross_b);
@@ -194,7 +194,7 @@ void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& f
     frame.push_normal(row, point, normal_impulse);
     point.total_normal += normal_impulse;
   };
-  const auto rub = [&](RowPoint& point, Real normal_impulse) {
+  const auto solve_friction_at = [&](RowPoint& point, Real normal_impulse) {
     const Real wanted = -effective_mass(row, point.dot_a, point.dot_b) * frame.tangent_velocity(point);
     const Real given = within_cone(row, wanted, normal_impulse);
     frame.push_tangent(row, point, given);
@@ -202,11 +202,11 @@ void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& f
   };
   push(p, j.x);
   push(q, j.y);
-  rub(p, j.x);
-  rub(q, j.y);
+  solve_friction_at(p, j.x);
+  solve_friction_at(q, j.y);
 }
 
-/// Which of the points hits: the lower of those that approach, and the other one too if it is as good as there.
+/// The points that hit: the lower of those that approach, and the other one too if it also almost touches.
 struct Struck {
   RowPoint* first;
   RowPoint* second = nullptr;
@@ -224,8 +224,8 @@ struct Struck {
 
 }  // namespace
 
-/// The impact of a row at tau: velocities change there, and the start of the sub-step's path shifts so that the path
-/// still passes through where the bodies are at tau.
+/// Resolves the impact of a row at tau: velocities change there, and the start of the sub-step's path shifts so that
+/// the path still passes through the bodies' positions at tau.
 void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
                      std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau) {
   const Flight flight{bodies, motion, acceleration, slow_};
@@ -255,9 +255,9 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   } else {
     strike_one(now, *points.first, frame);
   }
-  frame.leave(now, a, b);
+  frame.write_back(now, a, b);
 
-  // Five rounds and sixty were found equal for a cradle on strings; each shares out what the last left over.
+  // For a cradle on strings, five and sixty iterations gave equal results.
   constexpr int rounds = 5;
   for (int round = 0; round < rounds && !joints.empty(); ++round) {
     joints.absorb_impact();
@@ -268,7 +268,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
       again.push_normal(now, *hit[i], more);
       hit[i]->total_normal += more;
     }
-    again.leave(now, a, b);
+    again.write_back(now, a, b);
   }
 
   for (std::size_t i = 0; i < 2; ++i) {
@@ -286,14 +286,14 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   }
 }
 
-/// The earliest first; of two at once the faster, then the one whose row comes first.
+/// Order of the heap: the earliest first; at equal times the faster, then the one whose row comes first.
 bool Impacts::later(const Event& left, const Event& right) {
   if (left.time != right.time) return left.time > right.time;
   if (left.speed != right.speed) return left.speed < right.speed;
   return left.candidate > right.candidate;
 }
 
-/// What the candidate hits next is put among the events; what was there of it counts no more.
+/// Schedules the candidate's next impact, and invalidates its earlier events.
 void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, const BodySet& bodies,
                   const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real now, Real h) {
   Candidate& aimed = candidates_[candidate];
@@ -311,7 +311,7 @@ void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, cons
   std::push_heap(events_.begin(), events_.end(), later);
 }
 
-/// Candidates of rows with restitution, each in the lists of those of its bodies that an impact can move.
+/// Lists the rows with restitution as candidates, and links each to its bodies that an impact can move.
 void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count) {
   candidates_.clear();
   events_.clear();
@@ -343,7 +343,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
   };
   for (std::uint32_t c = 0; c < candidates_.size(); ++c) aim_at(c, 0);
 
-  // A cradle of n balls needs about n^2/2 impacts; far more in one sub-step is a storm that the contact solve ends.
+  // A cradle of n balls needs about n^2/2 impacts; if there are far more in one sub-step, the contact solve ends them.
   const std::size_t most = 64 + 16 * candidates_.size();
   for (std::size_t count = 0; count < most && !events_.empty();) {
     std::pop_heap(events_.begin(), events_.end(), later);
@@ -367,8 +367,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     }
   }
 
-  // What is still on its way in the end, or has passed by, would be braked by the contact solve, which knows straight
-  // approaches only.
+  // The contact solve assumes straight approaches, and would brake bodies that have not arrived at the end or pass by.
   const Flight flight{bodies, motion, acceleration, slow_};
   for (const Candidate& c : candidates_) {
     ImpactRow& row = rows[c.row];

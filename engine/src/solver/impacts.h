@@ -12,11 +12,10 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// The impulses at two points that are solved together by what they do to the velocities there: the inverse of the
-/// matrix of inverse effective masses k.
+/// The inverse of the matrix k of inverse effective masses of two points: maps velocity changes to impulses.
 struct PairMatrix {
   Real i11 = 0, i22 = 0, i12 = 0;  // kg
-  bool usable = false;  // not of two points almost in one place: k says nothing about the difference of their loads
+  bool usable = false;  // false for points almost in one place: k does not determine the difference of their loads
 
   PairMatrix() = default;
   PairMatrix(Real k11, Real k22, Real k12) {
@@ -34,27 +33,27 @@ struct PairMatrix {
 
 /// Two points that are solved together.
 struct PointPair {
-  Real strength = 0;                   // of the springs that this was made for; 0: none
+  Real strength = 0;                   // of the soft constraint this was made for; 0: none
   std::array<Real, 2> inverse_mass{};  // 1/kg, effective, of each alone
-  Real coupling = 0;                   // 1/kg, what the impulse of one does to the other
-  std::array<Real, 2> give{};          // 1/kg, that their springs add
+  Real coupling = 0;                   // 1/kg, velocity change at one for an impulse at the other
+  std::array<Real, 2> give{};          // 1/kg, compliance of the soft constraints
   PairMatrix rigid;
-  PairMatrix soft;  // both points in their springs
+  PairMatrix soft;  // both points soft
 
   PairMatrix matrix(const std::array<Real, 2>& springs) const {
     return {inverse_mass[0] + springs[0], inverse_mass[1] + springs[1], coupling};
   }
 };
 
-/// A row, and what the sub-step of `accurate` needs to know beside it.
+/// A row with the additional data of the sub-step of `accurate`.
 struct ImpactRow : ContactRow {
-  Real offset = 0;           // m, standing correction of the separation (see accurate.cpp)
+  Real offset = 0;           // m, lasting correction of the separation (see OffsetRule)
   Real disc_distance = 0;    // m, sum of radii when both are discs about their centres: their normal turns as they move
   Vec2 between;              // of those centres at the start of the step
   std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
-  Vec2 acted;                // N s, what the contact gave in this step, if its normal turns
+  Vec2 acted;                // N s, impulse of the contact in this step, if its normal rotates
   int age = 0;               // steps since the contact began
-  bool made = false;         // of the points that the contact still has, if these are as they were then:
+  bool made = false;         // still valid if the contact's points are those below
   Pose found_a, found_b;
   std::array<Real, 2> found_separation{};
   bool stirs_a = true;  // the body can move, see BodySet::stirs
@@ -63,16 +62,16 @@ struct ImpactRow : ContactRow {
   bool active = true;  // takes part in this sub-step's solve
   bool fresh = false;  // first step of the contact
   bool web = false;    // a body of it touches more than two others, as in a pyramid and not in a column
-  bool block = false;  // its two points are solved together:
+  bool block = false;  // its two points are solved together, by `pair`
   PointPair pair;
 
-  /// Adds what a point gave along a normal and its tangent to the sums of the step.
+  /// Adds a point's impulse, given along a normal and its tangent, to the totals of the step.
   void note(RowPoint& p, Vec2 impulse, Vec2 along) {
     p.total_normal += impulse.x;
     p.total_tangent += impulse.y;
     if (turns) acted += impulse.x * along + impulse.y * perpendicular(along);
   }
-  /// Makes of the sums, given along a normal that turned, what acted along one, which it returns.
+  /// Converts the totals along a rotating normal into impulses along one normal, which it returns.
   Vec2 join() {
     Vec2 given;
     for (const RowPoint& p : points) given += Vec2{p.total_normal, p.total_tangent};
@@ -87,20 +86,20 @@ struct ImpactRow : ContactRow {
   }
 };
 
-/// m/s; slower approaches are left to the contact solve, which ends the infinite sequence of ever smaller bounces
-/// ("Zeno"). What rests under an acceleration a falls by a h within a sub-step: 1.2 to 5 times that let every stack of
-/// boxes settle. Where nothing presses only rounding is to be told from a blow.
+/// m/s, the restitution threshold: slower approaches are left to the contact solve, which ends the infinite sequence of
+/// ever smaller bounces ("Zeno"). A body at rest under an acceleration a gains a h within a sub-step: with 1.2 to 5
+/// times that, every stack of boxes settles. Without load, only rounding must be distinguished from an impact.
 inline Real slow_impact(Real acceleration, Real h) { return static_cast<Real>(2.4) * acceleration * h + Real{1e-4F}; }
 
-/// Newton's impact law at the very moment of touching, inside a sub-step of h seconds.
+/// Newton's impact law at the exact time of touching, inside a sub-step of h seconds.
 ///
 /// Between impacts a body moves as d + v t + a t^2/2. At the earliest impact time tau the impulse J changes v by J/m;
-/// shifting the start of the path by -tau J/m makes the whole sub-step come out as if it had been split at tau, without
-/// splitting it. Repeats in order of time until no contact with restitution hits before h. Rows that still approach
-/// afterwards hit in a later sub-step and are made inactive for this one.
+/// shifting the start of the path by -tau J/m gives the same result as splitting the sub-step at tau. Repeats in order
+/// of time until no contact with restitution hits before h. Rows that still approach afterwards hit in a later sub-step
+/// and are inactive in this one.
 ///
-/// Where bodies hang on joints, the joints pass the blow on at once: impulse and joints are solved in turn until both
-/// laws hold, before the paths are shifted.
+/// Joints transmit an impact at once: impulse and joints are solved in turn until both laws hold, before the paths are
+/// shifted.
 class Impacts {
  public:
   /// `members` are the bodies that the rows and joints act on; `slow` is the approach (m/s) that is no impact yet.
@@ -113,14 +112,14 @@ class Impacts {
   /// A row with restitution.
   struct Candidate {
     std::uint32_t row = 0;
-    std::uint32_t aims = 0;                            // how often its next impact was sought
+    std::uint32_t aims = 0;                            // number of searches for its next impact
     std::array<std::uint32_t, 2> next = {none, none};  // in the list of candidates of body a, of body b
   };
   struct Event {
     Real time = 0;   // of impact
     Real speed = 0;  // of approach then
     std::uint32_t candidate = 0;
-    std::uint32_t aims = 0;  // the candidate's when this was found: out of date if it has more now
+    std::uint32_t aims = 0;  // the candidate's when this was found: outdated if it has more now
   };
   static bool later(const Event& left, const Event& right);
   void list_candidates(std::span<ImpactRow> rows, std::size_t body_count);
@@ -131,9 +130,9 @@ class Impacts {
 
   Real slow_ = 0;
   std::vector<Candidate> candidates_;
-  std::vector<std::uint32_t> first_of_;  // of each body's candidates; set only where there are any
+  std::vector<std::uint32_t> first_of_;  // of each body's candidates; set only for bodies that have some
   std::vector<Event> events_;            // a heap
-  std::vector<Velocity> before_;         // of the bodies struck
+  std::vector<Velocity> before_;         // of the bodies that are hit
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -13,7 +13,7 @@ constexpr std::size_t most_more_sweeps = 60;
 
 constexpr Real fast = static_cast<Real>(0.1);  // m/s
 
-/// Budget of one island and step: large piles keep the base number of sub-steps, and of sweeps.
+/// Budget of one island and step: large piles keep the base numbers of sub-steps and iterations.
 constexpr std::size_t most_body_substeps = 4000;
 
 }  // namespace
@@ -32,7 +32,7 @@ void Island::cut(const Settings& settings, int into) {
   if (heap) {
     offsets = OffsetRule::passive(settings.dt, damping_ratio);
   } else {
-    // A pyramid's layers, and those of most piles; a column has one for each body.
+    // The layers of a pyramid, and of most piles; a column has one for each body.
     const auto count = static_cast<Real>(bodies.size());
     const Real layers = webbed ? std::sqrt(2 * count) : count;
     offsets = OffsetRule::lifting(settings.dt, layers, damping_ratio, (webbed ? web : column).movable);
@@ -84,7 +84,7 @@ void Bearing::add(const ContactRow& row) {
   }
 }
 
-// load / (2 m w^2), with what was given in the whole step.
+// load / (2 m w^2), with the impulse of the whole step.
 void Bearing::add_load(const ImpactRow& row, Real offset, const Settings& settings) {
   const Real swing = Island::swing(row.web, row.mass_a.m == 0 || row.mass_b.m == 0);
   const Real n = static_cast<Real>(settings.substeps);
@@ -99,8 +99,9 @@ bool may_need_substeps(std::size_t bodies, const Settings& settings) {
   return static_cast<std::size_t>(2 * settings.substeps) * bodies <= most_body_substeps;
 }
 
-// sink = weight / (points on the ground) * k_max / (2 w^2), k the inverse effective mass; and sink ~ h^2. With w of a
-// column: a web may sink (12/8)^2 times as far until its offsets lift it, and still settles soonest with these.
+// penetration = weight / (points on the ground) * k_max / (2 w^2), k the inverse effective mass; and penetration ~ h^2.
+// With w of a column: a web may penetrate (12/8)^2 times as deep until its offsets correct it, and still settles
+// fastest with these.
 int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, const BodySet& bodies,
                  const std::vector<Velocity>& acceleration, const Settings& settings) {
   const int base = settings.substeps;
@@ -111,10 +112,10 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
   }
   const Real omega = Island::swing(false, false) * static_cast<Real>(base) / settings.dt;
   const Real bears = static_cast<Real>(bearing.points) * (2 * omega * omega) * tolerated_sink;
-  // Powers of two: for the weight the nearest by ratio, and for the load that is known to press one point in down to
-  // half of the tolerated sink. The other half is for what that load becomes: it is known a step late, in which a point
-  // goes 1 - exp(-n w h / (2 zeta)) = 15 % of its way to where the new load presses it, so that may be several times as
-  // deep. Both are within it in nearly every step: no division then.
+  // Powers of two: for the weight the nearest by ratio, and for the known load of one point down to half of the
+  // tolerated penetration. The other half is for the change of that load, which is known a step late: in a step a point
+  // covers 1 - exp(-n w h / (2 zeta)) = 15 % of the distance to its new equilibrium, which may thus be several times as
+  // deep. Both are within the limits in nearly every step: no division then.
   const bool light = bearing.points == 0 || weight <= 2 * bearing.lightest * bears;
   if (light && 2 * bearing.deepest <= tolerated_sink) return base;
   const Real weighs = light ? Real{0} : weight / (bearing.lightest * bears);
@@ -130,7 +131,7 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
 
 int settling_sweeps_for(std::size_t bodies) {
   constexpr std::size_t least = 30;
-  constexpr std::size_t most = 300;  // boxes each ten times as heavy as the one below need as many
+  constexpr std::size_t most = 300;  // needed for boxes each ten times as heavy as the one below
   return static_cast<int>(std::clamp(most_body_substeps / bodies, least, most));
 }
 
@@ -163,6 +164,26 @@ bool closes(const ContactRow& row, const BodySet& bodies, Real dt) {
     const Real v = frame.normal_velocity(p);
     return v < -fast && p.separation + v * dt < 0;
   });
+}
+
+void Unpushed::note(const Island& island, const BodySet& bodies, const std::vector<Velocity>& acceleration) {
+  flown_.clear();
+  for (const std::uint32_t body : island.bodies) {
+    Velocity v = bodies.velocity[body];
+    for (int half = 0; half < 2; ++half) {
+      v.v += island.h / 2 * acceleration[body].v;
+      v.w += island.h / 2 * acceleration[body].w;
+    }
+    flown_.push_back(v);
+  }
+}
+
+void Unpushed::restore(const Island& island, const std::vector<std::uint8_t>& loaded, BodySet& bodies) const {
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const std::uint32_t body = island.bodies[i];
+    const InverseMass& mass = bodies.inverse_mass[body];
+    if (loaded[body] == 0 && mass.m + mass.i > 0) bodies.velocity[body] = flown_[i];
+  }
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

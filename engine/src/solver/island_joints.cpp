@@ -10,19 +10,20 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// m or rad, by which joints may be off and still fit.
+/// m or rad, the error up to which joints count as satisfied.
 constexpr Real slack = static_cast<Real>(1e-5);
 
-/// A joint is a spring with w h = 1/sqrt(give), 1000. What hangs on it sinks by g h^2 give, 2e-10 m at 240 Hz; a taut
-/// chain's forces stay finite.
+/// Compliance: a joint is a spring with w h = 1/sqrt(give), 1000. Its load displaces it by g h^2 give, 2e-10 m at 240
+/// Hz; a taut chain's forces stay finite.
 constexpr Real give = static_cast<Real>(1e-6);
-/// The damping, as Levenberg's (1944), of a step towards joints that do not fit: nothing springs back from w h = 3.
+/// The damping, as in Levenberg (1944), of a step towards unsatisfied joints: nothing springs back at w h = 3.
 constexpr Real give_when_unfit = static_cast<Real>(0.1);
 
-/// Multiplications for one factoring, from which joints are swept: nearly a millisecond, five times in a step. A net of
-/// k x k discs in order takes 8.7 k^4 of them, so that 18 x 18 are still factored (4 ms a step) and 19 x 19 are not; a
-/// swept one takes .1 us a hinge and sub-step. A chain's cost is proportional to its length: 10 000 links are factored.
-constexpr std::uint64_t dear = 1000000;
+/// Multiplications for one factoring, above which joints are solved by iteration instead: nearly a millisecond, five
+/// times in a step. A net of k x k discs in order takes 8.7 k^4, so that 18 x 18 are still factored (4 ms a step) and
+/// 19 x 19 are not; iteration takes .1 us a hinge and sub-step. A chain's cost is proportional to its length: 10 000
+/// links are factored.
+constexpr std::uint64_t expensive = 1000000;
 
 }  // namespace
 
@@ -35,7 +36,7 @@ IslandJoints::IslandJoints(std::span<ActiveJoint* const> joints, std::span<const
       start_(start),
       motion_(motion),
       work_(work),
-      swept_(!joints.empty() && work.system.cost(joints, motion.size(), dear) > dear) {}
+      swept_(!joints.empty() && work.system.cost(joints, motion.size(), expensive) > expensive) {}
 
 Softness softness_of_swept(Real h) {
   constexpr Real damping_ratio = 5;
@@ -83,8 +84,8 @@ JointBlock IslandJoints::ahead(const ActiveJoint& joint, Real h) const {
   return block;
 }
 
-/// By how much the joints will not fit after a drift of h: the sum of the squares of their errors. The bias that would
-/// mend it in a linear world, rate + bias = error / h, is left in the workspace.
+/// The sum of the squares of the joints' errors after a drift of h. Writes the bias that would correct them if they
+/// were linear, rate + bias = error / h, to the workspace.
 Real IslandJoints::miss(Real h) {
   work_.bias.clear();
   Real sum = 0;
@@ -126,8 +127,8 @@ void IslandJoints::press(Real h) {
   }
 }
 
-/// J, that the bodies may have after a press. Bringing rates to zero is a projection, which takes energy; only mending
-/// errors and bending paths can add some. More than as much again is no mending but a jump to elsewhere.
+/// J, the limit of the energy after a press. Setting rates to zero is a projection, which removes energy; only
+/// correcting errors and bending paths can add some. If the energy more than doubles, the solution jumped elsewhere.
 Real IslandJoints::most_energy() const {
   constexpr Real mending = 1;  // m/s
   Real sum = 2 * kinetic_energy(members_, bodies_);
@@ -157,7 +158,7 @@ void IslandJoints::take_back() {
   }
 }
 
-/// A sum of squares of errors at which the joints fit: slack, and what rounding makes of places so far from the origin.
+/// The sum of squares of errors up to which the joints are satisfied: slack, and rounding this far from the origin.
 Real IslandJoints::good_enough() const {
   constexpr Real rounding = 4 * std::numeric_limits<Real>::epsilon();
   Real sum = 0;
@@ -169,9 +170,9 @@ Real IslandJoints::good_enough() const {
   return sum;
 }
 
-/// Newton's method on error(x + h v) = 0 with the matrix of the present rows. Each round gains a factor of about h w;
-/// five are below round-off. Where a round gains little the joints are too taut for these rows (nothing that pulls
-/// along a straight chain bends it): then that round is taken back, and what is left decides.
+/// Newton's method on error(x + h v) = 0 with the matrix of the current rows. Each iteration gains a factor of about h
+/// w; five are below round-off. If an iteration gains little, the joints are too taut for these rows (a force along a
+/// straight chain cannot bend it): then that iteration is undone, and the remaining error decides.
 bool IslandJoints::fit_by_present_rows(Real h) {
   constexpr int rounds = 5;
   constexpr Real least_gain = static_cast<Real>(.25);
@@ -190,8 +191,8 @@ bool IslandJoints::fit_by_present_rows(Real h) {
   return left <= enough;
 }
 
-/// One damped step towards error(x + h v) = 0 along the rows of the place ahead, as implicit Euler has them: these pull
-/// back what leaves the joints, and take energy where the present rows would give it.
+/// One damped step towards error(x + h v) = 0 along the rows at the predicted poses, as in implicit Euler: these pull
+/// bodies back to the joints, and remove energy where the current rows would add it.
 void IslandJoints::approach_by_rows_ahead(Real h, Real most) {
   write_rows(h, give_when_unfit);
   work_.bias.clear();
@@ -225,7 +226,7 @@ void IslandJoints::press_by_sweep(Real h) {
   for (ActiveJoint* joint : joints_) solve_soft_joint(joint->block, h, soft, bodies_);
 }
 
-/// In the order opposite to that of press, so that a load is passed on both ways.
+/// In the opposite order of press, so that loads propagate both ways.
 void IslandJoints::relax_by_sweep(Real h) {
   for (std::size_t i = joints_.size(); i-- > 0;) solve_joint(joints_[i]->block, h, 0, bodies_);
 }

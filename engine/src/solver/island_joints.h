@@ -11,25 +11,25 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// What the joints of an island work with; kept from island to island for its storage.
+/// Working storage for the joints of an island, reused from island to island.
 struct JointWorkspace {
   JointSystem system;
   std::vector<Real> bias;
-  std::vector<Real> before;  // impulses that can be gone back to
+  std::vector<Real> before;  // impulses that can be restored
 };
 
-/// Of the springs that swept joints are: 1/(6 h). At 1/(4 h) joints shake: a net of 20 x 20 that falls and spins freely
-/// loses 16 kJ in 200 steps, at 1/(6 h) .6 and at 1/(8 h) .5 kJ in 300. At 1/(8 h) a net of 100 x 100 stretches by half
-/// as much again.
+/// The softness of joints that are solved by iteration: 1/(6 h). At 1/(4 h) joints oscillate: a net of 20 x 20 that
+/// falls and spins freely loses 16 kJ in 200 steps, at 1/(6 h) .6 and at 1/(8 h) .5 kJ in 300. At 1/(8 h) a net of 100
+/// x 100 stretches by half as much again.
 Softness softness_of_swept(Real h);
 
-/// The joints of one island through the stages of `accurate`, as RATTLE (Andersen 1983) does it: velocities before the
-/// drift are chosen so that the joints fit *after* it, with the rows of before; velocities after it so that they go on
-/// fitting, with the rows of after. Second order, and it keeps the energy.
+/// The joints of one island in the stages of `accurate`, by RATTLE (Andersen 1983): velocities before the drift are
+/// chosen so that the joints are satisfied *after* it, with the rows before it; velocities after it so that they stay
+/// satisfied, with the rows after it. Second order, and conserves energy.
 ///
-/// Where factoring all equations of the island would be dear (a net of more than 18 x 18), joints are swept one
-/// after another instead, as contacts are: damped springs before the drift, rigid after it. First order; a joint then
-/// stretches by its load / (2 m_eff w^2), with w of softness_of_swept.
+/// If factoring all equations of the island would be expensive (a net of more than 18 x 18), joints are solved one
+/// after another instead, like contacts: soft before the drift, rigid after it. First order; a joint then stretches by
+/// its load / (2 m_eff w^2), with w of softness_of_swept.
 class IslandJoints {
  public:
   IslandJoints(std::span<ActiveJoint* const> joints, std::span<const std::uint32_t> members, BodySet& bodies,
@@ -37,25 +37,25 @@ class IslandJoints {
 
   std::span<ActiveJoint* const> all() const { return joints_; }
   bool empty() const { return joints_.empty(); }
-  /// Whether they are swept one after another.
+  /// Whether they are solved one after another.
   bool swept() const { return swept_; }
-  /// Impulses of a whole step to those of one of n sub-steps, and back.
+  /// Scales impulses between a whole step and a sub-step.
   void share(Real by);
-  /// What the joints gave in the last sub-step is given again, half in each kick.
+  /// Splits the impulses of the last sub-step in halves, which kick() applies again.
   void halve();
   void kick();
-  /// error(x + h v) = 0.
+  /// Solves error(x + h v) = 0.
   void press(Real h);
-  /// Whether every press since the last drift made them fit. They cannot always: a chain pulled straight between two
-  /// walls would need an infinite force.
+  /// Whether every press since the last drift satisfied them. That is not always possible: a chain pulled straight
+  /// between two walls would need an infinite force.
   bool fit() const { return fit_; }
-  /// Rows as the bodies stand.
+  /// Computes the rows at the current poses.
   void write();
-  /// What taut joints gave is no guess at what they will give next.
+  /// Clears the accumulated impulses: those of taut joints are no good warm start.
   void forget();
-  /// rate = 0.
+  /// Solves rate = 0.
   void relax(Real h);
-  /// Velocities that fit the joints, from an impact's; nothing is accumulated.
+  /// Makes the velocities after an impact satisfy the joints, without accumulating impulses.
   void absorb_impact();
 
  private:

@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// A pivot below this share of its diagonal is rounding left over from an equation that others already imply (a closed
+/// A pivot below this fraction of its diagonal is the rounding error of an equation that others already imply (a closed
 /// loop): it gets no impulse.
 constexpr Real redundant = 64 * std::numeric_limits<Real>::epsilon();
 
-/// What an impulse along q changes the rate of p by, through the bodies that both act on.
+/// The change of the rate of p for a unit impulse along q, through the bodies that both act on.
 Real coupling(const JointBlock& of_p, const JointRow& p, const JointBlock& of_q, const JointRow& q) {
   const auto through = [&](const InverseMass& mass, Real arm_p, Real arm_q) {
     return mass.m * dot(p.axis, q.axis) + mass.i * arm_p * arm_q;
@@ -69,7 +69,7 @@ void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodie
   values_.clear();
   start_.clear();
   give_.clear();
-  // Each equation, and which joint it is of.
+  // Each equation with its joint.
   std::vector<std::pair<const JointBlock*, const JointRow*>> rows;
   for (const ActiveJoint* joint : joints) {
     const JointBlock& block = joint->block;

@@ -11,10 +11,10 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// The angle up to which the series below leave out less than 1e-17 of themselves: most turns of one step are smaller.
+// The angle up to which the series below have a relative error below 1e-17: most rotations in one step are smaller.
 constexpr Real small_turn = static_cast<Real>(.25);
 
-// Taylor's series of sine, and of cosine - 1 without its cancellation.
+// Taylor series of sine, and of cosine - 1 without cancellation.
 void small_sine_and_drop(Real angle, Real& sine, Real& drop) {
   const Real z = angle * angle;
   Real odd = -1 / static_cast<Real>(39916800);  // -1/11!
@@ -37,7 +37,7 @@ void small_sine_and_drop(Real angle, Real& sine, Real& drop) {
 void Motion::turn_by(Real angle) {
   if (angle == 0) return;
   turn += angle;
-  // What follows the first term of either series is then below half its last place, as of all that is at rest.
+  // Then all terms after the first of either series are below rounding, as for all bodies at rest.
   if (const Real z = turn * turn; z < std::numeric_limits<Real>::epsilon()) {
     sine = turn;
     drop = -z / 2;
@@ -54,7 +54,6 @@ void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Mo
   constexpr std::size_t handful = 32;
   std::array<Real, handful> angles, cosines, sines;
   std::array<std::size_t, handful> turned;
-  const Kernels& by_lanes = kernels();
   for (std::size_t first = 0; first < bodies.size(); first += handful) {
     const std::size_t end = std::min(first + handful, bodies.size());
     std::uint32_t count = 0;
@@ -74,8 +73,8 @@ void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Mo
       turned[count++] = i;
     }
     if (count == 0) continue;
-    for (std::uint32_t k = count; k % most_lanes != 0; ++k) angles[k] = 0;  // whole registers are read
-    by_lanes.turn_to_angles(angles.data(), count, cosines.data(), sines.data());
+    for (std::uint32_t k = count; k % most_angles_at_once != 0; ++k) angles[k] = 0;  // the kernel reads whole registers
+    solver_kernels().turn_to_angles(angles.data(), count, cosines.data(), sines.data());
     for (std::uint32_t k = 0; k < count; ++k) bodies.pose[turned[k]].q = {cosines[k], sines[k]};
   }
 }

@@ -8,7 +8,7 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// How far a body has come since the start of the step. Small numbers, so that float keeps them to the last place.
+/// The motion of a body since the start of the step. Small numbers, which float represents precisely.
 struct Motion {
   Vec2 d;         // m
   Real turn = 0;  // rad
@@ -23,13 +23,13 @@ struct Motion {
   Pose from(const Pose& start) const { return {start.p + d, Rotation(1 + drop, sine) * start.q}; }
 };
 
-/// s of a point whose bodies have come so far, exact for rigid motion against a normal that stands still:
+/// The separation of a point after these motions of its bodies, exact for rigid motion with a fixed normal:
 /// n . (R(turn) r - r) = sine (r x n) + drop (r . n).
 inline Real separation(const ContactRow& row, const RowPoint& p, const Motion& a, const Motion& b) {
   return p.separation + dot(row.normal, b.d - a.d) + (b.sine * p.cross_b + b.drop * p.turn_b) -
          (a.sine * p.cross_a + a.drop * p.turn_a);
 }
-/// The same in a frame that leaves out a body that stands still.
+/// The same in a frame without the body that stands still.
 template <class Frame>
 Real separation(const ContactRow& row, const RowPoint& p, const Motion& a, const Motion& b) {
   Real s = p.separation + dot(row.normal, Frame::difference(a.d, b.d));
@@ -38,7 +38,7 @@ Real separation(const ContactRow& row, const RowPoint& p, const Motion& a, const
   return s;
 }
 
-/// Carries a velocity over t seconds of constant acceleration; returns the mean one.
+/// Advances a velocity by t seconds of constant acceleration; returns the mean velocity.
 inline Velocity flown(Velocity& v, const Velocity& acceleration, Real t) {
   const Velocity mean{v.v + t / 2 * acceleration.v, v.w + t / 2 * acceleration.w};
   v.v += t * acceleration.v;
@@ -46,9 +46,9 @@ inline Velocity flown(Velocity& v, const Velocity& acceleration, Real t) {
   return mean;
 }
 
-/// Ends a step: adds the motions to the poses that the bodies started from (which may be those they have); of a motion
-/// only the sums count, sine and drop may be left out. What rounding leaves out is kept and added in the next step
-/// (Kahan 1965), so that in float, too, a body at rest far from the origin stays there.
+/// Ends a step: adds the motions to the start poses (which may be the bodies' own). Uses only `d` and `turn` of a
+/// motion. The rounding error is kept and added in the next step (Kahan 1965), so that in float, too, a body at rest
+/// far from the origin stays there.
 void place(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Motion>& motion);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -12,18 +12,18 @@ bool pushable(const BodySet& bodies, std::size_t i) { return bodies.inverse_mass
 
 constexpr std::uint32_t nobody = ~std::uint32_t{0};
 
-// What kinds of bodies are told apart by.
+// Bits of the kinds of bodies.
 constexpr std::uint8_t stirs = 1;
 constexpr std::uint8_t is_pushable = 2;
 
-/// Whether nothing that the contact gives can turn a body, and no turning is felt by it.
+/// Whether the contact is frictionless and can neither rotate a body nor depend on a rotation.
 bool smooth(const Contact& contact, bool stirs_a, bool stirs_b) {
   return contact.static_friction == 0 && (contact.disc_a || !stirs_a) && (contact.disc_b || !stirs_b);
 }
 
 }  // namespace
 
-// Neighbours are often of one island: they are counted and put there together.
+// Neighbours often belong to the same island: they are counted and copied together.
 template <class Item>
 template <class Source, class IslandOf>
 void Partition::ByIsland<Item>::sort(const Source& source, std::size_t islands, IslandOf island_of) {
@@ -59,7 +59,7 @@ void Partition::split(const StepData& data, bool together) {
   find_islands(data, together);
 }
 
-/// Whether ties listed now would be those of the last step.
+/// Whether the list of contacts would be that of the last step.
 bool Partition::nothing_changed(const StepData& data) {
   std::swap(kinds_, last_kinds_);
   kinds_.resize(data.bodies.size());
@@ -95,7 +95,7 @@ void Partition::find_islands(const StepData& data, bool together) {
   for (std::uint32_t body = 0; body < bodies.size(); ++body) {
     const std::uint32_t pile = bodies.pile[body];
     if (pile == 0) continue;
-    crowd_[body] = 3;  // by the contacts that the pile keeps
+    crowd_[body] = 3;  // has the contacts that the pile keeps
     if (first_of_.size() < pile) first_of_.resize(pile, nobody);
     std::uint32_t& first = first_of_[pile - 1];
     if (first == nobody) first = body;

@@ -5,26 +5,26 @@
 #include <vector>
 
 #include "islands/islands.h"
+#include "solver/lanes/contact_lanes.h"
 #include "solver/solver.h"
-#include "solver/tie.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Bodies that must be stepped together, with the contacts and joints among them. Contacts without points, or between
-/// bodies that nothing can push, belong to no island.
+/// The islands of a step: bodies that must be stepped together, with their contacts and joints. Contacts without
+/// points, or between bodies that cannot be pushed, belong to no island.
 class Partition {
  public:
-  /// Finds the islands of a step. Where nothing but contacts ties bodies, and the same ones as in the last step (as in
-  /// whatever rests), they are those of the last step.
+  /// Finds the islands of a step. If only contacts connect bodies, and the same ones as in the last step (as at rest),
+  /// the islands are those of the last step.
   ///
-  /// Bodies share an island if something ties them and both move, or a pile at rest holds both; `together` puts them
+  /// Bodies share an island if they are connected and both move, or belong to the same pile at rest; `together` puts
   /// all into one.
   void split(const StepData& data, bool together);
 
-  /// Contacts have other points than they were found with: the next step lists them again.
+  /// To be called when points of contacts changed within the step, so that the next step lists them again.
   void forget_points() { contact_changes_ = 0; }
 
-  /// Changes whenever the islands may be others than before.
+  /// Changes whenever the islands may have changed.
   std::uint64_t version() const { return version_; }
 
   std::size_t size() const { return islands_.size(); }
@@ -32,11 +32,11 @@ class Partition {
   std::span<const std::uint32_t> bodies(std::size_t island) const { return islands_.bodies(island); }
   /// In the order of the step's contacts.
   std::span<const Tie> contacts(std::size_t island) const { return contacts_.of(island); }
-  /// Where the island's contacts begin among those of all islands.
+  /// The index of the island's first contact among those of all islands.
   std::size_t first_contact(std::size_t island) const { return contacts_.start[island]; }
   std::size_t contact_count() const { return contacts_.items.size(); }
   std::span<ActiveJoint* const> joints(std::size_t island) const { return joints_.of(island); }
-  /// Whether one of the bodies can be pushed and has more than two contacts, as in a pyramid and not in a column.
+  /// Whether a pushable body of the contact has more than two contacts, as in a pyramid but not in a column.
   bool in_web(const Tie& tie) const { return crowd_[tie.a] > 2 || crowd_[tie.b] > 2; }
 
  private:
@@ -64,10 +64,10 @@ class Partition {
   std::uint64_t contact_changes_ = 0;     // when ties were listed
   std::uint64_t pile_changes_ = 0;        // of the bodies, when they were last split
   std::vector<std::uint32_t> first_of_;   // body of each pile at rest
-  std::vector<std::uint8_t> kinds_;       // of bodies: whether they can be pushed, and stir
-  std::vector<std::uint8_t> last_kinds_;  // the same of the step before
+  std::vector<std::uint8_t> kinds_;       // of bodies: whether they can be pushed, and move
+  std::vector<std::uint8_t> last_kinds_;  // the same of the last step
   std::vector<Tie> tied_;                 // contacts that belong to an island
-  std::vector<Tie> last_tied_;            // the same of the step before
+  std::vector<Tie> last_tied_;            // the same of the last step
   std::vector<std::uint8_t> crowd_;       // contacts of each body that can be pushed, up to 3
   ByIsland<Tie> contacts_;
   ByIsland<ActiveJoint*> joints_;

@@ -5,19 +5,120 @@
 #include <limits>
 #include <numeric>
 
+#include "contacts/contact_rows.h"
 #include "core/stages.h"
-#include "solver/descent.h"
+#include "solver/energy_bound.h"
+#include "solver/turning.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
+const Contact no_contact{};
+
+/// The layout input common to all contacts of an island.
+LayoutInput input_of(std::span<Contact> contacts, const BodySet& bodies, const Island& island,
+                     const std::vector<std::uint32_t>& row_of, std::uint32_t no_row) {
+  LayoutInput input{};
+  input.contacts = contacts.data();
+  input.no_contact = &no_contact;
+  input.masses = bodies.inverse_mass.data();
+  input.poses = bodies.pose.data();
+  input.row_of = row_of.data();
+  input.nobody = no_row;
+  input.offset_from_age = OffsetRule::from_age;
+  input.substeps = static_cast<Real>(island.substeps);
+  return input;
+}
+
+SoftRule rule_of(const Island& island) {
+  SoftRule rule{};
+  for (const std::size_t web : {0, 1}) {
+    for (const std::size_t fixed : {0, 1}) {
+      const Island::Softnesses& softnesses = web == 1 ? island.web : island.column;
+      const Softness& soft = fixed == 1 ? softnesses.fixed : softnesses.movable;
+      rule.strength[web][fixed] = soft.strength;
+      rule.rate[web][fixed] = soft.rate;
+      rule.relief[web][fixed] = soft.relief;
+      rule.give[web][fixed] = 1 / (2 * island.h * soft.omega * soft.omega);
+      rule.gain[web][fixed] = island.offsets.gain(soft);
+    }
+  }
+  rule.leak = island.offsets.leak();
+  return rule;
+}
+
+template <std::size_t width>
+class PileLanesOf : public PileLanes {
+ public:
+  explicit PileLanesOf(const ContactPasses<width>& passes) : passes_(passes) {}
+
+  std::uint32_t at_a_time() const override { return width; }
+
+  void lay_out(std::span<Contact> contacts, const BodySet& bodies, const Island& island, const Colouring& colouring,
+               const std::vector<std::uint32_t>& row_of, std::uint32_t no_row) override {
+    input_ = input_of(contacts, bodies, island, row_of, no_row);
+    soft_ = rule_of(island);
+    make_room(colouring, LanesKind::one, one_);
+    make_room(colouring, LanesKind::discs, discs_);
+    make_room(colouring, LanesKind::two, two_);
+    make_room(colouring, LanesKind::block, block_);
+    make_room(colouring, LanesKind::smooth, smooth_);
+    make_room(colouring, LanesKind::smooth_discs, smooth_discs_);
+    const std::span<const LanesRun> runs = colouring.runs();
+    table_ = {one_.data(),    discs_.data(),        two_.data(), block_.data(),
+              smooth_.data(), smooth_discs_.data(), runs.data(), runs.data() + runs.size()};
+    passes_.lay_out(table_, input_);
+  }
+
+  void begin_late(const BodyRows& bodies) override { passes_.begin_late(table_, bodies); }
+  void kick(const BodyRows& bodies) override { passes_.kick(table_, bodies); }
+  void press(const BodyRows& bodies, Real h) override { passes_.press(table_, bodies, soft_, h); }
+  void relax(const BodyRows& bodies, bool again) override { passes_.relax(table_, bodies, again); }
+  void settle(bool settling) override { passes_.settle(table_, soft_, settling); }
+  void store() override { passes_.store(table_, input_); }
+
+ private:
+  template <class Lanes>
+  void make_room(const Colouring& colouring, LanesKind kind, std::vector<Lanes>& all) {
+    const std::span<const Slot> slots = colouring.lanes(kind);
+    const auto number = static_cast<std::size_t>(kind);
+    all.resize(slots.size() / width);
+    input_.slots[number] = slots.data();
+    input_.groups[number] = static_cast<std::uint32_t>(all.size());
+  }
+
+  const ContactPasses<width>& passes_;
+  LayoutInput input_{};
+  SoftRule soft_{};
+  std::vector<ContactLanes<1, width>> one_;
+  std::vector<DiscLanes<width>> discs_;
+  std::vector<ContactLanes<2, width>> two_;
+  std::vector<ContactLanes<2, width>> block_;
+  std::vector<SmoothLanes<width>> smooth_;
+  std::vector<SmoothDiscLanes<width>> smooth_discs_;
+  ContactTable<width> table_{};
+};
+
+/// Contacts from which laying them out in lanes pays.
+constexpr std::size_t least_pile = 64;
+
+void scale_offsets(const StepData& data, const Island& island, Real by) {
+  if (by == 1) return;
+  for (const Tie& tie : island.contacts) data.contacts[tie.contact].offset *= by;
+}
+
 constexpr std::uint32_t nowhere = ~std::uint32_t{0};
-constexpr std::size_t block = 16;  // rows that kernels take at a time at most
+constexpr std::size_t block = 16;  // the most rows that kernels process at a time
 
 std::size_t rounded_up(std::size_t count) { return (count + block - 1) / block * block; }
 
 }  // namespace
+
+std::unique_ptr<PileLanes> PileLanes::make(const SolverKernels& kernels) {
+  if (kernels.contacts_by_sixteen != nullptr) return std::make_unique<PileLanesOf<16>>(*kernels.contacts_by_sixteen);
+  return std::make_unique<PileLanesOf<8>>(*kernels.contacts_by_eight);
+}
 
 void Pile::keep(std::span<Contact> contacts, const BodySet& bodies, const Partition& parts, const Island& island,
                 RowOf& row_of) {
@@ -70,8 +171,8 @@ void Pile::forget_rows(RowOf& row_of) const {
   }
 }
 
-/// What is kept has its rows. Then bodies of the island, then those that it touches and does not move, then at least
-/// one row of no body.
+/// Assigns rows: first the bodies of kept contacts, then bodies of the island, then those that it touches and does not
+/// move, then at least one unused row.
 void Pile::take_bodies(const BodySet& bodies, const Island& island, RowOf& row_of) {
   row_of.resize(bodies.size(), nowhere);
   present_.resize(kept_rows_);
@@ -85,7 +186,7 @@ void Pile::take_bodies(const BodySet& bodies, const Island& island, RowOf& row_o
   }
 }
 
-/// Motions go on where they are kept, the others begin.
+/// Motions of kept rows continue; the others start at 0.
 void Pile::take_motions(const BodySet& bodies, const std::vector<Velocity>& acceleration) {
   const std::size_t count = rounded_up(present_.size() + 1);
   for (auto* rows : {&velocity_, &before_, &kick_, &acceleration_}) rows->assign(4 * count, 0);
@@ -126,7 +227,7 @@ void Pile::substep(const Island& island, bool first) {
   if (island.settling) lanes_->settle(true);
 }
 
-/// As Accurate::relax_until_bounded.
+/// Like Accurate::relax_until_bounded.
 void Pile::relax_until_bounded(const Island& island) {
   const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   const Real most = start_energy_ + work() + rounding * start_energy_;
@@ -146,7 +247,7 @@ void Pile::leave(const StepData& data, const Island& island, const RowOf& row_of
   }
 }
 
-/// Sine and cosine of bodies that have turned too far for the series of the kernel.
+/// Recomputes sine and cosine of bodies that have rotated too far for the series of the kernel.
 void Pile::turn_far() {
   for (std::size_t i = 0; i < turn_.size(); ++i) {
     Motion turned;
@@ -156,7 +257,7 @@ void Pile::turn_far() {
   }
 }
 
-/// Of the bodies that can be pushed; the others do not share in an island's energy.
+/// Sets the masses of the bodies that can be pushed; others do not count in an island's energy.
 void Pile::weigh(const StepData& data, const Island& island, const RowOf& row_of) {
   mass_.assign(velocity_.size(), 0);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
@@ -167,7 +268,7 @@ void Pile::weigh(const StepData& data, const Island& island, const RowOf& row_of
   }
 }
 
-/// J. In several sums at once, here and below: a single one would wait at every body for the body before.
+/// J. In several partial sums, here and below: in a single one every addition would wait for the one before.
 Real Pile::kinetic_energy() const {
   std::array<Real, block> sums{};
   for (std::size_t i = 0; i < velocity_.size(); i += block) {
@@ -176,7 +277,7 @@ Real Pile::kinetic_energy() const {
   return std::accumulate(sums.begin(), sums.end(), Real{0}) / 2;
 }
 
-/// J, that the forces gave in this sub-step.
+/// J, the work of the forces in this sub-step.
 Real Pile::work() const {
   std::array<Real, 4> sums{};
   for (std::size_t i = 0; i < turn_.size(); i += sums.size()) {
@@ -191,6 +292,48 @@ Real Pile::work() const {
     }
   }
   return std::accumulate(sums.begin(), sums.end(), Real{0});
+}
+
+bool is_pile(const StepData& data, const Island& island) {
+  if (island.contacts.size() < least_pile || !island.joints.empty()) return false;
+  const bool is_few = few(island);
+  return std::none_of(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
+    const Contact& contact = data.contacts[tie.contact];
+    return contact.restitution > 0 ||
+           (is_few && !contact.discs() && stir_of(contact, data.bodies).moves(data.settings.dt));
+  });
+}
+
+void plan_pile(const StepData& data, Island& island, const std::vector<Velocity>& acceleration) {
+  Bearing bearing;
+  if (may_need_substeps(island.bodies.size(), data.settings)) {
+    for (const Tie& tie : island.contacts) bearing.add(make_row(data.bodies, data.contacts, tie.contact));
+  }
+  island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration, data.settings));
+  end_stage("pile: bearing");
+  island.settling = settles(data, island);
+  if (island.settling) island.sweeps = settling_sweeps_for(island.bodies.size());
+  relax_blows(data, island);
+  end_stage("pile: struck");
+}
+
+void relax_blows(const StepData& data, Island& island) {
+  const auto struck = [&](const Tie& tie) {
+    return new_or_deep(data.contacts[tie.contact]) &&
+           at_speed(make_row(data.bodies, data.contacts, tie.contact), data.bodies);
+  };
+  const int more_sweeps = closed(data.bodies, island.bodies) ? more_sweeps_for(island.bodies.size()) : 0;
+  if (more_sweeps > 0 && std::any_of(island.contacts.begin(), island.contacts.end(), struck)) {
+    island.more_sweeps = more_sweeps;
+  }
+}
+
+void step_as_pile(StepData& data, const Partition& parts, const Island& island,
+                  const std::vector<Velocity>& acceleration, std::vector<Motion>& motion, Pile& pile,
+                  Pile::RowOf& row_of) {
+  scale_offsets(data, island, island.offset_scale);
+  pile.step(data, parts, island, acceleration, motion, row_of);
+  scale_offsets(data, island, 1 / island.offset_scale);
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -6,29 +6,30 @@
 #include <numeric>
 #include <utility>
 
-#include "contacts/contact_order.h"
+#include "contacts/contact_search.h"
+#include "contacts/lanes/persistence.h"
 #include "solver/lanes/kernels.h"
-#include "solver/pile_island.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Steps from one look at what is calm to the next. Calm is what moves so little between two that it would last for
-/// sixteen times as long; and twice in turn, lest what turns back counts.
+/// Steps between two looks at the motion of bodies. A body is calm if it moves so little between two that it would stay
+/// within the tolerance for sixteen times as long; and at two consecutive looks, so that a turning point does not
+/// count.
 constexpr int look_every = 8;
 constexpr Real calm_way = RestingPile::tremor / 16;
 constexpr std::uint8_t long_calm = 2;
 
-/// Whether keeping so many contacts pays, beside so many others that are laid out in every step.
+/// Whether keeping this many contacts pays, with this many others that are laid out in every step.
 constexpr std::size_t least_kept = 64;
 bool pays(std::size_t kept, std::size_t others) { return kept >= least_kept && kept >= 3 * others; }
 
-/// A pile is let go, and begins anew with more, where others have become calm: so many times as many of them. Between
-/// there are up to look_every steps without.
+/// A pile is rebuilt with more contacts if 1/16 as many others have become calm. In between there are up to look_every
+/// steps without a pile at rest.
 constexpr std::size_t worth_beginning_anew = 16;
 
-/// m, that no point of a body can have come farther than between two poses.
+/// m, bound of the displacement of any point of a body between two poses.
 Real way(const Pose& then, const Pose& now, Real reach) {
   return length(now.p - then.p) + std::abs((now.q * then.q.inverse()).s) * reach;
 }
@@ -50,9 +51,7 @@ bool something_drives(const BodySet& bodies) {
   return drives;
 }
 
-bool in_order(const Contact& left, const Contact& right) { return ContactOrder(left) < ContactOrder(right); }
-
-/// Two discs touch along the line of their centres.
+/// Recomputes the point of two discs, which lies on the line of their centres.
 void meet_again(Contact& contact, const BodySet& bodies) {
   const Vec2 between = bodies.pose[contact.body_b].p - bodies.pose[contact.body_a].p;
   const Real distance = length(between);
@@ -66,20 +65,13 @@ void meet_again(Contact& contact, const BodySet& bodies) {
 
 }  // namespace
 
-bool kept_by_pile(const BodySet& bodies, const Contact& contact) {
-  const std::uint32_t a = contact.body_a;
-  const std::uint32_t b = contact.body_b;
-  return (bodies.pile[a] != 0 || !bodies.pushable(a)) && (bodies.pile[b] != 0 || !bodies.pushable(b)) &&
-         (bodies.pile[a] != 0 || bodies.pile[b] != 0);
-}
-
 RestingPile::RestingPile(const StepData& data, const Partition& parts, const Island& island, std::vector<Tie> kept,
                          std::vector<Tie> others, Pile::RowOf& row_of)
     : members_(bodies_of(kept)),
       ties_(std::move(kept)),
       others_(std::move(others)),
       last_(members_.size()),
-      pile_(pile_kernels()),
+      pile_(solver_kernels()),
       substeps_(island.substeps),
       offset_scale_(island.offset_scale),
       webbed_(island.webbed),
@@ -123,8 +115,8 @@ std::vector<Contact> RestingPile::contacts(const BodySet& bodies) {
   std::vector<std::uint32_t> all(now.size());
   std::iota(all.begin(), all.end(), 0U);
   std::vector<std::uint8_t> kept(now.size());
-  kernels().keep_points(now.data(), all.data(), static_cast<std::uint32_t>(now.size()), bodies.pose.data(),
-                        bodies.bounding_radius.data(), std::numeric_limits<Real>::infinity(), kept.data());
+  contact_kernels().persist_points(now.data(), all.data(), static_cast<std::uint32_t>(now.size()), bodies.pose.data(),
+                                   bodies.reach.data(), std::numeric_limits<Real>::infinity(), kept.data());
   for (Contact& contact : now) {
     contact.offset /= offset_scale_;
     contact.age += steps_ - 1;  // one was counted when they were measured
@@ -133,7 +125,7 @@ std::vector<Contact> RestingPile::contacts(const BodySet& bodies) {
   return now;
 }
 
-// What moves without being pushed meets bodies that a search takes for standing still: nothing rests then.
+// A body that moves without being pushable may hit bodies that the search treats as fixed: no pile may rest then.
 void RestingPiles::rouse(BodySet& bodies, std::vector<Contact>& to) {
   if (empty()) return;
   if (something_drives(bodies)) return let_go(bodies, to);
@@ -200,7 +192,7 @@ bool RestingPiles::let_go_hindered(StepData& data, const Partition& parts, bool 
   }
   if (contacts.empty()) return false;
   data.contacts.insert(data.contacts.end(), contacts.begin(), contacts.end());
-  std::sort(data.contacts.begin(), data.contacts.end(), in_order);
+  std::sort(data.contacts.begin(), data.contacts.end(), comes_before);
   data.contact_changes = 0;
   return true;
 }

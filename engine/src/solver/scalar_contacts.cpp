@@ -1,24 +1,83 @@
 #include "solver/scalar_contacts.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Both points at once, to these changes of velocity; not if a point would pull.
+/// Whether the row was made from the contact's current points; never for two discs, whose normal rotates with them.
+bool keeps_points(const ImpactRow& row, const Contact& contact) {
+  const auto same = [](const Pose& then, const Pose& now) { return then.p == now.p && then.q == now.q; };
+  return row.made && !contact.discs() && same(row.found_a, contact.found_a) && same(row.found_b, contact.found_b) &&
+         row.normal == contact.normal && row.found_separation == contact.found_separation;
+}
+
+/// Updates a row whose contact kept its points: only their separations and impulses are new.
+void update(ImpactRow& row, const Contact& contact) {
+  row.static_friction = contact.static_friction;
+  row.dynamic_friction = contact.dynamic_friction;
+  row.restitution = contact.restitution;
+  row.active = true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    RowPoint& p = row.points[i];
+    p.separation = contact.points[i].separation;
+    p.normal_impulse = contact.points[i].normal_impulse;
+    p.tangent_impulse = contact.points[i].tangent_impulse;
+    p.total_normal = 0;
+    p.total_tangent = 0;
+  }
+}
+
+/// Sets the normal along which a contact acted in this step. The points were found with another one, so they must not
+/// persist.
+void show(Vec2 normal, Contact& contact) {
+  contact.normal = normal;
+  contact.found_a.p = contact.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
+}
+
+/// Solves both points together for these velocity changes; false if a point would pull.
 template <class Frame>
 [[gnu::always_inline]] inline bool push_both(const PairMatrix& masses, ImpactRow& row, Frame& frame, Vec2 change) {
   if (!masses.usable) return false;
   auto& [p, q] = row.points;
   const Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + masses * change;
   if (total.x < 0 || total.y < 0) return false;
-  push_to(row, p, frame, total.x);
-  push_to(row, q, frame, total.y);
+  apply_accumulated(row, p, frame, total.x);
+  apply_accumulated(row, q, frame, total.y);
   return true;
 }
 
 }  // namespace
+
+void renew(ImpactRow& row, const BodySet& bodies, const std::vector<Pose>& start, const std::vector<Contact>& contacts,
+           std::uint32_t index) {
+  const Contact& contact = contacts[index];
+  if (keeps_points(row, contact)) {
+    update(row, contact);
+  } else {
+    row = {make_row(bodies, contacts, index)};
+    row.made = true;
+    row.found_a = contact.found_a;
+    row.found_b = contact.found_b;
+    row.found_separation = contact.found_separation;
+  }
+  row.stirs_a = bodies.stirs(row.a);
+  row.stirs_b = bodies.stirs(row.b);
+  row.disc_distance = contact.discs() ? contact.radius_a + contact.radius_b : Real{0};
+  row.turns = contact.discs();
+  row.between = start[row.b].p - start[row.a].p;
+  row.age = contact.age;
+  row.fresh = contact.age == 0;
+}
+
+void write_back(ImpactRow& row, Real offset_scale, std::vector<Contact>& contacts) {
+  Contact& contact = contacts[row.contact];
+  contact.offset = row.offset / offset_scale;
+  if (row.turns) show(row.join(), contact);
+  store_row(row, contacts);
+}
 
 template <class Solve>
 void ScalarContacts::in_frame(ImpactRow& row, std::vector<Velocity>& velocity, Solve solve) {
@@ -26,7 +85,7 @@ void ScalarContacts::in_frame(ImpactRow& row, std::vector<Velocity>& velocity, S
   Velocity& b = velocity[row.b];
   const auto solve_in = [&](auto frame) {
     solve(row, frame);
-    frame.leave(row, a, b);
+    frame.write_back(row, a, b);
   };
   if (!row.stirs_a) return solve_in(FrameOf<false, true>(row, a, b));
   if (!row.stirs_b) return solve_in(FrameOf<true, false>(row, a, b));
@@ -76,8 +135,8 @@ void ScalarContacts::count_halves(const Island& island) {
   }
 }
 
-/// The normal of two discs follows them, and with it what was given along it in this sub-step. What press gave and
-/// relax takes back would else leave a push across, which no contact shows.
+/// Rotates the normal of two discs with them, and with it the impulses of this sub-step. Otherwise the difference of
+/// the impulses that press applied and relax removes would have a tangential part that no contact reports.
 void ScalarContacts::turn_normal(ImpactRow& row) {
   RowPoint& p = row.points[0];
   const Vec2 before = row.normal;
@@ -103,13 +162,12 @@ void ScalarContacts::press(const Island& island) {
         RowPoint& p = row.points[i];
         const Real s = gap<Frame>(row, p);
         const Real v = frame.normal_velocity(p);
-        const Real push =
-            s > 0 ? -p.normal_mass * (v + s / island.h)
-                  : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) - soft.impulse_scale * p.normal_impulse;
-        push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+        const Real push = s > 0 ? -p.normal_mass * (v + s / island.h)
+                                : -p.normal_mass * soft.strength * (v + soft.rate * s) - soft.relief * p.normal_impulse;
+        apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
-    if (row.fresh) rub(row, frame);
+    if (row.fresh) solve_friction(row, frame);
   });
 }
 
@@ -120,10 +178,10 @@ void ScalarContacts::relax(const Island& island) {
         RowPoint& p = row.points[i];
         if (p.normal_impulse == 0 && gap<Frame>(row, p) > 0) continue;
         const Real push = -p.normal_mass * frame.normal_velocity(p);
-        push_to(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+        apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
-    rub(row, frame);
+    solve_friction(row, frame);
   });
 }
 
@@ -135,7 +193,7 @@ Real ScalarContacts::deepening(const Island& island, bool held) const {
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       const RowPoint& p = row.points[i];
       const Real closing = -island.h * frame.normal_velocity(p);
-      if (closing <= most) continue;  // it comes deeper by that at most
+      if (closing <= most) continue;  // an upper bound of the growth
       const Real s = gap<ContactFrame>(row, p);
       if (held && p.normal_impulse == 0 && s > 0) continue;
       most = std::max(most, held ? closing : std::min(s, Real{0}) - (s - closing));
@@ -158,7 +216,7 @@ PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
   return pair;
 }
 
-/// (K + G) d = -(v + bias + G lambda) with G the give of those springs that are pressed.
+/// (K + G) d = -(v + bias + G lambda) with G the compliance of the points that overlap.
 template <bool rigidly, class Frame>
 [[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, ImpactRow& row,
                                                               Frame& frame) const {
@@ -189,11 +247,11 @@ template <class Frame>
   return push_both(row.pair.rigid, row, frame, {-frame.normal_velocity(p), -frame.normal_velocity(q)});
 }
 
-/// A standing load presses its springs in. The offset, one for both points of a contact (one each would take away the
-/// stiffness that keeps a column upright), slowly moves the springs' rest length until the surfaces just touch; it
-/// never exceeds the depth that the load explains, load / (2 m_eff w^2), and goes with the load (see OffsetRule). Each
-/// point counts by its load: what leans on one corner has the other in the air. Near an even load that is the mean, and
-/// takes away no stiffness.
+/// A steady load causes penetration in soft contacts. The offset, one for both points of a contact (one each would
+/// remove the stiffness that keeps a column upright), slowly moves the rest length until the surfaces just touch; it
+/// never exceeds the penetration that the load explains, load / (2 m_eff w^2), and vanishes with the load (see
+/// OffsetRule). Points are weighted by their loads: a body that leans on one corner has the other in the air. Near an
+/// even load that is the mean, and removes no stiffness.
 void ScalarContacts::settle_offsets(const Island& island) {
   for (ImpactRow& row : island.rows) {
     const Softness& soft = island.softness(row);
@@ -206,7 +264,7 @@ void ScalarContacts::settle_offsets(const Island& island) {
       speed += p.normal_impulse * (p.normal_impulse / p.normal_mass);
       depth -= p.normal_impulse * separation(row, p, motion_[row.a], motion_[row.b]);
     }
-    // Not by 1 / load: a load may be so small that this is infinite.
+    // Not times 1 / load, which is infinite for a tiny load.
     if (load > 0) {
       speed /= load;
       depth /= load;

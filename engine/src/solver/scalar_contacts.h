@@ -9,38 +9,45 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// The contacts of an island through the stages of a sub-step of `accurate`, one after another. `motion` is of each
+/// Makes the row of a contact for this step, or updates it if the contact kept its points. `start`: the pose of each
+/// body at the start of the step.
+void renew(ImpactRow& row, const BodySet& bodies, const std::vector<Pose>& start, const std::vector<Contact>& contacts,
+           std::uint32_t index);
+
+/// Writes the results of the step from a row back to its contact. `offset_scale`: see Island.
+void write_back(ImpactRow& row, Real offset_scale, std::vector<Contact>& contacts);
+
+/// The contacts of an island in the stages of a sub-step of `accurate`, solved one after another. `motion` is of each
 /// body since the start of the step.
 class ScalarContacts {
  public:
   ScalarContacts(BodySet& bodies, const std::vector<Motion>& motion) : bodies_(bodies), motion_(motion) {}
 
-  /// What stays through a step of two points that are solved at once.
+  /// The data of two points solved together that stay constant in a step.
   static PointPair pair_of(const Island& island, const ImpactRow& row);
-  /// What the contacts bore in the last sub-step is given again, half in each kick: `kicks` is what a half does to the
-  /// velocity of each body.
+  /// Splits the impulses of the last sub-step in halves, one for each kick: `kicks` gets the velocity change of each
+  /// body for one half.
   static void halve(const Island& island, std::vector<Velocity>& kicks);
-  /// After each kick.
+  /// Adds the halves to the accumulated impulses, after each kick.
   void count_halves(const Island& island);
-  /// Contacts give way as damped springs; a gap that would close within the sub-step is closed just so far. Friction
-  /// waits for the rigid pass, except in a contact's first step (else a box set down on a slope slips before it is
-  /// held).
+  /// Solves contacts as soft constraints; a gap may close within the sub-step, but no further. Friction is solved in
+  /// relax(), except in a contact's first step (otherwise a box set down on a slope slips before it is held).
   void press(const Island& island);
-  /// The same again, but rigid.
+  /// The same with rigid contacts.
   void press_rigidly(const Island& island);
-  /// Rigid contacts with friction, no memory of depth. What has a gap and no load is left alone: it would be braked one
-  /// sub-step before it arrives.
+  /// Rigid contacts with friction, regardless of depth. Skips points with a gap and no load, which would be braked one
+  /// sub-step before they arrive.
   void relax(const Island& island);
-  /// m, by how much the contact comes deeper that does so most in a sub-step at these velocities. `held`: not counting
-  /// those that relax() leaves alone.
+  /// m, the largest growth of a contact's penetration in a sub-step at these velocities. `held`: without the points
+  /// that relax() skips.
   Real deepening(const Island& island, bool held) const;
   void settle_offsets(const Island& island);
 
  private:
-  /// Calls solve(row, frame); the velocities then learn what the frame was given.
+  /// Calls solve(row, frame) and writes the frame back to the velocities.
   template <class Solve>
   static void in_frame(ImpactRow& row, std::vector<Velocity>& velocity, Solve solve);
-  /// The same for each row that takes part.
+  /// The same for each active row.
   template <class Solve>
   void each(const Island& island, Solve solve);
   template <class Frame>

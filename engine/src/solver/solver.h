@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "bodies/body_set.h"
@@ -10,12 +11,13 @@
 #include "core/workers.h"
 #include "impulse/settings.h"
 #include "joints/joint_set.h"
+#include "narrow_phase/margin.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 class RestingPiles;
 
-/// All that a solver works on during one step.
+/// The input and output of a solver in one step.
 struct StepData {
   BodySet& bodies;
   std::vector<Contact>& contacts;
@@ -24,18 +26,11 @@ struct StepData {
   Integrator& integrator;
   const Settings& settings;
   Workers& workers;
-  std::uint64_t contact_changes = 0;  // see ContactSet::changes(); 0: nobody knows
-  bool may_rest = false;              // nobody but the solver and who reads them asks for contacts
+  std::uint64_t contact_changes = 0;  // see ContactSet::changes(); 0: unknown
+  bool may_rest = false;  // no other part of the step needs the contacts: the solver may keep some to itself
 };
 
-/// How far apart two shapes may be and still make a contact ("speculative" contacts, which let a solver see what it is
-/// about to hit).
-struct Margin {
-  Real distance = 0;  // m
-  Real time = 0;      // s; adds the distance that the two may close in this time at their present velocities
-};
-
-/// One method of carrying bodies and contacts over a step: integrates, solves, corrects. Leaves in each contact point
+/// A method that advances bodies and contacts by one step: integrates, solves, corrects. Writes to each contact point
 /// the impulses for the next warm start and the totals of the step.
 class Solver {
  public:
@@ -44,14 +39,20 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
   virtual ~Solver() = default;
   virtual void step(StepData& data) = 0;
-  /// Its own errors, laid over those of one integrator step of settings.dt.
+  /// Writes its own errors over those of one integrator step of settings.dt.
   virtual void state(const Settings& settings, StatedErrors& errors) const = 0;
-  /// The contacts that it wants to be given; only touching shapes unless it says otherwise.
+  /// The gap up to which it needs contacts; by default only touching shapes.
   virtual Margin margin(const Settings&) const { return {}; }
-  /// Whether points of bodies that hardly moved stay where they are (see contact_set.h).
-  virtual bool recycles() const { return false; }
-  /// The piles whose contacts it keeps to itself, if it keeps some.
+  /// Whether contacts of bodies that hardly moved keep their points (see ContactSet::find).
+  virtual bool contact_persistence() const { return false; }
+  /// The piles at rest whose contacts it keeps to itself; null if it never does.
   virtual RestingPiles* resting() { return nullptr; }
 };
+
+/// The default method, `accurate`. `lanes`: solves large islands with the kernels, otherwise one contact at a time.
+std::unique_ptr<Solver> make_accurate(bool lanes);
+constexpr const char* accurate_source =
+    "soft contacts and relaxation after E. Catto, Soft Constraints (GDC 2011) and Solver2D (2024); velocity Verlet; "
+    "time-of-impact events";
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -3,26 +3,26 @@
 #include <cmath>
 #include <limits>
 
-#include "contacts/closing.h"
 #include "narrow_phase/collide.h"
+#include "narrow_phase/margin.h"
 #include "solver/scalar_contacts.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-// m; a corner that comes up meanwhile is met too late by no more than its sine of the way.
+// m, sliding before a contact is found again; a corner that appears meanwhile penetrates by at most a fraction of this.
 constexpr Real far = static_cast<Real>(0.002);
 
-// m, of the search within a step.
+// m, gap of the mid-step re-collision.
 constexpr Real margin = static_cast<Real>(0.05);
 
-// Vectors here are seen from the row's first frame: x along its normal n, y along t = perpendicular(n); an arm r is
+// Vectors here are in the row's initial frame: x along its normal n, y along t = perpendicular(n); an arm r is
 // (r . n, -(r x n)).
 
 Rotation rotation(const Motion& by) { return {1 + by.drop, by.sine}; }
 
-/// How a body moved since it had moved so far.
+/// The motion of a body from `then` to `now`.
 Motion moved_since(const Motion& then, const Motion& now) {
   Motion since;
   since.d = now.d - then.d;
@@ -32,7 +32,7 @@ Motion moved_since(const Motion& then, const Motion& now) {
 
 Vec2 turned_arm(Real turn, Real cross, const Motion& by) { return rotation(by) * Vec2{turn, -cross}; }
 
-/// Whether a shape, turned by q, has a face of that normal.
+/// Whether a shape, rotated by q, has a face with this normal.
 bool has_face(const Shape& shape, Rotation q, Vec2 normal) {
   constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   if (shape.type() == ShapeType::circle) return false;
@@ -54,7 +54,7 @@ NormalOf owner(const Contact& contact, const BodySet& bodies) {
   return NormalOf::between;
 }
 
-/// A disc keeps its place above a face that stands still, however it rolls.
+/// Whether a disc touches a face that stands still: its normal and arms stay constant however it rolls.
 bool stands_still(const Contact& contact, const ImpactRow& row, NormalOf normal_of) {
   return (normal_of == NormalOf::a && !row.stirs_a && contact.disc_b) ||
          (normal_of == NormalOf::b && !row.stirs_b && contact.disc_a);
@@ -82,7 +82,7 @@ Stir stir_of(const Contact& contact, const BodySet& bodies) {
 bool turns(const Contact& contact, const Stir& stir, const BodySet& bodies, Real dt) {
   constexpr Real felt = static_cast<Real>(6e-4);  // m/s
   if (stir.turning * stir.speed * dt > felt) return true;
-  // What is round rolls over corners.
+  // Rounded shapes roll over corners.
   const Real round = contact.radius_a + contact.radius_b;
   return round > 0 && (stir.turning + stir.speed / round) * stir.speed * dt > felt &&
          owner(contact, bodies) == NormalOf::between;
@@ -98,7 +98,7 @@ void Turning::begin(const Island& island, const StepData& data) {
     const NormalOf normal_of = owner(contact, data.bodies);
     if (stands_still(contact, row, normal_of)) continue;
     row.turns = true;
-    row.made = false;  // anew in the next step
+    row.made = false;  // must be made anew in the next step
     turned_.push_back(
         {&row, normal_of, row.normal, contact.radius_a, contact.radius_b, {row.points[0], row.points[1]}});
   }
@@ -109,15 +109,15 @@ Turning::Pair Turning::Turned::since(const Pair& now) const {
   return {moved_since(found.a, now.a), moved_since(found.b, now.b)};
 }
 
-/// m, that points of its bodies may have gone past each other since the contact was found, at most.
+/// m, bound of the relative displacement of the bodies' points since the contact was found.
 Real Turning::way(const Turned& turned, const Pair& now, const BodySet& bodies) {
   const Pair gone = turned.since(now);
   return length(gone.b.d - gone.a.d) + std::abs(gone.a.turn) * bodies.bounding_radius[turned.row->a] +
          std::abs(gone.b.turn) * bodies.bounding_radius[turned.row->b];
 }
 
-/// From the core of a to that of b: what is rounded there is left out.
-Vec2 Turning::between(const Turned& turned, const PointPlace& p, const Pair& by) {
+/// From the core of a to that of b, without their rounding radii.
+Vec2 Turning::between(const Turned& turned, const PointArms& p, const Pair& by) {
   const Vec2 n = turned.normal;
   const Vec2 apart = by.b.d - by.a.d;
   const Vec2 at_first{turned.radius_a + turned.radius_b + p.separation, 0};
@@ -130,7 +130,7 @@ Vec2 Turning::direction(const Turned& turned, const Pair& by) {
   if (turned.normal_of == NormalOf::a) return {1 + by.a.drop, by.a.sine};
   if (turned.normal_of == NormalOf::b) return {1 + by.b.drop, by.b.sine};
   const Vec2 cores = between(turned, turned.points[0], by);
-  // Corners that pass each other have no direction.
+  // Corners that slide past each other have no well-defined direction.
   return cores.x > std::abs(cores.y) ? normalized(cores) : Vec2{1, 0};
 }
 
@@ -143,11 +143,11 @@ void Turning::turn(const Island& island, const Turned& turned, const Pair& at, c
   const Vec2 facing = direction(turned, now);
   row.normal = n.x * turned.normal + n.y * perpendicular(turned.normal);
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-    const PointPlace& place = turned.points[i];
+    const PointArms& place = turned.points[i];
     RowPoint& p = row.points[i];
     Vec2 a = turned_arm(place.turn_a, place.cross_a, then.a);
     Vec2 b = turned_arm(place.turn_b, place.cross_b, then.b);
-    // The face is met where the other body's point is by then.
+    // The contact point on the face follows the other body's point.
     const auto slid = [&] { return dot(t, between(turned, place, then)) * t; };
     if (turned.normal_of == NormalOf::a && row.stirs_a) a += slid();
     if (turned.normal_of == NormalOf::b && row.stirs_b) b -= slid();
@@ -169,7 +169,7 @@ void Turning::turn(const Island& island, const Turned& turned, const Pair& at, c
   if (row.block) row.pair = ScalarContacts::pair_of(island, row);
 }
 
-// What lies on ground keeps its points: the next step's search takes care of the joins of ground.
+// Contacts with fixed bodies keep their points: only the search removes ghost collisions at joins.
 void Turning::find_again(StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion) {
   for (Turned& turned : turned_) {
     const ImpactRow& row = *turned.row;
@@ -190,8 +190,8 @@ void Turning::find_again(StepData& data, const std::vector<Pose>& start, const s
   }
 }
 
-/// What a point bore, the one of the same feature bears. What the step's points gave, they keep; a point that is gone
-/// leaves it to the other.
+/// New points inherit the impulses of the points with the same feature. Totals of the step are kept; those of a point
+/// that vanished go to the other.
 void Turning::take_points(Turned& turned, Contact& contact, const Manifold& found) {
   ImpactRow& row = *turned.row;
   const auto last_count = static_cast<std::size_t>(row.count);
@@ -215,12 +215,11 @@ void Turning::take_points(Turned& turned, Contact& contact, const Manifold& foun
     p.arm_b = found.points[i].point - contact.found_b.p;
     p.separation = contact.found_separation[i] = found.points[i].separation;
     p.feature = found.points[i].feature;
-    turned.points[i] = place_of(contact, i);
+    turned.points[i] = arms_of(contact, i);
     RowPoint& point = row.points[i];
     point.normal_impulse = point.tangent_impulse = 0;
     for (std::size_t j = 0; j < last_count; ++j) {
       if (last[j].feature != p.feature) continue;
-      p.fresh = last[j].fresh;
       point.normal_impulse = given[j].normal_impulse;
       point.tangent_impulse = given[j].tangent_impulse;
     }

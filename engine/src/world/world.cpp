@@ -185,16 +185,16 @@ void World::State::wake_ends(JointId id) {
 }
 
 void World::State::find_contacts(const Margin& margin) {
-  const SearchInput input{bodies, *broad_phase, settings, margin, solver->recycles(), joints};
+  const SearchInput input{bodies, *broad_phase, settings, margin, solver->contact_persistence(), joints};
   RestingPiles* resting = solver->resting();
   if (resting == nullptr) return contacts.find(input);
   std::vector<Contact> returned;
   resting->rouse(bodies, returned);
   contacts.put_in(returned);
   contacts.find(input);
-  while (!contacts.struck_piles().empty()) {
-    returned.clear();
-    for (const std::uint32_t pile : contacts.struck_piles()) resting->let_go(pile, bodies, returned);
+  while (!contacts.hit_piles().empty()) {
+    given_back.clear();
+    for (const std::uint32_t pile : contacts.hit_piles()) resting->let_go(pile, bodies, given_back);
     contacts.forget_new();
     contacts.put_in(returned);
     contacts.find(input);

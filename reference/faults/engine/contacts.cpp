@@ -1,17 +1,17 @@
-// Contacts that a solver is shown wrongly.
+// Faults in the contacts that a solver is given.
 
 #include <algorithm>
 #include <atomic>
 
-#include "reference/faults/engine/spoilt_solver.h"
+#include "reference/faults/engine/mutated_solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-const auto lost_point = spoilt(
-    {.name = "manifold-point-lost", .about = "the second point of every manifold is dropped", .spoils = "accurate"},
-    [](SpoiltStep& step) {
+const auto lost_point = mutated(
+    {.name = "manifold-point-lost", .about = "the second point of every manifold is dropped", .mutates = "accurate"},
+    [](MutatedStep& step) {
       for (Contact& contact : step.contacts) contact.count = std::min(contact.count, 1);
     });
 
@@ -24,73 +24,73 @@ bool is_box(const BodySet& bodies, std::uint32_t body, std::uint16_t part) {
 }
 
 const auto flipped_normal =
-    spoilt({.name = "normal-flipped",
-            .about = "the normal from b to a, for a box with a disc alone: one entry of the jump table not swapped",
-            .source = "row 23",
-            .spoils = "accurate"},
-           [](SpoiltStep& step) {
-             for (Contact& contact : step.contacts) {
-               const bool pair = is_box(step.bodies, contact.body_a, contact.part_a) &&
-                                 is_disc(step.bodies, contact.body_b, contact.part_b);
-               if (pair) contact.normal = -contact.normal;
-             }
-           });
+    mutated({.name = "normal-flipped",
+             .about = "the normal from b to a, for a box with a disc alone: one entry of the jump table not swapped",
+             .source = "the article, part 3",
+             .mutates = "accurate"},
+            [](MutatedStep& step) {
+              for (Contact& contact : step.contacts) {
+                const bool pair = is_box(step.bodies, contact.body_a, contact.part_a) &&
+                                  is_disc(step.bodies, contact.body_b, contact.part_b);
+                if (pair) contact.normal = -contact.normal;
+              }
+            });
 
-const auto frictionless_sticking = spoilt({.name = "friction-dynamic-sticking",
-                                           .about = "the dynamic coefficient while sticking",
-                                           .source = "row 19",
-                                           .spoils = "accurate"},
-                                          [](SpoiltStep& step) {
-                                            for (Contact& contact : step.contacts) {
-                                              contact.static_friction = contact.dynamic_friction;
-                                            }
-                                          });
+const auto frictionless_sticking = mutated({.name = "friction-dynamic-sticking",
+                                            .about = "the dynamic coefficient while sticking",
+                                            .source = "the article, part 3",
+                                            .mutates = "accurate"},
+                                           [](MutatedStep& step) {
+                                             for (Contact& contact : step.contacts) {
+                                               contact.static_friction = contact.dynamic_friction;
+                                             }
+                                           });
 
 const auto bounce_short =
-    spoilt({.name = "restitution-2-percent", .about = "restitution 2 % too small", .spoils = "accurate"},
-           [](SpoiltStep& step) {
-             for (Contact& contact : step.contacts) contact.restitution *= static_cast<Real>(0.98);
-           });
+    mutated({.name = "restitution-2-percent", .about = "restitution 2 % too small", .mutates = "accurate"},
+            [](MutatedStep& step) {
+              for (Contact& contact : step.contacts) contact.restitution *= static_cast<Real>(0.98);
+            });
 
-const auto rough = spoilt({.name = "friction-2-percent", .about = "friction 2 % too small", .spoils = "accurate"},
-                          [](SpoiltStep& step) {
-                            for (Contact& contact : step.contacts) {
-                              contact.static_friction *= static_cast<Real>(0.98);
-                              contact.dynamic_friction *= static_cast<Real>(0.98);
-                            }
-                          });
+const auto rough = mutated({.name = "friction-2-percent", .about = "friction 2 % too small", .mutates = "accurate"},
+                           [](MutatedStep& step) {
+                             for (Contact& contact : step.contacts) {
+                               contact.static_friction *= static_cast<Real>(0.98);
+                               contact.dynamic_friction *= static_cast<Real>(0.98);
+                             }
+                           });
 
 constexpr Real skin = static_cast<Real>(0.01);  // m
 
-const auto thick_skin =
-    spoilt({.name = "skin", .about = "shapes 1 cm thicker than they are", .spoils = "accurate"}, [](SpoiltStep& step) {
-      for (Contact& contact : step.contacts) {
-        for (std::size_t p = 0; p < contact.points.size(); ++p) {
-          contact.points[p].separation -= skin;
-          contact.found_separation[p] -= skin;
-        }
-      }
-    });
+const auto thick_skin = mutated({.name = "skin", .about = "shapes 1 cm thicker than they are", .mutates = "accurate"},
+                                [](MutatedStep& step) {
+                                  for (Contact& contact : step.contacts) {
+                                    for (std::size_t p = 0; p < contact.points.size(); ++p) {
+                                      contact.points[p].separation -= skin;
+                                      contact.found_separation[p] -= skin;
+                                    }
+                                  }
+                                });
 
-const auto impulse_unscaled = spoilt({.name = "impulse-not-scaled",
-                                      .about = "warm starting with the impulse of a whole step in every sub-step",
-                                      .spoils = "soft-step"},
-                                     [](SpoiltStep& step) {
-                                       for (Contact& contact : step.contacts) {
-                                         for (ContactPoint& point : contact.points) {
-                                           point.normal_impulse *= static_cast<Real>(step.settings.substeps);
-                                           point.tangent_impulse *= static_cast<Real>(step.settings.substeps);
-                                         }
-                                       }
-                                     });
+const auto impulse_unscaled = mutated({.name = "impulse-not-scaled",
+                                       .about = "warm starting with the impulse of a whole step in every sub-step",
+                                       .mutates = "soft-step"},
+                                      [](MutatedStep& step) {
+                                        for (Contact& contact : step.contacts) {
+                                          for (ContactPoint& point : contact.points) {
+                                            point.normal_impulse *= static_cast<Real>(step.settings.substeps);
+                                            point.tangent_impulse *= static_cast<Real>(step.settings.substeps);
+                                          }
+                                        }
+                                      });
 
-/// Where objects lie in memory differs from run to run; a number that every world gets in turn stands for it.
-class OrderByAddress : public SpoiltSolver {
+/// Addresses differ from run to run; a serial number of the world stands in for them.
+class OrderByAddress : public MutatedSolver {
  public:
-  OrderByAddress() : SpoiltSolver("article"), address_(worlds++) {}
+  OrderByAddress() : MutatedSolver("article"), address_(worlds++) {}
 
  private:
-  void before(SpoiltStep& step) override {
+  void before(MutatedStep& step) override {
     if (step.contacts.empty()) return;
     const auto first = static_cast<std::ptrdiff_t>(address_ % step.contacts.size());
     std::rotate(step.contacts.begin(), step.contacts.begin() + first, step.contacts.end());
@@ -102,16 +102,16 @@ class OrderByAddress : public SpoiltSolver {
 const Faulty<Solver> order_by_address{
     {.name = "order-by-address",
      .about = "contacts solved in an order that depends on addresses: another one in every run",
-     .spoils = "article"},
+     .mutates = "article"},
     [] { return std::make_unique<OrderByAddress>(); }};
 
-/// A contact that is gone gives once more what it gave last.
-class VanishedContacts : public SpoiltSolver {
+/// A contact that has ended applies its last impulse once more.
+class VanishedContacts : public MutatedSolver {
  public:
-  VanishedContacts() : SpoiltSolver("accurate") {}
+  VanishedContacts() : MutatedSolver("accurate") {}
 
  private:
-  void before(SpoiltStep& step) override {
+  void before(MutatedStep& step) override {
     for (const Contact& old : last_) {
       const bool there = std::any_of(step.contacts.begin(), step.contacts.end(), [&](const Contact& one) {
         return one.body_a == old.body_a && one.body_b == old.body_b && one.part_a == old.part_a &&
@@ -121,7 +121,7 @@ class VanishedContacts : public SpoiltSolver {
     }
   }
 
-  void after(SpoiltStep& step) override { last_ = step.contacts; }
+  void after(MutatedStep& step) override { last_ = step.contacts; }
 
   static void push(BodySet& bodies, const Contact& contact) {
     for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
@@ -140,17 +140,17 @@ class VanishedContacts : public SpoiltSolver {
   std::vector<Contact> last_;
 };
 const Faulty<Solver> vanished_contacts{
-    {.name = "warm-start-vanished", .about = "a contact that is gone pushes once more", .spoils = "accurate"},
+    {.name = "warm-start-vanished", .about = "a contact that is gone pushes once more", .mutates = "accurate"},
     [] { return std::make_unique<VanishedContacts>(); }};
 
-/// Sees only what touches: a body may pass through what is thinner than its way in a step.
-class Shortsighted : public SpoiltSolver {
+/// Has no speculative margin: a body may pass through anything thinner than its displacement in a step.
+class Shortsighted : public MutatedSolver {
  public:
-  Shortsighted() : SpoiltSolver("accurate") {}
+  Shortsighted() : MutatedSolver("accurate") {}
   Margin margin(const Settings&) const override { return {}; }
 };
 const Faulty<Solver> shortsighted{
-    {.name = "margin-missing", .about = "no contact is looked for ahead of the step", .spoils = "accurate"},
+    {.name = "margin-missing", .about = "no contact is looked for ahead of the step", .mutates = "accurate"},
     [] { return std::make_unique<Shortsighted>(); }};
 
 }  // namespace

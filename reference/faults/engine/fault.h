@@ -7,15 +7,15 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// One of the engine's methods with a mistake made on purpose, for a harness to tell from the right one. World takes
-/// its name as it takes any method's; solvers(), integrators() and broad_phases() do not offer it, and the engine that
-/// games get does not hold it.
+/// One of the engine's methods with a deliberate mistake, which a harness should tell from the right one. World accepts
+/// its name like any method's, but solvers(), integrators() and broad_phases() do not list it, and only programs that
+/// link this file contain it.
 struct Fault {
   std::string name;
-  std::string about;   // one line: what is wrong
-  std::string source;  // where the mistake comes from; "" where anyone could make it
-  std::string spoils;  // the right method
-  std::string kind;    // "solver", "integrator" or "broad-phase"
+  std::string about;    // one line: what is wrong
+  std::string source;   // where the mistake is printed; "" for one that anyone could make
+  std::string mutates;  // name of the right method
+  std::string kind;     // "solver", "integrator" or "broad-phase"
 };
 
 /// All that are linked, sorted by name.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "bodies/integrator.h"
 #include "broad_phase/broad_phase.h"
@@ -10,7 +13,7 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Remembers a fault for faults().
+/// Adds a fault to faults().
 void note(Fault fault);
 
 inline const char* kind_of(const Solver*) { return "solver"; }
@@ -19,14 +22,29 @@ inline const char* kind_of(const BroadPhase*) { return "broad-phase"; }
 
 /// How a faulty method joins, from its own file:
 ///
-///     const Faulty<Solver> entry{{.name = "friction-sign", .about = "...", .spoils = "article"}, [] { return ...; }};
+///     const Faulty<Solver> entry{{.name = "friction-sign", .about = "...", .mutates = "article"}, [] { return ...;
+///     }};
 template <class Method>
 struct Faulty {
-  Faulty(Fault fault, typename MethodList<Method>::Maker make) {
+  using Maker = typename MethodList<Method>::Maker;
+
+  Faulty(Fault fault, Maker make) {
     fault.kind = kind_of(static_cast<const Method*>(nullptr));
-    const typename MethodList<Method>::Entry entry(MethodInfo{fault.name, fault.about, fault.source}, std::move(make),
-                                                   Offer::unlisted);
+    if (makers().empty()) MethodList<Method>::extend(make_faulty);
+    makers().emplace_back(fault.name, std::move(make));
     note(std::move(fault));
+  }
+
+ private:
+  static std::unique_ptr<Method> make_faulty(std::string_view name) {
+    for (const auto& [known, make] : makers()) {
+      if (known == name) return make();
+    }
+    return nullptr;
+  }
+  static std::vector<std::pair<std::string, Maker>>& makers() {
+    static std::vector<std::pair<std::string, Maker>> all;
+    return all;
   }
 };
 

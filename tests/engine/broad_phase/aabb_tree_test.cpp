@@ -48,8 +48,8 @@ TEST(AabbTree, VisitsEachOverlappingPairOnceThroughoutItsLife) {
   }
 }
 
-// Sorted input is the worst for a tree that never mends itself: it would become a list of 4096.
-TEST(AabbTree, StaysShortWhateverTheOrderOfInsertion) {
+// Sorted input is the worst case without rotations: the tree would become a list of 4096.
+TEST(AabbTree, StaysShortForAnyOrderOfInsertion) {
   AabbTree tree;
   for (int i = 0; i < 4096; ++i) tree.insert(unit_at({2 * static_cast<Real>(i), 0}), 0, true);
   EXPECT_LE(tree.height(), 4 * 12);

@@ -51,13 +51,17 @@ Proxies make_proxies(const Crowd& crowd, unsigned seed) {
     const std::uint32_t layers = random.number(0, 1) < 0.7_r ? ~0U : 1U << static_cast<unsigned>(random.number(0, 3.9));
     const int parts = random.number(0, 1) < 0.8_r ? 1 : 3;
     const Vec2 by = random.number(0, 1) < 0.5_r ? Vec2{} : random.point(crowd.smallest);
-    const Way way{by, length(by)};
+    const Displacement displacement{by, length(by)};
     for (int part = 0; part < parts; ++part) {
       const Real half = static_cast<Real>(
           crowd.smallest * std::pow(crowd.largest / crowd.smallest, static_cast<double>(random.number(0, 1))));
       const Vec2 at = center + random.point(static_cast<double>(half));
-      proxies.push_back(
-          {{at - Vec2{half, half}, at + Vec2{half, half}}, way, body, static_cast<std::uint16_t>(part), moves, layers});
+      proxies.push_back({{at - Vec2{half, half}, at + Vec2{half, half}},
+                         displacement,
+                         body,
+                         static_cast<std::uint16_t>(part),
+                         moves,
+                         layers});
     }
   }
   return proxies;
@@ -94,7 +98,7 @@ TEST_P(EveryBroadPhase, ReportsEachPairOnceAndSorted) {
   }
 }
 
-TEST_P(EveryBroadPhase, FollowsBodiesThatMoveComeAndGo) {
+TEST_P(EveryBroadPhase, FollowsBodiesThatMoveAppearAndDisappear) {
   const std::unique_ptr<BroadPhase> method = MethodList<BroadPhase>::make(GetParam());
   Proxies all = make_proxies({400, 12, 0.3, 0.9}, 9);
   RandomShapes random(10);
@@ -111,7 +115,7 @@ TEST_P(EveryBroadPhase, FollowsBodiesThatMoveComeAndGo) {
   }
 }
 
-TEST_P(EveryBroadPhase, FindsThePairsOfThoseThatAreChosen) {
+TEST_P(EveryBroadPhase, FindsThePairsOfChosenProxies) {
   RandomShapes random(6);
   for (const Real share : {0.2_r, 0.7_r}) {
     for (const Crowd& crowd : crowds) {
@@ -127,8 +131,8 @@ TEST_P(EveryBroadPhase, FindsThePairsOfThoseThatAreChosen) {
   }
 }
 
-/// Right after all pairs were looked for, when a grid need not be laid out anew; but must be where others changed, too.
-TEST_P(EveryBroadPhase, FindsThePairsOfThoseThatHaveGrown) {
+/// Right after a full search, when the grid can be reused; it must be rebuilt if others changed, too.
+TEST_P(EveryBroadPhase, FindsThePairsOfProxiesThatHaveGrown) {
   RandomShapes random(8);
   for (const Real most : {0.0_r, 0.3_r, 30.0_r}) {
     for (const Crowd& crowd : crowds) {
@@ -154,9 +158,8 @@ TEST_P(EveryBroadPhase, FindsThePairsOfThoseThatHaveGrown) {
   }
 }
 
-/// As the floor of a crowded hall does. A grid that folds its rows of cells onto a few buckets finds some of them
-/// twice.
-TEST_P(EveryBroadPhase, MeetsOnceEachThatLiesAcrossAWideOne) {
+/// Like the floor of a crowded hall. A grid that hashes its rows of cells to few buckets could find some of them twice.
+TEST_P(EveryBroadPhase, FindsEachProxyOnAWideOneOnce) {
   Proxies proxies{{{{-80, -6}, {80, 6}}, {}, 0, 0, false, 1}};
   for (std::uint32_t body = 1; body < 1500; ++body) {
     const Vec2 low{static_cast<Real>(body % 100) * 1.7_r - 84, static_cast<Real>(body / 100) - 7};
@@ -167,11 +170,11 @@ TEST_P(EveryBroadPhase, MeetsOnceEachThatLiesAcrossAWideOne) {
   EXPECT_EQ(pairs_of(GetParam(), proxies), expected);
 }
 
-/// What goes the same way needs to be near already.
-TEST_P(EveryBroadPhase, LeavesOutWhatGoesTheSameWay) {
+/// Proxies that move the same way must be close already.
+TEST_P(EveryBroadPhase, LeavesOutProxiesThatMoveTheSameWay) {
   const auto going = [](Real x, std::uint32_t body, Vec2 by) {
-    const Way way{by, length(by)};
-    return Proxy{grown({{x, 0}, {x + 1, 1}}, way.length), way, body, 0, true, 1};
+    const Displacement displacement{by, length(by)};
+    return Proxy{grown({{x, 0}, {x + 1, 1}}, displacement.length), displacement, body, 0, true, 1};
   };
   const auto meet = [&](Real x, Vec2 by) {
     return pairs_of(GetParam(), {going(0, 0, {2, 0}), going(x, 1, by)}).size();
@@ -184,7 +187,7 @@ TEST_P(EveryBroadPhase, LeavesOutWhatGoesTheSameWay) {
   EXPECT_EQ(meet(3.1_r, {}), 0U);
 }
 
-TEST_P(EveryBroadPhase, PairsOnlyWhatMayCollide) {
+TEST_P(EveryBroadPhase, PairsOnlyProxiesThatMayCollide) {
   const Aabb place{{0, 0}, {1, 1}};
   EXPECT_THAT(pairs_of(GetParam(), {{place, {}, 0, 0, true, 1}, {place, {}, 1, 0, true, 3}}),
               testing::ElementsAre(Pair{0, 1}));
@@ -193,7 +196,7 @@ TEST_P(EveryBroadPhase, PairsOnlyWhatMayCollide) {
   EXPECT_THAT(pairs_of(GetParam(), {{place, {}, 0, 0, true, 1}, {place, {}, 0, 1, true, 1}}), testing::IsEmpty());
 }
 
-TEST_P(EveryBroadPhase, SurvivesBoundsThatAreEndlessOrNotNumbers) {
+TEST_P(EveryBroadPhase, SurvivesInfiniteAndNanBounds) {
   constexpr Real inf = std::numeric_limits<Real>::infinity();
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
   Proxies proxies = make_proxies({200, 8, 0.4, 0.6}, 3);
@@ -208,7 +211,7 @@ TEST_P(EveryBroadPhase, SurvivesBoundsThatAreEndlessOrNotNumbers) {
 INSTANTIATE_TEST_SUITE_P(BroadPhases, EveryBroadPhase, testing::Values("auto", "brute", "grid", "tree"),
                          [](const auto& name) { return std::string(name.param); });
 
-TEST(BroadPhases, AreTheseAndNoOthers) {
+TEST(BroadPhases, AreExactlyThese) {
   std::vector<std::string> names;
   for (const MethodInfo& info : MethodList<BroadPhase>::infos()) names.push_back(info.name);
   EXPECT_THAT(names, testing::ElementsAre("auto", "brute", "grid", "tree"));

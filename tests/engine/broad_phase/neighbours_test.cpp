@@ -26,7 +26,7 @@ class Crowd {
     for (std::uint32_t i = 0; i < proxies_.size(); ++i) {
       const Vec2 by = random_.point(i < leaving ? 1 : little);
       centers_[i] = centers_[i] + by;
-      proxies_[i].way = {by, length(by)};
+      proxies_[i].displacement = {by, length(by)};
       proxies_[i].bounds = grown({centers_[i], centers_[i] + Vec2{1, 1}}, length(by));
     }
   }
@@ -38,7 +38,7 @@ class Crowd {
   std::vector<Proxy> proxies_;
 };
 
-/// Counts the searches that are left.
+/// Counts the searches.
 class Counted : public BroadPhase {
  public:
   void find_pairs(std::span<const Proxy> proxies, std::vector<Pair>& pairs) override {
@@ -67,7 +67,7 @@ class Watched {
   Neighbours neighbours_;
 };
 
-TEST(Neighbours, SearchOnceForWhatStaysWhereItIs) {
+TEST(Neighbours, SearchOnceWhileNothingMoves) {
   Crowd crowd(1);
   Watched watched;
   for (int step = 0; step < 30; ++step) {
@@ -77,7 +77,7 @@ TEST(Neighbours, SearchOnceForWhatStaysWhereItIs) {
   EXPECT_EQ(watched.searches(), 1);
 }
 
-TEST(Neighbours, FollowAFewThatLeaveWithoutASearch) {
+TEST(Neighbours, UpdateAFewMovedProxiesWithoutASearch) {
   Crowd crowd(2);
   Watched watched;
   for (int step = 0; step < 30; ++step) {
@@ -87,7 +87,7 @@ TEST(Neighbours, FollowAFewThatLeaveWithoutASearch) {
   EXPECT_EQ(watched.searches(), 1);
 }
 
-TEST(Neighbours, FindWhatABroadPhaseFindsWhateverMoves) {
+TEST(Neighbours, FindTheSamePairsAsABroadPhase) {
   for (unsigned seed = 3; seed < 20; ++seed) {
     Crowd crowd(seed);
     Watched watched;
@@ -98,7 +98,7 @@ TEST(Neighbours, FindWhatABroadPhaseFindsWhateverMoves) {
   }
 }
 
-TEST(Neighbours, GiveNoRoomForAWhileWhereAllMove) {
+TEST(Neighbours, UseNoFatBoundsForAWhileIfAllMove) {
   Crowd crowd(20);
   Watched watched;
   for (int step = 0; step < 17; ++step) {
@@ -108,7 +108,7 @@ TEST(Neighbours, GiveNoRoomForAWhileWhereAllMove) {
   EXPECT_EQ(watched.searches(), 17);
 }
 
-TEST(Neighbours, StartAnewWithOtherProxies) {
+TEST(Neighbours, StartOverWithOtherProxies) {
   Watched watched;
   for (std::uint32_t count = 70; count < 80; ++count) watched.expect_the_pairs_of(Crowd(count, count), count);
   EXPECT_EQ(watched.searches(), 10);

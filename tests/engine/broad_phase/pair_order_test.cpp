@@ -20,7 +20,7 @@ std::vector<Pair> some_pairs(std::size_t count, std::uint32_t proxies) {
   return pairs;
 }
 
-// Some of them few for so many proxies, and others many.
+// Some lists have few pairs for the number of proxies, others many.
 TEST(PairOrder, IsByFirstThenSecond) {
   PairOrder order;
   for (const std::size_t count : {0U, 1U, 20U, 500U}) {
@@ -32,7 +32,7 @@ TEST(PairOrder, IsByFirstThenSecond) {
   }
 }
 
-TEST(PairOrder, KeepsTheOrderOfThoseWithOneKey) {
+TEST(PairOrder, KeepsTheOrderOfEqualKeys) {
   PairOrder order;
   const auto key = [](const Pair& pair) { return pair.second / 10; };
   for (const std::size_t count : {0U, 1U, 2U, 20U, 500U}) {

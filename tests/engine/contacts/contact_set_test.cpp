@@ -20,7 +20,7 @@ struct Heap {
   Settings settings;
   Margin margin;
   JointSet joints;
-  bool recycle = false;
+  bool persistence = false;
 
   std::size_t add(const BodyDef& def, std::span<const Part> parts) {
     const std::size_t i = bodies.add(def, parts).index;
@@ -32,7 +32,7 @@ struct Heap {
     return add(def, std::span(&part, 1));
   }
   std::vector<Contact>& find() {
-    contacts.find({bodies, *broad_phase, settings, margin, recycle, joints});
+    contacts.find({bodies, *broad_phase, settings, margin, persistence, joints});
     return contacts.rows();
   }
 };
@@ -52,7 +52,7 @@ TEST(ContactSet, SortsRowsByBodiesThenParts) {
   for (const Contact& row : rows) EXPECT_LT(row.body_a, row.body_b);
 }
 
-TEST(ContactSet, TellsOfOtherPointsAndOtherMaterials) {
+TEST(ContactSet, CountsChangesOfPointsAndMaterials) {
   Heap heap;
   heap.add(at(0, 0), Shape::circle(1));
   heap.add(at(1.5, 0), Shape::circle(1));
@@ -69,14 +69,13 @@ TEST(ContactSet, TellsOfOtherPointsAndOtherMaterials) {
   EXPECT_NE(heap.contacts.changes(), mixed);
 }
 
-TEST(ContactSet, CarriesImpulsesOverWhileAContactLasts) {
+TEST(ContactSet, KeepsImpulsesWhileAContactLasts) {
   Heap heap;
   heap.add(at(0, 0), Shape::circle(1));
   heap.add(at(1.5, 0), Shape::circle(1));
   heap.add(at(3, 0), Shape::circle(1));
   ASSERT_EQ(heap.find().size(), 2U);
   for (Contact& row : heap.contacts.rows()) {
-    EXPECT_TRUE(row.points[0].fresh);
     EXPECT_EQ(row.age, 0);
     row.points[0].normal_impulse = static_cast<Real>(row.body_b);
     row.points[0].tangent_impulse = -1;
@@ -85,19 +84,18 @@ TEST(ContactSet, CarriesImpulsesOverWhileAContactLasts) {
   heap.bodies.pose[0].p = {-9, 0};  // the first contact ends, the second lasts
   ASSERT_EQ(heap.find().size(), 1U);
   const Contact& row = heap.contacts.rows()[0];
-  EXPECT_FALSE(row.points[0].fresh);
   EXPECT_EQ(row.age, 1);
   EXPECT_EQ(row.points[0].normal_impulse, 2);
   EXPECT_EQ(row.points[0].tangent_impulse, -1);
   EXPECT_EQ(row.points[0].total_normal_impulse, 0);
-  heap.bodies.pose[0].p = {0, 0};  // and begins anew
+  heap.bodies.pose[0].p = {0, 0};  // and begins again
   ASSERT_EQ(heap.find().size(), 2U);
-  EXPECT_TRUE(heap.contacts.rows()[0].points[0].fresh);
+  EXPECT_EQ(heap.contacts.rows()[0].age, 0);
   EXPECT_EQ(heap.contacts.rows()[0].points[0].normal_impulse, 0);
   EXPECT_EQ(heap.contacts.rows()[1].age, 2);
 }
 
-TEST(ContactSet, NeverGivesABodyTheImpulsesOfOneThatHadItsRow) {
+TEST(ContactSet, NeverGivesABodyTheImpulsesOfAnEarlierOneWithItsIndex) {
   Heap heap;
   heap.add(at(0, 0), Shape::circle(1));
   const std::size_t row = heap.add(at(1.5, 0), Shape::circle(1));
@@ -108,7 +106,7 @@ TEST(ContactSet, NeverGivesABodyTheImpulsesOfOneThatHadItsRow) {
   EXPECT_EQ(heap.find()[0].points[0].normal_impulse, 0);
 }
 
-TEST(ContactSet, FindsWhatIsWithinTheMarginOnly) {
+TEST(ContactSet, FindsOnlyContactsWithinTheMargin) {
   Heap heap;
   heap.add(at(0, 0), Shape::circle(1));
   heap.add(at(2.1, 0), Shape::circle(1));
@@ -120,19 +118,19 @@ TEST(ContactSet, FindsWhatIsWithinTheMarginOnly) {
   EXPECT_NEAR(heap.contacts.rows()[0].points[0].separation, .1, 8 * round_off);
 }
 
-TEST(ContactSet, ReachesFartherForWhatMovesFaster) {
+TEST(ContactSet, LooksFartherForFasterBodies) {
   Heap heap;
   heap.margin.time = real(.1);
   heap.add(at(0, 0, 1, 0), Shape::circle(1));
-  const std::size_t fast = heap.add(at(2.5, 0, -5, 0), Shape::circle(1));  // closes .6 m in .1 s
+  const std::size_t fast = heap.add(at(2.5, 0, -5, 0), Shape::circle(1));  // approaches .6 m in .1 s
   EXPECT_EQ(heap.find().size(), 1U);
-  heap.bodies.velocity[fast].v = {1, 0};  // goes along
+  heap.bodies.velocity[fast].v = {1, 0};  // moves along
   EXPECT_TRUE(heap.find().empty());
   heap.bodies.velocity[fast].w = 6;  // a surface may swing over .6 m
   EXPECT_EQ(heap.find().size(), 1U);
 }
 
-TEST(ContactSet, MixesStaticAndDynamicFrictionAlike) {
+TEST(ContactSet, MixesStaticAndDynamicFrictionByTheSameRule) {
   Heap heap;
   heap.settings.friction_mixing = FrictionMixing::pythagorean;
   heap.settings.restitution_mixing = RestitutionMixing::max;
@@ -156,9 +154,9 @@ TEST(ContactSet, GivesArmsFromBothCentresToOnePoint) {
   EXPECT_NEAR(on_b.x, .875, 4 * round_off);
 }
 
-TEST(ContactSet, RecyclesPointsOfBodiesThatHardlyMoved) {
+TEST(ContactSet, KeepsThePointsOfBodiesThatHardlyMoved) {
   Heap heap;
-  heap.recycle = true;
+  heap.persistence = true;
   heap.margin.distance = real(.02);
   heap.add(at(0, 0), Shape::box({1, 1}));
   const std::size_t above = heap.add(at(0, 2), Shape::box({1, 1}));
@@ -173,10 +171,10 @@ TEST(ContactSet, RecyclesPointsOfBodiesThatHardlyMoved) {
   EXPECT_NE(heap.find()[0].points[0].arm_b, arm);
 }
 
-// What counts is the motion since the points were found, however fast the last of it was.
-TEST(ContactSet, RecyclesPointsOfBodiesThatCameBack) {
+// Only the total motion since the points were found counts, not its speed.
+TEST(ContactSet, KeepsThePointsOfBodiesThatCameBack) {
   Heap heap;
-  heap.recycle = true;
+  heap.persistence = true;
   heap.margin.distance = real(.02);
   heap.add(at(0, 0), Shape::box({1, 1}));
   const std::size_t above = heap.add(at(0, 2), Shape::box({1, 1}));
@@ -192,9 +190,9 @@ TEST(ContactSet, RecyclesPointsOfBodiesThatCameBack) {
   EXPECT_NE(heap.find()[0].points[0].arm_b, moved);
 }
 
-TEST(ContactSet, MixesRecycledContactsByTheRuleOfToday) {
+TEST(ContactSet, MixesPersistentContactsByTheCurrentRule) {
   Heap heap;
-  heap.recycle = true;
+  heap.persistence = true;
   heap.add(at(0, 0), Shape::box({1, 1}), {1, real(.4), real(.4), 0});
   heap.add(at(0, 2), Shape::box({1, 1}), {1, real(.3), real(.3), 0});
   heap.settings.friction_mixing = FrictionMixing::max;

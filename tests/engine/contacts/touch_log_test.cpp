@@ -44,11 +44,11 @@ TEST_P(Touching, BeginsOnceAndIsReportedWhileItLasts) {
   EXPECT_EQ(rest.normal, (Vec2{0, 1}));
   EXPECT_NEAR(rest.point.x, 0, .01);
   EXPECT_NEAR(rest.point.y, 0, .01);
-  // A unit square of 1 kg/m^2 presses with m g dt in a step, to what its last settling motion adds.
+  // A unit square of 1 kg/m^2 presses with m g dt in a step, up to its remaining settling motion.
   EXPECT_NEAR(rest.normal_impulse, 10 * world.dt(), .001);
 }
 
-// e = 1 and no gravity: one push and away.
+// e = 1 and no gravity: one impact.
 TEST_P(Touching, OfABounceBeginsAndEnds) {
   Settings chosen = settings();
   chosen.gravity = {};
@@ -99,7 +99,7 @@ TEST_P(Touching, LetsBodiesBeDestroyedWhileItIsRead) {
   EXPECT_THAT(world.contact_events().ended, SizeIs(5));
 }
 
-TEST(TouchingNotAskedFor, IsNotReported) {
+TEST(TouchingWithoutEvents, IsNotReported) {
   World world((Settings()));
   EXPECT_THROW(world.contact_events(), std::logic_error);
 }

@@ -6,21 +6,31 @@ namespace {
 
 using namespace impulse;
 
-struct Way {};
+struct Method {};
 
-const MethodList<Way>::Entry fine{{"fine", "", ""}, [] { return std::make_unique<Way>(); }};
-const MethodList<Way>::Entry spoilt{{"spoilt", "", ""}, [] { return std::make_unique<Way>(); }, Offer::unlisted};
+const MethodList<Method>::Entry second{{"second", "", ""}, [] { return std::make_unique<Method>(); }};
+const MethodList<Method>::Entry first{{"first", "", ""}, [] { return std::make_unique<Method>(); }};
 
-TEST(MethodList, OffersWhatIsListed) {
-  ASSERT_EQ(MethodList<Way>::infos().size(), 1U);
-  EXPECT_EQ(MethodList<Way>::infos().front().name, "fine");
+TEST(MethodList, ListsItsEntriesByName) {
+  ASSERT_EQ(MethodList<Method>::infos().size(), 2U);
+  EXPECT_EQ(MethodList<Method>::infos().front().name, "first");
 }
 
-TEST(MethodList, MakesByNameWhatIsNotOffered) {
-  EXPECT_TRUE(MethodList<Way>::knows("spoilt"));
-  EXPECT_NE(MethodList<Way>::make("spoilt"), nullptr);
-  EXPECT_FALSE(MethodList<Way>::knows("other"));
-  EXPECT_EQ(MethodList<Way>::make("other"), nullptr);
+TEST(MethodList, MakesTheMethodOfAName) {
+  EXPECT_TRUE(MethodList<Method>::knows("first"));
+  EXPECT_NE(MethodList<Method>::make("first"), nullptr);
+  EXPECT_FALSE(MethodList<Method>::knows("other"));
+  EXPECT_EQ(MethodList<Method>::make("other"), nullptr);
+}
+
+TEST(MethodList, AsksItsExtensionForNamesThatAreNotListed) {
+  struct Extended {};
+  using List = MethodList<Extended>;
+  List::extend([](std::string_view name) { return name == "mine" ? std::make_unique<Extended>() : nullptr; });
+  EXPECT_TRUE(List::knows("mine"));
+  EXPECT_NE(List::make("mine"), nullptr);
+  EXPECT_FALSE(List::knows("other"));
+  EXPECT_TRUE(List::infos().empty());
 }
 
 }  // namespace

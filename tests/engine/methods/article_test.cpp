@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "../support.h"
+#include "core/method_list.h"
+#include "reference/faults/engine/misprinted_article.h"
 
 namespace {
 
@@ -66,7 +68,7 @@ bool obeys_the_closed_form(HeadOn::Solve solve) {
 
 TEST(Article, CollidesTwoDiscsAsTheClosedForm) { EXPECT_TRUE(obeys_the_closed_form(by_the_engine)); }
 
-TEST(Article, ItsImpulseAsPrintedWouldNot) {
+TEST(Article, ItsPrintedImpulseDoesNot) {
   EXPECT_TRUE(obeys_the_closed_form([](const HeadOn& m) { return by_one_impulse(m, -(1 + m.restitution)); }));
   EXPECT_FALSE(obeys_the_closed_form([](const HeadOn& m) { return by_one_impulse(m, 1 + m.restitution); }));
   EXPECT_FALSE(obeys_the_closed_form([](const HeadOn& m) { return by_one_impulse(m, -1); }));
@@ -118,7 +120,7 @@ TEST(Article, SticksWhereFrictionSuffices) {
   EXPECT_NEAR(after.v.x + after.w * Real{0.5}, 0, few);  // the point of contact stands still
 }
 
-TEST(Article, SlidesWhereItDoesNot) {
+TEST(Article, SlidesWhereFrictionDoesNotSuffice) {
   const Oblique after = hit_floor(.1, .1, .5);
   EXPECT_NEAR(std::abs(after.jt), .45, few);
   EXPECT_NEAR(after.v.x, 1.55, few);
@@ -131,13 +133,13 @@ TEST(Article, SticksByTheStaticAndSlidesByTheDynamicCoefficient) {
   EXPECT_NEAR(std::abs(hit_floor(.14, .05, .5).jt), 4.5 * .05, few);
 }
 
-// With (1 + e), as the print has it, the surface would be thrown back: 1.5 times the impulse that stops it.
-TEST(Article, FrictionKnowsNoRestitution) {
+// With (1 + e), as printed, the surface would bounce back: 1.5 times the impulse that stops it.
+TEST(Article, FrictionDoesNotDependOnRestitution) {
   EXPECT_NEAR(std::abs(hit_floor(9, 9, 0).jt), std::abs(hit_floor(9, 9, .5).jt), few);
 }
 
 // The print normalises a tangent of length 0 here.
-TEST(Article, StandsAStraightHit) {
+TEST(Article, HandlesAHitWithoutTangentialSpeed) {
   const Oblique after = hit_floor(.5, .5, .5, 0);
   EXPECT_EQ(after.v.x, 0);
   EXPECT_EQ(after.w, 0);
@@ -146,7 +148,7 @@ TEST(Article, StandsAStraightHit) {
 
 // Per unit of speed still to gain, each of two points at arms of .5 m gives 1/2 of 1/(1 + .25 * 6) N s to 1 kg:
 // together they leave .6 of it, ten times over, of 4.5 m/s.
-TEST(Article, BouncesAFlatBoxByItsRestitutionWithoutTurningIt) {
+TEST(Article, BouncesAFlatBoxByItsRestitutionWithoutRotatingIt) {
   World world(weightless());
   add_floor(world, frictionless(.5));
   const BodyId box = world.create_body(at(0, .5, 0, -3), Shape::box({Real{0.5}, Real{0.5}}), frictionless(.5));
@@ -155,7 +157,7 @@ TEST(Article, BouncesAFlatBoxByItsRestitutionWithoutTurningIt) {
   EXPECT_NEAR(world.body(box).angular_velocity(), 0, few);
 }
 
-// Points that see each other's pushes would set friction to work sideways.
+// If points saw each other's impulses, friction would act sideways.
 TEST(Article, LetsAStraightStackStandStraight) {
   World world(falling());
   add_floor(world);
@@ -166,8 +168,8 @@ TEST(Article, LetsAStraightStackStandStraight) {
   EXPECT_EQ(world.body(top).angle(), 0);
 }
 
-// Equal masses and e = 1: each hands its speed on.
-TEST(Article, HandsTheSpeedOnThroughARowOfTouchingBalls) {
+// Equal masses and e = 1: each passes its speed on.
+TEST(Article, PassesTheSpeedThroughARowOfTouchingBalls) {
   World world(weightless());
   std::array<BodyId, 5> balls;
   for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -219,6 +221,41 @@ TEST(Article, NeverPulls) {
   const BodyId b = world.create_body(at(.99, 0, 1, 0), Shape::circle(Real{0.5}));
   world.step();
   EXPECT_EQ(world.body(b).velocity(), (Vec2{1, 0}));
+}
+
+// The faults of reference/faults/engine replace formulas in a copy of the method, which must not drift apart from it.
+TEST(Article, HasTheBitsOfItsCopyWithoutMisprints) {
+  MethodList<Solver>::extend([](std::string_view name) -> std::unique_ptr<Solver> {
+    if (name != "copy") return nullptr;
+    return std::make_unique<MisprintedArticle<PrintedFormulas>>();
+  });
+  const auto run_pile = [](const char* solver) {
+    Settings settings;
+    settings.solver = solver;
+    World world(settings);
+    const Material material{1, real(.5), real(.3), real(.4)};
+    add_floor(world, material);
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 8; ++i) {
+      const BodyDef def = at(.3 * (i % 3), 1 + 1.1 * i, i % 2, 0);
+      bodies.push_back(i % 2 == 0 ? world.create_body(def, Shape::box({real(.5), real(.4)}), material)
+                                  : world.create_body(def, Shape::circle(Real{0.5}), material));
+    }
+    world.create_joint(RevoluteJoint{bodies[0], bodies[1], {0, real(1.5)}});
+    run(world, 120);
+    std::vector<Real> numbers;
+    for (const BodyId id : bodies) {
+      const Body body = world.body(id);
+      for (const Real number : {body.position().x, body.position().y, body.angle(), body.velocity().x,
+                                body.velocity().y, body.angular_velocity()}) {
+        numbers.push_back(number);
+      }
+    }
+    return numbers;
+  };
+  const std::vector<Real> copy = run_pile("copy");
+  MethodList<Solver>::extend(nullptr);
+  EXPECT_EQ(run_pile("article"), copy);
 }
 
 }  // namespace

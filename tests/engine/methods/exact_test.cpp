@@ -1,4 +1,4 @@
-// What the direct solve is for: loads and limits that closed forms know, to round-off.
+// Loads and limits with closed forms, to round-off.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,7 +44,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, double> loads(const World& wor
   return sum;
 }
 
-TEST(Exact, KnowsTheLoadsOfAStackInItsFirstStep) {
+TEST(Exact, FindsTheLoadsOfAStackInItsFirstStep) {
   World world(exact());
   add_floor(world);
   for (int i = 0; i < 10; ++i) world.create_body(at(0, .5 + i), Shape::box({real(.5), real(.5)}));
@@ -76,7 +76,7 @@ TEST(Exact, SharesABeamsLoadByTheLawOfLevers) {
 }
 
 // tan(slope) = mu (1 -+ 1e-4): it sticks to the last bit on one side, and slides on the other with the difference.
-TEST(Exact, TellsStickingFromSlidingAtTheAngleOfFriction) {
+TEST(Exact, SeparatesStickingFromSlidingAtTheAngleOfFriction) {
   const double mu = .5;
   for (const double part : {1 - 1e-4, 1 + 1e-4}) {
     const double slope = std::atan(mu * part);
@@ -107,8 +107,8 @@ TEST(Exact, SlidesWithTheDynamicCoefficientOnceTheStaticOneIsExceeded) {
   }
 }
 
-// The corner is struck with J = -(1 + e) vn / (1/m + rx^2/I), whatever the other corner does.
-TEST(Exact, StrikesACornerAsTheLawOfImpactsSays) {
+// The corner is hit with J = -(1 + e) vn / (1/m + rx^2/I), independent of the other corner.
+TEST(Exact, HitsACornerByTheLawOfImpacts) {
   World world(weightless());
   Settings settings = exact();
   settings.gravity = {};
@@ -149,7 +149,7 @@ TEST(Exact, AgreesWithTheDefaultMethodOnTheLoadsOfAPyramid) {
 }
 
 // The lowest box bears 1110 times its weight; a load of nothing but equals is all that float's impulses tell apart.
-TEST(Exact, HoldsATowerWithinTheGapsAndTheCreepThatItStates) {
+TEST(Exact, HoldsATowerWithinItsStatedGapAndCreep) {
   const Settings settings = exact();
   const auto creep = static_cast<double>(stated_errors(settings).creep);
   const auto gap = static_cast<double>(stated_errors(settings).gap);
@@ -173,7 +173,7 @@ TEST(Exact, HoldsATowerWithinTheGapsAndTheCreepThatItStates) {
 }
 
 // Blocks stepped out beyond the harmonic series, of which all but one corner each part in one of the first steps.
-TEST(Exact, ShowsAllTheImpulsesThatItGives) {
+TEST(Exact, ReportsAllItsImpulses) {
   World world(exact());
   add_floor(world, {1, real(.5), real(.5), 0});
   std::vector<BodyId> blocks;
@@ -202,7 +202,7 @@ TEST(Exact, ShowsAllTheImpulsesThatItGives) {
   }
 }
 
-TEST(Exact, SaysWhatIsTooLargeForIt) {
+TEST(Exact, RefusesIslandsThatAreTooLarge) {
   World world(exact());
   add_floor(world);
   for (int i = 0; i < 13; ++i) world.create_body(at(0, .5 + i), Shape::box({real(.5), real(.5)}));
@@ -225,7 +225,7 @@ TEST(Exact, RefusesJoints) {
   EXPECT_THROW(world.step(), std::domain_error);
 }
 
-TEST(Exact, SolvesSeparateHeapsHoweverManyThereAre) {
+TEST(Exact, SolvesAnyNumberOfSeparatePiles) {
   World world(exact());
   add_floor(world);
   for (int i = 0; i < 40; ++i) world.create_body(at(2 * i, .5), Shape::box({real(.5), real(.5)}));

@@ -39,7 +39,7 @@ std::vector<double> semidefinite(std::mt19937& random, std::size_t n, std::size_
   return m;
 }
 
-TEST(Lcp, LeavesAloneWhatIsSolvedByZero) {
+TEST(Lcp, ReturnsZeroIfThatIsASolution) {
   const auto z = solve_lcp(std::vector<double>{1, 2, 3, 4}, std::vector<double>{0, 5});
   ASSERT_TRUE(z);
   EXPECT_EQ(*z, (std::vector<double>{0, 0}));
@@ -53,7 +53,7 @@ TEST(Lcp, SolvesTwoEquationsByHand) {
   EXPECT_NEAR((*z)[1], 7.0 / 3, 1e-12);
 }
 
-TEST(Lcp, KeepsAtZeroWhatWouldHaveToPull) {
+TEST(Lcp, KeepsAPullingVariableAtZero) {
   const auto z = solve_lcp(std::vector<double>{2, 1, 1, 2}, std::vector<double>{-5, 4});
   ASSERT_TRUE(z);
   EXPECT_NEAR((*z)[0], 2.5, 1e-12);
@@ -62,7 +62,7 @@ TEST(Lcp, KeepsAtZeroWhatWouldHaveToPull) {
 
 // Positive definite problems have one solution (Samelson, Thrall and Wesler 1958), so it is the one they were made
 // from.
-TEST(Lcp, FindsTheSolutionThatARandomProblemWasMadeFrom) {
+TEST(Lcp, FindsTheSolutionOfARandomProblem) {
   std::mt19937 random(1);
   for (int problem = 0; problem < 100; ++problem) {
     const std::size_t n = 1 + static_cast<std::size_t>(problem) % 30;
@@ -113,8 +113,8 @@ TEST(Lcp, SolvesRandomCopositiveProblemsOfDeficientRank) {
   }
 }
 
-// Every ratio ties with every other: without the lexicographic rule pivoting may go round in circles.
-TEST(Lcp, IsNotMadeToCircleByTies) {
+// All ratios are tied: without the lexicographic rule, pivoting may cycle.
+TEST(Lcp, DoesNotCycleOnTies) {
   const std::size_t n = 40;
   std::vector<double> m(n * n, 1);
   const auto z = solve_lcp(m, std::vector<double>(n, -1));
@@ -122,8 +122,8 @@ TEST(Lcp, IsNotMadeToCircleByTies) {
   EXPECT_LT(violation(m, std::vector<double>(n, -1), *z), 1e-12);
 }
 
-// Rows that would be equal, had they not been rounded: without the noise, pivots of 1e-7 decide.
-TEST(Lcp, DoesNotPivotOnWhatRoundingMadeOfAZero) {
+// Rows that are equal up to rounding: without `noise`, pivots of 1e-7 would decide.
+TEST(Lcp, DoesNotPivotOnRoundingErrors) {
   std::mt19937 random(3);
   constexpr double noise = 1e-6;
   for (int problem = 0; problem < 100; ++problem) {
@@ -144,12 +144,12 @@ TEST(Lcp, DoesNotPivotOnWhatRoundingMadeOfAZero) {
   }
 }
 
-TEST(Lcp, SaysWhenThereIsNoSolution) {
+TEST(Lcp, ReportsThatThereIsNoSolution) {
   EXPECT_FALSE(solve_lcp(std::vector<double>{0}, std::vector<double>{-1}));
   EXPECT_FALSE(solve_lcp(std::vector<double>{1, -1, -1, 1}, std::vector<double>{-1, -1}));
 }
 
-TEST(Lcp, RefusesSizesThatDoNotFit) {
+TEST(Lcp, RefusesSizesThatDoNotMatch) {
   EXPECT_THROW(solve_lcp(std::vector<double>{1, 2, 3}, std::vector<double>{1, 2}), std::invalid_argument);
 }
 

@@ -18,7 +18,7 @@ Settings xpbd(int substeps = 4) {
   return settings;
 }
 
-// Positions are solved: what is pushed into the ground by g h^2 is put back onto it, at once and whole.
+// Positions are solved: penetration of g h^2 is removed completely in the same sub-step.
 TEST(Xpbd, RestsADiscOnTheGround) {
   World world(xpbd());
   add_floor(world);
@@ -31,8 +31,8 @@ TEST(Xpbd, RestsADiscOnTheGround) {
   EXPECT_NEAR(world.body(disc).velocity().y, 0, is_double ? 1e-12 : 1e-6);
 }
 
-// The velocity that putting it back would be is taken out again.
-TEST(Xpbd, PartsDeepOverlapWithoutSpeed) {
+// The velocity that results from removing overlap is removed again.
+TEST(Xpbd, RemovesDeepOverlapWithoutSpeed) {
   Settings settings = xpbd();
   settings.gravity = {};
   World world(settings);
@@ -58,8 +58,8 @@ TEST(Xpbd, BouncesOffOnlyAboveTwoSubstepsOfGravity) {
   }
 }
 
-// Sub-steps are its iterations: twice as many, a smaller sink.
-TEST(Xpbd, SinksLessWithMoreSubsteps) {
+// Sub-steps are its iterations: twice as many, less penetration.
+TEST(Xpbd, PenetratesLessWithMoreSubsteps) {
   const auto sink = [](int substeps) {
     World world(xpbd(substeps));
     add_floor(world);

@@ -27,7 +27,7 @@ Real least_separation(const Manifold& m) {
 bool half_space_free(ShapeType type) { return type != ShapeType::half_space; }
 bool has_inside(ShapeType type) { return type != ShapeType::half_space && type != ShapeType::segment; }
 
-TEST(Collide, AnswersForEveryPairOfTypes) {
+TEST(Collide, SupportsEveryPairOfTypes) {
   RandomShapes random(1);
   for (const ShapeType a : all_shape_types) {
     for (const ShapeType b : all_shape_types) {
@@ -47,8 +47,8 @@ TEST(Collide, AnswersForEveryPairOfTypes) {
   }
 }
 
-// A table with only one of (a, b) and (b, a) filled, or filled without turning the normal around, fails here.
-TEST(Collide, OfSwappedShapesTurnsTheNormalExactlyAndKeepsThePoints) {
+// A table with only one of (a, b) and (b, a) filled, or without flipping the normal, fails here.
+TEST(Collide, OfSwappedShapesFlipsTheNormalExactlyAndKeepsThePoints) {
   RandomShapes random(2);
   for (const ShapeType type_a : all_shape_types) {
     for (const ShapeType type_b : all_shape_types) {
@@ -72,7 +72,7 @@ TEST(Collide, OfSwappedShapesTurnsTheNormalExactlyAndKeepsThePoints) {
   }
 }
 
-// Change of basis: where the world's frame lies is of no consequence.
+// Change of basis: the result does not depend on the world's frame.
 TEST(Collide, GivesTheSameInEveryFrame) {
   RandomShapes random(3);
   const Pose moved{{3, -2}, Rotation(0.6_r)};
@@ -86,7 +86,7 @@ TEST(Collide, GivesTheSameInEveryFrame) {
     const Pose pose_b = random.pose(1);
     const Manifold m = collide(a, pose_a, b, pose_b, 0.2_r);
     const Manifold n = collide(a, seen(pose_a), b, seen(pose_b), 0.2_r);
-    // Rounding may tip a tie between two faces, or a point at the very margin; all else must agree.
+    // Rounding may decide between two equal faces, or about a point exactly at the margin; all else must agree.
     const bool tipped = m.count != n.count || (m.count > 0 && dot(moved.q * m.normal, n.normal) < 0.999_r);
     different += tipped ? 1 : 0;
     if (tipped) continue;
@@ -100,7 +100,7 @@ TEST(Collide, GivesTheSameInEveryFrame) {
   EXPECT_LT(different, 5);
 }
 
-TEST(Collide, LeavesOutWhatIsFartherThanTheMargin) {
+TEST(Collide, LeavesOutPointsBeyondTheMargin) {
   const Shape box = Shape::box({1, 1});
   const Shape disc = Shape::circle(1);
   EXPECT_EQ(collide(box, origin, box, at(0, 2.25_r), 0.2_r).count, 0);
@@ -113,7 +113,7 @@ TEST(Collide, LeavesOutWhatIsFartherThanTheMargin) {
 // The core of two shapes' separation, found without separating axes: vertices against edges in double.
 struct Oracle {
   double distance = 0;  // 0 where they overlap
-  double depth = 0;     // least way out, over all face normals
+  double depth = 0;     // least penetration over all face normals
 };
 
 struct Point {
@@ -182,7 +182,7 @@ void expect_oracle(ShapeType type_a, ShapeType type_b, unsigned seed) {
     ASSERT_GT(m.count, 0) << i;
     const auto found = static_cast<double>(least_separation(m));
     if (truth.distance > 0) {
-      // Faces as good as parallel count as such: 1 - cos(1/128) of the distance.
+      // Nearly parallel faces count as parallel: 1 - cos(1/128) of the distance.
       ASSERT_NEAR(found, truth.distance - radii, rounding + truth.distance * 3.1e-5) << i;
       ++apart;
     } else {
@@ -204,7 +204,7 @@ TEST(Collide, OfCapsuleAndPolygonMatchesBruteForce) { expect_oracle(ShapeType::p
 TEST(Collide, OfBoxAndSegmentMatchesBruteForce) { expect_oracle(ShapeType::box, ShapeType::segment, 9); }
 TEST(Collide, OfCapsuleAndSegmentMatchesBruteForce) { expect_oracle(ShapeType::capsule, ShapeType::segment, 10); }
 
-// A circle is a point with a radius, so the oracle serves for it as well.
+// A circle is a point with a radius, so the same oracle applies.
 TEST(Collide, OfCirclesMatchesBruteForceOutsideOfCores) {
   RandomShapes random(11);
   for (const ShapeType type :
@@ -232,8 +232,8 @@ TEST(Collide, OfCirclesMatchesBruteForceOutsideOfCores) {
   }
 }
 
-// Moved out by the separation it reports, along the normal it reports, the pair just touches.
-TEST(Collide, ReportsTheWayOut) {
+// Moved apart by the reported separation along the reported normal, the pair just touches.
+TEST(Collide, ReportsThePenetrationToRemove) {
   RandomShapes random(12);
   for (int i = 0; i < 20000; ++i) {
     const Shape a = random.shape(all_shape_types[static_cast<std::size_t>(i) % 6]);
@@ -267,7 +267,7 @@ TEST(Collide, OfStackedBoxesHasTwoPointsWithTheirOwnSeparations) {
   }
 }
 
-TEST(Collide, KeepsItsFeaturesWhileABoxTremblesOnAnother) {
+TEST(Collide, KeepsItsFeaturesWhileABoxJittersOnAnother) {
   const Shape box = Shape::box({0.5_r, 0.5_r});
   const Manifold still = collide(box, origin, box, at(0, 0.995_r), 0.02_r);
   ASSERT_EQ(still.count, 2);
@@ -282,7 +282,7 @@ TEST(Collide, KeepsItsFeaturesWhileABoxTremblesOnAnother) {
   }
 }
 
-TEST(Collide, TakesTheLineOfCornersThatPassEachOther) {
+TEST(Collide, UsesTheLineBetweenCornersThatPassEachOther) {
   const Shape box = Shape::box({1, 1});
   const Manifold m = collide(box, origin, box, at(2.03_r, 2.04_r), 0.1_r);
   ASSERT_EQ(m.count, 1);
@@ -328,7 +328,7 @@ TEST(Collide, OfAHalfSpaceSeesTheFarEndOfARodThatFallsOver) {
   EXPECT_GT(std::abs(m.points[0].point.x - m.points[1].point.x), 1.9_r);
 }
 
-TEST(Collide, OfAChainIgnoresWhatIsBehindIt) {
+TEST(Collide, OfAChainIgnoresShapesBehindIt) {
   const std::vector<Vec2> points{{1, 0}, {-1, 0}};
   const Shape link = Shape::chain(points, false)[0];
   const Shape disc = Shape::circle(0.5_r);
@@ -339,7 +339,7 @@ TEST(Collide, OfAChainIgnoresWhatIsBehindIt) {
   EXPECT_EQ(collide(link, origin, box, at(0, -0.4_r), 0.1_r).count, 0);
 }
 
-// The most that a normal leans while the shape is dragged over a floor of short pieces, slightly sunk in.
+// The largest tilt of a normal while the shape is dragged over a floor of short pieces, slightly overlapping.
 Real worst_lean(const std::vector<Shape>& floor, const Shape& shape, Real height) {
   Real worst = 0;
   for (int step = 0; step < 4000; ++step) {
@@ -393,7 +393,7 @@ TEST(Collide, OfAChainHoldsABoxInACornerAndOnAnEdge) {
   ASSERT_GT(pushed.count, 0);
   EXPECT_EQ(pushed.normal, (Vec2{-1, 0}));
 
-  // On its corner over the edge, once: not by both links.
+  // On its corner over the edge, by one link only.
   const Pose balanced = at(-0.2_r, 0.65_r, 0.7853981634_r);
   EXPECT_EQ(collide(outward[0], origin, Shape::circle(1), at(-0.6_r, 0.79_r), 0.01_r).count +
                 collide(outward[1], origin, Shape::circle(1), at(-0.6_r, 0.79_r), 0.01_r).count,
@@ -427,8 +427,8 @@ Support support_of(const std::vector<Shape>& chain, const Shape& shape, const Po
   return all;
 }
 
-// Whatever the joints look like, the links together report the distance to their line: none falls between two, and none
-// is nearer or deeper than it is.
+// For all joints, the links together report the distance to their line: no shape falls between two links, and none is
+// reported nearer or deeper than it is.
 TEST(Collide, OfAChainIsTheDistanceToTheWholeLine) {
   RandomShapes random(14);
   int compared = 0;

@@ -67,7 +67,7 @@ double speed_of_smooth_discs(int count, double seconds) {
 }
 
 // Nothing locks them and no spring damps how they slide around each other.
-TEST(Accurate, HeapsOfSmoothDiscsComeToRest) {
+TEST(Accurate, PilesOfFrictionlessDiscsComeToRest) {
   for (const int count : {300, 600}) {
     EXPECT_LT(speed_of_smooth_discs(count, 20), static_cast<double>(Settings().sleep_linear_speed) / 10) << count;
   }
@@ -93,7 +93,7 @@ TEST(Accurate, AHeavyBodyInAWallOfSmallOnesGainsNoEnergy) {
   EXPECT_LT(last, .9 * start);
 }
 
-TEST(Accurate, StacksOfTenAndTwentyStandSettleAndDoNotSink) {
+TEST(Accurate, StacksOfTenAndTwentyStandSettleAndDoNotPenetrate) {
   for (const int n : {10, 20}) {
     for (const unsigned seed : {1U, 2U, 3U, 4U}) {
       const Stacked result = stack(n, 1, seed, 20);
@@ -126,7 +126,7 @@ double fastest_of(World& world) {
   return fastest;
 }
 
-TEST(Accurate, PyramidsOfTenAndTwentySettleAndDoNotSink) {
+TEST(Accurate, PyramidsOfTenAndTwentySettleAndDoNotPenetrate) {
   for (const int base : {10, 20}) {
     for (const unsigned seed : {1U, 2U}) {
       World world = pyramid(base, seed);
@@ -140,7 +140,7 @@ TEST(Accurate, PyramidsOfTenAndTwentySettleAndDoNotSink) {
 
 // The slowest wave of 80 layers (see Island::cut) has W = 2.5 and c = .97/s, and starts with g / W as the pyramid sinks
 // into its springs; offsets that follow faster than c keep it going.
-TEST(Accurate, APyramidOfEightyRowsStopsSwinging) {
+TEST(Accurate, APyramidOfEightyRowsStopsOscillating) {
   constexpr double swing = 2.5;
   constexpr double damping = .97;
   World world = pyramid(80, 1);

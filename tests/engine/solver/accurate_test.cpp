@@ -1,5 +1,5 @@
-// What the default method promises at 60 Hz with 4 sub-steps, against closed forms, over several random starts. Bounds
-// are those of the issue that asked for it; float is held to what its 24 bits allow.
+// The accuracy of the default method at 60 Hz with 4 sub-steps, against closed forms, over several random starts; float
+// is limited by its 24 bits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -191,7 +191,7 @@ TEST(Accurate, ScattersDiscsObliquelyUpToAThousandfoldMass) {
   }
 }
 
-TEST(Accurate, LandsABoxOnItsCornerAsTheImpulseLawSays) {
+TEST(Accurate, LandsABoxOnItsCornerByTheImpulseLaw) {
   std::mt19937 random(4);
   for (int start = 0; start < 4; ++start) {
     const double e = seeded(random, .3, 1);
@@ -224,7 +224,7 @@ TEST(Accurate, LandsABoxOnItsCornerAsTheImpulseLawSays) {
   }
 }
 
-TEST(Accurate, HandsSpeedThroughACradleOfFive) {
+TEST(Accurate, PassesSpeedThroughACradleOfFive) {
   for (const double gap : {0.0, 0.01}) {
     Settings settings = accurate();
     settings.gravity = {};
@@ -273,7 +273,7 @@ TEST(Accurate, CountsTheDigitsOfPiInCollisions) {
   EXPECT_EQ(galperin(10000, 12), 314);
 }
 
-TEST(Accurate, RollsExactlyWhileItsContactIsFoundAnew) {
+TEST(Accurate, RollsExactlyWhileItsContactIsFoundAgain) {
   // Slow at first, so that points are kept from step to step while the disc sinks into its springs.
   World world(accurate());
   ground(world, material(0, .5), -.2);
@@ -285,8 +285,8 @@ TEST(Accurate, RollsExactlyWhileItsContactIsFoundAnew) {
   EXPECT_NEAR(-body.angular_velocity() * real(.5) / length(body.velocity()), 1, bound(1e-12, 1e-5));
 }
 
-// What flies where nothing meets takes a shorter way through the step than beside others that meet.
-TEST(Accurate, FliesToTheLastBitAsItDoesBesideOthersThatTouch) {
+// A step without contacts and joints takes a shorter code path.
+TEST(Accurate, FliesWithTheSameBitsNextToBodiesThatTouch) {
   const auto flight = [](bool others) {
     World world(accurate());
     const BodyId thrown = world.create_body(at(1.5, 100, 3.1, 7.3, 2.7, 0.3), Shape::box(vec(0.5, 0.25)), material(0));
@@ -304,7 +304,7 @@ TEST(Accurate, FliesToTheLastBitAsItDoesBesideOthersThatTouch) {
   EXPECT_EQ(flight(false), flight(true));
 }
 
-/// Where bodies of several kinds are after two seconds, of which some come to rest and one is pushed on.
+/// The state of bodies of several kinds after two seconds, of which some come to rest and one is pushed.
 std::vector<Vec2> ends(bool disturbed) {
   World world(accurate());
   BodyDef floor;
@@ -330,8 +330,8 @@ std::vector<Vec2> ends(bool disturbed) {
   return where;
 }
 
-// Whatever is destroyed may have been in contact, so that nothing is kept of the contacts of the step before.
-TEST(Accurate, WhatItKeepsOfContactsFromStepToStepChangesNoBit) { EXPECT_EQ(ends(false), ends(true)); }
+// Destroying a body discards what is kept of the contacts of the last step.
+TEST(Accurate, KeepingContactsBetweenStepsChangesNoBit) { EXPECT_EQ(ends(false), ends(true)); }
 
 }  // namespace
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -10,7 +10,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Each contact once, and no body that can be pushed twice in a run.
+/// Each contact once, and no pushable body twice in a batch.
 void expect_sound(const Colouring& colouring, const Graph& graph) {
   std::set<std::uint32_t> seen;
   for (const LanesRun& run : colouring.runs()) {
@@ -38,7 +38,7 @@ TEST(Colouring, NeverSolvesTwoContactsOfABodyAtOnce) {
   expect_sound(graph.colour(), graph);
 }
 
-TEST(Colouring, SolvesWhatRestsOnFixedShapesLast) {
+TEST(Colouring, SolvesContactsWithFixedShapesLast) {
   Graph graph(12);
   for (std::uint32_t i = 1; i < 12; ++i) graph.touch(0, i, 2);
   for (std::uint32_t i = 1; i < 11; ++i) graph.touch(i, i + 1, 2);
@@ -51,7 +51,7 @@ TEST(Colouring, SolvesWhatRestsOnFixedShapesLast) {
   }
 }
 
-TEST(Colouring, GivesLanesOfTheirOwnToTheContactsOfACrowdedBody) {
+TEST(Colouring, GivesContactsOfAHighDegreeBodyLanesOfTheirOwn) {
   Graph graph(202);
   for (std::uint32_t i = 2; i < 202; ++i) graph.touch(1, i, 1);
   const Colouring& colouring = graph.colour();

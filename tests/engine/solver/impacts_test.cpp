@@ -10,8 +10,8 @@
 namespace impulse::inline IMPULSE_PRECISION {
 namespace {
 
-// The corner it stands on carries it all the while, although the other one is on its way to a bounce.
-TEST(Impacts, ABoxThatTipsOntoItsFaceIsHeldAtTheCornerItStandsOn) {
+// The corner it stands on carries it throughout, although the other one is about to bounce.
+TEST(Impacts, HoldABoxThatTipsOntoItsFaceAtTheCornerItStandsOn) {
   constexpr double half = 0.15;
   constexpr double turn = 2;  // rad/s
   constexpr double lean = 0.6;

@@ -101,7 +101,7 @@ struct Net {
 
 // The upper row is fixed, each of its hinges bears a column: weight / (2 m w^2) along the line to the next disc's
 // centre. No hinge ever bears more than the whole net.
-TEST(SweptJoints, HoldANetWithinTheGapThatItsWeightExplains) {
+TEST(IteratedJoints, HoldANetWithinTheGapThatItsWeightExplains) {
   Net net(Net::side);
   net.stop();
   const double omega = static_cast<double>(stated_errors(Net::settings()).joint_omega);
@@ -121,7 +121,7 @@ TEST(SweptJoints, HoldANetWithinTheGapThatItsWeightExplains) {
 
 // What slows the discs where the energy bound is met must not slow their fall: rounding alone, of each disc's velocity
 // in each of 240 sub-steps.
-TEST(SweptJoints, LetAFreeNetFallAsOneBodyWould) {
+TEST(IteratedJoints, LetAFreeNetFallLikeOneBody) {
   Net net(0);
   const auto height = [&] {
     double sum = 0;
@@ -136,7 +136,7 @@ TEST(SweptJoints, LetAFreeNetFallAsOneBodyWould) {
   EXPECT_NEAR(height() - before, speed - 10. / 2, is_double ? 1e-12 : 1e-4);
 }
 
-TEST(SweptJoints, NeverLiftTheEnergyOfANetAboveWhatItWas) {
+TEST(IteratedJoints, NeverAddEnergyToANet) {
   for (const int held : {0, 1, 7}) {
     Net net(held);
     const double before = net.energy();

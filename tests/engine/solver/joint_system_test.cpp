@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t unlimited = 1000000000;
 
-/// Rows of which each begins so many columns before its diagonal, or at the first.
+/// Rows that begin this many columns before the diagonal, or at the first column.
 std::vector<std::size_t> band(std::size_t rows, std::size_t width) {
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < rows; ++i) first.push_back(i > width ? i - width : 0);
@@ -22,7 +22,7 @@ TEST(FactoringCost, OfAFullMatrixIsASixthOfItsCube) {
   EXPECT_EQ(factoring_cost(band(100, 100), unlimited), 100U * 101 * 102 / 6);
 }
 
-TEST(FactoringCost, OfAChainGrowsWithItsLengthAlone) {
+TEST(FactoringCost, OfAChainIsProportionalToItsLength) {
   const std::uint64_t one = factoring_cost(band(1000, 3), unlimited);
   const std::uint64_t two = factoring_cost(band(2000, 3), unlimited);
   EXPECT_EQ(two - one, 1000U * (1 + 2 + 3 + 4));
@@ -36,7 +36,7 @@ TEST(FactoringCost, OfARingIsThatOfItsChainAndOneLongRow) {
   EXPECT_EQ(factoring_cost(ring, unlimited), chain + 1 + 2 * 999 + 1001);
 }
 
-TEST(FactoringCost, IsCountedNoFurtherThanAsked) {
+TEST(FactoringCost, IsCountedOnlyUpToTheLimit) {
   const std::uint64_t counted = factoring_cost(band(100000, 400), 1000);
   EXPECT_GT(counted, 1000U);
   EXPECT_LE(counted, 1000U + 401);

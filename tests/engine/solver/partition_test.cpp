@@ -23,7 +23,7 @@ TEST(Partition, KeepsItsIslandsWhileTheSameContactsLast) {
   EXPECT_EQ(parts.bodies(2).size(), 3U);
 }
 
-TEST(Partition, KnowsWhichContactsTurnNothing) {
+TEST(Partition, FindsContactsThatRotateNothing) {
   Graph graph(3);
   graph.touch(0, 1, 1);
   graph.touch(1, 2, 1);
@@ -48,7 +48,7 @@ TEST(Partition, KnowsWhichContactsTurnNothing) {
   EXPECT_FALSE(smooth(0)) << "0 is no disc, and turns";
 }
 
-TEST(Partition, ListsPointsAgainThatItWasToldToForget) {
+TEST(Partition, ListsPointsAgainAfterForgetPoints) {
   Graph graph(2);
   graph.touch(0, 1, 1);
   graph.count_changes(1);
@@ -59,8 +59,8 @@ TEST(Partition, ListsPointsAgainThatItWasToldToForget) {
   EXPECT_EQ(graph.split(false).contacts(1)[0].points, 2);
 }
 
-// The floor gets going: now it ties what stands on it.
-TEST(Partition, FindsItsIslandsAnewWhenABodySetsOut) {
+// The floor starts moving: now it connects the bodies on it.
+TEST(Partition, FindsItsIslandsAgainWhenABodyStartsMoving) {
   Graph graph(3);
   graph.touch(0, 1, 1);
   graph.touch(0, 2, 1);

@@ -19,7 +19,7 @@ namespace {
 Settings with(const char* solver) {
   Settings settings;
   settings.solver = solver;
-  settings.contact_events = true;  // nothing rests while these are asked for
+  settings.contact_events = true;  // no pile is cached while these are on
   return settings;
 }
 
@@ -38,7 +38,7 @@ World pyramid(const Settings& settings, Real nudge) {
   return world;
 }
 
-/// Bodies in a turning drum that carries some off at once.
+/// Bodies in a turning drum, some of which it carries along.
 World drum(const Settings& settings, Real nudge, bool discs) {
   World world(settings);
   BodyDef def;
@@ -51,7 +51,7 @@ World drum(const Settings& settings, Real nudge, bool discs) {
   }
   world.create_body(def, walls);
   RandomShapes random(5);
-  // So many that islands are larger than those that `accurate` follows closely.
+  // So many that islands are not small in the sense of `accurate`.
   constexpr int side = 16;
   constexpr double pitch = 10.0 / side;
   for (int i = 0; i < side * side; ++i) {
@@ -66,7 +66,7 @@ World drum(const Settings& settings, Real nudge, bool discs) {
 World drum_of_boxes(const Settings& settings, Real nudge) { return drum(settings, nudge, false); }
 World drum_of_discs(const Settings& settings) { return drum(settings, 0, true); }
 
-/// A plank that more bodies lie on than there are colours.
+/// A plank with more bodies on it than there are colours.
 World crowded_plank(const Settings& settings, Real nudge) {
   World world(settings);
   add_floor(world, rough);
@@ -79,7 +79,7 @@ World crowded_plank(const Settings& settings, Real nudge) {
   return world;
 }
 
-/// Discs without friction in a hexagon's order, pressed 1 mm into each other, which walls hold up.
+/// Frictionless discs in hexagonal packing, overlapping by 1 mm, between walls.
 World well_of_smooth_discs(const Settings& settings) {
   World world(settings);
   add_floor(world, frictionless());
@@ -143,22 +143,22 @@ INSTANTIATE_TEST_SUITE_P(All, Piles,
 // or .0077 of the 1 m/s. One contact at a time, half of the last impulse is given again along the new normal to all
 // before any contact is solved; in lanes what lacks of that is given when the contact is solved, so that others see it
 // late.
-TEST(Piles, OfDiscsAgreeWithTheScalarSolverToTheTurnOfTheirNormalsInASubStep) {
+TEST(Piles, OfDiscsAgreeWithTheScalarSolverUpToTheRotationOfNormalsInASubStep) {
   const Real apart = difference(drum_of_discs(with("accurate")), drum_of_discs(with("accurate-scalar")), 7);
   EXPECT_GT(apart, 0);
   EXPECT_LT(apart, real(.0077));
 }
 
 // The same of discs that part at up to .1 m/s and bear ten layers, 10 m/s^2 / 240 each: (.1 m/s / 1 m / 240) .4 m/s.
-TEST(Piles, OfSmoothDiscsAgreeWithTheScalarSolverToTheTurnOfTheirNormalsInASubStep) {
+TEST(Piles, OfFrictionlessDiscsAgreeWithTheScalarSolverUpToTheRotationOfNormalsInASubStep) {
   const Real apart =
       difference(well_of_smooth_discs(with("accurate")), well_of_smooth_discs(with("accurate-scalar")), 12);
   EXPECT_GT(apart, 0);
   EXPECT_LT(apart, real(1.7e-4));
 }
 
-// Neither friction nor, but for rounding, a push off centre: where that is left out, too, not even rounding turns them.
-TEST(Piles, OfSmoothDiscsTurnNothing) {
+// Without friction only rounding could rotate them, and the kernels leave that out too.
+TEST(Piles, OfFrictionlessDiscsRotateNothing) {
   World world = well_of_smooth_discs(with("accurate"));
   run(world, 30);
   int borne = 0;
@@ -167,8 +167,8 @@ TEST(Piles, OfSmoothDiscsTurnNothing) {
   for (const BodyId body : world.bodies()) EXPECT_EQ(world.body(body).angular_velocity(), 0);
 }
 
-// Discs that jostle turn their normals: what one gives and takes back within a sub-step leaves no push behind.
-TEST(Piles, OfDiscsChangeMomentumByTheImpulsesShownOnly) {
+// The normals of colliding discs rotate: impulses applied and removed within a sub-step leave no net impulse.
+TEST(Piles, OfDiscsChangeMomentumOnlyByTheReportedImpulses) {
   for (const char* solver : {"accurate", "accurate-scalar"}) {
     Settings settings = with(solver);
     settings.gravity = {};

@@ -1,5 +1,5 @@
-// What lies still in a pile keeps its contacts for many steps (resting_piles.h), unless somebody asks for contact
-// events: worlds that are asked are what the others are compared with.
+// Bodies at rest in a pile keep their contacts for many steps (resting_piles.h), unless contact events are on: worlds
+// with events are the reference.
 #include "solver/resting_piles.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ BodyId drop(World& world, double x, double y, double speed, double density = 1) 
   return world.create_body(at(x, y, 0, -speed), Shape::circle(real(.4)), m);
 }
 
-/// Both kinds of world through the same; the bits differ, so something did rest.
+/// Runs both kinds of world; the bits must differ, which shows that a pile was cached.
 struct Twins {
   World resting, asked;
 
@@ -95,8 +95,7 @@ struct Twins {
   }
 };
 
-// Normals and arms stay while a pile rests, and are wrong by up to tremor / size = .004 rad then: so is .4 % of what
-// would move it.
+// Normals and arms are constant while a pile rests, and wrong by up to tremor / size = .004 rad: .4 % of the load.
 TEST(RestingPiles, StayWhereTheyAre) {
   for (const auto& make : {pyramid, heap}) {
     Twins twins(make);
@@ -105,7 +104,7 @@ TEST(RestingPiles, StayWhereTheyAre) {
   }
 }
 
-TEST(RestingPiles, ShowTheLoadsThatTheyBear) {
+TEST(RestingPiles, ReportTheirLoads) {
   World world = pyramid(settings(true));
   run_for(world, 1);
   double load = 0;
@@ -118,8 +117,8 @@ TEST(RestingPiles, ShowTheLoadsThatTheyBear) {
   EXPECT_NEAR(load * 60, weight, 1e-3 * weight);
 }
 
-// It is struck in both worlds with the same contacts, but for those that began as somebody looked for them again.
-TEST(RestingPiles, FeelWhatFallsOnThem) {
+// The pile is hit in both worlds with the same contacts, except those that began in the repeated search.
+TEST(RestingPiles, RespondToBodiesThatFallOnThem) {
   for (const double speed : {.5, 20.}) {
     Twins twins(heap);
     const double top = 14 + speed / 10;
@@ -139,7 +138,7 @@ TEST(RestingPiles, FeelWhatFallsOnThem) {
   }
 }
 
-TEST(RestingPiles, GiveWayWhenSomethingIsTakenOutOfThem) {
+TEST(RestingPiles, CollapseWhenABodyIsRemoved) {
   World world = pyramid(settings(true));
   const std::vector<BodyId> below{world.bodies()[1], world.bodies()[2]};
   const BodyId above = world.bodies()[1 + rows];
@@ -149,7 +148,7 @@ TEST(RestingPiles, GiveWayWhenSomethingIsTakenOutOfThem) {
   EXPECT_LT(static_cast<double>(world.body(above).position().y), before - .1);
 }
 
-TEST(RestingPiles, ArePushedAsideByWhatIsDriven) {
+TEST(RestingPiles, ArePushedAsideByKinematicBodies) {
   World world = pyramid(settings(true));
   BodyDef def = at(-3, .5);
   def.type = BodyType::kinematic;
@@ -165,7 +164,7 @@ TEST(RestingPiles, ArePushedAsideByWhatIsDriven) {
   EXPECT_LT(most, .05);
 }
 
-TEST(RestingPiles, FallUpWhenGravityTurns) {
+TEST(RestingPiles, FallUpWhenGravityIsReversed) {
   Twins twins(pyramid);
   twins.both([](World& world) {
     world.set_gravity({0, 10});
@@ -180,7 +179,7 @@ TEST(RestingPiles, FallUpWhenGravityTurns) {
   }
 }
 
-TEST(RestingPiles, HangOnJointsThatAreGivenToThem) {
+TEST(RestingPiles, AreHeldByJointsAddedLater) {
   Twins twins(pyramid);
   twins.both([](World& world) {
     const BodyId top = world.bodies().back();

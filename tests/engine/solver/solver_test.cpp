@@ -1,4 +1,4 @@
-// What every solver owes, each held to what it states of itself (impulse::stated_errors).
+// Requirements on every solver, within its own stated errors (impulse::stated_errors).
 #include "solver/solver.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ class EverySolver : public testing::TestWithParam<std::string> {
 // Head on, v' = v - (1 + e) m u / (1/mA + 1/mB). They meet in the 15th step, 2 mm deep, so that nothing needs to be
 // pushed apart: what Baumgarte's velocities add to an impact is a test of its own. A method that finds velocities from
 // positions 1.5 m from the origin knows them to their rounding over h.
-TEST_P(EverySolver, CollidesTwoDiscsByTheLawOfImpactsAndKeepsMomentum) {
+TEST_P(EverySolver, CollidesTwoDiscsByTheLawOfImpactsAndConservesMomentum) {
   for (const double e : {0.0, .5, 1.0}) {
     for (const double density : {1.0, 10.0, 100.0}) {
       Settings chosen = weightless();
@@ -56,7 +56,7 @@ TEST_P(EverySolver, CollidesTwoDiscsByTheLawOfImpactsAndKeepsMomentum) {
 
 // The stated gap is that of one body's weight; contact i from the top bears i of them. The article's method keeps no
 // impulses from iteration to iteration: its stack leans farther with every step, until after 8 s all lies on the floor.
-TEST_P(EverySolver, StandsAStackOfFiveUnlessItForgetsImpulses) {
+TEST_P(EverySolver, HoldsAStackOfFiveIfItKeepsImpulses) {
   for (const unsigned seed : {1U, 2U}) {
     std::mt19937 random(seed);
     World world(settings());
@@ -132,9 +132,9 @@ TEST_P(EverySolver, BouncesAsHighAsItsStatedErrorsAllow) {
   }
 }
 
-// Boxes and discs that fall into a heap without restitution: whatever a method adds by pushing overlap apart, it never
-// has more than it began with, and ends with less.
-TEST_P(EverySolver, NeverAddsEnergyToAHeap) {
+// Boxes and discs that fall into a pile without restitution: even with the energy added by removing overlap, a pile
+// never has more than at the start, and ends with less.
+TEST_P(EverySolver, NeverAddsEnergyToAPile) {
   World world(settings());
   ground(world, material(0, .5));
   std::mt19937 random(7);
@@ -155,8 +155,8 @@ TEST_P(EverySolver, NeverAddsEnergyToAHeap) {
 }
 
 // Small piles, of which one is thrown up, one bounces, one bears ten times its weight; neighbours in the world, yet far
-// apart. How a method goes about several at once is its own business.
-TEST_P(EverySolver, GivesWhatTouchesNothingElseTheBitsItHasAlone) {
+// apart. Stepping several at once must not change the bits.
+TEST_P(EverySolver, GivesIsolatedBodiesTheBitsTheyHaveAlone) {
   constexpr int piles = 24;
   const auto fates = [&](int only) {
     World world(settings());

@@ -1,5 +1,5 @@
-// What a step at 60 Hz must see although contacts are found once in it: bodies in violent motion reach into each other
-// by no more than what the method states.
+// Contacts are found once in a step of 1/60 s; still, bodies in violent motion must not overlap by more than the method
+// states.
 #include "solver/turning.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 const Material wood{1, real(.4), real(.4), 0};
 
-/// m, how deep two bodies of one shape each overlap.
+/// m, the penetration of two bodies of one shape each.
 double depth(World& world, BodyId a, BodyId b) {
   const Body one = world.body(a);
   const Body other = world.body(b);
@@ -44,7 +44,7 @@ double deepest(World& world, int steps) {
   return deepest;
 }
 
-TEST(Stir, LeavesOutThatADiscTurns) {
+TEST(Stir, IgnoresTheRotationOfADisc) {
   Graph graph(3);
   graph.touch(1, 2, 1);
   Contact& contact = graph.contacts()[0];
@@ -61,7 +61,7 @@ TEST(Stir, LeavesOutThatADiscTurns) {
 
 // Each leans on the next with a corner that slides along a face while that turns, and in the end they lie on each
 // other: 11 mm deep when normals stood still.
-TEST(Turning, DominoesDoNotReachIntoEachOther) {
+TEST(Turning, DominoesDoNotOverlap) {
   World world{Settings{}};
   add_floor(world, wood);
   for (int i = 0; i < 6; ++i) world.create_body(at(.6 * i, .5), Shape::box({real(.1), real(.5)}), wood);
@@ -71,7 +71,7 @@ TEST(Turning, DominoesDoNotReachIntoEachOther) {
 }
 
 // 10 m/s are 42 mm in a sub-step, which one sweep of soft contacts let through.
-TEST(Turning, ABlowGoesThroughAWallWithoutPressingItsBoxesIntoEachOther) {
+TEST(Turning, AnImpactOnAWallCausesNoOverlapOfItsBoxes) {
   for (const char* solver : {"accurate", "accurate-scalar"}) {
     Settings settings;
     settings.solver = solver;
@@ -85,8 +85,8 @@ TEST(Turning, ABlowGoesThroughAWallWithoutPressingItsBoxesIntoEachOther) {
   }
 }
 
-// Fast spin brings other corners near within a step.
-TEST(Turning, SpinningBoxesMeetWithTheCornersThatTheyHaveByThen) {
+// With fast spin, other corners come near within a step.
+TEST(Turning, SpinningBoxesCollideWithTheCornersAtThatTime) {
   Settings settings;
   settings.gravity = {};
   World world(settings);
@@ -100,7 +100,7 @@ TEST(Turning, SpinningBoxesMeetWithTheCornersThatTheyHaveByThen) {
 
 // A corner that meets first throws the next one down, which may be the only one near by then, or one more: up to 44 mm
 // deep when contacts kept as many points within a step as they had.
-TEST(Turning, BoxesThatFallOnEachOtherMeetWithAsManyCornersAsComeNear) {
+TEST(Turning, FallingBoxesCollideWithAllCornersThatComeNear) {
   const Material tough{1, real(.5), real(.5), real(.2)};
   for (const unsigned seed : {75U, 582U, 820U, 882U, 906U}) {
     RandomShapes random(seed);
@@ -117,7 +117,7 @@ TEST(Turning, BoxesThatFallOnEachOtherMeetWithAsManyCornersAsComeNear) {
 }
 
 // Friction of a coefficient above 4/3 turns the tip of a slender rod into the ground that it slides on (Painleve 1895).
-TEST(Turning, ARodThatFrictionTurnsIntoTheGroundDoesNotEnterIt) {
+TEST(Turning, ARodThatFrictionRotatesIntoTheGroundDoesNotPenetrate) {
   World world{Settings{}};
   add_floor(world, {1, 2, 2, 0});
   const double lean = 1.012;  // rad, where friction of 2 turns it in most
@@ -129,8 +129,8 @@ TEST(Turning, ARodThatFrictionTurnsIntoTheGroundDoesNotEnterIt) {
   EXPECT_LT(deepest(world, 120), static_cast<double>(tolerated_sink));
 }
 
-// All of the load is on one corner: it stands on the surface in the end.
-TEST(Turning, WhatLeansOnACornerIsNotLeftInTheGround) {
+// All of the load is on one corner, which must end up on the surface.
+TEST(Turning, ABoxThatLeansOnACornerDoesNotStayInTheGround) {
   World world{Settings{}};
   add_floor(world, wood);
   world.create_body(at(0, .25), Shape::box({real(.05), real(.25)}), {200, real(.9), real(.9), 0});
@@ -141,8 +141,8 @@ TEST(Turning, WhatLeansOnACornerIsNotLeftInTheGround) {
   EXPECT_LT(deepest(world, 1), 1e-4);
 }
 
-// Each body's momentum changes by what its contacts show, along the normals they show, however these turned.
-TEST(Turning, ShowsTheNormalAlongWhichContactsActed) {
+// Each body's momentum changes by the reported impulses along the reported normals, even if these rotated.
+TEST(Turning, ReportsTheNormalAlongWhichContactsActed) {
   Settings settings;
   settings.gravity = {};
   World world(settings);

@@ -3,21 +3,22 @@
 #include <cstdint>
 
 #include "broad_phase/broad_phase.h"
+#include "core/instruction_set.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 /// Lanes of the widest kernels.
 constexpr std::uint32_t most_lanes = 16;
 
-/// Bounds and ways (see Proxy) as columns. Most_lanes more entries than are meant must be readable after the last.
+/// Bounds and displacements (see Proxy) as columns. At least most_lanes more entries than are used must be readable.
 struct BoundsColumns {
   const Real* low_x;
   const Real* low_y;
   const Real* high_x;
   const Real* high_y;
-  const Real* way_x;
-  const Real* way_y;
-  const Real* way_length;
+  const Real* displacement_x;
+  const Real* displacement_y;
+  const Real* displacement_length;
 };
 
 /// From begin to before end.
@@ -25,24 +26,31 @@ struct Range {
   std::uint32_t begin, end;
 };
 
-/// Writes the numbers of all bounds in the ranges that are within reach of a box that goes its way, range by range, and
-/// returns the end of the list. There must be room for all that are in the ranges and most_lanes more.
-using FindOverlaps = std::uint32_t*(const BoundsColumns& among, const Aabb& box, const Way& way, const Range* ranges,
-                                    const Range* ranges_end, std::uint32_t* to);
+/// Writes the indices of all bounds in the ranges that are within reach of a moving box, range by range, and returns
+/// the end of the list. `to` needs room for every entry of the ranges and most_lanes more.
+using FindOverlaps = std::uint32_t*(const BoundsColumns& among, const Aabb& box, const Displacement& displacement,
+                                    const Range* ranges, const Range* ranges_end, std::uint32_t* to);
 
-/// Who in the range is within reach of the asker, which is among the bounds itself?
-struct Question {
-  std::uint32_t asker;
+/// One query of a batch: which bounds of the range are within reach of the bounds at index `from`?
+struct Query {
+  std::uint32_t from;
   Range range;
 };
 
-/// Answers some questions: for each answer, question by question, the number of the question and of who it is. Returns
-/// how many answers there are. There must be room for all that are in the ranges and most_lanes more.
-using AnswerQuestions = std::uint32_t(const BoundsColumns& among, const Question* questions, std::uint32_t count,
-                                      std::uint32_t* question_of, std::uint32_t* answer);
+/// Runs a batch of queries. For each hit, query by query, writes the index of the query and that of the bounds it
+/// found; returns the number of hits. Both lists need room for every entry of the ranges and most_lanes more.
+using AnswerBatch = std::uint32_t(const BoundsColumns& among, const Query* queries, std::uint32_t count,
+                                  std::uint32_t* query_of, std::uint32_t* hit);
 
-/// Writes those of some pairs that are within reach of each other, in their order, and returns how many. There must be
-/// room for all.
+/// Copies the pairs that are within reach of each other, in order, and returns their number. `to` needs room for all.
 using FilterPairs = std::uint32_t(const Proxy* proxies, const Pair* pairs, std::uint32_t count, Pair* to);
+
+/// The kernels of the broad phase; they give the bits of within_reach().
+struct BroadPhaseKernels {
+  FindOverlaps* find_overlaps;
+  AnswerBatch* answer_batch;
+  FilterPairs* filter_pairs;
+};
+const BroadPhaseKernels& broad_phase_kernels(InstructionSet set = fastest_instruction_set());
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -3,15 +3,15 @@
 #include "narrow_phase/lanes/manifolds.h"
 #include "narrow_phase/lanes/pair_lanes.h"
 
-// collide/boxes.cpp and collide/edges.h in lanes, operation by operation; what they say of the why holds here.
+// narrow_phase/boxes.cpp and shapes/edges.h in lanes, operation by operation; their comments apply here too.
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 namespace {
 
 using Mask = Lanes::Mask;
 
-constexpr Real parallel = Real{1} / 128;                            // as in collide/edges.h
-constexpr Real blur = 1024 * std::numeric_limits<Real>::epsilon();  // as blurred() there
+constexpr Real parallel = Real{1} / 128;                            // as in shapes/edges.h
+constexpr Real blur = 1024 * std::numeric_limits<Real>::epsilon();  // as in blurred() there
 
 /// The better of two opposite pairs of faces of one box.
 struct BoxFaces {
@@ -27,7 +27,7 @@ BoxFaces best_box_faces(const Vec2Lanes& h, const Vec2Lanes& there, const Lanes&
   return {across_x, select(across_x, x, y)};
 }
 
-/// Number of a side (see side() of collide/boxes.cpp) as what its corners' signs need.
+/// Index of a side (see side() in narrow_phase/boxes.cpp), in the form that the signs of its corners need.
 struct Side {
   Mask along_x;  // 1 or 3
   Mask ahead;    // 1 or 2
@@ -56,13 +56,13 @@ Side side_towards(const Vec2Lanes& direction, const Mask& along_x) {
   return {along_x, select(along_x, zero < direction.x, zero < direction.y)};
 }
 
-struct Edges {
+struct EdgeLanes {
   Vec2Lanes from, to;
   Lanes first, second;  // corners
 };
 
 /// Points in the frame of the reference box, corners in order (reference, incident).
-struct Meeting {
+struct MeetingLanes {
   Vec2Lanes normal;
   Lanes separation[2];
   Vec2Lanes point[2];
@@ -71,11 +71,11 @@ struct Meeting {
   Mask unsure;
 };
 
-struct Overlay {
+struct OverlayLanes {
   Lanes length;
   Vec2Lanes low, high;
 
-  Overlay(const Edges& reference, const Vec2Lanes& n, const Edges& incident) {
+  OverlayLanes(const EdgeLanes& reference, const Vec2Lanes& n, const EdgeLanes& incident) {
     const Vec2Lanes t = perpendicular(n);
     const Vec2Lanes to = incident.to - reference.from;
     const Vec2Lanes from = incident.from - reference.from;
@@ -90,9 +90,9 @@ struct Overlay {
   }
 };
 
-/// touch() where corners face each other most closely, over what clip() found.
-void touch_corners(const Edges& reference, const Edges& incident, const Overlay& over, const Mask& apart_at_all,
-                   const Lanes& least, const Lanes& margin, Meeting& m) {
+/// Replaces what clip() found by touch() in the lanes where two corners are nearest to each other.
+void touch_corners(const EdgeLanes& reference, const EdgeLanes& incident, const OverlayLanes& over,
+                   const Mask& apart_at_all, const Lanes& least, const Lanes& margin, MeetingLanes& m) {
   const Lanes zero = Lanes::all(0);
   const Mask overlaps = over.overlaps();
   const auto beyond = [&](const Lanes& x) { return !((zero <= x) & (x <= over.length)); };
@@ -123,12 +123,12 @@ void touch_corners(const Edges& reference, const Edges& incident, const Overlay&
   m.count = select(touching, select(margin < separation, zero, Lanes::all(1)), m.count);
 }
 
-/// meet(); unsure where only the incident edge's deepest point is left.
-Meeting meet(const Edges& reference, const Vec2Lanes& n, const Edges& incident, const Lanes& separation,
-             const Lanes& size, const Lanes& margin) {
+/// meet(); unsure in the lanes where it would need add_deepest().
+MeetingLanes meet(const EdgeLanes& reference, const Vec2Lanes& n, const EdgeLanes& incident, const Lanes& separation,
+                  const Lanes& size, const Lanes& margin) {
   const Lanes zero = Lanes::all(0);
   const Lanes one = Lanes::all(1);
-  const Overlay over(reference, n, incident);
+  const OverlayLanes over(reference, n, incident);
   const Mask overlaps = over.overlaps();
 
   const Vec2Lanes start{zero, over.height(zero)};
@@ -136,7 +136,7 @@ Meeting meet(const Edges& reference, const Vec2Lanes& n, const Edges& incident, 
   const Vec2Lanes place[2] = {select(over.low.x < zero, start, over.low),
                               select(over.length < over.high.x, end, over.high)};
   const Vec2Lanes t = perpendicular(n);
-  Meeting m;
+  MeetingLanes m;
   m.normal = n;
   Mask reported[2];
   for (std::uint32_t p = 0; p < 2; ++p) {
@@ -162,7 +162,7 @@ Meeting meet(const Edges& reference, const Vec2Lanes& n, const Edges& incident, 
   return m;
 }
 
-/// The frame of a reference box and what it meets there.
+/// The frame of a reference box and the other box in it.
 struct Against {
   Vec2Lanes center;
   RotationLanes frame;
@@ -172,15 +172,15 @@ struct Against {
   RotationLanes turn;  // of the other
 };
 
-Meeting against(const Against& it, const Lanes& margin) {
+MeetingLanes against(const Against& it, const Lanes& margin) {
   const Side reference_side = side_towards(it.there, it.faces.across_x);
   const Vec2Lanes n = reference_side.normal();
-  const Edges reference{reference_side.from(it.size), reference_side.to(it.size), reference_side.first(),
-                        reference_side.second()};
+  const EdgeLanes reference{reference_side.from(it.size), reference_side.to(it.size), reference_side.first(),
+                            reference_side.second()};
   const Vec2Lanes facing = it.turn.inverse() * -n;
   const Side side = side_towards(facing, abs(facing.y) < abs(facing.x));
-  const Edges incident{it.there + it.turn * side.from(it.other), it.there + it.turn * side.to(it.other), side.first(),
-                       side.second()};
+  const EdgeLanes incident{it.there + it.turn * side.from(it.other), it.there + it.turn * side.to(it.other),
+                           side.first(), side.second()};
   return meet(reference, n, incident, it.faces.separation, it.size.x + it.size.y + it.other.x + it.other.y, margin);
 }
 
@@ -222,7 +222,7 @@ std::uint32_t* collide_boxes(const PairBatch& batch, PairPoints* found, std::uin
 
     const Mask upright = min(c, s) < Lanes::all(parallel);
     const Mask second = second_beats(of_two.separation, of_one.separation, upright);
-    const Meeting m = against(
+    const MeetingLanes m = against(
         {select(second, two.position + two.offset, one.position + one.offset),
          select(second, two.turn, one.turn),
          select(second, two.size, one.size),

@@ -1,14 +1,14 @@
 #include "narrow_phase/lanes/manifolds.h"
 #include "narrow_phase/lanes/pair_lanes.h"
 
-// collide/circles.cpp in lanes, operation by operation.
+// narrow_phase/circles.cpp in lanes, operation by operation.
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 namespace {
 
 using Mask = Lanes::Mask;
 
-/// round_contact(): in the frame of the other shape, whose surface has this normal towards the disc's centre.
+/// round_contact(): in the frame of the other shape; `outward` is its normal towards the disc's centre.
 struct RoundContact {
   Vec2Lanes normal;
   Vec2Lanes point;
@@ -55,9 +55,9 @@ std::uint32_t* collide_mixed(const PairBatch& batch, PairPoints* found, std::uin
     const Lanes out_x = abs(center.x) - h.x;
     const Lanes out_y = abs(center.y) - h.y;
     const Mask through_x = out_y < out_x;
-    const Vec2Lanes way_out{select(through_x, select(center.x < zero, -one, one), zero),
-                            select(through_x, zero, select(center.y < zero, -one, one))};
-    const Vec2Lanes outward = select(inside, way_out, select(direction_known, direction, Vec2Lanes{zero, zero}));
+    const Vec2Lanes nearest_side{select(through_x, select(center.x < zero, -one, one), zero),
+                                 select(through_x, zero, select(center.y < zero, -one, one))};
+    const Vec2Lanes outward = select(inside, nearest_side, select(direction_known, direction, Vec2Lanes{zero, zero}));
     const Lanes gap = select(inside, max(out_x, out_y) - disc.size.x, distance - disc.size.x - zero);
 
     const RoundContact contact(center, disc.size.x, outward, gap);

@@ -3,22 +3,23 @@
 #include <cstdint>
 
 #include "broad_phase/broad_phase.h"
+#include "core/instruction_set.h"
 #include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// All that colliding needs to know of one box or disc as it stands, in rows of four numbers.
+/// What the kernels need to know of a posed box or disc, in rows of four numbers.
 struct ShapeRecord {
-  Vec2 position;   // of its body's centre of mass, world frame
-  Vec2 offset;     // box: from there to its centre, world frame; disc: the same, body frame
-  Rotation turn;   // box: of its own frame; disc: of the body
-  Vec2 size;       // box: half extents; disc: radius, 0
-  Vec2 velocity;   // m/s, of the centre of mass
-  Real rim = 0;    // m/s, the fastest that turning moves a point of the body
-  Real knock = 0;  // m/s, by which the velocity may change within the step
+  Vec2 position;           // of its body's centre of mass, world frame
+  Vec2 offset;             // box: from there to its centre, world frame; disc: the same, body frame
+  Rotation turn;           // box: of its own frame; disc: of the body
+  Vec2 size;               // box: half extents; disc: radius, 0
+  Vec2 velocity;           // m/s, of the centre of mass
+  Real rim = 0;            // m/s, the greatest speed at which rotation moves a point of the body
+  Real impact_change = 0;  // m/s, predicted change of velocity by impacts within the step
 };
 
-/// What a pair of shapes reports (see Manifold), seen from its bodies, in rows of four numbers. World frame.
+/// The contact points of a pair of shapes (see Manifold), relative to the bodies, in rows of four numbers; world frame.
 struct PairPoints {
   Real normal[2];      // unit, from a to b
   Real separation[2];  // m, of each point
@@ -27,8 +28,8 @@ struct PairPoints {
   std::int32_t count;
 };
 
-/// Some pairs of shapes: pairs[items[i]] for i below count. They are given points up to the gap that the two may close:
-/// distance + time (|velocity of b - that of a| + rims + knocks).
+/// A batch of pairs of shapes: pairs[items[i]] for i below count. They get points up to a gap of
+/// distance + time (|velocity of b - that of a| + rims + impact changes).
 struct PairBatch {
   const ShapeRecord* shapes;
   const Pair* pairs;
@@ -38,15 +39,25 @@ struct PairBatch {
   Real time;      // s
 };
 
-/// The vectorised twins of box_box, circle_box and circle_circle (see collide/): the same bits in found[item]. Items
-/// that need a second look are written to `left` instead, to be given to the twin, and the end of their list is
-/// returned; there must be room for all.
+/// The vectorised twins of box_box, circle_box and circle_circle (see collide.h): they write the same bits to
+/// found[item]. Items that they cannot decide are written to `left`, for the twin to collide; returns the end of that
+/// list, which needs room for all items.
 using CollidePairs = std::uint32_t*(const PairBatch& batch, PairPoints* found, std::uint32_t* left);
 
-/// Writes those items that may meet faster than their gaps, and than the batch's distance, allow within its time, and
-/// returns the end of their list; there must be room for all. An item with a negative count has no points in `found`:
-/// it is written if it may go that fast in any direction.
+/// Lists the items whose shapes may approach farther within the batch's time than both their gap and the batch's
+/// distance; returns the end of the list, which needs room for all. `found` has no points for an item with a negative
+/// count: such an item is listed if it may be that fast in any direction.
 using FindFast = std::uint32_t*(const PairBatch& batch, const PairPoints* found, const std::int8_t* counts,
                                 std::uint32_t* to);
+
+/// The kernels of the narrow phase; they give the bits of their scalar twins.
+struct NarrowPhaseKernels {
+  CollidePairs* collide_boxes;
+  CollidePairs* collide_discs;
+  CollidePairs* collide_disc_with_box;  // the disc is the first of each pair
+  CollidePairs* collide_box_with_disc;
+  FindFast* find_fast;
+};
+const NarrowPhaseKernels& narrow_phase_kernels(InstructionSet set = fastest_instruction_set());
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -3,7 +3,7 @@
 #include "core/simd.h"
 #include "narrow_phase/lanes/manifolds.h"
 
-/// As many pairs of shapes at a time as there are lanes, for the kernels that collide them.
+/// The vector algebra of the kernels that collide pairs of shapes, one pair in each lane.
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 inline Lanes::Mask select(const Lanes::Mask& mask, const Lanes::Mask& yes, const Lanes::Mask& no) {
@@ -44,7 +44,7 @@ inline RotationLanes select(const Lanes::Mask& mask, const RotationLanes& yes, c
   return {select(mask, yes.c, no.c), select(mask, yes.s, no.s)};
 }
 
-/// The lanes' numbers beside each other, four rows from each record.
+/// The ShapeRecords of the lanes, except for their motion.
 struct ShapeLanes {
   Vec2Lanes position, offset;
   RotationLanes turn;
@@ -56,7 +56,7 @@ inline ShapeLanes select(const Lanes::Mask& mask, const ShapeLanes& yes, const S
           select(mask, yes.size, no.size)};
 }
 
-/// A pair of a batch for each lane, the last one repeated where there are fewer.
+/// One pair of a batch for each lane; the last pair is repeated if fewer are left.
 class PairLanes {
  public:
   PairLanes(const PairBatch& batch, std::uint32_t from) : batch_(batch), from_(from) {
@@ -74,26 +74,27 @@ class PairLanes {
 
   struct Motion {
     Vec2Lanes velocity;
-    Lanes rim, knock;
+    Lanes rim, impact_change;
   };
   Motion first_motion() const { return motion(rows_a_); }
   Motion second_motion() const { return motion(rows_b_); }
 
-  /// The gap up to which points count, see closing().
+  /// The gap up to which points count, see speculative_gap().
   Lanes margin() const {
     const Lanes distance = Lanes::all(batch_.distance);
     if (batch_.time == 0) return distance;
     const Motion a = first_motion();
     const Motion b = second_motion();
     const Lanes time = Lanes::all(batch_.time);
-    return distance + time * (length(b.velocity - a.velocity) + (a.rim + b.rim)) + time * (a.knock + b.knock);
+    return distance + time * (length(b.velocity - a.velocity) + (a.rim + b.rim)) +
+           time * (a.impact_change + b.impact_change);
   }
 
   /// Bits of the lanes that hold a pair.
   std::uint32_t present() const { return present_; }
   std::uint32_t item(std::uint32_t lane) const { return batch_.items[from_ + lane]; }
 
-  /// No points for any.
+  /// Writes that no pair has points.
   void clear(PairPoints* found) const {
     const std::uint32_t count = batch_.count - from_;
     for (std::uint32_t lane = 0; lane < lane_count && lane < count; ++lane) found[item(lane)].count = 0;
@@ -132,7 +133,7 @@ class PairLanes {
   const Real* rows_b_[lane_count];
 };
 
-/// Exactly one of in_order(a, b) and in_order(b, a) (see collide/order.h), as far as one number tells.
+/// Exactly one of in_order(a, b) and in_order(b, a) (see collide.cpp), as far as the first criterion decides.
 struct OrderLanes {
   Lanes::Mask swapped, known;
 
@@ -145,7 +146,7 @@ struct OrderLanes {
   }
 };
 
-/// A result for each lane.
+/// The points found in each lane.
 struct PointsLanes {
   Vec2Lanes normal;
   Lanes separation[2];

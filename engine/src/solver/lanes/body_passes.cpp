@@ -11,7 +11,7 @@ void for_all_numbers(const BodyRows& bodies, Act act) {
   for (std::uint32_t i = 0; i < 4 * bodies.count; i += lane_count) act(i);
 }
 
-/// Rows of four numbers that follow each other.
+/// Consecutive rows of four numbers.
 struct RowsFrom {
   Real* first;
   Real* operator[](std::uint32_t lane) const { return first + 4 * lane; }

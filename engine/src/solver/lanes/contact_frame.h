@@ -17,8 +17,8 @@ using ContactTable = impulse::ContactTable<lane_count>;
 inline Lanes load(const Row<lane_count>& row) { return Lanes::load(row.lane); }
 inline void store(const Lanes& lanes, Row<lane_count>& to) { lanes.store(to.lane); }
 
-/// Rows of four numbers of the bodies that contacts name, one for each lane. Compilers would work out pointers to them
-/// many at a time, and take longer to get them out of registers again.
+/// The rows of four numbers of the bodies of each lane's contact. Computed one by one: compilers would vectorise an
+/// array of pointers, and extracting them from registers again takes longer.
 struct NamedRows {
   Real* rows;
   const std::uint32_t* names;
@@ -26,15 +26,15 @@ struct NamedRows {
   Real* operator[](std::uint32_t lane) const { return rows + names[lane]; }
 };
 
-/// The centres of the two bodies of each lane's contact seen along its normal: all that a contact knows of them that
-/// turns nothing. All of it is inlined: what it holds lives in registers.
+/// The velocities of the two centres of each lane's contact along its normal: all that a contact needs that rotates
+/// nothing. All functions are inlined, so that the members stay in registers.
 struct CentresFrame {
   NamedRows rows_a, rows_b;
   Lanes a[4], b[4];  // velocities: x, y, angular, inverse mass
   Lanes normal_x, normal_y;
   Lanes mass_a, mass_b, mass;  // inverse, the last is their sum, 1/kg
   Lanes normal;                // relative velocity of the centres, m/s
-  Lanes normal_sum;            // N s given so far
+  Lanes normal_sum;            // N s applied so far
 
   template <class Contacts>
   [[gnu::always_inline]] CentresFrame(const Contacts& contacts, Real* velocity)
@@ -59,19 +59,19 @@ struct CentresFrame {
     normal = normal + impulse * mass;
     normal_sum = normal_sum + impulse;
   }
-  /// An impulse (N s, world frame) through the centres, which the frame need not learn of.
+  /// Applies an impulse (N s, world frame) at the centres, without updating the frame.
   [[gnu::always_inline]] void give(const Lanes& x, const Lanes& y) {
     a[0] = a[0] - mass_a * x;
     a[1] = a[1] - mass_a * y;
     b[0] = b[0] + mass_b * x;
     b[1] = b[1] + mass_b * y;
   }
-  /// The same, learnt of.
+  /// The same, updating the frame.
   [[gnu::always_inline]] void push_centres(const Lanes& x, const Lanes& y) {
     give(x, y);
     normal = normal + mass * (normal_x * x + normal_y * y);
   }
-  [[gnu::always_inline]] void leave() {
+  [[gnu::always_inline]] void write_back() {
     give(normal_sum * normal_x, normal_sum * normal_y);
     scatter();
   }
@@ -81,7 +81,7 @@ struct CentresFrame {
   }
 };
 
-/// The two bodies seen along normal and tangent; see ContactFrame (contact_rows.h), which this follows line by line.
+/// The two bodies along normal and tangent: ContactFrame (contact_rows.h) in lanes, line by line.
 struct LanesFrame : CentresFrame {
   Lanes inertia_a, inertia_b;
   Lanes tangent;  // relative velocity of the centres, m/s
@@ -120,8 +120,8 @@ struct LanesFrame : CentresFrame {
     CentresFrame::push_centres(x, y);
     tangent = tangent + mass * (normal_x * y - normal_y * x);
   }
-  [[gnu::always_inline]] void leave() {
-    // The sums as a vector of the world.
+  [[gnu::always_inline]] void write_back() {
+    // The sums as a vector in the world frame.
     const Lanes x = normal_sum * normal_x - tangent_sum * normal_y;
     const Lanes y = normal_sum * normal_y + tangent_sum * normal_x;
     give(x, y);
@@ -135,7 +135,7 @@ template <class Contacts>
 constexpr bool is_discs = requires(Contacts contacts) {
   contacts.between_x;
 };
-/// Whether friction acts, and turning counts.
+/// Whether the contacts have friction and rotate bodies.
 template <class Contacts>
 constexpr bool rubs = requires(Contacts contacts) {
   contacts.static_friction;
@@ -143,7 +143,7 @@ constexpr bool rubs = requires(Contacts contacts) {
 template <class Contacts>
 using FrameOf = std::conditional_t<rubs<Contacts>, LanesFrame, CentresFrame>;
 
-/// Whether pairs of points are solved at once, as a type.
+/// Whether pairs of points are solved together, as a type.
 template <bool value>
 struct Block {
   constexpr operator bool() const { return value; }
@@ -180,5 +180,8 @@ template <class Contacts>
 constexpr std::uint32_t count_points(const Contacts& contacts) {
   return std::extent_v<decltype(contacts.point)>;
 }
+
+void lay_out_contacts(const ContactTable& table, const LayoutInput& input);
+void store_contacts(const ContactTable& table, const LayoutInput& input);
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -6,9 +6,27 @@
 #include "bodies/body_set.h"
 #include "contacts/contact.h"
 #include "impulse/math.h"
-#include "solver/tie.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
+
+/// An edge of the contact graph: what sorting a contact needs to know of it.
+struct Tie {
+  std::uint32_t contact = 0;  // index
+  std::uint32_t a = 0, b = 0;
+  bool pushes_a = false, pushes_b = false;  // whether the body can be pushed
+  bool moves_both = false;                  // whether both move, so that they share an island
+  std::uint8_t points = 0;
+  bool discs = false;
+  bool smooth = false;  // frictionless, and of discs or fixed shapes: it rotates nothing
+  friend bool operator==(const Tie&, const Tie&) = default;
+};
+
+/// The contact of one lane.
+struct Slot {
+  static constexpr std::uint32_t empty = ~std::uint32_t{0};
+  Tie tie{.contact = empty};
+  bool web = false;  // see ImpactRow
+};
 
 /// One number of each of `width` contacts: eight, or sixteen where a register holds so many.
 template <std::size_t width>
@@ -16,7 +34,7 @@ struct Row {
   alignas(width * sizeof(Real)) Real lane[width]{};
 };
 
-/// The points that are one of each of `width` contacts; the numbers are those of RowPoint (contact_rows.h).
+/// One point of each of `width` contacts; the numbers are those of RowPoint (contact_rows.h).
 template <std::size_t width>
 struct SmoothPointLanes {
   using Row = impulse::Row<width>;
@@ -36,18 +54,18 @@ struct PointLanes : SmoothPointLanes<width> {
   Row total_tangent;     // N s, of the whole step
 };
 
-/// Contacts that share no movable body, so that they are solved at once as if one after the other. A lane that holds no
-/// contact names a body that nothing moves, and has all numbers 0.
+/// Contacts that share no movable body, so that solving them at once equals solving them one after the other. An empty
+/// lane refers to a body that nothing moves, and all its numbers are 0.
 ///
-/// Large piles do not fit into the caches, and each pass takes as long as what it touches: what is the same for many
-/// lanes is one bit of each or is left to SoftRule, and masses come with the bodies.
+/// Large piles do not fit into the caches, so the time of each pass is proportional to the memory it touches: what is
+/// the same for many lanes is one bit of each or left to SoftRule, and masses come with the bodies.
 template <std::size_t width>
 struct NormalLanes {
   using Row = impulse::Row<width>;
   Row offset;  // m, standing correction of the separation
-  // Bit i tells of lane i.
+  // Bit i belongs to lane i.
   std::uint32_t web = 0;                 // see ImpactRow
-  std::uint32_t fixed = 0;               // against what cannot move
+  std::uint32_t fixed = 0;               // one body cannot move
   std::uint32_t aged = 0;                // old enough that the offset follows the depth
   std::uint32_t fresh = 0;               // in its first step
   bool rounded = false;                  // whether some shape is, see ContactLanes
@@ -65,14 +83,14 @@ struct ContactLanes : NormalLanes<width> {
   Row radius_a, radius_b;  // m, by which the shapes are rounded: that part of r . n does not turn with the body
 };
 
-/// Those of one point that turn nothing: a disc about its centre of mass has r x n = 0, and without friction nothing
-/// acts along r . n.
+/// Contacts of one point that rotate nothing: a disc about its centre of mass has r x n = 0, and without friction no
+/// impulse acts along r . n.
 template <std::size_t width>
 struct SmoothLanes : NormalLanes<width> {
   SmoothPointLanes<width> point[1];
 };
 
-/// Those of discs about their centres of mass: the normal is that of their centres as they move.
+/// Contacts of discs about their centres of mass: the normal follows the centres.
 template <class Lanes>
 struct DiscsOf : Lanes {
   using Row = typename Lanes::Row;
@@ -114,27 +132,27 @@ struct ContactTable {
   const LanesRun* runs_end;
 };
 
-/// Bodies as rows of four numbers. Their number is a multiple of sixteen; rows of no body are 0.
+/// Bodies as rows of four numbers. Their number is a multiple of sixteen; unused rows are 0.
 struct BodyRows {
   std::uint32_t count;
   Real* velocity;            // x, y (m/s), angular (rad/s), inverse mass (1/kg)
   Real* before;              // the velocity at the start of the sub-step
-  Real* kick;                // what is given before and again after the drift; 0
+  Real* kick;                // velocity change applied before and again after the drift; 0
   Real* motion;              // x, y (m), sine and cosine - 1 of the turn since the start of the step
   Real* turn;                // rad, one number a row
   const Real* acceleration;  // x, y, angular, 0
 };
 
-/// How soft the contacts of a pile are: by [web][against what cannot move].
+/// The soft constraint parameters of a pile: by [web][one body cannot move].
 struct SoftRule {
   using Choice = Real[2][2];
   Choice strength, rate, relief;  // see softness.h
-  Choice give;                    // m of depth that a load of 1 m/s (impulse / effective mass) explains
+  Choice give;                    // m of depth under a load of 1 m/s (impulse / effective mass)
   Choice gain;                    // see OffsetRule
   Real leak;
 };
 
-/// What contacts are laid out by.
+/// The input of the layout.
 struct LayoutInput {
   const Slot* slots[lanes_kinds];     // of each LanesKind, a multiple of the width
   std::uint32_t groups[lanes_kinds];  // how many widths
@@ -143,36 +161,36 @@ struct LayoutInput {
   const InverseMass* masses;  // of the bodies of the world
   const Pose* poses;
   const std::uint32_t* row_of;  // where in BodyRows
-  std::uint32_t nobody;         // a row of no body
-  int offset_from_age;          // at which offsets follow
+  std::uint32_t nobody;         // an unused row
+  int offset_from_age;          // steps, from which offsets follow the depth
   Real substeps;
 };
 
-/// What is done with all contacts of an island.
+/// The passes over all contacts of an island.
 template <std::size_t width>
 struct ContactPasses {
-  /// Contacts into lanes, with their effective masses.
+  /// Copies contacts into lanes, with their effective masses.
   void (*lay_out)(const ContactTable<width>&, const LayoutInput&);
-  /// Of contacts that were just laid out, but whose bodies have moved before: their motions count from now on.
+  /// For contacts just laid out whose bodies have moved before: subtracts the motion so far.
   void (*begin_late)(const ContactTable<width>&, const BodyRows&);
-  /// Adds to each body's kick half of what its contacts gave in the last sub-step; of this step they gave nothing yet.
+  /// Adds to each body's kick half of its contacts' impulses in the last sub-step, and resets the totals of the step.
   void (*kick)(const ContactTable<width>&, const BodyRows&);
-  /// Contacts as damped springs on their depth; `h` s is the sub-step.
+  /// Contacts as soft constraints on their depth; `h` is the sub-step, s.
   void (*press)(const ContactTable<width>&, const BodyRows&, const SoftRule&, Real h);
-  /// Rigid contacts with friction. `again`: not the first sweep of this sub-step.
+  /// Rigid contacts with friction. `again`: not the first iteration in this sub-step.
   void (*relax)(const ContactTable<width>&, const BodyRows&, bool again);
-  /// What part of the depth the standing load explains becomes the offset; all of it at once where `settling`.
+  /// Moves the offsets towards the depth that the load explains; at once if `settling`.
   void (*settle)(const ContactTable<width>&, const SoftRule&, bool settling);
-  /// Impulses and offsets back into the contacts.
+  /// Writes impulses and offsets back to the contacts.
   void (*store)(const ContactTable<width>&, const LayoutInput&);
 };
 
-/// Before the first sub-step: the kick of the forces alone.
+/// Sets the kicks before the first sub-step: half a sub-step of the forces.
 using KickByForces = void(const BodyRows&, Real h);
-/// First half of the kick: after the first sub-step it is half of all that the last one changed, but for impacts.
+/// First half of the kick: after the first sub-step, half of the whole velocity change of the last one.
 using KickBodies = void(const BodyRows&, bool first);
-/// x += h v, then the second half of the kick. Returns whether some body has turned too far for the series within; its
-/// sine and cosine must be made anew.
+/// x += h v, then the second half of the kick. Returns whether some body has rotated too far for the series of the
+/// kernel; its sine and cosine must be recomputed.
 using DriftBodies = bool(const BodyRows&, Real h);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,4 +1,4 @@
-#include "solver/lanes/contact_layout.h"
+#include "solver/lanes/contact_frame.h"
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
@@ -15,7 +15,7 @@ void fetch(const Contact* contacts, const Slot& slot) {
   for (std::uint32_t i = 0; i < sizeof(Contact); i += cache_line) __builtin_prefetch(begin + i);
 }
 
-/// Four columns of the rows that are `row_of` each lane.
+/// Gathers four columns from the rows row_of(lane).
 template <class RowOf>
 [[gnu::always_inline]] inline void gather(Lanes columns[4], RowOf row_of) {
   struct Rows {
@@ -30,7 +30,7 @@ Lanes inverse(const Lanes& effective) {
   return select(nothing < effective, Lanes::all(1) / effective, nothing);
 }
 
-/// What is needed of every point.
+/// The data of a point that every kind of contact needs.
 template <class Contacts>
 void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& share, const Lanes& mass,
                    Contacts& lanes) {
@@ -52,7 +52,7 @@ void lay_out_point(const Contact* const* contact, std::uint32_t i, const Lanes& 
   }
 }
 
-/// Where it is: place_of() and effective_mass() (contact_rows.h).
+/// arms_of() and effective_mass() (contact_rows.h) in lanes.
 template <class Contacts>
 void place_point(const Contact* const* contact, std::uint32_t i, const Lanes& normal_x, const Lanes& normal_y,
                  const Lanes& found_separation, const Lanes& mass, Contacts& lanes) {

@@ -1,10 +1,10 @@
 #include "solver/lanes/contact_frame.h"
-#include "solver/lanes/contact_layout.h"
 
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 namespace {
 
+/// within_cone() (contact_rows.h) in lanes.
 Lanes held_by_cone(const Lanes& wanted, const Lanes& load_now, const Lanes& static_friction,
                    const Lanes& dynamic_friction) {
   const Lanes most = dynamic_friction * load_now;
@@ -12,21 +12,22 @@ Lanes held_by_cone(const Lanes& wanted, const Lanes& load_now, const Lanes& stat
   return select(max(wanted, -wanted) <= static_friction * load_now, wanted, sliding);
 }
 
-/// The friction impulse that stops the sliding at a point, as far as the cone of the normal impulse allows.
+/// The friction impulse that stops the sliding at a point, as far as the friction cone allows.
 template <class Contacts>
-[[gnu::always_inline]] inline Lanes rub(const Contacts& contacts, const PointLanes& p, const LanesFrame& frame,
-                                        const Lanes& normal_impulse, const Lanes& tangent_impulse) {
+[[gnu::always_inline]] inline Lanes solve_friction(const Contacts& contacts, const PointLanes& p,
+                                                   const LanesFrame& frame, const Lanes& normal_impulse,
+                                                   const Lanes& tangent_impulse) {
   const Lanes wanted = tangent_impulse - load(p.tangent_mass) * frame.tangent_velocity(p);
   return held_by_cone(wanted, normal_impulse, load(contacts.static_friction), load(contacts.dynamic_friction));
 }
 
-/// A number that goes by SoftRule.
+/// A parameter of SoftRule for each lane.
 Lanes by_lane(const SoftRule::Choice& choice, const Lanes::Mask& web, const Lanes::Mask& fixed) {
   return select(web, select(fixed, Lanes::all(choice[1][1]), Lanes::all(choice[1][0])),
                 select(fixed, Lanes::all(choice[0][1]), Lanes::all(choice[0][0])));
 }
 
-/// How far both bodies have come since the start of the step.
+/// The motions of both bodies since the start of the step.
 struct LanesMotion {
   Lanes a[4], b[4];
 
@@ -39,7 +40,7 @@ struct LanesMotion {
 
 template <class Contacts>
 [[gnu::always_inline]] inline void find_gaps(Contacts& contacts, const LanesMotion& motion) {
-  static constexpr Row<lane_count> sharp{};  // m, radii of shapes that are not rounded
+  static constexpr Row<lane_count> sharp{};  // m, the radii of shapes without rounding
   const auto& [a, b] = motion;
   const Lanes along = load(contacts.normal_x) * (b[0] - a[0]) + load(contacts.normal_y) * (b[1] - a[1]);
   for (auto& p : contacts.point) {
@@ -54,13 +55,14 @@ template <class Contacts>
   }
 }
 
-/// (K + G) d = -(v + bias + G lambda), see ScalarContacts::solve_pair. Lanes where that fails keep what they have.
-struct Pair {
+/// Solves two points together, (K + G) d = -(v + bias + G lambda), see ScalarContacts::press_pair. Lanes where `holds`
+/// is not set must be solved point by point.
+struct SolvedPair {
   Lanes impulse[2];
   Lanes::Mask holds;
 };
-[[gnu::always_inline]] inline Pair solve_pair(const ContactLanes<2>& contacts, const LanesFrame& frame,
-                                              const Lanes impulse[2], const Lanes give[2], const Lanes bias[2]) {
+[[gnu::always_inline]] inline SolvedPair solve_pair(const ContactLanes<2>& contacts, const LanesFrame& frame,
+                                                    const Lanes impulse[2], const Lanes give[2], const Lanes bias[2]) {
   const PointLanes& p = contacts.point[0];
   const PointLanes& q = contacts.point[1];
   const Lanes one = Lanes::all(1);
@@ -71,10 +73,10 @@ struct Pair {
   const Lanes determinant = k11 * k22 - k12 * k12;
   const Lanes wanted_p = -(frame.normal_velocity(p) + bias[0] + give[0] * impulse[0]);
   const Lanes wanted_q = -(frame.normal_velocity(q) + bias[1] + give[1] * impulse[1]);
-  Pair pair;
+  SolvedPair pair;
   pair.impulse[0] = impulse[0] + (wanted_p * k22 - k12 * wanted_q) / determinant;
   pair.impulse[1] = impulse[1] + (k11 * wanted_q - wanted_p * k12) / determinant;
-  // Two points almost in one place: the matrix says nothing about the difference of their loads.
+  // The matrix of two points almost in one place does not determine the difference of their loads.
   const Lanes worst_condition = Lanes::all(1000);
   const Lanes nothing = Lanes::all(0);
   pair.holds =
@@ -82,10 +84,10 @@ struct Pair {
   return pair;
 }
 
-/// Points one after the other, but for lanes whose pair of points was solved at once.
+/// Applies the impulses of pairs that were solved together; other lanes are solved point by point.
 template <class Each>
 [[gnu::always_inline]] inline void push_points(ContactLanes<2>& contacts, LanesFrame& frame, Lanes impulse[2],
-                                               const Pair& pair, Each wanted) {
+                                               const SolvedPair& pair, Each wanted) {
   for (std::uint32_t i = 0; i < 2; ++i) {
     const Lanes next = select(pair.holds, pair.impulse[i], wanted(i));
     frame.push_normal(contacts.point[i], next - impulse[i]);
@@ -93,14 +95,14 @@ template <class Each>
   }
 }
 
-/// Friction before the drift, of contacts in their first step.
+/// Friction before the drift for contacts in their first step.
 template <class Contacts>
-[[gnu::always_inline]] inline void rub_fresh(Contacts& contacts, LanesFrame& frame, const Lanes impulse[2]) {
+[[gnu::always_inline]] inline void solve_new_friction(Contacts& contacts, LanesFrame& frame, const Lanes impulse[2]) {
   const auto fresh = Lanes::Mask::of(contacts.fresh);
   for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
     PointLanes& p = contacts.point[i];
     const Lanes half_tangent = Lanes::all(Real{1} / 2) * load(p.tangent_impulse);
-    const Lanes held = rub(contacts, p, frame, impulse[i], half_tangent);
+    const Lanes held = solve_friction(contacts, p, frame, impulse[i], half_tangent);
     const Lanes next = select(fresh, held, half_tangent);
     frame.push_tangent(p, next - half_tangent);
     store(next + half_tangent, p.tangent_impulse);
@@ -149,9 +151,9 @@ void press(Contacts& contacts, FrameOf<Contacts>& frame, const SoftRule& soft, c
     }
   }
   if constexpr (rubs<Contacts>) {
-    if (contacts.fresh != 0) rub_fresh(contacts, frame, impulse);
+    if (contacts.fresh != 0) solve_new_friction(contacts, frame, impulse);
   }
-  // The second half, which the bodies get with the kick after the drift.
+  // Includes the second half, which the bodies get with the kick after the drift.
   for (std::uint32_t i = 0; i < points; ++i) store(impulse[i] + half[i], contacts.point[i].normal_impulse);
 }
 
@@ -175,7 +177,7 @@ void relax(Contacts& contacts, FrameOf<Contacts>& frame) {
   };
   if constexpr (block) {
     const Lanes none[2] = {nothing, nothing};
-    Pair pair = solve_pair(contacts, frame, impulse, none, none);
+    SolvedPair pair = solve_pair(contacts, frame, impulse, none, none);
     pair.holds = pair.holds & !(idle[0] | idle[1]);
     push_points(contacts, frame, impulse, pair, rigid);
   } else {
@@ -191,7 +193,7 @@ void relax(Contacts& contacts, FrameOf<Contacts>& frame) {
     store(load(p.total_normal) + (impulse[i] - before[i]), p.total_normal);
     if constexpr (rubs<Contacts>) {
       const Lanes tangent_before = load(p.tangent_impulse);
-      const Lanes tangent_impulse = rub(contacts, p, frame, impulse[i], tangent_before);
+      const Lanes tangent_impulse = solve_friction(contacts, p, frame, impulse[i], tangent_before);
       frame.push_tangent(p, tangent_impulse - tangent_before);
       store(tangent_impulse, p.tangent_impulse);
       store(load(p.total_tangent) + (again ? tangent_impulse - tangent_before : tangent_impulse), p.total_tangent);
@@ -199,7 +201,7 @@ void relax(Contacts& contacts, FrameOf<Contacts>& frame) {
   }
 }
 
-/// The normal as the centres are now; the gap is measured along it from the centres.
+/// Updates the normal to the current centres; the gap is measured along it.
 template <class Discs>
 void turn_normal(Discs& contacts, const LanesMotion& motion) {
   const Lanes x = load(contacts.between_x) + (motion.b[0] - motion.a[0]);
@@ -214,7 +216,7 @@ void turn_normal(Discs& contacts, const LanesMotion& motion) {
   store(between - load(contacts.distance) - load(contacts.offset), contacts.point[0].separation);
 }
 
-/// See ScalarContacts::turn_normal: what press gave follows the normal.
+/// See ScalarContacts::turn_normal: the impulses of press follow the normal.
 template <bool again, class Discs>
 void relax_discs(Discs& discs, const LanesMotion& motion, Real* velocity) {
   const Lanes before_x = load(discs.normal_x);
@@ -234,7 +236,7 @@ void relax_discs(Discs& discs, const LanesMotion& motion, Real* velocity) {
     }
   }
   relax<false, again>(discs, frame);
-  frame.leave();
+  frame.write_back();
 }
 
 void begin_late(const ContactTable& table, const BodyRows& bodies) {
@@ -270,7 +272,7 @@ void kick_by_contacts(const ContactTable& table, const BodyRows& bodies) {
         store(Lanes::all(0), p.total_tangent);
       }
     }
-    frame.leave();
+    frame.write_back();
   });
 }
 
@@ -279,7 +281,7 @@ void press_contacts(const ContactTable& table, const BodyRows& bodies, const Sof
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto block) {
     FrameOf<Contacts> frame(contacts, bodies.velocity);
     press<block>(contacts, frame, soft, per_h);
-    frame.leave();
+    frame.write_back();
   });
 }
 
@@ -293,7 +295,7 @@ void relax_once(const ContactTable& table, const BodyRows& bodies) {
       find_gaps(contacts, motion);
       FrameOf<Contacts> frame(contacts, bodies.velocity);
       relax<block, again>(contacts, frame);
-      frame.leave();
+      frame.write_back();
     }
   });
 }

@@ -1,4 +1,4 @@
-// Kernels that collide pairs against the colliders that they repeat in lanes, bit for bit.
+// The colliding kernels against their scalar twins, bit for bit.
 #include "narrow_phase/lanes/manifolds.h"
 
 #include <gtest/gtest.h>
@@ -9,22 +9,20 @@
 #include <vector>
 
 #include "../../random_shapes.h"
-#include "broad_phase/shape_table.h"
-#include "contacts/closing.h"
 #include "narrow_phase/collide.h"
 #include "narrow_phase/narrow_phase.h"
-#include "solver/lanes/kernels.h"
+#include "narrow_phase/shape_table.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Pairs of bodies, the first of one type and the second of another, and what the colliders say of them.
+/// Pairs of bodies of two types, and the manifolds by the colliders.
 struct Pairs {
   BodySet bodies;
   ShapeTable shapes;
   Margin margin{static_cast<Real>(0.05), static_cast<Real>(0.02)};
-  std::vector<Real> knocks;
+  std::vector<Real> impact_changes;
   std::vector<Pair> pairs;
 
   void add(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
@@ -39,28 +37,29 @@ struct Pairs {
     for (const Pair& pair : pairs) {
       const Pose& a = bodies.pose[pair.first];
       const Pose& b = bodies.pose[pair.second];
-      const Real gap =
-          closing(bodies, pair.first, pair.second, margin) + margin.time * (knocks[pair.first] + knocks[pair.second]);
+      const Real gap = speculative_gap(bodies, pair.first, pair.second, margin) +
+                       margin.time * (impact_changes[pair.first] + impact_changes[pair.second]);
       all.push_back(points_of(collide(shape(pair.first), a, shape(pair.second), b, gap), a.p, b.p));
     }
     return all;
   }
 
-  /// With each version of a kernel; returns how many pairs it found to touch.
-  std::size_t compare(CollidePairs* Kernels::*kernel, std::size_t most_left) {
+  /// Compares each version of a kernel; returns the number of touching pairs.
+  std::size_t compare(CollidePairs* NarrowPhaseKernels::*kernel, std::size_t most_left) {
     shapes.update(bodies, margin);
-    shapes.grow(bodies, margin, knocks);
+    shapes.grow(bodies, margin, impact_changes);
     const std::vector<PairPoints> right = expected();
     std::vector<std::uint32_t> items(pairs.size());
     std::iota(items.rbegin(), items.rend(), 0U);
     std::size_t touching = 0;
-    for (const Kernels* version : runnable_kernels()) {
+    for (const InstructionSet set : runnable_instruction_sets()) {
       std::vector<PairPoints> found(pairs.size());
       std::vector<std::uint32_t> left(pairs.size());
       const PairBatch batch{
           shapes.records().data(), pairs.data(), items.data(), static_cast<std::uint32_t>(items.size()),
           margin.distance,         margin.time};
-      left.resize(static_cast<std::size_t>((version->*kernel)(batch, found.data(), left.data()) - left.data()));
+      left.resize(static_cast<std::size_t>((narrow_phase_kernels(set).*kernel)(batch, found.data(), left.data()) -
+                                           left.data()));
       EXPECT_LE(left.size(), most_left);
       for (const std::uint32_t item : left) found[item] = right[item];
       touching = 0;
@@ -84,7 +83,7 @@ struct Pairs {
     bodies.insert(i);
     bodies.pose[i] = pose;
     bodies.velocity[i] = {{static_cast<Real>(i % 3), static_cast<Real>(i % 5)}, static_cast<Real>(i % 7)};
-    knocks.push_back(static_cast<Real>(i % 4));
+    impact_changes.push_back(static_cast<Real>(i % 4));
   }
 
   static bool same(Real a, Real b) {
@@ -105,15 +104,15 @@ struct Pairs {
 
 struct Kind {
   const char* name;
-  CollidePairs* Kernels::*kernel;
+  CollidePairs* NarrowPhaseKernels::*kernel;
   ShapeType first, second;
 };
 
 const std::array kinds{
-    Kind{"boxes", &Kernels::collide_boxes, ShapeType::box, ShapeType::box},
-    Kind{"discs", &Kernels::collide_discs, ShapeType::circle, ShapeType::circle},
-    Kind{"disc_with_box", &Kernels::collide_disc_with_box, ShapeType::circle, ShapeType::box},
-    Kind{"box_with_disc", &Kernels::collide_box_with_disc, ShapeType::box, ShapeType::circle},
+    Kind{"boxes", &NarrowPhaseKernels::collide_boxes, ShapeType::box, ShapeType::box},
+    Kind{"discs", &NarrowPhaseKernels::collide_discs, ShapeType::circle, ShapeType::circle},
+    Kind{"disc_with_box", &NarrowPhaseKernels::collide_disc_with_box, ShapeType::circle, ShapeType::box},
+    Kind{"box_with_disc", &NarrowPhaseKernels::collide_box_with_disc, ShapeType::box, ShapeType::circle},
 };
 
 class CollidingKernels : public testing::TestWithParam<Kind> {};
@@ -132,7 +131,7 @@ TEST_P(CollidingKernels, AgreeWithTheCollidersOnRandomPairs) {
   EXPECT_GT(pairs.compare(GetParam().kernel, count / 50), count / 4);
 }
 
-/// On a grid, turned by quarters or by next to nothing: faces lie on faces, corners on corners, centres on centres.
+/// On a grid, rotated by quarter turns or very little: faces lie on faces, corners on corners, centres on centres.
 TEST_P(CollidingKernels, AgreeWithTheCollidersOnAlignedPairs) {
   RandomShapes random(2);
   const auto half = [&random](int most) {
@@ -158,8 +157,8 @@ TEST_P(CollidingKernels, AgreeWithTheCollidersOnAlignedPairs) {
   EXPECT_GT(pairs.compare(GetParam().kernel, count / 5), count / 4);
 }
 
-/// Boxes that lie on each other but for rounding, of very different size, far from the origin.
-TEST_P(CollidingKernels, AgreeWithTheCollidersWhereRoundingRules) {
+/// Boxes that lie on each other up to rounding, of very different size, far from the origin.
+TEST_P(CollidingKernels, AgreeWithTheCollidersNearRounding) {
   RandomShapes random(3);
   const auto sized = [&](ShapeType type) {
     const auto scale = static_cast<Real>(std::pow(10, static_cast<double>(random.number(-3, 2))));
@@ -183,8 +182,8 @@ TEST_P(CollidingKernels, AgreeWithTheCollidersWhereRoundingRules) {
   EXPECT_GT(pairs.compare(GetParam().kernel, count), count / 10);
 }
 
-/// What is not a number meets the same fate in lanes.
-TEST_P(CollidingKernels, AgreeWithTheCollidersOnWhatIsNotANumber) {
+/// NaN and infinity give the same result in lanes.
+TEST_P(CollidingKernels, AgreeWithTheCollidersOnNan) {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
   constexpr Real inf = std::numeric_limits<Real>::infinity();
   RandomShapes random(4);

@@ -214,11 +214,12 @@ void expect_laid_out_and_stored(const ContactPasses<width>& passes, unsigned see
   }
 }
 
-TEST(ContactLayout, GivesLanesTheNumbersOfRowsAndTakesThemBack) {
+TEST(ContactLayout, CopiesRowsToLanesAndBack) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    for (const PileKernels* version : runnable_pile_kernels()) {
-      if (version->contacts_by_eight != nullptr) expect_laid_out_and_stored(*version->contacts_by_eight, seed);
-      if (version->contacts_by_sixteen != nullptr) expect_laid_out_and_stored(*version->contacts_by_sixteen, seed);
+    for (const InstructionSet set : runnable_instruction_sets()) {
+      const SolverKernels& version = solver_kernels(set);
+      if (version.contacts_by_eight != nullptr) expect_laid_out_and_stored(*version.contacts_by_eight, seed);
+      if (version.contacts_by_sixteen != nullptr) expect_laid_out_and_stored(*version.contacts_by_sixteen, seed);
     }
   }
 }

@@ -125,7 +125,7 @@ struct Tangle {
   }
 
   /// A whole step of two sub-steps.
-  void step(const PileKernels& by, const ContactPasses<width>& passes) {
+  void step(const SolverKernels& by, const ContactPasses<width>& passes) {
     const BodyRows rows{body_count,    velocity.data(), before.data(),      kick.data(),
                         motion.data(), turn.data(),     acceleration.data()};
     const ContactTable<width> table{one.data(),    discs.data(),        two.data(),  block.data(),
@@ -150,7 +150,7 @@ bool same_bits(const std::vector<Item>& a, const std::vector<Item>& b) {
   return std::memcmp(a.data(), b.data(), a.size() * sizeof(Item)) == 0;
 }
 
-/// Of all lanes, whatever their width.
+/// For lanes of any width.
 template <std::size_t width, class Lanes>
 std::vector<Real> numbers_of(const std::vector<Lanes>& all) {
   std::vector<Real> numbers;
@@ -171,7 +171,7 @@ std::vector<Real> numbers_of(const std::vector<Lanes>& all) {
 }
 
 template <std::size_t width>
-void expect_same_bits(const Tangle<8>& oracle, const PileKernels& by, const ContactPasses<width>& passes,
+void expect_same_bits(const Tangle<8>& oracle, const SolverKernels& by, const ContactPasses<width>& passes,
                       unsigned seed) {
   Tangle<width> tangle(seed);
   tangle.step(by, passes);
@@ -189,32 +189,33 @@ void expect_same_bits(const Tangle<8>& oracle, const PileKernels& by, const Cont
 
 TEST(ContactPasses, GiveTheSameBitsWithEveryInstructionSet) {
   for (unsigned seed = 0; seed < 200; ++seed) {
-    const PileKernels& scalar = *runnable_pile_kernels().front();
+    const SolverKernels& scalar = solver_kernels(InstructionSet::scalar);
     Tangle<8> oracle(seed);
     oracle.step(scalar, *scalar.contacts_by_eight);
-    for (const PileKernels* version : runnable_pile_kernels()) {
-      if (version->contacts_by_eight != nullptr) {
-        expect_same_bits(oracle, *version, *version->contacts_by_eight, seed);
+    for (const InstructionSet set : runnable_instruction_sets()) {
+      const SolverKernels& version = solver_kernels(set);
+      if (version.contacts_by_eight != nullptr) {
+        expect_same_bits(oracle, version, *version.contacts_by_eight, seed);
       } else {
-        expect_same_bits(oracle, *version, *version->contacts_by_sixteen, seed);
+        expect_same_bits(oracle, version, *version.contacts_by_sixteen, seed);
       }
     }
   }
 }
 
-TEST(ContactPasses, LeaveLanesWithoutContactAlone) {
+TEST(ContactPasses, LeaveEmptyLanesUnchanged) {
   Tangle<8> tangle(1);
   const std::size_t nobody = std::size_t{4} * (body_count - 1);
   for (auto* rows : {&tangle.velocity, &tangle.before, &tangle.kick, &tangle.motion, &tangle.acceleration}) {
     std::fill_n(rows->begin() + static_cast<std::ptrdiff_t>(nobody), 4, Real{0});
   }
   tangle.turn.back() = 0;
-  const PileKernels& scalar = *runnable_pile_kernels().front();
+  const SolverKernels& scalar = solver_kernels(InstructionSet::scalar);
   tangle.step(scalar, *scalar.contacts_by_eight);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(tangle.velocity[nobody + k], 0);
 }
 
-/// Smooth contacts as they would be without kernels of their own.
+/// Frictionless contacts as general ones.
 template <class Lanes, class Smooth>
 void widen(const std::vector<Smooth>& from, std::vector<Lanes>& to) {
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -238,10 +239,10 @@ void widen(const std::vector<Smooth>& from, std::vector<Lanes>& to) {
   }
 }
 
-// Where r x n and the friction are 0, all that the smooth kernels leave out comes to adding 0.
-TEST(ContactPasses, GiveSmoothContactsTheBitsOfContactsWithoutFriction) {
+// With r x n and friction 0, everything that the frictionless kernels leave out only adds 0.
+TEST(ContactPasses, GiveFrictionlessKindsTheBitsOfContactsWithoutFriction) {
   for (unsigned seed = 0; seed < 200; ++seed) {
-    const PileKernels& scalar = *runnable_pile_kernels().front();
+    const SolverKernels& scalar = solver_kernels(InstructionSet::scalar);
     Tangle<8> smooth(seed);
     Tangle<8> rough = smooth;
     widen(smooth.smooth, rough.one);
@@ -271,12 +272,12 @@ TEST(ContactPasses, GiveSmoothContactsTheBitsOfContactsWithoutFriction) {
   }
 }
 
-TEST(ContactPasses, GiveSharpShapesTheBitsOfShapesRoundedByNothing) {
+TEST(ContactPasses, GiveSharpShapesTheBitsOfShapesWithZeroRadius) {
   Tangle<8> rounded(1);
   for (auto& lanes : rounded.two) lanes.radius_a = lanes.radius_b = {};
   Tangle<8> sharp = rounded;
   for (auto& lanes : sharp.two) lanes.rounded = false;
-  const PileKernels& scalar = *runnable_pile_kernels().front();
+  const SolverKernels& scalar = solver_kernels(InstructionSet::scalar);
   rounded.step(scalar, *scalar.contacts_by_eight);
   sharp.step(scalar, *scalar.contacts_by_eight);
   EXPECT_TRUE(same_bits(numbers_of<8>(sharp.two), numbers_of<8>(rounded.two)));

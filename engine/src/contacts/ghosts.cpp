@@ -1,0 +1,111 @@
+#include "contacts/ghosts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "narrow_phase/collide.h"
+#include "shapes/hull.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// m; a step up to this height is no obstacle.
+constexpr Real flush = static_cast<Real>(1e-4);
+
+bool same_direction(Vec2 normal_a, Vec2 normal_b) { return opposite(normal_a, -normal_b); }
+
+bool has_normal(const Shape& shape, Rotation q, Vec2 n) {
+  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+  for (int i = 0; i < shape.count(); ++i) {
+    const Vec2 face = q * shape.normal(i);
+    if (std::abs(cross(face, n)) <= rounding && dot(face, n) > 0) return true;
+  }
+  return false;
+}
+
+/// Whether two corners touch, or a corner and a disc: then the normal belongs to neither shape.
+bool on_corners(const GroundContact& m, const BodySet& bodies) {
+  const Rotation found = (m.dynamic_first() ? m.contact.found_a : m.contact.found_b).q;
+  return !has_normal(m.ground, bodies.pose[m.fixed].q, m.up) &&
+         (m.part.count() < 2 || !has_normal(m.part, found, -m.up));
+}
+
+/// Whether the part touches no point of the ground that stands out of the plane.
+bool hidden(const GroundContact& m, const Plane& plane, const BodySet& bodies) {
+  if (m.ground.type() == ShapeType::half_space) return false;
+  if (same_direction(m.up, plane.normal) && !on_corners(m, bodies)) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.contact.count); ++i) {
+    const Vec2 middle = m.dynamic_first() ? m.contact.points[i].arm_b : m.contact.points[i].arm_a;
+    const Vec2 surface = bodies.pose[m.fixed].p + middle - m.contact.found_separation[i] / 2 * m.up;
+    if (plane.height(surface) > flush) return false;
+  }
+  return true;
+}
+
+/// Collides the part with the whole plane of a face.
+Manifold against_face(const GroundContact& m, const Edge& face, const BodySet& bodies, const Margin& margin) {
+  // Relative to the part, so that no precision is lost far from the origin.
+  const Pose& pose = bodies.pose[m.dynamic];
+  const Shape plane = Shape::half_space(face.normal, dot(face.normal, face.from - pose.p));
+  Manifold manifold = collide(plane, {}, m.part, {{}, pose.q}, speculative_gap(bodies, m.fixed, m.dynamic, margin));
+  for (ManifoldPoint& p : manifold.points) p.point += pose.p;
+  return manifold;
+}
+
+/// The height above the plane at which the part would touch the face first.
+Real touching_height(const Manifold& on_face, const Plane& plane) {
+  const ManifoldPoint& p = on_face.points[0];
+  const ManifoldPoint& q = on_face.points[static_cast<std::size_t>(on_face.count - 1)];
+  const ManifoldPoint& first = q.separation < p.separation ? q : p;
+  return plane.height(first.point + first.separation / 2 * on_face.normal);
+}
+
+}  // namespace
+
+GroundContact::GroundContact(const Contact& of, const BodySet& bodies, bool dynamic_first)
+    : contact(of),
+      fixed(dynamic_first ? of.body_b : of.body_a),
+      dynamic(dynamic_first ? of.body_a : of.body_b),
+      ground(bodies.detail[fixed].parts[dynamic_first ? of.part_b : of.part_a].shape),
+      part(bodies.detail[dynamic].parts[dynamic_first ? of.part_a : of.part_b].shape),
+      up(dynamic_first ? -of.normal : of.normal) {}
+
+std::optional<Plane> face_under(const GroundContact& at, const BodySet& bodies) {
+  const Pose& pose = bodies.pose[at.fixed];
+  if (at.ground.type() == ShapeType::half_space) {
+    const Vec2 n = pose.q * at.ground.normal(0);
+    if (!same_direction(n, at.up)) return {};
+    return Plane{n, pose.p + at.ground.offset() * n};
+  }
+  if (at.ground.count() < 2) return {};
+  const Hull hull = hull_of(at.ground, pose);
+  for (int i = 0; i < hull.count; ++i) {
+    const Edge face = hull.edge(i);
+    if (same_direction(face.normal, at.up)) return Plane{face.normal, face.from + hull.radius * face.normal};
+  }
+  return {};
+}
+
+std::optional<Manifold> without_ghost(const GroundContact& at, const Plane& plane, const BodySet& bodies,
+                                      const Margin& margin) {
+  if (!hidden(at, plane, bodies)) return {};
+  const Hull hull = hull_of(at.ground, bodies.pose[at.fixed]);
+  const Vec2 center = to_world(bodies.pose[at.dynamic], at.part.centroid());
+  for (int i = 0; i < hull.count; ++i) {
+    const Edge face = hull.edge(i);
+    const Real top = std::max(plane.height(face.from), plane.height(face.to)) + hull.radius;
+    const bool rises = top > flush && dot(face.normal, center - face.from) > 0;
+    if (!rises) continue;
+    if (same_direction(face.normal, at.up)) return {};
+    // Its half-space would keep the part out of free space beneath an overhang, beyond a round end or above its top.
+    if (dot(face.normal, plane.normal) < 0 || hull.radius > 0) return {};
+    Manifold on_face = against_face(at, face, bodies, margin);
+    if (on_face.count > 0 && touching_height(on_face, plane) > top) return {};
+    return at.dynamic_first() ? flipped(on_face) : on_face;
+  }
+  return Manifold{};
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "methods/article_formulas.h"
+#include "solver/solver.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// What a misprint is derived from; `part` is also told the length of the step.
+struct PrintedFormulas : ArticleFormulas {
+  static void part(BodySet& bodies, const Contact& contact, Real depth, Real /*dt*/) {
+    ArticleFormulas::part(bodies, contact, depth);
+  }
+};
+
+/// The engine's solver `article` (see engine/methods/article.cpp), step by step, with some of its formulas replaced.
+/// With PrintedFormulas themselves it gives the same bits.
+template <class Formulas>
+class MisprintedArticle : public Solver {
+ public:
+  void step(StepData& data) override {
+    const Real dt = data.settings.dt;
+    data.integrator.begin(data.bodies, data.forces, dt);
+    prepare(data);
+    for (ActiveJoint& joint : data.joints) forget_impulses(joint.block);
+    for (int i = 0; i < data.settings.iterations; ++i) {
+      for (ActiveJoint& joint : data.joints) solve_joint(joint.block, dt, Formulas::joint_percent, data.bodies);
+      solve(data);
+    }
+    data.integrator.finish(data.bodies, data.forces, dt);
+    correct_positions(data);
+  }
+
+  void state(const Settings& settings, StatedErrors& errors) const override {
+    Formulas::state_errors(settings, errors);
+  }
+
+ private:
+  /// What a point needs in addition to its contact.
+  struct Point {
+    Real normal_mass = 0;   // kg
+    Real tangent_mass = 0;  // kg
+    Real rebound = 0;       // m/s, the rebound speed for the approach before any impulse; 0 once reached
+  };
+
+  static Real normal_velocity(const Touching& pair, const Contact& contact, std::size_t p) {
+    return dot(Formulas::relative_velocity(pair, contact.points[p]), contact.normal);
+  }
+
+  void prepare(const StepData& data) {
+    resting_speed_ = Formulas::resting_speed(data.settings);
+    points_.resize(data.contacts.size());
+    for (std::size_t c = 0; c < data.contacts.size(); ++c) {
+      const Contact& contact = data.contacts[c];
+      const Touching pair(data.bodies, contact);
+      for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+        const ContactPoint& at = contact.points[p];
+        Point& point = points_[c][p];
+        point.normal_mass = Formulas::normal_mass(pair, at, contact.normal);
+        point.tangent_mass = Formulas::tangent_mass(pair, at, contact.normal);
+        point.rebound = Formulas::rebound(contact, normal_velocity(pair, contact, p), resting_speed_);
+      }
+    }
+  }
+
+  void solve(StepData& data) {
+    for (std::size_t c = 0; c < data.contacts.size(); ++c) {
+      Contact& contact = data.contacts[c];
+      Touching pair(data.bodies, contact);
+      const auto j = push_apart(pair, contact, points_[c]);
+      apply_friction(pair, contact, points_[c], j);
+      data.bodies.velocity[contact.body_a] = pair.a;
+      data.bodies.velocity[contact.body_b] = pair.b;
+    }
+  }
+
+  /// The normal impulses of this iteration.
+  std::array<Real, 2> push_apart(Touching& pair, Contact& contact, std::array<Point, 2>& points) const {
+    std::array<Real, 2> j{};
+    const auto count = static_cast<std::size_t>(contact.count);
+    for (std::size_t p = 0; p < count; ++p) {
+      const Real vn = normal_velocity(pair, contact, p);
+      // Bodies set in motion by others, as in a row of touching balls, rebound by how they approach now.
+      const Real target = std::max(points[p].rebound, Formulas::rebound(contact, vn, resting_speed_));
+      if (vn >= target || count == 1) points[p].rebound = 0;
+      if (vn < target) j[p] = Formulas::normal_impulse(target, vn, points[p].normal_mass, contact.count);
+    }
+    for (std::size_t p = 0; p < count; ++p) {
+      Formulas::push(pair, contact.points[p], j[p] * contact.normal);
+      contact.points[p].total_normal_impulse += j[p];
+      contact.points[p].normal_impulse = contact.points[p].total_normal_impulse;
+    }
+    return j;
+  }
+
+  static void apply_friction(Touching& pair, Contact& contact, const std::array<Point, 2>& points,
+                             const std::array<Real, 2>& j) {
+    const Vec2 tangent = perpendicular(contact.normal);
+    std::array<Real, 2> jt{};
+    const auto count = static_cast<std::size_t>(contact.count);
+    for (std::size_t p = 0; p < count; ++p) {
+      const Real vt = Formulas::tangent_velocity(Formulas::relative_velocity(pair, contact.points[p]), contact);
+      jt[p] = Formulas::friction(contact, Formulas::stopping_impulse(contact, vt, points[p].tangent_mass), j[p]);
+    }
+    for (std::size_t p = 0; p < count; ++p) {
+      Formulas::push(pair, contact.points[p], jt[p] * tangent);
+      contact.points[p].total_tangent_impulse += jt[p];
+      contact.points[p].tangent_impulse = contact.points[p].total_tangent_impulse;
+    }
+  }
+
+  static void correct_positions(StepData& data) {
+    for (const Contact& contact : data.contacts) {
+      Real overlap = 0;
+      for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+        overlap = std::max(overlap, -contact.points[p].separation);
+      }
+      const Real ma = data.bodies.inverse_mass[contact.body_a].m;
+      const Real mb = data.bodies.inverse_mass[contact.body_b].m;
+      if (overlap <= Formulas::slop || ma + mb == 0) continue;
+      Formulas::part(data.bodies, contact, Formulas::percent * (overlap - Formulas::slop), data.settings.dt);
+    }
+  }
+
+  std::vector<std::array<Point, 2>> points_;
+  Real resting_speed_ = 0;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION
