@@ -62,7 +62,7 @@ class VelocityVerlet : public Integrator {
     }
   }
 
-  bool asks_what_is_held() const override { return true; }
+  bool needs_held() const override { return true; }
   Real drift() const override { return 0; }
   int order() const override { return 2; }
 

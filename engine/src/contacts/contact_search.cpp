@@ -56,12 +56,12 @@ void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bo
 void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pairs) {
   const std::span<const Proxy> proxies = shapes_.proxies();
   const JointSet& joints = input.joints;
-  const bool joined = !joints.tied().empty();
+  const bool joined = !joints.connected_pairs().empty();
   if (joined || shapes_.some_slanted()) {
     std::size_t left = 0;
     for (const Pair& pair : pairs) {
       const bool apart = shapes_.apart(pair.first, pair.second) ||
-                         (joined && joints.ties(proxies[pair.first].body, proxies[pair.second].body));
+                         (joined && joints.connects(proxies[pair.first].body, proxies[pair.second].body));
       pairs[left] = pair;
       left += apart ? 0 : 1;
     }
@@ -145,8 +145,8 @@ void ContactSearch::persist_points(const SearchInput& input, std::span<const std
   candidate_contacts_.resize(candidates);
   kept_.resize(candidates);
   contact_kernels().persist_points(last_.data(), candidate_contacts_.data(), static_cast<std::uint32_t>(candidates),
-                                   input.bodies.pose.data(), input.bodies.reach.data(), most_persistent_motion,
-                                   kept_.data());
+                                   input.bodies.pose.data(), input.bodies.bounding_radius.data(),
+                                   most_persistent_motion, kept_.data());
   for (std::size_t i = 0; i < candidates; ++i) {
     const std::uint32_t pair = may_persist_[i];
     counts_[pair] = persistent;

@@ -159,7 +159,7 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
 // A face that replaced a ghost can in turn reveal others, at the next join but one.
 bool ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin) {
   // Only ground that stands still has joins to consider.
-  const auto stands = [&](const OnGround& meets) { return !bodies.stirs(meets.ground); };
+  const auto stands = [&](const OnGround& meets) { return !bodies.moves(meets.ground); };
   supports_.clear();
   std::copy_if(of_part.begin(), of_part.end(), std::back_inserter(supports_), stands);
   if (supports_.size() < 2) return false;

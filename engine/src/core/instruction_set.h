@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "impulse/real.h"
+#include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

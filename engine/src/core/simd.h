@@ -13,9 +13,9 @@
 ///
 /// Every file in a folder lanes/ is compiled for the instructions that all processors of the target have (`baseline`),
 /// again with one number at a time (`scalar`, the test oracle) and, on x86-64, with AVX2 (`avx2`) and AVX-512
-/// (`avx512`); the namespace IMPULSE_LANES keeps them apart. One of them is chosen at run time, once, see kernels.h. No
-/// kernel may call an inline function from outside this namespace: the linker keeps one copy and might keep that
-/// compiled for AVX-512.
+/// (`avx512`); the namespace IMPULSE_LANES keeps them apart. One of them is chosen at run time, once, see
+/// instruction_set.h. No kernel may call an inline function from outside this namespace: the linker keeps one copy and
+/// might keep that compiled for AVX-512.
 ///
 /// There are eight lanes, in as many registers as that takes, or sixteen if one register holds so many. Each lane
 /// computes exactly what a Real would: no approximation, no sum across lanes. So results don't depend on the

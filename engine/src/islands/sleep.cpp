@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "narrow_phase/margin.h"
 #include "narrow_phase/collide.h"
+#include "narrow_phase/margin.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -42,7 +42,7 @@ bool Sleep::may_meet(std::size_t mover, std::size_t sleeper, const Margin& margi
   const BodyDetail& a = bodies_.detail[mover];
   const BodyDetail& b = bodies_.detail[sleeper];
   if ((a.def.layers & b.def.layers) == 0) return false;
-  if (joints_.ties(static_cast<std::uint32_t>(mover), static_cast<std::uint32_t>(sleeper))) return false;
+  if (joints_.connects(static_cast<std::uint32_t>(mover), static_cast<std::uint32_t>(sleeper))) return false;
   const Real gap = speculative_gap(bodies_, mover, sleeper, margin);
   for (const Part& part : a.parts) {
     const Aabb around = grown(part.shape.bounds(bodies_.pose[mover]), gap);

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "narrow_phase/collide.h"
-#include "shapes/edges.h"
+#include "narrow_phase/edges.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -13,7 +13,9 @@ struct Margin {
 };
 
 /// m/s, the greatest speed at which rotation moves a point of the body's surface.
-inline Real rim_speed(const BodySet& bodies, std::size_t i) { return std::abs(bodies.velocity[i].w) * bodies.reach[i]; }
+inline Real rim_speed(const BodySet& bodies, std::size_t i) {
+  return std::abs(bodies.velocity[i].w) * bodies.bounding_radius[i];
+}
 
 /// m, the greatest displacement of a point of the body within the margin's time.
 inline Real travel(const BodySet& bodies, std::size_t i, const Margin& margin) {

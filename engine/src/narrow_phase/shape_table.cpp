@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "impulse/math.h"
 #include "narrow_phase/margin.h"
-#include "shapes/box_bounds.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -125,10 +125,13 @@ class Accurate : public Solver {
   void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
   void note_loads(const Island& island);
   /// Marks only bodies that can be pushed: the others are shared among islands.
-  template <class Tie>
-  void note_load(const Tie& tie) {
-    if (pushable(tie.mass_a)) loaded_[tie.a] = 1;
-    if (pushable(tie.mass_b)) loaded_[tie.b] = 1;
+  void note_load(const ImpactRow& row) {
+    if (pushable(row.mass_a)) loaded_[row.a] = 1;
+    if (pushable(row.mass_b)) loaded_[row.b] = 1;
+  }
+  void note_load(const JointBlock& block) {
+    if (pushable(block.inv_mass_a)) loaded_[block.a] = 1;
+    if (pushable(block.inv_mass_b)) loaded_[block.b] = 1;
   }
 
   bool lanes_;  // large islands are solved by kernels

@@ -37,9 +37,9 @@ SoftRule rule_of(const Island& island) {
     for (const std::size_t fixed : {0, 1}) {
       const Island::Softnesses& softnesses = web == 1 ? island.web : island.column;
       const Softness& soft = fixed == 1 ? softnesses.fixed : softnesses.movable;
-      rule.strength[web][fixed] = soft.strength;
-      rule.rate[web][fixed] = soft.rate;
-      rule.relief[web][fixed] = soft.relief;
+      rule.strength[web][fixed] = soft.mass_scale;
+      rule.rate[web][fixed] = soft.bias_rate;
+      rule.relief[web][fixed] = soft.impulse_scale;
       rule.give[web][fixed] = 1 / (2 * island.h * soft.omega * soft.omega);
       rule.gain[web][fixed] = island.offsets.gain(soft);
     }

@@ -116,7 +116,7 @@ std::vector<Contact> RestingPile::contacts(const BodySet& bodies) {
   std::iota(all.begin(), all.end(), 0U);
   std::vector<std::uint8_t> kept(now.size());
   contact_kernels().persist_points(now.data(), all.data(), static_cast<std::uint32_t>(now.size()), bodies.pose.data(),
-                                   bodies.reach.data(), std::numeric_limits<Real>::infinity(), kept.data());
+                                   bodies.bounding_radius.data(), std::numeric_limits<Real>::infinity(), kept.data());
   for (Contact& contact : now) {
     contact.offset /= offset_scale_;
     contact.age += steps_ - 1;  // one was counted when they were measured

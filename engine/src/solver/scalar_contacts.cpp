@@ -63,8 +63,8 @@ void renew(ImpactRow& row, const BodySet& bodies, const std::vector<Pose>& start
     row.found_b = contact.found_b;
     row.found_separation = contact.found_separation;
   }
-  row.stirs_a = bodies.stirs(row.a);
-  row.stirs_b = bodies.stirs(row.b);
+  row.stirs_a = bodies.moves(row.a);
+  row.stirs_b = bodies.moves(row.b);
   row.disc_distance = contact.discs() ? contact.radius_a + contact.radius_b : Real{0};
   row.turns = contact.discs();
   row.between = start[row.b].p - start[row.a].p;
@@ -162,8 +162,9 @@ void ScalarContacts::press(const Island& island) {
         RowPoint& p = row.points[i];
         const Real s = gap<Frame>(row, p);
         const Real v = frame.normal_velocity(p);
-        const Real push = s > 0 ? -p.normal_mass * (v + s / island.h)
-                                : -p.normal_mass * soft.strength * (v + soft.rate * s) - soft.relief * p.normal_impulse;
+        const Real push =
+            s > 0 ? -p.normal_mass * (v + s / island.h)
+                  : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) - soft.impulse_scale * p.normal_impulse;
         apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }

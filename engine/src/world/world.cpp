@@ -193,8 +193,8 @@ void World::State::find_contacts(const Margin& margin) {
   contacts.put_in(returned);
   contacts.find(input);
   while (!contacts.hit_piles().empty()) {
-    given_back.clear();
-    for (const std::uint32_t pile : contacts.hit_piles()) resting->let_go(pile, bodies, given_back);
+    returned.clear();
+    for (const std::uint32_t pile : contacts.hit_piles()) resting->let_go(pile, bodies, returned);
     contacts.forget_new();
     contacts.put_in(returned);
     contacts.find(input);

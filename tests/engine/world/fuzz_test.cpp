@@ -53,7 +53,7 @@ class RandomScene {
     return worst;
   }
 
-  bool finite() {
+  bool is_finite() {
     const auto bounded = [](Real x) { return std::abs(x) < Shape::unbounded; };  // false for NaN
     const std::vector<BodyId> ids = world_.bodies();
     return std::all_of(ids.begin(), ids.end(), [&](BodyId id) {
@@ -149,7 +149,7 @@ TEST_P(Fuzz, RandomScenesStayFiniteNeverPullAndKeepTheEnergyBound) {
     try {
       for (int step = 0; step < steps; ++step) {
         scene.world().step();
-        ASSERT_TRUE(scene.finite()) << "seed " << seed << ", step " << step;
+        ASSERT_TRUE(scene.is_finite()) << "seed " << seed << ", step " << step;
         ASSERT_LE(scene.energy(), before * (1 + bound)) << "seed " << seed << ", step " << step;
         // xpbd removes the velocity that correcting an overlap added (Mueller et al. 2020, 3.6), so it may pull.
         if (GetParam() != "xpbd") {

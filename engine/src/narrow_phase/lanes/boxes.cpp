@@ -3,14 +3,14 @@
 #include "narrow_phase/lanes/manifolds.h"
 #include "narrow_phase/lanes/pair_lanes.h"
 
-// narrow_phase/boxes.cpp and shapes/edges.h in lanes, operation by operation; their comments apply here too.
+// narrow_phase/boxes.cpp and narrow_phase/edges.h in lanes, operation by operation; their comments apply here too.
 namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 namespace {
 
 using Mask = Lanes::Mask;
 
-constexpr Real parallel = Real{1} / 128;                            // as in shapes/edges.h
+constexpr Real parallel = Real{1} / 128;                            // as in narrow_phase/edges.h
 constexpr Real blur = 1024 * std::numeric_limits<Real>::epsilon();  // as in blurred() there
 
 /// The better of two opposite pairs of faces of one box.

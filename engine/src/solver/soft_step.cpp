@@ -183,8 +183,8 @@ void SoftStep::press(StepData& data) {
       const Real s = separation(row, p, motion_[row.a], motion_[row.b]);
       const Real v = frame.normal_velocity(p);
       const Real push = s > 0 ? -p.normal_mass * (v + s * per_h_)
-                              : -p.normal_mass * soft.strength * (v + std::max(soft.rate * s, -push_out_speed)) -
-                                    soft.relief * p.normal_impulse;
+                              : -p.normal_mass * soft.mass_scale * (v + std::max(soft.bias_rate * s, -push_out_speed)) -
+                                    soft.impulse_scale * p.normal_impulse;
       apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
     }
     frame.write_back(row, bodies.velocity[row.a], bodies.velocity[row.b]);
