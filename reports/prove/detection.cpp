@@ -60,7 +60,8 @@ JudgedRun judge_two_runs(const Case& one_case, const EngineConfig& config, doubl
   if (closed_form != nullptr && closed_form->unsupported(scene, complete(*closed_form, {})).empty()) {
     truth.emplace(*closed_form, scene);
   }
-  judged.judgement = judge_case(one_case, config, dt, *outcome.trace, truth ? &*truth : nullptr);
+  judged.judgement =
+      judge_case(one_case, config, dt, *outcome.trace, run_shifted(one_case, config, dt), truth ? &*truth : nullptr);
   return judged;
 }
 
