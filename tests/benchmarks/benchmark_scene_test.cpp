@@ -10,7 +10,7 @@
 #include "scenarios/parts.h"
 #include "scenes/pyramids.h"
 
-namespace plumb::benchmarks {
+namespace plumb::benchmarks::benchmark_scene_test {
 namespace {
 
 SceneSetup three_rows() {
@@ -106,4 +106,4 @@ TEST(BenchmarkScenes, AreTheseWithThatManyBodiesAndStartSound) {
 }
 
 }  // namespace
-}  // namespace plumb::benchmarks
+}  // namespace plumb::benchmarks::benchmark_scene_test

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace plumb::benchmarks {
+namespace plumb::benchmarks::results_test {
 namespace {
 
 using testing::HasSubstr;
@@ -89,4 +89,4 @@ TEST(TimesSummary, CountsDisturbedRounds) {
 }
 
 }  // namespace
-}  // namespace plumb::benchmarks
+}  // namespace plumb::benchmarks::results_test

@@ -9,7 +9,7 @@
 #include "reports/judge/mechanics.h"
 #include "scenarios/parts.h"
 
-namespace plumb::benchmarks {
+namespace plumb::benchmarks::window_times_test {
 namespace {
 
 using testing::ElementsAre;
@@ -109,4 +109,4 @@ TEST(TimeWindow, SaysWhyAnEngineCannotRunTheScene) {
 }
 
 }  // namespace
-}  // namespace plumb::benchmarks
+}  // namespace plumb::benchmarks::window_times_test

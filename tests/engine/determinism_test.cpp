@@ -11,7 +11,7 @@
 #include "random_shapes.h"
 #include "support.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::determinism_test {
 
 namespace {
 
@@ -247,4 +247,4 @@ TEST(Determinism, PilesEndInTheSameBitsWithEveryCompiler) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::determinism_test

@@ -7,7 +7,7 @@
 
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::adapter_test {
 namespace {
 
 using testing::AllOf;
@@ -132,4 +132,4 @@ TEST(Loads, AddUp) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::adapter_test

@@ -4,7 +4,7 @@
 
 #include "impulse/material.h"
 
-namespace plumb {
+namespace plumb::materials_test {
 namespace {
 
 // A material name must mean the same in the engine and in scene files.
@@ -22,4 +22,4 @@ TEST(Materials, AreTheSameInEngineAndSceneFiles) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::materials_test

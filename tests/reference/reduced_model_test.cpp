@@ -9,7 +9,7 @@
 #include "reports/run/selection.h"
 #include "scenarios/parts.h"
 
-namespace plumb {
+namespace plumb::reduced_model_test {
 namespace {
 
 using testing::ElementsAre;
@@ -232,4 +232,4 @@ TEST(WhyNoneMeet, IsRightForEveryScenarioWhereItClaimsSo) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reduced_model_test

@@ -6,7 +6,7 @@
 
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::scene_facts_test {
 namespace {
 
 Body box(Vec position) {
@@ -42,4 +42,4 @@ TEST(SceneFacts, MeasureTheSmallestBodyByItsGyration) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::scene_facts_test

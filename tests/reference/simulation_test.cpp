@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace plumb {
+namespace plumb::simulation_test {
 namespace {
 
 const Engine engine{
@@ -59,4 +59,4 @@ TEST(Simulation, IsValidForEverByDefault) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::simulation_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plumb {
+namespace plumb::report_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -32,4 +32,4 @@ TEST(WorstErrorRatio, SkipsChecksThatAreNotReported) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::report_test

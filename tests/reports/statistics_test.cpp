@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace plumb {
+namespace plumb::statistics_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -83,4 +83,4 @@ TEST(Significant, StepsDownAsHolmDoes) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::statistics_test

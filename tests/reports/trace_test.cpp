@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::trace_test {
 namespace {
 
 Trace two_moments() {
@@ -47,4 +47,4 @@ TEST(Trace, RefusesMissingBodiesAndATimeThatDoesNotIncrease) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::trace_test

@@ -11,7 +11,7 @@
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::catalog_test {
 namespace {
 
 TEST(Scenarios, AreAllRegistered) {
@@ -149,4 +149,4 @@ TEST(Scenarios, AllowLessWithFinerStepsAndOnlyRoundOffIfExact) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::catalog_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace plumb {
+namespace plumb::random_test {
 namespace {
 
 // The sequence that other implementations of SplitMix64 give for this seed.
@@ -30,4 +30,4 @@ TEST(Random, IsUniformOverItsRangeAndNeverOutsideIt) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::random_test

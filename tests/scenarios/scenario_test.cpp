@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace plumb {
+namespace plumb::scenario_test {
 namespace {
 
 using testing::HasSubstr;
@@ -50,4 +50,4 @@ TEST(Relation, HasANameInWords) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::scenario_test

@@ -5,7 +5,7 @@
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::transformed_test {
 namespace {
 
 std::vector<BodyState> end_of(const Scene& scene) {
@@ -68,4 +68,4 @@ TEST(Perturbed, IsTheSameForTheSameSeed) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::transformed_test

@@ -6,7 +6,7 @@
 #include <ctime>
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::injected_delay_test {
 namespace {
 
 double cpu_seconds() {
@@ -54,4 +54,4 @@ TEST(InjectedDelay, MakesStepsTakeThatMuchLonger) {
 TEST(InjectedDelay, NeedsAnEngineOfThatName) { EXPECT_THROW(delay_engine("nonesuch"), std::invalid_argument); }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::injected_delay_test

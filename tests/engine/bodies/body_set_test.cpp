@@ -7,6 +7,7 @@
 
 #include "../support.h"
 
+namespace body_set_test {
 namespace {
 
 using namespace impulse;
@@ -106,3 +107,4 @@ TEST(BodySet, DoesNotWrapAngles) {
 }
 
 }  // namespace
+}  // namespace body_set_test

@@ -7,6 +7,7 @@
 
 #include "../support.h"
 
+namespace force_field_test {
 namespace {
 
 using namespace impulse;
@@ -287,3 +288,4 @@ TEST(Force, PausesWhileItsBodyIsOutOfTheWorld) {
 }
 
 }  // namespace
+}  // namespace force_field_test

@@ -2,6 +2,7 @@
 
 #include "../support.h"
 
+namespace integrator_test {
 namespace {
 
 using namespace impulse;
@@ -57,3 +58,4 @@ TEST(SymplecticEuler, IsStableForAnyDamping) {
 }
 
 }  // namespace
+}  // namespace integrator_test

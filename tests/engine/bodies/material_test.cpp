@@ -6,7 +6,7 @@
 
 #include "../real_literal.h"
 
-namespace impulse {
+namespace impulse::material_test {
 namespace {
 
 TEST(Materials, AreTheArticlesTable) {
@@ -47,4 +47,4 @@ TEST(Mix, FollowsEachRule) {
 }
 
 }  // namespace
-}  // namespace impulse
+}  // namespace impulse::material_test

@@ -8,7 +8,7 @@
 #include "../random_shapes.h"
 #include "../real_literal.h"
 
-namespace impulse {
+namespace impulse::aabb_tree_test {
 namespace {
 
 using ItemPairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
@@ -68,4 +68,4 @@ TEST(AabbTree, CanBeEmptiedAndFilledAgain) {
 }
 
 }  // namespace
-}  // namespace impulse
+}  // namespace impulse::aabb_tree_test

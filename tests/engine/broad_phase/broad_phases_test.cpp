@@ -11,7 +11,7 @@
 #include "broad_phase/broad_phase.h"
 #include "core/method_list.h"
 
-namespace impulse {
+namespace impulse::broad_phases_test {
 namespace {
 
 using Proxies = std::vector<Proxy>;
@@ -218,4 +218,4 @@ TEST(BroadPhases, AreExactlyThese) {
 }
 
 }  // namespace
-}  // namespace impulse
+}  // namespace impulse::broad_phases_test

@@ -5,7 +5,7 @@
 #include "../random_shapes.h"
 #include "core/method_list.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::neighbours_test {
 
 namespace {
 
@@ -116,4 +116,4 @@ TEST(Neighbours, StartOverWithOtherProxies) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::neighbours_test

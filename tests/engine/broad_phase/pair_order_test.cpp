@@ -6,7 +6,7 @@
 
 #include "../random_shapes.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::pair_order_test {
 
 namespace {
 
@@ -46,4 +46,4 @@ TEST(PairOrder, KeepsTheOrderOfEqualKeys) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::pair_order_test

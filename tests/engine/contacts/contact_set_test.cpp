@@ -9,6 +9,7 @@
 #include "../support.h"
 #include "core/method_list.h"
 
+namespace contact_set_test {
 namespace {
 
 using namespace impulse;
@@ -204,3 +205,4 @@ TEST(ContactSet, MixesPersistentContactsByTheCurrentRule) {
 }
 
 }  // namespace
+}  // namespace contact_set_test

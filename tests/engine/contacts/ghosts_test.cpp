@@ -9,7 +9,7 @@
 
 #include "../support.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::ghosts_test {
 
 namespace {
 
@@ -158,4 +158,4 @@ TEST(Ghosts, AreRemovedOnlyForThePartAboveAFace) {
   EXPECT_NEAR(world.body(body).velocity().x, 0, 1e-3);
 }
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::ghosts_test

@@ -4,6 +4,7 @@
 
 #include "../support.h"
 
+namespace touch_log_test {
 namespace {
 
 using namespace impulse;
@@ -108,3 +109,4 @@ INSTANTIATE_TEST_SUITE_P(Solvers, Touching, testing::Values("accurate", "article
                          [](const auto& named) { return named.param[0] == 's' ? "soft_step" : named.param; });
 
 }  // namespace
+}  // namespace touch_log_test

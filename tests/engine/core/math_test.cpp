@@ -9,7 +9,7 @@
 
 #include "../real_literal.h"
 
-namespace impulse {
+namespace impulse::math_test {
 namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
@@ -174,4 +174,4 @@ TEST(Aabb, OverlapIncludesTouching) {
 }
 
 }  // namespace
-}  // namespace impulse
+}  // namespace impulse::math_test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+namespace method_list_test {
 namespace {
 
 using namespace impulse;
@@ -34,3 +35,4 @@ TEST(MethodList, AsksItsExtensionForNamesThatAreNotListed) {
 }
 
 }  // namespace
+}  // namespace method_list_test

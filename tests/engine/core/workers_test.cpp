@@ -9,7 +9,7 @@
 #include "../support.h"
 #include "impulse/impulse.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::workers_test {
 namespace {
 
 TEST(Workers, DoEveryPieceOnce) {
@@ -79,4 +79,4 @@ TEST(Workers, GiveTheSameBitsForAnyNumber) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::workers_test

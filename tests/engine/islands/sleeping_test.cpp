@@ -11,6 +11,7 @@
 #include "../random_shapes.h"
 #include "sleepers.h"
 
+namespace sleeping_test {
 namespace {
 
 using namespace impulse;
@@ -436,3 +437,4 @@ TEST(Sleep, SurvivesAnyChangeToTheWorld) {
 }
 
 }  // namespace
+}  // namespace sleeping_test

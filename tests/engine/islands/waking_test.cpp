@@ -5,6 +5,7 @@
 
 #include "sleepers.h"
 
+namespace waking_test {
 namespace {
 
 using namespace impulse;
@@ -211,3 +212,4 @@ TEST_F(Waking, RestoresTheLoadsOfAHangingChain) {
 }
 
 }  // namespace
+}  // namespace waking_test

@@ -7,7 +7,7 @@
 #include "../real_literal.h"
 #include "impulse/impulse.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::joints_test {
 namespace {
 
 constexpr bool is_double = sizeof(Real) == sizeof(double);
@@ -270,4 +270,4 @@ TEST(Joints, StraightBridgeHoldsABallAndGainsNoEnergy) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::joints_test

@@ -7,6 +7,7 @@
 #include "core/method_list.h"
 #include "reference/faults/engine/misprinted_article.h"
 
+namespace article_test {
 namespace {
 
 using namespace impulse;
@@ -259,3 +260,4 @@ TEST(Article, HasTheBitsOfItsCopyWithoutMisprints) {
 }
 
 }  // namespace
+}  // namespace article_test

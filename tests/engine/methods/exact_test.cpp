@@ -9,6 +9,7 @@
 
 #include "../support.h"
 
+namespace exact_test {
 namespace {
 
 using namespace impulse;
@@ -233,3 +234,4 @@ TEST(Exact, SolvesAnyNumberOfSeparatePiles) {
 }
 
 }  // namespace
+}  // namespace exact_test

@@ -2,6 +2,7 @@
 
 #include "../support.h"
 
+namespace integrators_test {
 namespace {
 
 using namespace impulse;
@@ -115,3 +116,4 @@ TEST(RungeKutta4, MovesCoupledBodiesTogether) {
 }
 
 }  // namespace
+}  // namespace integrators_test

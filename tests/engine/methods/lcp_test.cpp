@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::lcp_test {
 namespace {
 
 /// The largest violation of w >= 0, z >= 0 and w z = 0 over all components.
@@ -154,4 +154,4 @@ TEST(Lcp, RefusesSizesThatDoNotMatch) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::lcp_test

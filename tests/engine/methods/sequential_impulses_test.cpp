@@ -7,6 +7,7 @@
 
 #include "../support.h"
 
+namespace sequential_impulses_test {
 namespace {
 
 using namespace impulse;
@@ -144,3 +145,4 @@ TEST(SequentialImpulse, FallsWithTheErrorOfItsStep) {
 }
 
 }  // namespace
+}  // namespace sequential_impulses_test

@@ -4,6 +4,7 @@
 
 #include "../support.h"
 
+namespace xpbd_test {
 namespace {
 
 using namespace impulse;
@@ -83,3 +84,4 @@ TEST(Xpbd, ReportsTheImpulseThatHoldsALoad) {
 }
 
 }  // namespace
+}  // namespace xpbd_test

@@ -10,7 +10,7 @@
 #include "../real_literal.h"
 #include "shapes/distance.h"
 
-namespace impulse {
+namespace impulse::collide_test {
 namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
@@ -469,4 +469,4 @@ TEST(Collide, OfAChainIsTheDistanceToTheWholeLine) {
 }
 
 }  // namespace
-}  // namespace impulse
+}  // namespace impulse::collide_test

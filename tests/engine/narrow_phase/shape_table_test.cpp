@@ -7,7 +7,7 @@
 #include "narrow_phase/collide.h"
 #include "narrow_phase/margin.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::shape_table_test {
 
 namespace {
 
@@ -73,4 +73,4 @@ TEST(ShapeTable, FollowsBodiesThatAppearAndDisappear) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::shape_table_test

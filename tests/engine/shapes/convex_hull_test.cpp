@@ -8,7 +8,7 @@
 #include "../random_shapes.h"
 #include "../real_literal.h"
 
-namespace impulse {
+namespace impulse::convex_hull_test {
 namespace {
 
 TEST(ConvexHull, TurnsLeftEverywhereAndContainsAllPoints) {
@@ -55,4 +55,4 @@ TEST(Width, IsTheLeastBetweenParallelLines) {
 }
 
 }  // namespace
-}  // namespace impulse
+}  // namespace impulse::convex_hull_test

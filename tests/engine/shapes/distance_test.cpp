@@ -8,7 +8,7 @@
 #include "../real_literal.h"
 #include "narrow_phase/collide.h"
 
-namespace impulse {
+namespace impulse::distance_test {
 namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
@@ -88,4 +88,4 @@ TEST(Distance, GivesTheNearestPointsAndTheDirectionBetweenThem) {
 }
 
 }  // namespace
-}  // namespace impulse
+}  // namespace impulse::distance_test

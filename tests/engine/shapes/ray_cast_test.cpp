@@ -8,7 +8,7 @@
 #include "impulse/shape.h"
 #include "shapes/distance.h"
 
-namespace impulse {
+namespace impulse::ray_cast_test {
 namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
@@ -102,4 +102,4 @@ TEST(RayCast, IsPreciseFromFarAway) {
 }
 
 }  // namespace
-}  // namespace impulse
+}  // namespace impulse::ray_cast_test

@@ -10,7 +10,7 @@
 #include "../random_shapes.h"
 #include "../real_literal.h"
 
-namespace impulse {
+namespace impulse::shape_test {
 namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
@@ -300,4 +300,4 @@ TEST(Mass, RejectsADensityThatIsNegativeOrNotFinite) {
 }
 
 }  // namespace
-}  // namespace impulse
+}  // namespace impulse::shape_test

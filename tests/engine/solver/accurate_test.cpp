@@ -9,7 +9,7 @@
 
 #include "worlds.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::accurate_test {
 namespace {
 
 TEST(Accurate, FallsFreelyAsGalileoSays) {
@@ -334,4 +334,4 @@ std::vector<Vec2> ends(bool disturbed) {
 TEST(Accurate, KeepingContactsBetweenStepsChangesNoBit) { EXPECT_EQ(ends(false), ends(true)); }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::accurate_test

@@ -6,7 +6,7 @@
 
 #include "contact_graph.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::colouring_test {
 
 namespace {
 
@@ -61,4 +61,4 @@ TEST(Colouring, GivesContactsOfAHighDegreeBodyLanesOfTheirOwn) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::colouring_test

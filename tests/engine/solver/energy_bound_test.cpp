@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::energy_bound_test {
 namespace {
 
 TEST(Descent, EndsWithoutExcess) {
@@ -40,4 +40,4 @@ TEST(Descent, EndsIfTheExcessGrows) {
 TEST(Descent, EndsWithNan) { EXPECT_FALSE(Descent(60).goes_on(std::numeric_limits<Real>::quiet_NaN())); }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::energy_bound_test

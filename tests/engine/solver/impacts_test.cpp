@@ -7,7 +7,7 @@
 
 #include "../support.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::impacts_test {
 namespace {
 
 // The corner it stands on carries it throughout, although the other one is about to bounce.
@@ -41,4 +41,4 @@ TEST(Impacts, HoldABoxThatTipsOntoItsFaceAtTheCornerItStandsOn) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::impacts_test

@@ -9,7 +9,7 @@
 
 #include "../support.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::island_joints_test {
 namespace {
 
 constexpr bool is_double = sizeof(Real) == sizeof(double);
@@ -150,4 +150,4 @@ TEST(IteratedJoints, NeverAddEnergyToANet) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::island_joints_test

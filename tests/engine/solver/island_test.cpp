@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::island_test {
 namespace {
 
 constexpr double dt = 1.0 / 60;
@@ -81,4 +81,4 @@ TEST(OffsetRule, NeverOvershoots) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::island_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::joint_system_test {
 namespace {
 
 constexpr std::uint64_t unlimited = 1000000000;
@@ -43,4 +43,4 @@ TEST(FactoringCost, IsCountedOnlyUpToTheLimit) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::joint_system_test

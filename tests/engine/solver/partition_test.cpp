@@ -4,7 +4,7 @@
 
 #include "contact_graph.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::partition_test {
 
 namespace {
 
@@ -71,4 +71,4 @@ TEST(Partition, FindsItsIslandsAgainWhenABodyStartsMoving) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::partition_test

@@ -12,7 +12,7 @@
 #include "../random_shapes.h"
 #include "../support.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::pile_test {
 
 namespace {
 
@@ -205,4 +205,4 @@ TEST(Piles, OfDiscsChangeMomentumOnlyByTheReportedImpulses) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::pile_test

@@ -12,7 +12,7 @@
 
 #include "worlds.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::resting_piles_test {
 namespace {
 
 constexpr int rows = 12;
@@ -207,4 +207,4 @@ TEST(RestingPiles, EndInTheSameBitsWithAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::resting_piles_test

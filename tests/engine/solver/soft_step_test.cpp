@@ -5,6 +5,7 @@
 
 #include "../support.h"
 
+namespace soft_step_test {
 namespace {
 
 using namespace impulse;
@@ -118,3 +119,4 @@ TEST(SoftStep, HoldsALoadWithTheImpulseOfItsWeight) {
 }
 
 }  // namespace
+}  // namespace soft_step_test

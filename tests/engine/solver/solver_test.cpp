@@ -11,6 +11,7 @@
 
 #include "worlds.h"
 
+namespace solver_test {
 namespace {
 
 using namespace impulse;
@@ -207,3 +208,4 @@ INSTANTIATE_TEST_SUITE_P(Solvers, EverySolver, testing::ValuesIn(names()), [](co
 });
 
 }  // namespace
+}  // namespace solver_test

@@ -13,7 +13,7 @@
 #include "contact_graph.h"
 #include "narrow_phase/collide.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::turning_test {
 namespace {
 
 const Material wood{1, real(.4), real(.4), 0};
@@ -176,4 +176,4 @@ TEST(Turning, ReportsTheNormalAlongWhichContactsActed) {
 }
 
 }  // namespace
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::turning_test

@@ -8,6 +8,7 @@
 
 #include "../support.h"
 
+namespace body_test {
 namespace {
 
 using namespace impulse;
@@ -90,3 +91,4 @@ TEST(Body, RejectsAVelocityForAFixedBody) {
 }
 
 }  // namespace
+}  // namespace body_test

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+namespace clock_test {
 namespace {
 
 using namespace impulse;
@@ -96,3 +97,4 @@ TEST(Blend, BlendsPositionsAndAngles) {
 }
 
 }  // namespace
+}  // namespace clock_test

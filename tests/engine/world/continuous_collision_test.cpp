@@ -10,6 +10,7 @@
 #include "../random_shapes.h"
 #include "../support.h"
 
+namespace continuous_collision_test {
 namespace {
 
 using namespace impulse;
@@ -227,3 +228,4 @@ TEST(ContinuousCollision, IgnoresOtherLayersAndTheSolidSideOfChains) {
 }
 
 }  // namespace
+}  // namespace continuous_collision_test

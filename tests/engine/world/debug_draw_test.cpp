@@ -6,6 +6,7 @@
 
 #include "../support.h"
 
+namespace debug_draw_test {
 namespace {
 
 using namespace impulse;
@@ -107,3 +108,4 @@ TEST(DebugDraw, CallbacksMayChangeTheWorld) {
 }
 
 }  // namespace
+}  // namespace debug_draw_test

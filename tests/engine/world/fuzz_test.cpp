@@ -11,7 +11,7 @@
 #include "../random_shapes.h"
 #include "../support.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::fuzz_test {
 
 namespace {
 
@@ -181,4 +181,4 @@ INSTANTIATE_TEST_SUITE_P(Solvers, Fuzz, testing::ValuesIn(names()), [](const aut
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::fuzz_test

@@ -7,6 +7,7 @@
 
 #include "../support.h"
 
+namespace queries_test {
 namespace {
 
 using namespace impulse;
@@ -227,3 +228,4 @@ TEST(Contacts, GiveThePointsAndImpulsesOfTouchingBodies) {
 }
 
 }  // namespace
+}  // namespace queries_test

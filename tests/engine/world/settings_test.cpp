@@ -7,6 +7,7 @@
 
 #include "../support.h"
 
+namespace settings_test {
 namespace {
 
 using namespace impulse;
@@ -91,3 +92,4 @@ TEST(StatedErrors, SayWhetherTheSolverLooksAhead) {
 }
 
 }  // namespace
+}  // namespace settings_test

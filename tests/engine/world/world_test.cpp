@@ -7,6 +7,7 @@
 
 #include "../support.h"
 
+namespace world_test {
 namespace {
 
 using namespace impulse;
@@ -271,3 +272,4 @@ TEST(World, WakesRestingBodiesWhenContactsAreTurnedOff) {
 }
 
 }  // namespace
+}  // namespace world_test

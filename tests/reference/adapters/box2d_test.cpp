@@ -6,7 +6,7 @@
 #include "reference/simulation.h"
 #include "scenes.h"
 
-namespace plumb {
+namespace plumb::box2d_test {
 namespace {
 
 using namespace adapter_tests;
@@ -69,4 +69,4 @@ TEST(Box2d, SleepsOnlyIfTheOptionIsOn) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::box2d_test

@@ -8,7 +8,7 @@
 #include "reference/simulation.h"
 #include "scenes.h"
 
-namespace plumb {
+namespace plumb::box2d_v3_test {
 namespace {
 
 using namespace adapter_tests;
@@ -91,4 +91,4 @@ TEST_F(Box2dV3, RefusesSpringsAwayFromTheCentres) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::box2d_v3_test

@@ -7,7 +7,7 @@
 #include "reference/simulation.h"
 #include "scenes.h"
 
-namespace plumb {
+namespace plumb::chipmunk_test {
 namespace {
 
 using namespace adapter_tests;
@@ -82,4 +82,4 @@ TEST_F(Chipmunk, BouncesAtAnySpeed) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::chipmunk_test

@@ -12,7 +12,7 @@
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::every_engine_test {
 namespace {
 
 constexpr double g = 10;
@@ -418,4 +418,4 @@ std::string test_name(const testing::TestParamInfo<TestedEngine>& info) {
 INSTANTIATE_TEST_SUITE_P(Adapters, EveryEngine, testing::ValuesIn(configs()), test_name);
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::every_engine_test

@@ -10,7 +10,7 @@
 #include "reports/run/selection.h"
 #include "scenes.h"
 
-namespace plumb {
+namespace plumb::impulse_test {
 namespace {
 
 using namespace adapter_tests;
@@ -158,4 +158,4 @@ TEST(Impulse, LeavesOutRotationFrictionAndRestitution) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::impulse_test

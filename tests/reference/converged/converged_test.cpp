@@ -12,7 +12,7 @@
 #include "scenarios/scenario.h"
 #include "tests/reference/exact/integrate.h"
 
-namespace plumb {
+namespace plumb::converged_test {
 namespace {
 
 using ::testing::StartsWith;
@@ -161,4 +161,4 @@ TEST(Converged, SupportsNoSceneIfTheRefinementWasRefused) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::converged_test

@@ -12,7 +12,7 @@
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::arch_test {
 namespace {
 
 constexpr double rough = 10;  // friction at which nothing slides
@@ -100,4 +100,4 @@ TEST(ArchScene, IsRefusedIfItFallsOrHasAGap) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::arch_test

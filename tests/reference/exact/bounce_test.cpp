@@ -8,7 +8,7 @@
 
 #include "integrate.h"
 
-namespace plumb {
+namespace plumb::bounce_test {
 namespace {
 
 constexpr double g = 10;
@@ -93,4 +93,4 @@ TEST(Bounce, StaysDownWhenAllIsLost) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::bounce_test

@@ -12,7 +12,7 @@
 
 #include "scenarios/scenario.h"
 
-namespace plumb {
+namespace plumb::closed_form_test {
 namespace {
 
 TEST(ClosedForms, AreAllInTheCatalog) {
@@ -86,4 +86,4 @@ TEST(Elapsed, DoesNotDriftOverAMillionSteps) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::closed_form_test

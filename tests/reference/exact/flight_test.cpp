@@ -10,7 +10,7 @@
 #include "reference/plane.h"
 #include "scenarios/parts.h"
 
-namespace plumb {
+namespace plumb::flight_test {
 namespace {
 
 namespace ballistic_tests {
@@ -122,4 +122,4 @@ TEST(CornersOf, AreMeasuredFromTheCentreOfMass) {
 }  // namespace first_contact_tests
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::flight_test

@@ -14,7 +14,7 @@
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
 
-namespace plumb {
+namespace plumb::friction_test {
 namespace {
 
 namespace slide_tests {
@@ -301,4 +301,4 @@ TEST(PlankScene, IsRefusedWithFrictionOnTheFloor) {
 }  // namespace plank_tests
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::friction_test

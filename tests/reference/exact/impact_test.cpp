@@ -8,7 +8,7 @@
 
 #include "scenarios/parts.h"
 
-namespace plumb {
+namespace plumb::impact_test {
 namespace {
 
 namespace impact_law_tests {
@@ -236,4 +236,4 @@ TEST(FirstImpact, RefusesCasesThatTheLawsDoNotDetermine) {
 }  // namespace first_impact_tests
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::impact_test

@@ -16,7 +16,7 @@
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::ladder_test {
 namespace {
 
 constexpr double half = 1.5;  // m
@@ -150,4 +150,4 @@ TEST(LadderScene, IsTheSameLeaningTheOtherWay) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::ladder_test

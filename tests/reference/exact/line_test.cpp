@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace plumb {
+namespace plumb::line_test {
 namespace {
 
 using Particles = std::vector<Line::Particle>;
@@ -102,4 +102,4 @@ TEST(Line, AgreesWithSmallStepsWithoutEventDetection) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::line_test

@@ -7,7 +7,7 @@
 #include "integrate.h"
 #include "reference/plane.h"
 
-namespace plumb {
+namespace plumb::orbit_test {
 namespace {
 
 constexpr double k = 12;
@@ -60,4 +60,4 @@ TEST(Orbit, OfACircleIsACircle) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::orbit_test

@@ -12,7 +12,7 @@
 #include "reference/simulation.h"
 #include "scenarios/scenario.h"
 
-namespace plumb {
+namespace plumb::oscillation_test {
 namespace {
 
 namespace spring_tests {
@@ -112,4 +112,4 @@ TEST(Pendulum, OfATopplingRodHasTheAngularVelocityFromEnergy) {
 }  // namespace pendulum_tests
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::oscillation_test

@@ -12,7 +12,7 @@
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::statics_test {
 namespace {
 
 namespace beam_tests {
@@ -128,4 +128,4 @@ TEST(RestingTower, RefusesATowerThatMovesOrFloats) {
 }  // namespace rest_tests
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::statics_test

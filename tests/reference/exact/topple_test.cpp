@@ -13,7 +13,7 @@
 #include "reference/simulation.h"
 #include "scenarios/scenario.h"
 
-namespace plumb {
+namespace plumb::topple_test {
 namespace {
 
 // A box of 1 m x 2 m on a slope of 35 degrees: arctan(1/2) is 26.6.
@@ -100,4 +100,4 @@ TEST(Topple, ScalesWithItsUnits) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::topple_test

@@ -6,7 +6,7 @@
 
 #include "../fakes.h"
 
-namespace plumb {
+namespace plumb::joined_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -47,4 +47,4 @@ TEST(CheckJoined, WantsNamesThatTheCommandLineCanTellApart) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::joined_test

@@ -11,7 +11,7 @@
 #include "reports/cli/command.h"
 #include "scenarios/catalog.h"
 
-namespace plumb {
+namespace plumb::program_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -126,4 +126,4 @@ TEST(Program, ExitsWith2ForAStepThatIsNone) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::program_test

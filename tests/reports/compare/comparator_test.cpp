@@ -4,7 +4,7 @@
 
 #include "../fakes.h"
 
-namespace plumb {
+namespace plumb::comparator_test {
 namespace {
 
 RunRecord record(const std::string& engine, std::initializer_list<double> xs, Verdict verdict = Verdict::plausible) {
@@ -81,4 +81,4 @@ TEST(Compare, MeasuresNothingIfARunFailed) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::comparator_test

@@ -9,7 +9,7 @@
 #include "../fakes.h"
 #include "reports/vec.h"
 
-namespace plumb {
+namespace plumb::divergence_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -304,4 +304,4 @@ TEST(CompareTraces, RequiresRunsOfOneSceneAtTheSameMoments) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::divergence_test

@@ -4,7 +4,7 @@
 
 #include "../fakes.h"
 
-namespace plumb {
+namespace plumb::tolerance_test {
 namespace {
 
 constexpr double dt = 1.0 / 64;
@@ -48,4 +48,4 @@ TEST(UniformTolerance, ScalesImpulsesByTheLightestBody) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::tolerance_test

@@ -12,7 +12,7 @@
 #include "reports/writers/json.h"
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::baseline_json_test {
 namespace {
 
 using ::testing::AllOf;
@@ -134,4 +134,4 @@ TEST_F(BaselineFile, CanBeAReport) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::baseline_json_test

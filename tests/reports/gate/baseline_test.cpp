@@ -6,7 +6,7 @@
 
 #include "../writers/sample.h"
 
-namespace plumb {
+namespace plumb::baseline_test {
 namespace {
 
 Trace trace_of(const BodyState& state, const ContactState& contact) {
@@ -86,4 +86,4 @@ TEST(BaselineOfAReport, HasEveryRunAndItsPlatform) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::baseline_test

@@ -8,7 +8,7 @@
 #include "../fakes.h"
 #include "reports/gate/compare.h"
 
-namespace plumb {
+namespace plumb::bounds_test {
 namespace {
 
 constexpr auto silent = [](const std::string&, std::size_t, std::size_t) {};
@@ -149,4 +149,4 @@ TEST(RoundingOfARun, AssumesThatClosedFormsAreEvaluatedInDouble) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::bounds_test

@@ -7,7 +7,7 @@
 
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::compare_test {
 namespace {
 
 using fakes::baseline;
@@ -207,4 +207,4 @@ TEST(Compare, PutsTheWorstFirst) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::compare_test

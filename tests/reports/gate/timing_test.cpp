@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace plumb {
+namespace plumb::timing_test {
 namespace {
 
 using testing::ElementsAre;
@@ -57,4 +57,4 @@ TEST(TimingRegressions, NoteTheCasesWithoutTimes) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::timing_test

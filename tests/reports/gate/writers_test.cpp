@@ -13,7 +13,7 @@
 #include "reports/gate/baseline_json.h"
 #include "scenarios/catalog.h"
 
-namespace plumb {
+namespace plumb::writers_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -229,4 +229,4 @@ TEST_F(ChangesSince, ThrowForADamagedBaseline) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::writers_test

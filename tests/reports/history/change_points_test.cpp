@@ -6,7 +6,7 @@
 
 #include "scenarios/random.h"
 
-namespace plumb {
+namespace plumb::change_points_test {
 namespace {
 
 // Nearly normal with variance 1: the sum of twelve uniform numbers (Irwin and Hall).
@@ -95,4 +95,4 @@ TEST(ChangePoints, DoNotDependOnUnits) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::change_points_test

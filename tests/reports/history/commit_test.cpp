@@ -7,7 +7,7 @@
 
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::commit_test {
 namespace {
 
 // A repository with one commit.
@@ -66,4 +66,4 @@ TEST(Utc, RefusesOtherText) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::commit_test

@@ -10,7 +10,7 @@
 #include "reports/history/store.h"
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::schema_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -244,4 +244,4 @@ TEST_F(Schema, RefusesAnOldHistoryWithAnAlteredNumber) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::schema_test

@@ -11,7 +11,7 @@
 #include "reports/writers/json.h"
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::snapshot_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -148,4 +148,4 @@ TEST(Snapshot, RefusesReportsOfAnotherFormat) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::snapshot_test

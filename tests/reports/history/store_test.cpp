@@ -11,7 +11,7 @@
 
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::store_test {
 namespace {
 
 class Store : public InFolder {};
@@ -110,4 +110,4 @@ TEST_F(Store, IsCompleteWheneverItsWriterIsKilled) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::store_test

@@ -7,7 +7,7 @@
 
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::trends_test {
 namespace {
 
 class Trends : public InFolder {
@@ -70,4 +70,4 @@ TEST_F(Trends, GiveThePageChangesAndAllStepTimes) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::trends_test

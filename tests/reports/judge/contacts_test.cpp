@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace plumb {
+namespace plumb::contacts_test {
 namespace {
 
 constexpr double slack = 1e-9;  // m
@@ -58,4 +58,4 @@ TEST(StaleImpulseError, IsTheChangeOfAStepOrOfTheLastIteration) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::contacts_test

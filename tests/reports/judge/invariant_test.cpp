@@ -8,7 +8,7 @@
 #include "invariants/forged_runs.h"
 #include "reports/run/run.h"
 
-namespace plumb {
+namespace plumb::invariant_test {
 namespace {
 
 TEST(Invariants, AreAllThere) {
@@ -70,4 +70,4 @@ TEST(Invariants, AreHeldByEveryClosedForm) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::invariant_test

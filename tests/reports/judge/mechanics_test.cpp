@@ -8,7 +8,7 @@
 #include "reference/adapter.h"
 #include "reports/vec.h"
 
-namespace plumb {
+namespace plumb::mechanics_test {
 namespace {
 
 TEST(Conserved, MatchesABoxComputedByHand) {
@@ -179,4 +179,4 @@ TEST(EnergyRange, CoversTheLargestKineticEnergyOfTheClosedForm) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::mechanics_test

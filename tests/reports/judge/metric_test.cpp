@@ -5,7 +5,7 @@
 #include "../fakes.h"
 #include "scenarios/catalog.h"
 
-namespace plumb {
+namespace plumb::metric_test {
 namespace {
 
 TEST(Metrics, AreAllInTheCatalog) {
@@ -34,4 +34,4 @@ TEST(Measure, LeavesOutMetricsThatDoNotApply) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::metric_test

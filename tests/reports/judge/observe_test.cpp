@@ -7,7 +7,7 @@
 
 #include "../fakes.h"
 
-namespace plumb {
+namespace plumb::observe_test {
 namespace {
 
 Expectation of_box(Quantity quantity, std::optional<double> time = {}, int index = 0) {
@@ -154,4 +154,4 @@ TEST(Observe, SuggestsTheBodyThatWasMeant) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::observe_test

@@ -10,7 +10,7 @@
 #include "reports/vec.h"
 #include "scenarios/scenario.h"
 
-namespace plumb {
+namespace plumb::overlap_test {
 namespace {
 
 double gap(const Geometry& a, Vec at_a, double angle_a, const Geometry& b, Vec at_b, double angle_b) {
@@ -136,4 +136,4 @@ TEST(Overlap, IsZeroInEverySceneOfTheCatalogAtItsStart) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::overlap_test

@@ -7,7 +7,7 @@
 
 #include "../fakes.h"
 
-namespace plumb {
+namespace plumb::rounding_test {
 namespace {
 
 // An engine in float that only adds: the bound holds, and is too narrow to hide an error of the method.
@@ -33,4 +33,4 @@ TEST(QuantityRounding, BoundsTheErrorOfFloats) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::rounding_test

@@ -7,7 +7,7 @@
 
 #include "../fakes.h"
 
-namespace plumb {
+namespace plumb::verdict_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -159,4 +159,4 @@ TEST(VerdictOf, IsWrongIfAnInvariantIsBrokenWhateverTheTruthSays) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::verdict_test

@@ -8,7 +8,7 @@
 #include "reports/prove/report.h"
 #include "reports/run/selection.h"
 
-namespace plumb {
+namespace plumb::prove_test {
 namespace {
 
 using ::testing::Contains;
@@ -177,4 +177,4 @@ TEST(Variation, DependsOnTheSeedAlone) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::prove_test

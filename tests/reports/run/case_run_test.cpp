@@ -2,12 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "reports/run/experiment.h"
 #include "reports/run/selection.h"
 #include "reports/vec.h"
 #include "reports/writers/json.h"
 
-namespace plumb {
+namespace plumb::case_run_test {
 namespace {
 
 constexpr double dt = 1.0 / 60;
@@ -108,4 +110,4 @@ TEST(Phases, AreInTheReportOfAPhasedScenario) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::case_run_test

@@ -2,11 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "../fakes.h"
 #include "reports/run/selection.h"
 #include "reports/writers/json.h"
 
-namespace plumb {
+namespace plumb::experiment_test {
 namespace {
 
 using fakes::Stepper;
@@ -90,4 +92,4 @@ TEST_F(Throwing, HasTheShareOfTimeOutsideStep) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::experiment_test

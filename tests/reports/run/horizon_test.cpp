@@ -8,7 +8,7 @@
 #include "reports/run/selection.h"
 #include "scenarios/transformed.h"
 
-namespace plumb {
+namespace plumb::horizon_test {
 namespace {
 
 using ::testing::SizeIs;
@@ -166,4 +166,4 @@ TEST(CompareBeyondHorizon, LeavesPredictableScenesAlone) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::horizon_test

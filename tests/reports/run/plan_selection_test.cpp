@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::plan_selection_test {
 namespace {
 
 bool holds(const std::vector<Case>& cases, const std::string& scenario) {
@@ -38,4 +38,4 @@ TEST(RequireDistinct, NamesWhatOccursTwice) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plan_selection_test

@@ -8,7 +8,7 @@
 
 #include "../fakes.h"
 
-namespace plumb {
+namespace plumb::readout_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST(Readout, RefusesImpossibleContacts) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::readout_test

@@ -8,7 +8,7 @@
 #include "../writers/sample.h"
 #include "reports/writers/json.h"
 
-namespace plumb {
+namespace plumb::report_json_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -88,4 +88,4 @@ TEST(ReportFromJson, NamesThePlaceOfWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::report_json_test

@@ -4,7 +4,7 @@
 
 #include "../fakes.h"
 
-namespace plumb {
+namespace plumb::run_test {
 namespace {
 
 using fakes::Stepper;
@@ -110,4 +110,4 @@ TEST(EngineConfig, IsNamedByWhatDiffersFromTheDefaults) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::run_test

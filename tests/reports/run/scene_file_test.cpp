@@ -10,7 +10,7 @@
 #include "reports/run/experiment.h"
 #include "reports/run/selection.h"
 
-namespace plumb {
+namespace plumb::scene_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST_F(SceneFileCase, OfAnExportedScenarioExpectsTheSame) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::scene_file_test

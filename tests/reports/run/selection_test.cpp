@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::selection_test {
 namespace {
 
 template <class Call>
@@ -84,4 +84,4 @@ TEST(DefaultCases, AreTheCanonicalOnesByDefault) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::selection_test

@@ -6,7 +6,7 @@
 
 #include "../fakes.h"
 
-namespace plumb {
+namespace plumb::timings_test {
 namespace {
 
 using fakes::Stepper;
@@ -45,4 +45,4 @@ TEST(TimeConfigs, NamesAnEngineThatRunsOnlyOnce) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::timings_test

@@ -14,7 +14,7 @@
 #include "scenarios/catalog.h"
 #include "study_files.h"
 
-namespace plumb {
+namespace plumb::conduct_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -177,4 +177,4 @@ TEST(StudySummary, OfEveryStudyHasOnlyItsOptions) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::conduct_test

@@ -6,7 +6,7 @@
 
 #include "study_files.h"
 
-namespace plumb {
+namespace plumb::document_test {
 namespace {
 
 using ::testing::AllOf;
@@ -91,4 +91,4 @@ TEST_F(MergeShards, NamesWhatIsMissingOverlappingOrOfAnotherStudy) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::document_test

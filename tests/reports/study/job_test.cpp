@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::job_test {
 namespace {
 
 TEST(Shard, IsReadAsKOfN) {
@@ -70,4 +70,4 @@ TEST(Shard, HasEachUnitOnceAndWholeGroups) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::job_test

@@ -9,7 +9,7 @@
 
 #include "study_files.h"
 
-namespace plumb {
+namespace plumb::results_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -131,4 +131,4 @@ TEST_F(Results, HashPlansByTheirKeys) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::results_file_test

@@ -10,7 +10,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::runner_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -179,4 +179,4 @@ TEST(Runner, RunsNothingBesideAJobThatMustBeAlone) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::runner_test

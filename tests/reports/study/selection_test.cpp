@@ -9,7 +9,7 @@
 #include "reports/run/plan_selection.h"
 #include "reports/study/job.h"
 
-namespace plumb {
+namespace plumb::selection_test {
 namespace {
 
 std::string label(const Method& method) { return label_of(method.config.engine->name, method.config.method()); }
@@ -48,4 +48,4 @@ TEST(RequireDistinctKeys, NamesAKeyThatOccursTwice) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::selection_test

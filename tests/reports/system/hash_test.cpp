@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace plumb {
+namespace plumb::hash_test {
 namespace {
 
 // FIPS 180-2, appendix B.
@@ -32,4 +32,4 @@ TEST(BitHash, DependsOnEveryBitAndOnTheOrder) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::hash_test

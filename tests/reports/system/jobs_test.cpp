@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace plumb {
+namespace plumb::jobs_test {
 namespace {
 
 TEST(DoAll, CallsEachIndexOnceForAnyNumberOfJobs) {
@@ -37,4 +37,4 @@ TEST(DoAll, CallsNothingForACountOfZero) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::jobs_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace plumb {
+namespace plumb::processes_test {
 namespace {
 
 TEST(FindProgram, SearchesPath) {
@@ -35,4 +35,4 @@ TEST(StartProgram, ReturnsWhetherItStarted) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::processes_test

@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-namespace plumb {
+namespace plumb::clock_test {
 namespace {
 
 // Burns 20 us of CPU time in each step.
@@ -62,4 +62,4 @@ TEST(InstructionCounter, CountsOrSaysWhyNot) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::clock_test

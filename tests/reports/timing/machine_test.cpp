@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace plumb {
+namespace plumb::machine_test {
 namespace {
 
 TEST(TimingMachine, IsTheSameAsItself) {
@@ -42,4 +42,4 @@ TEST(TimingMachine, IsBusyIfTheLoadExceedsTheProcessors) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::machine_test

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace plumb {
+namespace plumb::paired_test {
 namespace {
 
 using testing::ElementsAre;
@@ -261,4 +261,4 @@ TEST(JudgeTimes, DoesNotCompareInstructionsOfOneSideOnly) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::paired_test

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace plumb {
+namespace plumb::repetitions_test {
 namespace {
 
 using testing::ElementsAre;
@@ -96,4 +96,4 @@ TEST(Ratios, OfTimesAreTakenInAlternatingPairsUntilDecided) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::repetitions_test

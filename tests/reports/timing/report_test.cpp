@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace plumb {
+namespace plumb::report_test {
 namespace {
 
 using testing::ContainsRegex;
@@ -65,4 +65,4 @@ TEST(TimingReport, HasTheFormatOfGoogleBenchmark) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::report_test

@@ -14,7 +14,7 @@
 #include "reports/run/selection.h"
 #include "scenarios/scene/scene_json.h"
 
-namespace plumb {
+namespace plumb::side_by_side_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ TEST_F(SideBySideTest, GivesNoResultForASceneThatTheOtherProgramCannotRun) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::side_by_side_test

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::worker_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ TEST_F(TimingWorkerTest, NoticesInvalidAnswers) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::worker_test

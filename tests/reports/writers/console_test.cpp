@@ -6,7 +6,7 @@
 
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::console_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -48,4 +48,4 @@ TEST(Console, ColoursOnlyWhenAsked) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::console_test

@@ -6,7 +6,7 @@
 #include "sample.h"
 #include "scenarios/catalog.h"
 
-namespace plumb {
+namespace plumb::csv_test {
 namespace {
 
 std::vector<std::string> lines() {
@@ -43,4 +43,4 @@ TEST(Csv, QuotesAndLeavesNumbersThatAreNoneEmpty) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::csv_test

@@ -9,7 +9,7 @@
 #include "reports/writers/json.h"
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::html_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -80,4 +80,4 @@ TEST(Series, HasNoDifferenceBeyondTheEndOfTheTruth) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::html_test

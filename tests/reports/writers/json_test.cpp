@@ -6,7 +6,7 @@
 
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -53,4 +53,4 @@ TEST(Json, WritesNullForWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::json_test

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::output_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,4 +60,4 @@ TEST_F(OutputFolderTest, LeavesNothingBehindWhenAFileCannotTakeItsPlace) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::output_test

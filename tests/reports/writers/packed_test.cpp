@@ -7,7 +7,7 @@
 
 #include "unpacking.h"
 
-namespace plumb {
+namespace plumb::packed_test {
 namespace {
 
 TEST(Numbers, AreShortWhereTheyAreSmall) {
@@ -66,4 +66,4 @@ TEST(Packed, InflatesToWhatItWas) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::packed_test

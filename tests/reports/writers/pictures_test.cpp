@@ -6,7 +6,7 @@
 
 #include "sample.h"
 
-namespace plumb {
+namespace plumb::pictures_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST(Preview, NeedsFfmpegAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::pictures_test

@@ -8,7 +8,7 @@
 #include "sample.h"
 #include "unpacking.h"
 
-namespace plumb {
+namespace plumb::replay_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -185,4 +185,4 @@ TEST(ReplayScene, TiesJointsAndSpringsInTheBodiesFrames) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::replay_test

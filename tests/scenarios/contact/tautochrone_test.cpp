@@ -5,7 +5,7 @@
 
 #include "scenarios/scenario.h"
 
-namespace plumb {
+namespace plumb::tautochrone_test {
 namespace {
 
 // The losses at the corners of the chain are proportional to the length of its facets; on the cycloid itself all beads
@@ -26,4 +26,4 @@ TEST(Tautochrone, ExpectsAllBeadsAtTheBottomAsFacetsShrink) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::tautochrone_test

@@ -6,7 +6,7 @@
 
 #include "scenarios/scenario.h"
 
-namespace plumb {
+namespace plumb::bounce_test {
 namespace {
 
 const Scenario& bounce() { return *Catalog<Scenario>::find("bounce"); }
@@ -78,4 +78,4 @@ TEST(Bounce, AllowsAtMostThreeTimesTheWorstErrorOfThatEngine) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::bounce_test

@@ -7,7 +7,7 @@
 
 #include "scenarios/scenario.h"
 
-namespace plumb {
+namespace plumb::gas_test {
 namespace {
 
 Expectation spread(double side) {
@@ -64,4 +64,4 @@ TEST(Gas, StartsWithDiscsThatAreEquallyFast) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::gas_test

@@ -5,7 +5,7 @@
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::chains_test {
 namespace {
 
 // The forces on every hinge follow from the planks' moments alone: if a plank of weight w has slope tan b under a
@@ -31,4 +31,4 @@ TEST(RopeBridge, HangsInEquilibrium) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::chains_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace plumb {
+namespace plumb::mass_test {
 namespace {
 
 Body with(Geometry geometry, double density = 1) {
@@ -126,4 +126,4 @@ TEST(MassOf, SegmentsAndHalfSpacesHaveNoMass) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::mass_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb {
+namespace plumb::nearest_test {
 namespace {
 
 const std::vector<std::string> names{"height", "radius", "restitution"};
@@ -32,4 +32,4 @@ TEST(Unknown, SuggestsTheNearestName) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::nearest_test

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-namespace plumb {
+namespace plumb::quantity_test {
 namespace {
 
 TEST(Quantity, HasAUniqueNameAndAUnit) {
@@ -23,4 +23,4 @@ TEST(Quantity, BelongsToTheSceneIfItIsEnergyOrMomentum) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::quantity_test

@@ -12,7 +12,7 @@
 #include "scenarios/scene/scene_json.h"
 #include "scene_samples.h"
 
-namespace plumb {
+namespace plumb::scene_json_mutations_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -150,4 +150,4 @@ TEST(ReadScene, ReadsOrRefusesTenThousandMutatedFiles) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::scene_json_mutations_test

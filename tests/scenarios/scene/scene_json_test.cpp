@@ -15,7 +15,7 @@
 #include "scenarios/scene/surface.h"
 #include "scene_samples.h"
 
-namespace plumb {
+namespace plumb::scene_json_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -200,4 +200,4 @@ TEST(ReadScene, Reads5050BodiesInAFifthOfASecond) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::scene_json_test

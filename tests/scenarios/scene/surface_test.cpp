@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace plumb {
+namespace plumb::surface_test {
 namespace {
 
 TEST(Materials, AreFoundByTheirExactName) {
@@ -43,4 +43,4 @@ TEST(MixedRestitution, FollowsTheScenesRule) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::surface_test

@@ -8,7 +8,7 @@
 
 #include "../../random_shapes.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::overlaps_test {
 
 namespace {
 
@@ -111,4 +111,4 @@ TEST(AnswerBatch, AgreesWithOneAtATime) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::overlaps_test

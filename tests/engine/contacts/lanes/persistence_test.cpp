@@ -6,7 +6,7 @@
 
 #include "../../random_shapes.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::persistence_test {
 
 namespace {
 
@@ -71,4 +71,4 @@ TEST(PersistPoints, AgreesWithOneAtATime) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::persistence_test

@@ -7,7 +7,7 @@
 #include "../../random_shapes.h"
 #include "narrow_phase/lanes/manifolds.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::fast_pairs_test {
 
 namespace {
 
@@ -62,4 +62,4 @@ TEST(FindFast, AgreesWithOneAtATime) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::fast_pairs_test

@@ -13,7 +13,7 @@
 #include "narrow_phase/narrow_phase.h"
 #include "narrow_phase/shape_table.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::manifolds_test {
 
 namespace {
 
@@ -207,4 +207,4 @@ INSTANTIATE_TEST_SUITE_P(Kernels, CollidingKernels, testing::ValuesIn(kinds),
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::manifolds_test

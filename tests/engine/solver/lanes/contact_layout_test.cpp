@@ -7,7 +7,7 @@
 #include "contacts/contact_rows.h"
 #include "solver/lanes/kernels.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::contact_layout_test {
 
 namespace {
 
@@ -226,4 +226,4 @@ TEST(ContactLayout, CopiesRowsToLanesAndBack) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::contact_layout_test

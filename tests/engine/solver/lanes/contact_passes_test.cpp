@@ -8,7 +8,7 @@
 #include "../../random_shapes.h"
 #include "solver/lanes/kernels.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::contact_passes_test {
 
 namespace {
 
@@ -52,9 +52,9 @@ struct Tangle {
         for (Real& number : by_web) number = random.number(least, most);
       }
     };
-    choose(soft.mass_scale, .5, 1);
-    choose(soft.bias_rate, 5, 20);
-    choose(soft.impulse_scale, 0, .5);
+    choose(soft.strength, .5, 1);
+    choose(soft.rate, 5, 20);
+    choose(soft.relief, 0, .5);
     choose(soft.give, .001, .01);
     choose(soft.gain, .01, .7);
     soft.leak = random.number(.01, .4);
@@ -285,4 +285,4 @@ TEST(ContactPasses, GiveSharpShapesTheBitsOfShapesWithZeroRadius) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::contact_passes_test

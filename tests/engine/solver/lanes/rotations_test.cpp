@@ -14,7 +14,7 @@
 #include "impulse/math.h"
 #include "solver/lanes/kernels.h"
 
-namespace impulse::inline IMPULSE_PRECISION {
+namespace impulse::inline IMPULSE_PRECISION::rotations_test {
 
 namespace {
 
@@ -75,4 +75,4 @@ TEST(Rotations, AreThoseOfSinCosForZeroHugeAndNanAngles) {
 
 }  // namespace
 
-}  // namespace impulse::inline IMPULSE_PRECISION
+}  // namespace impulse::inline IMPULSE_PRECISION::rotations_test

@@ -5,7 +5,7 @@
 
 #include "scene_files.h"
 
-namespace plumb {
+namespace plumb::check_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ TEST_F(CheckAndAccept, LeavesWhatIsNoBaselineAsItIs) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::check_test

@@ -7,7 +7,7 @@
 
 #include "../../saying.h"
 
-namespace plumb {
+namespace plumb::diff_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,4 +107,4 @@ TEST_F(DiffCommand, ExitsWith2ForWhatCannotBeCompared) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::diff_test

@@ -4,7 +4,7 @@
 
 #include "scene_files.h"
 
-namespace plumb {
+namespace plumb::export_scene_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,4 +56,4 @@ TEST_F(Export, WritesNothingWhereSomethingIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::export_scene_test

@@ -5,7 +5,7 @@
 #include "../../writers/sample.h"
 #include "reports/writers/json.h"
 
-namespace plumb {
+namespace plumb::history_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -112,4 +112,4 @@ TEST_F(HistoryCommand, WritesAPage) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::history_test

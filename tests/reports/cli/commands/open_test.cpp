@@ -7,7 +7,7 @@
 
 #include "scene_files.h"
 
-namespace plumb {
+namespace plumb::open_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST_F(Open, ExitsWith2AndTheCureWhereThereIsNoPage) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::open_test

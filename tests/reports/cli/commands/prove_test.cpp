@@ -7,7 +7,7 @@
 
 #include "../../saying.h"
 
-namespace plumb {
+namespace plumb::prove_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -44,4 +44,4 @@ TEST(ProveCommand, RefusesAFileThatCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::prove_test

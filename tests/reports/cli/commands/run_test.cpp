@@ -5,7 +5,7 @@
 
 #include "scene_files.h"
 
-namespace plumb {
+namespace plumb::run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST_F(RunFile, TakesNamesFromAFileAsText) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::run_test

@@ -4,7 +4,7 @@
 
 #include "forged_runs.h"
 
-namespace plumb {
+namespace plumb::contact_laws_test {
 namespace {
 
 constexpr double dt = 0.01;
@@ -92,4 +92,4 @@ TEST(StickingInvariant, ForbidsSlidingWithUnusedFriction) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::contact_laws_test

@@ -5,7 +5,7 @@
 #include "../../fakes.h"
 #include "forged_runs.h"
 
-namespace plumb {
+namespace plumb::energy_test {
 namespace {
 
 constexpr double h = 0.01;
@@ -116,4 +116,4 @@ TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfKinematicBodies) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::energy_test

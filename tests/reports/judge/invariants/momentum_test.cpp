@@ -3,7 +3,7 @@
 #include "forged_runs.h"
 #include "scenarios/scene/mass.h"
 
-namespace plumb {
+namespace plumb::momentum_test {
 namespace {
 
 constexpr double dt = 0.01;
@@ -85,4 +85,4 @@ TEST(BodyMomentumInvariant, LetsSleepStopABodyBelowTheStatedSpeed) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::momentum_test

@@ -2,7 +2,7 @@
 
 #include "forged_runs.h"
 
-namespace plumb {
+namespace plumb::positions_test {
 namespace {
 
 constexpr double dt = 0.01;
@@ -44,4 +44,4 @@ TEST(RestInvariant, LetsRoundBodiesRoll) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::positions_test

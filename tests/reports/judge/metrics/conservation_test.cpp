@@ -3,7 +3,7 @@
 #include "../../fakes.h"
 #include "measuring.h"
 
-namespace plumb {
+namespace plumb::conservation_test {
 namespace {
 
 // After 2 s: v = (3, -12), y = 2 + 16 - 20.
@@ -97,4 +97,4 @@ TEST(AngularMomentumError, NeedsOneGravityScale) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::conservation_test

@@ -5,7 +5,7 @@
 #include "../../fakes.h"
 #include "measuring.h"
 
-namespace plumb {
+namespace plumb::rest_test {
 namespace {
 
 Scene on_ground() {
@@ -78,4 +78,4 @@ TEST(LateralDrift, NeedsGravityAndAStartAtRest) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::rest_test

@@ -3,7 +3,7 @@
 #include "../../fakes.h"
 #include "measuring.h"
 
-namespace plumb {
+namespace plumb::truth_error_test {
 namespace {
 
 Trace line(std::initializer_list<double> xs, double angle) {
@@ -36,4 +36,4 @@ TEST(TruthError, CountsOnlyWhileTheTruthIsValid) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::truth_error_test

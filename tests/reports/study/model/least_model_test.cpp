@@ -6,7 +6,7 @@
 
 #include "reports/run/selection.h"
 
-namespace plumb {
+namespace plumb::least_model_test {
 namespace {
 
 // Features whose drops each save a fraction of the remaining cost; some drops may be insufficient.
@@ -111,4 +111,4 @@ TEST(ModelFeatures, CombineSingleDrops) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::least_model_test

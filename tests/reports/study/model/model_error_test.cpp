@@ -6,7 +6,7 @@
 
 #include "reports/run/selection.h"
 
-namespace plumb {
+namespace plumb::model_error_test {
 namespace {
 
 constexpr double dt = 1.0 / 60;
@@ -65,4 +65,4 @@ TEST(ModelError, SaysWhyAModelDidNotRun) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::model_error_test

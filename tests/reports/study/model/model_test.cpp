@@ -8,7 +8,7 @@
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
 
-namespace plumb {
+namespace plumb::model_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -102,4 +102,4 @@ TEST(ModelFindings, AreFoundEvenIfSomeJobsCrashed) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::model_test

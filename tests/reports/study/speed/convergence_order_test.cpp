@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace plumb {
+namespace plumb::convergence_order_test {
 namespace {
 
 TEST(ConvergenceOrder, IsTheExactSlopeOfAPowerLaw) {
@@ -48,4 +48,4 @@ TEST(SettledOrder, IsMissingIfErrorsAreIrregular) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::convergence_order_test

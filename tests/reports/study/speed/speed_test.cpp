@@ -8,7 +8,7 @@
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
 
-namespace plumb {
+namespace plumb::speed_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -158,4 +158,4 @@ TEST(SpeedFindings, CompareAtEqualErrorAlongTheStandardsFront) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::speed_test

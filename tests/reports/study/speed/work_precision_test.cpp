@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace plumb {
+namespace plumb::work_precision_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(ErrorWithin, FollowsAPowerLawBetweenRunsAndDoesNotExtrapolate) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::work_precision_test

@@ -7,7 +7,7 @@
 #include "reports/judge/mechanics.h"
 #include "scenarios/parts.h"
 
-namespace plumb {
+namespace plumb::detectors_test {
 namespace {
 
 // Two boxes of 1 m stacked at rest.
@@ -98,4 +98,4 @@ TEST_F(Detectors, FindTwoJoinedBodiesThatSeparate) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::detectors_test

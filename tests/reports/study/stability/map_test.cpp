@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace plumb {
+namespace plumb::map_test {
 namespace {
 
 using ::testing::DoubleNear;
@@ -52,4 +52,4 @@ TEST(StabilityMaps, HaveAQuestionAndASourceOfTheirTheory) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::map_test

@@ -4,7 +4,7 @@
 
 #include "../../fakes.h"
 
-namespace plumb {
+namespace plumb::row_test {
 namespace {
 
 constexpr double limit = 3.3;
@@ -125,4 +125,4 @@ TEST(Agreement, OfAnOpenBracketNeedsTheoryOnItsOpenSide) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::row_test

@@ -10,7 +10,7 @@
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
 
-namespace plumb {
+namespace plumb::stability_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -118,4 +118,4 @@ TEST_F(StabilityStudy, ResumesAfterKill9) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::stability_test

@@ -5,7 +5,7 @@
 #include "bracket.h"
 #include "scenarios/parts.h"
 
-namespace plumb {
+namespace plumb::friction_test {
 namespace {
 
 TEST(SlopeMap, FindsTheAngleOfFriction) {
@@ -21,4 +21,4 @@ TEST(TippingMap, FindsTheAngleOfTheDiagonal) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::friction_test

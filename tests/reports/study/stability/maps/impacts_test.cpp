@@ -2,7 +2,7 @@
 
 #include "bracket.h"
 
-namespace plumb {
+namespace plumb::impacts_test {
 namespace {
 
 TEST(RestitutionMap, FindsABounceThatIsTooHigh) {
@@ -27,4 +27,4 @@ TEST(TunnellingMap, FindsNoSpeedWithContinuousCollisionOrASolverThatLooksAhead) 
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::impacts_test

@@ -4,7 +4,7 @@
 
 #include "bracket.h"
 
-namespace plumb {
+namespace plumb::joints_test {
 namespace {
 
 TEST(ChainMap, FindsAChainThatTears) {
@@ -31,4 +31,4 @@ TEST(SpringMap, FindsNoStableStepForExplicitEuler) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::joints_test

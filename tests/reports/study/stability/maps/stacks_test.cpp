@@ -2,7 +2,7 @@
 
 #include "bracket.h"
 
-namespace plumb {
+namespace plumb::stacks_test {
 namespace {
 
 TEST(ArchMap, FallsWhereNoLineOfThrustFits) {
@@ -17,4 +17,4 @@ TEST(StackMap, HoldsMoreBoxesWithMoreWork) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::stacks_test
