@@ -1,8 +1,8 @@
 // The charts of a case, each with a sentence that says what one sees.
 import { enumerate, number, to_within } from "../format";
 import type { Case, Entry } from "../model";
+import type { Cursor } from "./cursor";
 import { figure } from "./figure";
-import type { Cursor } from "../replay/cursor";
 import { over_time, type OverTime } from "./over_time";
 
 type Column = OverTime["column"];

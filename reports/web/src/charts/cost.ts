@@ -2,9 +2,8 @@
 import * as Plot from "@observablehq/plot";
 import { number, time_step } from "../format";
 import type { Entry, Model } from "../model";
-import { error_axes } from "./error_axes";
 import { figure } from "./figure";
-import { dot_look, plot_look, tip_look } from "./look";
+import { dot_look, error_axes, plot_look, tip_look } from "./look";
 
 const metric = "truth_error_rms";
 

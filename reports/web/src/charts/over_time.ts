@@ -2,10 +2,8 @@
 import * as Plot from "@observablehq/plot";
 import { given, number, pretty_unit } from "../format";
 import type { Engine, Entry } from "../model";
-import type { Cursor } from "../replay/cursor";
-import { playhead } from "../replay/playhead";
-import { decades } from "./decades";
-import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
+import { playhead, type Cursor } from "./cursor";
+import { decades, dot_look, line_look, plot_look, scale, tip_look } from "./look";
 
 export interface Point {
   t: number;

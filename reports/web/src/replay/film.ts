@@ -1,7 +1,6 @@
 // What one run did, ready to be asked for any time.
 import type { Engine } from "../model";
-import type { ReplayRun } from "./data";
-import { Numbers, unpack } from "./unpack";
+import { Numbers, unpack, type ReplayRun } from "./data";
 
 const per_body = 3; // x, y, angle
 const per_touch = 4; // x, y, impulse x, impulse y

@@ -1,6 +1,6 @@
 // The canvas: its panes, its size, and what pointers do to the camera.
-import { h } from "../dom";
 import { scale as type_scale } from "../charts/look";
+import { h } from "../dom";
 import { Camera, type Bounds, type Pane } from "./camera";
 import type { Film } from "./film";
 import { View, type Figures } from "./outline";

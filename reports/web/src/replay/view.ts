@@ -1,21 +1,17 @@
 // The replay of a case: the stage, what steers it, and how both follow the case's time. Made when it comes near the
 // screen.
-import { legend_mark } from "../charts/look";
+import type { Cursor } from "../charts/cursor";
 import { when_near } from "../charts/figure";
+import { legend_mark } from "../charts/look";
 import { h } from "../dom";
 import { given, number } from "../format";
 import type { Case } from "../model";
-import { Bars } from "./bars";
-import { button, check, choice, icon } from "./controls";
-import type { Cursor } from "./cursor";
-import { scene_rule, type Replay, type Scene } from "./data";
+import { Bars, button, check, choice, help, icon, listen, type Key } from "./controls";
+import { scene_rule, unpack, type Replay, type Scene } from "./data";
 import { Film } from "./film";
-import { jumps_of, type Found, type Jump } from "./jumps";
-import { help, listen, type Key } from "./keys";
 import { Figures } from "./outline";
-import { Player, speeds } from "./player";
-import { bounds_of, Stage, type Showing } from "./stage";
-import { unpack } from "./unpack";
+import { Player, jumps_of, speeds, type Found, type Jump } from "./playback";
+import { Stage, bounds_of, type Showing } from "./stage";
 
 /** Larger scenes begin side by side: over each other, none could be made out. */
 const most_overlaid = 40; // bodies

@@ -4,7 +4,7 @@ import { h } from "../dom";
 import { folded } from "../folded";
 import { number, pretty_unit, shell, words } from "../format";
 import type { Model } from "../model";
-import { case_command, command } from "./command";
+import { case_command, command } from "../pieces";
 
 const definitions: [string, string][] = [
   ["right", "every reading is within what is allowed of the truth, and no invariant is broken"],

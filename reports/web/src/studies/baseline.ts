@@ -1,9 +1,9 @@
 // What is not as it was when somebody accepted the baseline: told like a study, with the runs that both have.
+import type { Study } from "../data";
 import { h, slug, table } from "../dom";
 import { count, words } from "../format";
-import { label_of } from "../model";
-import { command } from "../sections/command";
-import type { Study, StudyView } from "../study";
+import { label_of, type StudyView } from "../model";
+import { command } from "../pieces";
 
 interface Regression {
   scenario: string;

@@ -1,13 +1,13 @@
 // What reports said from commit to commit: changes in a list, and the course of what changed.
 import { figure } from "../charts/figure";
 import { legend } from "../charts/look";
-import { certainty, trend_chart } from "../charts/trend";
+import type { Study } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, number, time_step } from "../format";
-import { look, type Engine } from "../model";
-import type { Study, StudyView } from "../study";
+import { look, type Engine, type StudyView } from "../model";
 import { day, history_of, metric_name, panels_of, short_commit, step_time, type HistoryModel, type Panel } from "./history_model";
+import { certainty, trend_chart } from "./trend";
 
 const most_rows = 200;
 

@@ -1,6 +1,6 @@
 // The history as its page thinks of it: snapshots in their order, and what changed from one to the next.
+import type { Study } from "../data";
 import { words } from "../format";
-import type { Study } from "../study";
 
 export const step_time = "step_us";
 

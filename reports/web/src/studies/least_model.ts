@@ -1,5 +1,5 @@
 // The study of models as its page thinks of it.
-import type { Study } from "../study";
+import type { Study } from "../data";
 
 export interface Spread {
   median: number;

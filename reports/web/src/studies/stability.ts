@@ -1,10 +1,10 @@
 // Where methods fail: a heat map for each map and method, and one table of what each method stands.
-import { fate_legend } from "../charts/fates";
-import { heat_map } from "../charts/heat_map";
+import type { Study } from "../data";
+import type { StudyView } from "../model";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, given, words } from "../format";
-import type { Study, StudyView } from "../study";
+import { fate_legend, heat_map } from "./heat_map";
 import { best_of, is_absent, stability_model, typical_row, type Axis, type Bracket, type Panel, type StabilityMap, type StabilityModel } from "./stability_model";
 
 /** "26.57 deg (26.58: drifts)" */

@@ -1,5 +1,5 @@
 // The stability study as its page thinks of it.
-import type { Study } from "../study";
+import type { Study } from "../data";
 
 export interface Outcome {
   letter: string;

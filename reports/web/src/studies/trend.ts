@@ -1,10 +1,10 @@
 // A metric from snapshot to snapshot: a line a engine, times with the middle half of their repetitions, and a mark
 // where a line changes for good.
 import * as Plot from "@observablehq/plot";
+import { dot_look, line_look, plot_look, scale, tip_look } from "../charts/look";
 import { given, number, pretty_unit } from "../format";
 import type { Engine } from "../model";
-import { day, metric_name, short_commit, type Panel, type Snapshot, type Trend } from "../studies/history_model";
-import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
+import { day, metric_name, short_commit, type Panel, type Snapshot, type Trend } from "./history_model";
 
 const height = 240; // px
 

@@ -1,7 +1,31 @@
+// The time that a case's replay and charts show together.
 // The case's time on a chart: a line that follows it, and sets it where one clicks or drags.
 import type { Plot } from "@observablehq/plot";
 import { svg } from "../dom";
-import type { Cursor } from "./cursor";
+
+export class Cursor {
+  private now = 0;
+  private readonly listeners = new Set<() => void>();
+
+  constructor(readonly end: number) {} // s
+
+  get time(): number {
+    return this.now;
+  }
+
+  set(time: number): void {
+    const next = Math.min(this.end, Math.max(0, time));
+    if (next === this.now) return;
+    this.now = next;
+    for (const listener of this.listeners) listener();
+  }
+
+  /** Tells of every change; returns how to stop that. */
+  on(listener: () => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+}
 
 export function playhead(chart: (SVGSVGElement | HTMLElement) & Plot, cursor: Cursor): void {
   const time = chart.scale("x");

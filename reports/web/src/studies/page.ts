@@ -1,9 +1,23 @@
+// The view of each study, by its name.
 // The frame of every study's page: what it found in a sentence, its sections, how points ended that did not, and what
 // it was made with.
-import { h, table } from "../dom";
+// Short forms of the studies, inside a report.
+import type { Study } from "../data";
+import type { StudyView } from "../model";
+import { h, prefixed, slug, table } from "../dom";
+import { folded } from "../folded";
 import { count, given, words } from "../format";
-import type { Study, StudyView } from "../study";
-import { mark } from "./opening";
+import { command, mark } from "../pieces";
+import { baseline } from "./baseline";
+import { history } from "./history";
+import { model } from "./model";
+import { speed } from "./speed";
+import { stability } from "./stability";
+
+const views: Record<string, (study: Study) => StudyView> = { baseline, history, model, speed, stability };
+
+/** A study without a view of its own still shows how its points ended. */
+export const view_of = (study: Study): StudyView => (views[study.study] ?? (() => ({ sentence: study.about, sections: [] })))(study);
 
 const most_shown = 200;
 
@@ -56,4 +70,20 @@ export function study_page(study: Study, sentence: string, sections: StudyView["
     h("nav", { "aria-label": "Sections" }, ...places.map(({ id, name }) => h("a", { href: `#${id}` }, name))),
     h("main", {}, ...sections.map(({ content }) => content()), broken, made_with(study)),
   ];
+}
+
+export const study_id = (study: Study): string => slug("study", study.study);
+
+export function study_section(study: Study): HTMLElement {
+  const { sentence, sections } = view_of(study);
+  const [first, ...rest] = sections.map(({ content }) => () => prefixed(`${study_id(study)}--`, content()));
+  return h(
+    "section",
+    { id: study_id(study), class: "chapter study" },
+    h("h2", {}, `Study: ${study.study}`),
+    h("p", { class: "lede" }, sentence),
+    first?.(),
+    rest.length ? folded("More of it", () => rest.map((section) => section())) : null,
+    study.command ? h("div", { class: "again" }, h("p", { class: "basis" }, "A short form. The same as a page of its own:"), command(`./${study.command}`)) : null,
+  );
 }

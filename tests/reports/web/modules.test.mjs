@@ -1,6 +1,14 @@
+// Modules of the page that need no browser.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { source } from "./source.mjs";
+import { build } from "esbuild";
+import { fileURLToPath } from "node:url";
+
+async function source(name) {
+  const entry = fileURLToPath(new URL(`../src/${name}`, import.meta.url));
+  const bundle = await build({ entryPoints: [entry], bundle: true, write: false, format: "esm" });
+  return import(`data:text/javascript;base64,${Buffer.from(bundle.outputFiles[0].text).toString("base64")}`);
+}
 
 const format = await source("format.ts");
 
@@ -34,12 +42,31 @@ test("a time step is read as a rate where it is one", () => {
   assert.equal(plain(format.time_step(0.003)), "0.00300 s");
 });
 
-test("a share of what is allowed stays short", () => {
-  assert.deepEqual([0, 1e-9, 0.0421, 0.9984, 3.2308, 12345, Infinity, NaN].map(format.share), [
-    "0", "< 0.001", "0.042", "1.00", "3.23", "> 1000", "no bound", "\u2013",
+test("error / tolerance stays short", () => {
+  assert.deepEqual([0, 1e-9, 0.0421, 0.9984, 3.2308, 12345, Infinity, NaN].map(format.ratio_text), [
+    "0", "< 0.001", "0.042", "1.00", "3.23", "> 1000", "\u221e", "\u2013",
   ]);
 });
 
 test("a command line survives a shell", () => {
   assert.equal(format.shell(["./plumb", "run", "slope:it's 20\u00b0"]), "./plumb run 'slope:it'\\''s 20\u00b0'");
+});
+
+const { factors_over } = await source("studies/speed_model.ts");
+
+const box2d = { label: "box2d" };
+const impulse = { label: "impulse" };
+const cases = (...factors) => factors.map((factor) => ({ curves: [{ engine: box2d, factor: 1 }, { engine: impulse, factor }] }));
+
+test("a method's factor is the median over the cases where it gets there, with the middle half", () => {
+  assert.deepEqual(factors_over(cases(0.4, null, 0.1, 0.2)), [
+    { engine: box2d, median: 1, low: 1, high: 1, cases: 4, reached: 4 },
+    { engine: impulse, median: 0.2, low: 0.15000000000000002, high: 0.30000000000000004, cases: 4, reached: 3 },
+  ]);
+  assert.equal(factors_over(cases(0.1, 0.3))[1].median, 0.2);
+});
+
+test("a method that never gets there has no factor", () => {
+  assert.deepEqual(factors_over(cases(null, null))[1], { engine: impulse, median: null, low: null, high: null, cases: 2, reached: 0 });
+  assert.deepEqual(factors_over([]), []);
 });

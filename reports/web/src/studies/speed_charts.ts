@@ -1,14 +1,14 @@
 // Error against time per simulated second, one curve a method: the best that it gives for each time.
+// Each method's factor of time at equal error: median and middle half over cases.
 import * as Plot from "@observablehq/plot";
+import { figure } from "../charts/figure";
+import { decades, dot_look, error_axes, line_look, name_axis, plot_look, tip_look } from "../charts/look";
 import { number, time_step } from "../format";
-import type { SpeedCase, SpeedMark } from "../studies/speed_model";
-import { error_axes } from "./error_axes";
-import { figure } from "./figure";
-import { dot_look, line_look, plot_look, tip_look } from "./look";
+import type { Factor, SpeedCase, SpeedMark } from "./speed_model";
 
 const height = 460;
 
-const described = ({ engine, setting, dt, time, error, wide }: SpeedMark): string =>
+const run_text = ({ engine, setting, dt, time, error, wide }: SpeedMark): string =>
   [
     engine.label,
     [setting, `step ${time_step(dt)}`].filter(Boolean).join(", "),
@@ -52,7 +52,7 @@ export function work_precision(place: SpeedCase, choose: (mark: SpeedMark) => vo
           marks.filter(({ wide, on_front }) => wide && on_front),
           { ...at, r: 7, stroke: "var(--faint)", strokeDasharray: "2 2", className: "unsteady", ariaDescription: "time not steady" },
         ),
-        Plot.tip(marks, Plot.pointer({ ...at, title: described, ...tip_look })),
+        Plot.tip(marks, Plot.pointer({ ...at, title: run_text, ...tip_look })),
       ],
     });
     chart.addEventListener("click", () => {
@@ -67,5 +67,49 @@ export function work_precision(place: SpeedCase, choose: (mark: SpeedMark) => vo
     note: `Lower is more accurate, further left is faster. A curve joins a method\u2019s best runs; small dots are its others. The broad band is the front of all.${unsteady ? " A broken ring: repetitions did not agree on the time." : ""}`,
     height,
     draw: (width) => [draw(width)],
+  });
+}
+
+const row_height = 26;
+
+const factor_text = ({ engine, median, low, high, reached, cases }: Factor): string =>
+  [
+    engine.label,
+    `${number(median, "", 2)} times, middle half ${number(low, "", 2)} to ${number(high, "", 2)}`,
+    `gets there in ${reached} of ${cases} cases`,
+  ].join("\n");
+
+/** `over`: "all cases", or which. */
+export function equal_error_chart(standard: string, factors: Factor[], over: string): HTMLElement {
+  const found = factors.filter(({ median }) => median !== null).sort((a, b) => (a.median ?? 0) - (b.median ?? 0));
+  const never = factors.filter(({ median }) => median === null).map(({ engine }) => engine.label);
+  const height = 70 + row_height * found.length;
+  const name = ({ engine, reached, cases }: Factor) => `${engine.label}  ${reached}/${cases}`;
+  const draw = (width: number) => {
+    const values = found.flatMap(({ low, high }) => [low ?? 1, high ?? 1]);
+    const { domain, ticks } = decades([1, ...values]);
+    const { marginLeft, axis } = name_axis(width, found.map(name));
+    return Plot.plot({
+      ...plot_look(width, height),
+      marginLeft,
+      ariaLabel: `Time at equal error, ${standard} = 1`,
+      x: { type: "log", domain, ticks, label: `time at equal error, ${standard} = 1`, labelAnchor: "right", grid: true, tickFormat: (value: number) => number(value, "", 1) },
+      y: { domain: found.map(name) },
+      marks: [
+        axis,
+        Plot.ruleX([1], { stroke: "var(--faint)" }),
+        Plot.link(found, { x1: "low", x2: "high", y1: name, y2: name, stroke: ({ engine }: Factor) => engine.color, strokeWidth: 3, strokeOpacity: 0.5 }),
+        ...found.map((factor) =>
+          Plot.dot([factor], { x: "median", y: name, r: 5, ...dot_look(factor.engine), className: "factor", ariaDescription: factor.engine.label }),
+        ),
+        Plot.tip(found, Plot.pointerY({ x: "median", y: name, title: factor_text, ...tip_look })),
+      ],
+    });
+  };
+  return figure({
+    title: `Time at equal error, over ${over}`,
+    note: `Left of 1 is faster. Marks are medians over the cases, bars the middle half; the numbers say in how many cases the method gets as accurate.${never.length ? ` Never: ${never.join(", ")}.` : ""}`,
+    height,
+    draw: (width) => (found.length ? [draw(width)] : []),
   });
 }
