@@ -1,7 +1,5 @@
-// The view of each study, by its name.
-// The frame of every study's page: what it found in a sentence, its sections, how points ended that did not, and what
-// it was made with.
-// Short forms of the studies, inside a report.
+// The page of a study: its result in a sentence, the sections of its view, unfinished jobs and the environment. Also the
+// short form of a study inside a report.
 import type { Study } from "../data";
 import type { StudyView } from "../model";
 import { h, prefixed, slug, table } from "../dom";
@@ -16,15 +14,15 @@ import { stability } from "./stability";
 
 const views: Record<string, (study: Study) => StudyView> = { baseline, history, model, speed, stability };
 
-/** A study without a view of its own still shows how its points ended. */
+/** A study without a view of its own still shows its unfinished jobs. */
 export const view_of = (study: Study): StudyView => (views[study.study] ?? (() => ({ sentence: study.about, sections: [] })))(study);
 
 const most_shown = 200;
 
-/** Keys have numbers to their last digit. */
+/** Shortens the numbers in a key. */
 const readable = (key: string): string => key.replaceAll("|", ", ").replace(/\d*\.\d{4,}(e[-+]?\d+)?/g, (digits) => given(Number(digits), "", 4));
 
-/** Points that no engine finished: outcomes as well. */
+/** The jobs that crashed, failed or exceeded their limits. */
 function endings(study: Study): HTMLElement | null {
   const broken = study.results.filter(({ ending }) => ending !== "done");
   if (!broken.length) return null;
@@ -34,26 +32,26 @@ function endings(study: Study): HTMLElement | null {
   return h(
     "section",
     { id: "endings" },
-    h("h2", {}, "What did not come to an end"),
-    h("p", { class: "lede" }, `${count(broken.length, "point")} crashed, failed or went beyond their limits of time or memory.`),
-    table("Points that were not finished", ["point", "ending", "why"], rows),
+    h("h2", {}, "Unfinished jobs"),
+    h("p", { class: "lede" }, `${count(broken.length, "job")} crashed, failed or exceeded the limits of time or memory.`),
+    table("Unfinished jobs", ["job", "ending", "reason"], rows),
   );
 }
 
-function made_with(study: Study): HTMLElement {
+function environment(study: Study): HTMLElement {
   const given = Object.entries(study.configuration).map(([name, value]): [string, string] => [name, typeof value === "string" ? value : JSON.stringify(value)]);
   const pairs = [...given, ...Object.entries(study.environment)];
   return h(
     "section",
-    { id: "made-with" },
-    h("h2", {}, "Made with"),
+    { id: "environment" },
+    h("h2", {}, "Environment"),
     h("dl", { class: "environment" }, ...pairs.map(([name, value]) => h("div", {}, h("dt", {}, words(name)), h("dd", {}, value)))),
   );
 }
 
 export function study_page(study: Study, sentence: string, sections: StudyView["sections"]): HTMLElement[] {
   const broken = endings(study);
-  const places = [...sections, ...(broken ? [{ id: "endings", name: "Not finished" }] : []), { id: "made-with", name: "Made with" }];
+  const links = [...sections, ...(broken ? [{ id: "endings", name: "Unfinished jobs" }] : []), { id: "environment", name: "Environment" }];
   return [
     h(
       "header",
@@ -64,11 +62,11 @@ export function study_page(study: Study, sentence: string, sections: StudyView["
         {},
         h("p", { class: "title" }, `Plumb study: ${study.study}`),
         h("h1", {}, sentence),
-        h("p", { class: "basis" }, `${study.about} \u00b7 ${count(study.results.length, "point")}`),
+        h("p", { class: "basis" }, `${study.about} \u00b7 ${count(study.results.length, "job")}`),
       ),
     ),
-    h("nav", { "aria-label": "Sections" }, ...places.map(({ id, name }) => h("a", { href: `#${id}` }, name))),
-    h("main", {}, ...sections.map(({ content }) => content()), broken, made_with(study)),
+    h("nav", { "aria-label": "Sections" }, ...links.map(({ id, name }) => h("a", { href: `#${id}` }, name))),
+    h("main", {}, ...sections.map(({ content }) => content()), broken, environment(study)),
   ];
 }
 
@@ -83,7 +81,7 @@ export function study_section(study: Study): HTMLElement {
     h("h2", {}, `Study: ${study.study}`),
     h("p", { class: "lede" }, sentence),
     first?.(),
-    rest.length ? folded("More of it", () => rest.map((section) => section())) : null,
-    study.command ? h("div", { class: "again" }, h("p", { class: "basis" }, "A short form. The same as a page of its own:"), command(`./${study.command}`)) : null,
+    rest.length ? folded("More of this study", () => rest.map((section) => section())) : null,
+    study.command ? h("div", { class: "again" }, h("p", { class: "basis" }, "A short form. This runs the full study, with a page of its own:"), command(`./${study.command}`)) : null,
   );
 }
