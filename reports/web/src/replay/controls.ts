@@ -1,6 +1,4 @@
-// Buttons, boxes and choices that say what they do.
-// What the keyboard does, and the list that tells of it.
-// Where the energy is: a bar for each engine, in three parts.
+// The controls below a replay: buttons, check boxes, keys with their help, and bars of the energy.
 import { h, svg } from "../dom";
 import { number } from "../format";
 import type { Film } from "./film";
@@ -16,25 +14,25 @@ const shapes = {
 export const icon = (shape: keyof typeof shapes): SVGElement =>
   svg("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" }, svg("path", { d: shapes[shape] }));
 
-/** Its face says what it does, or else `about` does. */
-export function button(about: string, face: string | SVGElement, act: () => void): HTMLButtonElement {
+/** A face that is not plain words gets `about` as its label. */
+export function button(about: string, face: string | SVGElement, action: () => void): HTMLButtonElement {
   const plain = typeof face === "string" && /^[\w ]+$/.test(face);
   const made = h("button", { type: "button", title: about, ...(plain ? {} : { "aria-label": about }) }, face);
-  made.addEventListener("click", act);
+  made.addEventListener("click", action);
   return made;
 }
 
-/** Its label is the `name`. */
-export function check(name: string, on: boolean, act: (on: boolean) => void): HTMLInputElement {
+/** A check box with a label of its name. */
+export function check(name: string, on: boolean, action: (on: boolean) => void): HTMLInputElement {
   const box = h("input", { type: "checkbox", name });
   box.checked = on;
-  box.addEventListener("change", () => act(box.checked));
+  box.addEventListener("change", () => action(box.checked));
   return box;
 }
 
-export function choice(about: string, values: (readonly [string, string])[], act: (value: string) => void): HTMLSelectElement {
+export function choice(about: string, values: (readonly [string, string])[], action: (value: string) => void): HTMLSelectElement {
   const made = h("select", { "aria-label": about, title: about }, ...values.map(([value, text]) => h("option", { value }, text)));
-  made.addEventListener("change", () => act(made.value));
+  made.addEventListener("change", () => action(made.value));
   return made;
 }
 
@@ -42,11 +40,11 @@ export interface Key {
   keys: string[]; // as KeyboardEvent has them
   shown: string;
   about: string;
-  act: (event: KeyboardEvent) => void;
+  action: (event: KeyboardEvent) => void;
 }
 
-/** Elements that have a use of their own for some keys. */
-function taken(event: KeyboardEvent): boolean {
+/** Whether the focused element, or the browser, uses the key itself. */
+function is_taken(event: KeyboardEvent): boolean {
   const { target, key } = event;
   if (event.ctrlKey || event.metaKey || event.altKey) return true;
   if (target instanceof HTMLSelectElement) return true;
@@ -57,11 +55,11 @@ function taken(event: KeyboardEvent): boolean {
 
 export function listen(element: HTMLElement, keys: Key[]): void {
   element.addEventListener("keydown", (event) => {
-    if (taken(event)) return;
+    if (is_taken(event)) return;
     const found = keys.find(({ keys }) => keys.includes(event.key) || keys.includes(event.key.toLowerCase()));
     if (!found) return;
     event.preventDefault();
-    found.act(event);
+    found.action(event);
   });
 }
 
@@ -70,19 +68,20 @@ export function help(keys: Key[]): HTMLDetailsElement {
   return h(
     "details",
     { class: "keys" },
-    h("summary", {}, "Keys, and what is drawn"),
-    h("p", {}, "Drag to move the picture, double-click to come nearer; once it is clicked, the wheel does so too. A click on a chart goes to its time. The shapes on bodies tell the engines apart, as those on lines in charts do."),
+    h("summary", {}, "Keys and symbols"),
+    h("p", {}, "Drag to move the picture and double-click to zoom in; after a click, the wheel zooms too. Click a chart to go to its time. Each engine has the same shape on its bodies as on its lines in the charts."),
     h("dl", {}, ...rows),
   );
 }
 
 const parts = ["linear", "rotational", "potential"] as const;
 
+/** The energy of each engine as a bar of three parts. */
 export class Bars {
   readonly element: HTMLElement;
   private readonly rows: { film: Film; row: HTMLElement; segments: HTMLElement[]; sum: HTMLElement }[];
-  private readonly floor: number; // J, from which potential energy is counted
-  private readonly span: number; // J, a whole bar
+  private readonly floor: number; // J, the lowest potential energy
+  private readonly span: number; // J, of a full bar
 
   constructor(films: Film[]) {
     const ranges = films.map((film) => film.energy_range());

@@ -1,12 +1,11 @@
-// Lets time run, when asked to: nothing plays by itself.
-// The moments worth seeing first.
+// Playing a replay, which never starts by itself, and jumping to its most interesting moments.
 import type { Cursor } from "../charts/cursor";
 import { number } from "../format";
-import type { Case } from "../model";
+import { label_of, type Case } from "../model";
 import type { Film } from "./film";
 
 export const speeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];
-/** s; a tab that comes back does not leap ahead. */
+/** s; keeps a tab that was in the background from skipping ahead. */
 const longest_frame = 0.1;
 
 export class Player {
@@ -65,7 +64,7 @@ export interface Jump {
   name: string;
   key: string;
   about: string;
-  /** Of the films shown; undefined: there is no such moment. */
+  /** Searches the films shown; undefined if there is no such moment. */
   find: (films: Film[]) => Found | undefined;
 }
 
@@ -75,8 +74,6 @@ export interface Found {
   text: string;
   body?: number;
 }
-
-const label_of = ({ run }: Film): string => (run.method ? `${run.engine}:${run.method}` : run.engine);
 
 function largest(films: Film[], peak: (film: Film) => { time: number; value: number } | null): Found | undefined {
   let found: (Found & { value: number }) | undefined;
@@ -91,9 +88,9 @@ function largest(films: Film[], peak: (film: Film) => { time: number; value: num
 
 export function jumps_of({ comparisons, entries }: Case): Jump[] {
   const reference = (entries.find(({ engine, run }) => engine.exact && run.status === "ok") ?? entries.find(({ run }) => run.status === "ok"))?.run;
-  const name = reference ? (reference.method ? `${reference.engine}:${reference.method}` : reference.engine) : "";
-  const parted = (film: Film): number | undefined => {
-    const label = label_of(film);
+  const name = reference ? label_of(reference) : "";
+  const diverged_at = (film: Film): number | undefined => {
+    const label = label_of(film.run);
     const pair = comparisons.find(({ a, b }) => label !== name && ((a === label && b === name) || (a === name && b === label)));
     return pair?.metrics["parted_at"]?.value ?? undefined;
   };
@@ -102,11 +99,11 @@ export function jumps_of({ comparisons, entries }: Case): Jump[] {
     {
       name: "First divergence",
       key: "1",
-      about: `when the first run shown is 1 cm (RMS over the bodies) from ${from}`,
+      about: `when the first of the shown runs is 1 cm (RMS over the bodies) from ${from}`,
       find: (films) => {
         let found: Found | undefined;
         for (const film of films) {
-          const time = parted(film);
+          const time = diverged_at(film);
           if (time !== undefined && (!found || time < found.time)) found = { film, time, text: film.engine.label };
         }
         return found;
@@ -115,13 +112,13 @@ export function jumps_of({ comparisons, entries }: Case): Jump[] {
     {
       name: "Largest error",
       key: "2",
-      about: `when a run shown is furthest from ${from} (RMS over the bodies)`,
+      about: `when a shown run is furthest from ${from} (RMS over the bodies)`,
       find: (films) => largest(films, ({ run }) => run.apart),
     },
     {
       name: "Worst overlap",
       key: "3",
-      about: "when two bodies of a run shown reach deepest into each other, by the scene\u2019s geometry",
+      about: "when two bodies of a shown run overlap the most, by the scene\u2019s geometry",
       find: (films) => {
         const found = largest(films, ({ run }) => run.overlap);
         const body = found?.film.run.overlap?.b;

@@ -1,5 +1,5 @@
-// Error against time per simulated second, one curve a method: the best that it gives for each time.
-// Each method's factor of time at equal error: median and middle half over cases.
+// The charts of the speed study: error against time in a case, with the front of each method, and the time of each method
+// at equal error over cases.
 import * as Plot from "@observablehq/plot";
 import { figure } from "../charts/figure";
 import { decades, dot_look, error_axes, line_look, name_axis, plot_look, tip_look } from "../charts/look";
@@ -16,9 +16,9 @@ const run_text = ({ engine, setting, dt, time, error, wide }: SpeedMark): string
     `${number(time * 1e6, "\u00b5s")} for a simulated second${wide ? ", unsteady" : ""}`,
   ].join("\n");
 
-/** `choose` is told of the point that is clicked. */
-export function work_precision(place: SpeedCase, choose: (mark: SpeedMark) => void): HTMLElement {
-  const { marks, curves, front, truth_error } = place;
+/** Error against time per simulated second; a click on a point calls `choose`. */
+export function work_precision(item: SpeedCase, choose: (mark: SpeedMark) => void): HTMLElement {
+  const { marks, curves, front, truth_error } = item;
   const { x, y, floor } = error_axes(
     marks.map(({ error }) => error),
     marks.map(({ time }) => time * 1e6),
@@ -37,7 +37,7 @@ export function work_precision(place: SpeedCase, choose: (mark: SpeedMark) => vo
         truth_error > floor
           ? [
               Plot.ruleY([truth_error], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
-              Plot.text([truth_error], { y: (error: number) => error, text: () => "the reference's own error", frameAnchor: "right", dy: -6, fill: "var(--faint)" }),
+              Plot.text([truth_error], { y: (error: number) => error, text: () => "error of the reference", frameAnchor: "right", dy: -6, fill: "var(--faint)" }),
             ]
           : null,
         Plot.dot(
@@ -50,7 +50,7 @@ export function work_precision(place: SpeedCase, choose: (mark: SpeedMark) => vo
         ...curves.map(({ engine, front: own }) => Plot.dot(own, { ...at, r: 4, ...dot_look(engine), ariaHidden: "true" })),
         Plot.dot(
           marks.filter(({ wide, on_front }) => wide && on_front),
-          { ...at, r: 7, stroke: "var(--faint)", strokeDasharray: "2 2", className: "unsteady", ariaDescription: "time not steady" },
+          { ...at, r: 7, stroke: "var(--faint)", strokeDasharray: "2 2", className: "unsteady", ariaDescription: "unsteady time" },
         ),
         Plot.tip(marks, Plot.pointer({ ...at, title: run_text, ...tip_look })),
       ],
@@ -64,7 +64,7 @@ export function work_precision(place: SpeedCase, choose: (mark: SpeedMark) => vo
   const unsteady = marks.filter(({ wide }) => wide).length;
   return figure({
     title: "Error against time",
-    note: `Lower is more accurate, further left is faster. A curve joins a method\u2019s best runs; small dots are its others. The broad band is the front of all.${unsteady ? " A broken ring: repetitions did not agree on the time." : ""}`,
+    note: `Lower is more accurate, further left is faster. A curve connects a method\u2019s best runs; small dots are its other runs. The broad band is the front of all methods.${unsteady ? " A dashed ring: the repetitions scatter." : ""}`,
     height,
     draw: (width) => [draw(width)],
   });
@@ -76,10 +76,10 @@ const factor_text = ({ engine, median, low, high, reached, cases }: Factor): str
   [
     engine.label,
     `${number(median, "", 2)} times, middle half ${number(low, "", 2)} to ${number(high, "", 2)}`,
-    `gets there in ${reached} of ${cases} cases`,
+    `as accurate in ${reached} of ${cases} cases`,
   ].join("\n");
 
-/** `over`: "all cases", or which. */
+/** The factor of each method: median and middle half over cases; `over` names them, as "all cases". */
 export function equal_error_chart(standard: string, factors: Factor[], over: string): HTMLElement {
   const found = factors.filter(({ median }) => median !== null).sort((a, b) => (a.median ?? 0) - (b.median ?? 0));
   const never = factors.filter(({ median }) => median === null).map(({ engine }) => engine.label);
@@ -108,7 +108,7 @@ export function equal_error_chart(standard: string, factors: Factor[], over: str
   };
   return figure({
     title: `Time at equal error, over ${over}`,
-    note: `Left of 1 is faster. Marks are medians over the cases, bars the middle half; the numbers say in how many cases the method gets as accurate.${never.length ? ` Never: ${never.join(", ")}.` : ""}`,
+    note: `Left of 1 is faster. Marks are medians over the cases, bars the middle half; the numbers after the names say in how many cases the method gets as accurate.${never.length ? ` In no case: ${never.join(", ")}.` : ""}`,
     height,
     draw: (width) => (found.length ? [draw(width)] : []),
   });
