@@ -24,7 +24,7 @@ export interface TruthCheck {
   unit: string;
 }
 
-export const statuses = ["held", "broken", "not reported"] as const;
+const statuses = ["held", "broken", "not reported"] as const;
 export type CheckStatus = (typeof statuses)[number];
 
 /** An invariant over a run, at the moment of its largest error. */
@@ -39,7 +39,7 @@ export interface InvariantCheck {
   where: string;
 }
 
-export const verdicts = ["right", "plausible", "wrong", "beyond horizon", "not supported", "failed"] as const;
+const verdicts = ["right", "plausible", "wrong", "beyond horizon", "not supported", "failed"] as const;
 export type Verdict = (typeof verdicts)[number];
 
 export interface Run {
@@ -157,7 +157,7 @@ export interface Study {
 
 const anything: Rule = () => {};
 
-export const study_rule = record({
+const study_rule = record({
   study: text,
   about: text,
   configuration: map(anything),
@@ -175,7 +175,7 @@ export interface Page {
 }
 
 /** The format of report.json this page reads. */
-export const format = 2;
+const format = 2;
 
 const measured = record({ value: number, unit: text });
 const of_case = { scenario: text, variant: text };

@@ -78,7 +78,7 @@ export async function replay(page, n = 0) {
 export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 
 /** The visible text; cases far from the screen have none before they are laid out. */
-export async function said_in(locator) {
+export async function text_in(locator) {
   await locator.scrollIntoViewIfNeeded();
   return locator.innerText();
 }

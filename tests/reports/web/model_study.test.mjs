@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, draw_all, open, said_in, write } from "./browser.mjs";
+import { close, draw_all, open, text_in, write } from "./browser.mjs";
 
 after(close);
 
@@ -91,7 +91,7 @@ test("the head has the result, and the table says where impulse:auto is not as a
 
 test("the least model has the features it leaves out, and its command line", async () => {
   const { page } = await open(pages["the sample"]);
-  const said = await said_in(page.locator("article").first());
+  const said = await text_in(page.locator("article").first());
   assert.match(said, /rotation: without any turning/);
   assert.match(said, /\.\/plumb run heap:still --engine impulse:rotation=off,solver=article/);
   assert.match(said, /rotation=off: no body turns/);
@@ -105,7 +105,7 @@ test("each feature has its bar and its mark, as far as it ran", async () => {
   assert.equal(await article.locator("g.cost rect").count(), 3);
   assert.equal(await article.locator("g.change circle").count(), 3);
   await article.locator("details").evaluate((element) => (element.open = true));
-  const said = await said_in(article.locator("details"));
+  const said = await text_in(article.locator("details"));
   assert.match(said, /holds no joints/);
   assert.match(said, /<b>sub-steps<\/b>/);
   await page.close();
@@ -113,7 +113,7 @@ test("each feature has its bar and its mark, as far as it ran", async () => {
 
 test("without a truth models are compared with the full model, and unfinished jobs are listed", async () => {
   const { page } = await open(pages["the sample"]);
-  const said = await said_in(page.locator("article").nth(1));
+  const said = await text_in(page.locator("article").nth(1));
   assert.match(said, /There is no truth for this case: compared with the full model over the first 1\.5/);
   assert.match(said, /No least model was found/);
   assert.match(await page.locator("#endings").innerText(), /crashed.*signal 11/s);

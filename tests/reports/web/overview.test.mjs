@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, open, said_in, until, write } from "./browser.mjs";
+import { close, open, text_in, until, write } from "./browser.mjs";
 import { sample } from "./sample.mjs";
 import { study_sample } from "./study_sample.mjs";
 
@@ -116,11 +116,11 @@ test("a cell links to the reason for its verdict, which is unfolded and highligh
   await page.locator(".matrix a", { hasText: "wrong" }).press("Enter");
   const place = page.locator("#stacking--10-boxes--impulse");
   await until(() => place.evaluate((element) => element.getBoundingClientRect().top), (top) => top >= 0 && top < 900);
-  assert.match(await said_in(place), /box 10, x at 10\ss: error 0\.42\sm, tolerance 0\.13\sm \(error \/ tolerance 3\.23\)/);
+  assert.match(await text_in(place), /box 10, x at 10\ss: error 0\.42\sm, tolerance 0\.13\sm \(error \/ tolerance 3\.23\)/);
   assert.ok(await place.evaluate((element) => element === document.activeElement && element.classList.contains("linked")));
   assert.equal(await page.locator("tr.linked").count(), 1);
   await page.locator(".matrix a", { hasText: "failed" }).click();
-  assert.match(await said_in(page.locator(".verdicts .linked")), /diverged at t = 0\.42 s/);
+  assert.match(await text_in(page.locator(".verdicts .linked")), /diverged at t = 0\.42 s/);
   await page.close();
 });
 

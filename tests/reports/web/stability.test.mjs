@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, draw_all, open, said_in, write } from "./browser.mjs";
+import { close, draw_all, open, text_in, write } from "./browser.mjs";
 
 after(close);
 
@@ -152,7 +152,7 @@ test("the boundary by theory is a line of its own, if there is one", async () =>
   await draw_all(page);
   assert.equal(await page.locator("#hill g.theory path").count(), 2, "one for each method");
   assert.equal(await page.locator("#tower g.theory path").count(), 0);
-  assert.match(await said_in(page.locator("#hill figcaption").first()), /stands at friction 0\.5: 10 \(10\.1: drifts\); theory: 10/);
+  assert.match(await text_in(page.locator("#hill figcaption").first()), /stands at friction 0\.5: 10 \(10\.1: drifts\); theory: 10/);
   await page.close();
 });
 
@@ -167,7 +167,7 @@ test("one table has the limits of each method, with the best in bold", async () 
 
 test("engines that do not support a map are named, and unfinished jobs are listed as text", async () => {
   const { page } = await open(pages["the sample"]);
-  assert.match(await said_in(page.locator("#tower .absence")), /Not supported by small\./);
+  assert.match(await text_in(page.locator("#tower .absence")), /Not supported by small\./);
   assert.match(await page.locator("#endings").innerText(), /<b>wild<\/b>.*crashed.*signal 11/s);
   await page.close();
 });

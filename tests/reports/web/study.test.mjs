@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, draw_all, drawn, open, said_in, until, write } from "./browser.mjs";
+import { close, draw_all, drawn, open, text_in, until, write } from "./browser.mjs";
 import { study_sample } from "./study_sample.mjs";
 
 after(close);
@@ -48,7 +48,7 @@ test("bounds differ from readings, and unreached targets are left out", async ()
   const { page } = await open(pages["the sample"]);
   const details = page.locator("article").first().locator("details").first();
   await details.evaluate((element) => (element.open = true));
-  const said = await said_in(details);
+  const said = await text_in(details);
   assert.match(said, /\u2264 300/);
   assert.match(said, /to 0\.01/);
   assert.doesNotMatch(said, /to 10\u207b\u00b3/, "a column that nobody reaches is left out");
@@ -82,7 +82,7 @@ test("a click on a point copies its command line, and so does the table of all r
   await until(() => chart.evaluate(({ value }) => typeof value), "object");
   await page.mouse.click(x + width / 2, y + height / 2);
   await until(() => page.evaluate(() => window.copied), /^\.\/plumb run heap:plain --engine (box2d|impulse):substeps=4 --dt 1\/(30|60|120) --converged$/);
-  assert.equal(await said_in(article.locator(".chosen code")), await page.evaluate(() => window.copied));
+  assert.equal(await text_in(article.locator(".chosen code")), await page.evaluate(() => window.copied));
   await article.locator("summary", { hasText: "All 6 runs" }).press("Enter");
   const buttons = article.locator("details").last().getByRole("button");
   await until(() => buttons.count(), 6);

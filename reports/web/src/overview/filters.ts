@@ -6,7 +6,7 @@ import type { Case, Chapter, Engine, Model } from "../model";
 import { keys, measures, sorting } from "./matrix";
 
 /** Filters of cases by the verdicts of their engines. */
-export const verdict_filters: Record<string, (item: Case) => boolean> = {
+const verdict_filters: Record<string, (item: Case) => boolean> = {
   "something is wrong": ({ entries }) => entries.some(({ run }) => run.verdict === "wrong" || run.verdict === "failed"),
   "all is right": ({ entries }) => entries.every(({ run, engine }) => engine.exact || run.verdict === "right"),
   "engines differ": ({ entries }) => new Set(entries.filter(({ engine }) => !engine.exact).map(({ run }) => run.verdict)).size > 1,

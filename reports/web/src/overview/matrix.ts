@@ -53,10 +53,10 @@ export interface Key {
   name: string;
 }
 
-export const largest: Key = { id: "largest", name: "largest in the row" };
-export const scenario: Key = { id: "scenario", name: "scenario" };
-export const variant: Key = { id: "case", name: "case" };
-export const key_of = ({ label }: Engine): Key => ({ id: `of ${label}`, name: label });
+const largest: Key = { id: "largest", name: "largest in the row" };
+const scenario: Key = { id: "scenario", name: "scenario" };
+const variant: Key = { id: "case", name: "case" };
+const key_of = ({ label }: Engine): Key => ({ id: `of ${label}`, name: label });
 
 export const keys = (engines: Engine[]): Key[] => [scenario, variant, largest, ...engines.map(key_of)];
 
@@ -97,7 +97,7 @@ function compare(model: Model, { id, down }: Sorting, measure: Measure): Compare
 }
 
 /** All cases in the order that the view asks for; without one, as they are listed. */
-export function ordered(model: Model, order: Sorting, measure: Measure): Case[] {
+function ordered(model: Model, order: Sorting, measure: Measure): Case[] {
   const cases = model.chapters.flatMap((chapter) => chapter.cases);
   return order.id ? cases.sort(compare(model, order, measure)) : cases;
 }

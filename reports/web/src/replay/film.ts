@@ -97,7 +97,7 @@ export class Film {
     return { linear: at(0), rotational: at(1), potential: at(2) };
   }
 
-  /** The lowest potential energy and the largest sum above it, J. */
+  /** The lowest potential energy and the largest total energy, J. */
   energy_range(): { floor: number; top: number } {
     let floor = Infinity;
     let top = -Infinity;

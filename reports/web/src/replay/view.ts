@@ -36,12 +36,12 @@ async function films_of(item: Case, replay: Replay, bodies: number): Promise<Fil
 function fidelity(films: Film[]): string {
   const longest = Math.max(...films.map(({ run }) => run.length));
   const every = films.filter(({ run }) => run.every > 1);
-  const thinned = every.map(({ engine, run }) => `${engine.label} ${run.every} (error in between: up to ${number(run.between, "m", 2)})`);
+  const thinned = every.map(({ engine, run }) => `${engine.label} every ${run.every} steps (error in between: up to ${number(run.between, "m", 2)})`);
   const missing = films.filter(({ engine, run }) => !engine.exact && run.contacts !== "kept");
   const none = missing.map(({ engine, run }) => `${engine.label} (${run.contacts === "none" ? "not reported" : "too many"})`);
   return [
     `Positions are rounded by up to ${number(longest / 2, "m", 2)}.`,
-    thinned.length ? `Recorded once in so many steps: ${thinned.join(", ")}.` : "Every step is recorded.",
+    thinned.length ? `Not every step is recorded: ${thinned.join(", ")}.` : "Every step is recorded.",
     none.length ? `No contacts: ${none.join(", ")}.` : "",
   ].join(" ");
 }

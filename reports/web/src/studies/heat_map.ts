@@ -28,10 +28,10 @@ const looks: Record<string, Look> = {
 
 const unknown: Look = { fill: "var(--quiet-wash)", ink: "var(--faint)" };
 
-export const outcome_look = ({ letter }: Outcome): Look => looks[letter] ?? unknown;
+const outcome_look = ({ letter }: Outcome): Look => looks[letter] ?? unknown;
 
 /** The letter in a cell; cells that hold have none. */
-export const outcome_letter = ({ letter }: Outcome): string => (letter === "h" ? "" : letter === "-" ? "\u2013" : letter);
+const outcome_letter = ({ letter }: Outcome): string => (letter === "h" ? "" : letter === "-" ? "\u2013" : letter);
 
 export function outcome_legend(outcomes: Outcome[]): HTMLElement {
   const swatch = (outcome: Outcome) => {

@@ -63,7 +63,7 @@ function error_panel(drops: Drop[], width: number, tolerance: number): Element {
   ]);
 }
 
-export function ablation_chart({ drops }: ModelCase, tolerance: number): HTMLElement {
+function ablation_chart({ drops }: ModelCase, tolerance: number): HTMLElement {
   return figure({
     title: "Without one feature",
     note: "The error that its absence adds, and the remaining cost. Green: redundant, the error stays within the tolerance (dashed). Red: needed.",

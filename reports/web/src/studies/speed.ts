@@ -16,7 +16,7 @@ function line_of(item: SpeedCase, { engine, setting, dt }: SpeedMark): string {
 }
 
 /** The command of the clicked point, and the callback that shows and copies it. */
-export function chosen_run(item: SpeedCase): { element: HTMLElement; choose: (mark: SpeedMark) => void } {
+function chosen_run(item: SpeedCase): { element: HTMLElement; choose: (mark: SpeedMark) => void } {
   const element = h("div", { class: "chosen" }, h("p", { class: "basis" }, "Click a point to copy its command line."));
   const choose = (mark: SpeedMark): void => {
     const line = line_of(item, mark);
@@ -44,7 +44,7 @@ function row(item: SpeedCase, mark: SpeedMark): HTMLTableRowElement {
   return h("tr", {}, h("th", { scope: "row" }, mark.engine.label), ...cells.map(([head, cell]) => h("td", { "data-label": head }, cell)));
 }
 
-export function all_runs(item: SpeedCase): HTMLElement {
+function all_runs(item: SpeedCase): HTMLElement {
   return folded(`All ${item.marks.length} runs and their command lines`, () => {
     const marks = [...item.marks].sort((a, b) => a.engine.label.localeCompare(b.engine.label) || a.time - b.time);
     const heads = ["method", "setting", "step", "distance from the truth, RMS", "time per simulated second", "command line"];
