@@ -116,7 +116,7 @@ test("a cell links to the reason for its verdict, which is unfolded and highligh
   await page.locator(".matrix a", { hasText: "wrong" }).press("Enter");
   const place = page.locator("#stacking--10-boxes--impulse");
   await until(() => place.evaluate((element) => element.getBoundingClientRect().top), (top) => top >= 0 && top < 900);
-  assert.match(await text_in(place), /box 10, x at 10\ss: error 0\.42\sm, tolerance 0\.13\sm \(error \/ tolerance 3\.23\)/);
+  assert.match(await text_in(place), /Largest error \/ tolerance 3\.23: box 10, x at 10\ss, error 0\.42\sm, tolerance 0\.13\sm\./);
   assert.ok(await place.evaluate((element) => element === document.activeElement && element.classList.contains("linked")));
   assert.equal(await page.locator("tr.linked").count(), 1);
   await page.locator(".matrix a", { hasText: "failed" }).click();

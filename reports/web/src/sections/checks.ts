@@ -123,11 +123,11 @@ function findings_of({ run }: Entry): Finding[] {
     .filter(({ reported }) => reported)
     .map((check) => ({
       ratio: ratio_of(check),
-      text: `${check.body ? `${check.body}, ` : ""}${words(check.quantity)} at ${given(check.time, "s", 4)}: error ${number(check.error, check.unit, 2)}, tolerance ${number(check.tolerance, check.unit, 2)}`,
+      text: `${check.body ? `${check.body}, ` : ""}${words(check.quantity)} at ${given(check.time, "s", 4)}, error ${number(check.error, check.unit, 2)}, tolerance ${number(check.tolerance, check.unit, 2)}`,
     }));
   const invariants = run.invariants
     .filter(({ status }) => status !== "not reported")
-    .map((check) => ({ ratio: ratio_of(check), text: `${words(check.name)}: ${largest_error(check)}` }));
+    .map((check) => ({ ratio: ratio_of(check), text: `${words(check.name)}, ${largest_error(check)}` }));
   return [...truth, ...invariants];
 }
 
@@ -137,7 +137,7 @@ function reason(entry: Entry): string {
   const [most] = findings_of(entry).sort((a, b) => b.ratio - a.ratio);
   if (!most) return "There is no check for this case.";
   if (most.ratio === 0) return "No error in any check.";
-  return `Largest error: ${most.text} (error / tolerance ${ratio_text(most.ratio)}).`;
+  return `Largest error / tolerance ${ratio_text(most.ratio)}: ${most.text}.`;
 }
 
 /** The reason for each engine's verdict; cells of the overview link here. */

@@ -126,7 +126,7 @@ function sentence(model: StabilityModel): string {
   const rows = model.maps.flatMap(({ agreements }) => agreements);
   const total = rows.reduce((sum, one) => sum + one.rows, 0);
   const agree = rows.reduce((sum, one) => sum + one.agree, 0);
-  return total ? `${first} ${agree} of the ${total} boundaries that theory predicts agree with theory.` : first;
+  return total ? `${first} ${agree} of the ${total} boundaries with a theory agree with it.` : first;
 }
 
 export function stability(study: Study): StudyView {
