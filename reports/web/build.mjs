@@ -1,5 +1,5 @@
-// Bundles src/ into one self-contained page, and pictures/ into a program for Node.js that takes the page's charts as
-// pictures; with a second argument also writes both as C++.
+// Bundles src/ into one self-contained page, and pictures/ into a program for Node.js that saves the page's charts as SVG
+// files. With a second argument also writes both as C++ functions.
 //
 //   node build.mjs [page.html] [page.cpp]
 import { build } from "esbuild";
@@ -25,13 +25,13 @@ async function bundle(entry, options = {}) {
   return result.outputFiles[0].text.trim();
 }
 
-/** A function as replacement, so that `$&` in the text stays what it is. */
-function place(page, mark, text) {
-  if (page.split(mark).length !== 2) throw new Error(`page.html must hold ${mark} once`);
+/** Replaces a marker; a function as replacement keeps `$&` in the text as it is. */
+function insert(page, mark, text) {
+  if (page.split(mark).length !== 2) throw new Error(`page.html must contain ${mark} once`);
   return page.replace(mark, () => text);
 }
 
-/** Compilers limit the length of one literal, not of an array of them. */
+/** A C++ function that returns the text, joined from pieces because compilers limit the length of a literal. */
 function as_cpp(name, text) {
   const pieces = [];
   let piece = "";
@@ -73,9 +73,9 @@ const style = await bundle("src/style.css");
 // "</script" inside a string of the bundle would end the element.
 const script = (await bundle("src/main.ts")).replaceAll("</script", "<\\/script");
 let page = await readFile(join(here, "src", "page.html"), "utf8");
-page = place(page, "/*style*/", style);
-page = place(page, "/*script*/", script);
-if (page.split("<!--plumb-data-->").length !== 2) throw new Error("the page must hold <!--plumb-data--> once");
+page = insert(page, "/*style*/", style);
+page = insert(page, "/*script*/", script);
+if (page.split("<!--plumb-data-->").length !== 2) throw new Error("the page must contain <!--plumb-data--> once");
 await mkdir(dirname(html_file), { recursive: true });
 await writeFile(html_file, page);
 const pictures = await bundle("pictures/pictures.ts", { platform: "node", format: "cjs", target: "node18" });

@@ -1,13 +1,13 @@
 cmake_minimum_required(VERSION 3.25)
 
-# Bundles the page inside the build folder, so that the source tree stays clean. Without its npm packages the build goes
-# on: page.cpp is then the stub. Run as cmake -DSOURCE=... -DWORK=... -DPAGE=... -DNODE=... -P bundle.cmake
-# npm starts the first node in PATH: this one.
+# Bundles the page in the build folder, so that the source tree stays clean. If its npm packages cannot be installed, the
+# build continues with no_page.cpp. Run as cmake -DSOURCE=... -DWORK=... -DPAGE=... -DNODE=... -P bundle.cmake
+# npm runs the first node in PATH, so that must be this one.
 cmake_path(GET NODE PARENT_PATH node_folder)
 set(ENV{PATH} "${node_folder}:$ENV{PATH}")
 
 function(without_page reason)
-  message(WARNING "Plumb is built without its page: ${reason}. To try again, delete ${PAGE} and build.")
+  message(WARNING "Building Plumb without its page: ${reason}. To try again, delete ${PAGE} and build.")
   configure_file(${SOURCE}/no_page.cpp ${PAGE} COPYONLY)
   file(TOUCH ${PAGE})
 endfunction()
@@ -23,9 +23,9 @@ if(EXISTS ${WORK}/installed)
 endif()
 if(NOT installed STREQUAL lock)
   execute_process(COMMAND ${node_folder}/npm ci --ignore-scripts --omit=dev --fetch-retries=1 WORKING_DIRECTORY ${WORK}
-    RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(failed)
-    message(STATUS "${said}")
+    message(STATUS "${output}")
     without_page("npm ci failed")
     return()
   endif()
@@ -34,5 +34,5 @@ endif()
 
 execute_process(COMMAND ${NODE} build.mjs ${WORK}/page.html ${PAGE} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed)
 if(failed)
-  message(FATAL_ERROR "the page does not build")
+  message(FATAL_ERROR "cannot build the page")
 endif()

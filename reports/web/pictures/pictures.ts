@@ -1,12 +1,147 @@
-// Takes every chart of a page as a picture of its own, without a browser:
+// Saves every chart of a page as an SVG file, without a browser:
 //
 //   node pictures.cjs PAGE.html FOLDER
 //
-// The page draws itself as it does for paper, in a document that knows no layout; so a chart is here as it is there.
+// The page draws itself as it does for print, in a document without layout, so a picture is the same as the page's chart.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { drawn } from "./drawn";
-import { picture } from "./picture";
+import { runInThisContext } from "node:vm";
+import { parseHTML } from "linkedom";
+
+interface DrawnPage {
+  figures: Element[];
+  palette: string; // CSS: the page's colours, light and dark
+}
+
+/** Retitles the browser's observers: nothing comes near the screen, changes its size or is opened. */
+class NoObserver {
+  observe(): void {}
+  unobserve(): void {}
+  disconnect(): void {}
+}
+
+const light = /:root\{(?=[^}]*--)[^}]*\}/;
+const dark = /@media screen and \(prefers-color-scheme: ?dark\)\{:root\{[^}]*\}/;
+
+function palette_of(style: string): string {
+  const [found] = dark.exec(style) ?? [];
+  return `${light.exec(style)?.[0] ?? ""}${found ? `${found}}` : ""}`;
+}
+
+/** Runs the page's scripts in a document without layout; returns its charts as they are for print. */
+function drawn(html: string): DrawnPage {
+  const { document, window } = parseHTML(html);
+  const scripts = [...document.querySelectorAll("script:not([type])")];
+  const listeners = new Map<string, (() => void)[]>();
+  const browser = {
+    document,
+    window: globalThis,
+    self: globalThis,
+    IntersectionObserver: NoObserver,
+    ResizeObserver: NoObserver,
+    MutationObserver: NoObserver,
+    location: { hash: "" },
+    getComputedStyle: () => ({ fontSize: "16px", getPropertyValue: () => "" }),
+    matchMedia: () => ({ matches: false, addEventListener: () => {} }),
+    addEventListener: (event: string, listener: () => void) => listeners.set(event, [...(listeners.get(event) ?? []), listener]),
+    ...Object.fromEntries(["Node", "Element", "HTMLElement", "SVGElement", "Event"].map((name) => [name, (window as never)[name]])),
+  };
+  for (const [name, value] of Object.entries(browser)) {
+    Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
+  }
+  for (const script of scripts) runInThisContext(script.textContent ?? "");
+  for (const listener of listeners.get("beforeprint") ?? []) listener();
+  const figures = [...document.querySelectorAll("figure")].filter((figure) => figure.querySelector(".canvas svg"));
+  return { figures, palette: palette_of(document.querySelector("style")?.textContent ?? "") };
+}
+
+interface Picture {
+  name: string; // of the file
+  text: string;
+}
+
+const pad = 16;
+const line = 20;
+const per_letter = 7; // px, approximately, at 13 px
+
+const escaped = (text: string): string => text.replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
+const text_of = (element: Element | null | undefined): string => element?.textContent?.trim() ?? "";
+const size_of = (chart: Element, side: "width" | "height"): number => Number(chart.getAttribute(side)) || 0;
+
+/** ["Study: speed", "bounce, e=0.8"] */
+function titles_around(figure: Element): string[] {
+  const titles: string[] = [];
+  for (let one: Element | null = figure.closest("section, article"); one; one = one.parentElement?.closest("section, article") ?? null) {
+    const title = text_of([...one.children].find(({ tagName }) => /^H[23]$/i.test(tagName)));
+    if (title) titles.unshift(title);
+  }
+  return titles;
+}
+
+const file_name = (parts: string[]): string =>
+  parts
+    .map((part) => part.toLowerCase().replace(/[^a-z0-9.=+-]+/g, "-").replace(/^-+|-+$/g, ""))
+    .filter(Boolean)
+    .join("--");
+
+/** A chart at a position in the picture; nested, so that it keeps its own coordinates. */
+function placed(chart: Element, x: number, y: number): string {
+  const copy = chart.cloneNode(true) as Element;
+  copy.setAttribute("x", String(x));
+  copy.setAttribute("y", String(y));
+  return copy.outerHTML;
+}
+
+/** The legend of the figure's case: marks and names, in as many rows as they need. */
+function legend_of(figure: Element, width: number, top: number): { text: string; height: number } {
+  const near = figure.closest("article, section")?.querySelector(".legend:not(.outcomes)");
+  const items = [...(near?.children ?? [])];
+  let [x, y] = [pad, top];
+  const text = items.map((item) => {
+    const name = text_of(item.querySelector("span"));
+    const needed = 42 + per_letter * name.length + 20;
+    if (x > pad && x + needed > width - pad) [x, y] = [pad, y + line + 2];
+    const mark = item.querySelector("svg");
+    const shown = `${mark ? placed(mark, x, y) : ""}<text x="${x + 42}" y="${y + 13}">${escaped(name)}</text>`;
+    x += needed;
+    return shown;
+  });
+  return { text: text.join(""), height: items.length ? y - top + line + 8 : 0 };
+}
+
+/**
+ * A figure as an SVG file that stands alone: its title, its charts, its legend, and the page's colours for light and dark.
+ */
+function picture(figure: Element, palette: string): Picture {
+  const charts = [...figure.querySelectorAll(".canvas > svg")];
+  const title = text_of(figure.querySelector("figcaption strong"));
+  const about = text_of(figure.querySelector("figcaption span"));
+  const titles = titles_around(figure);
+  const width = Math.max(...charts.map((chart) => size_of(chart, "width"))) + 2 * pad;
+  let y = pad + 2 * line + 8;
+  const drawn = charts.map((chart) => {
+    const shown = placed(chart, pad, y);
+    y += size_of(chart, "height") + 8;
+    return shown;
+  });
+  const legend = legend_of(figure, width, y);
+  const height = y + legend.height + pad - 8;
+  return {
+    name: file_name([...titles, title]),
+    text: `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img" aria-labelledby="title about">
+<title id="title">${escaped([...titles, title].join(", "))}</title>
+<desc id="about">${escaped(about)}</desc>
+<style>${palette}
+svg{color:var(--soft);font:13px system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans",sans-serif}text{white-space:pre}</style>
+<rect width="${width}" height="${height}" rx="10" fill="var(--card)"/>
+<text x="${pad}" y="${pad + 14}" fill="var(--ink)" font-size="16" font-weight="600">${escaped(title)}</text>
+<text x="${pad}" y="${pad + 14 + line}" fill="var(--soft)">${escaped(titles.join(", "))}</text>
+${drawn.join("\n")}
+<g fill="var(--soft)">${legend.text}</g>
+</svg>
+`,
+  };
+}
 
 function main([page, folder]: string[]): void {
   if (!page || !folder) throw new Error("PAGE.html and FOLDER are needed");

@@ -1,54 +1,53 @@
-// The page's address: a place and, after a "?", the view of the overview: "#bounce--e%3D0.8?engine=box2d" is a case,
-// while the overview shows box2d alone. A link shares both, and going back finds the view as it was.
-
+// The page's address: the id of an element and, after a "?", the view of the overview. "#bounce--e%3D0.8?engine=box2d"
+// goes to a case, with an overview that shows box2d only. Links share both, and the browser's history restores them.
 import { make_within, unfold_around } from "./folded";
 
-/** What the overview shows; empty: everything, as it is listed. */
+/** Filters and order of the overview; empty: everything, in the listed order. */
 export type View = URLSearchParams;
 
 interface Address {
-  place: string;
+  id: string;
   view: View;
 }
 
 function parse(hash: string): Address {
-  const [place = "", view = ""] = hash.replace(/^#/, "").split("?", 2);
-  return { place, view: new URLSearchParams(view) };
+  const [id = "", view = ""] = hash.replace(/^#/, "").split("?", 2);
+  return { id, view: new URLSearchParams(view) };
 }
 
-const present = (): Address => parse(location.hash);
+const current = (): Address => parse(location.hash);
 
 const watchers: ((view: View) => void)[] = [];
 
-function set({ place, view }: Address, how: "pushState" | "replaceState"): void {
+function set({ id, view }: Address, how: "pushState" | "replaceState"): void {
   const query = view.toString();
-  history[how](null, "", `#${place}${query ? `?${query}` : ""}`);
+  history[how](null, "", `#${id}${query ? `?${query}` : ""}`);
 }
 
-/** Calls back with the view of the address, now and whenever it is another. */
-export function watch(tell: (view: View) => void): void {
-  watchers.push(tell);
-  tell(present().view);
+/** Calls back with the view of the address, now and whenever it changes. */
+export function watch(changed: (view: View) => void): void {
+  watchers.push(changed);
+  changed(current().view);
 }
 
-/** Changes the view, as a step that can be gone back; `lasting` takes the place of the present one. */
-export function show(view: View, lasting = false): void {
-  set({ place: "overview", view }, lasting ? "replaceState" : "pushState");
-  for (const tell of watchers) tell(view);
+/** Changes the view and adds an entry to the browser's history, or replaces the current entry. */
+export function show(view: View, replace = false): void {
+  set({ id: "overview", view }, replace ? "replaceState" : "pushState");
+  for (const changed of watchers) changed(view);
 }
 
-const standing_at = (place: string): HTMLElement | null =>
-  document.getElementById(place) ?? document.getElementById(decodeURIComponent(place));
+const find = (id: string): HTMLElement | null => document.getElementById(id) ?? document.getElementById(decodeURIComponent(id));
 
-function element_at(place: string): HTMLElement | null {
-  const found = standing_at(place);
-  if (found || !place) return found;
+/** Folded parts may not exist yet: creates them if the id is not found. */
+function element_of(id: string): HTMLElement | null {
+  const found = find(id);
+  if (found || !id) return found;
   make_within(document.documentElement);
-  return standing_at(place);
+  return find(id);
 }
 
-/** What comes near is laid out only then, and may be another size than was thought. */
-function bring_to(element: HTMLElement): void {
+/** Scrolls repeatedly: parts near the screen are laid out late and may change their size. */
+function scroll_to(element: HTMLElement): void {
   element.scrollIntoView();
   let frames = 3;
   const again = (): void => {
@@ -58,41 +57,44 @@ function bring_to(element: HTMLElement): void {
   requestAnimationFrame(again);
 }
 
-/** Goes to the address's place and unfolds what hides it. What it asks for (data-asks) is marked (data-of) beside it. */
+/**
+ * Scrolls to the element of the address and unfolds it. If it is an engine's verdict (data-marks), highlights the rows of
+ * that engine (data-engine) in its case.
+ */
 function arrive(): void {
-  const element = element_at(present().place);
-  for (const asked of document.querySelectorAll(".asked")) asked.classList.remove("asked");
+  const element = element_of(current().id);
+  for (const old of document.querySelectorAll(".linked")) old.classList.remove("linked");
   if (!element) return;
   unfold_around(element);
-  const asked = element.dataset["asks"];
-  if (asked !== undefined) {
+  const engine = element.dataset["marks"];
+  if (engine !== undefined) {
     const article = element.closest("article");
     if (article) make_within(article);
-    for (const of of article?.querySelectorAll<HTMLElement>("[data-of]") ?? []) {
-      if (of.dataset["of"] === asked) of.classList.add("asked");
+    for (const row of article?.querySelectorAll<HTMLElement>("[data-engine]") ?? []) {
+      if (row.dataset["engine"] === engine) row.classList.add("linked");
     }
-    element.classList.add("asked");
+    element.classList.add("linked");
   }
-  bring_to(element);
+  scroll_to(element);
   if (!element.matches("a, button, input, select, [tabindex]")) element.tabIndex = -1;
   element.focus({ preventScroll: true });
 }
 
-/** To be called when the page stands. */
+/** Called once, when the page is complete. */
 export function follow_address(): void {
-  if (present().place) arrive();
+  if (current().id) arrive();
   addEventListener("popstate", () => {
-    for (const tell of watchers) tell(present().view);
+    for (const changed of watchers) changed(current().view);
     arrive();
   });
-  // Links keep the view.
+  // Links inside the page keep the view.
   document.addEventListener("click", (event) => {
     const link = event.target instanceof Element ? event.target.closest('a[href^="#"]') : null;
     if (!link || event.defaultPrevented || event.button || event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();
-    set({ ...present(), ...parse_link(link.getAttribute("href") ?? "") }, "pushState");
+    set({ ...current(), ...parse_link(link.getAttribute("href") ?? "") }, "pushState");
     arrive();
   });
 }
 
-const parse_link = (href: string): Partial<Address> => (href.includes("?") ? parse(href) : { place: href.slice(1) });
+const parse_link = (href: string): Partial<Address> => (href.includes("?") ? parse(href) : { id: href.slice(1) });

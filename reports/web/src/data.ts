@@ -1,12 +1,10 @@
-// What the C++ side hands to the page, and the check that it is that. The page trusts nothing else: a report that does
-// not fit is refused whole, with the places named.
-
-import { finite, is_object, list, map, number, one_of, record, text, yes_no, type Rule } from "./rules";
+// The data that the C++ side writes into the page (the report, its series, replays and studies), and their validation.
+// Data that does not fit is refused as a whole, with the path of every problem.
 import { replay_rule, type Replay } from "./replay/data";
-import { study_rule, type Study } from "./study";
+import { finite, is_object, list, map, number, one_of, record, text, yes_no, type Rule } from "./rules";
 
 export interface Measured {
-  value: number | null; // null: not finite
+  value: number | null; // null if not finite
   unit: string;
 }
 
@@ -18,29 +16,30 @@ export interface TruthCheck {
   measured: number | null;
   error: number | null;
   tolerance: number | null;
+  ratio: number | null; // error / tolerance; null for a tolerance of 0 or an error that is not finite
   relation: "equal" | "at least" | "at most"; // of measured to expected
   passed: boolean;
-  reported: boolean; // false: the engine does not show it
+  reported: boolean; // false if the engine does not report the quantity
   source: string;
   unit: string;
 }
 
-export const standings = ["held", "broken", "not reported"] as const;
-export type Standing = (typeof standings)[number];
+const statuses = ["held", "broken", "not reported"] as const;
+export type CheckStatus = (typeof statuses)[number];
 
-/** How an invariant fared over a run, where it was missed most. */
+/** An invariant over a run, at the moment of its largest error. */
 export interface InvariantCheck {
   name: string;
   unit: string;
-  status: Standing;
+  status: CheckStatus;
   value: number | null;
   tolerance: number | null;
-  ratio: number | null; // null: nothing is allowed
+  ratio: number | null; // value / tolerance; null for a tolerance of 0 or a value that is not finite
   time: number;
   where: string;
 }
 
-export const verdicts = ["right", "plausible", "wrong", "beyond horizon", "not supported", "failed"] as const;
+const verdicts = ["right", "plausible", "wrong", "beyond horizon", "not supported", "failed"] as const;
 export type Verdict = (typeof verdicts)[number];
 
 export interface Run {
@@ -81,7 +80,7 @@ export interface Timing {
   repetitions: number;
 }
 
-/** What scenarios, engines and metrics say of themselves. */
+/** The description of a scenario; likewise for engines, metrics and invariants. */
 export interface ScenarioNote {
   name: string;
   question: string;
@@ -121,7 +120,7 @@ export interface Report {
   timings: { steps: Timing[]; clock: Record<string, number | null> };
 }
 
-/** Columns of equal length: one entry a recorded moment. */
+/** Columns of equal length, with one entry for each recorded moment. */
 export interface Series {
   scenario: string;
   variant: string;
@@ -133,8 +132,40 @@ export interface Series {
   momentum_y: (number | null)[];
   angular_momentum: (number | null)[];
   pose_difference: (number | null)[];
-  overlap: (number | null)[]; // m, the deepest
+  overlap: (number | null)[]; // m, the deepest of the moment
 }
+
+/** A study as study-NAME.json has it; the view of each study knows its findings. */
+export interface StudyResult {
+  key: string;
+  ending: "done" | "failed" | "crashed" | "timed out" | "out of memory";
+  reason: string;
+  values: Record<string, unknown>;
+}
+
+export interface Study {
+  plumb: number;
+  study: string;
+  about: string;
+  configuration: Record<string, unknown>;
+  command?: string; // that runs the full study; only for short forms inside a report
+  environment: Record<string, string>;
+  results: StudyResult[];
+  findings: Record<string, unknown>;
+  timings: { results: Record<string, Record<string, unknown>> } & Record<string, unknown>;
+}
+
+const anything: Rule = () => {};
+
+const study_rule = record({
+  study: text,
+  about: text,
+  configuration: map(anything),
+  environment: map(text),
+  results: list(record({ key: text, ending: text, reason: text, values: map(anything) })),
+  findings: map(anything),
+  timings: record({ results: map(map(anything)) }),
+});
 
 export interface Page {
   report: Report;
@@ -144,11 +175,11 @@ export interface Page {
 }
 
 /** The format of report.json this page reads. */
-export const format = 2;
+const format = 2;
 
 const measured = record({ value: number, unit: text });
-const place = { scenario: text, variant: text };
-const engine = { ...place, engine: text, method: text };
+const of_case = { scenario: text, variant: text };
+const of_run = { ...of_case, engine: text, method: text };
 
 const report_rule = record({
   title: text,
@@ -160,7 +191,7 @@ const report_rule = record({
   invariants: list(record({ name: text, unit: text, definition: text })),
   runs: list(
     record({
-      ...engine,
+      ...of_run,
       parameters: map(finite),
       exact: yes_no,
       dt: finite,
@@ -176,6 +207,7 @@ const report_rule = record({
           measured: number,
           error: number,
           tolerance: number,
+          ratio: number,
           relation: one_of("equal", "at least", "at most"),
           passed: yes_no,
           reported: yes_no,
@@ -187,7 +219,7 @@ const report_rule = record({
         record({
           name: text,
           unit: text,
-          status: one_of(...standings),
+          status: one_of(...statuses),
           value: number,
           tolerance: number,
           ratio: number,
@@ -199,12 +231,12 @@ const report_rule = record({
     }),
   ),
   comparisons: list(
-    record({ ...place, a: text, b: text, metrics: map(measured), verdict: one_of(...verdicts), reason: text }),
+    record({ ...of_case, a: text, b: text, metrics: map(measured), verdict: one_of(...verdicts), reason: text }),
   ),
   timings: record({
     steps: list(
       record({
-        ...engine,
+        ...of_run,
         step_us: number,
         step_us_low: number,
         step_us_high: number,
@@ -218,7 +250,7 @@ const report_rule = record({
 
 const columns = ["energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference", "overlap"] as const;
 
-const series_shape = record({ ...engine, t: list(finite), ...Object.fromEntries(columns.map((column) => [column, list(number)])) });
+const series_shape = record({ ...of_run, t: list(finite), ...Object.fromEntries(columns.map((column) => [column, list(number)])) });
 
 const series_rule: Rule = (value, problems) => {
   const before = problems.length;
@@ -239,16 +271,16 @@ const page_rule = record({
   studies: list(study_rule),
 });
 
-export type Outcome = { page: Page } | { study: Study } | { problems: string[] };
+export type ReadResult = { page: Page } | { study: Study } | { problems: string[] };
 
-/** Where in the data its kind keeps the number of its format. */
+/** The two kinds of page; "plumb" inside the named member is the version of its format. */
 const kinds = [
   { name: "report", rule: page_rule, format },
   { name: "study", rule: record({ study: study_rule }), format: 2 },
 ] as const;
 
-/** Reads the text of the data element; says all that is wrong with it, place by place. */
-export function read(json: string | null | undefined): Outcome {
+/** Parses and validates the text of the data element; lists all problems with their paths. */
+export function read(json: string | null | undefined): ReadResult {
   if (!json?.trim()) return { problems: ["the page holds no report"] };
   let value: unknown;
   try {

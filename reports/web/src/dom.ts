@@ -1,4 +1,4 @@
-// Elements by function. Children that are strings become text nodes, never markup.
+// Creates elements. Children that are strings become text nodes, never markup.
 
 export type Child = Node | string | null | undefined | false;
 
@@ -26,7 +26,7 @@ export function svg(tag: string, attributes: Record<string, string | number>, ..
   return element;
 }
 
-/** A table whose cells carry their column's name, so that a narrow screen can stack them. */
+/** A table; on narrow screens its rows become cards, whose cells show their data-label. */
 export function table(caption: string, heads: (string | Node)[], rows: HTMLTableRowElement[], kind = ""): HTMLElement {
   const head = h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)));
   return h(
@@ -36,7 +36,7 @@ export function table(caption: string, heads: (string | Node)[], rows: HTMLTable
   );
 }
 
-/** Puts a prefix before every id in an element, and wherever one is named, so that it can stand beside others. */
+/** Prefixes every id inside an element, and every reference to one, so that ids stay unique on the page. */
 export function prefixed<E extends Element>(prefix: string, element: E): E {
   for (const one of [element, ...element.querySelectorAll("*")]) {
     if (one.id) one.id = prefix + one.id;
@@ -50,7 +50,7 @@ export function prefixed<E extends Element>(prefix: string, element: E): E {
   return element;
 }
 
-/** An id that any text may become. */
+/** Turns any text into an id. */
 export function slug(...parts: string[]): string {
   return parts.map((part) => encodeURIComponent(part.trim().toLowerCase().replace(/\s+/g, "-"))).join("--");
 }

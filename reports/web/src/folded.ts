@@ -1,10 +1,10 @@
-// Parts of the page that stand folded. Each is made when it is opened, or when the browser has nothing better to do: so
-// a long page opens at once, and what is folded can still be searched.
+// Folded parts of the page. Each is created when it is opened or when the browser is idle, so that a long page opens at
+// once and folded text can still be searched.
 import { h, type Child } from "./dom";
 
 const unmade = new Map<HTMLDetailsElement, () => void>();
 
-// Told before anything is drawn, and before anybody else can look; of "toggle" one is told later.
+// A MutationObserver runs before the next paint and before other scripts; the event "toggle" comes too late.
 const opened = new MutationObserver((changes) => {
   for (const { target } of changes) make(target as HTMLDetailsElement);
 });
@@ -15,12 +15,12 @@ function make(details: HTMLDetailsElement): void {
   parts?.();
 }
 
-interface Look {
+interface Options {
   kind?: "checks" | "more";
   open?: boolean;
 }
 
-export function folded(title: string, parts: () => Child[], { kind = "more", open = false }: Look = {}): HTMLDetailsElement {
+export function folded(title: string, parts: () => Child[], { kind = "more", open = false }: Options = {}): HTMLDetailsElement {
   const details = h("details", { class: kind, ...(open ? { open: "" } : {}) }, h("summary", {}, title));
   unmade.set(details, () => {
     for (const part of parts()) if (part) details.append(part);
@@ -30,7 +30,7 @@ export function folded(title: string, parts: () => Child[], { kind = "more", ope
   return details;
 }
 
-/** All that an element holds, whether it is open or not; parts may hold further ones. */
+/** Creates all folded parts inside an element, including those inside other folded parts. */
 export function make_within(element: Element): void {
   for (;;) {
     const inside = [...unmade.keys()].filter((details) => element.contains(details));
@@ -39,12 +39,12 @@ export function make_within(element: Element): void {
   }
 }
 
-/** So that an element is seen. */
+/** Opens all folds around an element. */
 export function unfold_around(element: Element): void {
   for (let around = element.closest("details"); around; around = around.parentElement?.closest("details") ?? null) around.open = true;
 }
 
-/** Makes what is still unmade, bit by bit. Browsers that do not tell when they are idle make it when it is opened. */
+/** Creates the remaining parts while the browser is idle. Browsers without requestIdleCallback create them on opening. */
 export function make_when_idle(): void {
   globalThis.requestIdleCallback?.((idle) => {
     for (const details of unmade.keys()) {
@@ -54,7 +54,7 @@ export function make_when_idle(): void {
   });
 }
 
-/** Opens everything; returns how to close again what was closed. */
+/** Opens everything; returns a function that closes it again. */
 export function unfold_all(): () => void {
   make_within(document.documentElement);
   const closed = [...document.querySelectorAll("details")].filter(({ open }) => !open);

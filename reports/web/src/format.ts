@@ -1,4 +1,4 @@
-// Numbers as people read them: as many digits as are known, and a unit.
+// Numbers and words for reading: significant digits, units, commands.
 
 const minus = "\u2212";
 const thin = "\u202f";
@@ -11,18 +11,18 @@ function raised(exponent: number): string {
 
 const signed = (text: string): string => text.replace("-", minus);
 
-/** "1" is the unit of what has none. */
+/** The unit "1" is left out. */
 const with_unit = (text: string, unit: string): string => (unit && unit !== "1" ? `${text}${thin}${pretty_unit(unit)}` : text);
 
-/** "kg m^2/s" -> "kg m²/s", in one piece; "us" -> "µs" */
+/** "kg m^2/s" -> "kg m²/s" with no-break spaces; "us" -> "µs" */
 export function pretty_unit(unit: string): string {
   return unit.replace(/^us\b/, "\u00b5s").replaceAll(" ", thin).replace(/\^(-?\d+)/g, (_, power: string) => raised(Number(power)));
 }
 
-/** "step_us" -> "step us"; names are the C++ side's identifiers. */
+/** "truth_error_rms" -> "truth error rms": report.json uses identifiers as names. */
 export const words = (name: string): string => name.replaceAll("_", " ");
 
-/** To significant digits; powers of ten where plain digits would be zeros mostly. */
+/** Rounded to significant digits; very small and large values as powers of ten. */
 export function number(value: number | null | undefined, unit = "", digits = 3): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "not finite";
   if (value === 0) return with_unit("0", unit);
@@ -37,14 +37,14 @@ export function number(value: number | null | undefined, unit = "", digits = 3):
   return with_unit(signed(value.toFixed(decimals)), unit);
 }
 
-/** A whole or short number as it was given: no digit added. */
+/** A parameter as it was entered, without added digits. */
 export function given(value: number, unit = "", digits = 6): string {
   const short = Number(value.toPrecision(digits));
   const plain = short === 0 || (Math.abs(short) >= 1e-4 && Math.abs(short) < 1e7);
   return plain ? with_unit(signed(String(short)), unit) : number(short, unit, 2);
 }
 
-/** A value that is told from another by so much: two digits of the difference are shown, and none below. */
+/** A value that is compared with another: shows two digits of their difference, and no further digits. */
 export function to_within(value: number | null, difference: number, unit: string): string {
   if (value === null || !Number.isFinite(value)) return "not finite";
   if (value === 0) return with_unit("0", unit);
@@ -54,32 +54,32 @@ export function to_within(value: number | null, difference: number, unit: string
   return with_unit(signed(Number(text) === 0 ? text.replace("-", "") : text), unit);
 }
 
-/** 1/60 s rather than 0.0167 s. */
+/** "1/60 s" rather than "0.0167 s" */
 export function time_step(dt: number): string {
   const rate = Math.round(1 / dt);
   return dt > 0 && Math.abs(rate * dt - 1) < 1e-9 ? with_unit(rate === 1 ? "1" : `1/${rate}`, "s") : number(dt, "s");
 }
 
-/** The same as --dt takes it. */
+/** "1/60", as --dt takes it */
 export function step_word(dt: number): string {
   const rate = Math.round(1 / dt);
   return dt > 0 && Math.abs(rate * dt - 1) < 1e-9 ? (rate === 1 ? "1" : `1/${rate}`) : String(dt);
 }
 
-/** An error as a share of what is allowed. */
-export function share(ratio: number): string {
+/** error / tolerance; NaN means nothing was judged, infinity a tolerance of 0 or an error that is not finite. */
+export function ratio_text(ratio: number): string {
   if (Number.isNaN(ratio)) return "\u2013";
   if (ratio === 0) return "0";
-  if (ratio === Infinity) return "no bound";
+  if (ratio === Infinity) return "\u221e";
   if (ratio < 0.001) return "< 0.001";
   if (ratio < 10) return ratio.toFixed(ratio < 0.0995 ? 3 : 2);
   return ratio < 1000 ? ratio.toPrecision(3) : "> 1000";
 }
 
 /** "3.2 times" */
-export const times = (ratio: number): string => (ratio >= 1000 ? "more than 1000 times" : `${share(ratio)} times`);
+export const times = (ratio: number): string => (ratio >= 1000 ? "more than 1000 times" : `${ratio_text(ratio)} times`);
 
-/** A command line as a shell takes it. */
+/** A command line, quoted for a shell. */
 export function shell(words: string[]): string {
   return words.map((word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(" ");
 }

@@ -1,18 +1,16 @@
+// Builds the page from the data element, and prepares it for printing.
 import { follow_address } from "./address";
-import { read } from "./data";
 import { draw_all } from "./charts/figure";
+import { read } from "./data";
 import { h, slug } from "./dom";
 import { make_when_idle, unfold_all } from "./folded";
 import { model_of } from "./model";
+import { overview } from "./overview/overview";
+import { problems } from "./pieces";
 import { chapter_section } from "./sections/chapter";
 import { method } from "./sections/method";
-import { opening } from "./sections/opening";
-import { overview } from "./sections/overview";
-import { problems } from "./sections/problems";
-import { study_id, study_section } from "./sections/studies";
-import { study_page } from "./sections/study";
-import { view_of } from "./studies/views";
-import { sentence } from "./verdict";
+import { opening, sentence } from "./sections/opening";
+import { study_id, study_page, study_section, view_of } from "./studies/page";
 
 const page = document.getElementById("page");
 const outcome = read(document.getElementById("plumb-data")?.textContent);
@@ -26,13 +24,13 @@ if ("problems" in outcome) {
 } else {
   const model = model_of(outcome.page);
   const { studies } = outcome.page;
-  const places = [
+  const sections = [
     ["overview", "Overview"],
     ...model.chapters.map(({ name }) => [slug(name), name]),
     ...studies.map((study) => [study_id(study), `Study: ${study.study}`] as const),
     ["method", "Method"],
   ] as const;
-  const links = places.map(([id, name]) => h("a", { href: `#${id ?? ""}` }, name ?? ""));
+  const links = sections.map(([id, name]) => h("a", { href: `#${id ?? ""}` }, name ?? ""));
   document.title = `${outcome.page.report.title || "Plumb report"}: ${sentence(model)}`;
   page?.replaceChildren(
     opening(model),

@@ -1,10 +1,10 @@
-// The report as the page thinks of it: engines with a look of their own, and cases (a scenario in one variant) with
-// everything that is known about them.
+// The report as the page shows it: engines with their colours and shapes, and cases (one variant of a scenario) with
+// their runs, comparisons, timings and replays.
 import type { Comparison, InvariantCheck, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
 import type { Replay } from "./replay/data";
 
 export interface Engine {
-  label: string; // as --engine takes it; "truth" for the closed forms
+  label: string; // as --engine takes it; "truth" for all closed forms
   engine: string;
   method: string;
   exact: boolean;
@@ -18,17 +18,17 @@ export interface Entry {
   run: Run;
   series: Series | undefined;
   timing: Timing | undefined;
-  worst: number; // largest miss, of a truth or an invariant, as a share of what is allowed; NaN where nothing is judged
+  worst: number; // largest error / tolerance of the truth checks and invariants; NaN if nothing is judged
 }
 
 export interface Case {
   scenario: string;
   variant: string;
   parameters: Record<string, number>;
-  entries: Entry[]; // the truth last
+  entries: Entry[]; // the truth comes last
   comparisons: Comparison[];
   replay: Replay | undefined;
-  horizon: number | undefined; // s, up to which the scene can be told point by point; undefined: to its end
+  horizon: number | undefined; // s, up to which single runs are compared; undefined: to the end
 }
 
 export interface Chapter {
@@ -45,26 +45,26 @@ export interface Model {
 
 export const label_of = (of: { engine: string; method: string }): string => (of.method ? `${of.engine}:${of.method}` : of.engine);
 
-// Told apart three ways at once: by colour (a palette that survives every common colour blindness), shape and dash.
+// Engines differ in colour (a palette that is safe for colour-blind readers), shape and dash.
 const symbols = ["circle", "square", "triangle", "diamond", "wye", "star"];
 const dashes = ["", "7 3", "2 3", "9 3 2 3", "12 4", "4 2"];
 const colors = 6;
 
-/** Of the index-th engine; the first 36 differ. */
+/** The look of the index-th engine; the first 36 are different. */
 export function look(index: number): Pick<Engine, "color" | "symbol" | "dash"> {
-  const turn = index + Math.floor(index / colors);
+  const offset = index + Math.floor(index / colors);
   return {
     color: `var(--engine-${(index % colors) + 1})`,
-    symbol: symbols[turn % symbols.length] ?? "circle",
-    dash: dashes[turn % dashes.length] ?? "",
+    symbol: symbols[offset % symbols.length] ?? "circle",
+    dash: dashes[offset % dashes.length] ?? "",
   };
 }
 
 function engines_of(runs: Run[]): Engine[] {
   const found = new Map<string, Engine>();
-  const first_ours = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
+  const ours_first = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
   let index = 0;
-  for (const run of first_ours) {
+  for (const run of ours_first) {
     const label = run.exact ? "truth" : label_of(run);
     if (found.has(label)) continue;
     found.set(label, {
@@ -78,18 +78,13 @@ function engines_of(runs: Run[]): Engine[] {
   return [...found.values()].sort((a, b) => Number(a.exact) - Number(b.exact));
 }
 
-export function ratio(check: TruthCheck): number {
-  if (check.error === null || check.tolerance === null) return Infinity;
-  if (check.error === 0) return 0;
-  return check.tolerance > 0 ? check.error / check.tolerance : Infinity;
-}
-
-export const law_ratio = (check: InvariantCheck): number => check.ratio ?? Infinity;
+/** error / tolerance of a check; infinite for a tolerance of 0 or an error that is not finite. */
+export const ratio_of = ({ ratio }: TruthCheck | InvariantCheck): number => ratio ?? Infinity;
 
 function worst(run: Run): number {
-  const readings = run.truth.filter((check) => check.reported).map(ratio);
-  const laws = run.invariants.filter(({ status }) => status !== "not reported").map(law_ratio);
-  const all = [...readings, ...laws];
+  const truth = run.truth.filter(({ reported }) => reported).map(ratio_of);
+  const invariants = run.invariants.filter(({ status }) => status !== "not reported").map(ratio_of);
+  const all = [...truth, ...invariants];
   return all.length ? Math.max(...all) : NaN;
 }
 
@@ -115,11 +110,11 @@ export function model_of(page: Page): Model {
       chapters.set(run.scenario, chapter);
     }
     const case_key = key(run.scenario, run.variant);
-    let place = cases.get(case_key);
-    if (!place) {
+    let item = cases.get(case_key);
+    if (!item) {
       const comparisons = report.comparisons.filter((c) => c.scenario === run.scenario && c.variant === run.variant);
       const horizons = comparisons.map(({ metrics }) => metrics["horizon"]?.value);
-      place = {
+      item = {
         scenario: run.scenario,
         variant: run.variant,
         parameters: run.parameters,
@@ -128,15 +123,21 @@ export function model_of(page: Page): Model {
         replay: page.replays.find((replay) => replay.scenario === run.scenario && replay.variant === run.variant),
         horizon: horizons.find((value) => typeof value === "number"),
       };
-      cases.set(case_key, place);
-      chapter.cases.push(place);
+      cases.set(case_key, item);
+      chapter.cases.push(item);
     }
     const found = { series: series.get(run_key(run)), timing: timings.get(run_key(run)) };
-    place.entries.push({ engine, run, worst: worst(run), ...found });
+    item.entries.push({ engine, run, worst: worst(run), ...found });
   }
   const order = new Map(engines.map((engine, index) => [engine, index]));
-  for (const place of cases.values()) {
-    place.entries.sort((a, b) => (order.get(a.engine) ?? 0) - (order.get(b.engine) ?? 0));
+  for (const item of cases.values()) {
+    item.entries.sort((a, b) => (order.get(a.engine) ?? 0) - (order.get(b.engine) ?? 0));
   }
   return { page, engines, chapters: [...chapters.values()] };
+}
+
+/** What the page of a study consists of: its result in one sentence, and its sections. */
+export interface StudyView {
+  sentence: string;
+  sections: { id: string; name: string; content: () => HTMLElement }[];
 }

@@ -1,6 +1,6 @@
-// What a value must be, and all that is wrong with it, place by place.
+// Validation of JSON values: a rule for each kind of value, and a list of all problems with their paths.
 
-/** Adds what is wrong to the problems, each with its place inside the value. */
+/** Appends problems of a value, each with its path inside the value. */
 export type Rule = (value: unknown, problems: string[]) => void;
 
 const kind = (value: unknown): string =>
@@ -19,11 +19,11 @@ export const number = expect((value) => typeof value === "number" || value === n
 export const one_of = (...words: readonly string[]): Rule =>
   expect((value) => words.includes(value as string), `one of ${words.join(", ")}`);
 
-/** What a rule finds wrong with a part, told with the part's place: put together only then, for there are many parts. */
-function part(rule: Rule, value: unknown, problems: string[], place: (key: string | number) => string, key: string | number): void {
+/** Applies a rule to a part and prefixes its problems with the part's path. Paths are built only for problems: there are many parts. */
+function part(rule: Rule, value: unknown, problems: string[], path: (key: string | number) => string, key: string | number): void {
   const before = problems.length;
   rule(value, problems);
-  for (let i = before; i < problems.length; ++i) problems[i] = place(key) + (problems[i] ?? "");
+  for (let i = before; i < problems.length; ++i) problems[i] = path(key) + (problems[i] ?? "");
 }
 
 const as_index = (index: string | number): string => `[${index}]`;

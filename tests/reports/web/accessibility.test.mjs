@@ -1,4 +1,4 @@
-// What axe-core can tell, in both themes at three widths, and what only a keyboard can.
+// The checks of axe-core in both themes at three widths, and access by keyboard.
 import axe from "axe-core";
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
@@ -19,7 +19,7 @@ async function violations(page) {
   return found.violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(({ html, any }) => `${html.slice(0, 160)} ${any[0]?.message ?? ""}`).join("\n  ")}`);
 }
 
-// Widths change what is laid out, not what is said: once in each theme is enough for the large page.
+// The width changes the layout, not the content: large pages are checked once at each width.
 const views = [[360, "light"], [1280, "dark"], [2560, "light"]];
 for (const [name, file] of Object.entries(files)) {
   for (const [width, colorScheme] of name === "the sample" ? [...views, [360, "dark"], [1280, "light"], [2560, "dark"]] : views) {
@@ -33,7 +33,7 @@ for (const [name, file] of Object.entries(files)) {
   }
 }
 
-test("the keyboard alone reaches every link, button, field and fold, in the order of the page", async () => {
+test("the keyboard reaches every link, button, field and fold, in the order of the page", async () => {
   const { page } = await open(files["the sample"]);
   await draw_all(page);
   const wanted = await page.evaluate(() => {
@@ -50,7 +50,7 @@ test("the keyboard alone reaches every link, button, field and fold, in the orde
   await page.close();
 });
 
-test("every chart is a picture with a name", async () => {
+test("every chart is an image with a name", async () => {
   const { page } = await open(files["the sample"]);
   await draw_all(page);
   const names = await page.locator(".canvas:has(svg)").evaluateAll((all) => all.map((chart) => [chart.getAttribute("role"), chart.getAttribute("aria-label")]));

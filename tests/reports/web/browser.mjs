@@ -1,4 +1,4 @@
-// Opens the page in a headless Chromium, from a file, as a person would.
+// Opens the page from a file in a headless Chromium.
 import { chromium } from "playwright-core";
 import assert from "node:assert/strict";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
@@ -23,7 +23,7 @@ export async function close() {
 
 let pages = 0;
 
-/** Puts data (an object, or text as it is) into the template, as the C++ side does; returns the file. */
+/** Writes data (an object, or text) into the template, as the C++ side does; returns the file. */
 export async function write(data) {
   const json = (typeof data === "string" ? data : JSON.stringify(data)).replaceAll("<", "\\u003c");
   const element = `<script type="application/json" id="plumb-data">${json}</script>`;
@@ -32,7 +32,7 @@ export async function write(data) {
   return file;
 }
 
-/** A page yet to go somewhere. `trouble` collects what must not be: errors on the console, and requests that leave the file. */
+/** A blank page. `trouble` collects errors and warnings on the console, and requests other than for the page's file. */
 export async function open_blank({ width = 1280, height = 900, colorScheme = "light", deviceScaleFactor = 1 } = {}) {
   const page = await browser.newPage({ viewport: { width, height }, colorScheme, deviceScaleFactor, reducedMotion: "reduce" });
   const trouble = [];
@@ -51,7 +51,7 @@ export async function open_blank({ width = 1280, height = 900, colorScheme = "li
   return { page, trouble, go };
 }
 
-/** The same, and there. */
+/** A page with a file open. */
 export async function open(file, { hash = "", ...look } = {}) {
   const { page, trouble, go } = await open_blank(look);
   await go(file, hash);
@@ -60,13 +60,13 @@ export async function open(file, { hash = "", ...look } = {}) {
 
 const system = await browser.newBrowserCDPSession();
 
-/** ms that each of the browser's processes has computed since it began, by its kind and number. */
+/** CPU time of each of the browser's processes (ms), by type and id. */
 export async function processors() {
   const { processInfo } = await system.send("SystemInfo.getProcessInfo");
   return new Map(processInfo.map(({ id, type, cpuTime }) => [`${type} ${id}`, 1000 * cpuTime]));
 }
 
-/** The replay of the n-th case, made; on its own, where it is clicked, typed at and looked at. */
+/** The replay of the n-th case, once it is ready. */
 export async function replay(page, n = 0) {
   const stage = page.locator(".stage").nth(n);
   await stage.scrollIntoViewIfNeeded();
@@ -74,16 +74,16 @@ export async function replay(page, n = 0) {
   return stage;
 }
 
-/** Two frames on, all that was asked for is drawn. */
+/** Waits until all scheduled drawing is done. */
 export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 
-/** What one reads there; cases far from the screen are not laid out, and have no such text. */
-export async function said_in(locator) {
+/** The visible text; cases far from the screen have none before they are laid out. */
+export async function text_in(locator) {
   await locator.scrollIntoViewIfNeeded();
   return locator.innerText();
 }
 
-/** Waits until what is read is, or is like, what is expected: pages answer in their own time. */
+/** Waits until a value equals, matches or satisfies what is expected. */
 export async function until(read, expected) {
   const fits = (found) => (typeof expected === "function" ? expected(found) : expected instanceof RegExp ? expected.test(found) : isDeepStrictEqual(found, expected));
   let found = await read();
@@ -93,7 +93,7 @@ export async function until(read, expected) {
   else assert.deepEqual(found, expected);
 }
 
-/** Has everything made that is made when it is opened; leaves open what was, and what holds charts. */
+/** Creates all folded parts; leaves those open that were, and those with charts. */
 async function make_all(page) {
   await page.evaluate(async () => {
     const before = new Map();
@@ -108,7 +108,7 @@ async function make_all(page) {
   });
 }
 
-/** Charts and replays are made when they come near the screen: goes through the whole page, folded parts too. */
+/** Scrolls through the whole page, because charts and replays are drawn when they come near the screen. */
 export async function draw_all(page) {
   await make_all(page);
   for (const [kind, made] of [[".canvas", (canvas) => canvas.style.minHeight === ""], [".stage", (stage) => "ready" in stage.dataset]]) {

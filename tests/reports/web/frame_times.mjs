@@ -1,6 +1,6 @@
 // Prints how long frames of a large replay take: node tests/frame_times.mjs [ROWS [ENGINES]], a pyramid of boxes.
-// "script" is the page's own work in a frame; "frame" what passes from one to the next, drawing included; "processors"
-// what all of the browser's processes used for one, whatever else the machine did: what lasts of the three.
+// "script" is the page's own work in a frame; "frame" the time from one frame to the next, including drawing; "processors"
+// the CPU time of all of the browser's processes for one frame, which depends the least on other load.
 import { close, open, processors, replay, write } from "./browser.mjs";
 import { pack, replay_run } from "./pack.mjs";
 import { sample } from "./sample.mjs";
@@ -31,7 +31,7 @@ page_replay.runs = page_replay.runs
 const { page, trouble } = await open(await write(data));
 const began = Date.now();
 const stage = await replay(page);
-console.log(`${boxes.length} boxes, ${engines} engine(s): made in ${Date.now() - began} ms`);
+console.log(`${boxes.length} boxes, ${engines} engine(s): ready in ${Date.now() - began} ms`);
 await page.evaluate(() => {
   window.frames_seen = [];
   window.script = [];
@@ -61,13 +61,13 @@ await page.waitForTimeout(5000);
 const used = await processors();
 const drawn_since = (await page.evaluate(() => window.frames_seen.length)) - drawn;
 const { frames, script } = await page.evaluate(() => ({ frames: window.frames_seen, script: window.script }));
-const told = (name, all) => {
+const print = (name, all) => {
   const sorted = all.slice(10).sort((a, b) => a - b);
   const at = (share) => sorted[Math.floor(share * (sorted.length - 1))].toFixed(1);
   console.log(`${name}: median ${at(0.5)} ms, 90 % within ${at(0.9)} ms, 99 % within ${at(0.99)} ms (${sorted.length} frames)`);
 };
-told("frame", frames.slice(1).map((time, i) => time - frames[i]));
-told("script", script);
+print("frame", frames.slice(1).map((time, i) => time - frames[i]));
+print("script", script);
 const parts = [...used].map(([name, time]) => [name.split(" ")[0], (time - (before.get(name) ?? 0)) / drawn_since]).filter(([, ms]) => ms > 0.05);
 console.log(`processors: ${parts.map(([name, ms]) => `${name} ${ms.toFixed(1)} ms`).join(", ")} a frame`);
 if (trouble.length) console.log(trouble);

@@ -9,7 +9,7 @@ const many = 20;
 const subject = { scenario: "<b>fall</b>", variant: "height 5", dt: 1 / 60 };
 const range = Array.from({ length: many }, (_, i) => i);
 
-/** Twenty snapshots: with the tenth a number and a verdict change, with the fifteenth the time of one of two engines. */
+/** Twenty snapshots: a number and a verdict change in the tenth, the time of one of two engines in the fifteenth. */
 function history() {
   const snapshots = range.map((i) => ({
     key: `id${i}`,
@@ -55,7 +55,7 @@ if (process.env.PLUMB_HISTORY) files["the real history"] = process.env.PLUMB_HIS
 
 for (const [name, file] of Object.entries(files)) {
   for (const width of [360, 1280]) {
-    test(`the history fits ${width} px as ${name}, draws everything, and asks for nothing`, async () => {
+    test(`the history fits ${width} px as ${name}, draws everything, and makes no requests`, async () => {
       const { page, trouble } = await open(file, { width, colorScheme: width < 1000 ? "dark" : "light" });
       await draw_all(page);
       assert.ok((await page.locator(".canvas:has(svg)").count()) > 0);
@@ -68,7 +68,7 @@ for (const [name, file] of Object.entries(files)) {
   }
 }
 
-test("what changed is listed, the newest first, the largest of a snapshot first", async () => {
+test("changes are listed, the newest snapshot first, and the largest change of a snapshot first", async () => {
   const { page } = await open(alone);
   const rows = await page.locator("#changes tbody tr").allInnerTexts();
   assert.equal(rows.length, 3);
@@ -76,11 +76,11 @@ test("what changed is listed, the newest first, the largest of a snapshot first"
   assert.match(rows[1], /2026-01-11 c0ffee10[^]*verdict[^]*right[^]*wrong[^]*exact/);
   assert.match(rows[2], /2026-01-11 c0ffee10[^]*energy rise[^]*\+100[^]*exact/);
   assert.ok(rows[0].includes("<b>fall</b>"));
-  assert.match(await page.locator("h1").innerText(), /^From 2026-01-01 to 2026-01-20, over 20 snapshots: 1 verdict and 2 numbers changed, none with the newest\.$/);
+  assert.match(await page.locator("h1").innerText(), /^From 2026-01-01 to 2026-01-20, over 20 snapshots: 1 verdict and 2 numbers changed, none in the newest\.$/);
   await page.close();
 });
 
-test("a metric has a chart for each machine, with a line an engine and a ring where it changes", async () => {
+test("a metric has a chart for each machine, with a line for each engine and a ring at each change", async () => {
   const { page } = await open(alone);
   await draw_all(page);
   const figures = page.locator("main figure");

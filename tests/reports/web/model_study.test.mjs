@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, draw_all, open, said_in, write } from "./browser.mjs";
+import { close, draw_all, open, text_in, write } from "./browser.mjs";
 
 after(close);
 
@@ -13,9 +13,9 @@ const drops = [
 
 /** A case with a truth and a least model, one without either. */
 function sample() {
-  const points = [];
+  const results = [];
   const add = (variant, name, values, truth = "fall") =>
-    points.push({
+    results.push({
       key: `model|heap/${variant}|${name}`,
       ending: "done",
       reason: "",
@@ -27,7 +27,7 @@ function sample() {
   add("still", "least", { role: "least" });
   add("wild", "full", { role: "full", truth: "", error: null, compared_until: 1.5 });
   add("wild", "auto", { role: "auto", within: false, change: 0.5 });
-  points.push({ key: "model|heap/wild|rotation=off", ending: "crashed", reason: "ended by signal 11", values: {} });
+  results.push({ key: "model|heap/wild|rotation=off", ending: "crashed", reason: "ended by signal 11", values: {} });
   const spread = (median) => ({ median, low: median * 0.9, high: median * 1.1 });
   return {
     study: {
@@ -36,7 +36,7 @@ function sample() {
       about: "The least model",
       configuration: { tolerance: "1e-4", dt: "1/60" },
       environment: { processor: "one" },
-      results: points,
+      results,
       findings: { promises: [] },
       timings: {
         results: {},
@@ -68,7 +68,7 @@ if (process.env.PLUMB_MODEL_STUDY) pages["the real study"] = process.env.PLUMB_M
 for (const [name, file] of Object.entries(pages)) {
   for (const colorScheme of ["light", "dark"]) {
     for (const width of [360, 1280]) {
-      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and asks for nothing`, async () => {
+      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and makes no requests`, async () => {
         const { page, trouble } = await open(file, { width, colorScheme });
         await draw_all(page);
         const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
@@ -82,16 +82,16 @@ for (const [name, file] of Object.entries(pages)) {
   }
 }
 
-test("what was found stands first, and broken promises are told", async () => {
+test("the head has the result, and the table says where impulse:auto is not as accurate", async () => {
   const { page } = await open(pages["the sample"]);
-  assert.match(await page.locator("h1").innerText(), /2\.5 to 2\.5 times cheaper than the full one, over 2 cases; impulse:auto keeps its promise in 1 of them/);
-  assert.match(await page.locator("#overview").innerText(), /kept[\s\S]*broken/i);
+  assert.match(await page.locator("h1").innerText(), /2\.5 to 2\.5 times cheaper than the full model, over 2 cases; impulse:auto is as accurate as the full model in 1 of them/);
+  assert.match(await page.locator("#overview").innerText(), /yes[\s\S]*no/i);
   await page.close();
 });
 
-test("the least model is told with what it does without, and the line that runs it", async () => {
+test("the least model has the features it leaves out, and its command line", async () => {
   const { page } = await open(pages["the sample"]);
-  const said = await said_in(page.locator("article").first());
+  const said = await text_in(page.locator("article").first());
   assert.match(said, /rotation: without any turning/);
   assert.match(said, /\.\/plumb run heap:still --engine impulse:rotation=off,solver=article/);
   assert.match(said, /rotation=off: no body turns/);
@@ -105,16 +105,16 @@ test("each feature has its bar and its mark, as far as it ran", async () => {
   assert.equal(await article.locator("g.cost rect").count(), 3);
   assert.equal(await article.locator("g.change circle").count(), 3);
   await article.locator("details").evaluate((element) => (element.open = true));
-  const said = await said_in(article.locator("details"));
+  const said = await text_in(article.locator("details"));
   assert.match(said, /holds no joints/);
   assert.match(said, /<b>sub-steps<\/b>/);
   await page.close();
 });
 
-test("without a truth it is said by what models are weighed, and points that did not end are listed", async () => {
+test("without a truth models are compared with the full model, and unfinished jobs are listed", async () => {
   const { page } = await open(pages["the sample"]);
-  const said = await said_in(page.locator("article").nth(1));
-  assert.match(said, /No truth is known here: weighed by the difference from the full model over the first 1\.5/);
+  const said = await text_in(page.locator("article").nth(1));
+  assert.match(said, /There is no truth for this case: compared with the full model over the first 1\.5/);
   assert.match(said, /No least model was found/);
   assert.match(await page.locator("#endings").innerText(), /crashed.*signal 11/s);
   await page.close();

@@ -1,7 +1,7 @@
 // Prints how long pages take to open, the median of seven times: node tests/opening_time.mjs PAGE.html...
-// "elapsed" is from the start of the navigation to the second frame after the page stands, when it answers to whatever
-// one does; "page" what the page's own process computed until then, of that "script" and "layout" (styles as well) by
-// its main thread; "processors" what all of the browser's processes did, whatever else the machine did: what lasts.
+// "elapsed" is the time from the start of the navigation to the second frame of the complete page, when it is interactive;
+// "page" the CPU time of the page's process until then, with "script" and "layout" (including styles) of its main thread;
+// "processors" the CPU time of all of the browser's processes, which depends the least on other load.
 import { close, open_blank, drawn, processors } from "./browser.mjs";
 import { stat } from "node:fs/promises";
 
@@ -29,7 +29,7 @@ for (const file of process.argv.slice(2)) {
   const found = [];
   for (let i = 0; i < times; ++i) found.push(await opening(file));
   const { size } = await stat(file);
-  const told = Object.keys(found[0]).map((name) => `${name} ${median(found.map((one) => one[name])).toFixed(0)} ms`);
-  console.log(`${file} (${(size / 1e6).toFixed(1)} MB) opens: ${told.join(", ")}`);
+  const medians = Object.keys(found[0]).map((name) => `${name} ${median(found.map((one) => one[name])).toFixed(0)} ms`);
+  console.log(`${file} (${(size / 1e6).toFixed(1)} MB) opens: ${medians.join(", ")}`);
 }
 await close();

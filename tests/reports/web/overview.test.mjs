@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, open, said_in, until, write } from "./browser.mjs";
+import { close, open, text_in, until, write } from "./browser.mjs";
 import { sample } from "./sample.mjs";
 import { study_sample } from "./study_sample.mjs";
 
@@ -12,7 +12,7 @@ const heads = (page) => page.locator(".matrix thead th").evaluateAll((all) => al
 const hash = (page) => new URL(page.url()).hash;
 const all_rows = ["free-fall height 5", "free-fall height 50", "stacking 10 boxes", "stacking tilted"];
 
-test("the overview shows what is asked for: engine, scenario, verdict", async () => {
+test("the filters select engines, scenarios and verdicts", async () => {
   const { page, trouble } = await open(file);
   assert.deepEqual(await rows(page), all_rows);
   await page.getByRole("button", { name: "box2d", exact: true }).first().click();
@@ -21,7 +21,7 @@ test("the overview shows what is asked for: engine, scenario, verdict", async ()
   await page.getByRole("searchbox").fill("boxes");
   assert.deepEqual(await rows(page), ["stacking 10 boxes"]);
   await page.getByRole("searchbox").fill("nothing like it");
-  assert.match(await page.locator("#overview").innerText(), /No case is like that/);
+  assert.match(await page.locator("#overview").innerText(), /No case matches/);
   await page.getByRole("button", { name: "Show all" }).click();
   assert.deepEqual(await rows(page), all_rows);
   await page.getByRole("combobox", { name: "verdict" }).selectOption("something is not supported");
@@ -31,7 +31,7 @@ test("the overview shows what is asked for: engine, scenario, verdict", async ()
   await page.close();
 });
 
-test("the chart of error against cost follows the choice", async () => {
+test("the chart of error against cost follows the filters", async () => {
   const { page } = await open(file, { hash: "#overview?engine=box2d" });
   await page.locator("#overview .canvas").first().scrollIntoViewIfNeeded();
   await page.waitForSelector("#overview g.marks");
@@ -39,38 +39,38 @@ test("the chart of error against cost follows the choice", async () => {
   await page.close();
 });
 
-test("the chart of times at equal error follows the choice of engines and scenarios", async () => {
+test("the chart of times at equal error follows the filters of engines and scenarios", async () => {
   const data = sample();
   data.studies = [study_sample().study];
   const { page } = await open(await write(data));
   const chart = page.locator("#overview .pair > div").last();
   const marks = () => chart.locator("g.factor").evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort());
-  const told = () => chart.locator("figcaption").textContent();
+  const caption = () => chart.locator("figcaption").textContent();
   await chart.scrollIntoViewIfNeeded();
   await until(marks, ["box2d", "impulse"]);
-  assert.match(await told(), /over all cases.*Never: never/);
+  assert.match(await caption(), /over all cases.*In no case: never/);
   await page.getByRole("button", { name: "impulse", exact: true }).first().click();
   await chart.scrollIntoViewIfNeeded();
   await until(marks, ["impulse"]);
-  assert.doesNotMatch(await told(), /Never/);
+  assert.doesNotMatch(await caption(), /In no case/);
   await page.getByRole("searchbox").fill("heap");
-  await until(told, /over 1 case/);
+  await until(caption, /over 1 case/);
   await chart.scrollIntoViewIfNeeded();
   await until(marks, ["impulse"]);
   await page.getByRole("searchbox").fill("nothing like it");
-  await until(() => chart.textContent(), /has nothing like that/);
+  await until(() => chart.textContent(), /No case of the speed study matches/);
   await page.close();
 });
 
-test("a column's head sorts by it, turns the order around, and gives it up", async () => {
+test("a column's head sorts by it, reverses the order, and restores it", async () => {
   const { page } = await open(file);
   const head = page.locator(".matrix thead").getByRole("button", { name: "impulse" });
   const state = () => page.locator(".matrix thead th").nth(2).getAttribute("aria-sort");
   await head.click();
   assert.equal(await state(), "ascending");
   const up = await rows(page);
-  assert.equal(up.indexOf("stacking 10 boxes"), 2, "the largest miss");
-  assert.equal(up.at(-1), "stacking tilted", "what is not judged comes last");
+  assert.equal(up.indexOf("stacking 10 boxes"), 2, "the largest error");
+  assert.equal(up.at(-1), "stacking tilted", "cases without a number come last");
   await head.press("Enter");
   assert.equal(await state(), "descending");
   const down = await rows(page);
@@ -82,11 +82,11 @@ test("a column's head sorts by it, turns the order around, and gives it up", asy
   await page.close();
 });
 
-test("cells tell what is asked for, and are sorted by that", async () => {
+test("cells show the chosen number, and rows are sorted by it", async () => {
   const { page } = await open(file);
   await page.getByRole("combobox", { name: "number" }).selectOption("time per step");
   assert.match(await page.locator(".matrix td[data-verdict]").first().innerText(), /\u00b5s/);
-  await page.getByRole("combobox", { name: "order" }).selectOption("case, downwards");
+  await page.getByRole("combobox", { name: "order" }).selectOption("case, descending");
   assert.equal((await rows(page))[0], "stacking tilted");
   assert.equal(hash(page), "#overview?show=time+per+step&sort=-case");
   await page.close();
@@ -111,20 +111,20 @@ test("an address shares the view, and back and forward go through views", async 
   await page.close();
 });
 
-test("a cell leads to its engine's evidence, which is marked and unfolded", async () => {
+test("a cell links to the reason for its verdict, which is unfolded and highlighted", async () => {
   const { page } = await open(file);
   await page.locator(".matrix a", { hasText: "wrong" }).press("Enter");
   const place = page.locator("#stacking--10-boxes--impulse");
   await until(() => place.evaluate((element) => element.getBoundingClientRect().top), (top) => top >= 0 && top < 900);
-  assert.match(await said_in(place), /box 10, x at 10\ss: off by 0\.42\sm, allowed 0\.13\sm \(3\.23 times that\)/);
-  assert.ok(await place.evaluate((element) => element === document.activeElement && element.classList.contains("asked")));
-  assert.equal(await page.locator("tr.asked").count(), 1);
+  assert.match(await text_in(place), /Largest error \/ tolerance 3\.23: box 10, x at 10\ss, error 0\.42\sm, tolerance 0\.13\sm\./);
+  assert.ok(await place.evaluate((element) => element === document.activeElement && element.classList.contains("linked")));
+  assert.equal(await page.locator("tr.linked").count(), 1);
   await page.locator(".matrix a", { hasText: "failed" }).click();
-  assert.match(await said_in(page.locator(".evidence .asked")), /diverged at t = 0\.42 s/);
+  assert.match(await text_in(page.locator(".verdicts .linked")), /diverged at t = 0\.42 s/);
   await page.close();
 });
 
-test("every engine's verdict has its evidence, and every cell leads to one", async () => {
+test("every verdict has its reason, and every cell links to one", async () => {
   const { page } = await open(file);
   const dead = await page.evaluate(() =>
     [...document.querySelectorAll(".matrix a")].map((a) => a.getAttribute("href").slice(1)).filter((id) => !document.getElementById(id)),
@@ -133,7 +133,7 @@ test("every engine's verdict has its evidence, and every cell leads to one", asy
   await page.close();
 });
 
-test("command lines are copied as they stand, with what the report was asked", async () => {
+test("command lines are copied as shown, with the options of the report", async () => {
   const data = sample();
   data.report.command = ["plumb", "report", "--all", "--engine", "impulse", "--dt", "1/120"];
   const { page } = await open(await write(data));
@@ -141,22 +141,22 @@ test("command lines are copied as they stand, with what the report was asked", a
   const copied = () => page.evaluate(() => window.copied);
   await page.locator("#method .command button").first().click();
   await until(copied, "./plumb report --all --engine impulse --dt 1/120");
-  await page.locator("#method summary", { hasText: "Each case alone" }).click();
+  await page.locator("#method summary", { hasText: "Each case by itself" }).click();
   await page.locator("#method details .command button").first().click();
   await until(copied, "./plumb run 'free-fall:height 5' --engine impulse --dt 1/120");
   await until(() => page.locator("#method details .command button").first().innerText(), "Copied");
   await page.close();
 });
 
-test("the method says what is not supported, and why", async () => {
+test("the method lists what is not supported, and why", async () => {
   const { page } = await open(file);
   const said = await page.locator("#method").innerText();
   assert.match(said, /box2d: has one friction coefficient only\s+stacking \(tilted\)/);
-  assert.match(said, /impulse does not report what would tell of push/);
+  assert.match(said, /impulse does not report what the invariant push needs/);
   await page.close();
 });
 
-test("what changed since the baseline is told, with its place", async () => {
+test("changes since the baseline are shown, with a link", async () => {
   const data = sample();
   const regression = { scenario: "stacking", variant: "10 boxes", engine: "impulse", method: "", metric: "verdict", before: "right", now: "wrong", tolerance: "", why: "It was right.", change: "worse" };
   const findings = { verdict: "1 of 8 runs is not as accepted.", notes: [], runs: 8, regressions: [regression] };
@@ -168,7 +168,7 @@ test("what changed since the baseline is told, with its place", async () => {
   await page.locator("#overview .since a").click();
   assert.equal(hash(page), "#study--baseline");
   const section = page.locator("#study--baseline");
-  assert.match(await section.innerText(), /8 runs that canonical\.json has as well/);
+  assert.match(await section.innerText(), /8 runs that are also in canonical\.json/);
   assert.match(await section.locator("tbody tr").innerText(), /stacking, 10 boxes\s+impulse\s+verdict\s+right\s+wrong/);
   assert.deepEqual(trouble, []);
   await page.close();

@@ -1,4 +1,4 @@
-// Packs as reports/writers/packed.cpp does, from its description alone.
+// Packs columns as reports/writers/packed.h describes.
 import { deflateSync } from "node:zlib";
 
 export class Numbers {
@@ -36,8 +36,8 @@ export class Numbers {
 export const pack = (bytes) => deflateSync(bytes, { level: 9 }).toString("base64");
 
 /**
- * A run as the page is given it. `states` [moment][body] = [x, y, angle]; `energies` [moment] = [linear, rotational,
- * potential]; `places` are contact places, each a list of stays {begin, points: [[x, y, jx, jy] ...]}.
+ * A run of a replay. `states` [moment][body] = [x, y, angle]; `energies` [moment] = [linear, rotational,
+ * potential]; `places` are contact points, each a list of intervals {begin, points: [[x, y, jx, jy] ...]}.
  */
 export function replay_run({ engine, method = "", times, states, energies, places = [], steps, apart = null, overlap = null }) {
   const poses = new Numbers();

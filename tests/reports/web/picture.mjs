@@ -1,4 +1,4 @@
-// Takes the README's picture: node tests/picture.mjs REPORT.html PICTURE.png
+// Takes the picture of the README: node tests/picture.mjs REPORT.html PICTURE.png
 import { close, open } from "./browser.mjs";
 
 const [report, picture] = process.argv.slice(2);

@@ -16,7 +16,7 @@ const data = sample(name);
 data.studies = [{ ...study_sample().study, command: "plumb study speed --dt 1/30" }];
 const file = await write(data);
 const folder = join(dirname(file), "pictures");
-const said = execFileSync(process.execPath, [program, file, folder], { encoding: "utf8" });
+const output = execFileSync(process.execPath, [program, file, folder], { encoding: "utf8" });
 const names = readdirSync(folder);
 const text_of = (part) => readFileSync(join(folder, names.find((one) => one.includes(part))), "utf8");
 
@@ -24,14 +24,14 @@ test("every chart of the page becomes a picture, with the same marks", async () 
   const { page } = await open(file);
   await draw_all(page);
   assert.equal(names.length, await page.locator("figure:has(.canvas svg)").count());
-  assert.match(said, new RegExp(`^${names.length} pictures in `));
+  assert.match(output, new RegExp(`^${names.length} pictures in `));
   const cost = text_of("error-against-cost");
   assert.equal(cost.match(/aria-description="(impulse|box2d)"/g).length, 2);
   assert.equal((await page.locator("#overview g.marks").count()), 2);
   await page.close();
 });
 
-test("pictures are well-formed, have a name, and stand alone", async () => {
+test("pictures are well-formed, have a title, and stand alone", async () => {
   const { page } = await open(file);
   for (const one of names) {
     const text = readFileSync(join(folder, one), "utf8");
@@ -48,7 +48,7 @@ test("pictures are well-formed, have a name, and stand alone", async () => {
   await page.close();
 });
 
-test("names in pictures are text, and safe in file names", () => {
+test("names are text in pictures, and safe in file names", () => {
   const text = text_of("energy-of-the-whole-scene");
   assert.ok(text.includes("&#60;img src=x onerror=alert(1)&#62;"));
   for (const one of names) assert.match(one, /^[a-z0-9.=+-]+\.svg$/);

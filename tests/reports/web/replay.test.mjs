@@ -11,11 +11,11 @@ const impulse_off = 0.5;
 const time_of = (stage) => stage.locator("input[type=range]").evaluate((slider) => Number(slider.value));
 const near = (value, expected, within, what = "") => assert.ok(Math.abs(value - expected) <= within, `${what} ${value}, expected ${expected}`);
 
-/** CSS pixels of what is drawn above the scale bar: {left, right, top, bottom, many}. */
+/** The bounds of the drawing above the scale bar, CSS px: {left, right, top, bottom, many}. */
 const extent = (stage) =>
   stage.locator("canvas").evaluate((canvas) => {
     const ratio = devicePixelRatio;
-    // Read from a copy: Chromium warns of canvases that are read often.
+    // Chromium warns about canvases that are read often, so this reads a copy.
     const copy = new OffscreenCanvas(canvas.width, canvas.height - 40 * ratio).getContext("2d", { willReadFrequently: true });
     copy.drawImage(canvas, 0, 0);
     const { data, width } = copy.getImageData(0, 0, copy.canvas.width, copy.canvas.height);
@@ -52,13 +52,13 @@ test("scrubbing moves a body to the trace's position, to half a pixel", async ()
     const { left, right, top, bottom } = await extent(stage);
     near((left + right) / 2, origin_x, 0.5, `x at ${time} s:`);
     near((top + bottom) / 2, origin_y - scale * ball.y(50, impulse_off, time), 0.5, `y at ${time} s:`);
-    near(right - left, 2 * ball.radius * scale + 1.75, 0.75, "its line's outer edges:");
+    near(right - left, 2 * ball.radius * scale + 1.75, 0.75, "its outer edges:");
   }
   assert.deepEqual(trouble, []);
   await page.close();
 });
 
-test("engines are told apart on the canvas by their shapes, without colour", async () => {
+test("engines differ in shape on the canvas, not only in colour", async () => {
   const { page, trouble } = await open(file, { deviceScaleFactor: 4 });
   const stage = await replay(page, 1);
   for (const name of ["Side by side", "Contacts and impulses"]) await stage.getByLabel(name).setChecked(name === "Side by side");
@@ -67,7 +67,7 @@ test("engines are told apart on the canvas by their shapes, without colour", asy
   const canvas = stage.locator("canvas");
   const [scale, origin_x, origin_y] = (await canvas.getAttribute("data-view")).split(" ").map(Number);
   const width = await canvas.evaluate(({ clientWidth }) => clientWidth);
-  /** Whether the mark of an engine's pane reaches a place right of and below its middle, px. */
+  /** Whether the mark in an engine's pane covers the point at (off, off) from its centre, px. */
   const reaches = (pane, y, off) =>
     canvas.evaluate((canvas, [x, y, off]) => {
       const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
@@ -75,7 +75,7 @@ test("engines are told apart on the canvas by their shapes, without colour", asy
       const at = (x, y) => copy.getImageData(Math.round(x * devicePixelRatio), Math.round(y * devicePixelRatio), 1, 1).data.join();
       return at(x + off, y + off) === at(x, y);
     }, [origin_x + (pane * width) / 2, origin_y - scale * y, off]);
-  // Of one area, a disc of radius 4 px ends at 2.8 px on the diagonal, a square at 3.5 px.
+  // With equal areas, a disc of radius 4 px ends at 2.8 px on the diagonal, a square at 3.5 px.
   for (const [off, disc, square] of [[2.2, true, true], [3.2, false, true], [4, false, false]]) {
     assert.equal(await reaches(0, ball.y(50, impulse_off, time), off), disc, `the disc of impulse, ${off} px`);
     assert.equal(await reaches(1, ball.y(50, -impulse_off, time), off), square, `the square of box2d, ${off} px`);
@@ -84,7 +84,7 @@ test("engines are told apart on the canvas by their shapes, without colour", asy
   await page.close();
 });
 
-test("the keyboard alone plays, steps, scrubs, jumps, and changes what is shown", async () => {
+test("the keyboard plays, steps, jumps, and changes the view", async () => {
   const { page, trouble } = await open(file);
   const stage = await replay(page);
   const press = async (key) => {
@@ -134,7 +134,7 @@ test("the keyboard alone plays, steps, scrubs, jumps, and changes what is shown"
   await page.close();
 });
 
-test("a jump is to the worst of what is shown, and is not offered where there is none", async () => {
+test("a jump goes to the worst moment of the shown runs, and is disabled if there is none", async () => {
   const { page } = await open(file);
   const stage = await replay(page);
   const overlap = stage.getByRole("button", { name: "Worst overlap" });
@@ -161,7 +161,7 @@ test("contacts are shown while they last, with an arrow for the impulse", async 
   await page.close();
 });
 
-test("charts and replay share one time, whichever is asked", async () => {
+test("charts and replay share one time", async () => {
   const { page, trouble } = await open(file);
   const stage = await replay(page);
   const article = page.locator("article").first();
@@ -179,12 +179,12 @@ test("charts and replay share one time, whichever is asked", async () => {
   const time = await time_of(stage);
   assert.ok(time > 1 && time < 2, `${time} s`);
   const moved = await places();
-  moved.forEach((x, i) => near(x - at_one[i], 40, 1.5, "all lines move alike:"));
+  moved.forEach((x, i) => near(x - at_one[i], 40, 1.5, "all lines move by the same distance:"));
   assert.deepEqual(trouble, []);
   await page.close();
 });
 
-test("a replay that is damaged says so, and the page goes on without it", async () => {
+test("a damaged replay says so, and the rest of the page works", async () => {
   const data = sample();
   const [first, second] = data.replays;
   first.runs[0].poses = "AAAA" + first.runs[0].poses.slice(4);
@@ -198,7 +198,7 @@ test("a replay that is damaged says so, and the page goes on without it", async 
 });
 
 if (process.env.PLUMB_REPORT) {
-  test("every replay of the real report can be made and played to its end", async () => {
+  test("every replay of the real report can be opened and played to its end", async () => {
     const { page, trouble } = await open(process.env.PLUMB_REPORT);
     const many = await page.locator(".stage").count();
     assert.ok(many > 0);

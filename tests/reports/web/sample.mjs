@@ -1,5 +1,5 @@
-// A small report as the C++ side writes it: two free falls, where engines have known errors, and one case of every
-// other kind (wrong, failed, not supported, no truth).
+// A small report in the form that the C++ side writes: two free falls with known errors, and one case of every other kind
+// (wrong, failed, not supported, no truth).
 import { pack, replay_run } from "./pack.mjs";
 
 const steps = 120;
@@ -25,6 +25,7 @@ function fall(height, engine) {
     measured: at(2),
     error,
     tolerance: error * 1.25 + 1e-9,
+    ratio: error / (error * 1.25 + 1e-9),
     relation: "equal",
     passed: true,
     reported: true,
@@ -49,16 +50,16 @@ function fall(height, engine) {
   };
 }
 
-/** A ball of radius 0.5 m, and the ground far below; on the way it brushes something for three steps. */
+/** A ball of radius 0.5 m above the ground, with a contact for three steps on its way. */
 function replay_of(height, { engine, off }) {
   const y = (t) => height - (g * t * t) / 2 - off * g * t * dt;
-  const brush = [{ begin: 30, points: [30, 31, 32].map((i) => [0.5, y(times[i]), -1, 0.5]) }];
+  const contact = [{ begin: 30, points: [30, 31, 32].map((i) => [0.5, y(times[i]), -1, 0.5]) }];
   return replay_run({
     engine,
     times,
     states: times.map((t) => [[0, y(t), 2 * t], [0, -100, 0]]),
     energies: times.map((t) => [(g * t) ** 2 / 2, 0.1, g * y(t)]),
-    places: off > 0 ? [brush] : [],
+    places: off > 0 ? [contact] : [],
     steps: { length: 1 / 2048, angle: 1 / 1024, impulse: 1 / 512, energy: 1 / 16 },
     apart: off ? { time: 2, value: Math.abs(off) * g * 2 * dt } : null,
     overlap: off > 0 ? { time: 0.5, value: 0.01, a: 0, b: 1 } : null,
@@ -76,9 +77,9 @@ const scene = {
   ties: [],
 };
 
-const place = (scenario, variant, { engine, method }) => ({ scenario, variant, engine, method });
+const run_of = (scenario, variant, { engine, method }) => ({ scenario, variant, engine, method });
 
-/** The whole of what the page is given; `scenario` names the first scenario. */
+/** The data of the page; `scenario` is the name of the first scenario. */
 export function sample(scenario = "free-fall") {
   const page = {
     report: {
@@ -109,7 +110,7 @@ export function sample(scenario = "free-fall") {
     const variant = `height ${height}`;
     for (const engine of engines) {
       const { series, ...result } = fall(height, engine);
-      const of = place(scenario, variant, engine);
+      const of = run_of(scenario, variant, engine);
       report.runs.push({ ...of, parameters: { height }, exact: engine.exact, dt, status: "ok", reason: "", ...result, verdict: "right" });
       page.series.push({ ...of, ...series });
       if (engine.exact) continue;
@@ -128,16 +129,16 @@ export function sample(scenario = "free-fall") {
     });
   }
   for (const { scenario, variant } of page.replays) {
-    const parted = { parted_at: { value: 0.25, unit: "s" } };
-    report.comparisons.push({ scenario, variant, a: "impulse", b: "free fall", metrics: parted, verdict: "right", reason: "" });
+    const diverged = { parted_at: { value: 0.25, unit: "s" } };
+    report.comparisons.push({ scenario, variant, a: "impulse", b: "free fall", metrics: diverged, verdict: "right", reason: "" });
   }
   const other = { parameters: { boxes: 10 }, exact: false, dt, metrics: {}, truth: [], invariants: [] };
-  const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, relation: "equal", passed: false, reported: true, source: "nothing moves" };
+  const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, ratio: 0.42 / 0.13, relation: "equal", passed: false, reported: true, source: "nothing moves" };
   report.runs.push(
-    { ...other, ...place("stacking", "10 boxes", engines[0]), status: "ok", reason: "", verdict: "wrong", truth: [wrong] },
-    { ...other, ...place("stacking", "10 boxes", engines[1]), status: "failed", reason: "diverged at t = 0.42 s", verdict: "failed" },
-    { ...other, ...place("stacking", "tilted", engines[0]), status: "ok", reason: "", verdict: "plausible" },
-    { ...other, ...place("stacking", "tilted", engines[1]), status: "not supported", reason: "has one friction coefficient only", verdict: "not supported" },
+    { ...other, ...run_of("stacking", "10 boxes", engines[0]), status: "ok", reason: "", verdict: "wrong", truth: [wrong] },
+    { ...other, ...run_of("stacking", "10 boxes", engines[1]), status: "failed", reason: "diverged at t = 0.42 s", verdict: "failed" },
+    { ...other, ...run_of("stacking", "tilted", engines[0]), status: "ok", reason: "", verdict: "plausible" },
+    { ...other, ...run_of("stacking", "tilted", engines[1]), status: "not supported", reason: "has one friction coefficient only", verdict: "not supported" },
   );
   return page;
 }

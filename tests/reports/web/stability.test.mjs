@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, draw_all, open, said_in, write } from "./browser.mjs";
+import { close, draw_all, open, text_in, write } from "./browser.mjs";
 
 after(close);
 
@@ -46,14 +46,14 @@ function row(map, engine, option, y, typical, limit, theory) {
 }
 
 function sample() {
-  const points = [];
-  for (const y of [1, 4, 16]) points.push(row("tower", "impulse", "substeps", y, y === 4, 2 * y, null));
-  for (const y of [1, 8]) points.push(row("tower", "box2d", "velocity", y, y === 8, 100, null));
-  points.push(row("tower", "small", "", 0, true, null, null));
-  for (const y of [0.1, 0.5, 0.9]) points.push(row("hill", "impulse", "", y, y === 0.5, 20 * y, 20 * y));
-  // It holds farther than nature does, which is no merit.
-  points.push(row("hill", "box2d", "", 0.5, true, 12, 10));
-  points.push({ key: "stability|hill|<b>wild</b>|y=1", ending: "crashed", reason: "ended by signal 11", values: {} });
+  const results = [];
+  for (const y of [1, 4, 16]) results.push(row("tower", "impulse", "substeps", y, y === 4, 2 * y, null));
+  for (const y of [1, 8]) results.push(row("tower", "box2d", "velocity", y, y === 8, 100, null));
+  results.push(row("tower", "small", "", 0, true, null, null));
+  for (const y of [0.1, 0.5, 0.9]) results.push(row("hill", "impulse", "", y, y === 0.5, 20 * y, 20 * y));
+  // It holds beyond the law of physics, which is wrong.
+  results.push(row("hill", "box2d", "", 0.5, true, 12, 10));
+  results.push({ key: "stability|hill|<b>wild</b>|y=1", ending: "crashed", reason: "ended by signal 11", values: {} });
   const x = { name: "boxes", unit: "", from: 1, to: 30, logarithmic: true, whole: false, values: xs };
   const boundary = { name: "stands", failing: [], resolution: 0.01, source: "", agreement: 0, natural: false };
   const agreement = { engine: "impulse", boundary: "stands", rows: 3, agree: 3, measured: 3, worst: 0.004 };
@@ -65,7 +65,7 @@ function sample() {
       about: "Where each method fails",
       configuration: { cells: 4 },
       environment: { processor: "one" },
-      results: points,
+      results,
       findings: {
         outcomes,
         maps: [
@@ -87,7 +87,7 @@ if (process.env.PLUMB_STABILITY) pages["the real study"] = process.env.PLUMB_STA
 for (const [name, file] of Object.entries(pages)) {
   for (const colorScheme of ["light", "dark"]) {
     for (const width of [360, 1280]) {
-      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and asks for nothing`, async () => {
+      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and makes no requests`, async () => {
         const { page, trouble } = await open(file, { width, colorScheme });
         await draw_all(page);
         const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
@@ -100,10 +100,10 @@ for (const [name, file] of Object.entries(pages)) {
     }
   }
 
-  test(`${name} draws a mark for every cell that was run, and a boundary for every bracket`, async () => {
+  test(`${name} draws every supported cell, and a boundary for every bracket`, async () => {
     const { page } = await open(file);
     await draw_all(page);
-    const [cells, boundaries, told] = await page.evaluate(() => {
+    const [cells, boundaries, expected] = await page.evaluate(() => {
       const { study } = JSON.parse(document.getElementById("plumb-data").textContent);
       const done = study.results.filter(({ ending }) => ending === "done").map(({ values }) => values);
       const label = ({ map, engine, method }) => `${map} ${engine}:${method}`;
@@ -120,21 +120,21 @@ for (const [name, file] of Object.entries(pages)) {
         },
       ];
     });
-    assert.equal(cells, told.cells);
-    assert.equal(boundaries, told.boundaries);
+    assert.equal(cells, expected.cells);
+    assert.equal(boundaries, expected.boundaries);
     assert.ok(cells > 0 && boundaries > 0);
     await page.close();
   });
 }
 
-test("what was found stands first, in a sentence", async () => {
+test("the head has the result in a sentence", async () => {
   const { page } = await open(pages["the sample"]);
   const said = await page.locator("h1").innerText();
-  assert.match(said, /^No method stands more than impulse in 1 of 2 maps\. Theory knows 4 of the boundaries: 3 are where it has them\./);
+  assert.match(said, /^impulse is the best or among the best in 1 of 2 maps\. 3 of the 4 boundaries with a theory agree with it\./);
   await page.close();
 });
 
-test("outcomes are told apart by letters and by colours, and have a legend", async () => {
+test("outcomes differ in letter and colour, and have a legend", async () => {
   const { page } = await open(pages["the sample"]);
   await draw_all(page);
   const tower = page.locator("#tower");
@@ -147,27 +147,27 @@ test("outcomes are told apart by letters and by colours, and have a legend", asy
   await page.close();
 });
 
-test("theory is a line of its own where there is one", async () => {
+test("the boundary by theory is a line of its own, if there is one", async () => {
   const { page } = await open(pages["the sample"]);
   await draw_all(page);
-  assert.equal(await page.locator("#hill g.theory path").count(), 2, "one a method");
+  assert.equal(await page.locator("#hill g.theory path").count(), 2, "one for each method");
   assert.equal(await page.locator("#tower g.theory path").count(), 0);
-  assert.match(await said_in(page.locator("#hill figcaption").first()), /stands at friction 0\.5: 10 \(10\.1: drifts\); theory: 10/);
+  assert.match(await text_in(page.locator("#hill figcaption").first()), /stands at friction 0\.5: 10 \(10\.1: drifts\); theory: 10/);
   await page.close();
 });
 
-test("one table tells what each method stands, the best status out", async () => {
+test("one table has the limits of each method, with the best in bold", async () => {
   const { page } = await open(pages["the sample"]);
-  const text = await page.locator("#stands table").innerText();
+  const text = await page.locator("#limits table").innerText();
   assert.match(text, /impulse\s+8\s+10/);
   assert.match(text, /box2d\s+\u2265 30\s+12/);
-  assert.deepEqual(await page.locator("#stands strong").allInnerTexts(), ["10", "\u2265 30"]);
+  assert.deepEqual(await page.locator("#limits strong").allInnerTexts(), ["10", "\u2265 30"]);
   await page.close();
 });
 
-test("who cannot run a map is named, and what did not end is listed as text", async () => {
+test("engines that do not support a map are named, and unfinished jobs are listed as text", async () => {
   const { page } = await open(pages["the sample"]);
-  assert.match(await said_in(page.locator("#tower .absence")), /Cannot run it: small\./);
+  assert.match(await text_in(page.locator("#tower .absence")), /Not supported by small\./);
   assert.match(await page.locator("#endings").innerText(), /<b>wild<\/b>.*crashed.*signal 11/s);
   await page.close();
 });

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, draw_all, drawn, open, said_in, until, write } from "./browser.mjs";
+import { close, draw_all, drawn, open, text_in, until, write } from "./browser.mjs";
 import { study_sample } from "./study_sample.mjs";
 
 after(close);
@@ -11,7 +11,7 @@ if (process.env.PLUMB_STUDY) pages["the real study"] = process.env.PLUMB_STUDY;
 for (const [name, file] of Object.entries(pages)) {
   for (const colorScheme of ["light", "dark"]) {
     for (const width of [360, 1280]) {
-      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and asks for nothing`, async () => {
+      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and makes no requests`, async () => {
         const { page, trouble } = await open(file, { width, colorScheme });
         await draw_all(page);
         const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
@@ -25,10 +25,10 @@ for (const [name, file] of Object.entries(pages)) {
   }
 }
 
-test("what was found stands first, in a sentence", async () => {
+test("the head has the result in a sentence", async () => {
   const { page } = await open(pages["the sample"]);
   const said = await page.locator("h1").innerText();
-  assert.match(said, /^At equal error impulse is 5\.0 times as fast as box2d \(median of the 2 of 2 cases where it gets there\)/);
+  assert.match(said, /^At equal error impulse is 5\.0 times as fast as box2d \(median of the 2 of 2 cases where it gets as accurate\)/);
   await page.close();
 });
 
@@ -38,37 +38,37 @@ test("every method has its curve in each case, and its mark at equal error", asy
   const labels = (locator) => locator.evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort());
   assert.deepEqual(await labels(page.locator("article").first().locator("g.line")), ["box2d", "impulse"]);
   assert.deepEqual(await labels(page.locator("#overall g.factor")), ["box2d", "impulse"]);
-  assert.match(await page.locator("#overall figcaption").innerText(), /Never: never/);
+  assert.match(await page.locator("#overall figcaption").innerText(), /In no case: never/);
   assert.equal(await page.locator("article").first().locator("g.front path").count(), 1);
-  assert.match(await page.locator("article").nth(1).locator("svg").last().innerHTML(), /the reference's own error/);
+  assert.match(await page.locator("article").nth(1).locator("svg").last().innerHTML(), /error of the reference/);
   await page.close();
 });
 
-test("what was not reached is said, and bounds are told from readings", async () => {
+test("bounds differ from readings, and unreached targets are left out", async () => {
   const { page } = await open(pages["the sample"]);
   const details = page.locator("article").first().locator("details").first();
   await details.evaluate((element) => (element.open = true));
-  const said = await said_in(details);
+  const said = await text_in(details);
   assert.match(said, /\u2264 300/);
   assert.match(said, /to 0\.01/);
   assert.doesNotMatch(said, /to 10\u207b\u00b3/, "a column that nobody reaches is left out");
   await page.close();
 });
 
-test("on paper the table of all runs says the lines that its buttons copy", async () => {
+test("in print the table of all runs shows the lines that its buttons copy", async () => {
   const { page } = await open(pages["the sample"]);
   await page.emulateMedia({ media: "print" });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   const cells = page.locator('td[data-label="command line"]');
   assert.ok((await cells.count()) > 0);
   for (const said of await cells.allInnerTexts()) assert.match(said, /^\.\/plumb run /);
-  await page.setViewportSize({ width: 718, height: 1000 }); // as wide as A4 is within its margins
+  await page.setViewportSize({ width: 718, height: 1000 }); // the width of A4 within its margins
   const cut = await page.evaluate(() => [...document.querySelectorAll("table")].filter((table) => table.getBoundingClientRect().right > innerWidth).length);
   assert.equal(cut, 0);
   await page.close();
 });
 
-test("a click on a point gives the line that runs it, and so does the table of all runs", async () => {
+test("a click on a point copies its command line, and so does the table of all runs", async () => {
   const { page, trouble } = await open(pages["the sample"]);
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => (window.copied = text) } }));
   await draw_all(page);
@@ -82,7 +82,7 @@ test("a click on a point gives the line that runs it, and so does the table of a
   await until(() => chart.evaluate(({ value }) => typeof value), "object");
   await page.mouse.click(x + width / 2, y + height / 2);
   await until(() => page.evaluate(() => window.copied), /^\.\/plumb run heap:plain --engine (box2d|impulse):substeps=4 --dt 1\/(30|60|120) --converged$/);
-  assert.equal(await said_in(article.locator(".chosen code")), await page.evaluate(() => window.copied));
+  assert.equal(await text_in(article.locator(".chosen code")), await page.evaluate(() => window.copied));
   await article.locator("summary", { hasText: "All 6 runs" }).press("Enter");
   const buttons = article.locator("details").last().getByRole("button");
   await until(() => buttons.count(), 6);
@@ -92,13 +92,13 @@ test("a click on a point gives the line that runs it, and so does the table of a
   await page.close();
 });
 
-test("points that did not end are listed as text", async () => {
+test("unfinished jobs are listed as text", async () => {
   const { page } = await open(pages["the sample"]);
   assert.match(await page.locator("#endings").innerText(), /<b>wild<\/b>.*crashed.*signal 11/s);
   await page.close();
 });
 
-test("orders are told with their interval, and exactness in words", async () => {
+test("orders have their interval, and exactness is in words", async () => {
   const { page } = await open(pages["the sample"]);
   const said = await page.locator("#orders").innerText();
   assert.match(said, /1\.01 \u00b1 0\.02/);
@@ -106,7 +106,7 @@ test("orders are told with their interval, and exactness in words", async () => 
   await page.close();
 });
 
-test("a study that does not fit is refused with its place", async () => {
+test("a study that does not fit is refused with the path of the problem", async () => {
   const broken = study_sample();
   broken.study.results[0].values = 3;
   const { page } = await open(await write(broken));

@@ -1,16 +1,16 @@
-// The smallest study that has everything a speed study can have.
+// A small speed study with every feature.
 
 const steps = [1 / 30, 1 / 60, 1 / 120];
 
-/** Two engines in two cases; one of them is never accurate in the second, and crashes once. */
+/** Two engines in two cases, a third without results, and a job that crashed. */
 export function study_sample() {
-  const points = [];
+  const results = [];
   const times = {};
   const add = (scenario, engine, dt, error, time) => {
     const key = `speed|${scenario}/plain|${engine}|dt=${dt}`;
     const truth = scenario === "heap" ? "converged" : "fall";
     const common = { scenario, variant: "plain", engine, method: "", option: "substeps", setting: "4", standard: true, dt, order: 1 };
-    points.push({ key, ending: "done", reason: "", values: { ...common, truth, truth_error: scenario === "heap" ? 1e-3 : 0, phases: 1, timed: 2, status: "ok", error } });
+    results.push({ key, ending: "done", reason: "", values: { ...common, truth, truth_error: scenario === "heap" ? 1e-3 : 0, phases: 1, timed: 2, status: "ok", error } });
     times[key] = { median: time, low: time * 0.98, high: time * 1.02, repetitions: 5, wide: dt === steps[2] };
     return key;
   };
@@ -32,7 +32,7 @@ export function study_sample() {
       })),
     };
   });
-  points.push({ key: "speed|heap/plain|<b>wild</b>|dt=1", ending: "crashed", reason: "ended by signal 11", values: {} });
+  results.push({ key: "speed|heap/plain|<b>wild</b>|dt=1", ending: "crashed", reason: "ended by signal 11", values: {} });
   const order = { scenario: "fall", variant: "plain", option: "", setting: "", standard: true, points: 3 };
   return {
     study: {
@@ -41,7 +41,7 @@ export function study_sample() {
       about: "Speed against accuracy",
       configuration: { dt: ["1/30"], all: false },
       environment: { processor: "one" },
-      results: points,
+      results,
       findings: {
         order_tolerance: 0.2,
         orders: [

@@ -1,8 +1,8 @@
-// The charts of a case, each with a sentence that says what one sees.
+// The charts of a case, each with a sentence that sums it up.
 import { enumerate, number, to_within } from "../format";
 import type { Case, Entry } from "../model";
+import type { Cursor } from "./cursor";
 import { figure } from "./figure";
-import type { Cursor } from "../replay/cursor";
 import { over_time, type OverTime } from "./over_time";
 
 type Column = OverTime["column"];
@@ -18,7 +18,7 @@ const last = (values: (number | null)[]): number | null => {
 const largest = (values: (number | null)[]): number =>
   values.reduce<number>((most, value) => Math.max(most, Math.abs(value ?? 0)), 0);
 
-/** Values apart by less than this share of the chart's size look, and are called, the same. */
+/** Values closer than this fraction of the largest value look the same and are called the same. */
 const same = 1e-3;
 
 /** "At the end: impulse at 12.3 J, box2d at 12.1 J and the truth at 12.4 J." */
@@ -33,7 +33,7 @@ function ends(entries: Entry[], column: Column, unit: string): string {
   const size = Math.max(...entries.map(({ series }) => (series ? largest(series[column]) : 0)));
   if (found.length > 1 && spread <= same * size) {
     const value = values[values.length - 1] ?? 0;
-    return `At the end all stand at ${number(Math.abs(value) <= same * size ? 0 : value, unit)}.`;
+    return `At the end all are at ${number(Math.abs(value) <= same * size ? 0 : value, unit)}.`;
   }
   return `At the end: ${enumerate(found.map(({ name, value }) => `${name} at ${to_within(value, spread, unit)}`))}.`;
 }
@@ -56,7 +56,7 @@ const components: { column: Column; quantity: string; unit: string }[] = [
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** Components that stay at zero but for round-off are named, not drawn. */
+/** Components that are zero except for round-off are named, not drawn. */
 function momenta({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
   const size = (column: Column) => Math.max(0, ...entries.map(({ series }) => (series ? largest(series[column]) : 0)));
   const most = Math.max(...components.map(({ column }) => size(column)));
@@ -76,36 +76,36 @@ function momenta({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
 
 function pose({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
   const engines = entries.filter(({ engine, series }) => !engine.exact && series);
-  const parts = engines.map(({ engine, series }) => `${engine.label} ${number(largest(series?.pose_difference ?? []), "m")}`);
-  const apart = engines.some(({ series }) => largest(series?.pose_difference ?? []) > 0);
+  const sizes = engines.map(({ engine, series }) => `${engine.label} ${number(largest(series?.pose_difference ?? []), "m")}`);
+  const differ = engines.some(({ series }) => largest(series?.pose_difference ?? []) > 0);
   const against = entries.some(({ engine }) => engine.exact) ? "from the truth" : "between the engines";
   return figure({
     title: `Pose difference ${against}`,
-    note: apart ? `At most: ${enumerate(parts)}.` : "None at any time.",
+    note: differ ? `Largest: ${enumerate(sizes)}.` : "None at any time.",
     height: 220,
     draw: (width) =>
-      apart ? [over_time(width, { quantity: "pose difference", unit: "m", entries, column: "pose_difference", log: true, horizon, cursor })] : [],
+      differ ? [over_time(width, { quantity: "pose difference", unit: "m", entries, column: "pose_difference", log: true, horizon, cursor })] : [],
   });
 }
 
-/** None where bodies never overlap. */
+/** Empty if bodies never overlap. */
 function overlap({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
   const engines = entries.filter(({ engine, series }) => !engine.exact && series);
   const most = engines.map(({ engine, series }) => ({ engine, depth: largest(series?.overlap ?? []) }));
   if (!most.some(({ depth }) => depth > 0)) return [];
   const chart: OverTime = { quantity: "overlap", unit: "m", entries, column: "overlap", horizon, cursor };
-  const parts = most.map(({ engine, depth }) => `${engine.label} ${number(depth, "m", 2)}`);
+  const sizes = most.map(({ engine, depth }) => `${engine.label} ${number(depth, "m", 2)}`);
   return [
     figure({
       title: "Deepest overlap of two bodies",
-      note: `At most: ${enumerate(parts)}.`,
+      note: `Largest: ${enumerate(sizes)}.`,
       height: 220,
       draw: (width) => [over_time(width, chart)],
     }),
   ];
 }
 
-export function case_charts(place: Case, cursor: Cursor): HTMLElement[] {
-  if (!place.entries.some(({ series }) => series)) return [];
-  return [energy(place, cursor), pose(place, cursor), ...overlap(place, cursor), ...momenta(place, cursor)];
+export function case_charts(item: Case, cursor: Cursor): HTMLElement[] {
+  if (!item.entries.some(({ series }) => series)) return [];
+  return [energy(item, cursor), pose(item, cursor), ...overlap(item, cursor), ...momenta(item, cursor)];
 }

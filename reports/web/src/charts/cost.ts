@@ -1,16 +1,15 @@
-// Error against cost, one mark a run: what an engine pays and what it gets.
+// Error against cost, with one mark for each run.
 import * as Plot from "@observablehq/plot";
 import { number, time_step } from "../format";
 import type { Entry, Model } from "../model";
-import { error_axes } from "./error_axes";
 import { figure } from "./figure";
-import { dot_look, plot_look, tip_look } from "./look";
+import { dot_look, error_axes, plot_look, tip_look } from "./look";
 
 const metric = "truth_error_rms";
 
 interface Mark {
   entry: Entry;
-  place: string;
+  name: string; // of the case
   cost: number;
   low: number;
   high: number;
@@ -27,7 +26,7 @@ function marks_of(model: Model): Mark[] {
         if (entry.engine.exact || !cost || typeof error !== "number") continue;
         found.push({
           entry,
-          place: `${scenario}, ${variant}`,
+          name: `${scenario}, ${variant}`,
           cost,
           low: entry.timing?.step_us_low || cost,
           high: entry.timing?.step_us_high || cost,
@@ -39,10 +38,10 @@ function marks_of(model: Model): Mark[] {
   return found;
 }
 
-const described = ({ entry, place, cost, error }: Mark): string =>
+const described = ({ entry, name, cost, error }: Mark): string =>
   [
     entry.engine.label,
-    place,
+    name,
     `${number(error, "m")} from the truth`,
     `${number(cost, "\u00b5s")} a step of ${time_step(entry.run.dt)}`,
   ].join("\n");
@@ -64,7 +63,7 @@ export function cost_chart(model: Model): HTMLElement | null {
       x,
       y,
       marks: [
-        Plot.line(marks, { x: "cost", y: height_of, z: "place", stroke: "var(--faint)", strokeOpacity: 0.35 }),
+        Plot.line(marks, { x: "cost", y: height_of, z: "name", stroke: "var(--faint)", strokeOpacity: 0.35 }),
         Plot.link(marks, {
           x1: "low",
           x2: "high",
@@ -90,7 +89,7 @@ export function cost_chart(model: Model): HTMLElement | null {
     });
   return figure({
     title: "Error against cost, every run",
-    note: "Lower is more accurate, further left is faster. Thin lines join the engines over one case; bars span the middle half of the repetitions.",
+    note: "Lower is more accurate, further left is faster. Thin lines connect the engines of a case; bars span the middle half of the repetitions.",
     height: 400,
     draw: (width) => [draw(width)],
   });

@@ -1,11 +1,11 @@
-// A chart with its title and one sentence on what it shows. Drawn when it comes near the screen, at the width it has
-// there, and again when that changes.
+// A chart with its title and a sentence on what it shows. It is drawn when it comes near the screen, and redrawn when
+// its width changes.
 import { h } from "../dom";
 
 export interface Figure {
   title: string;
   note?: string | undefined;
-  height: number; // px, about; keeps the place until it is drawn
+  height: number; // px, approximately; reserved until the chart is drawn
   draw: (width: number) => Element[];
 }
 
@@ -27,9 +27,9 @@ const near = new IntersectionObserver(
   { rootMargin: "600px" },
 );
 
-/** Acts once, when an element comes near the screen. */
-export function when_near(element: Element, act: () => void): void {
-  waiting.set(element, act);
+/** Calls back once, when an element comes near the screen. */
+export function when_near(element: Element, callback: () => void): void {
+  waiting.set(element, callback);
   near.observe(element);
 }
 
@@ -39,7 +39,7 @@ const resized = new ResizeObserver((entries) => {
   }
 });
 
-/** For paper, at a width of its own. */
+/** Draws all charts at the width of a printed page. */
 export function draw_all(): void {
   for (const [canvas, draw] of pending) {
     if (canvas.isConnected) draw(paper_width);
@@ -47,7 +47,7 @@ export function draw_all(): void {
   }
 }
 
-/** To a screen reader what is drawn is one picture with a name; tables hold its numbers. */
+/** For screen readers the drawing is one image with a name; tables have its numbers. */
 function fill(canvas: HTMLElement, charts: Element[], name: string): void {
   for (const chart of charts) chart.setAttribute("aria-hidden", "true");
   if (charts.length) canvas.setAttribute("role", "img");

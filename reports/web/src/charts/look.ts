@@ -1,9 +1,10 @@
-// How a engine looks in every chart and legend.
+// The look of engines in charts and legends, and the axes that charts share.
 import * as Plot from "@observablehq/plot";
 import { h } from "../dom";
+import { number } from "../format";
 import type { Engine } from "../model";
 
-/** The truth is a broad pale band that engines are drawn upon. */
+/** The truth is a broad pale band below the lines of the engines. */
 export const line_look = (engine: Engine) =>
   engine.exact
     ? { stroke: engine.color, strokeWidth: 7, strokeLinecap: "round" as const }
@@ -16,10 +17,10 @@ export const dot_look = (engine: Engine) => ({
   strokeWidth: 1,
 });
 
-/** Charts grow with the page's type: sizes are given for type of 16 px. */
+/** Charts grow with the page's font; their sizes are given for a font of 16 px. */
 export const scale = (): number => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
 
-/** What all charts share. */
+/** The size, margins and font of all charts. */
 export function plot_look(width: number, height: number): Plot.PlotOptions {
   const size = scale();
   return {
@@ -33,19 +34,19 @@ export function plot_look(width: number, height: number): Plot.PlotOptions {
   };
 }
 
-/** What the pointer is told. */
+/** The look of the tip at the pointer. */
 export const tip_look = { fill: "var(--paper)", stroke: "var(--faint)", lineHeight: 1.4 };
 
 const marks = new Map<string, Element>();
 
-/** Line and shape of a engine; drawn once, for a long page has hundreds. */
+/** Line and shape of an engine, drawn once and copied: a long page has hundreds. */
 export function legend_mark(engine: Engine): Element {
   const known = marks.get(engine.label) ?? draw_mark(engine);
   marks.set(engine.label, known);
   return known.cloneNode(true) as Element;
 }
 
-/** Its shape alone, about the origin: the data of a path. */
+/** The shape alone, around the origin, as path data. */
 export function shape_of(engine: Engine): string {
   const mark = legend_mark(engine);
   const radius = Number(mark.querySelector("circle")?.getAttribute("r") ?? 0);
@@ -68,7 +69,7 @@ function draw_mark(engine: Engine): Element {
   return drawn;
 }
 
-/** A long name may go on in a new line after a comma. */
+/** Allows a line break after each comma. */
 function name_of({ label }: Engine): HTMLElement {
   const parts = label.split(/(?<=,)/).flatMap((part) => [h("wbr"), part]);
   return h("span", {}, ...parts);
@@ -77,4 +78,57 @@ function name_of({ label }: Engine): HTMLElement {
 /** Line, shape and name of each engine. */
 export function legend(engines: Engine[]): HTMLElement {
   return h("ul", { class: "legend" }, ...engines.map((engine) => h("li", {}, legend_mark(engine), name_of(engine))));
+}
+
+/** A logarithmic axis: a domain of at least a decade around the values, and round numbers as ticks. */
+export function decades(values: number[], margin = 1.5): { domain: [number, number]; ticks: number[] } {
+  const low = Math.min(...values) / margin;
+  const high = Math.max(...values) * margin;
+  const padding = Math.max(1, Math.sqrt(10 / (high / low)));
+  const domain: [number, number] = [low / padding, high * padding];
+  const [first, last] = [Math.floor(Math.log10(domain[0])), Math.ceil(Math.log10(domain[1]))];
+  const steps = last - first > 3 ? [1] : [1, 2, 5];
+  const powers = Array.from({ length: last - first + 1 }, (_, index) => first + index).filter((power) => (last - first < 9 || power % 2 === 0));
+  const ticks = powers.flatMap((power) => steps.map((step) => step * 10 ** power));
+  return { domain, ticks: ticks.filter((tick) => tick >= domain[0] && tick <= domain[1]) };
+}
+
+/** Smaller errors are round-off. */
+const least_floor = 1e-12; // m
+
+export interface ErrorAxes {
+  x: object;
+  y: object;
+  floor: number; // m; smaller errors are drawn at the floor
+}
+
+/** Logarithmic axes for errors (m) against times (us), which also show the errors in `lines`. */
+export function error_axes(errors: number[], times: number[], time_label: string, lines: number[] = []): ErrorAxes {
+  const positive = errors.filter((error) => error > least_floor);
+  const floor = positive.length ? 10 ** Math.floor(Math.log10(Math.min(...positive))) : least_floor;
+  const below = errors.some((error) => error < floor);
+  const short = (value: number) => number(value, "", 1);
+  return {
+    x: { type: "log", label: time_label, labelAnchor: "right", grid: true, ...decades(times), tickFormat: short },
+    y: {
+      type: "log",
+      label: "distance from the truth, RMS (m)",
+      grid: true,
+      ...decades([floor, ...positive, ...lines.filter((line) => line > floor)]),
+      tickFormat: (value: number) => (value === floor && below ? `\u2264 ${short(value)}` : short(value)),
+    },
+    floor,
+  };
+}
+
+const letter_width = 6.6; // px, approximately
+const font_size = 12.3; // px
+const tick_space = 24; // px, beside the names
+
+/** The y axis of a chart whose rows have names: up to half of the chart's width; longer names lose their middle. */
+export function name_axis(width: number, names: string[]): { marginLeft: number; axis: Plot.Markish } {
+  const longest = Math.max(0, ...names.map((name) => name.length));
+  const marginLeft = Math.min(width / 2, (tick_space + longest * letter_width) * scale());
+  const lineWidth = (marginLeft / scale() - tick_space / 2) / font_size;
+  return { marginLeft, axis: Plot.axisY({ label: null, lineWidth, textOverflow: "ellipsis-middle" }) };
 }

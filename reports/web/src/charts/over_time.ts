@@ -1,11 +1,9 @@
-// One quantity over time: a line a engine, with its shape set on it now and then.
+// One quantity over time: a line for each engine, with a few marks of its shape.
 import * as Plot from "@observablehq/plot";
 import { given, number, pretty_unit } from "../format";
 import type { Engine, Entry } from "../model";
-import type { Cursor } from "../replay/cursor";
-import { playhead } from "../replay/playhead";
-import { decades } from "./decades";
-import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
+import { playhead, type Cursor } from "./cursor";
+import { decades, dot_look, line_look, plot_look, scale, tip_look } from "./look";
 
 export interface Point {
   t: number;
@@ -46,32 +44,32 @@ interface Moment {
   points: Point[];
 }
 
-/** What all lines say at one time. */
+/** The points of all lines at one time. */
 function moments_of(points: Point[]): Moment[] {
   const moments = new Map<number, Point[]>();
   for (const point of points) moments.set(point.t, [...(moments.get(point.t) ?? []), point]);
   return [...moments].map(([t, at]) => ({ t, points: at }));
 }
 
-const told = ({ t, points }: Moment, unit: string): string =>
+const tip_text = ({ t, points }: Moment, unit: string): string =>
   [`at ${given(t, "s", 4)}`, ...points.map(({ engine, value }) => `${engine.label}: ${number(value, unit, 4)}`)].join("\n");
 
-/** Shapes of several lines stand at different times, so that lines upon each other still show who they are. */
+/** The marks of different lines are at different times, so that lines on top of each other can be told apart. */
 function shapes(points: Point[], index: number, lines: number): Point[] {
   return Array.from({ length: shapes_per_line }, (_, k) => {
-    const place = (k + (index + 0.5) / lines) / shapes_per_line;
-    return points[Math.floor(place * points.length)];
+    const position = (k + (index + 0.5) / lines) / shapes_per_line;
+    return points[Math.floor(position * points.length)];
   }).filter((point): point is Point => point !== undefined);
 }
 
-/** Round-off is not to fill the chart: at least 2 % of the values' size is always in view. */
+/** Covers at least 2 % of the values' size, so that round-off does not fill the chart. */
 function linear_domain(points: Point[]): [number, number] {
   const values = points.map((point) => point.value);
   const low = Math.min(...values);
   const high = Math.max(...values);
   const least = 0.02 * Math.max(Math.abs(low), Math.abs(high)) || 1;
-  const lack = Math.max(0, least - (high - low)) / 2;
-  return [low - lack, high + lack];
+  const padding = Math.max(0, least - (high - low)) / 2;
+  return [low - padding, high + padding];
 }
 
 export function over_time(width: number, { quantity, unit, entries, column, log = false, horizon, cursor }: OverTime): Element {
@@ -108,7 +106,7 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
         Plot.dot(shapes(points, index, engines.length), { x: "t", y: "value", r: 3.5, ...dot_look(engine), ariaHidden: "true" }),
       ),
       Plot.ruleX(moments, Plot.pointerX({ x: "t", stroke: "var(--faint)" })),
-      Plot.tip(moments, Plot.pointerX({ x: "t", frameAnchor: "top-left", title: (moment: Moment) => told(moment, unit), ...tip_look })),
+      Plot.tip(moments, Plot.pointerX({ x: "t", frameAnchor: "top-left", title: (moment: Moment) => tip_text(moment, unit), ...tip_look })),
     ],
   });
   playhead(chart, cursor);

@@ -1,7 +1,7 @@
-// From metres, y up, to pixels, y down.
+// From metres with y up to pixels with y down: the camera, and the view through it in one pane.
 
 export interface Bounds {
-  left: number; // m; so the others
+  left: number; // m, as are the others
   bottom: number;
   right: number;
   top: number;
@@ -15,7 +15,7 @@ export interface Pane {
   height: number;
 }
 
-const margin = 0.06; // of the pane, left free around what is shown
+const margin = 0.06; // of the pane, around the bounds
 const most_zoom = 1000;
 
 export class Camera {
@@ -28,11 +28,11 @@ export class Camera {
   /** px per m */
   scale(pane: Pane): number {
     const { left, bottom, right, top } = this.bounds;
-    const room = 1 - 2 * margin;
-    return this.zoom * Math.min((room * pane.width) / (right - left), (room * pane.height) / (top - bottom));
+    const used = 1 - 2 * margin;
+    return this.zoom * Math.min((used * pane.width) / (right - left), (used * pane.height) / (top - bottom));
   }
 
-  /** m, in the pane's middle */
+  /** m, the point in the middle of the pane */
   centre(): { x: number; y: number } {
     const { left, bottom, right, top } = this.bounds;
     return { x: (left + right) / 2 + this.shift_x, y: (bottom + top) / 2 + this.shift_y };
@@ -44,14 +44,14 @@ export class Camera {
     this.shift_y = 0;
   }
 
-  /** By px on a pane. */
+  /** Moves the picture by px. */
   pan(x: number, y: number, pane: Pane): void {
     const scale = this.scale(pane);
     this.shift_x -= x / scale;
     this.shift_y += y / scale;
   }
 
-  /** What lies at a place of the pane stays there. */
+  /** The point at (x, y) stays in place. */
   zoom_by(factor: number, pane: Pane, x = pane.x + pane.width / 2, y = pane.y + pane.height / 2): void {
     const right = x - pane.x - pane.width / 2;
     const down = y - pane.y - pane.height / 2;
@@ -60,5 +60,36 @@ export class Camera {
     const after = this.scale(pane);
     this.shift_x += right / before - right / after;
     this.shift_y -= down / before - down / after;
+  }
+}
+
+/** The mapping from metres to the pixels of a pane. */
+export class View {
+  readonly scale: number; // px per m
+  private readonly origin_x: number;
+  private readonly origin_y: number;
+
+  constructor(
+    readonly pane: Pane,
+    camera: Camera,
+  ) {
+    this.scale = camera.scale(pane);
+    const { x, y } = camera.centre();
+    this.origin_x = pane.x + pane.width / 2 - x * this.scale;
+    this.origin_y = pane.y + pane.height / 2 + y * this.scale;
+  }
+
+  x(metres: number): number {
+    return this.origin_x + metres * this.scale;
+  }
+
+  y(metres: number): number {
+    return this.origin_y - metres * this.scale;
+  }
+
+  /** Whether a disc (px) may be visible. */
+  holds(x: number, y: number, radius: number): boolean {
+    const { pane } = this;
+    return x + radius >= pane.x && x - radius <= pane.x + pane.width && y + radius >= pane.y && y - radius <= pane.y + pane.height;
   }
 }

@@ -1,4 +1,5 @@
-// What the C++ side hands over for a replay; what is packed is checked when it is unpacked.
+// The data of a replay as reports/writers/replay.h describes it, its validation, and the decoder of packed columns
+// (reports/writers/packed.h), which validates them as it unpacks.
 import { finite, list, number, one_of, or_null, record, text } from "../rules";
 
 export interface Peak {
@@ -6,14 +7,14 @@ export interface Peak {
   value: number; // m
 }
 
-/** Columns are packed; see reports/writers/replay.h for what they hold. */
+/** `poses` and `touches` are packed. */
 export interface ReplayRun {
   engine: string;
   method: string;
   moments: number; // kept
-  every: number; // of the steps that were run
-  between: number; // m, by which straight lines between kept moments are off at most
-  length: number; // m, step of the rounding; so the next three
+  every: number; // steps from one kept moment to the next
+  between: number; // m, largest error of linear interpolation between kept moments
+  length: number; // m, resolution of positions; likewise the next three
   angle: number; // rad
   impulse: number; // N s
   energy: number; // J
@@ -59,7 +60,7 @@ export const replay_rule = record({
 
 export type Pair = [number, number];
 
-/** The hull of its points grown by a radius, or all that lies below a line. */
+/** The hull of its points grown by a radius, or a half-space. */
 export interface Outline {
   points?: Pair[];
   radius?: number; // m
@@ -73,8 +74,8 @@ export interface Body {
   outlines: number[];
 }
 
-/** Two points that a joint or spring joins; `a` null: a point of the world. */
-export interface Tie {
+/** The anchors of a joint or spring; `a` is null for an anchor in the world. */
+export interface Joint {
   a: number | null;
   b: number;
   at_a: Pair;
@@ -84,7 +85,7 @@ export interface Tie {
 export interface Scene {
   outlines: Outline[];
   bodies: Body[];
-  ties: Tie[];
+  ties: Joint[];
 }
 
 const half_space = record({ normal: list(finite), offset: finite });
@@ -95,3 +96,57 @@ export const scene_rule = record({
   bodies: list(record({ name: text, type: one_of("fixed", "kinematic", "dynamic"), outlines: list(finite) })),
   ties: list(record({ a: number, b: finite, at_a: list(finite), at_b: list(finite) })),
 });
+
+/** Decodes base64 of deflated bytes; throws if the data is damaged. */
+export async function unpack(text: string): Promise<Uint8Array> {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** Reads integers of variable length one by one, and columns of them. */
+export class Numbers {
+  private position = 0;
+
+  constructor(private readonly bytes: Uint8Array) {}
+
+  get ended(): boolean {
+    return this.position === this.bytes.length;
+  }
+
+  next(): number {
+    let value = 0;
+    let weight = 1;
+    for (;;) {
+      const byte = this.bytes[this.position++];
+      if (byte === undefined) throw new Error("a packed column ends too early");
+      value += (byte & 127) * weight;
+      if (byte < 128) break;
+      weight *= 128;
+    }
+    return value % 2 ? -(value + 1) / 2 : value / 2;
+  }
+
+  /** A column of second differences, into every stride-th element of `out` from `start`. */
+  smooth(count: number, step: number, out: Float64Array, start = 0, stride = 1): void {
+    let before = 0;
+    let last = 0;
+    for (let i = 0; i < count; ++i) {
+      const now = this.next() + 2 * last - before;
+      out[start + i * stride] = now * step;
+      before = last;
+      last = now;
+    }
+  }
+
+  /** A column of first differences. */
+  steady(count: number, step: number, out: Float64Array, start = 0, stride = 1): void {
+    let last = 0;
+    for (let i = 0; i < count; ++i) {
+      last += this.next();
+      out[start + i * stride] = last * step;
+    }
+  }
+}

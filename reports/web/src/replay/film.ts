@@ -1,13 +1,12 @@
-// What one run did, ready to be asked for any time.
+// The motion of one run: poses, velocities, energies and contacts at any time.
 import type { Engine } from "../model";
-import type { ReplayRun } from "./data";
-import { Numbers, unpack } from "./unpack";
+import { Numbers, unpack, type ReplayRun } from "./data";
 
 const per_body = 3; // x, y, angle
 const per_touch = 4; // x, y, impulse x, impulse y
 
 export interface Energies {
-  linear: number; // J; so the others
+  linear: number; // J, as are the others
   rotational: number;
   potential: number;
 }
@@ -17,12 +16,12 @@ export class Film {
   private readonly poses: Float64Array; // moment by moment, body by body
   private readonly energies: Float64Array; // moment by moment
   private readonly touches: Float64Array[]; // by moment
-  /** m, rad: where the bodies are at the time last asked for. */
+  /** m, rad: the poses at the current time. */
   readonly now: Float64Array;
-  /** m/s, how they move there: the way from one kept moment to the next. */
+  /** m/s, from the displacement between the kept moments around the current time. */
   readonly velocity: Float64Array;
   private moment = 0;
-  private share = 0; // of the way to the next moment
+  private fraction = 0; // of the time to the next moment
 
   private constructor(
     readonly engine: Engine,
@@ -55,7 +54,7 @@ export class Film {
     return this.times[this.times.length - 1] ?? 0;
   }
 
-  /** The last kept moment that is not after a time; a microsecond off is not after. */
+  /** The last kept moment up to a time, within a microsecond. */
   moment_at(time: number): number {
     let low = 0;
     let high = this.times.length - 1;
@@ -67,18 +66,19 @@ export class Film {
     return low;
   }
 
+  /** Sets the current time. */
   go_to(time: number): void {
     this.moment = this.moment_at(time);
     const next = Math.min(this.moment + 1, this.times.length - 1);
     const start = this.times[this.moment] ?? 0;
     const span = (this.times[next] ?? 0) - start;
-    this.share = span > 0 ? Math.min(1, Math.max(0, (time - start) / span)) : 0;
+    this.fraction = span > 0 ? Math.min(1, Math.max(0, (time - start) / span)) : 0;
     const size = this.bodies * per_body;
     const before = this.poses.subarray(this.moment * size, (this.moment + 1) * size);
     const after = this.poses.subarray(next * size, (next + 1) * size);
     for (let k = 0; k < size; ++k) {
       const from = before[k] ?? 0;
-      this.now[k] = from + this.share * ((after[k] ?? 0) - from);
+      this.now[k] = from + this.fraction * ((after[k] ?? 0) - from);
     }
     for (let body = 0; body < this.bodies; ++body) {
       for (let axis = 0; axis < 2; ++axis) {
@@ -92,12 +92,12 @@ export class Film {
     const next = Math.min(this.moment + 1, this.times.length - 1);
     const at = (k: number): number => {
       const from = this.energies[this.moment * 3 + k] ?? 0;
-      return from + this.share * ((this.energies[next * 3 + k] ?? 0) - from);
+      return from + this.fraction * ((this.energies[next * 3 + k] ?? 0) - from);
     };
     return { linear: at(0), rotational: at(1), potential: at(2) };
   }
 
-  /** The lowest potential energy and the largest sum above it, J. */
+  /** The lowest potential energy and the largest total energy, J. */
   energy_range(): { floor: number; top: number } {
     let floor = Infinity;
     let top = -Infinity;
@@ -108,7 +108,7 @@ export class Film {
     return { floor, top };
   }
 
-  /** Of the step that led to the moment shown: x, y (m), impulse x, y (N s) of each contact point in turn. */
+  /** The contacts of the last step: x, y (m) and impulse x, y (N s) of each point. */
   contacts(): Float64Array | undefined {
     return this.touches[this.moment];
   }
@@ -121,7 +121,7 @@ export class Film {
     return largest;
   }
 
-  /** Calls with every recorded position, for those who look for bounds. */
+  /** Visits every recorded position. */
   each_position(visit: (body: number, x: number, y: number) => void): void {
     for (let k = 0; k < this.poses.length; k += per_body) {
       visit((k / per_body) % this.bodies, this.poses[k] ?? 0, this.poses[k + 1] ?? 0);
@@ -131,9 +131,9 @@ export class Film {
 
 function touches_of(numbers: Numbers, { moments, length, impulse }: ReplayRun): Float64Array[] {
   const found: number[][] = Array.from({ length: moments }, () => []);
-  for (let places = numbers.next(); places > 0; --places) {
+  for (let points = numbers.next(); points > 0; --points) {
     let moment = 0;
-    for (let stays = numbers.next(); stays > 0; --stays) {
+    for (let intervals = numbers.next(); intervals > 0; --intervals) {
       moment += numbers.next();
       const count = numbers.next();
       if (count < 1 || moment + count > moments) throw new Error("a contact lasts longer than its run");

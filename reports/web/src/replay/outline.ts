@@ -1,48 +1,17 @@
-// Bodies as paths, in pixels: one path holds as many as look alike.
-import type { Camera, Pane } from "./camera";
+// The outlines of bodies as canvas paths in pixels. Bodies of the same look share a path.
+import type { View } from "./camera";
 import type { Outline, Scene } from "./data";
 import type { Film } from "./film";
 
-/** Where a pane shows what. */
-export class View {
-  readonly scale: number; // px per m
-  private readonly origin_x: number;
-  private readonly origin_y: number;
-
-  constructor(
-    readonly pane: Pane,
-    camera: Camera,
-  ) {
-    this.scale = camera.scale(pane);
-    const { x, y } = camera.centre();
-    this.origin_x = pane.x + pane.width / 2 - x * this.scale;
-    this.origin_y = pane.y + pane.height / 2 + y * this.scale;
-  }
-
-  x(metres: number): number {
-    return this.origin_x + metres * this.scale;
-  }
-
-  y(metres: number): number {
-    return this.origin_y - metres * this.scale;
-  }
-
-  /** Whether a disc may be seen. */
-  holds(x: number, y: number, radius: number): boolean {
-    const { pane } = this;
-    return x + radius >= pane.x && x - radius <= pane.x + pane.width && y + radius >= pane.y && y - radius <= pane.y + pane.height;
-  }
-}
-
 interface Figure {
   outlines: Outline[];
-  radius: number; // m, of the disc around the centre of mass that holds it; infinite for a half-space
+  radius: number; // m, of the bounding disc around the centre of mass; infinite for a half-space
 }
 
-const far = (outline: Outline): number =>
+const radius_of = (outline: Outline): number =>
   outline.points ? Math.max(...outline.points.map(([x, y]) => Math.hypot(x, y))) + (outline.radius ?? 0) : Infinity;
 
-/** Discs show by a spoke how they turn, where they are this large. */
+/** Discs of at least this radius have a spoke that shows their rotation. */
 const least_spoke = 5; // px
 
 function disc(path: Path2D, x: number, y: number, radius: number, cos: number, sin: number): void {
@@ -61,13 +30,13 @@ function capsule(path: Path2D, ax: number, ay: number, bx: number, by: number, r
   path.closePath();
 }
 
-/** All of it that a pane can show. */
+/** A polygon that covers the part of the half-space inside the pane. */
 function half_space(path: Path2D, view: View, x: number, y: number, nx: number, ny: number, offset: number): void {
   const { pane, scale } = view;
   const reach = 2 * (pane.width + pane.height);
   const middle_x = pane.x + pane.width / 2;
   const middle_y = pane.y + pane.height / 2;
-  // How far the pane's middle lies above the line, px; the normal's y points up, the screen's down.
+  // Height of the pane's middle above the boundary, px. The normal's y points up, the screen's down.
   const above = (middle_x - x) * nx - (middle_y - y) * ny - offset * scale;
   const foot_x = middle_x - above * nx;
   const foot_y = middle_y + above * ny;
@@ -85,16 +54,16 @@ export class Figures {
   constructor(readonly scene: Scene) {
     this.figures = scene.bodies.map(({ outlines }) => {
       const own = outlines.flatMap((index) => scene.outlines[index] ?? []);
-      return { outlines: own, radius: Math.max(0, ...own.map(far)) };
+      return { outlines: own, radius: Math.max(0, ...own.map(radius_of)) };
     });
   }
 
-  /** m */
+  /** m, of the bounding disc */
   radius(body: number): number {
     return this.figures[body]?.radius ?? 0;
   }
 
-  /** Those of a film that may be seen now, and that are wanted. */
+  /** The wanted bodies of a film that may be visible now. */
   in_view(view: View, film: Film, wanted: (body: number) => boolean): number[] {
     const found: number[] = [];
     this.figures.forEach(({ radius }, body) => {
@@ -106,14 +75,14 @@ export class Figures {
     return found;
   }
 
-  /** Adds a body as a film has it now, its outline drawn in by some pixels. */
-  add(path: Path2D, view: View, film: Film, body: number, drawn_in = 0): void {
+  /** Adds a body to a path, in its current pose and shrunk by `inset` px. */
+  add(path: Path2D, view: View, film: Film, body: number, inset = 0): void {
     const figure = this.figures[body];
     if (!figure) return;
     const x = view.x(film.now[body * 3] ?? 0);
     const y = view.y(film.now[body * 3 + 1] ?? 0);
     const angle = film.now[body * 3 + 2] ?? 0;
-    const scale = view.scale * Math.max(0.5, 1 - drawn_in / (figure.radius * view.scale));
+    const scale = view.scale * Math.max(0.5, 1 - inset / (figure.radius * view.scale));
     const cos = Math.cos(angle);
     const sin = Math.sin(angle);
     for (const outline of figure.outlines) add_outline(path, view, outline, { x, y, cos, sin, scale });

@@ -1,34 +1,35 @@
-// What a pane shows: the ground, the truth as a ghost, engines upon it, and what is asked for besides.
+// Draws a pane: static bodies, the truth as a ghost, the engines on top of it, and optionally contacts and velocities.
+import { shape_of } from "../charts/look";
 import { given } from "../format";
-import type { Tie } from "./data";
+import type { View } from "./camera";
+import type { Joint } from "./data";
 import type { Film } from "./film";
-import { draw_shape, marks } from "./marks";
-import { Figures, View } from "./outline";
+import type { Figures } from "./outline";
 
 export interface Shown {
   contacts: boolean;
   velocities: boolean;
 }
 
-/** Colours as the canvas takes them: it knows no variables of the style sheet. */
+/** Resolves a CSS variable, which a canvas cannot. */
 export type Color = (variable: string) => string;
 
-/** Of more bodies in view than this no lines are drawn, which are dear: fills with gaps between tell them apart. */
-const crowd = 1000;
-const gap = 0.6; // px, by which they are drawn in
-/** Bodies in one path: what a long one costs grows faster than its length. */
+/** With more bodies in view than this, bodies have no lines, which are expensive, but gaps between their fills. */
+const most_outlined = 1000;
+const gap = 0.6; // px, by which their outlines shrink
+/** Bodies in one path: the cost of a path grows faster than its length. */
 const path_length = 60;
-/** Of more than this the ends are not marked. */
-const many_ties = 300;
+/** More joints than this have no marks at their ends. */
+const most_marked_joints = 300;
 const longest_arrow = 60; // px, of the largest impulse
-const velocity_time = 0.1; // s: an arrow is the way of this long
+const velocity_time = 0.1; // s; an arrow is the displacement in this time
 const least_arrow = 3; // px
 
-/** Returns which were drawn. `layers`: how many are upon each other; their fills together are to tint, not to hide. */
+/** Returns the bodies that were drawn. `layers` engines are drawn on top of each other; their fills share one opacity. */
 function bodies(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, layers: number, color: Color): number[] {
   const { engine } = film;
   const shown = figures.in_view(view, film, (body) => figures.scene.bodies[body]?.type !== "fixed");
-  const crowded = shown.length > crowd;
+  const filled = shown.length > most_outlined;
   const ink = color(engine.color);
   context.save();
   context.lineJoin = "round";
@@ -38,17 +39,17 @@ function bodies(context: CanvasRenderingContext2D, figures: Figures, view: View,
   if (engine.dash && !engine.exact) context.setLineDash(engine.dash.split(" ").map(Number));
   for (let start = 0; start < shown.length; start += path_length) {
     const path = new Path2D();
-    for (const body of shown.slice(start, start + path_length)) figures.add(path, view, film, body, crowded ? gap : 0);
-    context.globalAlpha = engine.exact ? 0.6 : (crowded ? 0.75 : 0.16) / layers;
+    for (const body of shown.slice(start, start + path_length)) figures.add(path, view, film, body, filled ? gap : 0);
+    context.globalAlpha = engine.exact ? 0.6 : (filled ? 0.75 : 0.16) / layers;
     context.fill(path);
     context.globalAlpha = 1;
-    if (!crowded) context.stroke(path);
+    if (!filled) context.stroke(path);
   }
   context.restore();
   return shown;
 }
 
-function ground(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, color: Color): void {
+function static_bodies(context: CanvasRenderingContext2D, figures: Figures, view: View, film: Film, color: Color): void {
   const path = new Path2D();
   for (const body of figures.in_view(view, film, (body) => figures.scene.bodies[body]?.type === "fixed")) figures.add(path, view, film, body);
   context.fillStyle = color("var(--quiet-wash)");
@@ -66,7 +67,7 @@ function anchor(film: Film, body: number | null, [x, y]: [number, number]): [num
   return [(film.now[body * 3] ?? 0) + x * cos - y * sin, (film.now[body * 3 + 1] ?? 0) + x * sin + y * cos];
 }
 
-function ties(context: CanvasRenderingContext2D, all: Tie[], view: View, film: Film, color: Color): void {
+function joints(context: CanvasRenderingContext2D, all: Joint[], view: View, film: Film, color: Color): void {
   const path = new Path2D();
   const end = (x: number, y: number): void => {
     path.moveTo(x + 2, y);
@@ -77,7 +78,7 @@ function ties(context: CanvasRenderingContext2D, all: Tie[], view: View, film: F
     const [bx, by] = anchor(film, b, at_b);
     path.moveTo(view.x(ax), view.y(ay));
     path.lineTo(view.x(bx), view.y(by));
-    if (all.length > many_ties) continue;
+    if (all.length > most_marked_joints) continue;
     end(view.x(ax), view.y(ay));
     end(view.x(bx), view.y(by));
   }
@@ -153,12 +154,50 @@ function scale_bar(context: CanvasRenderingContext2D, view: View, color: Color):
   context.fillText(given(Number((metres * unit).toPrecision(1)), "m"), x + 4, y - 2);
 }
 
+const most_marked = 24; // bodies; more marks would hide them
+/** Up to this number of bodies, each has the marks of all engines around its centre; otherwise of one engine in turn. */
+const most_with_all_marks = 6;
+const mark_offset = 9; // px from the centre
+
+const shapes = new Map<string, Path2D>();
+
+function draw_shape(context: CanvasRenderingContext2D, { engine }: Film, x: number, y: number, color: Color): void {
+  const shape = shapes.get(engine.symbol) ?? new Path2D(shape_of(engine));
+  shapes.set(engine.symbol, shape);
+  context.save();
+  context.translate(x, y);
+  context.fillStyle = color(engine.color);
+  context.strokeStyle = color("var(--paper)");
+  context.lineWidth = 2;
+  context.stroke(shape);
+  context.fill(shape);
+  context.restore();
+}
+
+/**
+ * The engine's shape on some of its bodies, because colour alone does not distinguish engines.
+ * `seen`: its bodies in view; `index`: of the engine among all `engines`.
+ */
+function marks(context: CanvasRenderingContext2D, view: View, film: Film, seen: number[], index: number, engines: number, color: Color): void {
+  // A power of two, so that bodies that enter or leave the view hardly change which bodies are marked.
+  const every = 2 ** Math.max(0, Math.ceil(Math.log2(seen.length / most_marked)));
+  const together = seen.length <= most_with_all_marks;
+  const angle = (2 * Math.PI * index) / engines - Math.PI / 2;
+  const off = together && engines > 1 ? mark_offset : 0;
+  for (const body of seen) {
+    if (body % every || !(together || (body / every) % engines === index)) continue;
+    const x = view.x(film.now[body * 3] ?? 0) + off * Math.cos(angle);
+    const y = view.y(film.now[body * 3 + 1] ?? 0) + off * Math.sin(angle);
+    draw_shape(context, film, x, y, color);
+  }
+}
+
 export interface Picture {
   figures: Figures;
-  films: Film[]; // shown in this pane, the truth among them
-  named: boolean; // whether the pane says whose it is
+  films: Film[]; // shown in this pane, including the truth
+  named: boolean; // whether the pane shows the name of its engine
   shown: Shown;
-  largest: number; // N s, of all impulses of the case
+  largest: number; // N s, over all impulses of the case
   ring: { film: Film; body: number } | undefined;
 }
 
@@ -190,15 +229,15 @@ export function paint(context: CanvasRenderingContext2D, view: View, picture: Pi
   const engines = films.filter(({ engine }) => !engine.exact);
   const seen = new Map<Film, number[]>();
   const [first] = films;
-  if (first) ground(context, figures, view, first, color);
+  if (first) static_bodies(context, figures, view, first, color);
   for (const film of [...films].sort((a, b) => Number(b.engine.exact) - Number(a.engine.exact))) {
     seen.set(film, bodies(context, figures, view, film, Math.max(1, engines.length), color));
-    ties(context, figures.scene.ties, view, film, color);
+    joints(context, figures.scene.ties, view, film, color);
     if (film.engine.exact) continue;
     if (shown.contacts) contacts(context, view, film, picture.largest, color);
     if (shown.velocities) velocities(context, figures, view, film, color);
   }
-  engines.forEach((film, turn) => marks(context, view, film, seen.get(film) ?? [], turn, engines.length, color));
+  engines.forEach((film, index) => marks(context, view, film, seen.get(film) ?? [], index, engines.length, color));
   if (picture.ring && films.includes(picture.ring.film)) ring(context, view, picture, picture.ring.film, picture.ring.body, color);
   scale_bar(context, view, color);
   const [owner] = engines;

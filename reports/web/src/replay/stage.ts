@@ -1,14 +1,14 @@
-// The canvas: its panes, its size, and what pointers do to the camera.
-import { h } from "../dom";
+// The canvas: its size, its panes, and how the pointer moves the camera.
 import { scale as type_scale } from "../charts/look";
-import { Camera, type Bounds, type Pane } from "./camera";
+import { h } from "../dom";
+import { Camera, View, type Bounds, type Pane } from "./camera";
 import type { Film } from "./film";
-import { View, type Figures } from "./outline";
+import type { Figures } from "./outline";
 import { paint, type Picture, type Shown } from "./paint";
 
 export interface Showing extends Shown {
-  films: Film[]; // those to be seen, the truth among them
-  apart: boolean; // side by side, rather than over each other
+  films: Film[]; // including the truth
+  side_by_side: boolean; // rather than on top of each other
   ring: Picture["ring"];
 }
 
@@ -26,7 +26,7 @@ function grid(count: number, width: number, height: number): Pane[] {
   }));
 }
 
-/** What moving bodies cover, over the whole time, in the film that all are measured by. */
+/** The bounds of the moving bodies over the whole film. */
 export function bounds_of(film: Film, figures: Figures): Bounds {
   const bounds = { left: Infinity, bottom: Infinity, right: -Infinity, top: -Infinity };
   film.each_position((body, x, y) => {
@@ -38,11 +38,11 @@ export function bounds_of(film: Film, figures: Figures): Bounds {
     bounds.top = Math.max(bounds.top, y + radius);
   });
   if (!(bounds.right > bounds.left)) return { left: -1, bottom: -1, right: 1, top: 1 };
-  // What moves along a line still needs some room across it.
+  // Motion along a line still needs some height or width.
   const least = 0.2 * Math.max(bounds.right - bounds.left, bounds.top - bounds.bottom);
-  const lack_x = Math.max(0, least - (bounds.right - bounds.left)) / 2;
-  const lack_y = Math.max(0, least - (bounds.top - bounds.bottom)) / 2;
-  return { left: bounds.left - lack_x, right: bounds.right + lack_x, bottom: bounds.bottom - lack_y, top: bounds.top + lack_y };
+  const padding_x = Math.max(0, least - (bounds.right - bounds.left)) / 2;
+  const padding_y = Math.max(0, least - (bounds.top - bounds.bottom)) / 2;
+  return { left: bounds.left - padding_x, right: bounds.right + padding_x, bottom: bounds.bottom - padding_y, top: bounds.top + padding_y };
 }
 
 export class Stage {
@@ -51,7 +51,7 @@ export class Stage {
   private readonly colors = new Map<string, string>();
   private readonly largest: number;
   private panes: Pane[] = [];
-  private wanted = false;
+  private scheduled = false;
 
   constructor(
     private readonly figures: Figures,
@@ -92,12 +92,12 @@ export class Stage {
     this.paint();
   }
 
-  /** At the next frame, however often it is asked for. */
+  /** Paints at the next frame, once. */
   draw(): void {
-    if (this.wanted) return;
-    this.wanted = true;
+    if (this.scheduled) return;
+    this.scheduled = true;
     requestAnimationFrame(() => {
-      this.wanted = false;
+      this.scheduled = false;
       this.paint();
     });
   }
@@ -105,12 +105,12 @@ export class Stage {
   private paint(): void {
     const context = this.canvas.getContext("2d");
     if (!context || !this.canvas.width) return;
-    const { films, apart, ring, ...shown } = this.showing();
+    const { films, side_by_side, ring, ...shown } = this.showing();
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
     const truths = films.filter(({ engine }) => engine.exact);
     const engines = films.filter(({ engine }) => !engine.exact);
-    const split = apart && engines.length > 1;
+    const split = side_by_side && engines.length > 1;
     const parts = split ? engines.map((film) => [...truths, film]) : [films];
     this.panes = grid(parts.length, width, height);
     context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
@@ -120,17 +120,17 @@ export class Stage {
       const pane = this.panes[index];
       if (!pane) return;
       paint(context, new View(pane, this.camera), { figures: this.figures, films: part, named: split, shown, largest: this.largest, ring }, this.color);
-      if (index === 0) this.tell_view(new View(pane, this.camera));
+      if (index === 0) this.expose_view(new View(pane, this.camera));
     });
-    this.part_panes(context);
+    this.draw_borders(context);
   }
 
-  /** px per m and where the origin is drawn in the first pane: lets one measure on the canvas. */
-  private tell_view(view: View): void {
+  /** For tests: px per m and the origin of the first pane, px. */
+  private expose_view(view: View): void {
     this.canvas.dataset["view"] = [view.scale, view.x(0), view.y(0)].join(" ");
   }
 
-  private part_panes(context: CanvasRenderingContext2D): void {
+  private draw_borders(context: CanvasRenderingContext2D): void {
     context.strokeStyle = this.color("var(--hair)");
     context.lineWidth = 1;
     for (const { x, y, width, height } of this.panes.length > 1 ? this.panes : []) context.strokeRect(x, y, width, height);
@@ -141,7 +141,7 @@ export class Stage {
     this.draw();
   }
 
-  /** By shares of the pane. */
+  /** By fractions of the pane. */
   pan(x: number, y: number): void {
     const pane = this.pane_at(0, 0);
     this.camera.pan(x * pane.width, y * pane.height, pane);
@@ -166,7 +166,7 @@ export class Stage {
       this.camera.pan(event.movementX, event.movementY, this.pane_at(event.offsetX, event.offsetY));
       this.draw();
     });
-    // The wheel scrolls the page, unless one is at work here.
+    // The wheel scrolls the page unless the canvas has the focus.
     canvas.addEventListener(
       "wheel",
       (event) => {

@@ -1,23 +1,19 @@
-// The replay of a case: the stage, what steers it, and how both follow the case's time. Made when it comes near the
+// The replay of a case: the stage and its controls, which follow the time of the case. Created when it comes near the
 // screen.
-import { legend_mark } from "../charts/look";
+import type { Cursor } from "../charts/cursor";
 import { when_near } from "../charts/figure";
+import { legend_mark } from "../charts/look";
 import { h } from "../dom";
 import { given, number } from "../format";
 import type { Case } from "../model";
-import { Bars } from "./bars";
-import { button, check, choice, icon } from "./controls";
-import type { Cursor } from "./cursor";
-import { scene_rule, type Replay, type Scene } from "./data";
+import { Bars, button, check, choice, help, icon, listen, type Key } from "./controls";
+import { scene_rule, unpack, type Replay, type Scene } from "./data";
 import { Film } from "./film";
-import { jumps_of, type Found, type Jump } from "./jumps";
-import { help, listen, type Key } from "./keys";
 import { Figures } from "./outline";
-import { Player, speeds } from "./player";
-import { bounds_of, Stage, type Showing } from "./stage";
-import { unpack } from "./unpack";
+import { Player, jumps_of, speeds, type Found, type Jump } from "./playback";
+import { Stage, bounds_of, type Showing } from "./stage";
 
-/** Larger scenes begin side by side: over each other, none could be made out. */
+/** Larger scenes start side by side. */
 const most_overlaid = 40; // bodies
 
 async function scene_of(replay: Replay): Promise<Scene> {
@@ -28,25 +24,25 @@ async function scene_of(replay: Replay): Promise<Scene> {
   return scene as Scene;
 }
 
-async function films_of(place: Case, replay: Replay, bodies: number): Promise<Film[]> {
-  const found = place.entries.flatMap(({ engine, run }) => {
+async function films_of(item: Case, replay: Replay, bodies: number): Promise<Film[]> {
+  const found = item.entries.flatMap(({ engine, run }) => {
     const own = replay.runs.find(({ engine, method }) => engine === run.engine && method === run.method);
     return own ? [Film.of(engine, own, bodies)] : [];
   });
   return Promise.all(found);
 }
 
-/** What one must know to believe the picture. */
+/** How exact the picture is. */
 function fidelity(films: Film[]): string {
   const longest = Math.max(...films.map(({ run }) => run.length));
   const every = films.filter(({ run }) => run.every > 1);
-  const thinned = every.map(({ engine, run }) => `${engine.label} ${run.every} (between them up to ${number(run.between, "m", 2)} off)`);
+  const thinned = every.map(({ engine, run }) => `${engine.label} every ${run.every} steps (error in between: up to ${number(run.between, "m", 2)})`);
   const missing = films.filter(({ engine, run }) => !engine.exact && run.contacts !== "kept");
-  const none = missing.map(({ engine, run }) => `${engine.label} (${run.contacts === "none" ? "shows none" : "too many to keep"})`);
+  const none = missing.map(({ engine, run }) => `${engine.label} (${run.contacts === "none" ? "not reported" : "too many"})`);
   return [
     `Positions are rounded by up to ${number(longest / 2, "m", 2)}.`,
-    thinned.length ? `One step is kept of so many: ${thinned.join(", ")}.` : "Every step is kept.",
-    none.length ? `Without contacts: ${none.join(", ")}.` : "",
+    thinned.length ? `Not every step is recorded: ${thinned.join(", ")}.` : "Every step is recorded.",
+    none.length ? `No contacts: ${none.join(", ")}.` : "",
   ].join(" ");
 }
 
@@ -64,10 +60,10 @@ class Replayer {
   private readonly speed = choice("Speed", speeds.map((many) => [String(many), `${given(many)}\u00d7`] as const), (value) => {
     this.player.speed = Number(value);
   });
-  private readonly options: Record<"apart" | "contacts" | "velocities" | "energy" | "loop", HTMLInputElement>;
+  private readonly options: Record<"side_by_side" | "contacts" | "velocities" | "energy" | "loop", HTMLInputElement>;
 
   constructor(
-    place: Case,
+    item: Case,
     scene: Scene,
     private readonly films: Film[],
     private readonly cursor: Cursor,
@@ -76,16 +72,16 @@ class Replayer {
     const reference = films.find(({ engine }) => engine.exact) ?? films[0];
     if (!reference) throw new Error("there is no run to show");
     this.shown = new Set(films);
-    this.view = { apart: scene.bodies.length > most_overlaid, contacts: scene.bodies.length <= most_overlaid, velocities: false, ring: undefined };
+    this.view = { side_by_side: scene.bodies.length > most_overlaid, contacts: scene.bodies.length <= most_overlaid, velocities: false, ring: undefined };
     this.stage = new Stage(figures, films, bounds_of(reference, figures), () => ({ ...this.view, films: this.films_shown }));
-    this.stage.canvas.setAttribute("aria-label", `Replay of ${place.scenario}, ${place.variant}`);
+    this.stage.canvas.setAttribute("aria-label", `Replay of ${item.scenario}, ${item.variant}`);
     this.bars = new Bars(films);
     this.player = new Player(cursor, () => this.follow());
     this.slider = h("input", { type: "range", min: "0", max: String(cursor.end), step: "any", value: "0", "aria-label": "Time" });
     this.slider.addEventListener("input", () => this.go(Number(this.slider.value)));
-    this.jumps = jumps_of(place).map((jump) => ({ jump, control: button(`${jump.name}: ${jump.about}`, jump.name, () => this.jump(jump)) }));
+    this.jumps = jumps_of(item).map((jump) => ({ jump, control: button(`${jump.name}: ${jump.about}`, jump.name, () => this.jump(jump)) }));
     this.options = {
-      apart: check("Side by side", this.view.apart, (on) => this.change({ apart: on })),
+      side_by_side: check("Side by side", this.view.side_by_side, (on) => this.change({ side_by_side: on })),
       contacts: check("Contacts and impulses", this.view.contacts, (on) => this.change({ contacts: on })),
       velocities: check("Velocities", false, (on) => this.change({ velocities: on })),
       energy: check("Energy", true, (on) => (this.bars.element.hidden = !on)),
@@ -98,7 +94,7 @@ class Replayer {
       this.stage.canvas,
       this.transport(),
       h("div", { class: "row" }, ...this.jumps.map(({ control }) => control)),
-      h("div", { class: "row" }, ...films.map((film) => this.choose(film)), ...["apart", "contacts", "velocities", "energy"].map((name) => this.label(name as "apart"))),
+      h("div", { class: "row" }, ...films.map((film) => this.choose(film)), ...(["side_by_side", "contacts", "velocities", "energy"] as const).map((name) => this.label(name))),
       this.bars.element,
       help(keys),
       h("p", { class: "fidelity" }, fidelity(films)),
@@ -134,14 +130,14 @@ class Replayer {
       button("To the start", icon("start"), () => this.go(0)),
       button("A step back", icon("back"), () => this.step(-1)),
       this.play,
-      button("A step on", icon("on"), () => this.step(1)),
+      button("A step forward", icon("on"), () => this.step(1)),
       this.slider,
       this.clock,
       this.speed,
       this.label("loop"),
-      button("Nearer", "+", () => this.stage.zoom_by(1.5)),
-      button("Farther", "\u2212", () => this.stage.zoom_by(1 / 1.5)),
-      button("All in view", "Fit", () => this.stage.fit()),
+      button("Zoom in", "+", () => this.stage.zoom_by(1.5)),
+      button("Zoom out", "\u2212", () => this.stage.zoom_by(1 / 1.5)),
+      button("Fit to the view", "Fit", () => this.stage.fit()),
     );
   }
 
@@ -149,26 +145,26 @@ class Replayer {
     const press = (name: keyof Replayer["options"]) => (): void => this.options[name].click();
     const pan = (x: number, y: number) => (): void => this.stage.pan(0.1 * x, 0.1 * y);
     return [
-      { keys: [" ", "k"], shown: "Space K", about: "play, pause", act: () => this.player.toggle() },
-      { keys: ["ArrowLeft"], shown: "\u2190", about: "a step back; with Shift, ten", act: ({ shiftKey }) => this.step(shiftKey ? -10 : -1) },
-      { keys: ["ArrowRight"], shown: "\u2192", about: "a step on; with Shift, ten", act: ({ shiftKey }) => this.step(shiftKey ? 10 : 1) },
-      { keys: ["Home"], shown: "Home", about: "to the start", act: () => this.go(0) },
-      { keys: ["End"], shown: "End", about: "to the end", act: () => this.go(this.cursor.end) },
-      { keys: ["ArrowUp", "]"], shown: "\u2191", about: "faster", act: () => this.player.faster(1) },
-      { keys: ["ArrowDown", "["], shown: "\u2193", about: "slower", act: () => this.player.faster(-1) },
-      ...this.jumps.map(({ jump }): Key => ({ keys: [jump.key], shown: jump.key, about: `${jump.name.toLowerCase()}: ${jump.about}`, act: () => this.jump(jump) })),
-      { keys: ["l"], shown: "L", about: "loop", act: press("loop") },
-      { keys: ["o"], shown: "O", about: "side by side, or over each other", act: press("apart") },
-      { keys: ["c"], shown: "C", about: "contact points, and the impulse of the last step on the second body, N s", act: press("contacts") },
-      { keys: ["v"], shown: "V", about: "velocities: an arrow is the way of 0.1 s", act: press("velocities") },
-      { keys: ["e"], shown: "E", about: "energy", act: press("energy") },
-      { keys: ["+", "="], shown: "+", about: "nearer", act: () => this.stage.zoom_by(1.5) },
-      { keys: ["-"], shown: "\u2212", about: "farther", act: () => this.stage.zoom_by(1 / 1.5) },
-      { keys: ["0"], shown: "0", about: "all in view", act: () => this.stage.fit() },
-      { keys: ["a"], shown: "A", about: "look left", act: pan(1, 0) },
-      { keys: ["d"], shown: "D", about: "look right", act: pan(-1, 0) },
-      { keys: ["w"], shown: "W", about: "look up", act: pan(0, 1) },
-      { keys: ["s"], shown: "S", about: "look down", act: pan(0, -1) },
+      { keys: [" ", "k"], shown: "Space K", about: "play, pause", action: () => this.player.toggle() },
+      { keys: ["ArrowLeft"], shown: "\u2190", about: "a step back; with Shift, ten", action: ({ shiftKey }) => this.step(shiftKey ? -10 : -1) },
+      { keys: ["ArrowRight"], shown: "\u2192", about: "a step forward; with Shift, ten", action: ({ shiftKey }) => this.step(shiftKey ? 10 : 1) },
+      { keys: ["Home"], shown: "Home", about: "to the start", action: () => this.go(0) },
+      { keys: ["End"], shown: "End", about: "to the end", action: () => this.go(this.cursor.end) },
+      { keys: ["ArrowUp", "]"], shown: "\u2191", about: "faster", action: () => this.player.faster(1) },
+      { keys: ["ArrowDown", "["], shown: "\u2193", about: "slower", action: () => this.player.faster(-1) },
+      ...this.jumps.map(({ jump }): Key => ({ keys: [jump.key], shown: jump.key, about: `${jump.name.toLowerCase()}: ${jump.about}`, action: () => this.jump(jump) })),
+      { keys: ["l"], shown: "L", about: "loop", action: press("loop") },
+      { keys: ["o"], shown: "O", about: "side by side, or on top of each other", action: press("side_by_side") },
+      { keys: ["c"], shown: "C", about: "contact points, with the impulses of the last step on the second body (N s)", action: press("contacts") },
+      { keys: ["v"], shown: "V", about: "velocities; an arrow is the displacement in 0.1 s", action: press("velocities") },
+      { keys: ["e"], shown: "E", about: "energy", action: press("energy") },
+      { keys: ["+", "="], shown: "+", about: "zoom in", action: () => this.stage.zoom_by(1.5) },
+      { keys: ["-"], shown: "\u2212", about: "zoom out", action: () => this.stage.zoom_by(1 / 1.5) },
+      { keys: ["0"], shown: "0", about: "fit to the view", action: () => this.stage.fit() },
+      { keys: ["a"], shown: "A", about: "look left", action: pan(1, 0) },
+      { keys: ["d"], shown: "D", about: "look right", action: pan(-1, 0) },
+      { keys: ["w"], shown: "W", about: "look up", action: pan(0, 1) },
+      { keys: ["s"], shown: "S", about: "look down", action: pan(0, -1) },
     ];
   }
 
@@ -183,7 +179,7 @@ class Replayer {
     this.stage.draw();
   }
 
-  /** By moments of the film that has the most of them. */
+  /** Steps by the moments of the film with the most of them. */
   private step(by: number): void {
     this.player.pause();
     const [finest] = [...this.films_shown].sort((a, b) => b.times.length - a.times.length);
@@ -203,7 +199,7 @@ class Replayer {
     this.follow();
   }
 
-  private tell_playing(): void {
+  private update_play_button(): void {
     const name = this.player.playing ? "Pause" : "Play";
     if (this.play.getAttribute("aria-label") === name) return;
     this.play.setAttribute("aria-label", name);
@@ -221,26 +217,26 @@ class Replayer {
     const time = given(this.cursor.time, "s", 4);
     this.slider.setAttribute("aria-valuetext", time);
     this.clock.textContent = `${this.cursor.time.toFixed(3)}\u202fs of ${given(this.cursor.end, "s", 4)}`;
-    this.tell_playing();
+    this.update_play_button();
     this.speed.value = String(this.player.speed);
-    for (const { jump, control } of this.jumps) say(control, jump, jump.find(films));
+    for (const { jump, control } of this.jumps) update_jump(control, jump, jump.find(films));
   }
 }
 
-function say(control: HTMLButtonElement, jump: Jump, found: Found | undefined): void {
+function update_jump(control: HTMLButtonElement, jump: Jump, found: Found | undefined): void {
   control.disabled = !found;
   const text = found ? `${jump.name}: ${given(found.time, "s", 3)} (${found.text})` : `${jump.name}: none`;
   if (control.textContent !== text) control.textContent = text;
 }
 
-export function replay_figure(place: Case, cursor: Cursor): HTMLElement | null {
-  const { replay } = place;
+export function replay_figure(item: Case, cursor: Cursor): HTMLElement | null {
+  const { replay } = item;
   if (!replay?.runs.length) return null;
   const holder = h("div", { class: "stage" });
   const show = async (): Promise<void> => {
     try {
       const scene = await scene_of(replay);
-      holder.replaceChildren(new Replayer(place, scene, await films_of(place, replay, scene.bodies.length), cursor).element);
+      holder.replaceChildren(new Replayer(item, scene, await films_of(item, replay, scene.bodies.length), cursor).element);
     } catch (error) {
       holder.replaceChildren(h("p", { role: "alert" }, `This replay cannot be shown: ${(error as Error).message}`));
     }

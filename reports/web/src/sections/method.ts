@@ -1,28 +1,31 @@
-// How the numbers are made, on what, and how to make them again.
+// How the numbers are computed, what the words mean, and how to repeat the report.
 import type { EngineNote } from "../data";
 import { h } from "../dom";
 import { folded } from "../folded";
 import { number, pretty_unit, shell, words } from "../format";
 import type { Model } from "../model";
-import { case_command, command } from "./command";
+import { case_command, command } from "../pieces";
 
+/** As in README.md ("Reading a report") and reports/glossary.md, plus the numbers that this page adds. */
 const definitions: [string, string][] = [
-  ["right", "every reading is within what is allowed of the truth, and no invariant is broken"],
-  ["plausible", "there is no truth to judge by, and no invariant is broken: engines may differ and all be plausible"],
-  ["wrong", "wrong physics: a reading is off, or an invariant broken, by more than the order of the method predicts"],
-  ["beyond horizon", "past the time for which motions can be predicted; not judged point by point"],
-  ["not supported", "the engine cannot be asked this; the reason stands beside it"],
-  ["failed", "the run diverged or broke off; the reason stands beside it"],
+  ["right", "every reading is within its tolerance of the truth, and no invariant is broken"],
+  ["plausible", "there is no closed form to compare with, and no invariant is broken; engines may differ and all be plausible"],
+  ["wrong", "a reading is outside its tolerance, or an invariant is broken"],
+  ["not supported", "the engine cannot run the scene, with the reason"],
+  ["failed", "the run diverged, crashed or stopped early, with the reason"],
+  ["beyond horizon", "past the time up to which the motion can be predicted; not compared point by point"],
+  ["not reported", "the engine does not report what the check needs, such as contacts; counts neither way"],
+  ["error", "|measured \u2212 expected|, in the unit of the quantity"],
   [
     "tolerance",
-    "how far off a correct engine may be: from the order of its method, its step, the gaps it states and the round-off of its arithmetic. No limit is set by what an engine happened to do.",
+    "how far off a correct engine may be: derived from the order of its method, its step, its stated gaps and the round-off of its arithmetic, never from what an engine happened to do",
   ],
-  ["energy", "kinetic, rotational and gravitational, of all dynamic bodies, from the scene and the read-out states; no engine is asked"],
+  ["error / tolerance", "above 1 is wrong; the largest of a run decides"],
+  ["energy", "kinetic, rotational and gravitational, of all dynamic bodies, computed from the scene and the positions and velocities read out, not by the engine"],
   ["momentum", "linear, and angular about the world\u2019s origin, of all dynamic bodies"],
-  ["share of allowed", "a miss divided by what is allowed there: up to 1 is right. A run is judged by its largest"],
   ["distance from the truth", "of the bodies\u2019 centres, root mean square over bodies and recorded moments"],
-  ["time per step", "only the engine\u2019s own step is timed, after a warm-up, the engines taking turns; median over the repetitions, with the lower and the upper quartile. Reading, judging and writing are never on the clock"],
-  ["real-time factor", "simulated seconds for each second spent in steps"],
+  ["time per step", "median over repetitions in which the engines take turns, with the quartiles; only the engine\u2019s step is timed, after a warm-up"],
+  ["real-time factor", "simulated time per second spent in steps"],
 ];
 
 function entries(pairs: [string, string][], kind: string): HTMLElement {
@@ -32,44 +35,46 @@ function entries(pairs: [string, string][], kind: string): HTMLElement {
 const described = (notes: EngineNote[]): [string, string][] =>
   notes.map(({ name, about, source }) => [name, source ? `${about}. ${source}` : about]);
 
-/** "runs_s" is in seconds; what names no unit is a share. */
+/** "runs_s" is in seconds; a name without a unit is a share. */
 const clock_entry = ([name, value]: [string, number | null]): [string, string] =>
   name.endsWith("_s")
     ? [words(name.slice(0, -2)), number(value, "s")]
     : [words(name), number(value === null ? null : 100 * value, "%")];
 
-/** What was asked of an engine and not answered, by reason, with the cases. */
-function unanswered({ chapters }: Model): Map<string, string[]> {
+/** The cases that an engine does not support or report, by reason. */
+function missing({ chapters }: Model): Map<string, string[]> {
   const found = new Map<string, string[]>();
-  const add = (reason: string, place: string) => found.set(reason, [...new Set([...(found.get(reason) ?? []), place])]);
+  const add = (reason: string, item: string) => found.set(reason, [...new Set([...(found.get(reason) ?? []), item])]);
   for (const { scenario, variant, entries } of chapters.flatMap(({ cases }) => cases)) {
     for (const { engine, run } of entries) {
-      const place = `${scenario} (${variant})`;
-      if (run.status === "not supported") add(`${engine.label}: ${run.reason}`, place);
-      for (const check of run.truth) if (!check.reported) add(`${engine.label} does not report ${words(check.quantity)}`, place);
-      for (const law of run.invariants) if (law.status === "not reported") add(`${engine.label} does not report what would tell of ${words(law.name)}`, place);
+      const item = `${scenario} (${variant})`;
+      if (run.status === "not supported") add(`${engine.label}: ${run.reason}`, item);
+      for (const check of run.truth) if (!check.reported) add(`${engine.label} does not report ${words(check.quantity)}`, item);
+      for (const check of run.invariants) {
+        if (check.status === "not reported") add(`${engine.label} does not report what the invariant ${words(check.name)} needs`, item);
+      }
     }
   }
   return found;
 }
 
 function not_supported(model: Model): HTMLElement[] {
-  const found = unanswered(model);
+  const found = missing(model);
   if (!found.size) return [];
-  const about = "What an engine cannot be asked, or does not show, is neither right nor wrong: it is left out, and said here.";
-  const cases = [...found].map(([reason, places]): [string, string] => [reason, places.join(", ")]);
+  const about = "Checks that need something an engine does not support or report count neither for nor against it.";
+  const cases = [...found].map(([reason, items]): [string, string] => [reason, items.join(", ")]);
   return [h("h3", {}, "Not supported, or not reported"), h("p", { class: "lede" }, about), entries(cases, "definitions")];
 }
 
-/** The whole report, each of its cases, each study: as lines to copy. */
-function again({ page, chapters }: Model): HTMLElement[] {
+/** The commands of the whole report, of each study and of each case. */
+function commands({ page, chapters }: Model): HTMLElement[] {
   const { report, studies } = page;
   const cases = chapters.flatMap(({ cases }) => cases).map(({ scenario, variant }) => case_command(report, scenario, variant));
   const whole = report.command.length ? [command(shell(["./plumb", ...report.command.slice(1)]))] : [];
   return [
     ...whole,
     ...studies.flatMap((study) => (study.command ? [command(`./${study.command}`)] : [])),
-    folded("Each case alone", () => cases.map(command)),
+    folded("Each case by itself", () => cases.map(command)),
   ];
 }
 
@@ -80,29 +85,30 @@ export function method(model: Model): HTMLElement {
     "section",
     { id: "method" },
     h("h2", {}, "Method"),
-    h("p", { class: "lede" }, "Every engine is given the same scene, steps it with the same time step, and is read the same way."),
+    h("p", { class: "lede" }, "Every engine gets the same scene, runs it with the same time step, and is measured in the same way."),
     h("h3", {}, "Words"),
     entries(definitions, "definitions"),
+    h("p", { class: "basis" }, "All other words are defined in ", h("code", {}, "reports/glossary.md"), " in the Plumb repository."),
     h("h3", {}, "Metrics"),
     entries(
       report.metrics.map(({ name, unit, definition }) => [`${words(name)}${unit ? ` (${pretty_unit(unit)})` : ""}`, definition]),
       "definitions",
     ),
-    h("h3", {}, "What holds in any case"),
+    h("h3", {}, "Invariants"),
     entries(
       report.invariants.map(({ name, unit, definition }) => [`${words(name)} (${pretty_unit(unit)})`, definition]),
       "definitions",
     ),
     h("h3", {}, "Engines"),
     entries(described(report.engines.filter(({ exact }) => !exact)), "definitions"),
-    h("h3", {}, "Truths"),
+    h("h3", {}, "Closed forms"),
     entries(described(report.engines.filter(({ exact }) => exact)), "definitions"),
     ...not_supported(model),
-    h("h3", {}, "To make it again"),
-    ...again(model),
-    h("h3", {}, "Made with"),
+    h("h3", {}, "Repeat it"),
+    ...commands(model),
+    h("h3", {}, "Environment"),
     entries(Object.entries(report.environment).map(([name, value]) => [words(name), value]), "environment"),
-    clock.length ? h("h3", {}, "Time it took") : null,
+    clock.length ? h("h3", {}, "Run time") : null,
     clock.length ? entries(clock, "environment") : null,
   );
 }

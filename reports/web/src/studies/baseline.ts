@@ -1,9 +1,9 @@
-// What is not as it was when somebody accepted the baseline: told like a study, with the runs that both have.
+// The changes since the accepted baseline, in the form of a study, for the runs that both have.
+import type { Study } from "../data";
 import { h, slug, table } from "../dom";
 import { count, words } from "../format";
-import { label_of } from "../model";
-import { command } from "../sections/command";
-import type { Study, StudyView } from "../study";
+import { label_of, type StudyView } from "../model";
+import { command } from "../pieces";
 
 interface Regression {
   scenario: string;
@@ -21,7 +21,7 @@ interface Regression {
 interface Changes {
   verdict: string;
   notes: string[];
-  runs: number; // that both have
+  runs: number; // in both
   regressions: Regression[]; // worst first
 }
 
@@ -42,7 +42,7 @@ function row(one: Regression): HTMLTableRowElement {
 export function baseline(study: Study): StudyView {
   const { regressions, notes, runs } = changes_of(study);
   const more = regressions.length - most_shown;
-  const about = `${study.about}: ${count(runs, "run")} that ${String(study.configuration["baseline"])} has as well. ${notes.join(" ")}`;
+  const about = `${study.about}: ${count(runs, "run")} that are also in ${String(study.configuration["baseline"])}. ${notes.join(" ")}`;
   const content = () => h(
     "section",
     { id: slug("changes") },

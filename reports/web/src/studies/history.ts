@@ -1,39 +1,39 @@
-// What reports said from commit to commit: changes in a list, and the course of what changed.
+// The history of reports from commit to commit: a list of changes, and charts of what changed.
 import { figure } from "../charts/figure";
 import { legend } from "../charts/look";
-import { certainty, trend_chart } from "../charts/trend";
+import type { Study } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, number, time_step } from "../format";
-import { look, type Engine } from "../model";
-import type { Study, StudyView } from "../study";
+import { look, type Engine, type StudyView } from "../model";
 import { day, history_of, metric_name, panels_of, short_commit, step_time, type HistoryModel, type Panel } from "./history_model";
+import { certainty, trend_chart } from "./trend";
 
 const most_rows = 200;
 
 interface Row {
   snapshot: number;
-  size: number; // by which the largest come first
+  size: number; // relative; the largest come first
   what: string;
   who: string;
   metric: string;
   before: string;
   after: string;
   by: string;
-  sure: string;
+  certainty: string;
 }
 
-const place_of = ({ scenario, variant }: { scenario: string; variant: string }): string => (variant ? `${scenario}, ${variant}` : scenario);
+const case_name = ({ scenario, variant }: { scenario: string; variant: string }): string => (variant ? `${scenario}, ${variant}` : scenario);
 const percent = (before: number, after: number): string => {
   if (before === 0) return "from 0";
   const share = (100 * (after - before)) / Math.abs(before);
   return `${share > 0 ? "+" : ""}${number(share, "%", 2)}`;
 };
 
-/** The newest first, the largest of each snapshot first. */
+/** The newest snapshot first; the largest change of each snapshot first. */
 function rows_of({ trends, verdicts }: HistoryModel): Row[] {
   const of_verdicts = verdicts.map(
-    ({ snapshot, before, after, engine, ...place }): Row => ({ snapshot, size: Infinity, what: place_of(place), who: engine, metric: "verdict", before, after, by: "", sure: "exact" }),
+    ({ snapshot, before, after, engine, ...subject }): Row => ({ snapshot, size: Infinity, what: case_name(subject), who: engine, metric: "verdict", before, after, by: "", certainty: "exact" }),
   );
   const of_trends = trends.flatMap((trend) =>
     trend.changes.map(({ at, before, after, p }): Row => {
@@ -41,13 +41,13 @@ function rows_of({ trends, verdicts }: HistoryModel): Row[] {
       return {
         snapshot: trend.snapshots[at] ?? 0,
         size: least === 0 ? Number.MAX_VALUE : Math.abs(after - before) / least,
-        what: place_of(trend),
+        what: case_name(trend),
         who: trend.engine,
         metric: metric_name(trend.metric),
         before: number(before, trend.unit, 4),
         after: number(after, trend.unit, 4),
         by: percent(before, after),
-        sure: certainty(p),
+        certainty: certainty(p),
       };
     }),
   );
@@ -68,7 +68,7 @@ function changes(model: HistoryModel, rows: Row[]): HTMLElement {
       h("td", { "data-label": "before" }, row.before),
       h("td", { "data-label": "after" }, row.after),
       h("td", { "data-label": "by" }, row.by),
-      h("td", { "data-label": "sure" }, row.sure),
+      h("td", { "data-label": "certainty" }, row.certainty),
     );
   });
   const rest = rows.length > most_rows ? ` The newest ${most_rows} of ${rows.length} are shown.` : "";
@@ -79,15 +79,15 @@ function changes(model: HistoryModel, rows: Row[]): HTMLElement {
     h(
       "p",
       { class: "lede" },
-      `Numbers that repeat to the bit change exactly; where values scatter, as times do, a change is one that fewer than ${number(100 * model.level, "%", 1)} of random orders of the same values show (E-divisive), so that of ${times} series of times chance alone lets about ${number(times * model.level, "", 1)} look changed. ${count(model.unchanged, "other number")} never changed.${rest}`,
+      `Numbers that repeat to the bit change exactly. Times scatter: a change is reported if fewer than ${number(100 * model.level, "%", 1)} of random permutations of the same values show it (E-divisive), so about ${number(times * model.level, "", 1)} of the ${times} series of times look changed by chance. ${count(model.unchanged, "other number")} never changed.${rest}`,
     ),
     rows.length
-      ? table("Changes, the newest first", ["since", "case", "engine", "metric", "before", "after", "by", "sure"], cells)
-      : h("p", { class: "absence" }, "Nothing has changed."),
+      ? table("Changes, the newest first", ["since", "case", "engine", "metric", "before", "after", "by", "certainty"], cells)
+      : h("p", { class: "absence" }, "Nothing changed."),
   );
 }
 
-/** Where there is but one, what it is stands at the page's end. */
+/** A single machine is described at the end of the page instead. */
 const machines_of = ({ trends }: HistoryModel): number => new Set(trends.flatMap(({ machine }) => machine || [])).size;
 
 function chart_of(panel: Panel, model: HistoryModel, engine_of: (label: string) => Engine): HTMLElement {
@@ -99,18 +99,18 @@ function chart_of(panel: Panel, model: HistoryModel, engine_of: (label: string) 
   });
 }
 
-function course(scenario: string, panels: Panel[], model: HistoryModel, engine_of: (label: string) => Engine): HTMLElement {
+function trend_section(scenario: string, panels: Panel[], model: HistoryModel, engine_of: (label: string) => Engine): HTMLElement {
   const moving = panels.filter(({ trends }) => trends.some((trend) => trend.changes.length));
   const steady = panels.filter((panel) => !moving.includes(panel));
   const shown = [...new Set(panels.flatMap(({ trends }) => trends.map(({ engine }) => engine)))].map(engine_of);
   const charts = (some: Panel[]) => h("div", { class: "charts" }, ...some.map((panel) => chart_of(panel, model, engine_of)));
   return h(
     "section",
-    { id: slug("course", scenario), class: "chapter" },
+    { id: slug("trend", scenario), class: "chapter" },
     h("h2", {}, scenario),
     legend(shown),
-    moving.length ? charts(moving) : h("p", { class: "absence" }, "Nothing here has changed."),
-    steady.length ? folded("Times that scatter without a change", () => [charts(steady)]) : null,
+    moving.length ? charts(moving) : h("p", { class: "absence" }, "Nothing changed here."),
+    steady.length ? folded("Times without a change", () => [charts(steady)]) : null,
   );
 }
 
@@ -121,7 +121,7 @@ function sentence(model: HistoryModel, rows: Row[]): string {
   const numbers = rows.length - verdicts;
   const newest = rows.filter(({ snapshot }) => snapshot === model.snapshots.length - 1).length;
   const found = [verdicts ? count(verdicts, "verdict") : "", numbers ? count(numbers, "number") : ""].filter(Boolean);
-  return `From ${day(first)} to ${day(last)}, over ${count(model.snapshots.length, "snapshot")}: ${found.length ? `${enumerate(found)} changed, ${newest || "none"} with the newest` : "nothing changed"}.`;
+  return `From ${day(first)} to ${day(last)}, over ${count(model.snapshots.length, "snapshot")}: ${found.length ? `${enumerate(found)} changed, ${newest || "none"} in the newest` : "nothing changed"}.`;
 }
 
 export function history(study: Study): StudyView {
@@ -137,9 +137,9 @@ export function history(study: Study): StudyView {
     sections: [
       { id: "changes", name: "What changed", content: () => changes(model, rows) },
       ...scenarios.map((scenario) => ({
-        id: slug("course", scenario),
+        id: slug("trend", scenario),
         name: scenario,
-        content: () => course(scenario, panels.filter((panel) => panel.scenario === scenario), model, engine_of),
+        content: () => trend_section(scenario, panels.filter((panel) => panel.scenario === scenario), model, engine_of),
       })),
     ],
   };

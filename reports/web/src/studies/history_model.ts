@@ -1,6 +1,6 @@
-// The history as its page thinks of it: snapshots in their order, and what changed from one to the next.
+// The findings of the history, as its view uses them: snapshots in order, and what changed from one to the next.
+import type { Study } from "../data";
 import { words } from "../format";
-import type { Study } from "../study";
 
 export const step_time = "step_us";
 
@@ -17,19 +17,19 @@ interface Subject {
   dt: number;
 }
 
-/** Means of what lies before and after; p: 0 of a change to the bit. */
+/** The means before and after a change, and its p value: 0 for a change of numbers that repeat to the bit. */
 export interface ChangePoint {
-  at: number; // place in the trend's values
+  at: number; // index into the trend's values
   before: number;
   after: number;
   p: number;
 }
 
-/** Columns of equal length: an entry for each snapshot that has the metric. */
+/** Columns of equal length, with one entry for each snapshot that has the metric. */
 export interface Trend extends Subject {
   metric: string;
   unit: string;
-  machine: string; // that times were taken on; "" of what hangs on no clock
+  machine: string; // that measured the times; "" for metrics that do not depend on the clock
   snapshots: number[];
   values: number[];
   low: number[];
@@ -47,7 +47,7 @@ export interface HistoryModel {
   snapshots: Snapshot[];
   trends: Trend[];
   verdicts: VerdictChange[];
-  unchanged: number; // series that are not among the trends
+  unchanged: number; // series without a change, which are not among the trends
   level: number;
 }
 
@@ -63,13 +63,13 @@ export function history_of(study: Study): HistoryModel {
   };
 }
 
-/** As much of a commit as tells it. */
+/** The first 8 characters, and a star if the tree had changes. */
 export const short_commit = ({ commit }: Snapshot): string => commit.slice(0, 8) + (commit.endsWith("-dirty") ? "*" : "");
-/** In words; of step times as the report has it. */
+/** The metric's name on the page. */
 export const metric_name = (metric: string): string => (metric === step_time ? "time per step" : words(metric));
 export const day = ({ at }: Snapshot): string => at.slice(0, 10);
 
-/** Trends of one metric in one case, which a chart shows together. */
+/** Trends of one metric in one case, which share a chart. */
 export interface Panel {
   scenario: string;
   variant: string;

@@ -1,5 +1,5 @@
-// The study of models as its page thinks of it.
-import type { Study } from "../study";
+// The findings of the model study, as its view uses them.
+import type { Study } from "../data";
 
 export interface Spread {
   median: number;
@@ -7,14 +7,14 @@ export interface Spread {
   high: number;
 }
 
-/** A feature dropped from the full model, alone. */
+/** The full model without one feature. */
 export interface Drop {
   feature: string;
   without: string;
   setting: string;
-  within: boolean; // the tolerance
-  change: number | null; // m, by which it is worse than the full model; null where it did not run
-  why: string; // why it did not
+  within: boolean; // within the tolerance
+  change: number | null; // m, error added to the full model's; null if it did not run
+  why: string; // why it did not run
   ratio: number | null; // of its cost to the full model's
 }
 
@@ -22,7 +22,7 @@ export interface Least {
   line: string;
   error: number | null; // m
   change: number; // m
-  cheaper: Spread; // times
+  cheaper: Spread; // cost of the full model / its own
   auto_cheaper: Spread;
   dropped: { feature: string; without: string }[];
 }
@@ -41,16 +41,16 @@ export interface ModelCase {
   error: number | null; // m, its own
   cost: number | null; // s per simulated second
   duration: number; // s
-  truth: string; // "" where there is none
+  truth: string; // "" if there is none
   truth_until: number; // s
-  compared_until: number; // s; 0 where the truth does without
+  compared_until: number; // s, of the comparison with the full model; 0 if the truth is enough
   drops: Drop[];
   least: Least | null;
   chosen: Chosen | null;
 }
 
 export interface LeastModels {
-  tolerance: string; // m, as it was given
+  tolerance: string; // m, as entered
   dt: string;
   cases: ModelCase[];
 }
@@ -70,8 +70,8 @@ interface Costs {
 export function least_models(study: Study): LeastModels {
   const all = study.results.filter(({ ending }) => ending === "done").map(({ values }) => values as unknown as Values);
   const costs = study.timings.cases as unknown as Costs[];
-  const cases = costs.flatMap(({ case: place, full: cost, drops, least }): ModelCase[] => {
-    const here = all.filter(({ scenario, variant }) => `${scenario}/${variant}` === place);
+  const cases = costs.flatMap(({ case: item, full: cost, drops, least }): ModelCase[] => {
+    const here = all.filter(({ scenario, variant }) => `${scenario}/${variant}` === item);
     const full = here.find(({ role }) => role === "full");
     if (!full) return [];
     const ratios = new Map(drops.map(({ setting, ratio }) => [setting, ratio]));

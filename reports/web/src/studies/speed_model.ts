@@ -1,10 +1,10 @@
-// The speed study as its page thinks of it.
-import { look, type Engine } from "../model";
-import type { Study } from "../study";
+// The findings of the speed study, as its view uses them.
+import type { Study } from "../data";
+import { label_of, look, type Engine } from "../model";
 
 export interface Reading {
   value: number;
-  bound: boolean; // it may be less: the front does not reach further
+  bound: boolean; // an upper bound: the front ends here
 }
 
 export interface SpeedMark {
@@ -15,7 +15,7 @@ export interface SpeedMark {
   time: number; // s per simulated second
   low: number;
   high: number;
-  wide: boolean; // its time is not to be relied on
+  wide: boolean; // the repetitions scatter too much
   error: number; // m
   on_front: boolean; // of its own engine
 }
@@ -25,7 +25,7 @@ export interface SpeedCurve {
   front: SpeedMark[];
   time_for_error: (Reading | null)[];
   error_for_time: (Reading | null)[];
-  factor: number | null; // of the standard's time, at equal error; null where it does not get there
+  factor: number | null; // its time / the standard's at equal error; null if it does not get as accurate
 }
 
 export interface SpeedCase {
@@ -80,7 +80,7 @@ interface Values {
   error: number | null;
 }
 
-interface Told {
+interface Timings {
   standard: string;
   error_targets: number[];
   time_targets: number[];
@@ -99,10 +99,8 @@ interface Time {
   wide: boolean;
 }
 
-const label_of = ({ engine, method }: Values): string => (method ? `${engine}:${method}` : engine);
-
 export function speed_model(study: Study): SpeedModel {
-  const told = study.timings as unknown as Told;
+  const timings = study.timings as unknown as Timings;
   const findings = study.findings as unknown as { order_tolerance: number; orders: OrderRow[] };
   const engines = new Map<string, Engine>();
   const engine_of = (label: string, engine: string, method: string): Engine => {
@@ -112,7 +110,7 @@ export function speed_model(study: Study): SpeedModel {
     engines.set(label, made);
     return made;
   };
-  // Engines as they come look most unlike each other; their other methods follow.
+  // Default engines get the first looks, which differ the most.
   for (const { values } of study.results) {
     const { engine, method } = values as unknown as Values;
     if (engine && !method) engine_of(engine, engine, "");
@@ -139,7 +137,7 @@ export function speed_model(study: Study): SpeedModel {
     all.set(key, { values, mark });
   }
   const marks_at = (keys: string[]): SpeedMark[] => keys.flatMap((key) => all.get(key)?.mark ?? []);
-  const cases = told.cases.map(({ scenario, variant, front, engines: curves }): SpeedCase => {
+  const cases = timings.cases.map(({ scenario, variant, front, engines: curves }): SpeedCase => {
     const here = [...all.values()].filter(({ values }) => values.scenario === scenario && values.variant === variant);
     const first = here[0]?.values;
     const made = curves.map(({ engine, front: own, ...readings }): SpeedCurve => {
@@ -160,12 +158,42 @@ export function speed_model(study: Study): SpeedModel {
     };
   });
   return {
-    standard: told.standard,
+    standard: timings.standard,
     order_tolerance: findings.order_tolerance,
-    error_targets: told.error_targets,
-    time_targets: told.time_targets,
+    error_targets: timings.error_targets,
+    time_targets: timings.time_targets,
     cases,
     orders: findings.orders,
     without_truth: [...without_truth],
   };
+}
+
+export interface Factor {
+  engine: Engine;
+  median: number | null; // over the cases it reaches, like the quartiles
+  low: number | null;
+  high: number | null;
+  cases: number;
+  reached: number; // in which it gets as accurate as the standard
+}
+
+/** With linear interpolation, as in reports/statistics.cpp. */
+function quantile(sorted: number[], share: number): number | null {
+  const position = share * (sorted.length - 1);
+  const below = sorted[Math.floor(position)];
+  const above = sorted[Math.ceil(position)];
+  return below === undefined || above === undefined ? null : below + (position % 1) * (above - below);
+}
+
+/** The time of each engine / the standard's at equal error, over cases. */
+export function factors_over(cases: SpeedCase[]): Factor[] {
+  const found = new Map<Engine, (number | null)[]>();
+  for (const { curves } of cases) {
+    for (const { engine, factor } of curves) found.set(engine, [...(found.get(engine) ?? []), factor]);
+  }
+  return [...found].map(([engine, factors]) => {
+    const sorted = factors.filter((factor) => factor !== null).sort((a, b) => a - b);
+    const at = (share: number): number | null => quantile(sorted, share);
+    return { engine, median: at(0.5), low: at(0.25), high: at(0.75), cases: factors.length, reached: sorted.length };
+  });
 }

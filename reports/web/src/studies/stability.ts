@@ -1,18 +1,18 @@
-// Where methods fail: a heat map for each map and method, and one table of what each method stands.
-import { fate_legend } from "../charts/fates";
-import { heat_map } from "../charts/heat_map";
+// Where methods fail: a heat map for each map and method, and one table of the limits of each method.
+import type { Study } from "../data";
+import type { StudyView } from "../model";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, given, words } from "../format";
-import type { Study, StudyView } from "../study";
+import { heat_map, outcome_legend } from "./heat_map";
 import { best_of, is_absent, stability_model, typical_row, type Axis, type Bracket, type Panel, type StabilityMap, type StabilityModel } from "./stability_model";
 
 /** "26.57 deg (26.58: drifts)" */
-function stands(x: Axis, { low, high, outcome }: Bracket, why: string): string {
+function limit_text(x: Axis, { low, high, outcome }: Bracket, why: string): string {
   if (low === null && high === null) return "not supported";
   if (low === null) return `none (${outcome})`;
   const value = given(low, x.unit, 4);
-  if (high === null) return why ? `${value}, no more supported` : `${value} and more`;
+  if (high === null) return why ? `${value}, more is not supported` : `${value} and more`;
   return `${value} (${given(high, "", 4)}: ${outcome})`;
 }
 
@@ -22,26 +22,26 @@ function note_of(map: StabilityMap, panel: Panel): string {
   if (!row || !bracket) return "";
   if (is_absent(panel)) return panel.why;
   const where = panel.y ? ` at ${panel.y.name} ${given(row.y, panel.y.unit, 3)}` : "";
-  const theory = bracket.theory === "never" ? "; theory: for ever" : typeof bracket.theory === "number" ? `; theory: ${given(bracket.theory, "", 4)}` : "";
-  return `${map.boundaries[0]?.name ?? ""}${where}: ${stands(map.x, bracket, panel.why)}${theory}`;
+  const theory = bracket.theory === "never" ? "; theory: no limit" : typeof bracket.theory === "number" ? `; theory: ${given(bracket.theory, "", 4)}` : "";
+  return `${map.boundaries[0]?.name ?? ""}${where}: ${limit_text(map.x, bracket, panel.why)}${theory}`;
 }
 
 function agreement_table(map: StabilityMap): HTMLElement | null {
   if (!map.agreements.length) return null;
   const unit = map.x.logarithmic ? "" : map.x.unit;
-  const off = (value: number): string => (map.x.logarithmic ? `${given(100 * value, "", 2)} %` : given(value, unit, 2));
+  const difference = (value: number): string => (map.x.logarithmic ? `${given(100 * value, "", 2)} %` : given(value, unit, 2));
   const rows = () => map.agreements.map(({ engine, boundary, rows, agree, worst }) =>
     h(
       "tr",
       {},
       h("th", { scope: "row" }, engine),
       h("td", { "data-label": "boundary" }, boundary),
-      h("td", { "data-label": "rows as theory says" }, `${agree} of ${rows}`),
-      h("td", { "data-label": "off by at most" }, worst === null ? "\u2013" : off(worst)),
+      h("td", { "data-label": "rows that agree with theory" }, `${agree} of ${rows}`),
+      h("td", { "data-label": "largest difference" }, worst === null ? "\u2013" : difference(worst)),
     ),
   );
-  const heads = ["", "boundary", "rows as theory says", "off by at most"];
-  return folded("Measured boundaries against theory", () => [table("Rows whose boundary is where theory has it", heads, rows(), "numbers")]);
+  const heads = ["", "boundary", "rows that agree with theory", "largest difference"];
+  return folded("Measured boundaries against theory", () => [table("Rows whose boundary agrees with theory", heads, rows(), "numbers")]);
 }
 
 function map_section(model: StabilityModel, map: StabilityMap): HTMLElement {
@@ -57,23 +57,23 @@ function map_section(model: StabilityModel, map: StabilityMap): HTMLElement {
     h(
       "article",
       { class: "case" },
-      fate_legend(model.outcomes.filter(({ letter }) => seen.has(letter))),
+      outcome_legend(model.outcomes.filter(({ letter }) => seen.has(letter))),
       h(
         "p",
         {},
-        `Left is easy, right is hard. The solid line is the bisected boundary, as wide as its bracket${theories.length ? "; the broken line is theory\u2019s" : ""}.`,
+        `The difficulty grows to the right. The solid line is the bisected boundary, as wide as its bracket${theories.length ? "; the dashed line is the boundary by theory" : ""}.`,
       ),
       h("div", { class: "charts maps" }, ...shown.map((panel) => heat_map(map, panel, note_of(map, panel)))),
-      absent.length ? h("p", { class: "absence" }, `Cannot run it: ${enumerate(absent.map(({ engine }) => engine))}.`) : null,
-      folded("What counts as failing, and what theory says", () => [
-        h("ul", { class: "metrics" }, ...map.metrics.map((metric) => h("li", {}, metric)), ...theories.map((theory) => h("li", {}, `theory, ${theory}`))),
+      absent.length ? h("p", { class: "absence" }, `Not supported by ${enumerate(absent.map(({ engine }) => engine))}.`) : null,
+      folded("What counts as failure, and the theory", () => [
+        h("ul", { class: "metrics" }, ...map.metrics.map((metric) => h("li", {}, metric)), ...theories.map((theory) => h("li", {}, `theory for ${theory}`))),
       ]),
       agreement_table(map),
     ),
   );
 }
 
-/** Methods that only one map tries, as forms of another, are told of in that map alone. */
+/** The engines of the table. An engine that only one of several maps runs, as a variant of another, is left out. */
 function compared(model: StabilityModel): string[] {
   const labels = new Map<string, number>();
   for (const { panels } of model.maps) {
@@ -101,20 +101,20 @@ function overall(model: StabilityModel): HTMLElement {
         if (!bracket || (bracket.low === null && bracket.high === null)) return h("td", { class: "none", "data-label": name }, "\u2013");
         const open = bracket.high === null && !panel.why ? "\u2265 " : "";
         const text = bracket.low === null ? "none" : open + given(bracket.low, "", 4);
-        return h("td", { "data-label": name, title: stands(map.x, bracket, panel.why) }, best.has(label) ? h("strong", {}, text) : text);
+        return h("td", { "data-label": name, title: limit_text(map.x, bracket, panel.why) }, best.has(label) ? h("strong", {}, text) : text);
       }),
     ),
   );
   return h(
     "section",
-    { id: "stands" },
-    h("h2", {}, "What each method stands"),
+    { id: "limits" },
+    h("h2", {}, "Limits of each method"),
     h(
       "p",
       { class: "lede" },
-      "The last value at which it held, at its own settings and at the place named in the column\u2019s head; \u2265 where the map ends before it fails. What stands out is the best of a column; where nature has a boundary, all who have it there.",
+      "The last value that holds, at the method\u2019s default settings and at the value in the column\u2019s head; \u2265 if the map ends before it fails. The best of each column is bold; where physics has a boundary, all methods that agree with it.",
     ),
-    table("What each method stands", ["method", ...heads], rows, "numbers stands"),
+    table("Limits of each method", ["method", ...heads], rows, "numbers limits"),
   );
 }
 
@@ -122,11 +122,11 @@ function sentence(model: StabilityModel): string {
   const labels = compared(model);
   const best = model.maps.map((map) => best_of(map, labels));
   const [most] = labels.map((label) => ({ label, wins: best.filter((of) => of.has(label)).length })).sort((a, b) => b.wins - a.wins);
-  const first = most?.wins ? `No method stands more than ${most.label} in ${most.wins} of ${count(model.maps.length, "map")}.` : `${count(model.maps.length, "map")}.`;
+  const first = most?.wins ? `${most.label} is the best or among the best in ${most.wins} of ${count(model.maps.length, "map")}.` : `${count(model.maps.length, "map")}.`;
   const rows = model.maps.flatMap(({ agreements }) => agreements);
   const total = rows.reduce((sum, one) => sum + one.rows, 0);
   const agree = rows.reduce((sum, one) => sum + one.agree, 0);
-  return total ? `${first} Theory knows ${total} of the boundaries: ${agree} are where it has them.` : first;
+  return total ? `${first} ${agree} of the ${total} boundaries with a theory agree with it.` : first;
 }
 
 export function stability(study: Study): StudyView {
@@ -134,7 +134,7 @@ export function stability(study: Study): StudyView {
   return {
     sentence: sentence(model),
     sections: [
-      { id: "stands", name: "What each stands", content: () => overall(model) },
+      { id: "limits", name: "Limits", content: () => overall(model) },
       ...model.maps.map((map) => ({ id: slug(map.name), name: words(map.name), content: () => map_section(model, map) })),
     ],
   };

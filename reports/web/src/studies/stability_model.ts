@@ -1,5 +1,6 @@
-// The stability study as its page thinks of it.
-import type { Study } from "../study";
+// The findings of the stability study, as its view uses them.
+import type { Study } from "../data";
+import { label_of } from "../model";
 
 export interface Outcome {
   letter: string;
@@ -18,13 +19,13 @@ export interface Axis {
 
 export interface Boundary {
   name: string;
-  failing: string[]; // outcomes; none: all failures
-  source: string; // of its theory, "" where there is none
+  failing: string[]; // outcomes that count as failing; empty: all failures
+  source: string; // of the theory; "" if there is none
   agreement: number;
-  natural: boolean; // theory is nature's: to hold beyond it is no merit
+  natural: boolean; // a law of physics: holding beyond it is wrong
 }
 
-/** Where a method ceased to hold; open where nothing bounds it. */
+/** The bracket of a method's boundary: the last value that holds and the first that fails; null where the map ends. */
 export interface Bracket {
   low: number | null;
   high: number | null;
@@ -32,7 +33,7 @@ export interface Bracket {
   time: number | null;
   body: string;
   theory: number | "never" | null;
-  agrees: boolean | null; // null where there is nothing to compare
+  agrees: boolean | null; // null if there is nothing to compare
 }
 
 export interface Cell {
@@ -53,9 +54,9 @@ export interface MapRow {
 /** One method in one map. */
 export interface Panel {
   engine: string;
-  y: Axis | null; // null where the method has nothing to vary
+  y: Axis | null; // null if the method has no option to vary
   rows: MapRow[];
-  why: string; // not supported
+  why: string; // it is not supported
 }
 
 export interface Agreement {
@@ -70,7 +71,7 @@ export interface StabilityMap {
   name: string;
   question: string;
   x: Axis & { values: number[] };
-  y: Axis | null; // null: what makes each method work harder
+  y: Axis | null; // null: the option that makes each method work harder
   typical: number;
   metrics: string[];
   boundaries: Boundary[];
@@ -96,9 +97,7 @@ interface Values {
   bodies: string[];
 }
 
-type Told = Omit<StabilityMap, "panels">;
-
-const label_of = ({ engine, method }: Values): string => (method ? `${engine}:${method}` : engine);
+type MapFindings = Omit<StabilityMap, "panels">;
 
 function bracket_of(values: Record<string, unknown>, boundary: string): Bracket {
   const of = (what: string): unknown => values[`${boundary}_${what}`];
@@ -116,18 +115,18 @@ function bracket_of(values: Record<string, unknown>, boundary: string): Bracket 
 }
 
 export function stability_model(study: Study): StabilityModel {
-  const findings = study.findings as unknown as { outcomes: Outcome[]; maps: Told[] };
+  const findings = study.findings as unknown as { outcomes: Outcome[]; maps: MapFindings[] };
   const outcomes = new Map(findings.outcomes.map((outcome) => [outcome.letter, outcome]));
-  const maps = findings.maps.map((told): StabilityMap => {
+  const maps = findings.maps.map((map): StabilityMap => {
     const panels = new Map<string, Panel>();
     for (const { key, ending, values: raw } of study.results) {
       const values = raw as unknown as Values;
-      if (ending !== "done" || values.map !== told.name) continue;
+      if (ending !== "done" || values.map !== map.name) continue;
       const engine = label_of(values);
       const work: Axis | null = values.option
         ? { name: values.option, unit: "", from: 1, to: 1, logarithmic: true, whole: true }
         : null;
-      const panel = panels.get(engine) ?? { engine, y: told.y ?? work, rows: [], why: values.why };
+      const panel = panels.get(engine) ?? { engine, y: map.y ?? work, rows: [], why: values.why };
       panels.set(engine, panel);
       panel.rows.push({
         key,
@@ -135,36 +134,36 @@ export function stability_model(study: Study): StabilityModel {
         typical: values.typical,
         cells: [...values.outcomes].flatMap((letter, index) => {
           const outcome = outcomes.get(letter);
-          const x = told.x.values[index];
+          const x = map.x.values[index];
           return outcome && x !== undefined ? { x, outcome, since: values.since[index] ?? null, body: values.bodies[index] ?? "" } : [];
         }),
-        brackets: told.boundaries.map(({ name }) => bracket_of(raw, name)),
+        brackets: map.boundaries.map(({ name }) => bracket_of(raw, name)),
       });
     }
-    return { ...told, panels: [...panels.values()] };
+    return { ...map, panels: [...panels.values()] };
   });
   return { outcomes: findings.outcomes, maps };
 }
 
-/** Whether every cell is one that the method cannot run. */
+/** Whether the method supports no cell. */
 export const is_absent = (panel: Panel): boolean => panel.rows.every(({ cells }) => cells.every(({ outcome }) => outcome.letter === "-"));
 
-/** How far along the axis a bracket's last holding value is; less than 0 where none held. */
-function extent({ from, to, logarithmic }: Axis, { low }: Bracket): number {
+/** The last value that holds, as a fraction of the axis; negative if none holds. */
+function extent_of({ from, to, logarithmic }: Axis, { low }: Bracket): number {
   if (low === null) return -1;
   return logarithmic ? Math.log(low / from) / Math.log(to / from) : (low - from) / (to - from);
 }
 
-/** Where methods are compared: the row at their own settings, or at the map's typical y. */
+/** The row in which methods are compared: their default settings, or the map's typical y. */
 export const typical_row = (panel: Panel): MapRow | undefined => panel.rows.find(({ typical }) => typical);
 
-/** Who of the engines stands most in a map: what nature does, where that is known, else the farthest. */
+/** The best engines in a map: those that agree with the law of physics if there is one, else those that hold the farthest. */
 export function best_of(map: StabilityMap, engines: string[]): Set<string> {
   const found = map.panels.flatMap((panel) => {
     const bracket = typical_row(panel)?.brackets[0];
-    return bracket && engines.includes(panel.engine) ? { engine: panel.engine, bracket, reach: extent(map.x, bracket) } : [];
+    return bracket && engines.includes(panel.engine) ? { engine: panel.engine, bracket, extent: extent_of(map.x, bracket) } : [];
   });
-  const farthest = Math.max(0, ...found.map(({ reach }) => reach));
-  const good = map.boundaries[0]?.natural ? found.filter(({ bracket }) => bracket.agrees) : found.filter(({ reach }) => reach >= farthest);
+  const farthest = Math.max(0, ...found.map(({ extent }) => extent));
+  const good = map.boundaries[0]?.natural ? found.filter(({ bracket }) => bracket.agrees) : found.filter(({ extent }) => extent >= farthest);
   return new Set(good.map(({ engine }) => engine));
 }

@@ -1,10 +1,10 @@
-// A metric from snapshot to snapshot: a line a engine, times with the middle half of their repetitions, and a mark
-// where a line changes for good.
+// The chart of a metric over snapshots: a line for each engine, the middle half of repetitions for times, and a ring at
+// each lasting change.
 import * as Plot from "@observablehq/plot";
+import { dot_look, line_look, plot_look, scale, tip_look } from "../charts/look";
 import { given, number, pretty_unit } from "../format";
 import type { Engine } from "../model";
-import { day, metric_name, short_commit, type Panel, type Snapshot, type Trend } from "../studies/history_model";
-import { dot_look, line_look, plot_look, scale, tip_look } from "./look";
+import { day, metric_name, short_commit, type Panel, type Snapshot, type Trend } from "./history_model";
 
 const height = 240; // px
 
@@ -37,10 +37,10 @@ const changes_of = (trend: Trend, points: Point[]): Change[] =>
     return point ? [{ ...point, ...change }] : [];
   });
 
-/** "exact" where the numbers repeat to the bit. */
+/** "exact" for numbers that repeat to the bit, else the p value. */
 export const certainty = (p: number): string => (p === 0 ? "exact" : `p ${number(p, "", 1)}`);
 
-function told(snapshot: Snapshot | undefined, { engine, value, low, high }: Point, unit: string, change: Change | undefined): string {
+function tip_text(snapshot: Snapshot | undefined, { engine, value, low, high }: Point, unit: string, change: Change | undefined): string {
   return [
     snapshot ? `${day(snapshot)}  ${short_commit(snapshot)}` : "",
     `${engine.label}: ${number(value, unit, 4)}${high > low ? ` (${number(low, "", 3)} \u2013 ${number(high, "", 3)})` : ""}`,
@@ -63,11 +63,11 @@ export function trend_chart(width: number, { metric, unit, trends }: Panel, snap
   const stride = Math.max(1, Math.ceil(snapshots.length / labels));
   const low = Math.min(...all.map((point) => point.low));
   const high = Math.max(...all.map((point) => point.high));
-  const lack = high > low ? 0 : Math.abs(high) * 0.02 || 1;
+  const padding = high > low ? 0 : Math.abs(high) * 0.02 || 1;
   const change_at = new Map(changes.map((change) => [`${change.engine.label} ${change.snapshot}`, change]));
   return Plot.plot({
     ...plot_look(width, height),
-    ariaLabel: `${metric_name(metric)} from snapshot to snapshot`,
+    ariaLabel: `${metric_name(metric)} over snapshots`,
     x: {
       label: "snapshot",
       labelAnchor: "right",
@@ -80,7 +80,7 @@ export function trend_chart(width: number, { metric, unit, trends }: Panel, snap
       grid: true,
       nice: true,
       ticks: 5,
-      domain: [low - lack, high + lack],
+      domain: [low - padding, high + padding],
       tickFormat: (value: number) => given(value, "", 4),
     },
     marks: [
@@ -99,7 +99,7 @@ export function trend_chart(width: number, { metric, unit, trends }: Panel, snap
           x: "snapshot",
           y: "value",
           title: (point: Point) =>
-            told(snapshots[point.snapshot], point, unit, change_at.get(`${point.engine.label} ${point.snapshot}`)),
+            tip_text(snapshots[point.snapshot], point, unit, change_at.get(`${point.engine.label} ${point.snapshot}`)),
           ...tip_look,
         }),
       ),

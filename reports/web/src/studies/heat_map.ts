@@ -1,10 +1,45 @@
-// How every cell of a map went for one method, with the bisected boundary and theory's.
+// The heat map of one method in a map of the stability study: the outcome of every cell, the bisected boundary and the
+// boundary by theory. Outcomes differ in colour (after Okabe and Ito, safe for colour-blind readers) and letter.
 import * as Plot from "@observablehq/plot";
+import { figure } from "../charts/figure";
+import { plot_look, scale, tip_look } from "../charts/look";
+import { h } from "../dom";
 import { given, number } from "../format";
-import type { Axis, Cell, MapRow, Panel, StabilityMap } from "../studies/stability_model";
-import { fate_letter, fate_look } from "./fates";
-import { figure } from "./figure";
-import { plot_look, scale, tip_look } from "./look";
+import type { Axis, Cell, MapRow, Outcome, Panel, StabilityMap } from "./stability_model";
+
+interface Look {
+  fill: string;
+  ink: string; // of the letter on it
+}
+
+const dark = "#16181b";
+
+const looks: Record<string, Look> = {
+  h: { fill: "var(--right-wash)", ink: "var(--right)" },
+  d: { fill: "#56b4e9", ink: dark },
+  j: { fill: "#f0e442", ink: dark },
+  s: { fill: "#3f8fc9", ink: dark },
+  t: { fill: "#cc79a7", ink: dark },
+  o: { fill: "#e69f00", ink: dark },
+  g: { fill: "#e2703a", ink: dark },
+  x: { fill: "var(--ink)", ink: "var(--paper)" },
+  e: { fill: "var(--soft)", ink: "var(--paper)" },
+};
+
+const unknown: Look = { fill: "var(--quiet-wash)", ink: "var(--faint)" };
+
+const outcome_look = ({ letter }: Outcome): Look => looks[letter] ?? unknown;
+
+/** The letter in a cell; cells that hold have none. */
+const outcome_letter = ({ letter }: Outcome): string => (letter === "h" ? "" : letter === "-" ? "\u2013" : letter);
+
+export function outcome_legend(outcomes: Outcome[]): HTMLElement {
+  const swatch = (outcome: Outcome) => {
+    const { fill, ink } = outcome_look(outcome);
+    return h("i", { class: "outcome", style: `background: ${fill}; color: ${ink}`, "aria-hidden": "true" }, outcome_letter(outcome));
+  };
+  return h("ul", { class: "legend outcomes" }, ...outcomes.map((outcome) => h("li", { title: outcome.about }, swatch(outcome), outcome.name)));
+}
 
 const height = 250;
 const least_for_letters = 10; // px, of a cell
@@ -18,7 +53,7 @@ interface Rect {
   y2: number;
 }
 
-/** Half-way between neighbours, as the axis counts; half as far again at the ends. */
+/** The edges of cells: half-way between neighbours on the axis, and half a cell beyond both ends. */
 function edges(values: number[], logarithmic: boolean): number[] {
   const on = values.map((value) => (logarithmic ? Math.log(value) : value));
   const between = on.slice(1).map((value, index) => (value + (on[index] ?? value)) / 2);
@@ -30,8 +65,8 @@ function edges(values: number[], logarithmic: boolean): number[] {
 
 const label = ({ name, unit }: Axis): string => (unit ? `${name} (${unit})` : name);
 
-/** Of a logarithmic axis: 1, 2 or 5 times a power of ten, as many as there is room for. */
-function ticks(axis: Axis, values: number[], room: number): number[] | undefined {
+/** Ticks of a logarithmic axis: 1, 2 or 5 times a power of ten, as many as fit. */
+function ticks(axis: Axis, values: number[], most: number): number[] | undefined {
   if (!axis.logarithmic) return undefined;
   const low = Math.min(...values);
   const high = Math.max(...values);
@@ -42,7 +77,7 @@ function ticks(axis: Axis, values: number[], room: number): number[] | undefined
     }
     return found.filter((value) => value >= low * 0.999 && value <= high * 1.001);
   };
-  return [[1, 2, 5], [1, 3], [1]].map(all).find((found) => found.length <= room && found.length > 1) ?? all([1]);
+  return [[1, 2, 5], [1, 3], [1]].map(all).find((found) => found.length <= most && found.length > 1) ?? all([1]);
 }
 
 function described(map: StabilityMap, panel: Panel, { cell, row }: Rect): string {
@@ -69,7 +104,7 @@ export function heat_map(map: StabilityMap, panel: Panel, note: string): HTMLEle
   const measured = spans.flatMap(({ row, y1, y2 }) =>
     row.brackets.flatMap(({ low, high }) => (low !== null && high !== null ? { x1: low, x2: high, y1, y2 } : [])),
   );
-  // Through the rows' middles, and on to the map's edge.
+  // Through the middles of the rows, extended to the edges of the map.
   const theory = map.boundaries.map((_, index) => {
     const at = spans.flatMap(({ row, y1, y2 }) => {
       const x = row.brackets[index]?.theory;
@@ -87,7 +122,7 @@ export function heat_map(map: StabilityMap, panel: Panel, note: string): HTMLEle
     return Plot.plot({
       ...look,
       marginLeft: (panel.y ? 50 : 12) * size,
-      ariaLabel: `How each cell went: ${panel.engine}`,
+      ariaLabel: `Outcome of each cell: ${panel.engine}`,
       x: {
         type: x.logarithmic ? "log" : "linear",
         domain: [across[0] ?? 0, across[across.length - 1] ?? 1],
@@ -110,7 +145,7 @@ export function heat_map(map: StabilityMap, panel: Panel, note: string): HTMLEle
           x2: "x2",
           y1: "y1",
           y2: "y2",
-          fill: ({ cell }: Rect) => fate_look(cell.outcome).fill,
+          fill: ({ cell }: Rect) => outcome_look(cell.outcome).fill,
           stroke: "var(--card)",
           strokeWidth: 0.5,
           className: "cells",
@@ -119,8 +154,8 @@ export function heat_map(map: StabilityMap, panel: Panel, note: string): HTMLEle
           ? Plot.text(rects, {
               x: ({ x1, x2 }: Rect) => (x.logarithmic ? Math.sqrt(x1 * x2) : (x1 + x2) / 2),
               y: ({ y1, y2 }: Rect) => (panel.y?.logarithmic ? Math.sqrt(y1 * y2) : (y1 + y2) / 2),
-              text: ({ cell }: Rect) => fate_letter(cell.outcome),
-              fill: ({ cell }: Rect) => fate_look(cell.outcome).ink,
+              text: ({ cell }: Rect) => outcome_letter(cell.outcome),
+              fill: ({ cell }: Rect) => outcome_look(cell.outcome).ink,
               fontSize: 9 * size,
               className: "letters",
               ariaHidden: "true",

@@ -1,8 +1,32 @@
-// The case's time on a chart: a line that follows it, and sets it where one clicks or drags.
+// The time that the replay and the charts of a case share, and its line on a chart, which a click or drag moves.
 import type { Plot } from "@observablehq/plot";
 import { svg } from "../dom";
-import type { Cursor } from "./cursor";
 
+export class Cursor {
+  private now = 0;
+  private readonly listeners = new Set<() => void>();
+
+  constructor(readonly end: number) {} // s
+
+  get time(): number {
+    return this.now;
+  }
+
+  set(time: number): void {
+    const next = Math.min(this.end, Math.max(0, time));
+    if (next === this.now) return;
+    this.now = next;
+    for (const listener of this.listeners) listener();
+  }
+
+  /** Calls back on every change; returns a function that stops it. */
+  on(listener: () => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+}
+
+/** Draws the time on a chart with time as its x axis. */
 export function playhead(chart: (SVGSVGElement | HTMLElement) & Plot, cursor: Cursor): void {
   const time = chart.scale("x");
   const value = chart.scale("y");
@@ -17,17 +41,17 @@ export function playhead(chart: (SVGSVGElement | HTMLElement) & Plot, cursor: Cu
       line.setAttribute("x2", x);
       drawn ||= line.isConnected;
     } else {
-      forget();  // drawn anew, at another width
+      stop(); // the chart was redrawn at another width
     }
   };
   let drawn = false;
-  const forget = cursor.on(follow);
+  const stop = cursor.on(follow);
   follow();
 
   const set = (event: PointerEvent): void => {
     const left = chart.getBoundingClientRect().left;
     cursor.set(Number(time.invert?.(event.clientX - left)));
-    // Else the chart would pin what it tells to this place.
+    // Otherwise Plot pins its tip here.
     event.stopImmediatePropagation();
   };
   chart.addEventListener("pointerdown", (event) => set(event as PointerEvent), { capture: true });

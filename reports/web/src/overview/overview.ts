@@ -1,0 +1,74 @@
+// The overview: the table of verdicts, the changes since the baseline, and the charts of error against cost, all for the
+// part of the report that the address's view selects.
+import { watch, type View } from "../address";
+import { cost_chart } from "../charts/cost";
+import { legend } from "../charts/look";
+import { h } from "../dom";
+import { count } from "../format";
+import type { Model } from "../model";
+import { sentence } from "../studies/baseline";
+import { study_id } from "../studies/page";
+import { equal_error_chart } from "../studies/speed_charts";
+import { factors_over, speed_model } from "../studies/speed_model";
+import { filtered, filters, shows_case, shows_engine } from "./filters";
+import { matrix, measures } from "./matrix";
+
+/** The speed study in one chart, for the selected cases and engines; null if the report has no such study. */
+function equal_error(model: Model): { element: HTMLElement; update: (view: View) => void } | null {
+  const study = model.page.studies.find(({ study }) => study === "speed");
+  if (!study) return null;
+  const { cases, standard } = speed_model(study);
+  const holder = h("div", {});
+  const update = (view: View): void => {
+    const shown = cases.filter((item) => shows_case(view, item));
+    const factors = factors_over(shown).filter(({ engine }) => shows_engine(view, engine));
+    const over = shown.length === cases.length ? "all cases" : count(shown.length, "case");
+    holder.replaceChildren(
+      factors.length ? equal_error_chart(standard, factors, over) : h("p", { class: "absence" }, "No case of the speed study matches."),
+    );
+  };
+  const element = h("div", {}, holder, h("p", { class: "basis" }, h("a", { href: `#${study_id(study)}` }, "The speed study")));
+  return { element, update };
+}
+
+function since_baseline(model: Model): HTMLElement | null {
+  const study = model.page.studies.find(({ study }) => study === "baseline");
+  if (!study) return null;
+  return h("p", { class: "since" }, h("strong", {}, "Since the baseline: "), `${sentence(study)} `, h("a", { href: `#${study_id(study)}` }, "What changed"));
+}
+
+const cases_in = ({ chapters }: Model): number => chapters.reduce((sum, { cases }) => sum + cases.length, 0);
+
+export function overview(model: Model): HTMLElement {
+  const about = h("p", { class: "lede" });
+  const controls = filters(model);
+  const shown = h("p", { class: "basis", role: "status" });
+  const table = h("div", {});
+  const cost = h("div", {});
+  const speed = equal_error(model);
+  const total = cases_in(model);
+  watch((view) => {
+    const part = filtered(model, view);
+    const engines = part.engines.filter(({ exact }) => !exact);
+    const measure = measures.find(({ name }) => name === view.get("show")) ?? measures[0];
+    const cases = cases_in(part);
+    about.textContent = `${measure.about} Each cell links to the reason for its verdict.`;
+    controls.update(view);
+    shown.textContent = cases ? `${cases} of ${count(total, "case")} shown` : "No case matches.";
+    shown.hidden = view.toString() === "";
+    table.replaceChildren(...(cases ? [matrix(part, engines, view, measure), legend(engines)] : []));
+    cost.replaceChildren(...[cost_chart(part)].filter((chart) => chart !== null));
+    speed?.update(view);
+  });
+  return h(
+    "section",
+    { id: "overview" },
+    h("h2", {}, "Who is right"),
+    about,
+    controls.element,
+    shown,
+    table,
+    since_baseline(model),
+    h("div", { class: "pair" }, cost, speed?.element),
+  );
+}

@@ -1,0 +1,73 @@
+// Modules of the page that need no browser.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { build } from "esbuild";
+import { fileURLToPath } from "node:url";
+
+/** A source of the page as a module. */
+async function source(name) {
+  const entry = fileURLToPath(new URL(`../src/${name}`, import.meta.url));
+  const bundle = await build({ entryPoints: [entry], bundle: true, write: false, format: "esm" });
+  return import(`data:text/javascript;base64,${Buffer.from(bundle.outputFiles[0].text).toString("base64")}`);
+}
+
+const format = await source("format.ts");
+
+const plain = (text) => text.replaceAll("\u202f", " ");
+
+test("a number has significant digits and its unit", () => {
+  assert.equal(plain(format.number(3.14159, "m")), "3.14 m");
+  assert.equal(plain(format.number(-0.0421, "kg m^2/s")), "\u22120.0421 kg m\u00b2/s");
+  assert.equal(plain(format.number(1.5e-7, "J")), "1.50 \u00d7 10\u207b\u2077 J");
+  assert.equal(plain(format.number(0.744, "us")), "0.744 \u00b5s");
+  assert.equal(format.number(9.996), "10.0");
+  assert.equal(format.number(123456), "123456");
+  assert.equal(format.number(0), "0");
+});
+
+test("a value that is not finite is never shown as a number", () => {
+  assert.equal(format.number(null), "not finite");
+  assert.equal(format.number(Infinity, "m"), "not finite");
+  assert.equal(format.to_within(null, 0.1, "m"), "not finite");
+});
+
+test("a value that is compared with another shows two digits of the difference", () => {
+  assert.equal(plain(format.to_within(-5.08333, 0.0833, "m")), "\u22125.083 m");
+  assert.equal(plain(format.to_within(-0.00001, 0.0833, "m")), "0.000 m");
+  assert.equal(plain(format.to_within(0, 0.0833, "m")), "0 m");
+  assert.equal(plain(format.to_within(1234.5678, 20, "J")), "1235 J");
+});
+
+test("a time step is shown as a fraction if it is one", () => {
+  assert.equal(plain(format.time_step(1 / 60)), "1/60 s");
+  assert.equal(plain(format.time_step(0.003)), "0.00300 s");
+});
+
+test("error / tolerance stays short", () => {
+  assert.deepEqual([0, 1e-9, 0.0421, 0.9984, 3.2308, 12345, Infinity, NaN].map(format.ratio_text), [
+    "0", "< 0.001", "0.042", "1.00", "3.23", "> 1000", "\u221e", "\u2013",
+  ]);
+});
+
+test("a command line is quoted for a shell", () => {
+  assert.equal(format.shell(["./plumb", "run", "slope:it's 20\u00b0"]), "./plumb run 'slope:it'\\''s 20\u00b0'");
+});
+
+const { factors_over } = await source("studies/speed_model.ts");
+
+const box2d = { label: "box2d" };
+const impulse = { label: "impulse" };
+const cases = (...factors) => factors.map((factor) => ({ curves: [{ engine: box2d, factor: 1 }, { engine: impulse, factor }] }));
+
+test("a method's factor is the median over the cases that it reaches, with the middle half", () => {
+  assert.deepEqual(factors_over(cases(0.4, null, 0.1, 0.2)), [
+    { engine: box2d, median: 1, low: 1, high: 1, cases: 4, reached: 4 },
+    { engine: impulse, median: 0.2, low: 0.15000000000000002, high: 0.30000000000000004, cases: 4, reached: 3 },
+  ]);
+  assert.equal(factors_over(cases(0.1, 0.3))[1].median, 0.2);
+});
+
+test("a method that reaches no case has no factor", () => {
+  assert.deepEqual(factors_over(cases(null, null))[1], { engine: impulse, median: null, low: null, high: null, cases: 2, reached: 0 });
+  assert.deepEqual(factors_over([]), []);
+});
