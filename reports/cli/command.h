@@ -6,12 +6,12 @@
 
 namespace plumb {
 
-/// A word that plumb understands.
+/// A command of plumb. Joins Catalog<Command> from its own file.
 struct Command {
   std::string name;
   std::string about;     // one line
   std::string examples;  // shown under --help
-  /// Adds its options; what is returned does the work after they are read, and gives the exit code.
+  /// Adds the options. The returned function runs after they have been read and returns the exit code.
   std::function<std::function<int()>(CLI::App&)> attach;
 };
 

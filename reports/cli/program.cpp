@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/cli/joined.h"
 #include "reports/system/environment.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"
@@ -20,7 +19,15 @@ namespace plumb {
 namespace {
 
 constexpr int wrong_usage = 2;
-constexpr int our_fault = 3;
+constexpr int internal_error = 3;
+
+std::string defect_of(const Engine& engine) {
+  if (engine.name.empty()) return "needs a name";
+  if (engine.name.find_first_of(":,= ") != std::string::npos) return "must have a name without space, : , and =";
+  if (!engine.stepping) return "does not state how it steps: Engine::stepping is empty";
+  if (!engine.unsupported) return "does not say what it cannot run: Engine::unsupported is empty";
+  return engine.build ? "" : "cannot build scenes: Engine::build is empty";
+}
 
 std::vector<std::string> flags_of(const CLI::App& app) {
   std::vector<std::string> flags;
@@ -37,7 +44,7 @@ std::vector<std::string> words_of(const CLI::App& app) {
   return words;
 }
 
-// What CLI11 says, with the nearest name where a word is unknown.
+// The message of CLI11, or the nearest name if a word is unknown.
 std::string advice(const CLI::App& app, const CLI::ParseError& error) {
   for (const CLI::App* command : app.get_subcommands()) {
     while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
@@ -55,32 +62,41 @@ std::string advice(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 int parse_and_run(std::vector<std::string> arguments) {
-  check_joined(Catalog<Engine>::all());
+  check_engines(Catalog<Engine>::all());
   CLI::App app{"Plumb tells whether a 2D physics engine is right.", "plumb"};
   app.set_version_flag("--version", std::string("plumb ") + version());
   app.require_subcommand(1);
-  std::map<const CLI::App*, std::function<int()>> bodies;
+  std::map<const CLI::App*, std::function<int()>> actions;
   for (const Command* command : Catalog<Command>::all()) {
     CLI::App* added = app.add_subcommand(command->name, command->about);
     added->footer("Examples:\n" + command->examples);
-    bodies[added] = command->attach(*added);
+    actions[added] = command->attach(*added);
   }
   app.footer(
       "Examples:\n  plumb report\n  plumb run bounce --engine impulse\n  plumb list engines\n\n"
-      "Exit codes: 0 fine; 1 a run is wrong or failed (run), two runs part (diff), something is not as accepted "
-      "(check), a fault is not seen (prove); 2 bad usage; 3 a mistake of ours; 130 interrupted (study).");
+      "Exit codes: 0 fine; 1 a run is wrong or failed (run), two runs diverge (diff), something is not as accepted "
+      "(check), a fault is not caught (prove); 2 bad usage or input; 3 an internal error; 130 interrupted (study).");
 
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
   try {
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
     throw std::invalid_argument(advice(app, error));
   }
-  return bodies.at(app.get_subcommands().front())();
+  return actions.at(app.get_subcommands().front())();
 }
 
 }  // namespace
+void check_engines(std::span<const Engine* const> all) {
+  const Engine* before = nullptr;
+  for (const Engine* engine : all) {
+    std::string defect = defect_of(*engine);
+    if (before != nullptr && before->name == engine->name) defect = "is there twice: each needs a name of its own";
+    if (!defect.empty()) throw std::invalid_argument("engine \"" + engine->name + "\" " + defect);
+    before = engine;
+  }
+}
 
 int program(std::vector<std::string> arguments) {
   try {
@@ -89,8 +105,8 @@ int program(std::vector<std::string> arguments) {
     fmt::print(stderr, "plumb: {}\nSee plumb --help.\n", error.what());
     return wrong_usage;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "plumb: a mistake of ours: {}\n", error.what());
-    return our_fault;
+    fmt::print(stderr, "plumb: internal error: {}\n", error.what());
+    return internal_error;
   }
 }
 

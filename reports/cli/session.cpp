@@ -19,20 +19,20 @@
 namespace plumb {
 namespace {
 
-// https://no-color.org: any value but the empty one says no.
+// https://no-color.org: any non-empty value turns colour off.
 bool wants_colour() {
   const char* no = std::getenv("NO_COLOR");
   return (no == nullptr || *no == '\0') && isatty(STDOUT_FILENO) != 0;
 }
 
-Report carry_out_with_progress(const Plan& plan) {
+Report run_with_progress(const Plan& plan) {
   const ProgressLine line;
   try {
     return run_experiment(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
       line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
     });
   } catch (const std::invalid_argument& error) {
-    // Everything the user said was checked before: this is a mistake of ours.
+    // All input was checked before, so this is an internal error.
     throw std::runtime_error(error.what());
   }
 }
@@ -50,11 +50,9 @@ Plan plan_of(const Session& session) {
 
 void Session::attach_to(CLI::App& app) {
   app.add_flag("--all", all, "Every scenario, not only the canonical ones");
-  app.add_flag(
-      "--converged", converged,
-      "Where no closed form knows the answer, a truth by refinement, as far as it converges; about 1 s a scene");
-  app.add_option("--ensemble", ensemble,
-                 "Runs of each engine that are compared where a scene cannot be told to its end; 0: not looked into")
+  app.add_flag("--converged", converged,
+               "Where there is no closed form, compare with a converged reference; about 1 s a scene");
+  app.add_option("--ensemble", ensemble, "Runs of each engine that are compared beyond a scene's horizon; 0: none")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000))
       ->type_name("N");
@@ -62,7 +60,7 @@ void Session::attach_to(CLI::App& app) {
       ->allow_extra_args(false)
       ->type_name("ENGINE");
   app.add_option("--dt", dt, "Time step in s, a number or a fraction")->capture_default_str()->type_name("STEP");
-  app.add_option("--jobs", jobs, "Scenes run at once; the results are the same for any number")
+  app.add_option("--jobs", jobs, "Scenes that run at the same time; results are the same for any number")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
@@ -75,7 +73,7 @@ Report Session::conduct(const std::string& command, const std::function<void(Rep
   const Plan plan = plan_of(*this);
   const OutputFolder folder(out);
 
-  Report report = carry_out_with_progress(plan);
+  Report report = run_with_progress(plan);
   report.title = "Plumb: " + command;
   report.command = {"plumb", command};
   report.command.insert(report.command.end(), scenarios.begin(), scenarios.end());

@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// What `run` and `report` have in common: their options, and the way from there to files and a table.
+/// What `run` and `report` share: their options, running the experiment, writing the files and the table.
 struct Session {
   std::vector<std::string> scenarios;
   bool all = false;
@@ -23,9 +23,9 @@ struct Session {
 
   void attach_to(CLI::App&);
 
-  /// Runs what is asked for, writes the files and prints the table and where the files are. `command` is the word that
-  /// began it; `complete` may add to the report before it is written. Throws std::invalid_argument for what the user
-  /// should put right, before anything is run.
+  /// Runs the cases, writes the files, and prints the table and the files' paths. `command` is the name of the command;
+  /// `complete` may add to the report before it is written. Throws std::invalid_argument for bad options, before
+  /// anything runs.
   Report conduct(
       const std::string& command, const std::function<void(Report&)>& complete = [](Report&) {}) const;
 };

@@ -9,9 +9,9 @@
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/bounds.h"
 #include "reports/gate/compare.h"
-#include "reports/run/plan_selection.h"
 #include "reports/gate/options.h"
 #include "reports/gate/writers.h"
+#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "reports/system/terminal.h"
@@ -25,17 +25,17 @@ struct Accept {
   std::string dt;
 };
 
-// What is there already says who is asked what, as far as the user does not.
+// The scenarios and engines of the existing baseline, as far as the user does not name others.
 struct Scope {
   bool all = false;
   std::vector<std::string> scenarios;
   Plan plan;
 };
 
-Scope scope_of(const Accept& asked, const std::optional<Baseline>& before) {
-  const GateOptions& gate = asked.gate;
+Scope scope_of(const Accept& options, const std::optional<Baseline>& before) {
+  const GateOptions& gate = options.gate;
   if (!gate.scenarios.empty() && gate.baseline.empty()) {
-    throw std::invalid_argument("a baseline of chosen scenarios needs a file of its own: --baseline FILE");
+    throw std::invalid_argument("a baseline of selected scenarios needs its own file: --baseline FILE");
   }
   Scope scope{.all = gate.all, .scenarios = gate.scenarios};
   if (before && gate.scenarios.empty()) {
@@ -45,7 +45,7 @@ Scope scope_of(const Accept& asked, const std::optional<Baseline>& before) {
   scope.plan =
       select_plan(scope.scenarios, scope.all, before && gate.engines.empty() ? engines_of(*before) : gate.engines);
   if (before) scope.plan.dt = before->dt;
-  if (!asked.dt.empty()) scope.plan.dt = parse_dt(asked.dt);
+  if (!options.dt.empty()) scope.plan.dt = parse_dt(options.dt);
   scope.plan.jobs = gate.jobs;
   scope.plan.timed = false;
   return scope;
@@ -60,7 +60,7 @@ Baseline present(const Plan& plan) {
   return now;
 }
 
-void say_what_changes(const std::optional<Baseline>& before, const Baseline& now) {
+void print_changes(const std::optional<Baseline>& before, const Baseline& now) {
   if (!before) {
     fmt::print("new baseline: {} runs\n", now.runs.size());
   } else if (before->dt != now.dt) {
@@ -71,11 +71,11 @@ void say_what_changes(const std::optional<Baseline>& before, const Baseline& now
   }
 }
 
-int accept(const Accept& asked) {
-  const std::string path = asked.gate.baseline_file();
+int accept(const Accept& options) {
+  const std::string path = options.gate.baseline_file();
   std::optional<Baseline> before;
   if (std::filesystem::exists(path)) before = read_baseline(path);
-  const Scope scope = scope_of(asked, before);
+  const Scope scope = scope_of(options, before);
   NewFile file(path);
   if (!file.write("")) throw std::invalid_argument(path + ": cannot be written; is its folder there?");
 
@@ -84,24 +84,24 @@ int accept(const Accept& asked) {
   now.scenarios = scope.scenarios;
   if (!file.write(to_text(now))) throw std::runtime_error(path + ": the disk is full");
   file.put_in_place();
-  say_what_changes(before, now);
+  print_changes(before, now);
   fmt::print("{}\n", path);
   return 0;
 }
 
 const Catalog<Command>::Entry entry{
     {.name = "accept",
-     .about = "Make what runs give now the baseline of `plumb check`, and show what changes",
-     .examples = "  plumb accept                                 the canonical scenarios, the engines that are in it\n"
+     .about = "Accept the current results as the baseline of `plumb check`, and show what changes",
+     .examples = "  plumb accept                                 the canonical scenarios, the engines of the baseline\n"
                  "  plumb accept --all                           a baseline of every scenario\n"
                  "  plumb accept bounce mine.json --engine impulse --baseline mine-gate.json\n",
      .attach = [](CLI::App& app) {
-       const auto asked = std::make_shared<Accept>();
-       asked->gate.attach_to(app);
-       app.add_option("--dt", asked->dt,
+       const auto options = std::make_shared<Accept>();
+       options->gate.attach_to(app);
+       app.add_option("--dt", options->dt,
                       "Time step in s, a number or a fraction; default: that of the baseline, or 1/60")
            ->type_name("STEP");
-       return [asked] { return accept(*asked); };
+       return [options] { return accept(*options); };
      }}};
 
 }  // namespace

@@ -19,33 +19,33 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Asked {
+struct Options {
   std::string scenario, a, b;
   std::string dt = "1/60";
   std::string tolerance;
   std::string json;
 };
 
-// A run, and what it is compared as.
+// A run and its side of the comparison.
 struct Contestant {
   EngineConfig config;
   Outcome outcome;
   ComparedRun side;
 };
 
-EngineConfig config_of(const std::string& word, const Case& asked) {
+EngineConfig config_of(const std::string& word, const Case& options) {
   if (word != "exact") return parse_engine(word);
-  if (asked.closed_form == nullptr) throw std::invalid_argument(asked.scenario->name + " has no closed form");
-  return {asked.closed_form, complete(*asked.closed_form, {})};
+  if (options.closed_form == nullptr) throw std::invalid_argument(options.scenario->name + " has no closed form");
+  return {options.closed_form, complete(*options.closed_form, {})};
 }
 
-Contestant run_of(const std::string& word, const Case& asked, double dt) {
-  const EngineConfig config = config_of(word, asked);
-  Outcome outcome = run(*asked.scene, config, dt);
+Contestant run_of(const std::string& word, const Case& options, double dt) {
+  const EngineConfig config = config_of(word, options);
+  Outcome outcome = run(*options.scene, config, dt);
   if (!outcome.trace || outcome.trace->size() < 2) {
     throw std::invalid_argument(
-        fmt::format("{} does not run {}: {}", word, asked.scenario->name,
-                    outcome.reason.empty() ? "its answer ends before the first step" : outcome.reason));
+        fmt::format("{} does not run {}: {}", word, options.scenario->name,
+                    outcome.reason.empty() ? "its closed form ends before the first step" : outcome.reason));
   }
   ComparedRun side{word, outcome.trace.get(), config.engine->stepping(config.settings, dt)};
   return {config, std::move(outcome), std::move(side)};
@@ -67,24 +67,25 @@ std::string row(const ValueDifference& figure) {
                      both ? fmt::format("{:.3g}", figure.difference) : "-", fmt::format("{:.2g}", figure.tolerance));
 }
 
-std::string text_of(const Asked& asked, const TraceComparison& compared) {
-  const std::string why = asked.tolerance.empty() ? "round-off explains" : "the tolerance is";
+std::string text_of(const Options& options, const TraceComparison& compared) {
+  const std::string why = options.tolerance.empty() ? "round-off explains" : "the tolerance is";
   if (!compared.divergence) {
     return fmt::format(
-        "{} and {} never part in {} steps ({:.4g} s): nearest to it comes {}, by {:.3g} {}; {} {:.2g}.\n", asked.a,
-        asked.b, compared.steps, compared.until, compared.largest.what, compared.largest.difference,
+        "{} and {} never diverge in {} steps ({:.4g} s): the largest difference is {}, {:.3g} {}; {} {:.2g}.\n",
+        options.a, options.b, compared.steps, compared.until, compared.largest.what, compared.largest.difference,
         compared.largest.unit, why, compared.largest.tolerance);
   }
-  const Divergence& parted = *compared.divergence;
-  std::string text = fmt::format("{} and {} part in step {} of {} ({:.4g} s): {} differs by {:.3g} {}; {} {:.2g}.\n",
-                                 asked.a, asked.b, parted.step, compared.steps, parted.time, parted.first.what,
-                                 parted.first.difference, parted.first.unit, why, parted.first.tolerance);
-  text += fmt::format("Stage: {}. {}\n\n", name_of(parted.stage), parted.advice);
-  text += fmt::format("  {:<44}{:>20}{:>20}{:>12}{:>12}\n", fmt::format("after step {}", parted.step), "first",
+  const Divergence& divergence = *compared.divergence;
+  std::string text =
+      fmt::format("{} and {} diverge in step {} of {} ({:.4g} s): {} differs by {:.3g} {}; {} {:.2g}.\n", options.a,
+                  options.b, divergence.step, compared.steps, divergence.time, divergence.first.what,
+                  divergence.first.difference, divergence.first.unit, why, divergence.first.tolerance);
+  text += fmt::format("Stage: {}. {}\n\n", name_of(divergence.stage), divergence.advice);
+  text += fmt::format("  {:<44}{:>20}{:>20}{:>12}{:>12}\n", fmt::format("after step {}", divergence.step), "first",
                       "second", "apart", "tolerance");
-  for (const ValueDifference& figure : parted.values) text += row(figure);
-  text += fmt::format("\n  {:>13}{:>8}{:>10}{:>12} {}\n", "grown to", "step", "s", "apart,", parted.first.unit);
-  for (const Growth& growth : parted.growth) {
+  for (const ValueDifference& figure : divergence.values) text += row(figure);
+  text += fmt::format("\n  {:>13}{:>8}{:>10}{:>12} {}\n", "grown to", "step", "s", "apart,", divergence.first.unit);
+  for (const Growth& growth : divergence.growth) {
     text += fmt::format("  {:>12.4g}x{:>8}{:>10.4g}{:>12.3g}{}\n", growth.factor, growth.step, growth.time,
                         growth.difference, growth.step == compared.steps ? " at the end" : "");
   }
@@ -102,51 +103,51 @@ Json json_of(const ValueDifference& figure) {
           {"tolerance", figure.tolerance}};
 }
 
-Json json_of(const Divergence& parted) {
+Json json_of(const Divergence& divergence) {
   Json figures = Json::array();
-  for (const ValueDifference& figure : parted.values) figures.push_back(json_of(figure));
+  for (const ValueDifference& figure : divergence.values) figures.push_back(json_of(figure));
   Json growth = Json::array();
-  for (const Growth& one : parted.growth) {
+  for (const Growth& one : divergence.growth) {
     growth.push_back({{"factor", one.factor}, {"step", one.step}, {"time", one.time}, {"difference", one.difference}});
   }
-  return {{"step", parted.step}, {"time", parted.time},     {"stage", name_of(parted.stage)},
-          {"body", parted.body}, {"other", parted.other},   {"first", json_of(parted.first)},
-          {"figures", figures},  {"advice", parted.advice}, {"growth", growth}};
+  return {{"step", divergence.step}, {"time", divergence.time},     {"stage", name_of(divergence.stage)},
+          {"body", divergence.body}, {"other", divergence.other},   {"first", json_of(divergence.first)},
+          {"figures", figures},      {"advice", divergence.advice}, {"growth", growth}};
 }
 
-Json json_of(const Asked& asked, const TraceComparison& compared, double dt) {
-  return {{"scenario", asked.scenario},
-          {"a", asked.a},
-          {"b", asked.b},
+Json json_of(const Options& options, const TraceComparison& compared, double dt) {
+  return {{"scenario", options.scenario},
+          {"a", options.a},
+          {"b", options.b},
           {"dt", dt},
           {"steps", compared.steps},
           {"until", compared.until},
           {"largest", compared.divergence ? Json(nullptr) : json_of(compared.largest)},
-          {"parted", compared.divergence ? json_of(*compared.divergence) : Json(nullptr)}};
+          {"divergence", compared.divergence ? json_of(*compared.divergence) : Json(nullptr)}};
 }
 
-int diff(const Asked& asked) {
-  const double dt = parse_dt(asked.dt);
-  const std::optional<double> tolerance = tolerance_of(asked.tolerance);
-  const Case one = is_scene_file(asked.scenario) ? case_of_file(asked.scenario) : parse_case(asked.scenario);
+int diff(const Options& options) {
+  const double dt = parse_dt(options.dt);
+  const std::optional<double> tolerance = tolerance_of(options.tolerance);
+  const Case one = is_scene_file(options.scenario) ? case_of_file(options.scenario) : parse_case(options.scenario);
   std::optional<NewFile> file;
-  if (!asked.json.empty()) {
-    file.emplace(asked.json);
-    if (std::filesystem::is_directory(asked.json) || !file->write(""))
-      throw std::invalid_argument("--json: \"" + asked.json + "\" cannot be written");
+  if (!options.json.empty()) {
+    file.emplace(options.json);
+    if (std::filesystem::is_directory(options.json) || !file->write(""))
+      throw std::invalid_argument("--json: \"" + options.json + "\" cannot be written");
   }
-  const Contestant a = run_of(asked.a, one, dt);
-  const Contestant b = run_of(asked.b, one, dt);
+  const Contestant a = run_of(options.a, one, dt);
+  const Contestant b = run_of(options.b, one, dt);
   const TraceComparison compared = compare_traces(*one.scene, a.side, b.side, tolerance);
-  fmt::print("{}", text_of(asked, compared));
+  fmt::print("{}", text_of(options, compared));
   for (const Contestant* contestant : {&a, &b}) {
     if (contestant->outcome.status == Status::failed) {
       fmt::print("{} failed: {}\n", contestant->side.name, contestant->outcome.reason);
     }
   }
   if (file) {
-    if (!file->write(json_of(asked, compared, dt).dump(1) + "\n")) {
-      throw std::invalid_argument("--json: \"" + asked.json + "\" cannot be written");
+    if (!file->write(json_of(options, compared, dt).dump(1) + "\n")) {
+      throw std::invalid_argument("--json: \"" + options.json + "\" cannot be written");
     }
     file->put_in_place();
   }
@@ -156,29 +157,29 @@ int diff(const Asked& asked) {
 
 const Catalog<Command>::Entry entry{
     {.name = "diff",
-     .about =
-         "Find the first step in which two runs part, and over what; exit code 0 where they never do, 1 where they do",
+     .about = "Find the first step in which two runs diverge, and why; exit code 0 if they never do, 1 if they do",
      .examples = "  plumb diff spring impulse:integrator=rk4 impulse:integrator=explicit-euler   two methods\n"
                  "  plumb diff stacking impulse impulse:solver=article                           two solvers\n"
                  "  plumb diff bounce:e=0.5 impulse box2d --tolerance 0.01                       two engines\n"
-                 "  plumb diff mine.json box2d exact --dt 1/240 --json diff.json                 one and the truth\n",
+                 "  plumb diff mine.json box2d exact --dt 1/240 --json diff.json                 an engine and the "
+                 "closed form\n",
      .attach = [](CLI::App& app) {
-       const auto asked = std::make_shared<Asked>();
-       app.add_option("scenario", asked->scenario, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json")
+       const auto options = std::make_shared<Options>();
+       app.add_option("scenario", options->scenario, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json")
            ->required()
            ->type_name("SCENARIO");
-       app.add_option("first", asked->a, "NAME[:key=value,...], or exact for the closed form")
+       app.add_option("first", options->a, "NAME[:key=value,...], or exact for the closed form")
            ->required()
            ->type_name("ENGINE");
-       app.add_option("second", asked->b, "The same")->required()->type_name("ENGINE");
-       app.add_option("--dt", asked->dt, "Time step in s, a number or a fraction")
+       app.add_option("second", options->b, "The same")->required()->type_name("ENGINE");
+       app.add_option("--dt", options->dt, "Time step in s, a number or a fraction")
            ->capture_default_str()
            ->type_name("STEP");
-       app.add_option("--tolerance", asked->tolerance,
+       app.add_option("--tolerance", options->tolerance,
                       "In m, rad, m/s and rad/s alike; default: what round-off explains")
            ->type_name("T");
-       app.add_option("--json", asked->json, "File to write the same to, for machines")->type_name("FILE");
-       return [asked] { return diff(*asked); };
+       app.add_option("--json", options->json, "Write the same to a file, as JSON")->type_name("FILE");
+       return [options] { return diff(*options); };
      }}};
 
 }  // namespace

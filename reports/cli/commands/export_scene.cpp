@@ -19,19 +19,20 @@ struct Export {
   bool force = false;
 };
 
-int carry_out(const Export& asked) {
-  const std::string place = "--out: \"" + asked.out + "\" ";
-  if (!asked.out.ends_with(".json")) throw std::invalid_argument(place + "must end in .json, for plumb run to know it");
-  if (!asked.force && std::filesystem::exists(asked.out)) {
-    throw std::invalid_argument(place + "is there already; --force replaces it");
+int execute(const Export& options) {
+  const std::string place = "--out: \"" + options.out + "\" ";
+  if (!options.out.ends_with(".json"))
+    throw std::invalid_argument(place + "must end in .json, so that plumb run recognises it");
+  if (!options.force && std::filesystem::exists(options.out)) {
+    throw std::invalid_argument(place + "exists already; --force replaces it");
   }
-  const Case exported = parse_case(asked.scenario);
+  const Case exported = parse_case(options.scenario);
   const StatedTruths stated = truths_of(exported);
-  NewFile file(asked.out);
+  NewFile file(options.out);
   if (!file.write(write_scene({*exported.scene, stated.truth})))
     throw std::invalid_argument(place + "cannot be written");
   file.put_in_place();
-  fmt::print("{}\n", asked.out);
+  fmt::print("{}\n", options.out);
   for (const std::string& reason : stated.left_out) fmt::print("Without {}.\n", reason);
   return 0;
 }
@@ -43,13 +44,13 @@ const Catalog<Command>::Entry entry{
                  "  plumb export bounce:e=0.5 --out half.json                    one of its variants\n"
                  "  plumb export bounce:restitution=0.6,height=2 --out own.json  with parameters of your own\n",
      .attach = [](CLI::App& app) {
-       const auto asked = std::make_shared<Export>();
-       app.add_option("scenario", asked->scenario, "NAME, NAME:LABEL or NAME:parameter=value,...")
+       const auto options = std::make_shared<Export>();
+       app.add_option("scenario", options->scenario, "NAME, NAME:LABEL or NAME:parameter=value,...")
            ->required()
            ->type_name("NAME");
-       app.add_option("--out", asked->out, "The file to write")->required()->type_name("FILE.json");
-       app.add_flag("--force", asked->force, "Replace the file if it is there");
-       return [asked] { return carry_out(*asked); };
+       app.add_option("--out", options->out, "The file to write")->required()->type_name("FILE.json");
+       app.add_flag("--force", options->force, "Replace an existing file");
+       return [options] { return execute(*options); };
      }}};
 
 }  // namespace

@@ -20,7 +20,7 @@
 namespace plumb::commands::history {
 namespace {
 
-struct Asked {
+struct Options {
   std::string file = "plumb-history.sqlite";
   std::vector<std::string> reports;
   std::string commit, at;
@@ -31,102 +31,102 @@ struct Asked {
 
 constexpr std::size_t largest_report = std::size_t{1} << 26;  // bytes
 
-// No clock is asked: when a commit was made is the same for everyone.
-Commit commit_of(const Asked& asked) {
-  auto commit = find_commit(asked.commit);
-  if (!commit && !asked.commit.empty() && !asked.at.empty()) commit = Commit{asked.commit, ""};
+// The time of a commit, not of a clock, so that it is the same for everyone.
+Commit commit_of(const Options& options) {
+  auto commit = find_commit(options.commit);
+  if (!commit && !options.commit.empty() && !options.at.empty()) commit = Commit{options.commit, ""};
   if (!commit) {
-    throw std::invalid_argument(asked.commit.empty()
-                                    ? "git knows no commit here; say --commit and --at"
-                                    : "git knows no commit \"" + asked.commit + "\" here; say --at, too");
+    throw std::invalid_argument(options.commit.empty()
+                                    ? "there is no git commit here; give --commit and --at"
+                                    : "there is no git commit \"" + options.commit + "\" here; give --at as well");
   }
-  if (!asked.at.empty()) commit->at = utc(asked.at);
+  if (!options.at.empty()) commit->at = utc(options.at);
   return *commit;
 }
 
-int add(const Asked& asked) {
-  const Commit commit = commit_of(asked);
+int add(const Options& options) {
+  const Commit commit = commit_of(options);
   std::vector<Snapshot> snapshots;
-  for (const std::string& file : asked.reports) {
+  for (const std::string& file : options.reports) {
     snapshots.push_back(snapshot_of_report(read_text(file, largest_report), file));
     snapshots.back().commit = commit.hash;
     snapshots.back().at = commit.at;
   }
-  History history = History::to_add(asked.file);
+  History history = History::to_add(options.file);
   for (const Snapshot& snapshot : snapshots) {
     const bool added = history.add(snapshot);
-    fmt::print("{} {} of {} at {}\n", added ? "added" : "was there:", id_of(snapshot).substr(0, 12), snapshot.commit,
-               snapshot.at);
+    fmt::print("{} {} of {} at {}\n", added ? "added" : "already there:", id_of(snapshot).substr(0, 12),
+               snapshot.commit, snapshot.at);
   }
   return 0;
 }
 
-int list(const Asked& asked) {
-  fmt::print("{}", text_of(History::of(asked.file).heads()));
+int list(const Options& options) {
+  fmt::print("{}", text_of(History::of(options.file).heads()));
   return 0;
 }
 
-std::vector<Series> only(const Asked& asked, std::vector<Series> all) {
+std::vector<Series> only(const Options& options, std::vector<Series> all) {
   std::erase_if(all, [&](const Series& series) {
     const auto& [scenario, variant, engine, dt] = series.subject;
     const bool of_case =
-        asked.scenario.empty() || asked.scenario == scenario || asked.scenario == scenario + ":" + variant;
-    return !of_case || (!asked.engine.empty() && asked.engine != engine);
+        options.scenario.empty() || options.scenario == scenario || options.scenario == scenario + ":" + variant;
+    return !of_case || (!options.engine.empty() && options.engine != engine);
   });
   return all;
 }
 
-int changes(const Asked& asked) {
-  const History history = History::of(asked.file);
+int changes(const Options& options) {
+  const History history = History::of(options.file);
   const auto heads = history.heads();
   fmt::print("{}", text_of(heads, trends_of(heads, history.series()), verdict_changes(history.verdicts())));
   return 0;
 }
 
-int trend(const Asked& asked) {
-  const History history = History::of(asked.file);
-  const auto series = history.series(asked.metric);
+int trend(const Options& options) {
+  const History history = History::of(options.file);
+  const auto series = history.series(options.metric);
   if (series.empty()) {
     std::set<std::string> metrics;
     for (const Series& one : history.series()) metrics.insert(one.metric);
-    throw std::invalid_argument(unknown("metric", asked.metric, std::vector(metrics.begin(), metrics.end())));
+    throw std::invalid_argument(unknown("metric", options.metric, std::vector(metrics.begin(), metrics.end())));
   }
   const auto heads = history.heads();
-  const auto trends = trends_of(heads, only(asked, series));
-  if (trends.empty()) throw std::invalid_argument("no series is of that metric, scenario and engine");
+  const auto trends = trends_of(heads, only(options, series));
+  if (trends.empty()) throw std::invalid_argument("there is no series with that metric, scenario and engine");
   fmt::print("{}", text_of(heads, trends));
   return 0;
 }
 
-int export_lines(const Asked& asked) {
-  const History history = History::of(asked.file);
+int export_lines(const Options& options) {
+  const History history = History::of(options.file);
   std::string lines;
   for (const SnapshotHead& head : history.heads()) lines += to_line(history.snapshot(head.id)) + "\n";
-  NewFile file(asked.lines);
-  if (!file.write(lines)) throw std::invalid_argument(asked.lines + ": cannot be written");
+  NewFile file(options.lines);
+  if (!file.write(lines)) throw std::invalid_argument(options.lines + ": cannot be written");
   fmt::print("{}\n", file.put_in_place().string());
   return 0;
 }
 
-int import_lines(const Asked& asked) {
-  std::ifstream lines(asked.lines);
-  if (!lines || std::filesystem::is_directory(asked.lines)) {
-    throw std::invalid_argument(asked.lines + ": cannot be read");
+int import_lines(const Options& options) {
+  std::ifstream lines(options.lines);
+  if (!lines || std::filesystem::is_directory(options.lines)) {
+    throw std::invalid_argument(options.lines + ": cannot be read");
   }
   std::vector<Snapshot> snapshots;
   for (std::string line; std::getline(lines, line);) {
-    snapshots.push_back(snapshot_of_line(line, fmt::format("{}: line {}", asked.lines, snapshots.size() + 1)));
+    snapshots.push_back(snapshot_of_line(line, fmt::format("{}: line {}", options.lines, snapshots.size() + 1)));
   }
-  History history = History::to_add(asked.file);
+  History history = History::to_add(options.file);
   std::size_t added = 0;
   for (const Snapshot& snapshot : snapshots) added += history.add(snapshot);
-  fmt::print("{} of {} snapshots were added, {} were there\n", added, snapshots.size(), snapshots.size() - added);
+  fmt::print("{} of {} snapshots added, {} already there\n", added, snapshots.size(), snapshots.size() - added);
   return 0;
 }
 
-int page(const Asked& asked) {
-  const History history = History::of(asked.file);
-  const OutputFolder folder(asked.out);
+int page(const Options& options) {
+  const History history = History::of(options.file);
+  const OutputFolder folder(options.out);
   std::string why_not;
   const auto text = fill_page(page_template(), nlohmann::ordered_json{{"study", history_document(history)}}, why_not);
   if (!text) throw std::invalid_argument("no history.html: " + why_not);
@@ -135,40 +135,41 @@ int page(const Asked& asked) {
 }
 
 std::function<int()> attach(CLI::App& app) {
-  const auto asked = std::make_shared<Asked>();
+  const auto options = std::make_shared<Options>();
   const auto chosen = std::make_shared<std::function<int()>>();
   app.require_subcommand(1);
-  const auto word = [&](const char* name, const char* about, int (*carry_out)(const Asked&)) {
+  const auto word = [&](const char* name, const char* about, int (*function)(const Options&)) {
     CLI::App& added = *app.add_subcommand(name, about);
-    added.add_option("--file", asked->file, "The history")->capture_default_str()->type_name("FILE");
-    added.callback([=] { *chosen = [=] { return carry_out(*asked); }; });
+    added.add_option("--file", options->file, "The history")->capture_default_str()->type_name("FILE");
+    added.callback([=] { *chosen = [=] { return function(*options); }; });
     return &added;
   };
-  CLI::App* adding = word("add", "Add what reports say; what is there already is not added again", add);
-  adding->add_option("reports", asked->reports, "report.json of plumb run or plumb report")
+  CLI::App* adding = word("add", "Add reports; those already there are not added again", add);
+  adding->add_option("reports", options->reports, "report.json of plumb run or plumb report")
       ->required()
       ->type_name("REPORT");
-  adding->add_option("--commit", asked->commit, "Of the code that made them; default: HEAD")->type_name("REVISION");
-  adding->add_option("--at", asked->at, "Their moment, 2026-11-21T09:06:10Z; default: the commit's")
+  adding->add_option("--commit", options->commit, "Commit of the code that made them; default: HEAD")
+      ->type_name("REVISION");
+  adding->add_option("--at", options->at, "Time of the commit, 2026-11-21T09:06:10Z; default: from git")
       ->type_name("MOMENT");
-  word("list", "Every snapshot, with its commit and how many runs have which verdict", list);
-  word("changes", "What changes where: verdicts, numbers and times", changes);
-  CLI::App* course = word("trend", "The course of a metric in every case and engine, and its changes", trend);
-  course->add_option("metric", asked->metric, "As plumb list names it; worst_error_ratio or step_us")
+  word("list", "All snapshots with their commits and numbers of verdicts", list);
+  word("changes", "Changes of verdicts, numbers and times, by commit", changes);
+  CLI::App* trending = word("trend", "A metric from commit to commit in every case and engine, and its changes", trend);
+  trending->add_option("metric", options->metric, "As plumb list names it; worst_error_ratio or step_us")
       ->required()
       ->type_name("METRIC");
-  course->add_option("--scenario", asked->scenario, "NAME or NAME:LABEL; default: all")->type_name("SCENARIO");
-  course->add_option("--engine", asked->engine, "NAME[:key=value,...]; default: all")->type_name("ENGINE");
-  word("export", "Write all as JSON lines, oldest first", export_lines)
-      ->add_option("lines", asked->lines, "The file to write")
+  trending->add_option("--scenario", options->scenario, "NAME or NAME:LABEL; default: all")->type_name("SCENARIO");
+  trending->add_option("--engine", options->engine, "NAME[:key=value,...]; default: all")->type_name("ENGINE");
+  word("export", "Write all snapshots as JSON lines, oldest first", export_lines)
+      ->add_option("lines", options->lines, "The file to write")
       ->required()
       ->type_name("LINES");
-  word("import", "Add what was exported", import_lines)
-      ->add_option("lines", asked->lines, "The file to read")
+  word("import", "Add exported snapshots", import_lines)
+      ->add_option("lines", options->lines, "The file to read")
       ->required()
       ->type_name("LINES");
-  word("page", "Write history.html to look at", page)
-      ->add_option("--out", asked->out, "Its folder")
+  word("page", "Write history.html", page)
+      ->add_option("--out", options->out, "Its folder")
       ->capture_default_str()
       ->type_name("DIR");
   return [chosen] { return (*chosen)(); };
@@ -176,8 +177,8 @@ std::function<int()> attach(CLI::App& app) {
 
 const Catalog<Command>::Entry entry{
     {.name = "history",
-     .about = "Keep what reports say from commit to commit, and tell where it changes",
-     .examples = "  plumb history add out/report.json                    as of the commit that is checked out\n"
+     .about = "Keep reports from commit to commit, and show what changes",
+     .examples = "  plumb history add out/report.json                    for the commit that is checked out\n"
                  "  plumb history changes                                what changed, the newest first\n"
                  "  plumb history trend step_us --engine impulse         a metric from commit to commit\n"
                  "  plumb history export history.jsonl                   to take elsewhere: import\n",

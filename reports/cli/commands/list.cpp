@@ -52,7 +52,7 @@ void list_invariants() {
   }
 }
 
-int list(const std::string& asked) {
+int list(const std::string& what) {
   const std::vector<std::pair<std::string, std::function<void()>>> lists{{"scenarios", list_scenarios},
                                                                          {"engines", list_engines},
                                                                          {"metrics", list_metrics},
@@ -61,12 +61,12 @@ int list(const std::string& asked) {
   bool found = false;
   for (const auto& [name, print] : lists) {
     names.push_back(name);
-    if (!asked.empty() && asked != name) continue;
+    if (!what.empty() && what != name) continue;
     found = true;
     fmt::print("{}\n", name);
     print();
   }
-  if (!found) throw std::invalid_argument(unknown("list", asked, names));
+  if (!found) throw std::invalid_argument(unknown("list", what, names));
   return 0;
 }
 

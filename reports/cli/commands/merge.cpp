@@ -14,9 +14,9 @@ struct Merge {
   std::string out = "out";
 };
 
-int carry_out(const Merge& asked) {
-  const OutputFolder folder(asked.out);
-  merge_shards({asked.files.begin(), asked.files.end()}, folder);
+int execute(const Merge& options) {
+  const OutputFolder folder(options.out);
+  merge_shards({options.files.begin(), options.files.end()}, folder);
   return 0;
 }
 
@@ -25,12 +25,12 @@ const Catalog<Command>::Entry entry{
      .about = "Put the shards of a study together",
      .examples = "  plumb merge out/study-speed-*-of-4.jsonl --out merged\n",
      .attach = [](CLI::App& app) {
-       const auto asked = std::make_shared<Merge>();
-       app.add_option("files", asked->files, "The results of every shard")->required()->type_name("FILE");
-       app.add_option("--out", asked->out, "Folder for study-NAME.json, .csv and .html")
+       const auto options = std::make_shared<Merge>();
+       app.add_option("files", options->files, "The results files of all shards")->required()->type_name("FILE");
+       app.add_option("--out", options->out, "Folder for study-NAME.json, .csv and .html")
            ->capture_default_str()
            ->type_name("DIR");
-       return [asked] { return carry_out(*asked); };
+       return [options] { return execute(*options); };
      }}};
 
 }  // namespace

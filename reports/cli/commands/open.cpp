@@ -32,14 +32,14 @@ fs::path page_at(const fs::path& place) {
   std::error_code ignored;
   if (fs::is_regular_file(place, ignored)) {
     if (place.extension() == ".html") return place;
-    throw std::invalid_argument("\"" + place.string() + "\" is no page; name a folder or an .html file");
+    throw std::invalid_argument("\"" + place.string() + "\" is not a page; name a folder or an .html file");
   }
   if (fs::is_regular_file(place / "index.html", ignored)) return place / "index.html";
   const auto studies = study_pages(place);
   if (studies.size() == 1) return place / studies.front();
   const std::string where = "\"" + place.string() + "\"";
   if (!studies.empty()) {
-    throw std::invalid_argument(fmt::format("{} holds {}; name one of them", where, fmt::join(studies, ", ")));
+    throw std::invalid_argument(fmt::format("{} contains {}; name one of them", where, fmt::join(studies, ", ")));
   }
   throw std::invalid_argument(fmt::format("there is no page in {}; plumb report --out {} writes one", where, where));
 }
@@ -55,12 +55,12 @@ bool has_desktop() {
 int open(const std::string& place) {
   const std::string page = fs::absolute(page_at(place)).lexically_normal().string();
   fmt::print("{}\n", page);
-  if (has_desktop()) start_program({"xdg-open", page});  // the path was printed: whatever comes of it, that is enough
+  if (has_desktop()) start_program({"xdg-open", page});  // best effort: the path has been printed
   return 0;
 }
 
 const Catalog<Command>::Entry entry{{.name = "open",
-                                     .about = "Print where the page is, and open it where there is a desktop",
+                                     .about = "Print the path of the page, and open it if there is a desktop",
                                      .examples = "  plumb open                              the report in out/\n"
                                                  "  plumb open results                      in another folder\n"
                                                  "  plumb open results/study-speed.html     a study's page\n",

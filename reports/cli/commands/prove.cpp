@@ -19,7 +19,7 @@
 namespace plumb::commands::prove_command {
 namespace {
 
-struct Asked {
+struct Options {
   std::vector<std::string> faults;
   std::vector<std::string> scenarios;
   int clean = 10;
@@ -51,15 +51,15 @@ std::vector<Case> cases_of(const std::vector<std::string>& words, double dt) {
   return cases;
 }
 
-int put_to_the_test(const Asked& asked) {
-  const double dt = parse_dt(asked.dt);
-  const std::vector<Fault> faults = faults_of(asked.faults);
-  const std::vector<Case> cases = cases_of(asked.scenarios, dt);
+int prove_harness(const Options& options) {
+  const double dt = parse_dt(options.dt);
+  const std::vector<Fault> faults = faults_of(options.faults);
+  const std::vector<Case> cases = cases_of(options.scenarios, dt);
   std::optional<NewFile> file;
-  if (!asked.out.empty()) {
-    file.emplace(asked.out);
-    if (std::filesystem::is_directory(asked.out) || !file->write(""))
-      throw std::invalid_argument("--out: \"" + asked.out + "\" cannot be written");
+  if (!options.out.empty()) {
+    file.emplace(options.out);
+    if (std::filesystem::is_directory(options.out) || !file->write(""))
+      throw std::invalid_argument("--out: \"" + options.out + "\" cannot be written");
   }
   ProveReport report;
   {
@@ -67,14 +67,14 @@ int put_to_the_test(const Asked& asked) {
     const auto show = [&](const std::string& what, std::size_t done, std::size_t of) {
       line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
     };
-    report.faults = prove(faults, cases, dt, asked.jobs, show);
-    report.clean = clean_runs(asked.clean, cases, dt, asked.jobs, show);
+    report.faults = prove(faults, cases, dt, options.jobs, show);
+    report.clean = clean_runs(options.clean, cases, dt, options.jobs, show);
   }
   report.cases = cases.size();
   fmt::print("{}", text_of(report));
   if (file) {
     if (!file->write(to_json(report).dump(1) + "\n")) {
-      throw std::invalid_argument("--out: \"" + asked.out + "\" cannot be written");
+      throw std::invalid_argument("--out: \"" + options.out + "\" cannot be written");
     }
     file->put_in_place();
   }
@@ -83,33 +83,34 @@ int put_to_the_test(const Asked& asked) {
 
 const Catalog<Command>::Entry entry{
     {.name = "prove",
-     .about = "Test the harness: inject faults into our engine and see that each is caught, and the right one never; "
-              "exit code 1 where not",
-     .examples = "  plumb prove                                  every fault, and 10 runs of the right engine\n"
-                 "  plumb prove --clean 100 --out prove.json     more of these, and all figures as JSON\n"
+     .about = "Test the harness: every fault in our engine must be caught, and the unharmed engine raise no alarm; "
+              "exit code 1 if not",
+     .examples = "  plumb prove                                  every fault, and 10 runs of the unharmed engine\n"
+                 "  plumb prove --clean 100 --out prove.json     more clean runs, and all figures as JSON\n"
                  "  plumb prove gravity-twice energy-leak --scenario bounce --clean 0\n",
      .attach = [](CLI::App& app) {
-       const auto asked = std::make_shared<Asked>();
-       app.add_option("fault", asked->faults, "Names of faults; default: all")->type_name("FAULT");
-       app.add_option("--scenario", asked->scenarios,
-                      "NAME, NAME:LABEL or NAME:parameter=value,...; may be repeated. Default: all that are small")
+       const auto options = std::make_shared<Options>();
+       app.add_option("fault", options->faults, "Names of faults; default: all")->type_name("FAULT");
+       app.add_option("--scenario", options->scenarios,
+                      "NAME, NAME:LABEL or NAME:parameter=value,...; may be repeated. Default: all small ones")
            ->allow_extra_args(false)
            ->type_name("NAME");
-       app.add_option("--clean", asked->clean,
-                      "Runs of the right engine with other seeds, precision, threads, lanes, fusing and broad phases; "
-                      "none may alarm")
+       app.add_option(
+              "--clean", options->clean,
+              "Runs of the unharmed engine with other seeds, precisions, threads, lanes and broad phases; none may "
+              "raise an alarm")
            ->capture_default_str()
            ->check(CLI::Range(0, 100000))
            ->type_name("N");
-       app.add_option("--dt", asked->dt, "Time step in s, a number or a fraction")
+       app.add_option("--dt", options->dt, "Time step in s, a number or a fraction")
            ->capture_default_str()
            ->type_name("STEP");
-       app.add_option("--jobs", asked->jobs, "Runs at once; the results are the same for any number")
+       app.add_option("--jobs", options->jobs, "Runs at the same time; results are the same for any number")
            ->capture_default_str()
            ->check(CLI::Range(1, 1024))
            ->type_name("N");
-       app.add_option("--out", asked->out, "File for all figures as JSON")->type_name("FILE");
-       return [asked] { return put_to_the_test(*asked); };
+       app.add_option("--out", options->out, "File for all figures as JSON")->type_name("FILE");
+       return [options] { return prove_harness(*options); };
      }}};
 
 }  // namespace

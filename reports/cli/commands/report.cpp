@@ -22,7 +22,7 @@
 namespace plumb::commands::report {
 namespace {
 
-struct Asked {
+struct Options {
   Session session;
   bool no_studies = false;
   bool svg = false;
@@ -44,7 +44,7 @@ void add_studies(Report& report, int jobs) {
   }
 }
 
-// The first case that a word means, whether the report has it or not.
+// Of the first case that a word selects, whether the report has it or not.
 Preview preview_of_case(const std::string& word, const Session& session) {
   Plan plan = select_plan({word}, false, session.engines);
   plan.cases.erase(plan.cases.begin() + 1, plan.cases.end());
@@ -54,29 +54,29 @@ Preview preview_of_case(const std::string& word, const Session& session) {
   return preview_of(run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {}));
 }
 
-int report(const Asked& asked) {
+int report(const Options& options) {
   nlohmann::ordered_json history;
-  if (!asked.history.empty()) history = history_document(History::of(asked.history));
-  // What is missing is said before anything runs.
-  if (asked.svg) check_pictures();
+  if (!options.history.empty()) history = history_document(History::of(options.history));
+  // Missing tools are reported before anything runs.
+  if (options.svg) check_pictures();
   std::optional<Preview> preview;
-  if (!asked.preview.empty()) {
+  if (!options.preview.empty()) {
     check_preview();
-    preview = preview_of_case(asked.preview, asked.session);
+    preview = preview_of_case(options.preview, options.session);
   }
-  asked.session.conduct("report", [&](Report& report) {
+  options.session.conduct("report", [&](Report& report) {
     GateOptions gate;
-    gate.all = asked.session.all;
+    gate.all = options.session.all;
     if (auto changes = changes_since(gate.baseline_file(), report)) add_study(report, std::move(*changes));
-    if (asked.no_studies) {
+    if (options.no_studies) {
       report.command.emplace_back("--no-studies");
     } else {
-      add_studies(report, asked.session.jobs);
+      add_studies(report, options.session.jobs);
     }
     if (!history.is_null()) add_study(report, history);
   });
-  const std::filesystem::path out = asked.session.out;
-  if (asked.svg) take_pictures(out / "index.html", out / "svg");
+  const std::filesystem::path out = options.session.out;
+  if (options.svg) take_pictures(out / "index.html", out / "svg");
   if (preview) {
     write_preview(*preview, out / "preview.gif");
     fmt::print("{}\n", (out / "preview.gif").string());
@@ -86,23 +86,23 @@ int report(const Asked& asked) {
 
 const Catalog<Command>::Entry entry{
     {.name = "report",
-     .about = "Run everything and write the page to look at; exit code 0 whatever it finds",
+     .about = "Run everything and write the page; exit code 0 whatever it finds",
      .examples = "  plumb report                     page, JSON and CSV in out/, with a short form of each study\n"
                  "  plumb report --no-studies        in a second or two\n"
                  "  plumb report --out results       somewhere else\n"
                  "  plumb report --all --dt 1/120    every scenario, at half the step\n"
                  "  plumb report --svg               also each chart as an SVG, in out/svg\n"
-                 "  plumb report --preview stacking:ten   also a case, of these or not, as a moving picture\n",
+                 "  plumb report --preview stacking:ten   also any case as an animation\n",
      .attach = [](CLI::App& app) {
-       const auto asked = std::make_shared<Asked>();
-       asked->session.attach_to(app);
-       app.add_option("--history", asked->history, "A file of plumb history, to be shown on the page")
-           ->type_name("FILE");
-       app.add_flag("--no-studies", asked->no_studies, "Leave out the short forms of the studies");
-       app.add_flag("--svg", asked->svg, "Also write each chart as an SVG, in the output folder's svg/; needs Node.js");
-       app.add_option("--preview", asked->preview, "Also write a case as a moving picture, preview.gif; needs ffmpeg")
+       const auto options = std::make_shared<Options>();
+       options->session.attach_to(app);
+       app.add_option("--history", options->history, "Show a file of plumb history on the page")->type_name("FILE");
+       app.add_flag("--no-studies", options->no_studies, "Leave out the short forms of the studies");
+       app.add_flag("--svg", options->svg,
+                    "Also write each chart as an SVG, in the output folder's svg/; needs Node.js");
+       app.add_option("--preview", options->preview, "Also write a case as an animation, preview.gif; needs ffmpeg")
            ->type_name("NAME:LABEL");
-       return [asked] { return report(*asked); };
+       return [options] { return report(*options); };
      }}};
 
 }  // namespace

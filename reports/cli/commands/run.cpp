@@ -18,7 +18,7 @@ int run(const Session& session) {
 
 const Catalog<Command>::Entry entry{
     {.name = "run",
-     .about = "Run scenarios and judge the engines; exit code 1 when one is wrong or fails",
+     .about = "Run scenarios and judge the engines; exit code 1 if one is wrong or fails",
      .examples = "  plumb run                                  the canonical scenarios, every engine\n"
                  "  plumb run bounce                           every variant of one scenario\n"
                  "  plumb run bounce:restitution=0.5           one with a parameter of your own\n"

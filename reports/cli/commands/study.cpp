@@ -11,34 +11,34 @@
 namespace plumb::commands::study {
 namespace {
 
-// A word for each study, with options of its own beside those that all have.
+// A subcommand for each study, with its own options besides the common ones.
 std::function<int()> attach(CLI::App& app) {
-  struct Asked {
+  struct Selected {
     const Study* study;
     StudyOptions options;
     std::function<nlohmann::ordered_json()> configuration;
   };
-  const auto asked = std::make_shared<std::map<const CLI::App*, Asked>>();
+  const auto selected = std::make_shared<std::map<const CLI::App*, Selected>>();
   app.require_subcommand(1);
   for (const Study* study : Catalog<Study>::all()) {
     CLI::App* added = app.add_subcommand(study->name, study->about);
     added->footer("Examples:\n" + study->examples);
-    Asked& one = (*asked)[added];
+    Selected& one = (*selected)[added];
     one.study = study;
     one.configuration = study->attach(*added);
     one.options.attach_to(*added);
   }
-  return [asked, &app] {
-    const Asked& one = asked->at(app.get_subcommands().front());
+  return [selected, &app] {
+    const Selected& one = selected->at(app.get_subcommands().front());
     return conduct(*one.study, one.configuration(), one.options);
   };
 }
 
 const Catalog<Command>::Entry entry{
     {.name = "study",
-     .about = "Carry out a study of many runs: resumable, in parts if wanted, each point in a process of its own",
+     .about = "Run a study of many runs: resumable, in shards if wanted, each job in a process of its own",
      .examples = "  plumb study speed                   speed against accuracy\n"
-                 "  plumb study speed --resume          go on after an interruption\n"
+                 "  plumb study speed --resume          continue after an interruption\n"
                  "  plumb study speed --shard 1/4       the first of four parts, for plumb merge\n",
      .attach = attach}};
 

@@ -31,44 +31,45 @@ class DiffCommand : public ::testing::Test {
 
 TEST_F(DiffCommand, NeverPartsARunFromItself) {
   const Json same = diff({"bounce", "impulse", "impulse:workers=2"}, 0);
-  EXPECT_TRUE(same["parted"].is_null());
+  EXPECT_TRUE(same["divergence"].is_null());
   EXPECT_EQ(same["steps"], 600);
-  EXPECT_THAT(say({"diff", "bounce", "impulse", "impulse:workers=2"}).out, HasSubstr("never part in 600 steps (10 s)"));
+  EXPECT_THAT(say({"diff", "bounce", "impulse", "impulse:workers=2"}).out,
+              HasSubstr("never diverge in 600 steps (10 s)"));
 }
 
 TEST_F(DiffCommand, PartsTwoIntegratorsInTheirFirstStep) {
-  const Json parted = diff({"spring", "impulse:solver=article,integrator=explicit-euler",
-                            "impulse:solver=article,integrator=symplectic-euler"},
-                           1)["parted"];
-  EXPECT_EQ(parted["stage"], "integration");
-  EXPECT_EQ(parted["step"], 1);
-  EXPECT_EQ(parted["first"]["what"], "x of disc") << "v is the same; x moved with the old one or the new one";
+  const Json divergence = diff({"spring", "impulse:solver=article,integrator=explicit-euler",
+                                "impulse:solver=article,integrator=symplectic-euler"},
+                               1)["divergence"];
+  EXPECT_EQ(divergence["stage"], "integration");
+  EXPECT_EQ(divergence["step"], 1);
+  EXPECT_EQ(divergence["first"]["what"], "x of disc") << "v is the same; x moved with the old one or the new one";
 }
 
 TEST_F(DiffCommand, PartsTwoSolversAtTheImpulse) {
-  const Json parted = diff({"stacking", "impulse", "impulse:solver=article"}, 1)["parted"];
-  EXPECT_EQ(parted["stage"], "impulse");
-  EXPECT_EQ(parted["step"], 1);
+  const Json divergence = diff({"stacking", "impulse", "impulse:solver=article"}, 1)["divergence"];
+  EXPECT_EQ(divergence["stage"], "impulse");
+  EXPECT_EQ(divergence["step"], 1);
 }
 
 TEST_F(DiffCommand, PartsAnEngineFromAnotherByWhatTheyState) {
-  const Json parted = diff({"bounce:e=0.5", "impulse", "box2d"}, 1)["parted"];
-  EXPECT_EQ(parted["stage"], "integration");
-  EXPECT_THAT(parted["advice"].get<std::string>(), HasSubstr("Their integrators explain it"));
+  const Json divergence = diff({"bounce:e=0.5", "impulse", "box2d"}, 1)["divergence"];
+  EXPECT_EQ(divergence["stage"], "integration");
+  EXPECT_THAT(divergence["advice"].get<std::string>(), HasSubstr("Their integrators explain it"));
 }
 
 TEST_F(DiffCommand, TellsImpactsAtTheirOwnTimeFromThoseAtAStepsEnd) {
-  const Json within = diff({"pi-billiard", "impulse", "chipmunk", "--tolerance", "0.01"}, 1)["parted"];
+  const Json within = diff({"pi-billiard", "impulse", "chipmunk", "--tolerance", "0.01"}, 1)["divergence"];
   EXPECT_EQ(within["stage"], "event time");
-  const Json later = diff({"bounce:e=0.5", "impulse", "impulse:solver=article", "--tolerance", "0.2"}, 1)["parted"];
+  const Json later = diff({"bounce:e=0.5", "impulse", "impulse:solver=article", "--tolerance", "0.2"}, 1)["divergence"];
   EXPECT_EQ(later["stage"], "event time");
   EXPECT_EQ(later["figures"][6]["what"], "step of the impact");
   EXPECT_LT(later["figures"][6]["a"], later["figures"][6]["b"]);
 }
 
 TEST_F(DiffCommand, ShowsSkinsAsAnotherManifold) {
-  const Json parted = diff({"slope", "box2d", "impulse", "--tolerance", "0.001"}, 1)["parted"];
-  EXPECT_EQ(parted["stage"], "manifold");
+  const Json divergence = diff({"slope", "box2d", "impulse", "--tolerance", "0.001"}, 1)["divergence"];
+  EXPECT_EQ(divergence["stage"], "manifold");
 }
 
 TEST_F(DiffCommand, HoldsAnEngineAgainstTheTruthAtAnyStep) {
@@ -76,7 +77,8 @@ TEST_F(DiffCommand, HoldsAnEngineAgainstTheTruthAtAnyStep) {
   EXPECT_EQ(near["dt"], 1.0 / 240);
   EXPECT_LT(near["largest"]["difference"], 0.1);
   EXPECT_GT(near["largest"]["difference"], 0);
-  EXPECT_EQ(diff({"pendulum", "exact", "impulse", "--dt", "1/240", "--tolerance", "0"}, 1)["parted"]["body"], "rod");
+  EXPECT_EQ(diff({"pendulum", "exact", "impulse", "--dt", "1/240", "--tolerance", "0"}, 1)["divergence"]["body"],
+            "rod");
 }
 
 TEST_F(DiffCommand, TakesSceneFiles) {

@@ -31,7 +31,7 @@ TEST_F(HistoryCommand, AddsAReportOnce) {
   const Said first = history(words);
   EXPECT_EQ(first.code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("of c0ffee-gone at 2026-11-21T00:00:00Z"));
-  EXPECT_THAT(history(words).out, HasSubstr("was there"));
+  EXPECT_THAT(history(words).out, HasSubstr("already there"));
   const Said list = history({"list"});
   EXPECT_THAT(list.out, HasSubstr("c0ffee-gone"));
   EXPECT_THAT(list.out, HasSubstr("1 wrong"));
@@ -51,8 +51,8 @@ TEST_F(HistoryCommand, WantsToKnowWhenAndAddsNothingElse) {
 
 TEST_F(HistoryCommand, TakesBackExactlyWhatItExports) {
   put_lines(0, 20);
-  EXPECT_THAT(history({"import", path("lines")}).out, HasSubstr("20 of 20 snapshots were added, 0 were there"));
-  EXPECT_THAT(history({"import", path("lines")}).out, HasSubstr("0 of 20 snapshots were added, 20 were there"));
+  EXPECT_THAT(history({"import", path("lines")}).out, HasSubstr("20 of 20 snapshots added, 0 already there"));
+  EXPECT_THAT(history({"import", path("lines")}).out, HasSubstr("0 of 20 snapshots added, 20 already there"));
   EXPECT_EQ(history({"export", path("out")}).code, 0);
   EXPECT_EQ(bytes("out"), bytes("lines"));
 }

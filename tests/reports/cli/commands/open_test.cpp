@@ -94,7 +94,7 @@ TEST_F(Open, ExitsWith2AndTheCureWhereThereIsNoPage) {
   EXPECT_EQ(said.code, 2);
   EXPECT_THAT(said.err, HasSubstr("plumb report --out"));
   EXPECT_EQ(say({"open", at("nowhere")}).code, 2);
-  EXPECT_THAT(say({"open", put("report.json", "{}")}).err, HasSubstr("is no page"));
+  EXPECT_THAT(say({"open", put("report.json", "{}")}).err, HasSubstr("is not a page"));
 }
 
 }  // namespace
