@@ -13,8 +13,8 @@
 ///
 /// Every file in a folder lanes/ is compiled for what all processors of the target have (`baseline`), once more with
 /// one number at a time (`scalar`, the oracle) and, on x86-64, with AVX2 (`avx2`) and with AVX-512 (`avx512`); the
-/// namespace IMPULSE_LANES keeps them apart. Which one runs is asked once, see instruction_set.h. No kernel may call an inline
-/// function from outside this namespace: a linker that keeps one copy might keep the AVX-512 one.
+/// namespace IMPULSE_LANES keeps them apart. Which one runs is asked once, see instruction_set.h. No kernel may call an
+/// inline function from outside this namespace: a linker that keeps one copy might keep the AVX-512 one.
 ///
 /// Lanes are eight, in as many registers as that takes, or sixteen where one register holds so many, and each lane
 /// computes what a Real would: no approximation, no sum across lanes. So results never depend on the instruction set.

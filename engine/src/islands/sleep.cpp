@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "narrow_phase/margin.h"
 #include "narrow_phase/collide.h"
+#include "narrow_phase/margin.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

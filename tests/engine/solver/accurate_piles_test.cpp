@@ -138,8 +138,8 @@ TEST(Accurate, PyramidsOfTenAndTwentySettleAndDoNotPenetrate) {
   }
 }
 
-// The slowest wave of 80 layers (see OffsetRule::lifting) has W = 2.5 and c = .97/s, and starts with g / W as the pyramid sinks
-// into its springs; offsets that follow faster than c keep it going.
+// The slowest wave of 80 layers (see OffsetRule::lifting) has W = 2.5 and c = .97/s, and starts with g / W as the
+// pyramid sinks into its springs; offsets that follow faster than c keep it going.
 TEST(Accurate, APyramidOfEightyRowsStopsOscillating) {
   constexpr double swing = 2.5;
   constexpr double damping = .97;
