@@ -107,15 +107,15 @@ class ContactSearch {
   std::vector<std::int8_t> counts_;      // of the points of each pair, or `persistent`
   std::vector<PairPoints> found_;        // of each pair that was collided in this search
   bool found_the_same_ = false;
-  std::vector<Pose> poses_;                 // of each body in the last search
-  std::vector<Real> moved_;                 // m, of each proxy: bound of its body's motion since
-  std::vector<std::uint8_t> collided_;      // of each contact of `last_`: whether that search collided it
-  std::vector<std::uint32_t> undecided_;    // pairs that have no points yet or may get more
-  std::vector<std::uint32_t> to_collide_;   // pairs whose contacts do not persist
-  std::vector<std::uint32_t> may_persist_;  // pairs whose contacts may
-  std::vector<std::uint32_t> candidate_contacts_;   // their contacts
-  std::vector<std::uint8_t> kept_;          // and whether they do
-  std::vector<std::uint32_t> fast_;         // touching pairs that may hit each other within the step
+  std::vector<Pose> poses_;                        // of each body in the last search
+  std::vector<Real> moved_;                        // m, of each proxy: bound of its body's motion since
+  std::vector<std::uint8_t> collided_;             // of each contact of `last_`: whether that search collided it
+  std::vector<std::uint32_t> undecided_;           // pairs that have no points yet or may get more
+  std::vector<std::uint32_t> to_collide_;          // pairs whose contacts do not persist
+  std::vector<std::uint32_t> may_persist_;         // pairs whose contacts may
+  std::vector<std::uint32_t> candidate_contacts_;  // their contacts
+  std::vector<std::uint8_t> kept_;                 // and whether they do
+  std::vector<std::uint32_t> fast_;                // touching pairs that may hit each other within the step
   std::vector<Real> impact_changes_;  // m/s, of each body: predicted change of velocity by impacts within the step
   std::vector<std::uint8_t> hit_;     // of each proxy: whether its body has such a change
   std::vector<Pair> farther_pairs_;   // of those proxies
