@@ -84,7 +84,7 @@ std::vector<std::string> engines_of(const Baseline& baseline) {
 Plan plan_of(const Baseline& baseline, const GateOptions& options) {
   const bool some = !options.scenarios.empty();
   Plan plan = select_plan(some ? options.scenarios : baseline.scenarios, baseline.all,
-                         options.engines.empty() ? engines_of(baseline) : options.engines);
+                          options.engines.empty() ? engines_of(baseline) : options.engines);
   plan.dt = baseline.dt;
   plan.jobs = options.jobs;
   plan.timed = false;

@@ -6,9 +6,9 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// The default: v += a dt, then x += v dt with the new v. The position error is of first order, but the method conserves
-/// a quantity close to the energy: on a spring of frequency w (rad/s) it is (v^2 + w^2 x^2 - w^2 dt v x)/2, which bounds
-/// the motion while w dt < 2.
+/// The default: v += a dt, then x += v dt with the new v. The position error is of first order, but the method
+/// conserves a quantity close to the energy: on a spring of frequency w (rad/s) it is (v^2 + w^2 x^2 - w^2 dt v x)/2,
+/// which bounds the motion while w dt < 2.
 class SymplecticEuler : public Integrator {
  public:
   void begin(BodySet& bodies, const ForceField& forces, Real h) override {

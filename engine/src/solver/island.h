@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "bodies/body_set.h"
+#include "core/softness.h"
 #include "impulse/settings.h"
 #include "solver/impacts.h"
 #include "solver/island_joints.h"
 #include "solver/partition.h"
-#include "core/softness.h"
 #include "solver/solver.h"
 
 namespace impulse::inline IMPULSE_PRECISION {

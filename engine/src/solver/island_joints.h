@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "bodies/body_set.h"
+#include "core/softness.h"
 #include "joints/joint_set.h"
 #include "solver/joint_system.h"
 #include "solver/motion.h"
-#include "core/softness.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

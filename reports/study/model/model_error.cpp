@@ -7,8 +7,8 @@
 
 #include "reference/scene_facts.h"
 #include "reports/judge/states.h"
-#include "reports/run/horizon.h"
 #include "reports/run/case_run.h"
+#include "reports/run/horizon.h"
 
 namespace plumb {
 
