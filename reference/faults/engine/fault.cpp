@@ -1,8 +1,7 @@
 #include "reference/faults/engine/fault.h"
 
 #include <algorithm>
-
-#include "reference/faults/engine/faulty.h"
+#include <utility>
 
 namespace impulse::inline IMPULSE_PRECISION {
 

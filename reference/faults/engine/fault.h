@@ -18,6 +18,9 @@ struct Fault {
   std::string kind;     // "solver", "integrator" or "broad-phase"
 };
 
+/// Adds a fault to faults().
+void note(Fault fault);
+
 /// All that are linked, sorted by name.
 std::vector<Fault> faults();
 

@@ -13,9 +13,6 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Adds a fault to faults().
-void note(Fault fault);
-
 inline const char* kind_of(const Solver*) { return "solver"; }
 inline const char* kind_of(const Integrator*) { return "integrator"; }
 inline const char* kind_of(const BroadPhase*) { return "broad-phase"; }
