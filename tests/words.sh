@@ -17,7 +17,7 @@ while IFS='|' read -r pattern instead except; do
     *) echo "cannot look for \"$pattern\"" >&2; exit 3 ;;
   esac
 done <<'WORDS'
-\bcontenders?\b|engine|reports/history/schema.cpp reports/history/snapshot.cpp tests/reports/history/schema_test.cpp tests/reports/history/snapshot_test.cpp
+\bcontenders?\b|engine|tests/benchmarks/main.cpp reports/history/schema.cpp reports/history/snapshot.cpp tests/reports/history/schema_test.cpp tests/reports/history/snapshot_test.cpp
 \bentrants?\b|engine configuration
 \byardsticks?\b|reference solution
 \bonlookers?\b|observer

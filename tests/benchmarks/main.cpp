@@ -188,6 +188,9 @@ int program(int argc, char** argv) {
   app.add_option("--scenes", options.scenes, "The scenes; default: all (see --list)")->type_name("NAME");
   app.add_option("--engines", options.engines, "NAME or NAME:key=value,...; default: every engine, in float")
       ->type_name("NAME");
+  app.add_option("--contenders", options.engines)->group("")->each([](const std::string&) {  // its name until 0.1
+    fmt::print(stderr, "--contenders is called --engines now and will go\n");
+  });
   app.add_option("--against", options.against, "The engine that speeds are relative to; default: box2d-v3 if present")
       ->type_name("NAME");
   app.add_option("--rounds", options.rounds, "The number of rounds, of which the median counts")

@@ -9,6 +9,7 @@
 
 #include "reports/cli/command.h"
 #include "reports/history/commit.h"
+#include "reports/history/snapshot.h"
 #include "reports/history/store.h"
 #include "reports/history/trends.h"
 #include "reports/system/files.h"
@@ -83,9 +84,17 @@ int changes(const Options& options) {
   return 0;
 }
 
+// The metric, by its name until 0.1 as well.
+std::string metric_of(const std::string& name) {
+  constexpr const char* old_name = "share_of_allowed";
+  if (name != old_name) return name;
+  fmt::print(stderr, "{} is called {} now; the old name will go\n", old_name, worst_ratio_metric);
+  return worst_ratio_metric;
+}
+
 int trend(const Options& options) {
   const History history = History::of(options.file);
-  const auto series = history.series(options.metric);
+  const auto series = history.series(metric_of(options.metric));
   if (series.empty()) {
     std::set<std::string> metrics;
     for (const Series& one : history.series()) metrics.insert(one.metric);
