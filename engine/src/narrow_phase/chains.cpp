@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "narrow_phase/collide.h"
+#include "narrow_phase/edges.h"
 #include "shapes/hull.h"
 
 namespace impulse::inline IMPULSE_PRECISION {

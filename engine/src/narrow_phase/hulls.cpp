@@ -1,4 +1,5 @@
 #include "narrow_phase/collide.h"
+#include "narrow_phase/edges.h"
 #include "shapes/hull.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
