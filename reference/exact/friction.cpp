@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "reference/exact/closed_form.h"
+#include "reference/exact/flight.h"
 #include "reference/exact/recognise.h"
 #include "scenarios/scene/mass.h"
 
