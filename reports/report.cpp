@@ -22,10 +22,14 @@ const char* name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::right:
       return "right";
-    case Verdict::plausible:
-      return "plausible";
+    case Verdict::coarse:
+      return "coarse";
     case Verdict::wrong:
       return "wrong";
+    case Verdict::plausible:
+      return "plausible";
+    case Verdict::no_evidence:
+      return "no evidence";
     case Verdict::beyond_horizon:
       return "beyond horizon";
     case Verdict::not_supported:
@@ -53,6 +57,25 @@ double error_ratio(double error, double tolerance) {
   if (!std::isfinite(error) || !std::isfinite(tolerance)) return infinity;
   if (error <= 0) return 0;
   return tolerance > 0 ? error / tolerance : infinity;
+}
+
+double relative_error(const TruthCheck& check) { return error_ratio(check.error, check.scale); }
+
+bool is_evidence(const TruthCheck& check) {
+  return check.reported && check.scale > 0 && check.tolerance <= evidence_share * check.scale;
+}
+
+bool is_evidence(const InvariantCheck& check) {
+  return check.status != CheckStatus::not_reported && check.scale > 0 &&
+         check.tolerance <= evidence_share * check.scale;
+}
+
+std::optional<double> worst_relative_error(const RunRecord& run) {
+  std::optional<double> worst;
+  for (const TruthCheck& check : run.truth) {
+    if (check.reported) worst = std::max(worst.value_or(0), relative_error(check));
+  }
+  return worst;
 }
 
 std::optional<double> worst_error_ratio(const RunRecord& run) {

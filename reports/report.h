@@ -15,9 +15,11 @@ namespace plumb {
 
 enum class Status { ok, failed, not_supported };
 
-/// right: within its tolerances of the truth, no invariant broken. plausible: nothing to judge it by, no invariant
-/// broken. wrong: breaks physics by more than the order of the method predicts.
-enum class Verdict { right, plausible, wrong, beyond_horizon, not_supported, failed };
+/// right: every check explained by the method and within 1 % of its scale, and the checks have power. coarse:
+/// explained, but farther off than that, as the method must be at this step. wrong: not explained, or an invariant
+/// broken. plausible: no truth to judge by, and invariants that could have been broken held. no_evidence: nothing that
+/// was checked could have failed.
+enum class Verdict { right, coarse, wrong, plausible, no_evidence, beyond_horizon, not_supported, failed };
 
 /// The state of a check. held: within its tolerance. not_reported: the engine does not report what the check needs;
 /// never a pass.
@@ -26,7 +28,7 @@ enum class CheckStatus { held, broken, not_reported };
 /// "ok", "failed", "not supported".
 const char* name_of(Status);
 
-/// "right", "plausible", "wrong", "beyond horizon", "not supported", "failed".
+/// "right", "coarse", "wrong", "plausible", "no evidence", "beyond horizon", "not supported", "failed".
 const char* name_of(Verdict);
 
 /// "held", "broken", "not reported".
@@ -54,6 +56,8 @@ struct TruthCheck {
   double time = 0;                                              // s
   Relation relation = Relation::equal;                          // of measured to expected
   double expected = 0, measured = 0, error = 0, tolerance = 0;  // error: by how much the relation is missed, >= 0
+  /// What the truth says changes, by which errors of all engines are measured; see judge/scale.h. 0: not known.
+  double scale = 0;
   bool passed = false;
   bool reported = true;  // false if the engine does not report the quantity: neither passed nor failed
   std::string source;
@@ -67,6 +71,7 @@ struct InvariantCheck {
   CheckStatus status = CheckStatus::held;
   double value = 0, tolerance = 0;
   double ratio = 0;   // error_ratio(value, tolerance)
+  double scale = 0;   // what an engine without the law would show, in the same unit; 0: nothing tested it
   double time = 0;    // s
   std::string where;  // body, or "a - b"; "" for the whole scene
 };
@@ -88,6 +93,21 @@ struct RunRecord {
   std::shared_ptr<const Scene> scene;  // for pictures; not part of report.json
   std::shared_ptr<const Trace> trace;  // the same
 };
+
+/// A check is evidence only if it can fail: if its tolerance is below this share of its scale.
+inline constexpr double evidence_share = 0.05;
+/// The share of its scale within which a check is right.
+inline constexpr double right_share = 0.01;
+
+/// error / scale, the same ruler for every engine; infinite where either is not finite or the scale is 0.
+double relative_error(const TruthCheck&);
+/// Whether the check was reported and its tolerance is small enough to fail a wrong engine.
+bool is_evidence(const TruthCheck&);
+/// Whether the invariant was tested: something happened by which a wrong engine would have broken it.
+bool is_evidence(const InvariantCheck&);
+
+/// The largest relative_error of a run's reported checks; nullopt if there is none.
+std::optional<double> worst_relative_error(const RunRecord&);
 
 /// The largest error_ratio of a run's checks; nullopt if no check could judge it.
 std::optional<double> worst_error_ratio(const RunRecord&);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -38,14 +39,16 @@ struct Stepping {
   int order_in_contact = 0;  // order of convergence in h of smooth sliding along a contact; 0: not stated
   double impact_lag = 1;     // latest detection of an impact, in units of h; 0 if the time of impact is solved for
 
-  /// m, the largest separation or penetration of a resting contact (skin, slop, compliance).
-  double gap = 0;
-  double creep = 0;                  // m/s, the largest sliding speed of a sticking contact that the method allows
-  double rest_speed = 0;             // m/s, the largest speed at which a body may be put to sleep; 0: it never sleeps
+  double skin = 0;        // m, the largest separation at which a contact at rest carries load
+  double slop = 0;        // m, the overlap of a contact at rest that is left alone, or its compliance under one weight
+  double joint_slop = 0;  // m, the distance between the anchors of a joint at rest, likewise
+  double creep = 0;       // m/s, the largest sliding speed of a sticking contact that the method allows
+  double rest_speed = 0;  // m/s, the largest speed at which a body may be put to sleep; 0: it never sleeps
   double restitution_threshold = 0;  // m/s, slower impacts are treated as inelastic
   int iterations = 0;  // solver iterations over simultaneous impacts; 0 if they are solved one by one or exactly
-  double epsilon = 0;  // unit round-off of its arithmetic
-  bool whole_impulses = true;  // whether reported contact impulses, if any, are sums over the whole step
+  int position_iterations = 0;  // iterations over overlaps and joint errors, where they are corrected separately
+  double epsilon = 0;           // unit round-off of its arithmetic
+  bool whole_impulses = true;   // whether reported contact impulses, if any, are sums over the whole step
 
   /// Whether it looks for contacts within the whole step ahead, so that no body passes through another, with or without
   /// continuous collision.
@@ -54,6 +57,9 @@ struct Stepping {
   /// The largest w dt at which a mass on an undamped spring, w = sqrt(k/m), stays bounded forever. 0: never bounded;
   /// nullopt: not stated.
   std::optional<double> spring_limit = std::nullopt;
+
+  /// m, by which a contact at rest may be separated or overlap.
+  double contact_gap() const { return std::max(skin, slop); }
 };
 
 /// How the measured value must compare with the expected one, within the tolerance.

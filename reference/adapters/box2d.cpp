@@ -377,9 +377,11 @@ Stepping stepping(const Settings& given, double dt) {
   stated.drift = 0.5;
   stated.order = 1;
   stated.impact_lag = 1;
-  stated.gap = 2 * b2_polygonRadius;
+  stated.skin = 2 * b2_polygonRadius;
+  stated.slop = stated.joint_slop = b2_linearSlop;
   stated.creep = 0;
   stated.iterations = whole_number(settings, "velocity");
+  stated.position_iterations = whole_number(settings, "position");
   stated.restitution_threshold = std::stod(settings.at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
   stated.whole_impulses = settings.at("sleep") == "off";  // sleeping contacts report none

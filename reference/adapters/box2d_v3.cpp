@@ -332,7 +332,7 @@ Stepping stepping(const Settings& given, double dt) {
   stated.drift = 0.5;
   stated.order = 1;
   stated.impact_lag = std::stod(settings.at("substeps"));  // impacts are found once a step
-  stated.gap = linear_slop;
+  stated.slop = stated.joint_slop = linear_slop;
   stated.creep = 0;
   stated.iterations = 1;  // restitution is applied once a step
   stated.restitution_threshold = std::stod(settings.at("restitution"));

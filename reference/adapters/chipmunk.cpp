@@ -287,7 +287,7 @@ Stepping stepping(const Settings& given, double dt) {
   stated.order = 1;
   stated.order_in_contact = 1;
   stated.impact_lag = 1;
-  stated.gap = std::stod(settings.at("slop"));
+  stated.slop = stated.joint_slop = std::stod(settings.at("slop"));
   stated.creep = 0;
   stated.restitution_threshold = 0;
   stated.iterations = whole_number(settings, "iterations");

@@ -88,7 +88,8 @@ std::string label(const RunRecord& run) { return label_of(run.engine, run.method
 
 // The verdict of the comparison is the worse of the two, with a reason that names its run.
 void conclude(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
-  for (const Verdict worst : {Verdict::failed, Verdict::not_supported, Verdict::wrong, Verdict::beyond_horizon}) {
+  for (const Verdict worst : {Verdict::failed, Verdict::not_supported, Verdict::wrong, Verdict::beyond_horizon,
+                              Verdict::no_evidence, Verdict::coarse}) {
     for (const RunRecord* run : {&a, &b}) {
       if (run->verdict != worst) continue;
       comparison.verdict = worst;

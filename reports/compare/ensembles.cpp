@@ -88,7 +88,10 @@ void add_ensembles(Comparison& comparison, std::span<const EnsembleDifference> d
     comparison.metrics[name + "_effect"] = {one.effect, "1"};
     if (one.different) different += (different.empty() ? "different: " : "; ") + in_words(one, members);
   }
-  if (comparison.verdict != Verdict::right && comparison.verdict != Verdict::plausible) return;
+  if (comparison.verdict == Verdict::wrong || comparison.verdict == Verdict::failed ||
+      comparison.verdict == Verdict::not_supported) {
+    return;
+  }
   comparison.verdict = different.empty() ? Verdict::beyond_horizon : Verdict::plausible;
   comparison.reason = different.empty()
                           ? fmt::format(

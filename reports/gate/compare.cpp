@@ -21,17 +21,21 @@ int rank(Verdict verdict) {
   switch (verdict) {
     case Verdict::right:
       return 0;
+    case Verdict::coarse:
+      return 1;
     case Verdict::plausible:
     case Verdict::beyond_horizon:
-      return 1;
-    case Verdict::not_supported:
       return 2;
-    case Verdict::wrong:
+    case Verdict::no_evidence:
       return 3;
-    case Verdict::failed:
+    case Verdict::not_supported:
       return 4;
+    case Verdict::wrong:
+      return 5;
+    case Verdict::failed:
+      return 6;
   }
-  return 4;
+  return 6;
 }
 
 int rank(CheckStatus status) {

@@ -85,6 +85,16 @@ Outline outline_of(const Geometry& geometry, Vec origin) {
   return placed(outline, Vec{-origin.x, -origin.y}, 0);
 }
 
+double bounding_radius(const Body& body) {
+  double radius = 0;
+  const Vec center = mass_of(body).center;
+  for (const Shape& shape : body.shapes) {
+    const Outline outline = outline_of(shape.geometry, center);
+    for (const Vec point : outline.points) radius = std::max(radius, length(point) + outline.radius);
+  }
+  return radius;
+}
+
 Outline placed(const Outline& outline, Vec position, double angle) {
   Outline there = outline;
   for (Vec& point : there.points) point = position + rotated(point, angle);

@@ -26,6 +26,9 @@ Outline outline_of(const Geometry&, Vec origin);
 /// The outline rotated by an angle, rad, and then moved by a position.
 Outline placed(const Outline&, Vec position, double angle);
 
+/// m, from the centre of mass to the farthest point of the body; half-spaces do not count.
+double bounding_radius(const Body&);
+
 struct Interval {
   double low = 0, high = 0;
 };

@@ -4,9 +4,13 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <string>
+#include <string_view>
 
 #include "reports/judge/invariant.h"
 #include "reports/judge/rounding.h"
+#include "reports/judge/scale.h"
 #include "reports/statistics.h"
 
 namespace plumb {
@@ -28,7 +32,7 @@ double missed_by(Relation relation, double measured, double expected) {
 }
 
 TruthCheck check(const Scene& scene, const Expectation& expectation, const Trace& trace, const Stepping& stepping,
-                 const Truth* truth) {
+                 const Truth* truth, const Scales& scales) {
   const auto observed = observe(scene, trace, expectation, scene.duration);
   const double time = observed ? observed->time : expectation.time.value_or(scene.duration);
   const std::size_t body = expectation.body.empty() ? 0 : index_of(scene, expectation.body);
@@ -47,6 +51,7 @@ TruthCheck check(const Scene& scene, const Expectation& expectation, const Trace
                    .reported = is_reported(trace, expectation.quantity),
                    .source = expectation.source};
   if (!check.reported) check.measured = missing;
+  check.scale = scales.of(expectation, check.expected);
   check.error = missed_by(check.relation, check.measured, check.expected);
   // An infinite tolerance or bound would pass anything.
   const double numbers[] = {check.tolerance, check.measured, check.expected};
@@ -58,22 +63,64 @@ TruthCheck check(const Scene& scene, const Expectation& expectation, const Trace
 // Orders the phases of a check by how badly they miss it; phases that report nothing come last.
 double badness(const TruthCheck& check) { return check.reported ? error_ratio(check.error, check.tolerance) : -1; }
 
+// What a check asks about. Both coordinates of a point, for example, are one question.
+const char* subject_of(const TruthCheck& check) {
+  static const std::map<std::string, const char*> subjects{{name_of(Quantity::x), "place"},
+                                                           {name_of(Quantity::y), "place"},
+                                                           {name_of(Quantity::apex), "place"},
+                                                           {name_of(Quantity::vx), "velocity"},
+                                                           {name_of(Quantity::vy), "velocity"},
+                                                           {name_of(Quantity::speed), "velocity"},
+                                                           {name_of(Quantity::energy), "energy"},
+                                                           {name_of(Quantity::energy_rise), "energy"},
+                                                           {name_of(Quantity::momentum_x), "momentum"},
+                                                           {name_of(Quantity::momentum_y), "momentum"}};
+  const auto found = subjects.find(check.quantity);
+  return found == subjects.end() ? check.quantity.c_str() : found->second;
+}
+
+// Whether every quantity that was reported has a check that is evidence.
+bool has_power(std::span<const TruthCheck> truth) {
+  std::map<std::string_view, bool> subjects;
+  for (const TruthCheck& check : truth) {
+    if (!check.reported) continue;
+    bool& evident = subjects[subject_of(check)];
+    evident = evident || is_evidence(check);
+  }
+  return std::all_of(subjects.begin(), subjects.end(), [](const auto& one) { return one.second; });
+}
+
+// Of two phases of a run.
+Verdict worse(Verdict a, Verdict b) {
+  for (const Verdict one : {Verdict::wrong, Verdict::coarse, Verdict::no_evidence, Verdict::plausible}) {
+    if (a == one || b == one) return one;
+  }
+  return Verdict::right;
+}
+
 }  // namespace
 
 Verdict verdict_of(std::span<const TruthCheck> truth, std::span<const InvariantCheck> invariants) {
   const auto broken = [](const InvariantCheck& one) { return one.status == CheckStatus::broken; };
   const auto failed = [](const TruthCheck& one) { return one.reported && !one.passed; };
-  const auto passed = [](const TruthCheck& one) { return one.passed; };
   if (std::any_of(invariants.begin(), invariants.end(), broken)) return Verdict::wrong;
   if (std::any_of(truth.begin(), truth.end(), failed)) return Verdict::wrong;
-  return std::any_of(truth.begin(), truth.end(), passed) ? Verdict::right : Verdict::plausible;
+  const auto reported = [](const TruthCheck& one) { return one.reported; };
+  if (std::none_of(truth.begin(), truth.end(), reported)) {
+    const auto tested = [](const InvariantCheck& one) { return is_evidence(one); };
+    return std::any_of(invariants.begin(), invariants.end(), tested) ? Verdict::plausible : Verdict::no_evidence;
+  }
+  const auto far = [](const TruthCheck& one) { return one.reported && relative_error(one) > right_share; };
+  if (std::any_of(truth.begin(), truth.end(), far)) return Verdict::coarse;
+  return has_power(truth) ? Verdict::right : Verdict::no_evidence;
 }
 
 Judgement judge(const Scene& scene, std::span<const Expectation> expectations, const Trace& trace,
                 const Stepping& stepping, const Truth* truth) {
   Judgement judgement;
+  const Scales scales(scene, truth);
   for (const Expectation& expectation : expectations) {
-    judgement.checks.push_back(check(scene, expectation, trace, stepping, truth));
+    judgement.checks.push_back(check(scene, expectation, trace, stepping, truth, scales));
   }
   judgement.invariants = check_invariants({scene, trace, stepping});
   judgement.verdict = verdict_of(judgement.checks, judgement.invariants);
@@ -99,7 +146,7 @@ Judgement judge_phases(const Scene& scene, std::span<const Expectation> expectat
     for (std::size_t i = 0; i < judgement.invariants.size(); ++i) {
       if (other.invariants[i].ratio > judgement.invariants[i].ratio) judgement.invariants[i] = other.invariants[i];
     }
-    if (other.verdict == Verdict::wrong) judgement.verdict = Verdict::wrong;
+    judgement.verdict = worse(judgement.verdict, other.verdict);
   }
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const std::vector<double>& of = errors[i];

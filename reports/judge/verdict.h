@@ -19,9 +19,9 @@ struct Judgement {
 
 /// Judges a trace by a scenario's expectations and the invariants of its scene. The tolerance of a check is what the
 /// scenario allows for this stepping plus the rounding of the engine's arithmetic, or an absolute one if the
-/// expectation states it. A value that is not finite or could not be read never passes. A quantity that the engine does
-/// not report counts neither way: a run with no other checks is plausible. `truth`, which may be null, gives the values
-/// that expectations leave to the closed form; without it they cannot pass.
+/// expectation states it; its scale is that of the scene (see scale.h). A value that is not finite or could not be read
+/// never passes. A quantity that the engine does not report counts neither way. `truth`, which may be null, gives the
+/// values that expectations leave to the closed form; without it they cannot pass.
 Judgement judge(const Scene&, std::span<const Expectation>, const Trace&, const Stepping&, const Truth* truth);
 
 /// Judges a run together with runs of the same case with shifted steps (see run/case_run.h): every check is that of its
@@ -30,8 +30,9 @@ Judgement judge(const Scene&, std::span<const Expectation>, const Trace&, const 
 Judgement judge_phases(const Scene&, std::span<const Expectation>, const Trace&, std::span<const Trace* const> shifted,
                        const Stepping&, const Truth* truth);
 
-/// wrong if an invariant is broken, whatever the truth says, or a truth check fails; right if one passes; else
-/// plausible.
+/// wrong if an invariant is broken, whatever the truth says, or a truth check fails. With truth checks: coarse if one
+/// is farther off than `right_share` of its scale; right if every quantity that they ask about has evidence; else no
+/// evidence. Without: plausible if an invariant was tested, else no evidence.
 Verdict verdict_of(std::span<const TruthCheck> truth, std::span<const InvariantCheck>);
 
 }  // namespace plumb

@@ -21,13 +21,16 @@ nlohmann::json* find_list(nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_array() ? &*found : nullptr;
 }
 
-// Version 1 had other names for some fields of checks.
+// Version 1 had other names for some fields of checks; version 2 had no scales, so none of its checks is evidence.
 void update_report(nlohmann::json& report) {
   nlohmann::json* runs = find_list(report, "runs");
   if (runs == nullptr) return;
   for (nlohmann::json& run : *runs) {
     if (nlohmann::json* truth = find_list(run, "truth")) {
-      for (nlohmann::json& check : *truth) rename_key(check, "revealed", "reported");
+      for (nlohmann::json& check : *truth) {
+        rename_key(check, "revealed", "reported");
+        if (check.is_object()) check.emplace("scale", nullptr);
+      }
     }
     if (nlohmann::json* invariants = find_list(run, "invariants")) {
       for (nlohmann::json& check : *invariants) update_check(check);
@@ -42,6 +45,7 @@ TruthCheck truth_check_from(const JsonReader& from) {
           .time = number_or_null(from["time"]),
           .error = number_or_null(from["error"]),
           .tolerance = number_or_null(from["tolerance"]),
+          .scale = number_or_null(from["scale"]),
           .passed = from["passed"].boolean(),
           .reported = from["reported"].boolean()};
 }
@@ -68,7 +72,8 @@ RunRecord run_record_from(const JsonReader& from) {
     metric.object({"value", "unit"});
     run.metrics[name] = {number_or_null(metric["value"]), any_text(metric["unit"])};
   });
-  for_each_entry(from["truth"], {"body", "quantity", "unit", "time", "error", "tolerance", "passed", "reported"},
+  for_each_entry(from["truth"],
+                 {"body", "quantity", "unit", "time", "error", "tolerance", "scale", "passed", "reported"},
                  [&](const JsonReader& check) { run.truth.push_back(truth_check_from(check)); });
   for_each_entry(from["invariants"], {"name", "unit", "status", "value", "tolerance", "ratio"},
                  [&](const JsonReader& check) { run.invariants.push_back(invariant_check_from(check)); });
@@ -133,8 +138,8 @@ std::map<std::string, std::string> text_map_from(const JsonReader& from) {
 }
 
 Verdict verdict_from(const JsonReader& from) {
-  constexpr std::array all{Verdict::right,          Verdict::plausible,     Verdict::wrong,
-                           Verdict::beyond_horizon, Verdict::not_supported, Verdict::failed};
+  constexpr std::array all{Verdict::right,       Verdict::coarse,         Verdict::wrong,         Verdict::plausible,
+                           Verdict::no_evidence, Verdict::beyond_horizon, Verdict::not_supported, Verdict::failed};
   static const auto names = names_of(all);
   return from.one_of<Verdict>(names);
 }

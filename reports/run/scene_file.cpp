@@ -73,7 +73,14 @@ Case case_of_file(const std::string& path) {
 
 Stepping reference_stepping() {
   constexpr double dt = 1.0 / 60;
-  return {.dt = dt, .h = dt, .drift = 0.5, .impact_lag = 1, .gap = 0.01, .epsilon = 0x1p-24};
+  return {.dt = dt,
+          .h = dt,
+          .drift = 0.5,
+          .impact_lag = 1,
+          .skin = 0.01,
+          .slop = 0.01,
+          .joint_slop = 0.01,
+          .epsilon = 0x1p-24};
 }
 
 StatedTruths truths_of(const Case& test_case) {

@@ -15,7 +15,9 @@ const char* colour_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::right:
       return "\033[32m";
+    case Verdict::coarse:
     case Verdict::plausible:
+    case Verdict::no_evidence:
     case Verdict::beyond_horizon:
       return "\033[33m";
     case Verdict::wrong:

@@ -41,6 +41,9 @@ Json of(const TruthCheck& check) {
           {"error", check.error},
           {"tolerance", check.tolerance},
           {"ratio", error_ratio(check.error, check.tolerance)},
+          {"scale", check.scale},
+          {"relative_error", relative_error(check)},
+          {"evidence", is_evidence(check)},
           {"passed", check.passed},
           {"reported", check.reported},
           {"phases", phases_of(check)},
@@ -48,9 +51,16 @@ Json of(const TruthCheck& check) {
 }
 
 Json of(const InvariantCheck& check) {
-  return {{"name", check.name},   {"unit", check.unit},           {"status", name_of(check.status)},
-          {"value", check.value}, {"tolerance", check.tolerance}, {"ratio", check.ratio},
-          {"time", check.time},   {"where", check.where}};
+  return {{"name", check.name},
+          {"unit", check.unit},
+          {"status", name_of(check.status)},
+          {"value", check.value},
+          {"tolerance", check.tolerance},
+          {"ratio", check.ratio},
+          {"scale", check.scale},
+          {"evidence", is_evidence(check)},
+          {"time", check.time},
+          {"where", check.where}};
 }
 
 Json final_pose_of(const RunRecord& run) {

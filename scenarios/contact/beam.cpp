@@ -31,11 +31,13 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double b = p.at("b");
   const double weight = mass_of(scene(p).bodies[2]).mass * gravity;
   const auto missing = [=](const Stepping& s) {
-    return weight * ((lag(s) + s.h) / duration + s.gap / (a + b)) + round_off(s, duration, weight);
+    return weight * ((lag(s) + s.h) / duration + s.contact_gap() / (a + b)) + round_off(s, duration, weight);
   };
-  const auto tilt = [=](const Stepping& s) { return 2 * s.gap / (a + b) + round_off(s, duration, size.x / (a + b)); };
+  const auto tilt = [=](const Stepping& s) {
+    return 2 * s.contact_gap() / (a + b) + round_off(s, duration, size.x / (a + b));
+  };
   const auto height = [=](const Stepping& s) {
-    return s.gap + gravity * lag(s) * (lag(s) + s.h) + round_off(s, duration, size.x);
+    return s.contact_gap() + gravity * lag(s) * (lag(s) + s.h) + round_off(s, duration, size.x);
   };
   return {{.body = "beam",
            .other = "left",

@@ -39,16 +39,18 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double slowing = p.at("friction") * gravity;
   const double reach = distance(p) + v * duration;
   const auto speed = [=](const Stepping& s) {
-    const double tilted = gravity * 2 * s.gap / size.x * duration;
+    const double tilted = gravity * 2 * s.contact_gap() / size.x * duration;
     return slowing * lag(s) + tilted + s.creep + round_off(s, duration, v);
   };
   const auto place = [=](const Stepping& s) {
     return speed(s) * duration + drifted(s, slowing, duration) + round_off(s, duration, reach);
   };
   const auto height = [=](const Stepping& s) {
-    return s.gap + gravity * lag(s) * (lag(s) + s.h) + round_off(s, duration, reach);
+    return s.contact_gap() + gravity * lag(s) * (lag(s) + s.h) + round_off(s, duration, reach);
   };
-  const auto turn = [=](const Stepping& s) { return 2 * s.gap / size.x + round_off(s, duration, reach / size.x); };
+  const auto turn = [=](const Stepping& s) {
+    return 2 * s.contact_gap() / size.x + round_off(s, duration, reach / size.x);
+  };
   return {
       {.body = "box", .quantity = Quantity::vx, .allowed = speed, .source = "v - mu g t; friction starts a lag late"},
       {.body = "box",

@@ -121,7 +121,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                          const double first = 2 * std::abs(s.drift) * s.h * w * s0 + lag(s) * w * s0;
                          const double curvature = s.h * s0 * s0 * s0 * w / (8 * curvature_radius * curvature_radius);
                          const double lead = s.h * w * s0 / 2;
-                         const double off = s.gap * (1 + std::numbers::pi / 2 * s0 / curvature_radius);
+                         const double off = s.contact_gap() * (1 + std::numbers::pi / 2 * s0 / curvature_radius);
                          return first + curvature + lead + off + round_off(s, time, s0 * (1 + w * time));
                        },
                    .source = "at the bottom after pi sqrt(c/g), less the losses at the corners"});

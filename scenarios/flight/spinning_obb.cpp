@@ -166,7 +166,7 @@ std::vector<Expectation> after_landing(const Throw& b) {
       expect(
           Quantity::y,
           [=](const Landing& l, const Stepping& s) {
-            return l.d_up * since + l.up * l.delay + l.sunk + s.gap + drifted(s, gravity, b.end);
+            return l.d_up * since + l.up * l.delay + l.sunk + s.contact_gap() + drifted(s, gravity, b.end);
           },
           "J = (1+e) u/(K_nn - mu K_nt)"),
       expect(

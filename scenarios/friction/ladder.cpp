@@ -67,13 +67,13 @@ std::vector<Expectation> expectations_of_leaning(double angle, double friction, 
   const auto turn = [=](const Stepping& s) {
     const double late = gravity * lag(s) / half;
     const double round = round_off(s, time, 4 * half + gravity * time * time);
-    if (stands) return 2 * s.gap / half + late * (late / (2 * reserve) + s.h) + s.creep * time / half + round;
+    if (stands) return 2 * s.contact_gap() / half + late * (late / (2 * reserve) + s.h) + s.creep * time / half + round;
     const double lost = (angle - leaves) * fastest * fastest * s.dt * time / 2;
     const double second = q * q * s.h * s.h / 24 * fastest * time;
-    return (2 * s.gap / half + second + round) * std::cosh(q * time) + late * grown +
+    return (2 * s.contact_gap() / half + second + round) * std::cosh(q * time) + late * grown +
            2 * std::abs(s.drift) * s.h * fastest + lost;
   };
-  const auto place = [=](const Stepping& s) { return half * turn(s) + s.gap; };
+  const auto place = [=](const Stepping& s) { return half * turn(s) + s.contact_gap(); };
   const std::string law = stands ? "stands, as tan a >= 1/(2 mu)" : "slides, as tan a < 1/(2 mu)";
   const std::string why =
       stands ? "; the gap, and a lag that friction makes up for" : "; gap and lag at the start, drift";
@@ -115,7 +115,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const Scene standing = scene(p);
   const double weight = mass_of(standing.bodies[2]).mass * -standing.gravity.y;
   const auto missing = [=](const Stepping& s) {
-    return weight * (lag(s) + s.h) / duration + weight * s.gap / half + round_off(s, duration, weight);
+    return weight * (lag(s) + s.h) / duration + weight * s.contact_gap() / half + round_off(s, duration, weight);
   };
   all.push_back({.body = "ladder",
                  .other = "ground",
@@ -177,7 +177,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const auto allowed = [=](const Stepping& s) {
     const double lost = fastest * fastest * s.dt * after / 2;
     const double push = w * w * half * high * std::cos(angle);
-    return push * s.dt + gravity * (lag(s) + 2 * std::abs(s.drift) * s.h) + speed * (lost + s.gap / half) +
+    return push * s.dt + gravity * (lag(s) + 2 * std::abs(s.drift) * s.h) + speed * (lost + s.contact_gap() / half) +
            round_off(s, after, speed + gravity * after);
   };
   all.push_back({.body = "ladder",

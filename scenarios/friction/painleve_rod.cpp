@@ -38,7 +38,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double weight = mass_of(scene(p).bodies[1]).mass * gravity;
   const double fastest = std::sqrt(p.at("speed") * p.at("speed") + 2 * gravity * size.x);
   const auto rise = [=](const Stepping& s) {
-    return weight * (fastest * (lag(s) + std::abs(s.drift) * s.h) + s.gap + round_off(s, duration, fastest * duration));
+    return weight * (fastest * (lag(s) + std::abs(s.drift) * s.h) + s.contact_gap() +
+                     round_off(s, duration, fastest * duration));
   };
   return {{.quantity = Quantity::energy_rise,
            .relation = Relation::at_most,

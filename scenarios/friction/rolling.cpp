@@ -38,11 +38,12 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double reach = radius + gravity * duration * duration;
   const auto speed = [=](const Stepping& s) { return friction * lag(s) + s.creep + round_off(s, duration, reach); };
   const auto place = [=](const Stepping& s) {
-    return speed(s) * duration + drifted(s, acceleration, duration) + s.gap + gravity * std::sin(angle) * lag(s) * s.h;
+    return speed(s) * duration + drifted(s, acceleration, duration) + s.contact_gap() +
+           gravity * std::sin(angle) * lag(s) * s.h;
   };
   const auto spin = [=](const Stepping& s) { return 2 * speed(s) / radius; };
   const auto turn = [=](const Stepping& s) {
-    return spin(s) * duration + 2 * (drifted(s, friction, duration) + (rolls ? 0 : mu * s.gap)) / radius;
+    return spin(s) * duration + 2 * (drifted(s, friction, duration) + (rolls ? 0 : mu * s.contact_gap())) / radius;
   };
   const std::string law = rolls ? "(2/3) g sin a t" : "g (sin a - mu cos a) t";
   return {
@@ -100,7 +101,7 @@ Scene scene(const Parameters& p) {
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const double end = scene(p).duration;
-  const auto speed = [=](const Stepping& s) { return s.creep + v * s.gap / radius + round_off(s, end, v); };
+  const auto speed = [=](const Stepping& s) { return s.creep + v * s.contact_gap() / radius + round_off(s, end, v); };
   const auto spin = [=](const Stepping& s) { return 2 * speed(s) / radius; };
   const auto place = [=](const Stepping& s) {
     return v / 3 * (lag(s) + std::abs(s.drift) * s.h) + speed(s) * end + round_off(s, end, v * end);
@@ -168,7 +169,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double body = rolls ? rolling : most;
   const double board = (pull - disc_mass * body) / plank_mass;
   const auto late = [=](const Stepping& s, double per_mass) {
-    return per_mass * (lag(s) + s.gap / radius * duration) + s.creep + round_off(s, duration, board * duration);
+    return per_mass * (lag(s) + s.contact_gap() / radius * duration) + s.creep +
+           round_off(s, duration, board * duration);
   };
   const auto disc_speed = [=](const Stepping& s) { return late(s, body); };
   const auto plank_speed = [=](const Stepping& s) { return late(s, body * disc_mass / plank_mass); };

@@ -39,8 +39,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double reach = v * v / (2 * p.at("friction") * gravity) + v * end;
   const double mu = p.at("friction");
   const auto place = [=](const Stepping& s) {
-    return v * (lag(s) + std::abs(s.drift) * s.h) + mu * gravity * s.h * s.h / 2 + (mu + size.y / size.x) * s.gap +
-           s.creep * end + round_off(s, end, reach);
+    return v * (lag(s) + std::abs(s.drift) * s.h) + mu * gravity * s.h * s.h / 2 +
+           (mu + size.y / size.x) * s.contact_gap() + s.creep * end + round_off(s, end, reach);
   };
   const auto speed = [=](const Stepping& s) { return s.creep + round_off(s, end, v); };
   return {
@@ -103,7 +103,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   };
   const auto place = [=](const Stepping& s) {
     const double slid = v > 0 ? late * lag(s) * end : late * lag(s) * (lag(s) + s.h) + s.creep * end;
-    return slid + drifted(s, a, end) + (mu + size.y / size.x) * s.gap + round_off(s, end, reach);
+    return slid + drifted(s, a, end) + (mu + size.y / size.x) * s.contact_gap() + round_off(s, end, reach);
   };
   return {{.body = "box",
            .quantity = Quantity::vx,
@@ -168,7 +168,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double t = duration;
   const auto speed_error = [=](const Stepping& s) { return a * lag(s) + round_off(s, t, speed); };
   const auto place = [=](const Stepping& s) {
-    return a * lag(s) * t + drifted(s, a, t) + (mu + size.y / size.x) * s.gap + round_off(s, t, 2 * speed * t);
+    return a * lag(s) * t + drifted(s, a, t) + (mu + size.y / size.x) * s.contact_gap() +
+           round_off(s, t, 2 * speed * t);
   };
   return {{.body = "box",
            .quantity = Quantity::vx,

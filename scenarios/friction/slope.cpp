@@ -52,9 +52,9 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const auto place = [=](const Stepping& s) {
     const double fallen = gravity * std::sin(angle) * lag(s) * (lag(s) + s.h);
     const double slid = sticks ? s.creep * end : gravity * mu * std::cos(angle) * lag(s) * end;
-    return fallen + slid + drifted(s, acceleration, end) + s.gap + round_off(s, end, reach);
+    return fallen + slid + drifted(s, acceleration, end) + s.contact_gap() + round_off(s, end, reach);
   };
-  const auto turn = [=](const Stepping& s) { return 2 * s.gap / size + round_off(s, end, reach / size); };
+  const auto turn = [=](const Stepping& s) { return 2 * s.contact_gap() / size + round_off(s, end, reach / size); };
 
   const std::string law = sticks ? "sticks, as tan a <= mu" : "g (sin a - mu cos a) t";
   return {
@@ -145,9 +145,9 @@ std::vector<Expectation> expectations(const Parameters& p) {
 
   const auto turn = [=](const Stepping& s) {
     const double round = round_off(s, time, reach / b);
-    if (stands) return 2 * s.gap / b + round;
+    if (stands) return 2 * s.contact_gap() / b + round;
     const double fastest = lean * w * std::sinh(w * time);
-    const double start = (2 / b + 1 / d) * s.gap * std::cosh(w * time);
+    const double start = (2 / b + 1 / d) * s.contact_gap() * std::cosh(w * time);
     const double late = gravity * lag(s) / d * std::sinh(w * time) / w;
     const double first = 2 * std::abs(s.drift) * s.h * fastest;
     const double swept = lean * (std::cosh(w * time) - 1);
@@ -157,7 +157,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   };
   const auto place = [=](const Stepping& s) {
     const double fallen = gravity * lag(s) * (lag(s) + s.h);
-    return d * turn(s) + s.creep * time + s.gap + fallen + round_off(s, time, reach);
+    return d * turn(s) + s.creep * time + s.contact_gap() + fallen + round_off(s, time, reach);
   };
   const std::string law =
       stands ? "stands, as tan a <= b/h" : "tips, as tan a > b/h: turns about its edge, s'' = w^2 sin s";

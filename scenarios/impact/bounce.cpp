@@ -42,9 +42,10 @@ ApexRange after_impact(ApexRange before, double e, const Stepping& s) {
   const double fastest = std::sqrt(2 * gravity * before.high) + slack;
   const double slowest = std::sqrt(2 * gravity * std::max(before.low, 0.0)) - slack;
   const double depth = fastest * lag(s);
-  const double off = std::abs(s.drift) * s.h * fastest * (e * e + e) + (1 + e * e) * s.gap;
+  const double off = std::abs(s.drift) * s.h * fastest * (e * e + e) + (1 + e * e) * s.contact_gap();
   const bool sure = slowest > s.restitution_threshold;
-  return {sure ? e * e * before.low - (1 - e * e) * depth - off : -depth - s.gap, e * e * (before.high + depth) + off};
+  return {sure ? e * e * before.low - (1 - e * e) * depth - off : -depth - s.contact_gap(),
+          e * e * (before.high + depth) + off};
 }
 
 ApexRange apex_range(int n, double height, double e, const Stepping& s) {
@@ -66,7 +67,7 @@ double allowed_apex(int n, double height, double e, const Stepping& s) {
 // off by the drift, and a gap early or late. Each flight lasts 2 sqrt(2 H/g), with the H that the impacts lead to.
 double allowed_landing(int n, double height, double e, const Stepping& s) {
   const double fall = std::sqrt(2 * height / gravity);
-  const double each = lag(s) + std::abs(s.drift) * s.h + std::sqrt(2 * s.gap / gravity);
+  const double each = lag(s) + std::abs(s.drift) * s.h + std::sqrt(2 * s.contact_gap() / gravity);
   double late = each;
   double early = each;
   ApexRange now{height, height};
@@ -91,7 +92,8 @@ double allowed_rest(double height, double e, const Stepping& s) {
     time += 2 * std::sqrt(2 * now.high / gravity) + s.h;
     if (now.high > before) return std::numeric_limits<double>::infinity();  // with so coarse a step it never settles
   }
-  return std::max(now.high, -now.low) + s.gap + round_off(s, duration, height + gravity * duration * duration);
+  return std::max(now.high, -now.low) + s.contact_gap() +
+         round_off(s, duration, height + gravity * duration * duration);
 }
 
 // For e = 1 the energy is m g times the apex, except for the drift's m g D h |v| within a flight. The first impact is

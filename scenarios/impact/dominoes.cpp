@@ -36,7 +36,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   return {{.body = name(static_cast<int>(p.at("count"))),
            .quantity = Quantity::angle,
            .expected = -std::numbers::pi / 2,
-           .allowed = [=](const Stepping& s) { return 2 * s.gap / height + round_off(s, end, height); },
+           .allowed = [=](const Stepping& s) { return 2 * s.contact_gap() / height + round_off(s, end, height); },
            .source = "the last one lies on its side"}};
 }
 

@@ -55,7 +55,8 @@ double allowed_apex(double e, double height, const Stepping& s) {
   const double fastest = std::sqrt(2 * gravity * height) + slack;
   const double depth = fastest * lag(s) * std::max(e * e, 1 - e * e);
   const double drifted = std::abs(s.drift) * s.h * fastest * (e * e + e);
-  return depth + drifted + (1 + e * e) * s.gap + gravity * s.dt * s.dt / 8 + round_off(s, duration, 10 * height);
+  return depth + drifted + (1 + e * e) * s.contact_gap() + gravity * s.dt * s.dt / 8 +
+         round_off(s, duration, 10 * height);
 }
 
 // At rest since sqrt(2h/g) (1+e)/(1-e). The speed that late impacts add, `slack` each, converges to e/(1-e) times it,
@@ -63,7 +64,7 @@ double allowed_apex(double e, double height, const Stepping& s) {
 double allowed_rest(double e, double height, const Stepping& s) {
   const double slack = gravity * s.h * (s.impact_lag + std::abs(s.drift));
   const double left = slack / (1 - e);
-  return left * left / (2 * gravity) + left * lag(s) + s.gap + round_off(s, duration, 10 * height);
+  return left * left / (2 * gravity) + left * lag(s) + s.contact_gap() + round_off(s, duration, 10 * height);
 }
 
 std::vector<Expectation> expectations(const Parameters& p) {

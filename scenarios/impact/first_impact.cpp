@@ -43,7 +43,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double slip = v + spin * radius;
   const auto exact = [=](const Stepping& s) { return round_off(s, duration, v + slip / radius + spin); };
   const auto overlap = [=](const Stepping& s) {
-    const double o = (v * lag(s) + s.gap) / radius;
+    const double o = (v * lag(s) + s.contact_gap()) / radius;
     return o * (1 + o) * (1 + o);
   };
   const double approach = v * std::cos(p.at("incidence") * degree);
@@ -56,7 +56,9 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const auto about = [=](const Stepping& s) { return 2 / radius * (along(s) + slip / 3 * overlap(s)); };
   const auto x = [=](const Stepping& s) { return slip / 3 * lag(s) + along(s) * duration; };
   const auto bounce = [=](const Stepping& s) { return inelastic(s) + exact(s); };
-  const auto y = [=](const Stepping& s) { return 3 * v * lag(s) + s.gap + inelastic(s) * duration + exact(s); };
+  const auto y = [=](const Stepping& s) {
+    return 3 * v * lag(s) + s.contact_gap() + inelastic(s) * duration + exact(s);
+  };
   const auto turn = [=](const Stepping& s) { return 2 * slip / (3 * radius) * lag(s) + about(s) * duration; };
   return {{.body = "disc",
            .quantity = Quantity::vx,
@@ -124,10 +126,12 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double radius = std::sqrt(0.5);
   const double spin = 6 * radius * (1 + e) * v;  // rad/s at most: r J/I with J <= (1+e) m v, I = m/6
   const auto exact = [=](const Stepping& s) { return round_off(s, duration, off + spin); };
-  const auto rise = [=](const Stepping& s) { return 1.6 * (1 + e) * v * s.gap + exact(s); };
-  const auto about = [=](const Stepping& s) { return 6 * (1 + e) * v * s.gap + exact(s); };
-  const auto height = [=](const Stepping& s) { return (2 + e) * v * lag(s) + s.gap + exact(s); };
-  const auto turn = [=](const Stepping& s) { return (spin + 3 * v / radius) * lag(s) + 3 * s.gap / radius + exact(s); };
+  const auto rise = [=](const Stepping& s) { return 1.6 * (1 + e) * v * s.contact_gap() + exact(s); };
+  const auto about = [=](const Stepping& s) { return 6 * (1 + e) * v * s.contact_gap() + exact(s); };
+  const auto height = [=](const Stepping& s) { return (2 + e) * v * lag(s) + s.contact_gap() + exact(s); };
+  const auto turn = [=](const Stepping& s) {
+    return (spin + 3 * v / radius) * lag(s) + 3 * s.contact_gap() / radius + exact(s);
+  };
   return {{.body = "box", .quantity = Quantity::vy, .allowed = rise, .source = "J/m - v; lever arm within the gap"},
           {.body = "box",
            .quantity = Quantity::angular_velocity,

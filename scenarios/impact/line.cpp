@@ -30,7 +30,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double approach = p.at("left") + p.at("right");
   const double e = p.at("restitution");
   const auto exact = [=](const Stepping& s) { return round_off(s, duration, apart + 2 * approach * duration); };
-  const auto place = [=](const Stepping& s) { return (2 + e) * approach * lag(s) + s.gap + exact(s); };
+  const auto place = [=](const Stepping& s) { return (2 + e) * approach * lag(s) + s.contact_gap() + exact(s); };
   std::vector<Expectation> all;
   for (const char* body : {"left", "right"}) {
     all.push_back(
@@ -101,7 +101,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   std::vector<Expectation> all;
   for (int i = 1; i <= balls; ++i) {
     const auto exact = [=](const Stepping& s) { return round_off(s, duration, 2 * balls * radius + v * duration); };
-    const auto place = [=](const Stepping& s) { return i * (2 * v * lag(s) + s.gap) + exact(s); };
+    const auto place = [=](const Stepping& s) { return i * (2 * v * lag(s) + s.contact_gap()) + exact(s); };
     all.push_back(
         {.body = ball(i), .quantity = Quantity::vx, .allowed = exact, .source = "equal balls swap velocities"});
     all.push_back({.body = ball(i),
@@ -221,7 +221,7 @@ Scene scene(const Parameters& p) {
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const auto place = [=](const Stepping& s) {
-    const double late = v * lag(s) + s.gap + round_off(s, duration, distance + v * duration);
+    const double late = v * lag(s) + s.contact_gap() + round_off(s, duration, distance + v * duration);
     return std::min(late, radius + thickness / 2);
   };
   const auto speed = [=](const Stepping& s) { return round_off(s, duration, v) + s.creep; };

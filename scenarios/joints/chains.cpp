@@ -66,7 +66,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   if (p.at("angle") != 0) return {};
   const double hinges = p.at("links") + 1;
   const double reach = p.at("links") * length;
-  const auto place = [=](const Stepping& s) { return hinges * s.gap + round_off(s, duration, reach + 1); };
+  const auto place = [=](const Stepping& s) { return hinges * s.joint_slop + round_off(s, duration, reach + 1); };
   return {{.body = "load",
            .quantity = Quantity::y,
            .expected = -reach,
@@ -165,12 +165,13 @@ std::vector<Expectation> expectations(const Parameters& p) {
   return {{.body = "load",
            .quantity = Quantity::y,
            .expected = 0,
-           .allowed = [=](const Stepping& s) { return hinges * s.gap / least + round_off(s, duration, reach) / least; },
+           .allowed =
+               [=](const Stepping& s) { return hinges * s.joint_slop / least + round_off(s, duration, reach) / least; },
            .source = "equilibrium: H and the weights give each slope; one gap per hinge"},
           {.body = "load",
            .quantity = Quantity::x,
            .expected = 0,
-           .allowed = [=](const Stepping& s) { return hinges * s.gap + round_off(s, duration, reach) / least; },
+           .allowed = [=](const Stepping& s) { return hinges * s.joint_slop + round_off(s, duration, reach) / least; },
            .source = "symmetry"}};
 }
 

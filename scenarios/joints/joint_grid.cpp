@@ -50,7 +50,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
     const double hinges = side - 1 + std::min(column, side - 1 - column);
     const double sag = side * side / (4.0 * (side - 1));
     const auto allowed = [=](const Stepping& s) {
-      return (hinges + sag) * s.gap + round_off(s, duration, side * pitch);
+      return (hinges + sag) * s.joint_slop + round_off(s, duration, side * pitch);
     };
     const Vec start = place(side, side - 1, column);
     const std::string knot = name(side - 1, column);

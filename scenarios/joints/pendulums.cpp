@@ -56,9 +56,9 @@ std::vector<Expectation> rod_expectations(double length, double angle, double du
     const double lost = std::abs(angle) * share * step_angle * step_angle / 2 * duration / s.h;
     const double second = (k * k / 24 + step_angle * step_angle / 3) * fastest * duration * unstable;
     const double grown = s.drift < 0 ? std::abs(angle) * (std::pow(1 + k * k, duration / (2 * s.h)) - 1) * unstable : 0;
-    return first + lost + second + grown + s.gap / d + round;
+    return first + lost + second + grown + s.joint_slop / d + round;
   };
-  const auto place = [=](const Stepping& s) { return d * turn(s) + s.gap; };
+  const auto place = [=](const Stepping& s) { return d * turn(s) + s.joint_slop; };
   // The angle's error causes an error of at most m g d in each of the kinetic and the potential energy.
   const auto energy = [=](const Stepping& s) { return 2 * mass.mass * gravity * d * turn(s); };
   return {{.body = "rod",

@@ -64,7 +64,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
              .source = "collapses, as t/R < 0.1075: no line of thrust stays within"}};
   }
   const auto sag = [=](const Stepping& s) {
-    const double sunk = (stones + 1) * (2 * s.gap / thickness) * (2 * radius / std::numbers::pi);
+    const double sunk = (stones + 1) * (2 * s.contact_gap() / thickness) * (2 * radius / std::numbers::pi);
     return std::min(sunk, thickness) + round(s);
   };
   return {{.body = crown,

@@ -77,7 +77,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                    .expected = card.position.y,
                    .allowed =
                        [=, y = card.position.y](const Stepping& s) {
-                         return storeys * ((2 + slope) * s.gap + slope * s.creep * duration) +
+                         return storeys * ((2 + slope) * s.contact_gap() + slope * s.creep * duration) +
                                 round_off(s, duration, y);
                        },
                    .source = "equilibrium, as friction is above tan a; gaps and creep, storey by storey"});

@@ -53,7 +53,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   return {{.body = pile.bodies.back().name,
            .quantity = Quantity::y,
            .expected = height,
-           .allowed = [=](const Stepping& s) { return gaps * s.gap + round_off(s, duration, height); },
+           .allowed = [=](const Stepping& s) { return gaps * s.contact_gap() + round_off(s, duration, height); },
            .source = "equilibrium: each row off by the gap along its contacts, and sunk by the gaps across it"},
           {.body = "floor",
            .quantity = Quantity::load,

@@ -36,7 +36,7 @@ std::vector<Expectation> pyramid_stands(const std::vector<Body>& pyramid, double
     all.push_back({.body = one.name,
                    .quantity = Quantity::y,
                    .expected = one.position.y,
-                   .allowed = [=](const Stepping& s) { return row * s.gap + round_off(s, duration, reach); },
+                   .allowed = [=](const Stepping& s) { return row * s.contact_gap() + round_off(s, duration, reach); },
                    .source = "equilibrium: does not move, within one gap per contact below"});
   }
   const Body& apex = pyramid.back();
@@ -46,7 +46,8 @@ std::vector<Expectation> pyramid_stands(const std::vector<Body>& pyramid, double
                  .expected = apex.position.x,
                  .allowed =
                      [=, reach = std::abs(apex.position.x) + row](const Stepping& s) {
-                       return row * (row + 1) * s.gap + row * s.creep * duration + round_off(s, duration, reach);
+                       return row * (row + 1) * s.contact_gap() + row * s.creep * duration +
+                              round_off(s, duration, reach);
                      },
                  .source = "equilibrium: leans at most by one gap per contact and the creep"});
   return all;
@@ -189,16 +190,18 @@ std::vector<Expectation> expectations(const Parameters& p) {
       const auto exact = [=, x = std::abs(body.position.x)](const Stepping& s) {
         return round_off(s, duration, x + row + v * duration);
       };
-      all.push_back(
-          {.body = body.name,
-           .quantity = Quantity::x,
-           .expected = body.position.x - side * v * duration,
-           .allowed = [=](const Stepping& s) { return row * (row + 1) * s.gap + row * s.creep * duration + exact(s); },
-           .source = "v t, as if the other pyramid did not exist"});
+      all.push_back({.body = body.name,
+                     .quantity = Quantity::x,
+                     .expected = body.position.x - side * v * duration,
+                     .allowed =
+                         [=](const Stepping& s) {
+                           return row * (row + 1) * s.contact_gap() + row * s.creep * duration + exact(s);
+                         },
+                     .source = "v t, as if the other pyramid did not exist"});
       all.push_back({.body = body.name,
                      .quantity = Quantity::y,
                      .expected = body.position.y,
-                     .allowed = [=](const Stepping& s) { return row * s.gap + exact(s); },
+                     .allowed = [=](const Stepping& s) { return row * s.contact_gap() + exact(s); },
                      .source = "stays at its height: touches the ground, not the other pyramid"});
     }
   }

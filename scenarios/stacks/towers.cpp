@@ -43,7 +43,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
     const double reach = (k + 1) * size;
     all.push_back({.body = box_name(k),
                    .quantity = Quantity::y,
-                   .allowed = [=](const Stepping& s) { return k * s.gap + round_off(s, end, reach); },
+                   .allowed = [=](const Stepping& s) { return k * s.contact_gap() + round_off(s, end, reach); },
                    .source = "equilibrium: does not move, within one gap per contact below"});
   }
   // The impulses of a contact add up to the weight above it times the time. What may be missing is a lag at the start,
@@ -61,15 +61,17 @@ std::vector<Expectation> expectations(const Parameters& p) {
   }
   const int k = boxes;
   const double reach = (k + 1) * size;
-  all.push_back(
-      {.body = box_name(k),
-       .quantity = Quantity::x,
-       .allowed = [=](const Stepping& s) { return k * (k + 1) * s.gap + k * s.creep * end + round_off(s, end, reach); },
-       .source = "equilibrium: leans at most by one gap per contact and the creep"});
+  all.push_back({.body = box_name(k),
+                 .quantity = Quantity::x,
+                 .allowed =
+                     [=](const Stepping& s) {
+                       return k * (k + 1) * s.contact_gap() + k * s.creep * end + round_off(s, end, reach);
+                     },
+                 .source = "equilibrium: leans at most by one gap per contact and the creep"});
   all.push_back(
       {.body = box_name(k),
        .quantity = Quantity::angle,
-       .allowed = [=](const Stepping& s) { return 2 * k * s.gap / size + round_off(s, end, reach / size); },
+       .allowed = [=](const Stepping& s) { return 2 * k * s.contact_gap() / size + round_off(s, end, reach / size); },
        .source = "equilibrium: each contact may be open by the gap on one side and penetrate by it on the other"});
   return all;
 }
@@ -123,7 +125,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   for (int k = 1; k <= static_cast<int>(p.at("boxes")); ++k) {
     all.push_back({.body = name(k),
                    .quantity = Quantity::y,
-                   .allowed = [=](const Stepping& s) { return k * s.gap + round_off(s, duration, k + 1); },
+                   .allowed = [=](const Stepping& s) { return k * s.contact_gap() + round_off(s, duration, k + 1); },
                    .source = "equilibrium: does not move, within one gap per contact below"});
   }
   return all;
@@ -194,12 +196,12 @@ std::vector<Expectation> expectations(const Parameters& p) {
          .quantity = Quantity::y,
          .allowed =
              [=](const Stepping& s) {
-               return (below + tilt * block.x / 2 * below) * s.gap + round_off(s, duration, block.x * blocks);
+               return (below + tilt * block.x / 2 * below) * s.contact_gap() + round_off(s, duration, block.x * blocks);
              },
          .source = "equilibrium, as the overhang is below (L/2) sum 1/k; one gap per contact below, and their tilt"});
     all.push_back({.body = name(k),
                    .quantity = Quantity::angle,
-                   .allowed = [=](const Stepping& s) { return tilt * s.gap + round_off(s, duration, 1); },
+                   .allowed = [=](const Stepping& s) { return tilt * s.contact_gap() + round_off(s, duration, 1); },
                    .source = "equilibrium: the tilt of one gap per contact below"});
   }
   return all;

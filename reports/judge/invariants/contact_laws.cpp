@@ -120,7 +120,7 @@ std::optional<InvariantCheck> check_complementarity(const InvariantContext& cont
         path += dt * (bounds[body].speed + bounds[body].spin * arm);
       }
       const double rounded = nu * (length(contact.point) + trace.times().back() * slip_speed(contact, states));
-      worst.add(contact.normal_impulse * gap, contact.normal_impulse * (2 * stepping.gap + path + rounded),
+      worst.add(contact.normal_impulse * gap, contact.normal_impulse * (2 * stepping.contact_gap() + path + rounded),
                 trace.time(moment), [&] { return pair_name(context.scene, contact.a, contact.b); });
     }
   }

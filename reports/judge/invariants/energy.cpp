@@ -65,7 +65,7 @@ DriveWork drive_work(const InvariantContext& context, std::size_t moment) {
       const Vec velocity = velocity_at(states[body], contact.point);
       done.work += on_other * dot(impulse, velocity);
       done.uncertainty += length(impulse) * std::abs(states[body].angular_velocity) *
-                          (length(velocity) * dt + context.stepping.gap + std::abs(contact.separation));
+                          (length(velocity) * dt + context.stepping.contact_gap() + std::abs(contact.separation));
     }
   }
   return done;
@@ -165,7 +165,7 @@ Balance balance_of(const InvariantContext& context, double drift) {
   }
   // The trapezoidal rule is off by dt^2/12 times the change of the power's slope: at most twice the largest slope.
   balance.oscillation = stepping.h * stepping.h / 12 * (2 * force_rate + high - low) + power_change / 6 +
-                        stepping.gap * load_of(context, forces) + nu * size;
+                        stepping.contact_gap() * load_of(context, forces) + nu * size;
   return balance;
 }
 

@@ -93,7 +93,7 @@ Missed missed_with(const InvariantContext& context, double drift) {
                  masses[i].inertia * std::abs(now[i].angular_velocity);
       const Vec unexplained = now[i].velocity - then[i].velocity - dt / (2 * mass) * (before[i].force + after[i].force);
       const double speed = std::max(length(now[i].velocity), length(then[i].velocity));
-      pushed_out += mass * length(unexplained) * (stepping.gap + stepping.impact_lag * stepping.h * speed);
+      pushed_out += mass * length(unexplained) * (stepping.contact_gap() + stepping.impact_lag * stepping.h * speed);
     }
     size = std::max(size, momenta);
     angular_size = std::max(angular_size, moments);

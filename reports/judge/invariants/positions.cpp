@@ -16,17 +16,6 @@
 namespace plumb::invariants::positions {
 namespace {
 
-// m, from the centre of mass to the farthest point of the body; half-spaces do not count.
-double bounding_radius(const Body& body) {
-  double radius = 0;
-  const Vec center = mass_of(body).center;
-  for (const Shape& shape : body.shapes) {
-    const Outline outline = outline_of(shape.geometry, center);
-    for (const Vec point : outline.points) radius = std::max(radius, length(point) + outline.radius);
-  }
-  return radius;
-}
-
 // A pair may overlap by the gap that the method states, by the depth at the start of the scene, and by the distance
 // that two bodies approach before an impact is noticed: lag h (V_a + V_b), V the largest speed of any point of a body
 // so far. How fast a method pushes them apart again is not judged.
@@ -51,7 +40,7 @@ std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
       const double rounded =
           farthest[pair.a] + farthest[pair.b] + trace.times().back() / 2 * (fastest[pair.a] + fastest[pair.b]);
       const double late = stepping.impact_lag * stepping.h * (fastest[pair.a] + fastest[pair.b]);
-      worst.add(pair.depth, stepping.gap + at_start + late + nu * rounded, trace.time(moment),
+      worst.add(pair.depth, stepping.contact_gap() + at_start + late + nu * rounded, trace.time(moment),
                 [&] { return pair_name(context.scene, pair.a, pair.b); });
     }
   }
@@ -99,8 +88,8 @@ std::optional<InvariantCheck> check_rest(const InvariantContext& context) {
       const Vec moved = states[i].position - at_rest[i].position;
       const double slack = stepping.creep * time + nu * length(states[i].position);
       const auto where = [&] { return context.scene.bodies[i].name; };
-      worst.add(std::abs(cross(down, moved)), stepping.gap + slack, trace.time(moment), where);
-      worst.add(std::abs(dot(down, moved)), bodies * stepping.gap + slack, trace.time(moment), where);
+      worst.add(std::abs(cross(down, moved)), stepping.contact_gap() + slack, trace.time(moment), where);
+      worst.add(std::abs(dot(down, moved)), bodies * stepping.contact_gap() + slack, trace.time(moment), where);
     }
   }
   return worst.result();

@@ -80,7 +80,9 @@ Scene catalog_scene(const char* scenario, const Parameters& changes) {
   return found->scene(complete(*found, changes));
 }
 
-double stated_gap(const EngineConfig& config, double dt) { return config.engine->stepping(config.settings, dt).gap; }
+double stated_gap(const EngineConfig& config, double dt) {
+  return config.engine->stepping(config.settings, dt).contact_gap();
+}
 
 Json description_of(const StabilityMap& map, int cells) {
   // Criteria differ between cells and methods only in their numbers: these are the default method's.

@@ -161,7 +161,7 @@ TEST_P(EveryEngine, KeepsLayersApart) {
   held.layers = 0b1100;
   const std::vector<BodyState> states = run(scene_of({other, through, held}), 60);
   EXPECT_LT(states[1].position.y, -3);
-  EXPECT_NEAR(states[2].position.y, .5, stated().gap + rounding(60, 1));
+  EXPECT_NEAR(states[2].position.y, .5, stated().contact_gap() + rounding(60, 1));
 }
 
 // A sliding box slows down by v(t) = v0 - mu g t. The first contact may be found a step late and the last one count
@@ -248,9 +248,9 @@ TEST_P(EveryEngine, SupportsARestingBoxByImpulsesOfItsWeight) {
   for (const ContactState& contact : contacts) {
     ASSERT_EQ(contact.a + contact.b, 1u);
     EXPECT_GE(contact.normal_impulse, 0);
-    EXPECT_NEAR(contact.point.y, 0, stated().gap);
-    EXPECT_LT(std::abs(contact.separation), stated().gap);
-    EXPECT_LE(std::abs(contact.point.x), .5 + stated().gap);
+    EXPECT_NEAR(contact.point.y, 0, stated().contact_gap());
+    EXPECT_LT(std::abs(contact.separation), stated().contact_gap());
+    EXPECT_LE(std::abs(contact.point.x), .5 + stated().contact_gap());
   }
   // At rest the contact impulse of a step equals the weight times the step.
   const double mass = 1;
@@ -318,7 +318,7 @@ TEST_P(EveryEngine, RestsEveryShapeOnEveryGround) {
       const Scene scene = scene_of({floor, rider});
       if (!refusal(scene).empty()) continue;
       const BodyState state = run(scene, 120).at(1);
-      EXPECT_NEAR(state.position.y, .5, stated().gap + 1e-4) << above << " on " << below;
+      EXPECT_NEAR(state.position.y, .5, stated().contact_gap() + 1e-4) << above << " on " << below;
       EXPECT_NEAR(state.position.x, 0, 1e-2) << above << " on " << below;
       EXPECT_NEAR(state.velocity.y, 0, 1e-2) << above << " on " << below;
     }

@@ -46,7 +46,7 @@ TEST(ComplementarityInvariant, ForbidsAPushWithoutTouch) {
     return forged(dt, {{box_at({0, 0.5})}, {box_at({0, 0.5 + gap}), {pushing(1)}}});
   };
   Stepping with_gap = exact;
-  with_gap.gap = 0.01;
+  with_gap.skin = 0.01;
   // Twice the gap, plus how far 1 N s moves 1 kg in 0.01 s.
   EXPECT_EQ(status("complementarity", scene, apart(0.0299), with_gap), CheckStatus::held);
   EXPECT_EQ(status("complementarity", scene, apart(0.0301), with_gap), CheckStatus::broken);

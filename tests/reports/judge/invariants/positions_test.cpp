@@ -7,7 +7,7 @@ namespace {
 
 constexpr double dt = 0.01;
 const Stepping exact{.dt = dt, .h = dt, .drift = 0, .impact_lag = 0};
-const Stepping first_order{.dt = dt, .h = dt, .drift = 0.5, .impact_lag = 1, .gap = 0.005};
+const Stepping first_order{.dt = dt, .h = dt, .drift = 0.5, .impact_lag = 1, .skin = 0.005};
 
 TEST(OverlapInvariant, AllowsTheGapAndTheDistanceBeforeAnImpactIsNoticed) {
   const Scene scene = box_on_ground();
