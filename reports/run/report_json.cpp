@@ -22,17 +22,18 @@ nlohmann::json* find_list(nlohmann::json& object, const char* key) {
 }
 
 // Version 1 had other names for some fields of checks; version 2 had no scales, so none of its checks is evidence.
-void update_report(nlohmann::json& report) {
+void update_report(nlohmann::json& report, int version) {
   nlohmann::json* runs = find_list(report, "runs");
   if (runs == nullptr) return;
   for (nlohmann::json& run : *runs) {
     if (nlohmann::json* truth = find_list(run, "truth")) {
       for (nlohmann::json& check : *truth) {
-        rename_key(check, "revealed", "reported");
+        if (version == 1) rename_key(check, "revealed", "reported");
         if (check.is_object()) check.emplace("scale", nullptr);
       }
     }
-    if (nlohmann::json* invariants = find_list(run, "invariants")) {
+    nlohmann::json* invariants = find_list(run, "invariants");
+    if (version == 1 && invariants != nullptr) {
       for (nlohmann::json& check : *invariants) update_check(check);
     }
   }
@@ -96,7 +97,8 @@ Timing timing_from(const JsonReader& from) {
 Report report_from(nlohmann::json json, const std::string& file) {
   const JsonReader from(json, file);
   from.must_have("plumb");
-  if (from["plumb"].number({1, report_format}) < report_format) update_report(json);
+  const auto version = static_cast<int>(from["plumb"].number({1, report_format}));
+  if (version < report_format) update_report(json, version);
   for (const char* key : {"command", "environment", "engines", "runs", "timings"}) from.must_have(key);
   Report report{.command = text_list_from(from["command"]), .environment = text_map_from(from["environment"])};
   for_each_entry(from["engines"], {"name", "source", "exact"}, [&](const JsonReader& engine) {

@@ -142,7 +142,7 @@ TEST(Snapshot, OfAnOldReportIsTheOneOfANewReport) {
 
 TEST(Snapshot, RefusesReportsOfAnotherFormat) {
   auto json = to_json(Report{});
-  json["plumb"] = 3;
+  json["plumb"] = 4;
   EXPECT_THROW(recorded(json), std::invalid_argument);
   EXPECT_THROW(recorded(nlohmann::ordered_json::array()), std::invalid_argument);
 }

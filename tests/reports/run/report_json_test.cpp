@@ -72,10 +72,22 @@ TEST(ReportFromJson, ReadsVersion1) {
   EXPECT_THROW(report_from(old, "old.json"), std::invalid_argument) << "version 2 has other names";
 }
 
+TEST(ReportFromJson, TakesNoCheckOfVersion2ForEvidenceAsItHasNoScale) {
+  const nlohmann::ordered_json now = to_json(sample_report());
+  nlohmann::json old = nlohmann::json::parse(now.dump());
+  old["plumb"] = 2;
+  for (nlohmann::json& run : old["runs"]) {
+    for (nlohmann::json& check : run["truth"]) check.erase("scale");
+  }
+  const Report report = report_from(old, "old.json");
+  EXPECT_FALSE(is_evidence(report.runs.at(1).truth.at(0)));
+  EXPECT_EQ(report.runs.at(1).truth.at(0).tolerance, 0.1);
+}
+
 TEST(ReportFromJson, NamesThePlaceOfWhatItCannotRead) {
   nlohmann::ordered_json newer = to_json(sample_report());
-  newer["plumb"] = 3;
-  EXPECT_THAT(complaint(newer), HasSubstr("report.json: plumb: expected a number from 1 to 2, found 3"));
+  newer["plumb"] = 4;
+  EXPECT_THAT(complaint(newer), HasSubstr("report.json: plumb: expected a number from 1 to 3, found 4"));
   EXPECT_THAT(complaint(nlohmann::ordered_json::array()), HasSubstr("report.json: top level: expected an object"));
   nlohmann::ordered_json damaged = to_json(sample_report());
   damaged["runs"][1]["invariants"][0]["status"] = "hold";

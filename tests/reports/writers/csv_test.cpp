@@ -39,7 +39,7 @@ TEST(Csv, HasTheSameColumnsInEveryRow) {
 
 TEST(Csv, QuotesAndLeavesNumbersThatAreNoneEmpty) {
   EXPECT_THAT(lines()[3], ::testing::HasSubstr("\"solver=one,integrator=another,iterations=1000\""));
-  EXPECT_THAT(lines()[3], ::testing::HasSubstr("truth,x,\"box, \"\"the\"\" first\",2,,m,0.3333333333333333,,0.1,no"));
+  EXPECT_THAT(lines()[3], ::testing::HasSubstr("truth,x,\"box, \"\"the\"\" first\",2,,m,0.3333333333333333,,0.1,0,no"));
 }
 
 }  // namespace

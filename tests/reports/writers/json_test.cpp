@@ -13,14 +13,15 @@ using Json = nlohmann::ordered_json;
 
 TEST(Json, HasWhatTheFormatPromises) {
   const Json report = to_json(sample_report());
-  EXPECT_EQ(report["plumb"], 2);
+  EXPECT_EQ(report["plumb"], 3);
   EXPECT_EQ(report["environment"]["compiler"], "some");
   const Json& run = report["runs"][1];
   for (const char* key : {"scenario", "parameters", "engine", "method", "dt", "status", "reason", "metrics", "truth",
                           "verdict", "variant", "exact", "final_pose"}) {
     EXPECT_TRUE(run.contains(key)) << key;
   }
-  for (const char* key : {"body", "quantity", "time", "expected", "measured", "error", "tolerance", "passed"}) {
+  for (const char* key : {"body", "quantity", "time", "expected", "measured", "error", "tolerance", "scale",
+                          "relative_error", "evidence", "passed"}) {
     EXPECT_TRUE(run["truth"][0].contains(key)) << key;
   }
   EXPECT_EQ(run["metrics"]["energy_rise"]["unit"], "1");
