@@ -16,9 +16,9 @@ constexpr double at_rest = 0.01;  // of the floor: where the truth changes by le
 double or_floor(double change, double floor) { return change >= at_rest * floor ? change : floor; }
 
 // The truth at a few moments. A closed form is evaluated anew for each, so there are not many.
-Trace sampled(const Scene& scene, std::span<const BodyState> start, const Truth* truth) {
+Trace sampled(const Scene& scene, const Truth* truth) {
   Trace trace(scene.bodies.size());
-  trace.record(0, start, {});
+  trace.record(0, initial_states(scene), {});
   if (truth == nullptr) return trace;
   const double until = std::min(truth->until(), scene.duration);
   for (int i = 1; i <= samples; ++i) {
@@ -30,8 +30,9 @@ Trace sampled(const Scene& scene, std::span<const BodyState> start, const Truth*
 
 }  // namespace
 
-Scales::Scales(const Scene& scene, const Truth* truth) : scene_(scene), start_(initial_states(scene)) {
-  const Trace trace = sampled(scene, start_, truth);
+Scales::Scales(const Scene& scene, const Truth* truth) : Scales(scene, sampled(scene, truth)) {}
+
+Scales::Scales(const Scene& scene, const Trace& trace) : scene_(scene), start_(initial_states(scene)) {
   const Conserved conserved(scene);
   const auto masses = conserved.masses();
   double launched = 0;
@@ -72,7 +73,7 @@ Scales::Scales(const Scene& scene, const Truth* truth) : scene_(scene), start_(i
   }
   momentum_ = or_floor(momentum_, floor_momentum);
   angular_momentum_ = or_floor(angular_momentum_, floor_angular);
-  energy_ = energy_range(scene, truth != nullptr ? &trace : nullptr);
+  energy_ = energy_range(scene, &trace);
 }
 
 double Scales::of(const Expectation& expectation, double expected) const {

@@ -14,6 +14,8 @@ class Scales {
  public:
   /// `truth` may be null: then what changes is known from the start and the expected values only.
   Scales(const Scene&, const Truth* truth);
+  /// By a run that is taken for the truth.
+  Scales(const Scene&, const Trace&);
 
   /// The scale of a check with this expected value, > 0. Where the truth changes by less than a hundredth of the floor,
   /// it counts as at rest, and the floor is the scale:

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "reports/judge/observe.h"
-#include "reports/run/case_run.h"
 #include "reports/system/hash.h"
 
 namespace plumb {
@@ -47,21 +46,26 @@ Detection detection_in(const Case& one_case, DetectionKind kind, std::string met
 
 }  // namespace
 
-JudgedRun judge_two_runs(const Case& one_case, const EngineConfig& config, double dt) {
-  const Scene& scene = *one_case.scene;
-  const Outcome outcome = run(scene, config, dt, one_case.first_step);
+JudgedRun judge_run(const Case& one_case, const EngineConfig& stated, double dt, const CaseRun& runs) {
+  const auto& [outcome, shifted] = runs;
   JudgedRun judged{.status = outcome.status, .reason = outcome.reason};
   if (outcome.trace) judged.bits = bits_of(*outcome.trace);
   if (outcome.status != Status::ok) return judged;
-  const Outcome again = run(scene, config, dt, one_case.first_step);
-  judged.repeatable = again.trace && bits_of(*again.trace) == judged.bits;
+  const Scene& scene = *one_case.scene;
   std::optional<Truth> truth;
   const Engine* closed_form = one_case.closed_form;
   if (closed_form != nullptr && closed_form->unsupported(scene, complete(*closed_form, {})).empty()) {
     truth.emplace(*closed_form, scene);
   }
-  judged.judgement =
-      judge_case(one_case, config, dt, *outcome.trace, run_shifted(one_case, config, dt), truth ? &*truth : nullptr);
+  judged.judgement = judge_case(one_case, stated, dt, *outcome.trace, shifted, truth ? &*truth : nullptr);
+  return judged;
+}
+
+JudgedRun judge_two_runs(const Case& one_case, const EngineConfig& config, double dt) {
+  JudgedRun judged = judge_run(one_case, config, dt, run_case(one_case, config, dt));
+  if (judged.status != Status::ok) return judged;
+  const Outcome again = run(*one_case.scene, config, dt, one_case.first_step);
+  judged.repeatable = again.trace && bits_of(*again.trace) == judged.bits;
   return judged;
 }
 

@@ -5,18 +5,22 @@
 #include <vector>
 
 #include "reports/judge/verdict.h"
-#include "reports/run/run.h"
+#include "reports/run/case_run.h"
 
 namespace plumb {
 
-/// The outcome of a case that was run twice and judged.
+/// The outcome of a case that was run and judged.
 struct JudgedRun {
   Status status = Status::ok;
   std::string reason;      // why not ok
   Judgement judgement;     // of the worst phase if the scenario has several
   std::uint64_t bits = 0;  // hash of every state and contact of the first run
-  bool repeatable = true;  // the second run had the same bits
+  bool repeatable = true;  // a second run, if there was one, had the same bits
 };
+
+/// Judges a case that was run, with its phases, by its truths and invariants. `stated` is the engine whose stepping
+/// the tolerances are those of; it need not be the one that ran.
+JudgedRun judge_run(const Case&, const EngineConfig& stated, double dt, const CaseRun&);
 
 /// Runs a case twice, and in all its phases, and judges it by its truths and invariants.
 JudgedRun judge_two_runs(const Case&, const EngineConfig&, double dt);

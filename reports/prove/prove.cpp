@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <mutex>
 #include <set>
 
+#include "reports/prove/progress.h"
 #include "reports/run/selection.h"
 #include "reports/system/jobs.h"
 #include "scenarios/random.h"
@@ -21,23 +21,6 @@ double size_of(const Case& one, double dt) {
 }
 
 bool catches(const Detection& detection) { return detection.kind != DetectionKind::bits; }
-
-std::string label_of(const Case& one) { return one.scenario->name + " " + one.variant; }
-
-// Reports progress from several threads.
-class ProgressCounter {
- public:
-  ProgressCounter(const Progress& progress, std::size_t all) : progress_(progress), all_(all) {}
-  void begin(const std::string& what) {
-    const std::lock_guard alone(reporting_);
-    progress_(what, done_++, all_);
-  }
-
- private:
-  const Progress& progress_;
-  std::size_t all_, done_ = 0;
-  std::mutex reporting_;
-};
 
 // The right engines of some faults, each once.
 class RightEngines {

@@ -12,11 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string ratio_text(double ratio) {
-  if (!std::isfinite(ratio)) return "unbounded";
-  return ratio < 1e6 ? fmt::format("{:.3g} x allowed", ratio) : fmt::format("{:.1e} x allowed", ratio);
-}
-
 std::string method_of(const Fault& fault) {
   std::string text;
   for (const auto& [option, value] : fault.method) text += (text.empty() ? "" : ",") + value;
@@ -36,16 +31,9 @@ std::string line_of(const FaultResult& result) {
                      result.scenarios().size());
 }
 
-Json json_of(const Detection& one) {
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
-  return {{"scenario", one.scenario},   {"variant", one.variant},    {"kind", name_of(one.kind)},
-          {"metric", one.metric},       {"unit", one.unit},          {"error", number(one.error)},
-          {"tolerance", one.tolerance}, {"ratio", number(one.ratio)}};
-}
-
 Json json_of(const std::vector<Detection>& all) {
   Json list = Json::array();
-  for (const Detection& one : all) list.push_back(json_of(one));
+  for (const Detection& one : all) list.push_back(to_json(one));
   return list;
 }
 
@@ -104,6 +92,20 @@ Json to_json(const ProveReport& report) {
   return {{"caught", report.caught()}, {"false_alarms", report.false_alarms()},
           {"cases", report.cases},     {"fewest_scenarios", fewest_scenarios(report.faults)},
           {"faults", faults},          {"clean", clean}};
+}
+
+std::string ratio_text(double ratio) {
+  if (!std::isfinite(ratio)) return "unbounded";
+  return ratio < 1e6 ? fmt::format("{:.3g} x allowed", ratio) : fmt::format("{:.1e} x allowed", ratio);
+}
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json to_json(const Detection& one) {
+  return {{"scenario", one.scenario},   {"variant", one.variant},
+          {"kind", name_of(one.kind)},  {"metric", one.metric},
+          {"unit", one.unit},           {"error", number_or_null(one.error)},
+          {"tolerance", one.tolerance}, {"ratio", number_or_null(one.ratio)}};
 }
 
 }  // namespace plumb

@@ -26,4 +26,9 @@ std::string text_of(const ProveReport&);
 
 nlohmann::ordered_json to_json(const ProveReport&);
 
+/// Parts of both that the report on controls shares: "2.5 x allowed"; a detection; a number, null if it is infinite.
+std::string ratio_text(double ratio);
+nlohmann::ordered_json to_json(const Detection&);
+nlohmann::ordered_json number_or_null(double);
+
 }  // namespace plumb

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "reference/faults/fault.h"
+
+/// Null engines: each lacks a whole law of mechanics, or only shows what another one did. No harness may call one right
+/// where that law matters; `plumb prove --controls` measures by them which verdicts mean something. They are no engines
+/// to choose from.
+namespace plumb {
+
+struct Control {
+  std::string name;
+  std::string about;      // one line: what it does instead of mechanics
+  BuildSimulation build;  // given the complete settings of our engine
+};
+
+/// An engine that runs the control. It takes our engine's settings, and its errors are allowed what `stated` states of
+/// itself with its default settings.
+Engine engine_of(const Control&, const Engine& stated);
+
+/// Our engine in a scene that was altered first.
+Control in_altered_scene(std::string name, std::string about, void (*alter)(Scene&));
+
+/// A class of its own, made from the scene and the settings of our engine.
+template <class Made>
+Control simulated_by(std::string name, std::string about) {
+  return {
+      .name = std::move(name), .about = std::move(about), .build = [](const Scene& scene, const Settings& settings) {
+        return std::make_unique<Made>(scene, settings);
+      }};
+}
+
+}  // namespace plumb
