@@ -9,20 +9,30 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Multiplies every inertia by a factor during the solver's step.
-Faulty<Solver> with_inertia(const char* name, const char* about, const char* source, Real of_disc, Real of_others) {
-  const auto scale = [=](BodySet& bodies, bool back) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const BodyDetail& body = bodies.detail[i];
-      const bool disc = body.parts.size() == 1 && body.parts.front().shape.type() == ShapeType::circle;
-      const Real by = disc ? of_disc : of_others;
-      bodies.inverse_mass[i].i = bodies.inverse_mass[i].i * (back ? by : 1 / by);
-    }
-  };
-  return mutated(
-      {.name = name, .about = about, .source = source, .mutates = "accurate"},
-      [=](MutatedStep& step) { scale(step.bodies, false); }, [=](MutatedStep& step) { scale(step.bodies, true); });
+/// Multiplies every inertia by a factor.
+void scale_inertia(BodySet& bodies, Real of_disc, Real of_others) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyDetail& body = bodies.detail[i];
+    const bool disc = body.parts.size() == 1 && body.parts.front().shape.type() == ShapeType::circle;
+    bodies.inverse_mass[i].i /= disc ? of_disc : of_others;
+  }
 }
+
+/// The same during the solver's step only.
+StatelessMutation::Change larger_inertia(Real of_disc, Real of_others) {
+  return [=](MutatedStep& step) { scale_inertia(step.bodies, of_disc, of_others); };
+}
+
+Faulty<Solver> with_inertia(const char* name, const char* about, const char* source, Real of_disc, Real of_others) {
+  return mutated({.name = name, .about = about, .source = source, .mutates = "accurate"},
+                 larger_inertia(of_disc, of_others), larger_inertia(1 / of_disc, 1 / of_others));
+}
+
+const Faulty<Solver> any_inertia{"scaled-inertia", [](double factor) {
+                                   const Real by = static_cast<Real>(factor);
+                                   return std::make_unique<StatelessMutation>("accurate", larger_inertia(by, by),
+                                                                              larger_inertia(1 / by, 1 / by));
+                                 }};
 
 const auto two_percent = with_inertia("inertia-2-percent", "moments of inertia 2 % too large", "",
                                       static_cast<Real>(1.02), static_cast<Real>(1.02));

@@ -11,6 +11,7 @@
 #include "reports/prove/controls.h"
 #include "reports/prove/prove.h"
 #include "reports/prove/report.h"
+#include "reports/prove/sensitivity_report.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "reports/system/jobs.h"
@@ -21,11 +22,13 @@ namespace plumb::commands::prove_command {
 namespace {
 
 struct Options {
-  std::vector<std::string> names;  // of faults, or of controls
+  std::vector<std::string> names;  // of faults, controls or parameters
   std::vector<std::string> scenarios;
   int clean = 10;
   bool controls = false;
   std::vector<std::string> statements{"impulse"};
+  bool sensitivity = false;
+  bool markdown = false;
   std::string dt = "1/60";
   std::string out;
   int jobs = default_jobs();
@@ -102,6 +105,21 @@ int prove_faults(const Options& options) {
   return report.passed() ? 0 : 1;
 }
 
+int measure_sensitivity(const Options& options) {
+  const double dt = parse_dt(options.dt);
+  const auto parameters = chosen_from(all_perturbations(), "parameter", options.names);
+  const std::vector<Case> cases = options.scenarios.empty() ? cases_to_prove_by(dt) : cases_of(options.scenarios);
+  Output output(options.out);
+  SensitivityReport report{.statements = statements(), .cases = cases.size(), .dt = dt};
+  {
+    const ProgressLine line;
+    report.parameters = sensitivities(parameters, cases, report.statements, dt, options.jobs, shown_on(line));
+  }
+  fmt::print("{}", options.markdown ? markdown_of(report) : text_of(report));
+  output.finish(to_json(report));
+  return report.passed() ? 0 : 1;
+}
+
 int prove_by_controls(const Options& options) {
   const double dt = parse_dt(options.dt);
   std::vector<Control> all;
@@ -130,6 +148,7 @@ const Catalog<Command>::Entry entry{
      .about = "Test the harness: every fault in our engine must be caught, and the unharmed engine raise no alarm; "
               "with --controls, no engine without mechanics may be right; exit code 1 if not",
      .examples = "  plumb prove                                  every fault, and 10 runs of the unharmed engine\n"
+                 "  plumb prove --sensitivity --out fine.json    the smallest error seen in each parameter\n"
                  "  plumb prove --clean 100 --out prove.json     more clean runs, and all figures as JSON\n"
                  "  plumb prove gravity-twice energy-leak --scenario bounce --clean 0\n"
                  "  plumb prove --controls                       every control, judged by what our engine states\n"
@@ -137,7 +156,8 @@ const Catalog<Command>::Entry entry{
                  "  plumb prove --controls --statement impulse --statement box2d\n",
      .attach = [](CLI::App& app) {
        const auto options = std::make_shared<Options>();
-       app.add_option("name", options->names, "Names of faults, or with --controls of controls; default: all")
+       app.add_option("name", options->names,
+                      "Names of faults, with --controls of controls, or with --sensitivity of parameters; default: all")
            ->type_name("NAME");
        app.add_option("--scenario", options->scenarios,
                       "NAME, NAME:LABEL or NAME:parameter=value,...; may be repeated. Default: all small ones, with "
@@ -162,6 +182,12 @@ const Catalog<Command>::Entry entry{
            ->check(CLI::Range(0, 100000))
            ->excludes(controls)
            ->type_name("N");
+       CLI::Option* sensitivity = app.add_flag("--sensitivity", options->sensitivity,
+                                               "Instead: the smallest error in each parameter of our engine that some "
+                                               "case calls wrong, by our own, Box2D's "
+                                               "and Chipmunk's statements; exit code 1 if it misses its goal");
+       app.add_flag("--markdown", options->markdown, "Print the sensitivities as a Markdown table")->needs(sensitivity);
+       sensitivity->excludes(controls);
        app.add_option("--dt", options->dt, "Time step in s, a number or a fraction")
            ->capture_default_str()
            ->type_name("STEP");
@@ -170,7 +196,10 @@ const Catalog<Command>::Entry entry{
            ->check(CLI::Range(1, 1024))
            ->type_name("N");
        app.add_option("--out", options->out, "File for all figures as JSON")->type_name("FILE");
-       return [options] { return options->controls ? prove_by_controls(*options) : prove_faults(*options); };
+       return [options] {
+         if (options->controls) return prove_by_controls(*options);
+         return options->sensitivity ? measure_sensitivity(*options) : prove_faults(*options);
+       };
      }}};
 
 }  // namespace
