@@ -59,6 +59,7 @@ struct Baseline {
   std::map<std::string, std::string> platform;  // what determines bits, see platform_of
   std::map<std::string, std::string> engines;   // source and version, by name
   std::map<RunKey, BaselineRun> runs;
+  bool old_verdicts = false;  // accepted when *right* included what is now *coarse* or *no evidence*
 };
 
 /// The entries of an environment that determine the bits of a result: architecture, compiler, flags and libm.

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int baseline_format = 2;  // grows when a reader of the previous version would misread the new one
+constexpr int baseline_format = 3;  // grows when a reader of the previous version would misread the new one
 constexpr std::size_t largest_file = std::size_t{64} << 20;
 constexpr const char* any = "any";  // stands for `unbounded`
 
@@ -108,7 +108,8 @@ void add_run(const JsonReader& from, Baseline& baseline) {
 Baseline baseline_from(nlohmann::json json, const std::string& path) {
   const JsonReader from(json, path);
   from.must_have("plumb_baseline");
-  if (from["plumb_baseline"].number({1, baseline_format}) < baseline_format) update_baseline(json);
+  const double format = from["plumb_baseline"].number({1, baseline_format});
+  if (format < 2) update_baseline(json);
   from.object({"plumb_baseline", "dt", "all", "scenarios", "platform", "engines", "runs"});
   Baseline baseline{.dt = from["dt"].number({std::numeric_limits<double>::min(), 1, "s"}),
                     .all = from["all"].boolean(),
@@ -116,6 +117,7 @@ Baseline baseline_from(nlohmann::json json, const std::string& path) {
                     .platform = text_map_from(from["platform"]),
                     .engines = text_map_from(from["engines"])};
   for_each_entry(from["runs"], {}, [&](const JsonReader& run) { add_run(run, baseline); });
+  baseline.old_verdicts = format < 3;
   return baseline;
 }
 

@@ -302,6 +302,13 @@ GateResult compare(const Baseline& before, const Baseline& now) {
   const std::string engines = differences(before.engines, now.engines);
   if (!engines.empty()) result.notes.push_back("Different engines (" + engines + ").");
 
+  if (before.old_verdicts) {
+    result.notes.push_back(
+        "The baseline is of a version whose \"right\" included what is now coarse or no evidence, so verdicts may "
+        "differ "
+        "without a change of the physics; plumb accept makes it anew.");
+  }
+
   const auto engine_of = [](const Baseline& baseline, const std::string& name) {
     const auto found = baseline.engines.find(name);
     return found == baseline.engines.end() ? "" : found->second;

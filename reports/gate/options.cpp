@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "reports/run/plan_selection.h"
+#include "reports/run/selection.h"
 #include "reports/system/environment.h"
 #include "reports/system/terminal.h"
 
@@ -52,13 +53,18 @@ void check_engines(const Baseline& baseline, const Plan& plan) {
 }  // namespace
 
 void GateOptions::attach_to(CLI::App& app) {
-  app.add_option("scenario", scenarios, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json")->type_name("NAME");
-  app.add_flag("--all", all, "Use the baseline of all scenarios, not only of the canonical ones");
+  CLI::Option* named = app.add_option("scenario", scenarios, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json");
+  named->type_name("NAME");
+  app.add_flag("--canonical", canonical, "Only the canonical scenarios, in seconds")->excludes(named);
+  app.add_flag_callback("--all",
+                        [] {  // needed until 0.1
+                          fmt::print(stderr, "--all is the default now and will go\n");
+                        })
+      ->group("");
   app.add_option("--engine", engines, "NAME[:key=value,...]; may be repeated. Default: those of the baseline")
       ->allow_extra_args(false)
       ->type_name("ENGINE");
-  app.add_option("--baseline", baseline,
-                 "Default: canonical.json (all.json with --all) in $PLUMB_BASELINES, or else in reports/baselines")
+  app.add_option("--baseline", baseline, "Default: all.json in $PLUMB_BASELINES, or else in reports/baselines")
       ->type_name("FILE");
   app.add_option("--jobs", jobs, "Cases run at once; the results are the same for any number")
       ->capture_default_str()
@@ -69,8 +75,7 @@ void GateOptions::attach_to(CLI::App& app) {
 std::string GateOptions::baseline_file() const {
   if (!baseline.empty()) return baseline;
   const char* folder = std::getenv("PLUMB_BASELINES");
-  return (folder == nullptr || *folder == '\0' ? std::string("reports/baselines") : std::string(folder)) +
-         (all ? "/all.json" : "/canonical.json");
+  return (folder == nullptr || *folder == '\0' ? std::string("reports/baselines") : std::string(folder)) + "/all.json";
 }
 
 std::vector<std::string> engines_of(const Baseline& baseline) {
@@ -81,9 +86,19 @@ std::vector<std::string> engines_of(const Baseline& baseline) {
   return {labels.begin(), labels.end()};
 }
 
+std::vector<std::string> engines_missing_in(const Baseline& baseline) {
+  const std::vector<std::string> known = engines_of(baseline);
+  std::vector<std::string> missing;
+  for (const EngineConfig& one : default_engines()) {
+    const std::string label = label_of(one.engine->name, one.method());
+    if (std::find(known.begin(), known.end(), label) == known.end()) missing.push_back(label);
+  }
+  return missing;
+}
+
 Plan plan_of(const Baseline& baseline, const GateOptions& options) {
-  const bool some = !options.scenarios.empty();
-  Plan plan = select_plan(some ? options.scenarios : baseline.scenarios, baseline.all,
+  const bool some = options.canonical || !options.scenarios.empty();
+  Plan plan = select_plan(some ? options.scenarios : baseline.scenarios, !some && baseline.all,
                           options.engines.empty() ? engines_of(baseline) : options.engines);
   plan.dt = baseline.dt;
   plan.jobs = options.jobs;
@@ -94,7 +109,7 @@ Plan plan_of(const Baseline& baseline, const GateOptions& options) {
 }
 
 Baseline selected(const Baseline& baseline, const GateOptions& options, const Plan& plan) {
-  if (options.scenarios.empty() && options.engines.empty()) return baseline;
+  if (options.scenarios.empty() && !options.canonical && options.engines.empty()) return baseline;
   Baseline some = baseline;
   std::erase_if(some.runs, [&](const auto& run) { return !in_plan(run.first, run.second, plan); });
   std::erase_if(some.engines, [&](const auto& engine) {

@@ -17,18 +17,21 @@ namespace plumb {
 struct GateOptions {
   std::vector<std::string> scenarios;
   std::vector<std::string> engines;
-  bool all = false;
-  std::string baseline;  // file; "" for the default
+  bool canonical = false;  // only the canonical scenarios
+  std::string baseline;    // file; "" for the default
   int jobs = default_jobs();
 
   void attach_to(CLI::App&);
 
-  /// The file given, else canonical.json or all.json in $PLUMB_BASELINES, which ./plumb sets, or in reports/baselines.
+  /// The file given, else all.json in $PLUMB_BASELINES, which ./plumb sets, or in reports/baselines.
   std::string baseline_file() const;
 };
 
 /// Every engine of a baseline but the closed forms, as --engine takes it.
 std::vector<std::string> engines_of(const Baseline&);
+
+/// The engines that would run by default but are not in the baseline, as --engine takes them.
+std::vector<std::string> engines_missing_in(const Baseline&);
 
 /// The selected runs of a baseline; all of them if the options select none. Throws std::invalid_argument for a scenario
 /// or an engine that is unknown, given twice, or not in the baseline.

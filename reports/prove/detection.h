@@ -31,7 +31,7 @@ enum class DetectionKind { truth, invariant, repeat, bits };
 /// "truth", "invariant", "repeat", "bits".
 const char* name_of(DetectionKind);
 
-/// A check that the right engine passes and another one fails.
+/// A check that an engine fails.
 struct Detection {
   std::string scenario;
   std::string variant;
@@ -46,7 +46,7 @@ struct Detection {
 /// only if there is nothing else.
 std::vector<Detection> detections(const Case&, const JudgedRun& right, const JudgedRun& suspect);
 
-/// The same by truths and invariants alone, for runs that may have other bits.
-std::vector<Detection> physics_detections(const Case&, const JudgedRun& right, const JudgedRun& suspect);
+/// Everything that a run of the right engine fails; each is a false alarm. Includes `repeat`.
+std::vector<Detection> false_alarms(const Case&, const JudgedRun&);
 
 }  // namespace plumb

@@ -49,6 +49,27 @@ class RightEngines {
   std::vector<Settings> settings_;
 };
 
+std::vector<CleanRun> runs_of(const std::vector<Variation>& variations, const std::vector<Case>& cases, double dt,
+                              int jobs, const Progress& progress) {
+  const Engine& ours = *Catalog<Engine>::find("impulse");
+  std::vector<std::vector<Detection>> found(variations.size() * cases.size());
+  ProgressCounter counter(progress, found.size());
+  do_all(found.size(), jobs, [&](std::size_t i) {
+    const Variation& variation = variations[i / cases.size()];
+    const Case one_case = variation.of(cases[i % cases.size()]);
+    counter.begin(variation.text() + ": " + label_of(one_case));
+    found[i] = false_alarms(one_case, judge_two_runs(one_case, {&ours, complete(ours, variation.settings)}, dt));
+  });
+  std::vector<CleanRun> runs;
+  for (std::size_t r = 0; r < variations.size(); ++r) {
+    runs.push_back({variations[r].seed, variations[r].text(), {}});
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      for (Detection& one : found[r * cases.size() + c]) runs.back().false_alarms.push_back(std::move(one));
+    }
+  }
+  return runs;
+}
+
 }  // namespace
 
 std::vector<Case> cases_to_prove_by(double dt) {
@@ -156,6 +177,7 @@ Variation variation_of(std::uint64_t seed) {
 }
 
 Case Variation::of(const Case& one_case) const {
+  if (seed == 0) return one_case;
   const auto& parameters = one_case.scenario->parameters;
   const auto random = std::find_if(parameters.begin(), parameters.end(),
                                    [](const Parameter& parameter) { return parameter.name == "seed"; });
@@ -167,42 +189,21 @@ Case Variation::of(const Case& one_case) const {
 }
 
 std::string Variation::text() const {
+  if (seed == 0) return "default settings";
   std::string text = "seed " + std::to_string(seed) + ":";
   for (const auto& [option, value] : settings) text += (text.back() == ':' ? " " : ", ") + option + "=" + value;
   return text;
 }
 
+CleanRun default_run(const std::vector<Case>& cases, double dt, int jobs, const Progress& progress) {
+  return runs_of({Variation{}}, cases, dt, jobs, progress).front();
+}
+
 std::vector<CleanRun> clean_runs(int count, const std::vector<Case>& cases, double dt, int jobs,
                                  const Progress& progress) {
-  const Engine& ours = *Catalog<Engine>::find("impulse");
-  const EngineConfig usual{&ours, complete(ours, {})};
-  const auto runs = static_cast<std::size_t>(count);
-  ProgressCounter counter(progress, (runs + 1) * cases.size());
-  std::vector<JudgedRun> usual_runs(cases.size());
-  if (runs > 0) {
-    do_all(cases.size(), jobs, [&](std::size_t c) {
-      counter.begin(label_of(cases[c]));
-      usual_runs[c] = judge_two_runs(cases[c], usual, dt);
-    });
-  }
-  std::vector<std::vector<Detection>> found(runs * cases.size());
-  do_all(found.size(), jobs, [&](std::size_t i) {
-    const std::size_t c = i % cases.size();
-    const Variation variation = variation_of(i / cases.size() + 1);
-    counter.begin(variation.text() + ": " + label_of(cases[c]));
-    const Case varied = variation.of(cases[c]);
-    const JudgedRun right = varied.scene == cases[c].scene ? usual_runs[c] : judge_two_runs(varied, usual, dt);
-    found[i] =
-        physics_detections(varied, right, judge_two_runs(varied, {&ours, complete(ours, variation.settings)}, dt));
-  });
-  std::vector<CleanRun> clean;
-  for (std::size_t r = 0; r < runs; ++r) {
-    clean.push_back({r + 1, variation_of(r + 1).text(), {}});
-    for (std::size_t c = 0; c < cases.size(); ++c) {
-      for (Detection& one : found[r * cases.size() + c]) clean.back().false_alarms.push_back(std::move(one));
-    }
-  }
-  return clean;
+  std::vector<Variation> variations;
+  for (int seed = 1; seed <= count; ++seed) variations.push_back(variation_of(static_cast<std::uint64_t>(seed)));
+  return runs_of(variations, cases, dt, jobs, progress);
 }
 
 }  // namespace plumb

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 namespace plumb {
 namespace {
@@ -37,6 +40,35 @@ Json json_of(const std::vector<Detection>& all) {
   return list;
 }
 
+// Several phases or bodies of a run may fail the same check.
+struct Alarm {
+  const Detection* worst = nullptr;
+  const CleanRun* worst_run = nullptr;
+  std::set<const CleanRun*> runs;
+};
+
+std::string false_alarms_text(const ProveReport& report) {
+  std::map<std::pair<std::string, std::string>, Alarm> alarms;  // by case and check
+  for (const CleanRun& run : report.clean) {
+    for (const Detection& one : run.false_alarms) {
+      Alarm& alarm = alarms[{case_of(one), one.metric}];
+      alarm.runs.insert(&run);
+      if (alarm.worst != nullptr && one.ratio <= alarm.worst->ratio) continue;
+      alarm.worst = &one;
+      alarm.worst_run = &run;
+    }
+  }
+  std::string text;
+  for (const auto& [check, alarm] : alarms) {
+    const Detection& worst = *alarm.worst;
+    text += fmt::format("FALSE ALARM in {}, {}: {:.3g}{} where {:.3g} is allowed ({}), with {}", check.first,
+                        check.second, worst.error, worst.unit.empty() ? "" : " " + worst.unit, worst.tolerance,
+                        ratio_text(worst.ratio), alarm.worst_run->settings);
+    text += alarm.runs.size() > 1 ? fmt::format("; in {} clean runs\n", alarm.runs.size()) : "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::size_t ProveReport::caught() const {
@@ -49,30 +81,24 @@ std::size_t ProveReport::caught_by_physics() const {
                                                 [](const FaultResult& result) { return result.caught_by_physics(); }));
 }
 
-std::size_t ProveReport::false_alarms() const {
+std::size_t ProveReport::runs_with_false_alarms() const {
   return static_cast<std::size_t>(
       std::count_if(clean.begin(), clean.end(), [](const CleanRun& run) { return !run.false_alarms.empty(); }));
 }
 
-bool ProveReport::passed() const { return caught() == faults.size() && false_alarms() == 0; }
+bool ProveReport::passed() const { return caught() == faults.size() && runs_with_false_alarms() == 0; }
 
 std::string text_of(const ProveReport& report) {
   std::string text = fmt::format(
-      "{} of {} faults caught, {} of them by truth or invariant; {} false alarms in {} clean runs; cases: {}.\n\n",
-      report.caught(), report.faults.size(), report.caught_by_physics(), report.false_alarms(), report.clean.size(),
-      report.cases);
+      "{} of {} faults caught, {} of them by truth or invariant; false alarms in {} of {} clean runs; cases: {}.\n\n",
+      report.caught(), report.faults.size(), report.caught_by_physics(), report.runs_with_false_alarms(),
+      report.clean.size(), report.cases);
   text += fmt::format("{:<30}{:<26}{:<28}{:<20}{:<10}{:>18}{:>10}\n", "fault", "method", "caught in", "metric", "by",
                       "error", "scenarios");
   for (const FaultResult& result : report.faults) text += line_of(result);
   text += fmt::format("\nThe fewest scenarios that catch them all: {}.\n",
                       fmt::join(fewest_scenarios(report.faults), ", "));
-  for (const CleanRun& run : report.clean) {
-    for (const Detection& one : run.false_alarms) {
-      text += fmt::format("FALSE ALARM in {}: {}, {}, {:.3g} {} where {:.3g} is allowed\n", run.settings, case_of(one),
-                          one.metric, one.error, one.unit, one.tolerance);
-    }
-  }
-  return text;
+  return text + false_alarms_text(report);
 }
 
 Json to_json(const ProveReport& report) {
@@ -89,7 +115,7 @@ Json to_json(const ProveReport& report) {
   for (const CleanRun& run : report.clean) {
     clean.push_back({{"seed", run.seed}, {"settings", run.settings}, {"false_alarms", json_of(run.false_alarms)}});
   }
-  return {{"caught", report.caught()}, {"false_alarms", report.false_alarms()},
+  return {{"caught", report.caught()}, {"false_alarms", report.runs_with_false_alarms()},
           {"cases", report.cases},     {"fewest_scenarios", fewest_scenarios(report.faults)},
           {"faults", faults},          {"clean", clean}};
 }

@@ -16,12 +16,13 @@ struct ProveReport {
 
   std::size_t caught() const;
   std::size_t caught_by_physics() const;
-  std::size_t false_alarms() const;  // clean runs with any
+  std::size_t runs_with_false_alarms() const;
   /// Whether every fault was caught and there is no false alarm.
   bool passed() const;
 };
 
-/// A summary line, a table of faults with the best detection of each, the fewest scenarios and the false alarms.
+/// A summary line, a table of faults with the best detection of each, the fewest scenarios, and of each check that
+/// raised a false alarm the worst one.
 std::string text_of(const ProveReport&);
 
 nlohmann::ordered_json to_json(const ProveReport&);

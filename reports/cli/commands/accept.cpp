@@ -34,11 +34,12 @@ struct Scope {
 
 Scope scope_of(const Accept& options, const std::optional<Baseline>& before) {
   const GateOptions& gate = options.gate;
-  if (!gate.scenarios.empty() && gate.baseline.empty()) {
+  const bool some = gate.canonical || !gate.scenarios.empty();
+  if (some && gate.baseline.empty()) {
     throw std::invalid_argument("a baseline of selected scenarios needs its own file: --baseline FILE");
   }
-  Scope scope{.all = gate.all, .scenarios = gate.scenarios};
-  if (before && gate.scenarios.empty()) {
+  Scope scope{.all = !some, .scenarios = gate.scenarios};
+  if (before && !some) {
     scope.all = before->all;
     scope.scenarios = before->scenarios;
   }
@@ -92,9 +93,9 @@ int accept(const Accept& options) {
 const Catalog<Command>::Entry entry{
     {.name = "accept",
      .about = "Accept the current results as the baseline of `plumb check`, and show what changes",
-     .examples = "  plumb accept                                 the canonical scenarios, the engines of the baseline\n"
-                 "  plumb accept --all                           a baseline of every scenario\n"
-                 "  plumb accept bounce mine.json --engine impulse --baseline mine-gate.json\n",
+     .examples = "  plumb accept                                 every scenario, the engines of the baseline\n"
+                 "  plumb accept bounce mine.json --engine impulse --baseline mine-gate.json\n"
+                 "  plumb accept --canonical --baseline quick.json    a baseline of the canonical scenarios\n",
      .attach = [](CLI::App& app) {
        const auto options = std::make_shared<Accept>();
        options->gate.attach_to(app);

@@ -65,9 +65,7 @@ int report(const Options& options) {
     preview = preview_of_case(options.preview, options.session);
   }
   options.session.conduct("report", [&](Report& report) {
-    GateOptions gate;
-    gate.all = options.session.all;
-    if (auto changes = changes_since(gate.baseline_file(), report)) add_study(report, std::move(*changes));
+    if (auto changes = changes_since(GateOptions{}.baseline_file(), report)) add_study(report, std::move(*changes));
     if (options.no_studies) {
       report.command.emplace_back("--no-studies");
     } else {

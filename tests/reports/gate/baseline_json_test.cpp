@@ -87,7 +87,7 @@ TEST_F(BaselineFile, NamesThePlaceOfDamage) {
 TEST_F(BaselineFile, RefusesForeignAndNewerFiles) {
   EXPECT_THAT(complaint("[]"), HasSubstr("expected a baseline or a report.json"));
   EXPECT_THAT(complaint(R"({"plumb": 1, "bodies": []})"), HasSubstr("neither a baseline"));
-  EXPECT_THAT(complaint(with("\"plumb_baseline\": 2", "\"plumb_baseline\": 3")), HasSubstr("plumb_baseline: expected"));
+  EXPECT_THAT(complaint(with("\"plumb_baseline\": 3", "\"plumb_baseline\": 4")), HasSubstr("plumb_baseline: expected"));
   EXPECT_THROW(read_baseline(put("report.json", to_json(sample_report()).dump())), std::invalid_argument);
   EXPECT_THROW(read_baseline(at("none.json")), std::invalid_argument);
 }
@@ -111,6 +111,14 @@ TEST_F(BaselineFile, ReadsVersion1) {
   run.numbers["invariant: cone"] = {.unit = "N s", .status = CheckStatus::not_reported, .bound = unbounded};
   fakes::check_of(expected).unstable = true;
   EXPECT_EQ(to_text(back), to_text(expected));
+}
+
+TEST_F(BaselineFile, SaysThatVerdictsOfVersion2MeantSomethingElse) {
+  const Baseline back = read_baseline(put("old.json", with("\"plumb_baseline\": 3", "\"plumb_baseline\": 2")));
+  const GateResult result = compare(back, sample());
+  EXPECT_TRUE(result.passed());
+  EXPECT_THAT(result.notes, testing::Contains(HasSubstr("plumb accept makes it anew")));
+  EXPECT_TRUE(compare(sample(), sample()).notes.empty());
 }
 
 TEST_F(BaselineFile, RefusesARunThatIsThereTwice) {

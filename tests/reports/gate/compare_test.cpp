@@ -80,6 +80,35 @@ TEST(Compare, FindsWorseVerdictsOnAnyPlatform) {
   }
 }
 
+// A run that is no longer possible, and an answer that is no longer close or no longer evidence, are regressions even
+// where no number that remains differs.
+TEST(Compare, FailsWhatTurnsWorseWithoutTurningWrong) {
+  using enum Verdict;
+  const std::pair<Verdict, Verdict> turns[] = {{right, coarse},
+                                               {right, plausible},
+                                               {right, no_evidence},
+                                               {right, not_supported},
+                                               {coarse, no_evidence},
+                                               {coarse, not_supported},
+                                               {plausible, not_supported},
+                                               {plausible, no_evidence},
+                                               {no_evidence, not_supported}};
+  for (const auto& [was, is] : turns) {
+    Baseline before = baseline();
+    run_of(before).verdict = was;
+    run_of(before).perturbed_verdicts = {was};
+    Baseline now = before;
+    run_of(now).verdict = is;
+    if (is == not_supported) run_of(now) = {.verdict = is, .reason = "no chains"};
+    for (const Baseline& here : {now, elsewhere(now)}) {
+      const GateResult result = compare(before, here);
+      ASSERT_FALSE(result.passed()) << name_of(was) << " -> " << name_of(is);
+      EXPECT_EQ(result.regressions.front().metric, "verdict");
+      EXPECT_EQ(result.regressions.front().change, Change::worse) << name_of(was) << " -> " << name_of(is);
+    }
+  }
+}
+
 TEST(Compare, WantsABetterVerdictToBeAccepted) {
   Baseline before = baseline();
   run_of(before).verdict = Verdict::wrong;

@@ -130,6 +130,65 @@ TEST(CleanRuns, RaiseNoFalseAlarm) {
   for (const CleanRun& run : clean) EXPECT_THAT(run.false_alarms, IsEmpty()) << run.settings;
 }
 
+TEST(CleanRuns, IncludeTheDefaultSettings) {
+  const CleanRun run = default_run(parse_cases("spinning-obb"), dt, 1, silent);
+  EXPECT_EQ(run.seed, 0U);
+  EXPECT_EQ(run.settings, "default settings");
+  EXPECT_THAT(run.false_alarms, IsEmpty());
+}
+
+// Asks for a place that the body never reaches: every right engine fails it.
+Case case_of(const Scenario& impossible) {
+  Case one = parse_cases("spinning-obb:flight").front();
+  one.scenario = &impossible;
+  return one;
+}
+
+Scenario impossible_scenario() {
+  const Case sound = parse_cases("spinning-obb:flight").front();
+  Scenario impossible = *sound.scenario;
+  const std::string body = sound.scene->bodies.front().name;
+  impossible.expectations = [body](const Parameters&) {
+    return std::vector<Expectation>{
+        {.body = body, .quantity = Quantity::x, .expected = 1e6, .within = 1.0, .source = "nowhere"}};
+  };
+  return impossible;
+}
+
+TEST(CleanRuns, CountWhatTheDefaultFailsItself) {
+  const Scenario impossible = impossible_scenario();
+  const std::vector<Case> cases{case_of(impossible)};
+  const CleanRun own = default_run(cases, dt, 1, silent);
+  ASSERT_THAT(own.false_alarms, SizeIs(1));
+  EXPECT_EQ(own.false_alarms.front().kind, DetectionKind::truth);
+  EXPECT_THAT(clean_runs(1, cases, dt, 1, silent).front().false_alarms, SizeIs(1));
+
+  const ProveReport report{.clean = {own}, .cases = 1};
+  EXPECT_FALSE(report.passed());
+  EXPECT_THAT(text_of(report), HasSubstr("false alarms in 1 of 1 clean runs"));
+  EXPECT_THAT(text_of(report), HasSubstr("FALSE ALARM in spinning-obb flight"));
+}
+
+TEST(CleanRuns, CountARunThatFailsOrDoesNotRepeat) {
+  const Case one = parse_cases("spinning-obb:flight").front();
+  EXPECT_THAT(false_alarms(one, {.status = Status::failed, .reason = "diverged"}),
+              ElementsAre(testing::Field(&Detection::metric, "the run's end")));
+  EXPECT_THAT(false_alarms(one, {.repeatable = false}),
+              ElementsAre(testing::Field(&Detection::kind, DetectionKind::repeat)));
+  EXPECT_THAT(false_alarms(one, {}), IsEmpty());
+}
+
+TEST(ProveReport, PrintsEachFalseAlarmOnceWithItsWorstRun) {
+  const auto alarm = [](double error) {
+    return Detection{.scenario = "arch", .variant = "thin", .metric = "cone", .error = error, .ratio = error};
+  };
+  const std::string text =
+      text_of({.clean = {{0, "default settings", {alarm(2)}}, {1, "seed 1", {alarm(3), alarm(2.5)}}}});
+  EXPECT_THAT(text, HasSubstr("FALSE ALARM in arch thin, cone: 3 where 0 is allowed (3 x allowed), with seed 1; in 2 "
+                              "clean runs\n"));
+  EXPECT_EQ(text.find("FALSE ALARM"), text.rfind("FALSE ALARM"));
+}
+
 Detection detection_in(const std::string& scenario) { return {.scenario = scenario, .ratio = 2}; }
 
 TEST(FewestScenarios, CoverEveryCaughtFault) {

@@ -70,6 +70,35 @@ TEST_F(CheckAndAccept, ExitsWith1AndSaysWhatIsNotAsAccepted) {
   EXPECT_EQ(text(file), text(at("base.json")));
 }
 
+TEST_F(CheckAndAccept, FailsACaseThatIsNoLongerSupported) {
+  accept(at("base.json"));
+  auto refused = json(at("base.json"));
+  for (auto& run : refused["runs"]) {
+    if (run["exact"]) continue;
+    run["verdict"] = "not supported";
+    run["bits"] = "";
+    run["numbers"] = nlohmann::json::object();
+  }
+  const std::string file = put("refused.json", refused.dump());
+  const Said said = say({"check", "--against", at("base.json"), file});
+  EXPECT_EQ(said.code, 1);
+  EXPECT_THAT(said.out, HasSubstr("verdict: right, now not supported"));
+}
+
+TEST_F(CheckAndAccept, TakesNamesOrTheCanonicalScenariosButNotBoth) {
+  EXPECT_EQ(say({"check", "bounce", "--canonical", "--baseline", at("base.json")}).code, 2);
+  const Said own = say({"accept", "--canonical"});
+  EXPECT_EQ(own.code, 2);
+  EXPECT_THAT(own.err, HasSubstr("needs its own file"));
+}
+
+TEST_F(CheckAndAccept, ChecksTheCanonicalScenariosOfABaseline) {
+  accept(at("base.json"));
+  const Said said = say({"check", "--canonical", "--baseline", at("base.json")});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("is not in the baseline; plumb accept"));
+}
+
 TEST_F(CheckAndAccept, ComparesTwoResultsWithoutARun) {
   accept(at("base.json"));
   const std::string other = tampered(at("base.json"));
