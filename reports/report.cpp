@@ -90,6 +90,11 @@ std::optional<double> worst_error_ratio(const RunRecord& run) {
   return worst;
 }
 
+const char* resting(const KeyDifferences& key) {
+  const int many = int{key.rest_a.has_value()} + int{key.rest_b.has_value()};
+  return many == 2 ? "both" : many == 1 ? "one" : "none";
+}
+
 std::string label_of(const std::string& engine, const std::string& method) {
   return method.empty() ? engine : engine + ":" + method;
 }

@@ -115,12 +115,36 @@ std::optional<double> worst_error_ratio(const RunRecord&);
 /// "engine" or "engine:key=value,...", as --engine takes it.
 std::string label_of(const std::string& engine, const std::string& method);
 
+/// A difference over time relative to a scale of the scene.
+struct RelativeDifference {
+  double largest = 0, end = 0;
+};
+
+/// The first things to know of two runs of a case: how far apart they are in energy and momentum, whether both came to
+/// rest, how deep bodies overlapped in each, and when the two first diverged.
+struct KeyDifferences {
+  RelativeDifference energy, momentum, angular_momentum;
+  double energy_scale = 0;                     // J; the scales depend on the scene alone, see judge/scale.h
+  double momentum_scale = 0;                   // kg m/s
+  double angular_momentum_scale = 0;           // kg m^2/s
+  std::optional<double> rest_a, rest_b;        // s, since when all bodies are at rest; nullopt if one moves at the end
+  std::optional<double> overlap_a, overlap_b;  // m, the deepest; nullopt if there are no two bodies
+  std::optional<double> diverged_at;           // s, when the bodies were first `diverged_by` apart; nullopt: never
+};
+
+/// m, RMS over the bodies: a hundredth of a body of a metre.
+inline constexpr double diverged_by = 0.01;
+
+/// "both", "one" or "none": of the two runs, which came to rest.
+const char* resting(const KeyDifferences&);
+
 /// Two engines, or an engine and the truth, over one scenario.
 struct Comparison {
   std::string scenario;
   std::string variant;
-  std::string a, b;                         // labels, see label_of
-  std::map<std::string, Measured> metrics;  // differences over time and at the end
+  std::string a, b;                                  // labels, see label_of
+  std::optional<KeyDifferences> key = std::nullopt;  // if both runs reached their end
+  std::map<std::string, Measured> metrics;           // differences over time and at the end
   Verdict verdict = Verdict::plausible;
   std::string reason;
 };

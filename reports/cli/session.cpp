@@ -64,7 +64,7 @@ void Session::attach_to(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  app.add_option("--out", out, "Folder for report.json, report.csv and index.html")
+  app.add_option("--out", out, "Folder for index.html, report.md, report.json and report.csv")
       ->capture_default_str()
       ->type_name("DIR");
 }

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/compare/key_differences.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/states.h"
 #include "reports/vec.h"
 
 namespace plumb {
 namespace {
-
-// Two runs have diverged when their bodies are a centimetre apart: a hundredth of a body of a metre.
-constexpr double diverged_by = 0.01;  // m
 
 // A difference over time, summarised.
 class DifferenceSummary {
@@ -33,8 +31,7 @@ class DifferenceSummary {
   double largest_ = 0, squares_ = 0, last_ = 0, count_ = 0;
 };
 
-void compare_poses(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
-  const auto differences = pose_differences(*a.scene, *a.trace, *b.trace, std::numeric_limits<double>::infinity());
+void compare_poses(std::span<const PoseDifference> differences, Comparison& comparison) {
   DifferenceSummary position;
   DifferenceSummary angle;
   for (const PoseDifference& one : differences) {
@@ -43,11 +40,6 @@ void compare_poses(const RunRecord& a, const RunRecord& b, Comparison& compariso
   }
   position.put(comparison.metrics, "position_difference", "m");
   angle.put(comparison.metrics, "angle_difference", "rad");
-  const auto first =
-      std::find_if(differences.begin(), differences.end(), [](const auto& one) { return one.position > diverged_by; });
-  if (first != differences.end()) {
-    comparison.metrics["parted_at"] = {a.trace->time(static_cast<std::size_t>(first - differences.begin())), "s"};
-  }
 }
 
 void compare_conserved(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
@@ -75,7 +67,7 @@ void compare_conserved(const RunRecord& a, const RunRecord& b, Comparison& compa
 }
 
 void compare_rest(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
-  for (const char* name : {"time_to_rest", "residual_speed", "penetration_max", "penetration_end", "lateral_drift"}) {
+  for (const char* name : {"residual_speed", "penetration_max", "penetration_end", "lateral_drift"}) {
     const auto of_a = a.metrics.find(name);
     const auto of_b = b.metrics.find(name);
     if (of_a == a.metrics.end() || of_b == b.metrics.end()) continue;
@@ -101,35 +93,45 @@ void conclude(const RunRecord& a, const RunRecord& b, Comparison& comparison) {
   comparison.verdict = both ? Verdict::right : Verdict::plausible;
 }
 
-Comparison compare_two(const RunRecord& a, const RunRecord& b) {
+bool ran(const RunRecord& run) { return run.status == Status::ok; }
+
+Comparison compare_two(const RunRecord& a, const RunRecord& b, const Scales* scales) {
   Comparison comparison{.scenario = a.scenario, .variant = a.variant, .a = label(a), .b = label(b)};
   conclude(a, b, comparison);
-  if (a.status == Status::ok && b.status == Status::ok) {
-    compare_poses(a, b, comparison);
+  if (scales != nullptr && ran(a) && ran(b)) {
+    const auto poses = pose_differences(*a.scene, *a.trace, *b.trace, std::numeric_limits<double>::infinity());
+    compare_poses(poses, comparison);
     compare_conserved(a, b, comparison);
     compare_rest(a, b, comparison);
+    comparison.key = key_differences(a, b, poses, comparison.metrics, *scales);
   }
   return comparison;
 }
 
 }  // namespace
 
-std::vector<Comparison> compare(std::span<const RunRecord> runs) {
+std::vector<Comparison> compare(std::span<const RunRecord> runs, const Truth* truth) {
   std::vector<Comparison> comparisons;
-  const RunRecord* truth = nullptr;
+  std::optional<Scales> scales;
+  if (const auto one = std::find_if(runs.begin(), runs.end(), ran); one != runs.end())
+    scales.emplace(*one->scene, truth);
+  const auto add = [&](const RunRecord& a, const RunRecord& b) {
+    comparisons.push_back(compare_two(a, b, scales ? &*scales : nullptr));
+  };
+  const RunRecord* exact = nullptr;
   std::vector<const RunRecord*> engines;
   for (const RunRecord& run : runs) {
     if (!run.exact) {
       engines.push_back(&run);
-    } else if (run.status == Status::ok) {
-      truth = &run;
+    } else if (ran(run)) {
+      exact = &run;
     }
   }
   for (const RunRecord* engine : engines) {
-    if (truth != nullptr) comparisons.push_back(compare_two(*engine, *truth));
+    if (exact != nullptr) add(*engine, *exact);
   }
   for (std::size_t i = 0; i < engines.size(); ++i) {
-    for (std::size_t j = i + 1; j < engines.size(); ++j) comparisons.push_back(compare_two(*engines[i], *engines[j]));
+    for (std::size_t j = i + 1; j < engines.size(); ++j) add(*engines[i], *engines[j]);
   }
   return comparisons;
 }

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <string_view>
 
 #include "reports/gate/baseline_json.h"
 #include "reports/gate/compare.h"
+#include "reports/system/files.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/json_reader.h"
 
@@ -25,36 +25,22 @@ const Catalog<GateWriter>::Entry text_entry{
 
 constexpr std::size_t most_rows = 100;  // a comment on a pull request holds 65536 characters
 
-// Characters that mean something in Markdown or HTML become character references, which both show as text.
-std::string in_cell(const std::string& text) {
-  constexpr std::string_view special = "&<>|`*_[]@#~\\!";
-  std::string out;
-  for (const char letter : printable(text, text.npos)) {
-    if (special.find(letter) == special.npos) {
-      out += letter;
-    } else {
-      out += fmt::format("&#{};", static_cast<int>(letter));
-    }
-  }
-  return out;
-}
-
 std::string markdown(const GateResult& result) {
-  std::string text = fmt::format("### Plumb: {}\n", in_cell(result.verdict));
+  std::string text = fmt::format("### Plumb: {}\n", markdown_cell(result.verdict));
   if (!result.passed()) {
     text += "\n| | run | what | before | now | allowed | why |\n|---|---|---|---|---|---|---|\n";
     for (std::size_t i = 0; i < result.regressions.size() && i < most_rows; ++i) {
       const Regression& one = result.regressions[i];
-      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", name_of(one.change), in_cell(one.run.text()),
-                          in_cell(one.metric), in_cell(one.before), in_cell(one.now), in_cell(one.tolerance),
-                          in_cell(one.why));
+      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", name_of(one.change), markdown_cell(one.run.text()),
+                          markdown_cell(one.metric), markdown_cell(one.before), markdown_cell(one.now),
+                          markdown_cell(one.tolerance), markdown_cell(one.why));
     }
     if (result.regressions.size() > most_rows) {
       text += fmt::format("\nAnd {} more.\n", result.regressions.size() - most_rows);
     }
     text += "\nIf these changes are intended, `plumb accept` makes them the baseline.\n";
   }
-  for (const std::string& note : result.notes) text += "\n" + in_cell(note) + "\n";
+  for (const std::string& note : result.notes) text += "\n" + markdown_cell(note) + "\n";
   return text;
 }
 

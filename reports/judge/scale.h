@@ -29,6 +29,13 @@ class Scales {
   ///   a time, a spread       the expected value itself
   double of(const Expectation&, double expected) const;
 
+  /// J, of the scene; see energy_range.
+  double energy() const { return energy_; }
+  /// kg m/s, of the scene: the largest sum of m |v|.
+  double momentum() const { return momentum_; }
+  /// kg m^2/s, of the scene: the largest sum of m |r| |v| + I |w| about the world's origin.
+  double angular_momentum() const { return angular_momentum_; }
+
  private:
   struct BodyScale {
     double size = 0;          // m, half the extent of a body

@@ -19,6 +19,28 @@ double still_bodies(const Scene& scene, std::span<const BodyState> states) {
   return count;
 }
 
+std::optional<double> time_to_rest(const Scene& scene, const Trace& trace) {
+  const auto all_still = [&](std::size_t moment) {
+    const auto states = trace.states(moment);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (scene.bodies[i].type == BodyType::dynamic && !is_still(states[i])) return false;
+    }
+    return true;
+  };
+  std::size_t first = trace.size();
+  while (first > 0 && all_still(first - 1)) --first;
+  if (first == trace.size()) return std::nullopt;
+  return trace.time(first);
+}
+
+double fastest_speed(const Scene& scene, std::span<const BodyState> states) {
+  double fastest = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (scene.bodies[i].type == BodyType::dynamic) fastest = std::max(fastest, length(states[i].velocity));
+  }
+  return fastest;
+}
+
 PoseDifference pose_difference(const Scene& scene, std::span<const BodyState> a, std::span<const BodyState> b) {
   PoseDifference squares;
   double count = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,12 @@ bool is_still(const BodyState&);
 
 /// The number of dynamic bodies that are still.
 double still_bodies(const Scene&, std::span<const BodyState>);
+
+/// s, the time from which all dynamic bodies are still until the end; nullopt if one still moves at the end.
+std::optional<double> time_to_rest(const Scene&, const Trace&);
+
+/// m/s, the speed of the fastest dynamic body; 0 if there is none.
+double fastest_speed(const Scene&, std::span<const BodyState>);
 
 /// The difference between two runs of a scene at a moment: RMS over the dynamic bodies.
 struct PoseDifference {

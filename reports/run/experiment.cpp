@@ -69,7 +69,7 @@ class CaseExperiment {
   }
 
   void compare_engines(int ensemble) {
-    comparisons_ = compare(records_);
+    comparisons_ = compare(records_, truth_ ? &*truth_ : nullptr);
     if (ensemble > 0) compare_beyond_horizon(case_, runnable_, dt_, ensemble, records_, comparisons_);
   }
 

@@ -7,8 +7,11 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
+
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 
@@ -61,5 +64,18 @@ std::string csv_field(const std::string& text) {
 }
 
 std::string csv_field(double number) { return std::isfinite(number) ? fmt::format("{}", number) : ""; }
+
+std::string markdown_cell(const std::string& text) {
+  constexpr std::string_view special = "&<>|`*_[]@#~\\!";
+  std::string out;
+  for (const char letter : printable(text, text.npos)) {
+    if (special.find(letter) == special.npos) {
+      out += letter;
+    } else {
+      out += fmt::format("&#{};", static_cast<int>(letter));
+    }
+  }
+  return out;
+}
 
 }  // namespace plumb

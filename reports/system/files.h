@@ -37,4 +37,8 @@ std::string csv_field(const std::string& text);
 /// The shortest text that reads back to the same bits; empty if the number is not finite.
 std::string csv_field(double number);
 
+/// One line of text for a table in Markdown: characters that mean something there or in HTML become character
+/// references, which both show as text.
+std::string markdown_cell(const std::string& text);
+
 }  // namespace plumb

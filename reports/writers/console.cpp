@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "reports/writers/summary.h"
+
 namespace plumb {
 namespace {
 
@@ -89,11 +91,17 @@ std::string worst(const RunRecord& run) {
   return ratio ? fmt::format("{:.3g}", *ratio) : "-";
 }
 
+// The largest error / scale, in percent.
+std::string farthest(const RunRecord& run) {
+  const auto relative = worst_relative_error(run);
+  return relative ? percent(*relative) : "-";
+}
+
 std::string table_row(const std::string& engine, const std::string& verdict, const std::string& checks,
-                      const std::string& worst, const std::string& error, const std::string& overlap,
-                      const std::string& cost) {
-  return fmt::format("    {:<28}{}{:>8}{:>11}{:>11}{:>11}{:>11}\n", cut(engine, 27), verdict, checks, worst, error,
-                     overlap, cost);
+                      const std::string& relative, const std::string& worst, const std::string& error,
+                      const std::string& overlap, const std::string& cost) {
+  return fmt::format("    {:<27}{}{:>8}{:>9}{:>10}{:>10}{:>11}{:>8}\n", cut(engine, 26), verdict, checks, relative,
+                     worst, error, overlap, cost);
 }
 
 std::string in_words(const TruthCheck& check) {
@@ -122,8 +130,8 @@ std::string exactness(const RunRecord& run) {
 }
 
 std::string row(const Report& report, const RunRecord& run, bool colour) {
-  std::string text = table_row(label_of(run.engine, run.method) + exactness(run), painted(run.verdict, 14, colour),
-                               passed(run), worst(run), number(run.metrics, "truth_error_end"),
+  std::string text = table_row(label_of(run.engine, run.method) + exactness(run), painted(run.verdict, 13, colour),
+                               passed(run), farthest(run), worst(run), number(run.metrics, "truth_error_end"),
                                number(run.metrics, "penetration_max"), step_cost(report, run));
   if (!run.reason.empty()) text += wrapped(run.reason, 8);
   std::size_t failed = 0;
@@ -140,18 +148,21 @@ std::string row(const Report& report, const RunRecord& run, bool colour) {
 std::string in_words(const Comparison& comparison) {
   if (comparison.metrics.empty()) return "";
   const auto of = [&](const char* name) { return number(comparison.metrics, name); };
-  std::string text =
-      fmt::format("{} - {}: up to {} m apart, {} m at the end; energy up to {} J", comparison.a, comparison.b,
-                  of("position_difference_max"), of("position_difference_end"), of("energy_difference_max"));
+  std::string text = fmt::format("{} - {}: up to {} m apart, {} m at the end", comparison.a, comparison.b,
+                                 of("position_difference_max"), of("position_difference_end"));
+  if (comparison.key) text += fmt::format("; energy up to {} % of scale", percent(comparison.key->energy.largest));
   if (comparison.metrics.count("horizon") != 0) text += "; " + comparison.reason;
-  if (comparison.metrics.count("parted_at") != 0) text += fmt::format("; diverged at {} s", of("parted_at"));
+  if (comparison.key && comparison.key->diverged_at) {
+    text += fmt::format("; diverged at {:.3g} s", *comparison.key->diverged_at);
+  }
   return text;
 }
 
 // The runs of a case, then the comparisons of the first engine with the others. The files have all pairs.
 std::string case_text(const Report& report, const RunRecord& first, bool colour) {
   std::string text = wrapped(first.variant, 2);
-  text += table_row("engine", fmt::format("{:<14}", "verdict"), "checks", "worst", "error, m", "overlap, m", "us/step");
+  text += table_row("engine", fmt::format("{:<13}", "verdict"), "checks", "off, %", "/ allowed", "error, m",
+                    "overlap, m", "us/step");
   const auto same = [&](const auto& one) { return one.scenario == first.scenario && one.variant == first.variant; };
   for (const RunRecord& run : report.runs) {
     if (same(run)) text += row(report, run, colour);
@@ -168,19 +179,42 @@ std::string case_text(const Report& report, const RunRecord& first, bool colour)
   return text;
 }
 
-std::string summary(const Report& report) {
-  std::map<std::string, std::map<Verdict, int>> counts;
-  for (const RunRecord& run : report.runs) {
-    if (!run.exact) ++counts[label_of(run.engine, run.method)][run.verdict];
+std::string key_row(const Comparison& one) {
+  const std::string name = cut(one.scenario + (one.variant.empty() ? "" : ":" + one.variant), 29);
+  if (!one.key) return fmt::format("{:<30}{}\n", name, cut(one.reason, console_width - 30));
+  const KeyDifferences& key = *one.key;
+  return fmt::format("{:<30}{:>9}{:>9}{:>9}{:>8}{:>8}{:>9}{:>9}{:>9}\n", name, percent(key.energy.largest),
+                     percent(key.momentum.largest), percent(key.angular_momentum.largest), short_number(key.rest_a),
+                     short_number(key.rest_b), short_number(key.overlap_a), short_number(key.overlap_b),
+                     short_number(key.diverged_at));
+}
+
+// One row a case for the first two engines. The files and the page have all pairs.
+std::string key_table(const Report& report) {
+  const auto pair = first_pair(report);
+  if (!pair) return "";
+  const auto rows = comparisons_of(report, *pair);
+  std::string text = wrapped(fmt::format("a: {}, b: {}", pair->a, pair->b), 0);
+  text += wrapped(
+      "energy, momentum, angular momentum: the largest difference in % of the scene's scale; rest: since when, s; "
+      "overlap: the deepest, m; 1 cm at: when they were first so far apart, s",
+      0);
+  text += fmt::format("{:<30}{:>9}{:>9}{:>9}{:>8}{:>8}{:>9}{:>9}{:>9}\n", "case", "energy", "momentum", "angular",
+                      "rest a", "rest b", "overl. a", "overl. b", "1 cm at");
+  for (const Comparison* row : rows) text += key_row(*row);
+  return text + wrapped(in_one_sentence(*pair, rows), 0) + "\n";
+}
+
+std::string in_words(const EngineSummary& one) {
+  std::string line = one.engine + ":";
+  for (const auto& [verdict, count] : one.verdicts) line += fmt::format(" {} {},", count, name_of(verdict));
+  line.pop_back();
+  if (one.checks > 0) {
+    line +=
+        fmt::format("; of {} checks {} within 1 % of scale, {} within 0.01 %; {} not a test", one.checks,
+                    share_of(one.within[1], one.checks), share_of(one.within[3], one.checks), one.checks - one.evident);
   }
-  std::string text;
-  for (const auto& [engine, verdicts] : counts) {
-    std::string line = engine + ":";
-    for (const auto& [verdict, count] : verdicts) line += fmt::format(" {} {},", count, name_of(verdict));
-    line.pop_back();
-    text += wrapped(line, 0);
-  }
-  return text;
+  return wrapped(line, 0);
 }
 
 }  // namespace
@@ -199,7 +233,9 @@ std::string console_text(const Report& report, bool colour) {
     }
     before = &run;
   }
-  return text + summary(report);
+  text += key_table(report);
+  for (const EngineSummary& one : engine_summaries(report)) text += in_words(one);
+  return text;
 }
 
 }  // namespace plumb

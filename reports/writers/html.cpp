@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/judge/mechanics.h"
+#include "reports/judge/states.h"
 #include "reports/writers/json.h"
 #include "reports/writers/output.h"
 #include "reports/writers/replay.h"
@@ -29,7 +30,7 @@ Json series_of(const RunCurves& curves, std::size_t most) {
   const Conserved conserved(*run.scene);
   Json series{{"scenario", run.scenario}, {"variant", run.variant}, {"engine", run.engine}, {"method", run.method}};
   for (const char* column :
-       {"t", "energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference", "overlap"}) {
+       {"t", "energy", "momentum_x", "momentum_y", "angular_momentum", "fastest", "pose_difference", "overlap"}) {
     series[column] = Json::array();
   }
   const std::size_t last = trace.size() - 1;
@@ -43,6 +44,7 @@ Json series_of(const RunCurves& curves, std::size_t most) {
     series["momentum_x"].push_back(rounded(momentum.linear.x));
     series["momentum_y"].push_back(rounded(momentum.linear.y));
     series["angular_momentum"].push_back(rounded(momentum.angular));
+    series["fastest"].push_back(rounded(fastest_speed(*run.scene, states)));
     series["pose_difference"].push_back(
         moment < curves.difference.size() ? Json(rounded(curves.difference[moment].position)) : Json());
     series["overlap"].push_back(rounded(curves.deepest[moment].depth));

@@ -27,8 +27,9 @@ std::optional<std::string> fill_page(std::string_view page, const nlohmann::orde
 /// The same with the data of a report.
 std::optional<std::string> fill_page(std::string_view page, const Report&, std::string& why_not);
 
-/// The data of the charts: for each run energy, momenta, distance from the closed form (or from the case's first
-/// engine) and deepest overlap over time, at no more than `most` moments, six significant digits each.
+/// The data of the charts: for each run energy, momenta, speed of the fastest body, distance from the closed form (or
+/// from the case's first engine) and deepest overlap over time, at no more than `most` moments, six significant digits
+/// each.
 nlohmann::ordered_json series_of(std::span<const RunCurves>, std::size_t most = 300);
 
 }  // namespace plumb

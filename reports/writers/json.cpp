@@ -93,6 +93,25 @@ Json of(const RunRecord& run) {
           {"invariants", list(run.invariants, [](const InvariantCheck& check) { return of(check); })}};
 }
 
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json of(const RelativeDifference& difference, double scale) {
+  return {{"largest", difference.largest}, {"end", difference.end}, {"scale", scale}};
+}
+
+Json of(const std::optional<KeyDifferences>& key) {
+  if (!key) return nullptr;
+  return {{"energy", of(key->energy, key->energy_scale)},
+          {"momentum", of(key->momentum, key->momentum_scale)},
+          {"angular_momentum", of(key->angular_momentum, key->angular_momentum_scale)},
+          {"resting", resting(*key)},
+          {"rest_a", or_null(key->rest_a)},
+          {"rest_b", or_null(key->rest_b)},
+          {"overlap_a", or_null(key->overlap_a)},
+          {"overlap_b", or_null(key->overlap_b)},
+          {"diverged_at", or_null(key->diverged_at)}};
+}
+
 Json of(const Comparison& comparison) {
   return {{"scenario", comparison.scenario},
           {"variant", comparison.variant},
@@ -100,6 +119,7 @@ Json of(const Comparison& comparison) {
           {"b", comparison.b},
           {"verdict", name_of(comparison.verdict)},
           {"reason", comparison.reason},
+          {"key_differences", of(comparison.key)},
           {"metrics", of(comparison.metrics)}};
 }
 

@@ -19,19 +19,9 @@ bool has_something_to_rest_on(const Scene& scene) {
                      [](const Body& body) { return body.type == BodyType::fixed && !body.shapes.empty(); });
 }
 
-bool all_still(const Scene& scene, std::span<const BodyState> states) {
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (scene.bodies[i].type == BodyType::dynamic && !is_still(states[i])) return false;
-  }
-  return true;
-}
-
-std::optional<double> time_to_rest(const MetricContext& context) {
+std::optional<double> settling_time(const MetricContext& context) {
   if (!has_something_to_rest_on(context.scene)) return std::nullopt;
-  std::size_t first = context.trace.size();
-  while (first > 0 && all_still(context.scene, context.trace.states(first - 1))) --first;
-  if (first == context.trace.size()) return std::nullopt;
-  return context.trace.time(first);
+  return time_to_rest(context.scene, context.trace);
 }
 
 std::optional<double> residual_speed(const MetricContext& context) {
@@ -56,7 +46,7 @@ const Catalog<Metric>::Entry rest_time{
      .unit = "s",
      .definition = "time after which no body is faster than 0.01 m/s or 0.01 rad/s; missing if one still is at the end",
      .better = Better::neither,
-     .measure = time_to_rest}};
+     .measure = settling_time}};
 const Catalog<Metric>::Entry remaining_speed{
     {.name = "residual_speed",
      .unit = "m/s",

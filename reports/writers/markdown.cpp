@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "reports/system/files.h"
+#include "reports/writers/output.h"
+#include "reports/writers/summary.h"
+#include "scenarios/catalog.h"
+
+namespace plumb::writers::markdown {
+namespace {
+
+constexpr std::array verdicts{Verdict::right,       Verdict::coarse,         Verdict::wrong,         Verdict::plausible,
+                              Verdict::no_evidence, Verdict::beyond_horizon, Verdict::not_supported, Verdict::failed};
+
+std::string table(const std::vector<std::vector<std::string>>& rows) {
+  std::string text;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    text += "|";
+    for (const std::string& cell : rows[i]) text += " " + markdown_cell(cell) + " |";
+    text += "\n";
+    if (i > 0) continue;
+    text += "|---|";
+    for (std::size_t column = 1; column < rows[0].size(); ++column) text += "---:|";
+    text += "\n";
+  }
+  return text;
+}
+
+std::string verdict_table(const std::vector<EngineSummary>& engines) {
+  std::vector<Verdict> found;
+  for (const Verdict one : verdicts) {
+    const auto has = [&](const EngineSummary& engine) { return engine.verdicts.count(one) != 0; };
+    if (std::any_of(engines.begin(), engines.end(), has)) found.push_back(one);
+  }
+  std::vector<std::vector<std::string>> rows{{"engine"}};
+  for (const Verdict one : found) rows[0].emplace_back(name_of(one));
+  for (const EngineSummary& engine : engines) {
+    rows.push_back({engine.engine});
+    for (const Verdict one : found) {
+      const auto count = engine.verdicts.find(one);
+      rows.back().push_back(std::to_string(count == engine.verdicts.end() ? 0 : count->second));
+    }
+  }
+  return table(rows);
+}
+
+std::string grade_table(const std::vector<EngineSummary>& engines) {
+  std::vector<std::vector<std::string>> rows{{"engine", "checks"}};
+  for (const double grade : grades) rows[0].push_back(fmt::format("within {:g} %", 100 * grade));
+  rows[0].emplace_back("not a test");
+  for (const EngineSummary& engine : engines) {
+    rows.push_back({engine.engine, std::to_string(engine.checks)});
+    for (const int within : engine.within) rows.back().push_back(share_of(within, engine.checks));
+    rows.back().push_back(std::to_string(engine.checks - engine.evident));
+  }
+  return table(rows);
+}
+
+std::string of(const RelativeDifference& difference) {
+  return fmt::format("{} ({})", percent(difference.largest), percent(difference.end));
+}
+
+std::string key_table(const Pair& pair, const std::vector<const Comparison*>& comparisons) {
+  std::vector<std::vector<std::string>> rows{{"case", "energy, %", "momentum, %", "angular momentum, %",
+                                              "at rest: " + pair.a + ", s", pair.b + ", s",
+                                              "overlap: " + pair.a + ", m", pair.b + ", m", "1 cm apart, s"}};
+  for (const Comparison* one : comparisons) {
+    rows.push_back({one->scenario + (one->variant.empty() ? "" : ":" + one->variant)});
+    if (!one->key) {
+      rows.back().push_back(one->reason);
+      rows.back().resize(rows[0].size());
+      continue;
+    }
+    const KeyDifferences& key = *one->key;
+    for (const RelativeDifference& difference : {key.energy, key.momentum, key.angular_momentum}) {
+      rows.back().push_back(of(difference));
+    }
+    for (const auto& value : {key.rest_a, key.rest_b, key.overlap_a, key.overlap_b, key.diverged_at}) {
+      rows.back().push_back(short_number(value));
+    }
+  }
+  return table(rows);
+}
+
+std::string text_of(const Report& report) {
+  const std::vector<EngineSummary> engines = engine_summaries(report);
+  std::string text = "# " + markdown_cell(report.title) + "\n";
+  if (const auto pair = first_pair(report)) {
+    const auto rows = comparisons_of(report, *pair);
+    text += fmt::format("\n## {} against {}\n\n{}\n\n", markdown_cell(pair->a), markdown_cell(pair->b),
+                        markdown_cell(in_one_sentence(*pair, rows)));
+    text +=
+        "Differences are the largest over the run (in brackets: at its end), in percent of the scene's own scale. A "
+        "body "
+        "is at rest below 0.01 m/s and 0.01 rad/s; a dash means never. Overlap is the deepest of the run.\n\n";
+    text += key_table(*pair, rows);
+  }
+  text +=
+      "\n## How far from the truth\n\nThe shares of the checks whose error is within so much of the scene's own scale: "
+      "the same ruler for every engine. A check is not a test if its tolerance is more than 5 % of its scale.\n\n";
+  text += grade_table(engines);
+  text += "\n## Whether the method explains it\n\nCases by verdict.\n\n";
+  return text + verdict_table(engines);
+}
+
+const Catalog<Writer>::Entry entry{
+    {.name = "markdown",
+     .file = "report.md",
+     .text = [](const Report& report, std::string&) -> std::optional<std::string> { return text_of(report); }}};
+
+}  // namespace
+}  // namespace plumb::writers::markdown

@@ -1,0 +1,81 @@
+#include "reports/writers/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+namespace {
+
+void add(const RunRecord& run, EngineSummary& to) {
+  ++to.verdicts[run.verdict];
+  for (const TruthCheck& check : run.truth) {
+    if (!check.reported) continue;
+    ++to.checks;
+    to.evident += is_evidence(check) ? 1 : 0;
+    for (std::size_t i = 0; i < grades.size(); ++i) to.within[i] += relative_error(check) <= grades[i] ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+std::vector<EngineSummary> engine_summaries(const Report& report) {
+  std::vector<EngineSummary> all;
+  for (const RunRecord& run : report.runs) {
+    if (run.exact) continue;
+    const std::string label = label_of(run.engine, run.method);
+    auto found = std::find_if(all.begin(), all.end(), [&](const EngineSummary& one) { return one.engine == label; });
+    if (found == all.end()) found = all.insert(all.end(), {.engine = label});
+    add(run, *found);
+  }
+  return all;
+}
+
+std::string share_of(int part, int whole) { return whole == 0 ? "-" : fmt::format("{} %", 100 * part / whole); }
+
+std::optional<Pair> first_pair(const Report& report) {
+  const std::vector<EngineSummary> engines = engine_summaries(report);
+  if (engines.size() < 2) return std::nullopt;
+  const auto box2d =
+      std::find_if(engines.begin() + 1, engines.end(), [](const EngineSummary& one) { return one.engine == "box2d"; });
+  return Pair{engines[0].engine, (box2d == engines.end() ? engines.begin() + 1 : box2d)->engine};
+}
+
+std::vector<const Comparison*> comparisons_of(const Report& report, const Pair& pair) {
+  std::vector<const Comparison*> all;
+  for (const Comparison& one : report.comparisons) {
+    if (one.a == pair.a && one.b == pair.b) all.push_back(&one);
+  }
+  return all;
+}
+
+std::string percent(double ratio) { return std::isfinite(ratio) ? fmt::format("{:.2g}", 100 * ratio) : "-"; }
+
+std::string short_number(const std::optional<double>& value) { return value ? fmt::format("{:.2g}", *value) : "-"; }
+
+std::string in_one_sentence(const Pair& pair, const std::vector<const Comparison*>& rows) {
+  int compared = 0;
+  int energy = 0;
+  int momentum = 0;
+  int both = 0;
+  int only_a = 0;
+  int only_b = 0;
+  for (const Comparison* row : rows) {
+    if (!row->key) continue;
+    const KeyDifferences& key = *row->key;
+    ++compared;
+    energy += key.energy.largest <= right_share ? 1 : 0;
+    momentum += key.momentum.largest <= right_share ? 1 : 0;
+    both += key.rest_a && key.rest_b ? 1 : 0;
+    only_a += key.rest_a && !key.rest_b ? 1 : 0;
+    only_b += !key.rest_a && key.rest_b ? 1 : 0;
+  }
+  return fmt::format(
+      "{} and {} stay within 1 % of each other in energy in {} of {} cases, in momentum in {}. Both come to rest in "
+      "{}, "
+      "only {} in {}, only {} in {}.",
+      pair.a, pair.b, energy, compared, momentum, both, pair.a, only_a, pair.b, only_b);
+}
+
+}  // namespace plumb

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/report.h"
+
+/// What the texts of a report (console and Markdown) begin or end with: a row for each engine and a row for each case.
+namespace plumb {
+
+/// The shares of its scale within which checks are counted.
+inline constexpr std::array<double, 4> grades{0.1, 0.01, 0.001, 0.0001};
+
+/// One engine over all cases, by both rulers.
+struct EngineSummary {
+  std::string engine;                       // label, see label_of
+  std::map<Verdict, int> verdicts;          // how many cases
+  int checks = 0;                           // reported checks against the truth
+  int evident = 0;                          // those that could fail, see is_evidence
+  std::array<int, grades.size()> within{};  // those whose relative error is at most each grade
+};
+
+/// Every engine that is not a closed form, in the order of their first runs.
+std::vector<EngineSummary> engine_summaries(const Report&);
+
+/// "97 %", rounded down: 100 % means all. "-" of none.
+std::string share_of(int part, int whole);
+
+/// Two labels of engines.
+struct Pair {
+  std::string a, b;
+};
+
+/// The first engine and Box2D or, without it, the second engine; nullopt if there are no two.
+std::optional<Pair> first_pair(const Report&);
+
+/// The comparisons of two engines, one a case.
+std::vector<const Comparison*> comparisons_of(const Report&, const Pair&);
+
+/// A ratio in percent with two digits, without the sign: "0.12", "3e-07"; "-" if it is not finite.
+std::string percent(double ratio);
+
+/// Two digits; "-" for nullopt.
+std::string short_number(const std::optional<double>&);
+
+/// "impulse and box2d are within 1 % of the scene's energy in 60 of 97 cases. ..."
+std::string in_one_sentence(const Pair&, const std::vector<const Comparison*>&);
+
+}  // namespace plumb
