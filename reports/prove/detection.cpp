@@ -125,9 +125,13 @@ const char* name_of(DetectionKind kind) {
   return "";
 }
 
+std::vector<Detection> physics_detections(const Case& one_case, const JudgedRun& right, const JudgedRun& suspect) {
+  return right.status == Status::ok ? failed_checks(one_case, suspect, &right) : std::vector<Detection>{};
+}
+
 std::vector<Detection> detections(const Case& one_case, const JudgedRun& right, const JudgedRun& suspect) {
   if (right.status != Status::ok) return {};
-  std::vector<Detection> all = failed_checks(one_case, suspect, &right);
+  std::vector<Detection> all = physics_detections(one_case, right, suspect);
   if (right.repeatable && !suspect.repeatable) all.push_back(unrepeatable(one_case));
   if (all.empty() && suspect.bits != right.bits) {
     all.push_back(detection_in(one_case, DetectionKind::bits, "bits"));

@@ -46,6 +46,9 @@ struct Detection {
 /// only if there is nothing else.
 std::vector<Detection> detections(const Case&, const JudgedRun& right, const JudgedRun& suspect);
 
+/// The same by truths and invariants alone, for runs that may have other bits.
+std::vector<Detection> physics_detections(const Case&, const JudgedRun& right, const JudgedRun& suspect);
+
 /// Everything that a run of the right engine fails; each is a false alarm. Includes `repeat`.
 std::vector<Detection> false_alarms(const Case&, const JudgedRun&);
 
