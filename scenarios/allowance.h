@@ -30,6 +30,10 @@ inline double lag(const Stepping& s) { return s.impact_lag * s.h; }
 /// directions, that were missing: the velocity is right from then on, at the end of the next step.
 inline double slid_late(const Stepping& s, double acceleration) { return acceleration * lag(s) * (lag(s) + s.h); }
 
+/// m/s, the speed that friction mu may yet have to take after t seconds of sliding: its impulse is mu times the normal
+/// one, which is short by m u while the body sinks in at u, on average slop/t.
+inline double still_sinking(const Stepping& s, double mu, double t) { return mu * s.slop / t; }
+
 /// s, by which an impact at this speed may be found late, by the lag, or early, by the skin.
 inline double found_off(const Stepping& s, double speed) { return std::max(lag(s), speed > 0 ? s.skin / speed : 0); }
 
@@ -38,6 +42,10 @@ inline bool first_order(const Stepping& s) { return s.h > 0 && s.order <= 1; }
 
 /// The same of motion along a contact. Such a method moves bodies along the tangent of the step's start.
 inline bool first_order_in_contact(const Stepping& s) { return s.h > 0 && s.order_in_contact <= 1; }
+
+/// Whether a method multiplies the energy of an oscillation in every step, as explicit Euler does, by at most
+/// 1 + (w dt)^2. It then states that it keeps no spring bounded.
+inline bool grows(const Stepping& s) { return s.drift != 0 && s.spring_limit.value_or(0) == 0; }
 
 /// s, the interval at which forces are evaluated. The methods that do so once, symplectic Euler and Verlet, keep a
 /// spring bounded up to w dt = 2; one that does so n times a step up to 2 n.

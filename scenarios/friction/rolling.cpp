@@ -44,7 +44,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const auto creep = [=](const Stepping& s) { return rolls ? s.creep * friction / gravity : 0; };
   const auto speed = [=](const Stepping& s) {
     const double arm = rolls ? 4.0 / 9 * pull * s.contact_gap() / radius : 0;
-    return arm * duration + creep(s) + round_off(s, duration, reach);
+    return arm * duration + creep(s) + (rolls ? 0 : still_sinking(s, mu, duration)) + round_off(s, duration, reach);
   };
   const auto place = [=](const Stepping& s) {
     return speed(s) * duration + drifted(s, acceleration, duration) + s.contact_gap() + mu * s.slop +
@@ -52,7 +52,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
   };
   const auto spin = [=](const Stepping& s) {
     const double arm = (rolls ? 2.0 / 9 * pull : 2 * friction) * s.contact_gap() / (radius * radius);
-    return arm * duration + round_off(s, duration, reach / radius);
+    const double sinks = rolls ? 0 : 2 / radius * still_sinking(s, mu, duration);
+    return arm * duration + sinks + round_off(s, duration, reach / radius);
   };
   const auto turn = [=](const Stepping& s) {
     return spin(s) * duration + 2 / radius * (drifted(s, friction, duration) + mu * s.slop + slid_late(s, friction));
@@ -187,18 +188,22 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const bool rolls = rolling <= most;
   const double body = rolls ? rolling : most;
   const double board = (pull - disc_mass * body) / plank_mass;
+  const double mu = p.at("friction");
   const auto late = [=](const Stepping& s, double per_mass) {
     const double arm = rolls ? 4.0 / 3 * s.contact_gap() / radius : 0;
     const double creep = rolls ? s.creep * body / gravity : 0;
-    return per_mass * arm * duration + creep + round_off(s, duration, board * duration);
+    const double sinks = rolls ? 0 : per_mass / most * still_sinking(s, mu, duration);
+    return per_mass * arm * duration + creep + sinks + round_off(s, duration, board * duration);
   };
   const auto disc_speed = [=](const Stepping& s) { return late(s, body); };
   const auto plank_speed = [=](const Stepping& s) { return late(s, body * disc_mass / plank_mass); };
   const auto spin = [=](const Stepping& s) {
     const double arm = (rolls ? 1.0 / 3 : 1) * s.contact_gap() / radius;
-    return 2 / radius * (body * arm * duration + round_off(s, duration, board * duration));
+    return 2 / radius *
+           (body * arm * duration + (rolls ? 0 : still_sinking(s, mu, duration)) +
+            round_off(s, duration, board * duration));
   };
-  const auto distance = [=, mu = p.at("friction")](const Stepping& s, double speed, double acceleration) {
+  const auto distance = [=](const Stepping& s, double speed, double acceleration) {
     return speed * duration + drifted(s, acceleration, duration) + slid_late(s, acceleration) + mu * s.slop +
            round_off(s, duration, plank.x);
   };

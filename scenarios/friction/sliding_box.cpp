@@ -102,7 +102,9 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double end = duration;
   const double reach = v * end + gravity * end * end;
   const auto creep = [=, pull = p.at("pull")](const Stepping& s) { return v > 0 ? 0 : s.creep * pull / gravity; };
-  const auto speed = [=](const Stepping& s) { return creep(s) + round_off(s, end, v + gravity * end); };
+  const auto speed = [=](const Stepping& s) {
+    return creep(s) + (v > 0 ? still_sinking(s, mu, end) : 0) + round_off(s, end, v + gravity * end);
+  };
   const auto place = [=](const Stepping& s) {
     return slid_late(s, late) + creep(s) * end + drifted(s, a, end) + (mu + size.y / size.x / 2) * s.slop +
            round_off(s, end, reach);
@@ -168,7 +170,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double mu = mixed_dynamic_friction(mixing_of(p), surface_of(p, "box"), surface_of(p, "ground"));
   const double a = mu * gravity;
   const double t = duration;
-  const auto speed_error = [=](const Stepping& s) { return round_off(s, t, speed); };
+  const auto speed_error = [=](const Stepping& s) { return still_sinking(s, mu, t) + round_off(s, t, speed); };
   const auto place = [=](const Stepping& s) {
     return slid_late(s, a) + drifted(s, a, t) + (mu + size.y / size.x / 2) * s.slop + round_off(s, t, 2 * speed * t);
   };

@@ -47,7 +47,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double reach = slab.y + size + gravity * end * end;
 
   const auto speed = [=](const Stepping& s) {
-    return (sticks ? s.creep * std::sin(angle) : 0) + round_off(s, end, gravity * end);
+    return (sticks ? s.creep * std::sin(angle) : still_sinking(s, mu, end)) + round_off(s, end, gravity * end);
   };
   const auto place = [=](const Stepping& s) {
     const double crept = sticks ? s.creep * std::sin(angle) * end : 0;

@@ -73,8 +73,7 @@ struct HingedRod {
   }
   double grown(const Stepping& s, double time) const {
     const double k = w() * s.h;
-    const bool grows = s.drift != 0 && s.spring_limit.value_or(0) == 0;
-    return grows ? std::pow(1 + k * k, time / (2 * s.h)) - 1 : 0;
+    return grows(s) ? std::pow(1 + k * k, time / (2 * s.h)) - 1 : 0;
   }
 
   double turn(const Stepping& s, double time) const {

@@ -40,9 +40,8 @@ SpringErrors spring_errors(const Stepping& s, double w) {
   if (s.h == 0) return {};
   const double k = w * force_interval(s);
   const double first = std::abs(s.drift) * w;
-  const bool grows = s.drift != 0 && s.spring_limit.value_or(0) == 0;
   const double w_dt = w * s.dt;
-  const double grown = grows ? std::pow(1 + w_dt * w_dt, duration / (2 * s.dt)) - 1 : 0;
+  const double grown = grows(s) ? std::pow(1 + w_dt * w_dt, duration / (2 * s.dt)) - 1 : 0;
   const double common = grown + k * k / 24 * w * duration * (1 + k * k) + k * k / 8;
   const double held = std::max(force_interval(s) - s.h, 0.0);  // s, for which a force is the same in later sub-steps
   return {common + first * s.h, common + first * held, std::abs(s.drift) * k + k * k / 4 + grown * (2 + grown)};
