@@ -25,7 +25,7 @@ Scene rod_scene(double length, double angle, double duration) {
   return scene;
 }
 
-// Angle and position of the rod at a quarter of the run, when a first-order method must still be good, and at the end;
+// Angle and position of the rod at a sixth of the run, when a first-order method must still be good, and at the end;
 // and its energy at the end. angle'' = -w^2 sin(angle), w^2 = m g d/I_p. By a time t the rod has turned by at most A
 // and reached at most the angular velocity W:
 //   first     x and angle are half a step ahead or behind: |drift| h W. (A step of symplectic Euler gives the exact
@@ -59,7 +59,9 @@ struct HingedRod {
     const double by_growth = above() ? lean * w() * std::sinh(w() * time) : by_energy;
     return std::min({by_energy, pull * w() * w() * time, by_growth});
   }
-  double swept(double time) const { return std::min(2 * std::abs(angle), fastest(time) * time); }
+  double swept(double time) const {
+    return std::min({2 * std::abs(angle), fastest(time) * time, w() * w() * time * time / 2});
+  }
 
   double second(const Stepping& s, double time) const {
     const double k = w() * s.h;
@@ -101,7 +103,7 @@ std::vector<Expectation> rod_expectations(double length, double angle, double du
   const double inertia = mass.inertia + mass.mass * d * d;
   const HingedRod rod{angle, d, mass.mass * gravity, inertia, mass.mass * d * d / inertia};
   std::vector<Expectation> all;
-  for (const double time : {std::floor(60 * duration / 4) / 60, duration}) {
+  for (const double time : {std::floor(60 * duration / 6) / 60, duration}) {
     const auto turn = [=](const Stepping& s) { return rod.turn(s, time); };
     const auto place = [=](const Stepping& s) { return d * rod.turn(s, time) + s.joint_slop; };
     all.push_back({.body = "rod",

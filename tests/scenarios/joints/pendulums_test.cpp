@@ -9,19 +9,19 @@ namespace {
 
 using statement_of::Of;
 
-// w^2 = 3 g/(2 L) = 7.5: a rod of 2 m let go level turns by 1.7 rad in three quarters of a second.
+// w^2 = 3 g/(2 L) = 7.5: a rod of 2 m let go level turns by .9 rad in half a second.
 TEST(Pendulum, StopsARodThatDoesNotSwing) {
-  EXPECT_LT((Of{"pendulum", {}, "rod", Quantity::angle, 1.0}.allows_at_most()), 1.7 / 5);
+  EXPECT_LT((Of{"pendulum", {}, "rod", Quantity::angle, 1.0}.allows_at_most()), 0.9 / 5);
 }
 
-// Half of gravity takes sqrt 2 as long: at that time it has turned by .9 rad less.
+// By half of gravity it has turned by half as much.
 TEST(Pendulum, StopsHalfGravity) {
-  EXPECT_LT((Of{"pendulum", {}, "rod", Quantity::angle, 1.0}.allows_at_most()), 0.9 / 3);
+  EXPECT_LT((Of{"pendulum", {}, "rod", Quantity::angle, 1.0}.allows_at_most()), 0.45 / 3);
 }
 
 TEST(RodToppling, StopsARodThatStandsStill) {
-  const double early = 0.2618 * (std::cosh(1.936 * 0.25) - 1);
-  EXPECT_LT((Of{"rod-toppling", {}, "rod", Quantity::angle, 0.5}.allows_at_most()), early / 5);
+  const double early = 0.2618 * (std::cosh(1.936 / 6) - 1);
+  EXPECT_LT((Of{"rod-toppling", {}, "rod", Quantity::angle, 0.5}.allows_at_most()), early / 2);
   EXPECT_LT((Of{"rod-toppling", {}, "rod", Quantity::angle}.allows_at_most()), 0.643 / 5);
 }
 
