@@ -54,11 +54,11 @@ std::vector<Expectation> expectations(const Parameters& p) {
     if (s.h == 0) return mass * v * round_off(s, end, v);
     const double first = 2 * std::abs(s.drift) * s.dt * v * pull;
     const double second = 2 * s.dt * s.dt * (2 * k * v * v / (r * r * r) / 12 + pull * pull / 24);
-    const double grown = s.drift < 0 ? end * s.dt / 2 * (pull * pull + 2 * k * v * v / (r * r * r)) : 0;
+    const double grown = grows(s) ? end * s.dt / 2 * (pull * pull + 2 * k * v * v / (r * r * r)) : 0;
     return mass * (first + second + grown) + mass * v * round_off(s, end, v + pull * s.dt);
   };
   const auto momentum = [=](const Stepping& s) {
-    const double grown = s.drift < 0 ? std::expm1(end * s.dt * k / (r * r * r)) : 0;
+    const double grown = grows(s) ? std::expm1(end * s.dt * k / (r * r * r)) : 0;
     return mass * (r * v * grown + round_off(s, end, 2 * a * v));
   };
   return {{.quantity = Quantity::energy, .allowed = energy, .source = "constant; error: the modified energy at r_min"},

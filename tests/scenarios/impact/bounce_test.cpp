@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scenarios/scenario.h"
+#include "tests/scenarios/statement_of.h"
 
 namespace plumb::bounce_test {
 namespace {
@@ -75,6 +76,18 @@ TEST(Bounce, AllowsAtMostThreeTimesTheWorstErrorOfThatEngine) {
     }
     EXPECT_LT(allowed, 3 * worst) << e;
   }
+}
+
+// Of 35.3 J. An engine that moves first and reverses in place keeps its energy exactly.
+TEST(Bounce, StopsAnEngineThatLosesFortyPercentAtFullRestitution) {
+  const statement_of::Of lost{"bounce", {{"restitution", 1}}, "", Quantity::energy, std::nullopt, Relation::at_least};
+  EXPECT_LT(lost.allows(statement_of::positions_first()), 15.4 / 10);
+  EXPECT_LT(lost.allows(statement_of::accurate()), 15.4 / 1000);
+}
+
+// Half of gravity lands sqrt 2 later: at 1.26 instead of .89 s.
+TEST(Bounce, StopsHalfGravity) {
+  EXPECT_LT((statement_of::Of{"bounce", {}, "disc", Quantity::landing}.allows_at_most()), 0.37 / 5);
 }
 
 }  // namespace
