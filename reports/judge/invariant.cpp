@@ -1,11 +1,21 @@
 #include "reports/judge/invariant.h"
 
+#include <cmath>
+
 #include "scenarios/catalog.h"
 
 namespace plumb {
 
+void WorstViolation::test(double tolerance, double scale) {
+  const double power = error_ratio(scale, tolerance);
+  if (!(power > power_)) return;
+  power_ = power;
+  scale_ = scale;
+}
+
 InvariantCheck WorstViolation::result() const {
   InvariantCheck check = check_;
+  check.scale = check.tolerance > 0 && std::isfinite(power_) ? power_ * check.tolerance : scale_;
   check.status = check.ratio <= 1 ? CheckStatus::held : CheckStatus::broken;
   return check;
 }

@@ -30,9 +30,11 @@ struct Invariant {
 /// Collects the violations of an invariant over a run and keeps the one with the largest error_ratio.
 class WorstViolation {
  public:
-  /// `where` is called only if this is the worst so far.
+  /// `scale` is what an engine without the law would show here, in the check's unit: 0 where nothing tests it. `where`
+  /// is called only if this is the worst so far.
   template <class Where>
-  void add(double value, double tolerance, double time, Where&& where) {
+  void add(double value, double tolerance, double scale, double time, Where&& where) {
+    test(tolerance, scale);
     const double ratio = error_ratio(value, tolerance);
     if (any_ && !(ratio > check_.ratio)) return;
     any_ = true;
@@ -43,12 +45,16 @@ class WorstViolation {
     check_.where = where();
   }
 
-  /// Held if nothing was added.
+  /// Held if nothing was added. Its scale stands to its tolerance as where the run tested the law best.
   InvariantCheck result() const;
 
  private:
+  void test(double tolerance, double scale);
+
   bool any_ = false;
   InvariantCheck check_;
+  double power_ = 0;  // the largest scale / tolerance
+  double scale_ = 0;  // there
 };
 
 /// The result of an invariant that needs contacts when the engine reports none.

@@ -144,29 +144,44 @@ bool Overlap::may_touch(std::size_t a, std::size_t b) const {
   return !std::binary_search(jointed_.begin(), jointed_.end(), pair);
 }
 
-std::vector<BodyOverlap> Overlap::all(std::span<const BodyState> states) const {
+std::vector<BodyGap> Overlap::near(std::span<const BodyState> states, std::span<const double> reach) const {
   struct Placed {
     std::size_t body;
     Outline outline;
-    Interval x;
+    Interval x, y;  // grown by the body's reach
   };
   std::vector<Placed> parts;
   for (const Part& part : parts_) {
     const BodyState& state = states[part.body];
+    const double by = reach[part.body];
     Outline outline = placed(part.outline, state.position, state.angle);
-    const Interval x = range_along({1, 0}, outline).value_or(Interval{-infinity, infinity});
-    parts.push_back({part.body, std::move(outline), x});
+    const auto grown = [&](Vec direction) {
+      const Interval range = range_along(direction, outline).value_or(Interval{-infinity, infinity});
+      return Interval{range.low - by, range.high + by};
+    };
+    const Interval x = grown({1, 0});
+    const Interval y = grown({0, 1});
+    parts.push_back({part.body, std::move(outline), x, y});
   }
-  // Sorted by their left ends, a part can only overlap those after it that start before it ends.
+  // Sorted by their left ends, a part can only be near those after it that start before it ends.
   std::sort(parts.begin(), parts.end(), [](const Placed& a, const Placed& b) { return a.x.low < b.x.low; });
-  std::vector<BodyOverlap> overlaps;
+  std::vector<BodyGap> gaps;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t j = i + 1; j < parts.size() && parts[j].x.low <= parts[i].x.high; ++j) {
+      if (parts[j].y.low > parts[i].y.high || parts[i].y.low > parts[j].y.high) continue;
       if (!may_touch(parts[i].body, parts[j].body)) continue;
-      const double depth = -gap_between(parts[i].outline, parts[j].outline);
+      const double gap = gap_between(parts[i].outline, parts[j].outline);
       const auto [a, b] = std::minmax(parts[i].body, parts[j].body);
-      if (depth > 0) overlaps.push_back({a, b, depth});
+      if (gap <= reach[a] + reach[b]) gaps.push_back({a, b, gap});
     }
+  }
+  return gaps;
+}
+
+std::vector<BodyOverlap> Overlap::all(std::span<const BodyState> states) const {
+  std::vector<BodyOverlap> overlaps;
+  for (const BodyGap& pair : near(states, std::vector<double>(states.size()))) {
+    if (pair.gap < 0) overlaps.push_back({pair.a, pair.b, -pair.gap});
   }
   return overlaps;
 }

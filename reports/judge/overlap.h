@@ -47,11 +47,20 @@ struct BodyOverlap {
   double depth = 0;  // m, > 0
 };
 
-/// Overlaps of bodies. Pairs that may touch are measured: layers in common, at least one dynamic, no joint between
-/// them. The scene must outlive it.
+/// Two bodies, the smaller index first, and the gap between a part of one and a part of the other.
+struct BodyGap {
+  std::size_t a = 0, b = 0;
+  double gap = 0;  // m, negative where they overlap
+};
+
+/// Gaps and overlaps of bodies. Pairs that may touch are measured: layers in common, at least one dynamic, no joint
+/// between them. The scene must outlive it.
 class Overlap {
  public:
   explicit Overlap(const Scene&);
+
+  /// The parts whose gap is at most `reach[a] + reach[b]`, m; one reach >= 0 for every body.
+  std::vector<BodyGap> near(std::span<const BodyState>, std::span<const double> reach) const;
 
   /// Every overlap of two parts.
   std::vector<BodyOverlap> all(std::span<const BodyState>) const;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reports/judge/contacts.h"
+#include "reports/judge/groups.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
@@ -31,15 +32,16 @@ std::optional<InvariantCheck> check_push(const InvariantContext& context) {
       largest = std::max(largest, std::abs(contact.normal_impulse));
     }
     for (const ContactState& contact : context.trace.contacts(moment)) {
-      worst.add(-contact.normal_impulse, solver_rounding(context.stepping) * largest, context.trace.time(moment),
-                [&] { return pair_name(context.scene, contact.a, contact.b); });
+      worst.add(-contact.normal_impulse, solver_rounding(context.stepping) * largest, std::abs(contact.normal_impulse),
+                context.trace.time(moment), [&] { return pair_name(context.scene, contact.a, contact.b); });
     }
   }
   return worst.result();
 }
 
 // |t| <= mu n holds for every impulse and so for their sums over a step. A first-order method, or one that iterates
-// over the contacts, may bound friction by an earlier normal impulse (see stale_impulse_error).
+// over the contacts, may bound friction by an earlier normal impulse (see stale_impulse_error). If its iterations end
+// with no push at all, up to round-off, the push that its friction came from is not reported: that contact is no test.
 std::optional<InvariantCheck> check_cone(const InvariantContext& context) {
   if (!context.trace.has_contacts()) return not_reported();
   if (!context.stepping.whole_impulses) return not_reported();
@@ -55,38 +57,66 @@ std::optional<InvariantCheck> check_cone(const InvariantContext& context) {
     const std::vector<double> stale = stale_impulse_error(before, contacts, context.stepping);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const ContactState& contact = contacts[i];
+      const double rounded = solver_rounding(context.stepping) * largest;
+      if (context.stepping.iterations > 0 && contact.normal_impulse <= rounded) continue;
       const double mu = friction.largest_static(contact.a, contact.b);
       const double most = mu * std::max(0.0, contact.normal_impulse);
-      worst.add(std::abs(contact.tangent_impulse) - most, mu * stale[i] + solver_rounding(context.stepping) * largest,
-                context.trace.time(moment), [&] { return pair_name(context.scene, contact.a, contact.b); });
+      worst.add(std::abs(contact.tangent_impulse) - most, mu * stale[i] + rounded,
+                mu > 0 ? most : std::max(0.0, contact.normal_impulse), context.trace.time(moment),
+                [&] { return pair_name(context.scene, contact.a, contact.b); });
     }
   }
   return worst.result();
 }
 
-Vec arm_of(const ContactState& contact, const Mass& mass, const BodyState& state) {
-  return contact.point - (state.position + rotated(mass.center, state.angle));
-}
+Vec arm_of(const ContactState& contact, const BodyState& state) { return contact.point - state.position; }
 
-/// The most that the impulses of a step can change a body's velocity, in whatever order they act.
+// m/s, the approach at a contact at which it is struck rather than loaded: within a step, forces may press bodies
+// together before a method solves for it, and again after it.
+double impact_speed(const Scene& scene, double dt) { return 2 * dt * length(scene.gravity); }
+
+/// The most that impulses in a step can change a body's velocity, in whatever order they act.
 struct VelocityBound {
   double speed = 0;  // m/s, of the centre of mass
   double spin = 0;   // rad/s
+
+  double at(double distance) const { return speed + spin * distance; }
 };
 
-/// By body.
-std::vector<VelocityBound> velocity_bounds(std::span<const ContactState> contacts, std::span<const BodyState> states,
-                                           std::span<const Mass> masses) {
-  std::vector<VelocityBound> bounds(states.size());
+VelocityBound given_by(const ContactState& contact, const Mass& mass, const BodyState& state) {
+  VelocityBound bound;
+  const Vec impulse = impulse_of(contact);
+  if (mass.mass > 0) bound.speed = length(impulse) / mass.mass;
+  if (mass.inertia > 0) bound.spin = std::abs(cross(arm_of(contact, state), impulse)) / mass.inertia;
+  return bound;
+}
+
+// By body: what all impulses of a step may have changed between its ends without showing there, because one impulse
+// may start a motion that another stops. That takes an impact: where no contact of a group of touching bodies is
+// struck, its impulses bear loads, and each acts against what the forces add.
+std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::size_t moment,
+                                          std::span<const Mass> masses) {
+  const auto contacts = context.trace.contacts(moment);
+  const auto then = context.trace.states(moment - 1);
+  const auto now = context.trace.states(moment);
+  const double struck = impact_speed(context.scene, context.trace.time(moment) - context.trace.time(moment - 1));
+  Groups groups(now.size());
   for (const ContactState& contact : contacts) {
-    const Vec impulse = impulse_of(contact);
+    if (masses[contact.a].mass > 0 && masses[contact.b].mass > 0) groups.join(contact.a, contact.b);
+  }
+  std::vector<bool> has_impact(now.size());
+  std::vector<VelocityBound> bounds(now.size());
+  for (const ContactState& contact : contacts) {
+    const bool impact = -dot(contact.normal, relative_velocity(contact, then)) > struck;
     for (const std::size_t body : {contact.a, contact.b}) {
-      const Mass& mass = masses[body];
-      if (mass.mass > 0) bounds[body].speed += length(impulse) / mass.mass;
-      if (mass.inertia > 0) {
-        bounds[body].spin += std::abs(cross(arm_of(contact, mass, states[body]), impulse)) / mass.inertia;
-      }
+      if (impact && masses[body].mass > 0) has_impact[groups.of(body)] = true;
+      const VelocityBound by = given_by(contact, masses[body], now[body]);
+      bounds[body].speed += by.speed;
+      bounds[body].spin += by.spin;
     }
+  }
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    if (!has_impact[groups.of(i)]) bounds[i] = {};
   }
   return bounds;
 }
@@ -96,10 +126,11 @@ double slip_speed(const ContactState& contact, std::span<const BodyState> states
 }
 
 // Gap times normal impulse is zero, the gap measured by the scene's shapes. A trace gives the gap at the end of a step,
-// but the impulse acted at some moment within it. In between, the pair may have moved by dt (V before + V after), V the
-// relative velocity at the contact, and by dt times the velocity that the step's impulses can give both bodies there;
-// those of third bodies count too, because one impulse may start a motion that another stops within the step. Within
-// the gap that the method states it may push, and the correction of another contact may move the pair as far again.
+// but the impulse acted at some moment within it. After that the pair may have moved by dt V, V the relative velocity
+// at the contact after the step or, if the gap is that of the start, before it; by what the forces add, g dt^2; and by
+// dt times the velocity that the impulses of others can give both bodies in an impact (see hidden_changes). Its own
+// impulse shows in V. Within the gap that the method states it may push, and the correction of another contact may move
+// the pair as far again.
 std::optional<InvariantCheck> check_complementarity(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   if (!trace.has_contacts()) return not_reported();
@@ -110,18 +141,24 @@ std::optional<InvariantCheck> check_complementarity(const InvariantContext& cont
   for (std::size_t moment = 1; moment < trace.size(); ++moment) {
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto states = trace.states(moment);
-    const std::vector<VelocityBound> bounds = velocity_bounds(trace.contacts(moment), states, masses);
+    const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses);
     for (const ContactState& contact : trace.contacts(moment)) {
       if (contact.normal_impulse <= 0) continue;
       const double gap = overlap.gap(contact.a, contact.b, states);
-      double path = dt * (slip_speed(contact, trace.states(moment - 1)) + slip_speed(contact, states));
+      double path = dt * (slip_speed(contact, trace.states(moment - 1)) + slip_speed(contact, states)) +
+                    dt * dt * length(scene.gravity);
+      double size = 0;
       for (const std::size_t body : {contact.a, contact.b}) {
-        const double arm = length(arm_of(contact, masses[body], states[body]));
-        path += dt * (bounds[body].speed + bounds[body].spin * arm);
+        const VelocityBound own = given_by(contact, masses[body], states[body]);
+        const double arm = length(arm_of(contact, states[body]));
+        path += dt * std::max(0.0, hidden[body].at(arm) - own.at(arm));
+        const double radius = bounding_radius(scene.bodies[body]);
+        if (radius > 0) size = size > 0 ? std::min(size, radius) : radius;
       }
       const double rounded = nu * (length(contact.point) + trace.times().back() * slip_speed(contact, states));
       worst.add(contact.normal_impulse * gap, contact.normal_impulse * (2 * stepping.contact_gap() + path + rounded),
-                trace.time(moment), [&] { return pair_name(context.scene, contact.a, contact.b); });
+                contact.normal_impulse * size, trace.time(moment),
+                [&] { return pair_name(context.scene, contact.a, contact.b); });
     }
   }
   return worst.result();
@@ -132,18 +169,12 @@ double tangential_velocity(const ContactState& contact, std::span<const BodyStat
   return cross(contact.normal, relative_velocity(contact, states));
 }
 
-// 1/kg: the most that an impulse at a distance from the centre changes the velocity there.
-double inverse_mass_at(const Mass& mass, double distance) {
-  if (mass.mass == 0) return 0;
-  return 1 / mass.mass + (mass.inertia > 0 ? distance * distance / mass.inertia : 0);
-}
-
 // A sliding contact uses all of its friction: slip times the unused part of the cone, mu n - |t|, is zero. A contact
 // that started or stopped sliding within the step stuck for part of it, so the slip is the smaller of those before and
 // after. It may reach what the method states as creep; what the forces add in a step while friction balances those of
-// the last one, g dt, and w V dt as the contact point moves around; and all that the step's impulses give the two
-// bodies, which may have stopped the slide in between. A first-order method may bound friction by an earlier normal
-// impulse, as in the cone.
+// the last one, g dt, and w V dt as the contact point moves around; and, if the touching bodies are struck, all that
+// the step's impulses give the two, which may have stopped the slide in between. A first-order method may bound
+// friction by an earlier normal impulse, as in the cone.
 std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   if (!trace.has_contacts() || !stepping.whole_impulses) return not_reported();
@@ -154,13 +185,7 @@ std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);
-    std::vector<double> received(scene.bodies.size());  // m/s, at the contacts
-    for (const ContactState& contact : trace.contacts(moment)) {
-      for (const std::size_t body : {contact.a, contact.b}) {
-        received[body] += std::hypot(contact.normal_impulse, contact.tangent_impulse) *
-                          inverse_mass_at(masses[body], length(contact.point - now[body].position));
-      }
-    }
+    const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses);
     const auto contacts = trace.contacts(moment);
     double largest = 0;
     for (const ContactState& contact : contacts) largest = std::max(largest, std::abs(contact.normal_impulse));
@@ -169,17 +194,25 @@ std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
       const ContactState& contact = contacts[c];
       const double mu = friction.smallest_dynamic(contact.a, contact.b);
       const double unused = mu * contact.normal_impulse - std::abs(contact.tangent_impulse);
+      if (unused <= 0) continue;
       const double before = tangential_velocity(contact, then);
       const double after = tangential_velocity(contact, now);
-      if (unused <= 0 || before * after <= 0) continue;
+      const double slip = before * after > 0 ? std::min(std::abs(before), std::abs(after)) : 0;
       const double moved_point =
           dt * (std::abs(now[contact.a].angular_velocity) + std::abs(now[contact.b].angular_velocity)) *
           (length(now[contact.a].velocity) + length(now[contact.b].velocity));
       const double speeds = length(now[contact.a].velocity) + length(now[contact.b].velocity);
-      const double slip_tolerance = stepping.creep + dt * length(scene.gravity) + moved_point + received[contact.a] +
-                                    received[contact.b] + solver_rounding(stepping) * speeds;
+      double slip_tolerance =
+          stepping.creep + dt * length(scene.gravity) + moved_point + solver_rounding(stepping) * speeds;
+      double size = 0;
+      for (const std::size_t body : {contact.a, contact.b}) {
+        slip_tolerance += hidden[body].at(length(arm_of(contact, now[body])));
+        if (masses[body].mass > 0) size = std::max(size, bounding_radius(scene.bodies[body]));
+      }
       const double certain = std::max(0.0, unused - mu * stale[c] - solver_rounding(stepping) * mu * largest);
-      worst.add(certain * std::min(std::abs(before), std::abs(after)), certain * slip_tolerance, trace.time(moment),
+      // A body that slides down its own size has this speed.
+      const double scale = std::sqrt(2 * length(scene.gravity) * size);
+      worst.add(certain * slip, certain * slip_tolerance, certain * scale, trace.time(moment),
                 [&] { return pair_name(context.scene, contact.a, contact.b); });
     }
   }

@@ -171,11 +171,12 @@ Balance balance_of(const InvariantContext& context, double drift) {
 
 InvariantCheck rise(const InvariantContext& context, double drift) {
   const Balance balance = balance_of(context, drift);
+  const double range = energy_range(context.scene, nullptr);
   WorstViolation worst;
   std::size_t lowest = 0;
   for (std::size_t i = 1; i < balance.modified.size(); ++i) {
     worst.add(balance.modified[i] - balance.modified[lowest],
-              balance.tolerance[i] - balance.tolerance[lowest] + balance.oscillation, context.trace.time(i),
+              balance.tolerance[i] - balance.tolerance[lowest] + balance.oscillation, range, context.trace.time(i),
               [] { return ""; });
     if (balance.modified[i] - balance.tolerance[i] < balance.modified[lowest] - balance.tolerance[lowest]) lowest = i;
   }

@@ -1,11 +1,13 @@
 // Where bodies may be: not deep inside each other, and where they were once they have come to rest.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <variant>
 #include <vector>
 
 #include "reports/judge/contacts.h"
 #include "reports/judge/invariant.h"
+#include "reports/judge/neighbours.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
 #include "reports/judge/states.h"
@@ -16,33 +18,73 @@
 namespace plumb::invariants::positions {
 namespace {
 
-// A pair may overlap by the gap that the method states, by the depth at the start of the scene, and by the distance
-// that two bodies approach before an impact is noticed: lag h (V_a + V_b), V the largest speed of any point of a body
-// so far. How fast a method pushes them apart again is not judged.
+// m/s, the largest speed of a point of one body relative to one of the other.
+double relative_speed(const BodyState& a, const BodyState& b, double radius_a, double radius_b) {
+  return length(b.velocity - a.velocity) + radius_a * std::abs(a.angular_velocity) +
+         radius_b * std::abs(b.angular_velocity);
+}
+
+// A pair may overlap by the gap that the method states, by its depth at the start of the scene, and by the distance
+// that it approaches before an impact is noticed: lag h V, V the largest relative speed of two of its points in the
+// steps that the lag covers, and in the one after, in which it is measured. How fast a method pushes the pair apart
+// again is not judged, but an overlap that was allowed may only shrink. The law is tested where the pair touches, or
+// would overlap if both went on for a step.
 std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   if (scene.bodies.size() < 2) return std::nullopt;
   const Overlap overlap(scene);
+  const Neighbours neighbours(scene, trace, stepping);
   const double nu = trace_rounding(trace, stepping);
-  const double at_start = overlap.deepest(trace.states(0)).depth;
   std::vector<double> radii;
   for (const Body& body : scene.bodies) radii.push_back(bounding_radius(body));
   std::vector<double> fastest(scene.bodies.size());
   std::vector<double> farthest(scene.bodies.size());
+  const auto grow_extremes = [&](std::size_t moment) {
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+      const BodyState& state = context.trace.states(moment)[i];
+      fastest[i] = std::max(fastest[i], length(state.velocity) + radii[i] * std::abs(state.angular_velocity));
+      farthest[i] = std::max(farthest[i], length(state.position) + radii[i] * (1 + std::abs(state.angle)));
+    }
+  };
+  grow_extremes(0);
+  std::map<BodyPair, double> at_start;
+  for (const BodyOverlap& pair : overlap.all(trace.states(0))) {
+    double& depth = at_start[{pair.a, pair.b}];
+    depth = std::max(depth, pair.depth);
+  }
+  std::map<BodyPair, double> allowed;  // of the overlaps there were at the moment before
   WorstViolation worst;
-  for (std::size_t moment = 0; moment < trace.size(); ++moment) {
-    const auto states = trace.states(moment);
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      fastest[i] = std::max(fastest[i], length(states[i].velocity) + radii[i] * std::abs(states[i].angular_velocity));
-      farthest[i] = std::max(farthest[i], length(states[i].position) + radii[i] * (1 + std::abs(states[i].angle)));
+  for (std::size_t moment = 1; moment < trace.size(); ++moment) {
+    const double dt = trace.time(moment) - trace.time(moment - 1);
+    grow_extremes(moment);
+    const double lag = stepping.impact_lag * stepping.h;
+    const auto covered = static_cast<std::size_t>(std::ceil(lag / dt)) + 1;
+    const std::size_t since = moment - std::min(moment, covered);
+    std::map<BodyPair, double> depths;
+    for (const BodyOverlap& pair : overlap.all(trace.states(moment))) {
+      double& depth = depths[{pair.a, pair.b}];
+      depth = std::max(depth, pair.depth);
     }
-    for (const BodyOverlap& pair : overlap.all(states)) {
-      const double rounded =
-          farthest[pair.a] + farthest[pair.b] + trace.times().back() / 2 * (fastest[pair.a] + fastest[pair.b]);
-      const double late = stepping.impact_lag * stepping.h * (fastest[pair.a] + fastest[pair.b]);
-      worst.add(pair.depth, stepping.contact_gap() + at_start + late + nu * rounded, trace.time(moment),
-                [&] { return pair_name(context.scene, pair.a, pair.b); });
+    for (const BodyGap& near : neighbours.in_step(moment)) depths.insert({{near.a, near.b}, 0});
+    std::map<BodyPair, double> still_allowed;
+    for (const auto& [pair, depth] : depths) {
+      const std::size_t a = pair.first;
+      const std::size_t b = pair.second;
+      double approach = 0;
+      for (std::size_t i = since; lag > 0 && i <= moment; ++i) {
+        approach = std::max(approach, relative_speed(trace.states(i)[a], trace.states(i)[b], radii[a], radii[b]));
+      }
+      const double rounded = farthest[a] + farthest[b] + trace.times().back() / 2 * (fastest[a] + fastest[b]);
+      const auto start = at_start.find(pair);
+      const auto left = allowed.find(pair);
+      const double tolerance = std::max(
+          stepping.contact_gap() + (start == at_start.end() ? 0 : start->second) + lag * approach + nu * rounded,
+          left == allowed.end() ? 0 : left->second);
+      const double size = radii[a] > 0 && radii[b] > 0 ? std::min(radii[a], radii[b]) : std::max(radii[a], radii[b]);
+      worst.add(depth, tolerance, size, trace.time(moment), [&] { return pair_name(context.scene, a, b); });
+      if (depth > 0) still_allowed[pair] = std::min(depth, tolerance);
     }
+    allowed = std::move(still_allowed);
   }
   return worst.result();
 }
@@ -87,9 +129,10 @@ std::optional<InvariantCheck> check_rest(const InvariantContext& context) {
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Vec moved = states[i].position - at_rest[i].position;
       const double slack = stepping.creep * time + nu * length(states[i].position);
+      const double size = scene.bodies[i].type == BodyType::dynamic ? bounding_radius(scene.bodies[i]) : 0;
       const auto where = [&] { return context.scene.bodies[i].name; };
-      worst.add(std::abs(cross(down, moved)), stepping.contact_gap() + slack, trace.time(moment), where);
-      worst.add(std::abs(dot(down, moved)), bodies * stepping.contact_gap() + slack, trace.time(moment), where);
+      worst.add(std::abs(cross(down, moved)), stepping.contact_gap() + slack, size, trace.time(moment), where);
+      worst.add(std::abs(dot(down, moved)), bodies * stepping.contact_gap() + slack, size, trace.time(moment), where);
     }
   }
   return worst.result();

@@ -14,20 +14,33 @@ namespace {
 TEST(Invariants, AreAllThere) {
   std::vector<std::string> names;
   for (const Invariant* invariant : Catalog<Invariant>::all()) names.push_back(invariant->name);
-  EXPECT_THAT(names, ::testing::ElementsAre("angular_momentum", "complementarity", "cone", "energy", "momentum",
-                                            "momentum_of_bodies", "overlap", "push", "rest", "sticking"));
+  EXPECT_THAT(names, ::testing::ElementsAre("angular_momentum", "complementarity", "cone", "displacement", "energy",
+                                            "free_motion", "momentum", "momentum_of_bodies", "overlap", "push", "rest",
+                                            "start", "sticking"));
 }
 
 TEST(WorstViolation, KeepsTheLargestErrorRatio) {
   WorstViolation worst;
-  worst.add(3, 2, 1, [] { return "first"; });
-  worst.add(1, 0.5, 2, [] { return "second"; });
-  worst.add(4, 4, 3, [] { return "third"; });
+  worst.add(3, 2, 1, 1, [] { return "first"; });
+  worst.add(1, 0.5, 1, 2, [] { return "second"; });
+  worst.add(4, 4, 1, 3, [] { return "third"; });
   const InvariantCheck check = worst.result();
   EXPECT_EQ(check.ratio, 2);
   EXPECT_EQ(check.where, "second");
   EXPECT_EQ(check.time, 2);
   EXPECT_EQ(check.status, CheckStatus::broken);
+}
+
+// The worst tolerance is 5 times that where the law was tested best.
+TEST(WorstViolation, StatesTheScaleWhereTheLawWasTestedBest) {
+  WorstViolation worst;
+  worst.add(5, 10, 20, 1, [] { return "worst"; });
+  worst.add(0, 2, 100, 2, [] { return "best tested"; });
+  const InvariantCheck check = worst.result();
+  EXPECT_EQ(check.where, "worst");
+  EXPECT_EQ(check.tolerance, 10);
+  EXPECT_EQ(check.scale, 500);
+  EXPECT_TRUE(is_evidence(check));
 }
 
 TEST(WorstViolation, IsHeldIfNothingWasAdded) { EXPECT_EQ(WorstViolation().result().status, CheckStatus::held); }

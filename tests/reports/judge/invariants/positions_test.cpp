@@ -21,6 +21,28 @@ TEST(OverlapInvariant, AllowsTheGapAndTheDistanceBeforeAnImpactIsNoticed) {
   EXPECT_EQ(status("overlap", scene, sunk(0.0001), exact), CheckStatus::broken);
 }
 
+// An impact at 2 m/s that is noticed late may leave an overlap of 2.5 cm, which may only shrink, whatever speed the box
+// had once.
+TEST(OverlapInvariant, ForgetsTheSpeedOfAnEarlierImpact) {
+  const Scene scene = box_on_ground();
+  const auto sinking = [](double first, double second) {
+    return forged(dt, {{box_at({0, 0.505}, {0, -2})},
+                       {box_at({0, 0.5 - first})},
+                       {box_at({0, 0.5 - first})},
+                       {box_at({0, 0.5 - first})},
+                       {box_at({0, 0.5 - second})}});
+  };
+  EXPECT_EQ(status("overlap", scene, sinking(0.02, 0.02), first_order), CheckStatus::held);
+  EXPECT_EQ(status("overlap", scene, sinking(0.02, 0.01), first_order), CheckStatus::held);
+  EXPECT_EQ(status("overlap", scene, sinking(0.02, 0.021), first_order), CheckStatus::broken);
+}
+
+TEST(OverlapInvariant, IsTestedOnlyWhereBodiesTouch) {
+  const auto at = [](double y) { return forged(dt, {{box_at({0, y})}, {box_at({0, y})}}); };
+  EXPECT_TRUE(is_evidence(checked("overlap", box_on_ground(), at(0.5), first_order).value()));
+  EXPECT_FALSE(is_evidence(checked("overlap", box_on_ground(), at(0.6), first_order).value()));
+}
+
 Trace lying(Vec by) {
   std::vector<Moment> moments(150, {box_at({0, 0.5})});
   moments.resize(300, {box_at({by.x, 0.5 + by.y})});

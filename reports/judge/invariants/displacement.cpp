@@ -1,0 +1,160 @@
+// Positions follow velocities.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "reports/judge/groups.h"
+#include "reports/judge/invariant.h"
+#include "reports/judge/joint_geometry.h"
+#include "reports/judge/mechanics.h"
+#include "reports/judge/neighbours.h"
+#include "reports/judge/rounding.h"
+#include "reports/vec.h"
+#include "scenarios/catalog.h"
+
+// A step moves a body by dx = int v dt. Whether a method takes the velocity of the step's start (explicit Euler), of
+// its end (symplectic Euler), or a mean of both, and even if an impact within the step changes it, dx/dt lies between
+// the velocities before and after. The check measures by how far it lies outside, times dt. Rotation likewise, times
+// the radius of gyration k. The tolerance covers:
+// - forces that change within the step: dt^2 times the change of the acceleration;
+// - joints: each of a group may be off at the start or at the end by what is measured and by the stated slop, and by
+//   moving along the tangents; putting that right moves the group's bodies;
+// - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
+//   may overlap by c dt before it is noticed, and that, the overlap at the start and the stated gap are pushed out.
+//   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
+//   move it by F/m dt^2 on the way there. At the contact a correction by C turns a body by at most C/2k (of r/(k^2 +
+//   r^2), the largest is 1/2k), which is C/2 in k dw;
+// - the rounding of positions and velocities.
+namespace plumb::invariants::displacement {
+namespace {
+
+// How far x lies from the segment between a and b.
+double outside(Vec x, Vec a, Vec b) {
+  const Vec edge = b - a;
+  const double square = dot(edge, edge);
+  const double share = square == 0 ? 0 : std::clamp(dot(x - a, edge) / square, 0.0, 1.0);
+  return length(x - a - share * edge);
+}
+
+// What may move the bodies of a group beyond their velocities.
+struct Push {
+  double correction = 0;  // m
+  double energy = 0;      // J, twice
+  bool touched = false;
+};
+
+class Displacement {
+ public:
+  explicit Displacement(const InvariantContext& context)
+      : context_(context),
+        forces_(context.scene),
+        joints_(context.scene),
+        neighbours_(context.scene, context.trace, context.stepping),
+        overlap_(context.scene) {}
+
+  InvariantCheck check() {
+    const auto& [scene, trace, stepping] = context_;
+    std::vector<Wrench> before = forces_.at(trace.states(0));
+    for (std::size_t moment = 1; moment < trace.size(); ++moment) {
+      std::vector<Wrench> after = forces_.at(trace.states(moment));
+      Groups groups(scene.bodies.size());
+      const std::vector<Push> pushes = pushes_in(moment, groups);
+      for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        add(moment, i, pushes[groups.of(i)], before[i], after[i]);
+      }
+      before = std::move(after);
+    }
+    return worst_.result();
+  }
+
+ private:
+  double mass(std::size_t body) const { return forces_.masses()[body].mass; }
+
+  // By the index of the group.
+  std::vector<Push> pushes_in(std::size_t moment, Groups& groups) const {
+    const auto& [scene, trace, stepping] = context_;
+    const double dt = trace.time(moment) - trace.time(moment - 1);
+    const auto then = trace.states(moment - 1);
+    const auto now = trace.states(moment);
+    const std::vector<BodyGap> near = neighbours_.in_step(moment);
+    const auto join = [&](std::size_t a, std::size_t b) {
+      if (mass(a) > 0 && mass(b) > 0) groups.join(a, b);
+    };
+    const auto group_of = [&](std::size_t a, std::size_t b) { return groups.of(mass(a) > 0 ? a : b); };
+    for (const BodyGap& pair : near) join(pair.a, pair.b);
+    for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+      join(joints_.bodies(joint).first, joints_.bodies(joint).second);
+    }
+    std::vector<Push> pushes(then.size());
+    std::vector<BodyState> ahead(then.begin(), then.end());
+    for (BodyState& state : ahead) {
+      state.position = state.position + dt * state.velocity;
+      state.angle += dt * state.angular_velocity;
+    }
+    for (const BodyGap& pair : near) {
+      Push& push = pushes[group_of(pair.a, pair.b)];
+      const double gap = overlap_.gap(pair.a, pair.b, then);
+      const double closed = std::max(0.0, gap - overlap_.gap(pair.a, pair.b, ahead));
+      const double inverse_mass = (mass(pair.a) > 0 ? 1 / mass(pair.a) : 0) + (mass(pair.b) > 0 ? 1 / mass(pair.b) : 0);
+      push.correction += stepping.contact_gap() + std::max(0.0, -gap) + closed;
+      push.energy += closed / dt * (closed / dt) / inverse_mass;
+      push.touched = true;
+    }
+    for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+      const auto [a, b] = joints_.bodies(joint);
+      if (mass(a) == 0 && mass(b) == 0) continue;
+      pushes[group_of(a, b)].correction += stepping.joint_slop + joints_.error(joint, then) +
+                                           joints_.error(joint, now) + joints_.linearisation(joint, then, dt) +
+                                           joints_.linearisation(joint, now, dt);
+    }
+    return pushes;
+  }
+
+  void add(std::size_t moment, std::size_t body, const Push& push, const Wrench& before, const Wrench& after) {
+    const auto& [scene, trace, stepping] = context_;
+    const double dt = trace.time(moment) - trace.time(moment - 1);
+    const BodyState& then = trace.states(moment - 1)[body];
+    const BodyState& now = trace.states(moment)[body];
+    const Mass& of = forces_.masses()[body];
+    const double gyration = of.inertia > 0 ? std::sqrt(of.inertia / of.mass) : 0;
+    const double off = outside(now.position - then.position, dt * then.velocity, dt * now.velocity);
+    const auto [low, high] = std::minmax(then.angular_velocity, now.angular_velocity);
+    const double turned = now.angle - then.angle;
+    const double turned_off = gyration * std::max({0.0, dt * low - turned, turned - dt * high});
+    double tolerance = push.correction;
+    if (of.mass > 0) {
+      tolerance += dt * dt / of.mass * length(after.force - before.force) + dt * std::sqrt(push.energy / of.mass);
+      if (push.touched) tolerance += dt * dt / of.mass * std::max(length(before.force), length(after.force));
+    }
+    if (of.inertia > 0) tolerance += dt * dt * gyration / of.inertia * std::abs(after.torque - before.torque);
+    const double path = dt * std::max(length(then.velocity), length(now.velocity));
+    const double turn = dt * gyration * std::max(std::abs(then.angular_velocity), std::abs(now.angular_velocity));
+    const double rounded =
+        solver_rounding(stepping) * (length(now.position) + path + gyration * std::abs(now.angle) + turn) +
+        2 * 0x1p-53 * trace.time(moment) / dt * (path + turn);
+    worst_.add(std::max(off, turned_off), tolerance + rounded, std::max(path, turn), trace.time(moment),
+               [&] { return context_.scene.bodies[body].name; });
+  }
+
+  const InvariantContext& context_;
+  AppliedForces forces_;
+  JointGeometry joints_;
+  Neighbours neighbours_;
+  Overlap overlap_;
+  WorstViolation worst_;
+};
+
+const Catalog<Invariant>::Entry entry{
+    {.name = "displacement",
+     .unit = "m",
+     .definition = "positions follow velocities: how far a body moves or turns in a step beyond what its velocities "
+                   "before and after allow",
+     .check = [](const InvariantContext& context) -> std::optional<InvariantCheck> {
+       return Displacement(context).check();
+     }}};
+
+}  // namespace
+}  // namespace plumb::invariants::displacement

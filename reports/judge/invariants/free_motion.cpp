@@ -1,0 +1,254 @@
+// What nothing touches moves by the scene's forces and the impulses of its joints alone.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "reports/judge/groups.h"
+#include "reports/judge/invariant.h"
+#include "reports/judge/joint_geometry.h"
+#include "reports/judge/mechanics.h"
+#include "reports/judge/neighbours.h"
+#include "reports/judge/rounding.h"
+#include "reports/vec.h"
+#include "scenarios/catalog.h"
+
+// No word of the engine says what touches: the shapes and the velocities do (see Neighbours). For a body alone,
+// m dv = F dt and I dw = T dt. For bodies held by joints (d'Alembert), the rest M dv - F dt must be J^T lambda for some
+// impulses lambda along the joints' directions J. The check measures what is left of it after the best fit of lambda,
+// in the norm sum |p|^2/m + L^2/I, times the root of the group's mass: for one body that is |m dv - F dt|.
+//
+// The tolerance covers:
+// - the forces, known at both ends of the step. Whichever a method takes is off from their mean by half the difference,
+//   and the mean from the integral by as much again;
+// - the joints' directions, which turn within the step from J0 to J1. The fit takes their mean; whenever within the
+//   step an impulse acts, its direction is off by at most half of J1 - J0, and by an eighth more for the arc;
+// - damping c, which a first-order method takes from either end: c dt of the change that the damping and the forces
+//   make;
+// - sleep, which stops a body of at most the stated speed;
+// - round-off, once for the body and once for each of its joints.
+namespace plumb::invariants::free_motion {
+namespace {
+
+// Impulses of a group in coordinates in which the kinetic energy is half the square of the length: p/sqrt(m),
+// L/sqrt(I). Three for each body.
+using Vector = std::vector<double>;
+
+double norm(const Vector& v) {
+  double square = 0;
+  for (const double one : v) square += one * one;
+  return std::sqrt(square);
+}
+
+double product(const Vector& a, const Vector& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+struct Row {
+  std::size_t a = 0, b = 0;  // bodies, in the group
+  double at_a[3], at_b[3];   // in the coordinates above
+
+  double times(const Vector& v) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += at_a[i] * v[3 * a + i] + at_b[i] * v[3 * b + i];
+    return sum;
+  }
+  void add_to(Vector& v, double factor) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      v[3 * a + i] += factor * at_a[i];
+      v[3 * b + i] += factor * at_b[i];
+    }
+  }
+  double size() const {
+    double square = 0;
+    for (std::size_t i = 0; i < 3; ++i) square += at_a[i] * at_a[i] + at_b[i] * at_b[i];
+    return std::sqrt(square);
+  }
+};
+
+// What is left of v after the best fit of the rows, and the fit: conjugate gradients on the normal equations (CGLS;
+// Bjoerck, Numerical Methods for Least Squares Problems, 7.4.1), which also serves rows that depend on each other.
+struct Fit {
+  Vector rest, lambda;
+};
+
+Fit fitted(Vector v, const std::vector<Row>& rows) {
+  Fit fit{std::move(v), Vector(rows.size())};
+  const auto gradient_of = [&](const Vector& rest) {
+    Vector gradient;
+    for (const Row& row : rows) gradient.push_back(row.times(rest));
+    return gradient;
+  };
+  Vector gradient = gradient_of(fit.rest);
+  Vector direction = gradient;
+  double square = product(gradient, gradient);
+  const double enough = 1e-30 * square;
+  for (std::size_t i = 0; i < 8 * rows.size() && square > enough; ++i) {
+    Vector image(fit.rest.size());
+    for (std::size_t r = 0; r < rows.size(); ++r) rows[r].add_to(image, direction[r]);
+    const double curvature = product(image, image);
+    if (!(curvature > 0)) break;
+    const double step = square / curvature;
+    for (std::size_t r = 0; r < rows.size(); ++r) fit.lambda[r] += step * direction[r];
+    for (std::size_t k = 0; k < image.size(); ++k) fit.rest[k] -= step * image[k];
+    gradient = gradient_of(fit.rest);
+    const double next = product(gradient, gradient);
+    for (std::size_t r = 0; r < rows.size(); ++r) direction[r] = gradient[r] + next / square * direction[r];
+    square = next;
+  }
+  return fit;
+}
+
+class FreeMotion {
+ public:
+  explicit FreeMotion(const InvariantContext& context)
+      : context_(context),
+        forces_(context.scene),
+        joints_(context.scene),
+        neighbours_(context.scene, context.trace, context.stepping),
+        members_(context.scene.bodies.size()),
+        place_(context.scene.bodies.size()) {
+    Groups groups(members_.size());
+    for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+      const auto [a, b] = joints_.bodies(joint);
+      if (moves(a) && moves(b)) groups.join(a, b);
+    }
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      if (!moves(i)) continue;
+      std::vector<std::size_t>& of = members_[groups.of(i)];
+      place_[i] = of.size();
+      of.push_back(i);
+    }
+  }
+
+  InvariantCheck check() {
+    std::vector<Wrench> before = forces_.at(context_.trace.states(0));
+    for (std::size_t moment = 1; moment < context_.trace.size(); ++moment) {
+      std::vector<Wrench> after = forces_.at(context_.trace.states(moment));
+      std::vector<bool> touched(members_.size());
+      for (const BodyGap& pair : neighbours_.in_step(moment)) touched[pair.a] = touched[pair.b] = true;
+      const auto rows_before = joints_.rows(context_.trace.states(moment - 1));
+      const auto rows_after = joints_.rows(context_.trace.states(moment));
+      for (const std::vector<std::size_t>& group : members_) {
+        const auto is_touched = [&](std::size_t body) { return touched[body]; };
+        if (group.empty() || std::any_of(group.begin(), group.end(), is_touched)) continue;
+        add(moment, group, before, after, rows_before, rows_after);
+      }
+      before = std::move(after);
+    }
+    return worst_.result();
+  }
+
+ private:
+  bool moves(std::size_t body) const { return forces_.masses()[body].mass > 0; }
+
+  Row row_of(const JointRow& joint) const {
+    Row row{place_[joint.a], place_[joint.b], {}, {}};
+    const auto fill = [&](std::size_t body, double sign, double turn, double(&at)[3]) {
+      if (!moves(body)) return;
+      const Mass& mass = forces_.masses()[body];
+      at[0] = sign * joint.direction.x / std::sqrt(mass.mass);
+      at[1] = sign * joint.direction.y / std::sqrt(mass.mass);
+      at[2] = mass.inertia > 0 ? turn / std::sqrt(mass.inertia) : 0;
+    };
+    fill(joint.a, -1, joint.turn_a, row.at_a);
+    fill(joint.b, 1, joint.turn_b, row.at_b);
+    return row;
+  }
+
+  void add(std::size_t moment, const std::vector<std::size_t>& group, std::span<const Wrench> before,
+           std::span<const Wrench> after, std::span<const JointRow> rows_before, std::span<const JointRow> rows_after) {
+    const auto& [scene, trace, stepping] = context_;
+    const double dt = trace.time(moment) - trace.time(moment - 1);
+    Vector change, force, force_change, momentum, damping;
+    double total = 0;
+    bool stopped = stepping.rest_speed > 0;
+    for (const std::size_t i : group) {
+      const BodyState& then = trace.states(moment - 1)[i];
+      const BodyState& now = trace.states(moment)[i];
+      const Mass& mass = forces_.masses()[i];
+      const Body& body = scene.bodies[i];
+      const double m = std::sqrt(mass.mass);
+      const double k = std::sqrt(mass.inertia);
+      const double per_k = k > 0 ? 1 / k : 0;
+      const auto push = [](Vector& to, Vec linear, double angular) {
+        to.insert(to.end(), {linear.x, linear.y, angular});
+      };
+      push(change, m * (now.velocity - then.velocity), k * (now.angular_velocity - then.angular_velocity));
+      push(momentum, m * now.velocity + m * then.velocity, k * (now.angular_velocity + then.angular_velocity));
+      push(force, dt / (2 * m) * (before[i].force + after[i].force),
+           dt / 2 * (before[i].torque + after[i].torque) * per_k);
+      push(force_change, dt / m * (after[i].force - before[i].force),
+           dt * (after[i].torque - before[i].torque) * per_k);
+      push(damping, dt * body.linear_damping * m / 2 * (now.velocity + then.velocity),
+           dt * body.angular_damping * k / 2 * (now.angular_velocity + then.angular_velocity));
+      total += mass.mass;
+      stopped = stopped && now.velocity == Vec{} && now.angular_velocity == 0;
+    }
+    std::vector<Row> rows;
+    std::vector<double> turned;  // by row: |J1 - J0|
+    for (std::size_t r = 0; r < rows_before.size(); ++r) {
+      const std::size_t body = moves(rows_before[r].a) ? rows_before[r].a : rows_before[r].b;
+      if (std::find(group.begin(), group.end(), body) == group.end()) continue;
+      Row row = row_of(rows_before[r]);
+      const Row end = row_of(rows_after[r]);
+      Row difference = row;
+      for (std::size_t i = 0; i < 3; ++i) {
+        difference.at_a[i] = end.at_a[i] - row.at_a[i];
+        difference.at_b[i] = end.at_b[i] - row.at_b[i];
+        row.at_a[i] += difference.at_a[i] / 2;
+        row.at_b[i] += difference.at_b[i] / 2;
+      }
+      rows.push_back(row);
+      turned.push_back(difference.size());
+    }
+    Vector missing = change;
+    double most_damped = 0;  // c dt
+    for (std::size_t i = 0; i < missing.size(); ++i) missing[i] += damping[i] - force[i];
+    for (const std::size_t i : group) {
+      most_damped = std::max({most_damped, dt * scene.bodies[i].linear_damping, dt * scene.bodies[i].angular_damping});
+    }
+    const Fit fit = fitted(missing, rows);
+    double turning = 0;
+    double impulses = 0;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      turning += std::abs(fit.lambda[r]) * turned[r] * (0.5 + 0.125);
+      impulses += std::abs(fit.lambda[r]) * rows[r].size();
+    }
+    const double force_size = norm(force);
+    const double momentum_size = norm(momentum);
+    const double rounded = solver_rounding(stepping) * (momentum_size + force_size + impulses) +
+                           2 * 0x1p-53 * trace.time(moment) / dt * force_size;
+    const double damped = most_damped * (norm(damping) + force_size);
+    const double scaled = std::sqrt(total);
+    const double slept = stopped ? std::min(momentum_size, 2 * scaled * stepping.rest_speed) : 0;
+    // At rest, the joints may carry all of the forces: then nothing tests the law.
+    const double untold = force_size > 0 ? norm(fitted(force, rows).rest) : momentum_size / 2;
+    worst_.add(scaled * norm(fit.rest), scaled * (norm(force_change) + turning + damped + slept + rounded),
+               scaled * untold, trace.time(moment), [&] { return context_.scene.bodies[group.front()].name; });
+  }
+
+  const InvariantContext& context_;
+  AppliedForces forces_;
+  JointGeometry joints_;
+  Neighbours neighbours_;
+  std::vector<std::vector<std::size_t>> members_;  // of the group with that index
+  std::vector<std::size_t> place_;                 // of a body in its group
+  WorstViolation worst_;
+};
+
+const Catalog<Invariant>::Entry entry{
+    {.name = "free_motion",
+     .unit = "kg m/s",
+     .definition = "what nothing touches, by the scene's shapes, changes its momentum by the scene's forces and by "
+                   "impulses along its joints alone",
+     .check = [](const InvariantContext& context) -> std::optional<InvariantCheck> {
+       return FreeMotion(context).check();
+     }}};
+
+}  // namespace
+}  // namespace plumb::invariants::free_motion

@@ -1,0 +1,111 @@
+#include "reports/judge/joint_geometry.h"
+
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "reports/judge/mechanics.h"
+#include "reports/vec.h"
+#include "scenarios/scene/mass.h"
+
+namespace plumb {
+
+JointGeometry::JointGeometry(const Scene& scene) {
+  const std::vector<BodyState> start = initial_states(scene);
+  const auto add = [&](Kind kind, std::size_t a, std::size_t b, Vec at_a, Vec at_b) -> Ends& {
+    const auto local = [&](std::size_t body, Vec point) {
+      return rotated(point - start[body].position, -start[body].angle);
+    };
+    ends_.push_back({kind, a, b, local(a, at_a), local(b, at_b), {}, 0, start[b].angle - start[a].angle, 0});
+    return ends_.back();
+  };
+  for (const Joint& joint : scene.joints) {
+    if (const auto* revolute = std::get_if<Revolute>(&joint)) {
+      add(Kind::point, revolute->a, revolute->b, revolute->anchor, revolute->anchor);
+    } else if (const auto* weld = std::get_if<Weld>(&joint)) {
+      add(Kind::fixed, weld->a, weld->b, weld->anchor, weld->anchor);
+    } else if (const auto* line = std::get_if<Prismatic>(&joint)) {
+      add(Kind::line, line->a, line->b, line->anchor, line->anchor).axis =
+          rotated(1 / length(line->axis) * line->axis, -start[line->a].angle);
+    } else if (const auto* rod = std::get_if<Distance>(&joint)) {
+      Ends& ends = add(rod->stiffness > 0 ? Kind::spring : Kind::rod, rod->a, rod->b, rod->anchor_a, rod->anchor_b);
+      ends.length = rod->length;
+      for (const std::size_t body : {rod->a, rod->b}) {
+        const double mass = mass_of(scene.bodies[body]).mass;
+        if (mass > 0) ends.rate += rod->stiffness / mass;
+      }
+    }
+  }
+}
+
+std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) const {
+  std::vector<JointRow> rows;
+  for (const Ends& joint : ends_) {
+    const Vec point_a = states[joint.a].position + rotated(joint.at_a, states[joint.a].angle);
+    const Vec point_b = states[joint.b].position + rotated(joint.at_b, states[joint.b].angle);
+    const auto along = [&](Vec direction, Vec on_a) {
+      rows.push_back({joint.a, joint.b, direction, -cross(on_a - states[joint.a].position, direction),
+                      cross(point_b - states[joint.b].position, direction)});
+    };
+    switch (joint.kind) {
+      case Kind::point:
+      case Kind::fixed:
+        along({1, 0}, point_a);
+        along({0, 1}, point_a);
+        break;
+      case Kind::line: {
+        const Vec axis = rotated(joint.axis, states[joint.a].angle);
+        along({-axis.y, axis.x}, point_b);
+        break;
+      }
+      case Kind::rod:
+      case Kind::spring: {
+        const Vec between = point_b - point_a;
+        const double distance = length(between);
+        along(distance > 0 ? 1 / distance * between : Vec{1, 0}, point_a);
+        break;
+      }
+    }
+    if (joint.kind == Kind::line || joint.kind == Kind::fixed) rows.push_back({joint.a, joint.b, {}, -1, 1});
+  }
+  return rows;
+}
+
+double JointGeometry::error(std::size_t index, std::span<const BodyState> states) const {
+  const Ends& joint = ends_[index];
+  const BodyState& a = states[joint.a];
+  const BodyState& b = states[joint.b];
+  const Vec between = b.position + rotated(joint.at_b, b.angle) - a.position - rotated(joint.at_a, a.angle);
+  const double turned = std::abs(b.angle - a.angle - joint.angle) * (length(joint.at_a) + length(joint.at_b));
+  switch (joint.kind) {
+    case Kind::point:
+      return length(between);
+    case Kind::fixed:
+      return length(between) + turned;
+    case Kind::line:
+      return std::abs(cross(rotated(joint.axis, a.angle), between)) + turned;
+    case Kind::rod:
+      return std::abs(length(between) - joint.length);
+    case Kind::spring:
+      return 0;
+  }
+  return 0;
+}
+
+double JointGeometry::linearisation(std::size_t index, std::span<const BodyState> states, double dt) const {
+  const Ends& joint = ends_[index];
+  const BodyState& a = states[joint.a];
+  const BodyState& b = states[joint.b];
+  const auto leaves = [&](const BodyState& of, Vec arm) {
+    const double turned = of.angular_velocity * dt;
+    return length(arm) * turned * turned / 2;
+  };
+  double off = leaves(a, joint.at_a) + leaves(b, joint.at_b);
+  const double moved = dt * (length(b.velocity - a.velocity) + std::abs(a.angular_velocity) * length(joint.at_a) +
+                             std::abs(b.angular_velocity) * length(joint.at_b));
+  if (joint.kind == Kind::rod && joint.length > 0) off += moved * moved / (2 * joint.length);
+  if (joint.kind == Kind::spring) off += joint.rate * dt * dt * moved;
+  return off;
+}
+
+}  // namespace plumb

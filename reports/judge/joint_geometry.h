@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "reference/simulation.h"
+#include "scenarios/scene/scene.h"
+
+/// The geometry of a scene's joints, from the scene and the states alone, by code that no engine shares.
+namespace plumb {
+
+/// One direction in which a joint may give an impulse: `direction` at an arm from the centre of b, its opposite at an
+/// arm from the centre of a; or, with no direction, a turning impulse. With J this row, J^T lambda acts on the bodies.
+struct JointRow {
+  std::size_t a = 0, b = 0;
+  Vec direction;                  // unit length, or zero
+  double turn_a = 0, turn_b = 0;  // m or 1: the angular part on a and on b
+};
+
+class JointGeometry {
+ public:
+  explicit JointGeometry(const Scene&);
+
+  /// Every direction of every joint, in the same order for any states.
+  std::vector<JointRow> rows(std::span<const BodyState>) const;
+
+  std::size_t size() const { return ends_.size(); }
+  /// The bodies of a joint.
+  std::pair<std::size_t, std::size_t> bodies(std::size_t joint) const { return {ends_[joint].a, ends_[joint].b}; }
+  /// m, by how much a joint is violated; 0 for a spring.
+  double error(std::size_t joint, std::span<const BodyState>) const;
+  /// m, by how much a step of dt s along the tangents at these velocities violates a joint: a point at an arm r that
+  /// turns by w dt leaves its circle by r (w dt)^2/2. Of a spring: how far its change of force moves its bodies, k/m
+  /// dt^2 times the path.
+  double linearisation(std::size_t joint, std::span<const BodyState>, double dt) const;
+
+ private:
+  enum class Kind { point, line, rod, spring, fixed };
+  struct Ends {
+    Kind kind;
+    std::size_t a, b;
+    Vec at_a, at_b;  // m, from the centres of mass, in the bodies' frames
+    Vec axis;        // of a line, in a's frame
+    double length = 0;
+    double angle = 0;  // rad, of b less a at the start
+    double rate = 0;   // 1/s^2, of a spring: its stiffness per mass
+  };
+  std::vector<Ends> ends_;
+};
+
+}  // namespace plumb

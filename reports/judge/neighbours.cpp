@@ -1,0 +1,46 @@
+#include "reports/judge/neighbours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "reports/vec.h"
+
+namespace plumb {
+namespace {
+
+double turning_radius(const Body& body) {
+  const bool endless = std::any_of(body.shapes.begin(), body.shapes.end(), [](const Shape& shape) {
+    return std::holds_alternative<HalfSpace>(shape.geometry);
+  });
+  return endless ? std::numeric_limits<double>::infinity() : bounding_radius(body);
+}
+
+// m, of a point of the body at most `radius` from its centre, which a body that does not turn has no need of.
+double path(double moved, double turned, double radius) { return moved + (turned == 0 ? 0 : turned * radius); }
+
+}  // namespace
+
+Neighbours::Neighbours(const Scene& scene, const Trace& trace, const Stepping& stepping)
+    : trace_(trace), contact_gap_(stepping.contact_gap()), overlap_(scene) {
+  for (const Body& body : scene.bodies) radii_.push_back(turning_radius(body));
+}
+
+std::vector<BodyGap> Neighbours::in_step(std::size_t moment) const {
+  const double dt = trace_.time(moment) - trace_.time(moment - 1);
+  const auto then = trace_.states(moment - 1);
+  const auto now = trace_.states(moment);
+  std::vector<double> reach;
+  for (std::size_t i = 0; i < radii_.size(); ++i) {
+    const double moved = length(now[i].position - then[i].position);
+    const double turned = std::abs(now[i].angle - then[i].angle);
+    reach.push_back(contact_gap_ / 2 +
+                    std::max({path(moved, turned, radii_[i]),
+                              path(dt * length(then[i].velocity), dt * std::abs(then[i].angular_velocity), radii_[i]),
+                              path(dt * length(now[i].velocity), dt * std::abs(now[i].angular_velocity), radii_[i])}));
+  }
+  return overlap_.near(then, reach);
+}
+
+}  // namespace plumb

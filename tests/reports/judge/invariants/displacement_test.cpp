@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include "forged_runs.h"
+#include "reports/judge/mechanics.h"
+
+namespace plumb::displacement_test {
+namespace {
+
+constexpr double dt = 0.01;
+const Stepping exact{.dt = dt, .h = dt, .drift = 0, .impact_lag = 0, .epsilon = 1e-16};
+const Stepping first_order{
+    .dt = dt, .h = dt, .drift = 0.5, .impact_lag = 1, .skin = 0.01, .slop = 0.005, .epsilon = 1e-16};
+
+// Thrown up at 1 m/s and spinning, by the exact motion or by Euler's methods.
+Trace thrown(double order, double faster = 1) {
+  Trace trace(2);
+  for (int i = 0; i <= 100; ++i) {
+    const double t = i * dt;
+    std::vector<BodyState> states = box_at({3 * faster * t, 9 + t - 5 * t * t - order * 10 * t * dt}, {3, 1 - 10 * t});
+    states[1].angle = 2 * faster * t;
+    states[1].angular_velocity = 2;
+    trace.record(t, states, {});
+  }
+  return trace;
+}
+
+TEST(DisplacementInvariant, IsHeldByMethodsOfAnyOrder) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  for (const double order : {0.0, 0.5, -0.5}) {
+    for (const Stepping& stepping : {exact, first_order}) {
+      const InvariantCheck check = checked("displacement", scene, thrown(order), stepping).value();
+      EXPECT_EQ(check.status, CheckStatus::held) << order << ": " << check.value << " of " << check.tolerance;
+      EXPECT_TRUE(is_evidence(check));
+    }
+  }
+  EXPECT_EQ(status("displacement", scene, thrown(0.6), exact), CheckStatus::broken);
+}
+
+TEST(DisplacementInvariant, IsBrokenByABodyThatMovesOtherThanItsVelocity) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  EXPECT_EQ(status("displacement", scene, thrown(0, 1.001), first_order), CheckStatus::broken);
+  EXPECT_EQ(status("displacement", scene, thrown(0, 0), first_order), CheckStatus::broken);
+}
+
+TEST(DisplacementInvariant, IsBrokenByAnEngineThatFreezesAndKeepsItsVelocities) {
+  const auto frozen = [](Vec velocity, double spin) {
+    std::vector<BodyState> states = box_at({0, 5}, velocity);
+    states[1].angular_velocity = spin;
+    return forged(dt, {{states}, {states}});
+  };
+  EXPECT_EQ(status("displacement", box_on_ground(), frozen({1, 0}, 0), first_order), CheckStatus::broken);
+  EXPECT_EQ(status("displacement", box_on_ground(), frozen({}, 1), first_order), CheckStatus::broken);
+  EXPECT_EQ(status("displacement", box_on_ground(), frozen({}, 0), first_order), CheckStatus::held);
+}
+
+TEST(DisplacementInvariant, IsBrokenByATeleport) {
+  const auto jumps = [](double to) { return forged(dt, {{box_at({0, 0.5})}, {box_at({to, 0.5})}}); };
+  // It lies on the ground, which may push it out by the stated gap.
+  EXPECT_EQ(status("displacement", box_on_ground(), jumps(0.0099), first_order), CheckStatus::held);
+  EXPECT_EQ(status("displacement", box_on_ground(), jumps(0.0101), first_order), CheckStatus::broken);
+  EXPECT_EQ(status("displacement", box_on_ground(), jumps(1e-6), exact), CheckStatus::broken);
+}
+
+// From 1 m/s down to 1 m/s up within a step; the box moves by anything between.
+TEST(DisplacementInvariant, AllowsAnImpactWithinAStep) {
+  const auto bounced = [](double by) {
+    return forged(dt, {{box_at({0, 0.505}, {0, -1})}, {box_at({0, 0.505 + by}, {0, 1})}});
+  };
+  for (const double by : {-0.005, 0.0, 0.009}) {
+    EXPECT_EQ(status("displacement", box_on_ground(), bounced(by), exact), CheckStatus::held) << by;
+  }
+  EXPECT_EQ(status("displacement", box_on_ground(), bounced(0.05), exact), CheckStatus::broken);
+}
+
+}  // namespace
+}  // namespace plumb::displacement_test

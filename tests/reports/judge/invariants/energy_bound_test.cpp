@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "forged_runs.h"
+
+namespace plumb::energy_bound_test {
+namespace {
+
+constexpr double dt = 0.01;
+const Stepping exact{.dt = dt, .h = dt, .drift = 0, .impact_lag = 0, .epsilon = 1e-16};
+const Stepping symplectic{.dt = dt, .h = dt, .drift = 0.5, .impact_lag = 1, .epsilon = 1e-16};
+
+// A box that starts 1 m up and bounces at e = 1, and gains this share of its energy with every step.
+Trace bouncing(double gain) {
+  Trace trace(2);
+  double y = 1;
+  double v = 0;
+  for (int i = 0; i <= 300; ++i) {
+    trace.record(i * dt, box_at({0, 0.5 + y}, {0, v}), {});
+    const double before = v * v / 2 + 10 * y;
+    y += v * dt - 5 * dt * dt;
+    v -= 10 * dt;
+    if (y < 0) v = std::abs(v), y = -y;
+    const double kinetic = before * (1 + gain) - 10 * y;
+    v = (v < 0 ? -1 : 1) * std::sqrt(std::max(0.0, 2 * kinetic));
+  }
+  return trace;
+}
+
+Scene raised() {
+  Scene scene = box_on_ground(0.5, {0, -10});
+  scene.bodies[1].position = {0, 1.5};
+  return scene;
+}
+
+TEST(EnergyBoundInvariant, HoldsWhatNothingDrivesToTheEnergyOfItsStart) {
+  EXPECT_EQ(status("energy_bound", raised(), bouncing(0), exact), CheckStatus::held);
+  EXPECT_EQ(status("energy_bound", raised(), bouncing(-1e-3), exact), CheckStatus::held);
+  EXPECT_EQ(status("energy_bound", raised(), bouncing(1e-8), exact), CheckStatus::broken);
+}
+
+// Late impacts and the method's oscillation together: 1.5 h g (m g t + 2 p) + h F v, p = m sqrt(2 g 1 m).
+TEST(EnergyBoundInvariant, AllowsWhatTheMethodStates) {
+  EXPECT_EQ(status("energy_bound", raised(), bouncing(2e-4), symplectic), CheckStatus::held);
+  EXPECT_EQ(status("energy_bound", raised(), bouncing(5e-3), symplectic), CheckStatus::broken);
+}
+
+TEST(EnergyBoundInvariant, LeavesJointsAndSpringsToTheOtherLaw) {
+  Scene scene = raised();
+  scene.forces = {Spring{.b = 1, .stiffness = 1}};
+  EXPECT_FALSE(checked("energy_bound", scene, bouncing(0), exact).has_value());
+}
+
+}  // namespace
+}  // namespace plumb::energy_bound_test

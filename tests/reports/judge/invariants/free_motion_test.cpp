@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "forged_runs.h"
+#include "reports/judge/mechanics.h"
+#include "reports/vec.h"
+
+namespace plumb::free_motion_test {
+namespace {
+
+constexpr double dt = 0.01;
+const Stepping exact{.dt = dt, .h = dt, .drift = 0, .impact_lag = 0, .epsilon = 1e-16};
+const Stepping first_order{
+    .dt = dt, .h = dt, .drift = 0.5, .impact_lag = 1, .skin = 0.01, .slop = 0.005, .epsilon = 1e-16};
+
+// A box at a height over the ground, thrown; `velocity` and `height` by time.
+Trace in_the_air(const std::function<Vec(double)>& position, const std::function<Vec(double)>& velocity) {
+  Trace trace(2);
+  for (int i = 0; i <= 40; ++i) trace.record(i * dt, box_at(position(i * dt), velocity(i * dt)), {});
+  return trace;
+}
+
+Trace falling(double gravity, double order = 0) {
+  return in_the_air(
+      [=](double t) {
+        return Vec{t, 9 - gravity * t * (t + 2 * order * dt) / 2};
+      },
+      [=](double t) {
+        return Vec{1, -gravity * t};
+      });
+}
+
+TEST(FreeMotionInvariant, IsHeldByAFallOfAnyOrder) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  for (const double order : {0.0, 0.5, -0.5}) {
+    for (const Stepping& stepping : {exact, first_order}) {
+      const InvariantCheck check = checked("free_motion", scene, falling(10, order), stepping).value();
+      EXPECT_EQ(check.status, CheckStatus::held) << order << ": " << check.value << " of " << check.tolerance;
+      EXPECT_TRUE(is_evidence(check)) << check.tolerance << " of " << check.scale;
+    }
+  }
+}
+
+TEST(FreeMotionInvariant, IsBrokenByWhatHangsOrCoastsInMidAir) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  for (const double gravity : {0.0, 5.0, 9.99, 10.01}) {
+    const InvariantCheck check = checked("free_motion", scene, falling(gravity), first_order).value();
+    EXPECT_EQ(check.status, CheckStatus::broken) << gravity;
+    EXPECT_EQ(check.where, "box");
+    EXPECT_NEAR(check.value, std::abs(gravity - 10) * dt, 1e-12);
+  }
+  const auto frozen = [](double) { return Vec{0, 9}; };
+  const auto still = [](double) { return Vec{}; };
+  EXPECT_EQ(status("free_motion", scene, in_the_air(frozen, still), first_order), CheckStatus::broken);
+}
+
+TEST(FreeMotionInvariant, IsNotTestedByWhatMayTouch) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  const auto lying = [](double gap) {
+    return in_the_air([=](double) { return Vec{0, 0.5 + gap}; }, [](double) { return Vec{}; });
+  };
+  const InvariantCheck within_skin = checked("free_motion", scene, lying(0.0099), first_order).value();
+  EXPECT_EQ(within_skin.status, CheckStatus::held);
+  EXPECT_FALSE(is_evidence(within_skin));
+  EXPECT_EQ(status("free_motion", scene, lying(0.0101), first_order), CheckStatus::broken);
+}
+
+TEST(FreeMotionInvariant, SeesAnEngineThatStopsWhatNothingPulls) {
+  const Scene scene = box_on_ground(0.5, {});
+  const auto ahead = [](double t) { return Vec{t, 5}; };
+  const auto slowed = [](double by) { return [by](double t) { return Vec{1 - by * t, 0}; }; };
+  const InvariantCheck check = checked("free_motion", scene, in_the_air(ahead, slowed(0)), exact).value();
+  EXPECT_EQ(check.status, CheckStatus::held);
+  EXPECT_TRUE(is_evidence(check));
+  EXPECT_EQ(status("free_motion", scene, in_the_air(ahead, slowed(0.01)), exact), CheckStatus::broken);
+}
+
+TEST(FreeMotionInvariant, CountsDamping) {
+  Scene scene = box_on_ground(0.5, {});
+  scene.bodies[1].linear_damping = 2;
+  const auto ahead = [](double) { return Vec{0, 5}; };
+  const auto damped = [](double rate) { return [rate](double t) { return Vec{std::exp(-rate * t), 0}; }; };
+  EXPECT_EQ(status("free_motion", scene, in_the_air(ahead, damped(2)), exact), CheckStatus::held);
+  EXPECT_EQ(status("free_motion", scene, in_the_air(ahead, damped(1.9)), exact), CheckStatus::broken);
+}
+
+// Bars of 1 m in a row, the first held by the world, all hanging at an angle from the vertical.
+Scene chain(int links, double angle) {
+  Scene scene{.gravity = {0, -10}, .bodies = {{.name = "ceiling", .type = BodyType::fixed}}};
+  Vec anchor;
+  for (int i = 0; i < links; ++i) {
+    const Vec along = rotated({0, -1}, angle);
+    scene.bodies.push_back({.name = "link " + std::to_string(i + 1),
+                            .position = anchor + 0.5 * along,
+                            .angle = angle,
+                            .shapes = {{Box{.size = {0.1, 1}}, {.density = 10}}}});
+    scene.joints.push_back(
+        Revolute{.a = static_cast<std::size_t>(i), .b = static_cast<std::size_t>(i) + 1, .anchor = anchor});
+    anchor = anchor + along;
+  }
+  return scene;
+}
+
+// A compound pendulum of one bar: I = m (1/12 + 1/4), w' = -(3/2) g sin(angle), by small steps of symplectic Euler;
+// with a factor on gravity.
+Trace pendulum(const Scene& scene, double angle, double factor) {
+  constexpr int parts = 1000;
+  Trace trace(2);
+  double w = 0;
+  for (int i = 0; i <= 40; ++i) {
+    const Vec arm = rotated({0, -0.5}, angle);
+    std::vector<BodyState> states = initial_states(scene);
+    states[1] = {.position = arm, .angle = angle, .velocity = w * Vec{-arm.y, arm.x}, .angular_velocity = w};
+    trace.record(i * dt, states, {});
+    for (int part = 0; part < parts; ++part) {
+      w -= dt / parts * 15 * factor * std::sin(angle);
+      angle += dt / parts * w;
+    }
+  }
+  return trace;
+}
+
+TEST(FreeMotionInvariant, FitsTheImpulsesOfJoints) {
+  const Scene scene = chain(1, 1);
+  const InvariantCheck held = checked("free_motion", scene, pendulum(scene, 1, 1), exact).value();
+  EXPECT_EQ(held.status, CheckStatus::held) << held.value << " of " << held.tolerance << " at " << held.time;
+  EXPECT_TRUE(is_evidence(held)) << held.tolerance << " of " << held.scale;
+  for (const double factor : {0.0, 0.5, 0.98, 1.02}) {
+    EXPECT_EQ(status("free_motion", scene, pendulum(scene, 1, factor), exact), CheckStatus::broken) << factor;
+  }
+}
+
+Trace frozen(const Scene& scene) {
+  Trace trace(scene.bodies.size());
+  for (int i = 0; i <= 2; ++i) trace.record(i * dt, initial_states(scene), {});
+  return trace;
+}
+
+TEST(FreeMotionInvariant, IsBrokenByAChainThatHangsFrozenInMidSwing) {
+  const Scene swinging = chain(30, 0.5);
+  EXPECT_EQ(status("free_motion", swinging, frozen(swinging), first_order), CheckStatus::broken);
+  // Straight down it may hang: its joints carry it, and nothing is tested.
+  const Scene hanging = chain(30, 0);
+  const InvariantCheck held = checked("free_motion", hanging, frozen(hanging), first_order).value();
+  EXPECT_EQ(held.status, CheckStatus::held) << held.value << " of " << held.tolerance;
+  EXPECT_FALSE(is_evidence(held)) << held.tolerance << " of " << held.scale;
+}
+
+TEST(FreeMotionInvariant, FitsTheOtherJointsToo) {
+  Scene scene = chain(1, 1);
+  scene.joints = {Weld{.a = 0, .b = 1}};
+  EXPECT_EQ(status("free_motion", scene, frozen(scene), exact), CheckStatus::held);
+  scene.joints = {Prismatic{.a = 0, .b = 1, .axis = {1, 0}}};
+  EXPECT_EQ(status("free_motion", scene, frozen(scene), exact), CheckStatus::held);
+  scene.joints = {Prismatic{.a = 0, .b = 1, .axis = {0, 1}}};
+  EXPECT_EQ(status("free_motion", scene, frozen(scene), exact), CheckStatus::broken);
+  const Vec centre = scene.bodies[1].position;
+  scene.joints = {Distance{.a = 0, .b = 1, .anchor_a = centre + Vec{0, 1}, .anchor_b = centre, .length = 1}};
+  EXPECT_EQ(status("free_motion", scene, frozen(scene), exact), CheckStatus::held);
+  scene.joints = {Distance{.a = 0, .b = 1, .anchor_a = centre + Vec{1, 1}, .anchor_b = centre, .length = std::sqrt(2)}};
+  EXPECT_EQ(status("free_motion", scene, frozen(scene), exact), CheckStatus::broken);
+}
+
+}  // namespace
+}  // namespace plumb::free_motion_test
