@@ -60,6 +60,7 @@ struct TruthCheck {
   double scale = 0;
   bool passed = false;
   bool reported = true;  // false if the engine does not report the quantity: neither passed nor failed
+  bool idle = false;     // whether bodies move, and it would pass if all of them stayed at the start: nothing was asked
   std::string source;
   std::optional<Spread> spread = std::nullopt;  // over all phases, if there are several; the rest is the worst phase's
 };

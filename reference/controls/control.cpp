@@ -4,13 +4,12 @@
 
 namespace plumb {
 
-Engine engine_of(const Control& control, const Engine& stated) {
+Engine engine_of(const Control& control) {
   Engine made = *Catalog<Engine>::find("impulse");
   made.name = control.name;
   made.about = control.about;
   made.build = control.build;
   made.chooses = nullptr;
-  made.stepping = [&stated](const Settings&, double dt) { return stated.stepping(complete(stated, {}), dt); };
   return made;
 }
 

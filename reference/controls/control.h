@@ -17,9 +17,8 @@ struct Control {
   BuildSimulation build;  // given the complete settings of our engine
 };
 
-/// An engine that runs the control. It takes our engine's settings, and its errors are allowed what `stated` states of
-/// itself with its default settings.
-Engine engine_of(const Control&, const Engine& stated);
+/// The engine that runs a control. It has our engine's settings, and states the same errors.
+Engine engine_of(const Control&);
 
 /// Our engine in a scene that was altered first.
 Control in_altered_scene(std::string name, std::string about, void (*alter)(Scene&));

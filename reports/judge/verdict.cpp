@@ -9,9 +9,12 @@
 #include <string_view>
 
 #include "reports/judge/invariant.h"
+#include "reports/judge/mechanics.h"
+#include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
 #include "reports/judge/scale.h"
 #include "reports/statistics.h"
+#include "reports/vec.h"
 
 namespace plumb {
 namespace {
@@ -60,6 +63,33 @@ TruthCheck check(const Scene& scene, const Expectation& expectation, const Trace
   return check;
 }
 
+// Whether a body moves: the scene gives it a velocity, or it is ever away from its start by more than a hundredth of
+// its size or of a radian.
+bool moves(const Scene& scene, const Trace& trace) {
+  const std::vector<BodyState> start = initial_states(scene);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (scene.bodies[i].type != BodyType::dynamic) continue;
+    if (start[i].velocity != Vec{} || start[i].angular_velocity != 0) return true;
+    const double radius = bounding_radius(scene.bodies[i]);
+    const double size = radius > 0 ? radius : 1;
+    for (std::size_t moment = 0; moment < trace.size(); ++moment) {
+      const BodyState& state = trace.states(moment)[i];
+      if (length(state.position - start[i].position) > right_share * size) return true;
+      if (std::abs(state.angle - start[i].angle) > right_share) return true;
+    }
+  }
+  return false;
+}
+
+// A run of the scene in which nothing moves, although velocities are those of the start.
+Trace motionless(const Scene& scene) {
+  const std::vector<BodyState> start = initial_states(scene);
+  Trace trace(start.size());
+  trace.record(0, start, {});
+  trace.record(scene.duration, start, {});
+  return trace;
+}
+
 // Orders the phases of a check by how badly they miss it; phases that report nothing come last.
 double badness(const TruthCheck& check) { return check.reported ? error_ratio(check.error, check.tolerance) : -1; }
 
@@ -79,15 +109,16 @@ const char* subject_of(const TruthCheck& check) {
   return found == subjects.end() ? check.quantity.c_str() : found->second;
 }
 
-// Whether every quantity that was reported has a check that is evidence.
+// Whether every quantity has a check that is evidence, and one of these is about the motion.
 bool has_power(std::span<const TruthCheck> truth) {
   std::map<std::string_view, bool> subjects;
+  bool moving = false;
   for (const TruthCheck& check : truth) {
-    if (!check.reported) continue;
     bool& evident = subjects[subject_of(check)];
     evident = evident || is_evidence(check);
+    moving = moving || (is_evidence(check) && !check.idle);
   }
-  return std::all_of(subjects.begin(), subjects.end(), [](const auto& one) { return one.second; });
+  return moving && std::all_of(subjects.begin(), subjects.end(), [](const auto& one) { return one.second; });
 }
 
 // Of two phases of a run.
@@ -105,8 +136,7 @@ Verdict verdict_of(std::span<const TruthCheck> truth, std::span<const InvariantC
   const auto failed = [](const TruthCheck& one) { return one.reported && !one.passed; };
   if (std::any_of(invariants.begin(), invariants.end(), broken)) return Verdict::wrong;
   if (std::any_of(truth.begin(), truth.end(), failed)) return Verdict::wrong;
-  const auto reported = [](const TruthCheck& one) { return one.reported; };
-  if (std::none_of(truth.begin(), truth.end(), reported)) {
+  if (std::all_of(truth.begin(), truth.end(), [](const TruthCheck& one) { return one.idle; })) {
     const auto tested = [](const InvariantCheck& one) { return is_evidence(one); };
     return std::any_of(invariants.begin(), invariants.end(), tested) ? Verdict::plausible : Verdict::no_evidence;
   }
@@ -119,8 +149,11 @@ Judgement judge(const Scene& scene, std::span<const Expectation> expectations, c
                 const Stepping& stepping, const Truth* truth) {
   Judgement judgement;
   const Scales scales(scene, truth);
+  const bool moving = moves(scene, trace);
+  const Trace still = motionless(scene);
   for (const Expectation& expectation : expectations) {
     judgement.checks.push_back(check(scene, expectation, trace, stepping, truth, scales));
+    judgement.checks.back().idle = moving && check(scene, expectation, still, stepping, truth, scales).passed;
   }
   judgement.invariants = check_invariants({scene, trace, stepping});
   judgement.verdict = verdict_of(judgement.checks, judgement.invariants);

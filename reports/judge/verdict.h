@@ -30,8 +30,10 @@ Judgement judge(const Scene&, std::span<const Expectation>, const Trace&, const 
 Judgement judge_phases(const Scene&, std::span<const Expectation>, const Trace&, std::span<const Trace* const> shifted,
                        const Stepping&, const Truth* truth);
 
-/// wrong if an invariant is broken, whatever the truth says, or a truth check fails. With truth checks: coarse if one
-/// is farther off than `right_share` of its scale; right if every quantity that they ask about has evidence; else no
+/// wrong if an invariant is broken, whatever the truth says, or a truth check fails. Otherwise, where bodies move and
+/// every truth check would pass if they did not (energy, for example), nothing was asked about the motion, and it is
+/// judged as if there were no truth. With truth: coarse if one check is farther off than `right_share` of its scale;
+/// right if every quantity that they ask about has evidence, which a quantity that is not reported never has; else no
 /// evidence. Without: plausible if an invariant was tested, else no evidence.
 Verdict verdict_of(std::span<const TruthCheck> truth, std::span<const InvariantCheck>);
 

@@ -45,7 +45,7 @@ ControlRun control_run(const Case& one_case, const JudgedRun& right, const Judge
 // By statement, then by control; empty where our engine cannot run the case.
 using CaseRuns = std::vector<std::vector<ControlRun>>;
 
-CaseRuns runs_of(const Case& one_case, const std::vector<Control>& controls, const std::vector<const Engine*>& stated,
+CaseRuns runs_of(const Case& one_case, const std::vector<Control>& controls, const std::vector<EngineConfig>& stated,
                  double dt) {
   const Engine& ours = *Catalog<Engine>::find("impulse");
   const Settings settings = complete(ours, {});
@@ -53,15 +53,15 @@ CaseRuns runs_of(const Case& one_case, const std::vector<Control>& controls, con
   const CaseRun right = run_case(one_case, {&ours, settings}, dt);
   if (right.outcome.status != Status::ok) return all;
   std::vector<JudgedRun> right_by;
-  for (const Engine* one : stated) right_by.push_back(judge_run(one_case, {one, complete(*one, {})}, dt, right));
+  for (const EngineConfig& one : stated) right_by.push_back(judge_run(one_case, one, dt, right));
   for (const Control& control : controls) {
-    const Engine engine = engine_of(control, ours);
+    const Engine engine = engine_of(control);
     const CaseRun run = run_case(one_case, {&engine, settings}, dt);
     const double difference = run.outcome.status == Status::ok
                                   ? largest_difference(one_case, *right.outcome.trace, *run.outcome.trace)
                                   : unbounded;
     for (std::size_t s = 0; s < stated.size(); ++s) {
-      const JudgedRun judged = judge_run(one_case, {stated[s], complete(*stated[s], {})}, dt, run);
+      const JudgedRun judged = judge_run(one_case, stated[s], dt, run);
       all[s].push_back(control_run(one_case, right_by[s], judged, difference));
     }
   }
@@ -127,7 +127,7 @@ double largest_difference(const Case& one_case, const Trace& right, const Trace&
 }
 
 std::vector<ControlReport> prove_controls(const std::vector<Control>& controls, const std::vector<Case>& cases,
-                                          const std::vector<const Engine*>& stated, double dt, int jobs,
+                                          const std::vector<EngineConfig>& stated, double dt, int jobs,
                                           const Progress& progress) {
   ProgressCounter counter(progress, cases.size());
   std::vector<CaseRuns> runs(cases.size());
@@ -137,7 +137,7 @@ std::vector<ControlReport> prove_controls(const std::vector<Control>& controls, 
   });
   std::vector<ControlReport> reports;
   for (std::size_t s = 0; s < stated.size(); ++s) {
-    reports.push_back({.stated = stated[s]->name, .cases = cases.size()});
+    reports.push_back({.stated = label_of(stated[s].engine->name, stated[s].method()), .cases = cases.size()});
     for (std::size_t i = 0; i < controls.size(); ++i) {
       ControlResult result{.control = controls[i]};
       for (const CaseRuns& of_case : runs) {

@@ -42,7 +42,7 @@ struct ControlResult {
 
 /// All controls, judged by what one engine states of itself.
 struct ControlReport {
-  std::string stated;  // name of the engine
+  std::string stated;  // label of the engine, see label_of
   std::size_t cases = 0;
   std::vector<ControlResult> results;
 
@@ -57,7 +57,7 @@ double largest_difference(const Case&, const Trace& right, const Trace& other);
 /// Runs every control on every case, and judges each run by the statement of each engine. One report for each
 /// statement. The result does not depend on `jobs`.
 std::vector<ControlReport> prove_controls(const std::vector<Control>&, const std::vector<Case>&,
-                                          const std::vector<const Engine*>& stated, double dt, int jobs,
+                                          const std::vector<EngineConfig>& stated, double dt, int jobs,
                                           const Progress&);
 
 /// A summary line, a table of the controls with the best detection of each, and every pass. `each_case`: also what

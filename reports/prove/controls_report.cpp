@@ -49,7 +49,7 @@ nlohmann::ordered_json json_of(const ControlRun& run) {
 }  // namespace
 
 std::string text_of(const ControlReport& report, bool each_case) {
-  std::string text = fmt::format("{} controls, judged by what {} states: {} false passes; cases: {}.\n\n",
+  std::string text = fmt::format("controls: {}, judged by what {} states; false passes: {}; cases: {}.\n\n",
                                  report.results.size(), report.stated, report.passes(), report.cases);
   text += fmt::format("{:<18}{:>7}{:>11}{:>6}{:>14}{:>8}   {}\n", "control", "truth", "invariant", "same",
                       "inconclusive", "PASSES", "unmasked best in");

@@ -131,8 +131,8 @@ int prove_by_controls(const Options& options) {
   for (const Control* control : Catalog<Control>::all()) all.push_back(*control);
   const std::vector<Control> controls = chosen_from(all, "control", options.names);
   const std::vector<Case> cases = options.scenarios.empty() ? default_cases(true) : cases_of(options.scenarios);
-  std::vector<const Engine*> stated;
-  for (const std::string& word : options.statements) stated.push_back(parse_engine(word).engine);
+  std::vector<EngineConfig> stated;
+  for (const std::string& word : options.statements) stated.push_back(parse_engine(word));
   Output output(options.out);
   std::vector<ControlReport> reports;
   {
@@ -173,8 +173,9 @@ const Catalog<Command>::Entry entry{
            "--controls", options->controls,
            "Run engines that lack a law of mechanics (frozen, weightless ...) instead of faults; none may be right or "
            "plausible where the law matters");
-       app.add_option("--statement", options->statements,
-                      "Engines by whose stated errors controls are judged; may be repeated")
+       app.add_option(
+              "--statement", options->statements,
+              "Engine by whose stated errors controls are judged, as --engine of plumb run takes it; may be repeated")
            ->needs(controls)
            ->allow_extra_args(false)
            ->capture_default_str()

@@ -136,7 +136,7 @@ TEST(Judge, AppliesABoundOnOneSideOnly) {
   }
 }
 
-TEST(Judge, CountsAQuantityThatIsNotReportedNeitherWay) {
+TEST(Judge, HasNoEvidenceOfAQuantityThatIsNotReported) {
   const Scene scene = fakes::thrown_box();
   const Expectation load{.body = "box",
                          .quantity = Quantity::load,
@@ -147,9 +147,43 @@ TEST(Judge, CountsAQuantityThatIsNotReportedNeitherWay) {
   const auto verdict = [&](std::vector<Expectation> all) {
     return judge(scene, all, fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5}, nullptr).verdict;
   };
-  EXPECT_NE(verdict({load}), Verdict::right);
-  EXPECT_EQ(verdict({load, at_end(7, 0.1)}), Verdict::right);
+  EXPECT_EQ(verdict({load}), Verdict::no_evidence);
+  EXPECT_EQ(verdict({load, at_end(7, 0.1)}), Verdict::no_evidence);
   EXPECT_EQ(verdict({load, at_end(8, 0.1)}), Verdict::wrong);
+}
+
+// A thrown box without gravity keeps its energy, as does one that hangs where it was thrown.
+TEST(Judge, LearnsNothingOfAMotionFromWhatAMotionlessSceneKeeps) {
+  Scene scene = fakes::thrown_box();
+  scene.gravity = {};
+  const Expectation energy{.quantity = Quantity::energy,
+                           .expected = quantity_of(Quantity::energy, 0, Conserved(scene), initial_states(scene)),
+                           .allowed = [](const Stepping&) { return 1e-9; }};
+  const auto judged = [&](const Scene& of, std::vector<Expectation> all) {
+    return judge(of, all, fakes::flight_of(of, 0.5), {.dt = 0.5, .h = 0.5}, nullptr);
+  };
+  EXPECT_TRUE(judged(scene, {energy}).checks[0].idle);
+  EXPECT_NE(judged(scene, {energy}).verdict, Verdict::right);
+  EXPECT_FALSE(judged(scene, {energy, at_end(7, 0.1)}).checks[1].idle);
+  EXPECT_EQ(judged(scene, {energy, at_end(7, 0.1)}).verdict, Verdict::right);
+
+  scene.bodies[0].velocity = {};
+  scene.bodies[0].angular_velocity = 0;
+  const Judgement resting = judged(scene, {at_end(1, 0.01)});
+  EXPECT_FALSE(resting.checks[0].idle);
+  EXPECT_EQ(resting.verdict, Verdict::right) << "where nothing should move, staying is the motion";
+}
+
+TEST(VerdictOf, NeedsEvidenceOfTheMotionToBeRight) {
+  const TruthCheck kept{.quantity = "energy", .tolerance = 0.01, .scale = 1, .passed = true, .idle = true};
+  const TruthCheck place{.quantity = "x", .tolerance = 0.01, .scale = 1, .passed = true};
+  const TruthCheck vague{.quantity = "x", .tolerance = 0.1, .scale = 1, .passed = true};
+  EXPECT_EQ(verdict_of(std::vector{kept, place}, {}), Verdict::right);
+  EXPECT_EQ(verdict_of(std::vector{kept, vague}, {}), Verdict::no_evidence);
+  EXPECT_EQ(verdict_of(std::vector{kept}, {}), Verdict::no_evidence);
+  const std::vector<InvariantCheck> tested{{.status = CheckStatus::held, .scale = 1}};
+  EXPECT_EQ(verdict_of(std::vector{kept}, tested), Verdict::plausible);
+  EXPECT_EQ(verdict_of(std::vector{kept, vague}, tested), Verdict::no_evidence);
 }
 
 TEST(VerdictOf, IsWrongIfAnInvariantIsBrokenWhateverTheTruthSays) {

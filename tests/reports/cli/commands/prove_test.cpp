@@ -37,6 +37,29 @@ TEST(ProveCommand, NamesTheNearestFault) {
   EXPECT_THAT(said.err, HasSubstr("did you mean \"energy-leak\"?"));
 }
 
+TEST(ProveCommand, SaysWhatBecameOfAControl) {
+  const auto file =
+      std::filesystem::path(::testing::TempDir()) / ("plumb-control-" + std::to_string(getpid()) + ".json");
+  const Said said = say({"prove", "--controls", "frozen", "--scenario", "spinning-obb:free-fall", "--statement",
+                         "impulse", "--statement", "box2d", "--out", file.string()});
+  EXPECT_EQ(said.code, 0) << said.out << said.err;
+  EXPECT_THAT(said.out, HasSubstr("controls: 1, judged by what box2d states; false passes: 0; cases: 1."));
+  EXPECT_THAT(said.out, HasSubstr("frozen: nothing moves"));
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(file))["statements"][1]["stated_by"], "box2d");
+  std::filesystem::remove(file);
+}
+
+TEST(ProveCommand, NamesTheNearestControl) {
+  const Said said = say({"prove", "--controls", "frosen"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("did you mean \"frozen\"?"));
+}
+
+TEST(ProveCommand, TakesAStatementForControlsOnly) {
+  EXPECT_EQ(say({"prove", "--statement", "box2d"}).code, 2);
+  EXPECT_EQ(say({"prove", "--controls", "--clean", "3"}).code, 2);
+}
+
 TEST(ProveCommand, RefusesAFileThatCannotBeWritten) {
   const Said said = say({"prove", "energy-leak", "--out", "/nowhere/at/all.json"});
   EXPECT_EQ(said.code, 2);
