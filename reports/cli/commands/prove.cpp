@@ -75,7 +75,7 @@ int measure_sensitivity(const Options& options) {
   const auto parameters = chosen_from(all_perturbations(), "parameter", options.faults);
   const std::vector<Case> cases = cases_of(options.scenarios, dt);
   std::optional<NewFile> file = opened(options.out);
-  SensitivityReport report{.statements = statements(), .cases = cases.size(), .dt = dt};
+  SensitivityReport report{.statements = engine_statements(), .cases = cases.size(), .dt = dt};
   {
     const ProgressLine line;
     const auto show = [&](const std::string& what, std::size_t done, std::size_t of) {
