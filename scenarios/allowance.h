@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,53 @@ inline double drifted(const Stepping& s, double acceleration, double t) {
 
 /// s, the longest time between a contact and its detection.
 inline double lag(const Stepping& s) { return s.impact_lag * s.h; }
+
+/// m, the distance that friction of mu g = `acceleration` brakes too late where a body that starts on the ground is
+/// found to touch it a lag late. Until then it falls, and the impact that ends the fall has just the impulses, of both
+/// directions, that were missing: the velocity is right from then on, at the end of the next step.
+inline double slid_late(const Stepping& s, double acceleration) { return acceleration * lag(s) * (lag(s) + s.h); }
+
+/// s, by which an impact at this speed may be found late, by the lag, or early, by the skin.
+inline double found_off(const Stepping& s, double speed) { return std::max(lag(s), speed > 0 ? s.skin / speed : 0); }
+
+/// Whether smooth motion may have an error proportional to h; also if nothing is stated.
+inline bool first_order(const Stepping& s) { return s.h > 0 && s.order <= 1; }
+
+/// The same of motion along a contact. Such a method moves bodies along the tangent of the step's start.
+inline bool first_order_in_contact(const Stepping& s) { return s.h > 0 && s.order_in_contact <= 1; }
+
+/// s, the interval at which forces are evaluated. The methods that do so once, symplectic Euler and Verlet, keep a
+/// spring bounded up to w dt = 2; one that does so n times a step up to 2 n.
+inline double force_interval(const Stepping& s) {
+  if (s.h == 0) return 0;
+  const double limit = s.spring_limit.value_or(0);
+  return limit > 0 ? std::min(2 * s.dt / limit, s.dt) : s.dt;
+}
+
+/// By how much a body that falls on the ground at the speed v may rebound too low or too high, m of its apex.
+struct ReboundError {
+  double low = 0, high = 0;
+};
+
+/// In terms of the apex H that the flight would have reached, an impact at the depth d <= v lag leads to
+///   reversed in place               H' = e^2 (H + d) - d
+///   lifted out of the ground first  H' = e^2 (H + d), or a skin higher.
+/// A method with drift D conserves v^2/(2 g) + y - D h v. What a reversal does to that depends on the order:
+///   D > 0  velocities, impact, positions: H' gains D h v (e^2 + e); but if the body is stopped at the ground within
+///   the
+///          step, on its way from y = h v or less, H' = e^2 (H - y + D h v) - D h e v;
+///   D < 0  positions, then the impact with the velocity of before the step: H' gains |D| h v (e - e^2).
+/// Found a skin early and reversed there, it gains (1 - e^2) skin.
+inline ReboundError rebound_error(const Stepping& s, double e, double v) {
+  const double d = v * lag(s);
+  const double step = s.h * v;
+  const double late = (1 - e * e) * d;
+  if (s.drift > 0) {
+    return {std::max(late, step * (e * e * (1 - s.drift) + s.drift * e)),
+            e * e * d + s.drift * step * (e * e + e) + s.skin};
+  }
+  return {late, e * e * d - s.drift * step * (e - e * e) + s.skin};
+}
 
 /// The fraction of a velocity error that the iterations (projected Gauss-Seidel) leave when k equal bodies in a row
 /// collide at once. Each iteration multiplies the error by cos^2(pi/(k+1)), the spectral radius of the chain's matrix

@@ -40,10 +40,12 @@ struct Stepping {
   double impact_lag = 1;     // latest detection of an impact, in units of h; 0 if the time of impact is solved for
 
   double skin = 0;        // m, the largest separation at which a contact at rest carries load
-  double slop = 0;        // m, the overlap of a contact at rest that is left alone, or its compliance under one weight
+  double slop = 0;        // m, the overlap (of skins, if it has them) of a contact at rest that is left alone, or its
+                          // compliance under one weight: points of one contact rest at most that far from level
   double joint_slop = 0;  // m, the distance between the anchors of a joint at rest, likewise
-  double creep = 0;       // m/s, the largest sliding speed of a sticking contact that the method allows
-  double rest_speed = 0;  // m/s, the largest speed at which a body may be put to sleep; 0: it never sleeps
+  double creep = 0;  // m/s, the largest sliding speed of a sticking contact whose friction bears all of gravity; if
+                     // it bears a share of it, that share
+  double rest_speed = 0;             // m/s, the largest speed at which a body may be put to sleep; 0: it never sleeps
   double restitution_threshold = 0;  // m/s, slower impacts are treated as inelastic
   int iterations = 0;  // solver iterations over simultaneous impacts; 0 if they are solved one by one or exactly
   int position_iterations = 0;  // iterations over overlaps and joint errors, where they are corrected separately

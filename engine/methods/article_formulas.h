@@ -40,10 +40,12 @@ struct ArticleFormulas {
 
   static void state_errors(const Settings& settings, StatedErrors& errors) {
     errors.gap = slop;
+    // A step of free fall, g dt^2, is what each step adds to a joint's error, and it removes `joint_percent` of it.
+    errors.joint_gap = length(settings.gravity) * settings.dt * settings.dt / joint_percent;
     errors.joints = true;
     // Friction is limited by each normal impulse and not by their sum, so the speed that gravity adds along a slope in
-    // a step, |g| sin(slope) dt, is never removed completely. Half of |g| dt is that on 30 degrees.
-    errors.creep = length(settings.gravity) * settings.dt / 2;
+    // a step, |g| sin(slope) dt, is never removed completely.
+    errors.creep = length(settings.gravity) * settings.dt;
     errors.restitution_threshold = resting_speed(settings);
   }
 

@@ -85,6 +85,7 @@ void Xpbd::state(const Settings& settings, StatedErrors& errors) const {
   errors.order = 1;
   errors.order_in_contact = 1;
   errors.gap = static_cast<Real>(2.5) * length(settings.gravity) * errors.h * errors.h;
+  errors.joint_gap = errors.gap;  // found once per sub-step, like a contact
   // A point that static friction alone cannot hold slides for the sub-step at the speed that gravity gives it.
   errors.creep = length(settings.gravity) * errors.h;
   errors.restitution_threshold = inelastic_speed(settings);

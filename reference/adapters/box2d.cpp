@@ -382,9 +382,12 @@ Stepping stepping(const Settings& given, double dt) {
   stated.drift = 0.5;
   stated.order = 1;
   stated.impact_lag = 1;
+  // Two polygons touch when their skins do. The overlap of the skins that is left alone is the slop, so that they come
+  // to rest between skin - slop and skin apart, circles between 0 and the slop in each other.
   stated.skin = 2 * b2_polygonRadius;
-  stated.slop = stated.joint_slop = b2_linearSlop;
-  stated.creep = 0;
+  stated.slop = b2_linearSlop;
+  stated.joint_slop = b2_linearSlop;  // the error below which a joint's position counts as solved
+  stated.creep = 0;                   // friction bounds the sum of the impulses, and can hold a body completely
   stated.iterations = whole_number(settings, "velocity");
   stated.position_iterations = whole_number(settings, "position");
   stated.restitution_threshold = std::stod(settings.at("restitution"));

@@ -281,7 +281,9 @@ Stepping stepping(const Settings& settings, double dt) {
   stated.order = errors.order;
   stated.order_in_contact = errors.order_in_contact;
   stated.impact_lag = errors.impact_lag;
-  stated.skin = stated.slop = stated.joint_slop = errors.gap;
+  // Without a skin. But what pushes overlap out, a bias or a spring, may overshoot by as much as it pushes out.
+  stated.skin = stated.slop = errors.gap;
+  stated.joint_slop = errors.joint_gap;
   stated.creep = errors.creep;
   stated.iterations = errors.impact_lag > 0 ? with_dt.iterations : 0;
   stated.rest_speed = with_dt.sleeping ? with_dt.sleep_linear_speed : 0;

@@ -104,16 +104,15 @@ Vec lowest_corner(const Throw& b, double angle) {
 // |r_y|, l by q R with q = sqrt(1 + mu^2), and D by 3 (|r_y| l + |r_x| q R)/R^2, each times the angle. This gives the
 // errors of the jumps. A position is off by the jump's error times the time since the impact, plus the jump itself
 // times its delay.
-// The engine may correct the corner's penetration by moving the box: upwards by at most all of it, and by turning it by
-// at most 3 r_x/R^2 times it.
-// The corner's orientation is known except for its landing time, which lies within the fall from R to half the box's
-// height. r_x, l and D are taken at the middle of that interval and widened by the angle that the box turns in the rest
-// of it.
+// The engine may correct the corner's penetration by moving the box: upwards, which only undoes some of being late, and
+// by turning it by at most 3 r_x/R^2 times it. The corner's orientation is known except for its landing time, which
+// lies within the fall from R to half the box's height. r_x, l and D are taken at the middle of that interval and
+// widened by the angle that the box turns in the rest of it.
 struct Landing {
   double delay = 0;                           // s
   double up = 0, along = 0, about = 0;        // jumps, m/s, m/s, rad/s
   double d_up = 0, d_along = 0, d_about = 0;  // their errors
-  double sunk = 0, tilted = 0;                // penetration, m, and the turn that corrects it, rad
+  double tilted = 0;                          // rad, the turn that corrects the penetration
 };
 
 Landing landing(const Throw& b, const Stepping& s) {
@@ -143,8 +142,7 @@ Landing landing(const Throw& b, const Stepping& s) {
   l.d_along = mu * l.d_up;
   l.about = 3 * lever * l.up / r2;
   l.d_about = 3 * (lever * l.d_up + q * b.radius * spin * l.delay * l.up) / r2;
-  l.sunk = u * lag(s);
-  l.tilted = 3 * rx * l.sunk / r2;
+  l.tilted = 3 * rx * u * lag(s) / r2;
   return l;
 }
 
@@ -166,7 +164,7 @@ std::vector<Expectation> after_landing(const Throw& b) {
       expect(
           Quantity::y,
           [=](const Landing& l, const Stepping& s) {
-            return l.d_up * since + l.up * l.delay + l.sunk + s.contact_gap() + drifted(s, gravity, b.end);
+            return l.d_up * since + l.up * l.delay + s.skin + drifted(s, gravity, b.end);
           },
           "J = (1+e) u/(K_nn - mu K_nt)"),
       expect(

@@ -33,13 +33,13 @@ Scene scene(const Parameters& p) {
 // that is negative around tan 2a = -mu: Coulomb friction and rigidity contradict each other, and only an impulse solves
 // it (Painleve; Lecornu). What holds in every case is that the numbers stay finite and that the energy never increases.
 // A method's own energy error: while the rod falls at v <= V, V^2 = v0^2 + 2 g L, m g times its drift |drift| h V; and
-// an impact that is detected late is corrected by lifting the rod out of the ground: m g (V lag + gap).
+// an impact that is detected late is corrected by lifting the rod out of the ground: m g (V lag + skin).
 std::vector<Expectation> expectations(const Parameters& p) {
   const double weight = mass_of(scene(p).bodies[1]).mass * gravity;
   const double fastest = std::sqrt(p.at("speed") * p.at("speed") + 2 * gravity * size.x);
   const auto rise = [=](const Stepping& s) {
-    return weight * (fastest * (lag(s) + std::abs(s.drift) * s.h) + s.contact_gap() +
-                     round_off(s, duration, fastest * duration));
+    return weight *
+           (fastest * (lag(s) + std::abs(s.drift) * s.h) + s.skin + round_off(s, duration, fastest * duration));
   };
   return {{.quantity = Quantity::energy_rise,
            .relation = Relation::at_most,

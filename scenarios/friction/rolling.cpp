@@ -25,9 +25,13 @@ Scene scene(const Parameters& p) {
 
 // Rolls with acceleration (2/3) g sin a iff mu >= tan(a)/3; otherwise slips with g (sin a - mu cos a) and spins up with
 // 2 mu g cos(a)/r.
-// The contact may be detected a lag late. Until then friction is missing, at most mu g cos a and never more than the g
-// sin a that it opposes; rolling makes up for that, slipping does not. While the disc sinks in by the gap at a speed u,
-// the contact has given m u less impulse, and slipping friction mu times that less: a turn of 2 mu gap/r is missing.
+// Contact may be found a lag late, after which all velocities are right again. A contact point that is off by the gap
+// changes the lever arm: a disc that rolls has the acceleration g sin a/(1 + r^2/(2 arm^2)) and that of spin g sin
+// a/(arm
+// + r^2/(2 arm)), which are off by 4/9 g sin a gap/r and 2/9 g sin a gap/r^2; of one that slips the spin alone is off,
+// by gap/r of itself. While the disc sinks in by the slop at a speed u, the contact has given m u less impulse, and
+// friction mu times that less: a distance of mu slop is missing. A rolling disc may creep, by the share of its friction
+// in gravity.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double angle = p.at("angle") * degree;
   const double mu = p.at("friction");
@@ -36,26 +40,28 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double friction = rolls ? gravity * std::sin(angle) / 3 : mu * gravity * std::cos(angle);
   const double acceleration = gravity * std::sin(angle) - friction;
   const double reach = radius + gravity * duration * duration;
-  const auto speed = [=](const Stepping& s) { return friction * lag(s) + s.creep + round_off(s, duration, reach); };
-  const auto place = [=](const Stepping& s) {
-    return speed(s) * duration + drifted(s, acceleration, duration) + s.contact_gap() +
-           gravity * std::sin(angle) * lag(s) * s.h;
+  const double pull = gravity * std::sin(angle);
+  const auto creep = [=](const Stepping& s) { return rolls ? s.creep * friction / gravity : 0; };
+  const auto speed = [=](const Stepping& s) {
+    const double arm = rolls ? 4.0 / 9 * pull * s.contact_gap() / radius : 0;
+    return arm * duration + creep(s) + round_off(s, duration, reach);
   };
-  const auto spin = [=](const Stepping& s) { return 2 * speed(s) / radius; };
+  const auto place = [=](const Stepping& s) {
+    return speed(s) * duration + drifted(s, acceleration, duration) + s.contact_gap() + mu * s.slop +
+           slid_late(s, pull);
+  };
+  const auto spin = [=](const Stepping& s) {
+    const double arm = (rolls ? 2.0 / 9 * pull : 2 * friction) * s.contact_gap() / (radius * radius);
+    return arm * duration + round_off(s, duration, reach / radius);
+  };
   const auto turn = [=](const Stepping& s) {
-    return spin(s) * duration + 2 * (drifted(s, friction, duration) + (rolls ? 0 : mu * s.contact_gap())) / radius;
+    return spin(s) * duration + 2 / radius * (drifted(s, friction, duration) + mu * s.slop + slid_late(s, friction));
   };
   const std::string law = rolls ? "(2/3) g sin a t" : "g (sin a - mu cos a) t";
   return {
-      {.body = "disc", .quantity = Quantity::speed, .allowed = speed, .source = law + "; friction starts a lag late"},
-      {.body = "disc",
-       .quantity = Quantity::x,
-       .allowed = place,
-       .source = law + "; friction starts a lag late, drift, gap"},
-      {.body = "disc",
-       .quantity = Quantity::y,
-       .allowed = place,
-       .source = law + "; friction starts a lag late, drift, gap"},
+      {.body = "disc", .quantity = Quantity::speed, .allowed = speed, .source = law + "; lever arm off by the gap"},
+      {.body = "disc", .quantity = Quantity::x, .allowed = place, .source = law + "; contact a lag late, drift, gap"},
+      {.body = "disc", .quantity = Quantity::y, .allowed = place, .source = law + "; contact a lag late, drift, gap"},
       {.body = "disc", .quantity = Quantity::angular_velocity, .allowed = spin, .source = "2 f t/r"},
       {.body = "disc", .quantity = Quantity::angle, .allowed = turn, .source = "f t^2/r"}};
 }
@@ -95,27 +101,38 @@ Scene scene(const Parameters& p) {
 }
 
 // Friction has no moment about a point of the ground, so the disc ends with 2 v/3 whatever the course of friction. Only
-// the lever arm matters: a contact point that is off by the gap changes the speed to v/(1 + r^2/(2 arm^2)), by 4/9 v
-// gap/r. The distance depends on more: friction that starts a lag late leaves the disc v/3 too fast for that long, and
-// it drifts with the loss of v/3.
+// the lever arm matters: a contact point that is off by the gap makes that speed v/(1 + r^2/(2 arm^2)) and the spin
+// v/(arm + r^2/(2 arm)), which differ by 4/9 v gap/r and 2/9 v gap/r^2. Where the disc ends depends on more: the
+// contact may be found a lag late; it drifts with the loss of v/3 and the gain of spin; and it is off in speed and spin
+// from when it rolls, in spin also for half of the time until then.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const double end = scene(p).duration;
-  const auto speed = [=](const Stepping& s) { return s.creep + v * s.contact_gap() / radius + round_off(s, end, v); };
-  const auto spin = [=](const Stepping& s) { return 2 * speed(s) / radius; };
-  const auto place = [=](const Stepping& s) {
-    return v / 3 * (lag(s) + std::abs(s.drift) * s.h) + speed(s) * end + round_off(s, end, v * end);
+  const double slips = v / (3 * p.at("friction") * gravity);  // s, for how long
+  const auto speed = [=](const Stepping& s) { return 4.0 / 9 * v * s.contact_gap() / radius + round_off(s, end, v); };
+  const auto spin = [=](const Stepping& s) {
+    return 2.0 / 9 * v * s.contact_gap() / (radius * radius) + round_off(s, end, v / radius);
   };
-  const auto turn = [=](const Stepping& s) { return 2 * place(s) / radius; };
+  const auto late = [=, mu = p.at("friction")](const Stepping& s) {
+    return v / 3 * std::abs(s.drift) * s.h + mu * s.slop + slid_late(s, mu * gravity);
+  };
+  const auto place = [=](const Stepping& s) { return late(s) + speed(s) * (end - slips) + round_off(s, end, v * end); };
+  const auto turn = [=](const Stepping& s) {
+    const double arm = s.contact_gap() / radius * v / (3 * radius) * slips;
+    return 2 / radius * late(s) + arm + spin(s) * (end - slips) + round_off(s, end, v * end / radius);
+  };
   return {{.body = "disc",
            .quantity = Quantity::vx,
            .allowed = speed,
            .source = "2 v/3, whatever the course of friction; lever arm off by the gap"},
-          {.body = "disc", .quantity = Quantity::angular_velocity, .allowed = spin, .source = "-2 v/(3 r)"},
+          {.body = "disc",
+           .quantity = Quantity::angular_velocity,
+           .allowed = spin,
+           .source = "-2 v/(3 r), whatever the course of friction; lever arm off by the gap"},
           {.body = "disc",
            .quantity = Quantity::x,
            .allowed = place,
-           .source = "rolls after v/(3 mu g); friction starts a lag late, drift"},
+           .source = "rolls after v/(3 mu g); contact a lag late, drift, lever arm"},
           {.body = "disc", .quantity = Quantity::angle, .allowed = turn, .source = "rolls after v/(3 mu g)"}};
 }
 
@@ -155,9 +172,11 @@ Scene scene(const Parameters& p) {
 }
 
 // Rolls with f = m A/3, A = F/(M + m/3), as long as that is at most mu m g; otherwise slips with f = mu m g. The
-// contact may be detected a lag late: until then f is missing, from the disc and from the plank. The contact with the
-// floor may open and close meanwhile, but has no friction to matter. A contact point that is off by the gap changes the
-// lever arm, and with it the acceleration of a rolling disc, by gap/r.
+// contact may be found a lag late, after which all velocities are right again; that with the floor may open and close
+// meanwhile, but has no friction to matter. A contact point that is off by the gap changes the
+// lever arm. A rolling disc has a = A/(1 + 2 arm^2/r^2) and the spin 2 a arm/r^2, which are off by 4/3 gap/r and 1/3
+// gap/r of themselves; of one that slips the spin alone, by gap/r. It may creep, by the share of its friction in
+// gravity.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Scene pushed = scene(p);
   const double disc_mass = mass_of(pushed.bodies[2]).mass;
@@ -169,38 +188,34 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double body = rolls ? rolling : most;
   const double board = (pull - disc_mass * body) / plank_mass;
   const auto late = [=](const Stepping& s, double per_mass) {
-    return per_mass * (lag(s) + s.contact_gap() / radius * duration) + s.creep +
-           round_off(s, duration, board * duration);
+    const double arm = rolls ? 4.0 / 3 * s.contact_gap() / radius : 0;
+    const double creep = rolls ? s.creep * body / gravity : 0;
+    return per_mass * arm * duration + creep + round_off(s, duration, board * duration);
   };
   const auto disc_speed = [=](const Stepping& s) { return late(s, body); };
   const auto plank_speed = [=](const Stepping& s) { return late(s, body * disc_mass / plank_mass); };
-  const auto spin = [=](const Stepping& s) { return 2 * disc_speed(s) / radius; };
-  const auto distance = [=](const Stepping& s, double speed, double acceleration) {
-    return speed * duration + drifted(s, acceleration, duration) + round_off(s, duration, plank.x);
+  const auto spin = [=](const Stepping& s) {
+    const double arm = (rolls ? 1.0 / 3 : 1) * s.contact_gap() / radius;
+    return 2 / radius * (body * arm * duration + round_off(s, duration, board * duration));
+  };
+  const auto distance = [=, mu = p.at("friction")](const Stepping& s, double speed, double acceleration) {
+    return speed * duration + drifted(s, acceleration, duration) + slid_late(s, acceleration) + mu * s.slop +
+           round_off(s, duration, plank.x);
   };
   const auto disc_place = [=](const Stepping& s) { return distance(s, disc_speed(s), body); };
   const auto plank_place = [=](const Stepping& s) { return distance(s, plank_speed(s), board); };
-  const auto turn = [=](const Stepping& s) { return 2 * disc_place(s) / radius; };
+  const auto turn = [=](const Stepping& s) { return spin(s) * duration + 2 / radius * distance(s, 0, body); };
   const std::string law = rolls ? "rolls: a = A/3, A = F/(M + m/3)" : "slips: a = mu g, A = (F - mu m g)/M";
   return {
-      {.body = "disc", .quantity = Quantity::vx, .allowed = disc_speed, .source = law + "; friction starts a lag late"},
+      {.body = "disc", .quantity = Quantity::vx, .allowed = disc_speed, .source = law + "; lever arm off by the gap"},
       {.body = "disc", .quantity = Quantity::angular_velocity, .allowed = spin, .source = law + ", w' = 2 a/r"},
-      {.body = "disc",
-       .quantity = Quantity::x,
-       .allowed = disc_place,
-       .source = law + "; friction starts a lag late, drift"},
-      {.body = "disc",
-       .quantity = Quantity::angle,
-       .allowed = turn,
-       .source = law + "; friction starts a lag late, drift"},
-      {.body = "plank",
-       .quantity = Quantity::vx,
-       .allowed = plank_speed,
-       .source = law + "; friction starts a lag late"},
+      {.body = "disc", .quantity = Quantity::x, .allowed = disc_place, .source = law + "; contact a lag late, drift"},
+      {.body = "disc", .quantity = Quantity::angle, .allowed = turn, .source = law + "; contact a lag late, drift"},
+      {.body = "plank", .quantity = Quantity::vx, .allowed = plank_speed, .source = law + "; lever arm off by the gap"},
       {.body = "plank",
        .quantity = Quantity::x,
        .allowed = plank_place,
-       .source = law + "; friction starts a lag late, drift"}};
+       .source = law + "; contact a lag late, drift"}};
 }
 
 const Catalog<Scenario>::Entry entry{

@@ -26,29 +26,32 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// It stops after v/(mu g) at v^2/(2 mu g). Friction that starts a lag late lets it slide on at v for that long; the
-// drift of the deceleration is drift (mu g) (v/(mu g)) h. A method that resolves nothing within a step
+// It stops after v/(mu g) at v^2/(2 mu g). Contact may be found a lag late. The drift of the deceleration is drift (mu
+// g) (v/(mu g)) h. A method that resolves nothing within a step
 //   applies the step in which it stops as a whole: with a fraction u of the step left until the stop, friction over the
 //     whole step moves the box mu g h^2 (1 - u)^2/2 too far, and in the next step, until friction is seen to push a
 //     body at rest, u mu g h^2/2 back: together less than mu g h^2/2;
-//   and lets the box sink in by the gap, during which friction is late by mu times that; while it brakes it leans with
-//     one end in by the gap, which moves its centre, at half its height, by gap (height/length).
+//   and lets the box sink in by the slop, during which friction is late by mu times that; while it brakes one end may
+//   be
+//     deeper by the slop, which moves its centre, at half its height, by slop (height/length)/2.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const double end = scene(p).duration;
   const double reach = v * v / (2 * p.at("friction") * gravity) + v * end;
   const double mu = p.at("friction");
   const auto place = [=](const Stepping& s) {
-    return v * (lag(s) + std::abs(s.drift) * s.h) + mu * gravity * s.h * s.h / 2 +
-           (mu + size.y / size.x) * s.contact_gap() + s.creep * end + round_off(s, end, reach);
+    return v * std::abs(s.drift) * s.h + slid_late(s, mu * gravity) + mu * gravity * s.h * s.h / 2 +
+           (mu + size.y / size.x / 2) * s.slop + round_off(s, end, reach);
   };
-  const auto speed = [=](const Stepping& s) { return s.creep + round_off(s, end, v); };
-  return {
-      {.body = "box",
-       .quantity = Quantity::x,
-       .allowed = place,
-       .source = "v^2/(2 mu g); friction starts a lag late, drift, the step in which it stops, penetration"},
-      {.body = "box", .quantity = Quantity::speed, .allowed = speed, .source = "at rest after v/(mu g); may creep"}};
+  const auto speed = [=](const Stepping& s) { return round_off(s, end, v); };
+  return {{.body = "box",
+           .quantity = Quantity::x,
+           .allowed = place,
+           .source = "v^2/(2 mu g); contact a lag late, drift, the step in which it stops, penetration"},
+          {.body = "box",
+           .quantity = Quantity::speed,
+           .allowed = speed,
+           .source = "at rest after v/(mu g), on level ground without creep"}};
 }
 
 const Catalog<Scenario>::Entry entry{
@@ -87,10 +90,10 @@ Scene scene(const Parameters& p) {
 }
 
 // At rest it stays, as pull <= mu_s g; once moving it accelerates all the time, by pull - mu_d g > 0.
-//   Friction may start a lag late. The moving box gains mu_d g lag of speed, for the whole distance; the box at rest is
-//     pulled for that long, and its displacement grows for one more step until it is stopped.
-//   Position: the drift of its acceleration. While the box sinks in by the gap friction is late by mu times that; and
-//     it leans with one end in by the gap, which moves its centre by gap (height/length).
+//   Contact may be found a lag late: until then nothing brakes the box, which the impact makes up for.
+//   Position: the drift of its acceleration. While the box sinks in by the slop friction is late by mu times that; and
+//     one end may be deeper by the slop, which moves its centre by slop (height/length)/2.
+//   The box at rest may creep, by the share of its friction in gravity.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const double mu = v > 0 ? p.at("dynamic") : p.at("static");
@@ -98,23 +101,22 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double late = v > 0 ? mu * gravity : p.at("pull");  // m/s^2, while there is no friction
   const double end = duration;
   const double reach = v * end + gravity * end * end;
-  const auto speed = [=](const Stepping& s) {
-    return (v > 0 ? late * lag(s) : s.creep) + round_off(s, end, v + gravity * end);
-  };
+  const auto creep = [=, pull = p.at("pull")](const Stepping& s) { return v > 0 ? 0 : s.creep * pull / gravity; };
+  const auto speed = [=](const Stepping& s) { return creep(s) + round_off(s, end, v + gravity * end); };
   const auto place = [=](const Stepping& s) {
-    const double slid = v > 0 ? late * lag(s) * end : late * lag(s) * (lag(s) + s.h) + s.creep * end;
-    return slid + drifted(s, a, end) + (mu + size.y / size.x) * s.contact_gap() + round_off(s, end, reach);
+    return slid_late(s, late) + creep(s) * end + drifted(s, a, end) + (mu + size.y / size.x / 2) * s.slop +
+           round_off(s, end, reach);
   };
   return {{.body = "box",
            .quantity = Quantity::vx,
            .expected = v + a * end,
            .allowed = speed,
-           .source = "sticks up to mu_s, slides with mu_d; friction starts a lag late, or creep"},
+           .source = "sticks up to mu_s, slides with mu_d; may creep at rest"},
           {.body = "box",
            .quantity = Quantity::x,
            .expected = v * end + a * end * end / 2,
            .allowed = place,
-           .source = "v t + (pull - mu_d g) t^2/2, or 0 at rest; friction starts a lag late, drift, penetration"}};
+           .source = "v t + (pull - mu_d g) t^2/2, or 0 at rest; contact a lag late, drift, penetration"}};
 }
 
 const Catalog<Scenario>::Entry entry{
@@ -160,27 +162,26 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Slows down by mu g t. Friction that starts a lag late misses mu g lag of that, for the whole distance. The distance
-// is also off by the drift of mu g, by mu times the gap while the box sinks in, and by its lean, gap (height/length).
+// Slows down by mu g t. The distance is off by the drift of mu g, by contact that is found a lag late, by mu times the
+// slop while the box sinks in, and by its lean, slop (height/length)/2.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double mu = mixed_dynamic_friction(mixing_of(p), surface_of(p, "box"), surface_of(p, "ground"));
   const double a = mu * gravity;
   const double t = duration;
-  const auto speed_error = [=](const Stepping& s) { return a * lag(s) + round_off(s, t, speed); };
+  const auto speed_error = [=](const Stepping& s) { return round_off(s, t, speed); };
   const auto place = [=](const Stepping& s) {
-    return a * lag(s) * t + drifted(s, a, t) + (mu + size.y / size.x) * s.contact_gap() +
-           round_off(s, t, 2 * speed * t);
+    return slid_late(s, a) + drifted(s, a, t) + (mu + size.y / size.x / 2) * s.slop + round_off(s, t, 2 * speed * t);
   };
   return {{.body = "box",
            .quantity = Quantity::vx,
            .expected = speed - a * t,
            .allowed = speed_error,
-           .source = "v - mu g t, mu by the rule; friction starts a lag late"},
+           .source = "v - mu g t, mu by the rule, of the whole normal impulse"},
           {.body = "box",
            .quantity = Quantity::x,
            .expected = speed * t - a * t * t / 2,
            .allowed = place,
-           .source = "v t - mu g t^2/2, mu by the rule; friction starts a lag late, drift, penetration"}};
+           .source = "v t - mu g t^2/2, mu by the rule; contact a lag late, drift, penetration"}};
 }
 
 const Catalog<Scenario>::Entry entry{

@@ -30,12 +30,13 @@ Scene scene(const Parameters& p) {
 }
 
 // Sticks iff tan a <= mu, otherwise slides with a = g (sin a - mu cos a). It slides before it tips, as mu < 1 = b/h.
-//   Contact   may be detected a lag late. Until then the box falls freely and gains g sin a lag along the slope, which
-//             friction removes only in the next step: a distance of g sin a lag (lag + h). If it slides, the total
-//             friction impulse is mu times the total normal impulse, which is off by at most the fall's m g cos a lag.
-//   Sticking  it may creep.
-//   Position  the gap off the slope and, if it slides, the integrator's drift.
-//   Angle     one corner in by the gap and the other out by it.
+//   Contact   may be found a lag late. Until then the box falls freely and gains g sin a lag along the slope, which
+//             friction removes only in the next step: a distance of g sin a lag (lag + h). Its speed is right then: the
+//             total friction impulse is mu times the total normal impulse, whenever that is given.
+//   Sticking  it may creep, by the share of gravity that friction bears, sin a.
+//   Position  the gap off the slope, mu times the slop along it while the box sinks in and, if it slides, the
+//             integrator's drift.
+//   Angle     two corners of one contact differ by the slop.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double angle = p.at("angle") * degree;
   const double mu = p.at("friction");
@@ -46,28 +47,27 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double reach = slab.y + size + gravity * end * end;
 
   const auto speed = [=](const Stepping& s) {
-    const double late = sticks ? s.creep : gravity * mu * std::cos(angle) * lag(s);
-    return late + round_off(s, end, gravity * end);
+    return (sticks ? s.creep * std::sin(angle) : 0) + round_off(s, end, gravity * end);
   };
   const auto place = [=](const Stepping& s) {
-    const double fallen = gravity * std::sin(angle) * lag(s) * (lag(s) + s.h);
-    const double slid = sticks ? s.creep * end : gravity * mu * std::cos(angle) * lag(s) * end;
-    return fallen + slid + drifted(s, acceleration, end) + s.contact_gap() + round_off(s, end, reach);
+    const double crept = sticks ? s.creep * std::sin(angle) * end : 0;
+    const double late = slid_late(s, gravity * std::sin(angle)) + mu * s.slop;
+    return late + crept + drifted(s, acceleration, end) + s.contact_gap() + round_off(s, end, reach);
   };
-  const auto turn = [=](const Stepping& s) { return 2 * s.contact_gap() / size + round_off(s, end, reach / size); };
+  const auto turn = [=](const Stepping& s) { return s.slop / size + round_off(s, end, reach / size); };
 
   const std::string law = sticks ? "sticks, as tan a <= mu" : "g (sin a - mu cos a) t";
   return {
       {.body = "box",
        .quantity = Quantity::speed,
        .allowed = speed,
-       .source = law + (sticks ? "; may creep" : "; friction may start a lag late")},
+       .source = law + (sticks ? "; may creep" : "; mu times the whole normal impulse")},
       {.body = "box", .quantity = Quantity::x, .allowed = place, .source = law + "; late contact, creep or drift, gap"},
       {.body = "box", .quantity = Quantity::y, .allowed = place, .source = law + "; late contact, creep or drift, gap"},
       {.body = "box",
        .quantity = Quantity::angle,
        .allowed = turn,
-       .source = "lies flat; one corner in by the gap, the other out"}};
+       .source = "lies flat; one corner may be deeper by the slop"}};
 }
 
 Smoothness smoothness(const Parameters& p) {
@@ -122,13 +122,16 @@ Scene scene(const Parameters& p) {
 // Tips iff tan a > b/h. Then the lever arm d from the lower edge to the centre is an inverted pendulum, s'' = w^2 sin
 // s, w^2 = m g d/(I + m d^2), s(0) = a - arctan(b/h). Errors of the start grow at most like cosh(w t), those of the
 // speed like sinh(w t)/w. With the angular velocity at the end W <= s(0) w sinh(w t):
-//   start    one side of the base in by the gap and the other out, and an edge off by as much: 2 gap/b + gap/d;
-//   contact  detected a lag late, until when the box falls freely; the speed g lag may all become spin: g lag/d;
-//   first    the method's drift makes it half a step early or late: 2 |drift| h W;
-//   lost     contacts are found once per step and let the centre move along the tangent, which loses (W dt)^2/2 of the
-//            speed in each of t/dt steps;
+//   start    two corners of the base differ by the slop, slop/b; and the edge on which the box turns is off by the gap
+//            along the slope's normal, gap (b/2)/d^2 in the arm's angle, which also changes w by gap/(2 d) of itself;
+//   contact  it is found a lag late, until when the box falls freely. Its angular momentum about the edge grows as if
+//   it
+//            touched, and the impact turns all of it into spin: the turn until then is missing, w^2 s(0) lag (lag + h);
+//   first    the method's drift makes it half a step early or late: |drift| h W;
+//   lost     first-order contacts are found once per step and let the centre move along the tangent, which loses
+//            (W dt)^2/2 of the speed in each of t/dt steps;
 //   second   a phase error of (w h)^2/24 w t.
-// If it stands, the contact may open by the gap on one side, and the box may creep.
+// If it stands, one corner may be deeper by the slop, and the box may creep.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double angle = p.at("angle") * degree;
   const double b = p.at("width");
@@ -145,19 +148,20 @@ std::vector<Expectation> expectations(const Parameters& p) {
 
   const auto turn = [=](const Stepping& s) {
     const double round = round_off(s, time, reach / b);
-    if (stands) return 2 * s.contact_gap() / b + round;
+    if (stands) return s.slop / b + round;
     const double fastest = lean * w * std::sinh(w * time);
-    const double start = (2 / b + 1 / d) * s.contact_gap() * std::cosh(w * time);
-    const double late = gravity * lag(s) / d * std::sinh(w * time) / w;
-    const double first = 2 * std::abs(s.drift) * s.h * fastest;
+    const double start = (s.slop / b + s.contact_gap() * b / (2 * d * d)) * std::cosh(w * time);
+    const double stiffer = s.contact_gap() / (2 * d) * fastest * time;
+    const double late = w * w * lean * lag(s) * (lag(s) + s.h) * std::cosh(w * time);
+    const double first = std::abs(s.drift) * s.h * fastest;
     const double swept = lean * (std::cosh(w * time) - 1);
-    const double lost = swept * fastest * fastest * s.dt * time / 2;
+    const double lost = first_order_in_contact(s) ? swept * fastest * fastest * s.dt * time / 2 : 0;
     const double second = w * w * s.h * s.h / 24 * fastest * time * std::cosh(w * time);
-    return start + late + first + lost + second + round * std::cosh(w * time);
+    return start + stiffer + late + first + lost + second + round * std::cosh(w * time);
   };
   const auto place = [=](const Stepping& s) {
     const double fallen = gravity * lag(s) * (lag(s) + s.h);
-    return d * turn(s) + s.creep * time + s.contact_gap() + fallen + round_off(s, time, reach);
+    return d * turn(s) + s.creep * std::sin(angle) * time + s.contact_gap() + fallen + round_off(s, time, reach);
   };
   const std::string law =
       stands ? "stands, as tan a <= b/h" : "tips, as tan a > b/h: turns about its edge, s'' = w^2 sin s";
@@ -165,7 +169,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .quantity = Quantity::angle,
            .time = time,
            .allowed = turn,
-           .source = law + (stands ? "; tilted by the gap" : "; gap and lag at the start, amplified, and drift")},
+           .source = law + (stands ? "; tilted by the slop" : "; gap and lag at the start, amplified, and drift")},
           {.body = "box",
            .quantity = Quantity::x,
            .time = time,

@@ -47,13 +47,16 @@ Scene scene(const Parameters& p) {
 // Newton's impacts with e = 1, frictionless, conserve energy even if several happen in one step: the work of the
 // impulses is the sum of J (v + v')/2, and v' = -v at each impact. On the open table no external force acts. Iterations
 // leave a fraction of that unsolved; the longest line of bodies that collide at once is a row through the triangle. An
-// impact slower than an engine's threshold is treated as inelastic and loses at most m v^2/4: one for each pair.
+// impact slower than an engine's threshold is treated as inelastic and loses at most m v^2/4: one for each pair of
+// neighbours in the triangle and the cue ball's; as the balls fly apart, others meet on a table only, one for each
+// pair.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Scene balls = scene(p);
   const double v = p.at("speed");
   const double mass = mass_of(balls.bodies.back()).mass;
   const auto n = static_cast<double>(balls.bodies.size());
   const int rows = static_cast<int>(p.at("rows"));
+  const double pairs = p.at("cushions") == 1 ? n * n / 2 : 3 * rows * (rows - 1) / 2.0 + 1;
   const auto exact = [=](const Stepping& s) { return n * mass * round_off(s, duration, v); };
   std::vector<Expectation> all{{.quantity = Quantity::energy,
                                 .expected = mass * v * v / 2,
@@ -61,7 +64,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                                     [=](const Stepping& s) {
                                       const double slow = std::min(s.restitution_threshold, v);
                                       const double together = mass * v * v * unsolved(s, rows);
-                                      return v * exact(s) + together + n * n / 2 * mass * slow * slow / 4;
+                                      return v * exact(s) + together + pairs * mass * slow * slow / 4;
                                     },
                                 .source = "constant, as e = 1"}};
   if (p.at("cushions") == 1) return all;

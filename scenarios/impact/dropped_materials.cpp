@@ -47,16 +47,11 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// The first apex, e^2 h. An impact that is detected at a depth d <= V lag and reversed there, or lifted out first, is
-// off by (1 - e^2) d to e^2 d; drift adds D h V (e^2 + e) and the gap (1 + e^2) times itself; sampled every dt, a top
-// is seen up to g dt^2/8 too low. (As in `bounce`, where each apex follows from the one before.)
+// The first apex, e^2 h; sampled every dt, a top is seen up to g dt^2/8 too low.
 double allowed_apex(double e, double height, const Stepping& s) {
   const double slack = gravity * s.h * (s.impact_lag + std::abs(s.drift));
-  const double fastest = std::sqrt(2 * gravity * height) + slack;
-  const double depth = fastest * lag(s) * std::max(e * e, 1 - e * e);
-  const double drifted = std::abs(s.drift) * s.h * fastest * (e * e + e);
-  return depth + drifted + (1 + e * e) * s.contact_gap() + gravity * s.dt * s.dt / 8 +
-         round_off(s, duration, 10 * height);
+  const ReboundError off = rebound_error(s, e, std::sqrt(2 * gravity * height) + slack);
+  return std::max(off.low, off.high) + gravity * s.dt * s.dt / 8 + round_off(s, duration, 10 * height);
 }
 
 // At rest since sqrt(2h/g) (1+e)/(1-e). The speed that late impacts add, `slack` each, converges to e/(1-e) times it,
@@ -80,7 +75,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                      .index = 1,
                      .expected = radius + e * e * height,
                      .allowed = [=](const Stepping& s) { return allowed_apex(e, height, s); },
-                     .source = "e^2 h, e the larger of the two; late detection of the impact, drift, gap"});
+                     .source = "e^2 h, e the larger of the two; late detection of the impact, drift, skin"});
     } else {
       all.push_back({.body = drop.name(),
                      .quantity = Quantity::y,

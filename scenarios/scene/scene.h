@@ -13,6 +13,8 @@
 /// precision, angles counter-clockwise, y up. Nothing here is specific to an engine.
 namespace plumb {
 
+constexpr double standard_gravity = 10;  // m/s^2, of a scene that says nothing else
+
 struct Vec {
   double x = 0;
   double y = 0;
@@ -139,7 +141,7 @@ using Force = std::variant<Attraction, Spring, Constant>;
 struct Scene {
   std::string name;
   std::string about;
-  Vec gravity{0, -10};
+  Vec gravity{0, -standard_gravity};
   double duration = 1;  // s
   Mixing mixing;
   std::vector<Body> bodies;

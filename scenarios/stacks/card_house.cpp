@@ -64,7 +64,8 @@ Scene scene(const Parameters& p) {
 // It stands if friction >= tan a: a card of weight W that carries P on its top needs a horizontal force of (W/2 + P)
 // tan a, of which its partner supplies (W/2) tan a and the roof, held by friction under P, P tan a; at its foot W + P
 // balances all of it. A storey may settle by a gap under the feet and a gap under the roof; and, as the tops come a gap
-// closer or the feet creep outwards, by tan a of that.
+// closer or the feet creep outwards, by tan a of that;
+// friction bears tan a of gravity.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Measures m(p.at("lean") * degree);
   const double slope = std::tan(m.lean);
@@ -77,7 +78,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                    .expected = card.position.y,
                    .allowed =
                        [=, y = card.position.y](const Stepping& s) {
-                         return storeys * ((2 + slope) * s.contact_gap() + slope * s.creep * duration) +
+                         return storeys * ((2 + slope) * s.contact_gap() + slope * slope * s.creep * duration) +
                                 round_off(s, duration, y);
                        },
                    .source = "equilibrium, as friction is above tan a; gaps and creep, storey by storey"});

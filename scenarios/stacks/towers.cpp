@@ -27,13 +27,12 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Nothing moves. The error allowed for box k comes from the k contacts below it, each of which may be off by the
-// engine's gap:
-//   y      k gap;
-//   angle  a contact may be open by the gap on one side and penetrate by it on the other: 2 gap/size each, so 2 k
-//          gap/size;
-//   x      each box adds to the lean of the one below: sum over j <= k of size 2 j gap/size = k (k+1) gap, plus the
-//          creep of k sticking contacts.
+// Nothing moves. The error allowed for box k comes from the k contacts below it:
+//   y      each may be off by the engine's gap: k gap;
+//   angle  one corner of each may be deeper by the slop: slop/size each, k slop/size together;
+//   x      each box adds to the lean of the one below: sum over j <= k of size j slop/size = k (k+1)/2 slop. The ground
+//   is
+//          level, so that friction has nothing to hold and nothing creeps.
 // Only the round-off of positions accumulates; that of velocities is stopped by the contacts.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double end = p.at("duration");
@@ -63,16 +62,12 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double reach = (k + 1) * size;
   all.push_back({.body = box_name(k),
                  .quantity = Quantity::x,
-                 .allowed =
-                     [=](const Stepping& s) {
-                       return k * (k + 1) * s.contact_gap() + k * s.creep * end + round_off(s, end, reach);
-                     },
-                 .source = "equilibrium: leans at most by one gap per contact and the creep"});
-  all.push_back(
-      {.body = box_name(k),
-       .quantity = Quantity::angle,
-       .allowed = [=](const Stepping& s) { return 2 * k * s.contact_gap() / size + round_off(s, end, reach / size); },
-       .source = "equilibrium: each contact may be open by the gap on one side and penetrate by it on the other"});
+                 .allowed = [=](const Stepping& s) { return k * (k + 1) / 2.0 * s.slop + round_off(s, end, reach); },
+                 .source = "equilibrium: leans at most by one slop per contact"});
+  all.push_back({.body = box_name(k),
+                 .quantity = Quantity::angle,
+                 .allowed = [=](const Stepping& s) { return k * s.slop / size + round_off(s, end, reach / size); },
+                 .source = "equilibrium: one corner of each contact may be deeper by the slop"});
   return all;
 }
 
@@ -182,27 +177,28 @@ std::vector<Expectation> fallen(int blocks) {
            .source = "topples, as the overhang is above (L/2) sum 1/k; falls by at least one block"}};
 }
 
-// Below the limit nothing moves, except by one gap per contact below in height and by the tilt of those gaps, 2
-// gap/bearing each. The bearing is the part of L under block k, L (1 - fraction/(2 k)), at least half of it.
+// Below the limit nothing moves, except by one gap per contact below in height and by the tilt of their slop,
+// slop/bearing each. The bearing is the part of L under block k, L (1 - fraction/(2 k)), at least half of it.
 std::vector<Expectation> expectations(const Parameters& p) {
   const int blocks = static_cast<int>(p.at("blocks"));
   if (p.at("fraction") > 1) return fallen(blocks);
   std::vector<Expectation> all;
   for (int k = 1; k <= blocks; ++k) {
     const int below = blocks - k + 1;
-    const double tilt = 4.0 * below / block.x;  // rad per m of gap
+    const double tilt = 2.0 * below / block.x;  // rad per m of slop
     all.push_back(
         {.body = name(k),
          .quantity = Quantity::y,
          .allowed =
              [=](const Stepping& s) {
-               return (below + tilt * block.x / 2 * below) * s.contact_gap() + round_off(s, duration, block.x * blocks);
+               return below * s.contact_gap() + tilt * block.x / 2 * below * s.slop +
+                      round_off(s, duration, block.x * blocks);
              },
          .source = "equilibrium, as the overhang is below (L/2) sum 1/k; one gap per contact below, and their tilt"});
     all.push_back({.body = name(k),
                    .quantity = Quantity::angle,
-                   .allowed = [=](const Stepping& s) { return tilt * s.contact_gap() + round_off(s, duration, 1); },
-                   .source = "equilibrium: the tilt of one gap per contact below"});
+                   .allowed = [=](const Stepping& s) { return tilt * s.slop + round_off(s, duration, 1); },
+                   .source = "equilibrium: the tilt of one slop per contact below"});
   }
   return all;
 }

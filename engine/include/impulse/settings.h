@@ -65,7 +65,9 @@ struct StatedErrors {
   int order_in_contact = 1;        // and that of sliding along a contact to h^order_in_contact
   Real impact_lag = 1;             // how late an impact may be detected, in units of h; 0 if its time is solved for
   Real gap = 0;                    // m, by which a resting contact may be separated or overlap
-  Real creep = 0;                  // m/s, at which a sticking contact may slide
+  Real joint_gap = 0;              // m, by which the anchors of a resting joint may be apart
+  Real creep = 0;                  // m/s, at which a sticking contact may slide if its friction bears all of gravity; a
+                                   // share of it at that share of the speed, none of it on level ground
   Real restitution_threshold = 0;  // m/s, slower impacts are inelastic
   Real joint_omega = 0;  // rad/s, natural frequency of joints in islands too large for a direct solve: there a joint
                          // stretches by its load / (2 m_eff joint_omega^2). 0: all joints are solved alike

@@ -93,6 +93,7 @@ class Accurate : public Solver {
     errors.order_in_contact = 2;
     errors.impact_lag = 0;
     errors.gap = tolerated_sink;  // until the offset has corrected it
+    errors.joint_gap = tolerated_joint_gap;
     errors.creep = 0;
     errors.joints = true;
     errors.joint_omega = softness_of_swept(errors.h).omega;

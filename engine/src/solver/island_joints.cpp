@@ -10,8 +10,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// m or rad, the error up to which joints count as satisfied.
-constexpr Real slack = static_cast<Real>(1e-5);
+constexpr Real slack = tolerated_joint_gap;
 
 /// Compliance: a joint is a spring with w h = 1/sqrt(give), 1000. Its load displaces it by g h^2 give, 2e-10 m at 240
 /// Hz; a taut chain's forces stay finite.

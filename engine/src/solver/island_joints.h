@@ -11,6 +11,9 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+/// m or rad, the error up to which joints count as satisfied.
+constexpr Real tolerated_joint_gap = static_cast<Real>(1e-5);
+
 /// Working storage for the joints of an island, reused from island to island.
 struct JointWorkspace {
   JointSystem system;

@@ -110,6 +110,7 @@ void SoftStep::state(const Settings& settings, StatedErrors& errors) const {
   errors.order_in_contact = 1;
   errors.impact_lag = static_cast<Real>(settings.substeps);
   errors.gap = static_cast<Real>(2.5) * length(settings.gravity) / (omega * omega);
+  errors.joint_gap = errors.gap / 4;  // its joints are springs of twice the frequency
   errors.creep = 0;
   errors.restitution_threshold = restitution_threshold;
 }
