@@ -29,44 +29,39 @@ Scene scene(const Parameters& p) {
 }
 
 // Rests iff pull <= mu_s g; otherwise it accelerates from the start by pull - mu_d g, so that a small error of mu_s
-// becomes a large distance. Load and friction are off by the same share of a step, whatever that is, so only what they
-// do not share can decide otherwise: what the iterations leave of the one that is solved first. Where that exceeds the
-// margin, a method may do either.
-//   Rests   friction may start a lag late, until when it is pulled, and its displacement grows for one more step until
-//           it is stopped; it may creep.
-//   Slides  friction that starts a lag late misses mu_d g lag of speed, for the whole distance; the drift of its
-//           acceleration.
-//   Both    while the box sinks in by the gap friction is late by mu times that; and it leans with one end in by the
-//           gap, which moves its centre by gap (height/length).
+// becomes a large distance. Load and friction are late by the same share of a step, so only what they do not share can
+// decide otherwise: what the iterations leave of the one that is solved first. Where that exceeds the margin, a method
+// may do either. Besides:
+//   Contact may be found a lag late: until then nothing brakes the box, which the impact makes up for.
+//   Position: the drift of its acceleration. While the box sinks in by the slop friction is late by mu times that; and
+//     one end may be deeper by the slop, which moves its centre by slop (height/length)/2.
+//   The box at rest may creep, by the share of its friction in gravity.
 std::vector<Expectation> expectations(const Parameters& p) {
   const bool rests = p.at("margin") <= 0;
   const double mu = rests ? p.at("static") : p.at("dynamic");
   const double sliding = pull(p) - p.at("dynamic") * gravity;
   const double a = rests ? 0 : sliding;
+  const double late = rests ? pull(p) : mu * gravity;  // m/s^2, while there is no friction
   const double end = duration;
   const double reach = gravity * end * end;
   const double margin = std::abs(p.at("margin"));
-  const auto undecided = [=](const Stepping& s) { return unsolved(s, 2) > margin; };
-  const auto speed = [=](const Stepping& s) {
-    const double either = undecided(s) ? sliding * end : 0;
-    return (rests ? s.creep : mu * gravity * lag(s)) + either + round_off(s, end, gravity * end);
-  };
+  const auto creep = [=, share = pull(p) / gravity](const Stepping& s) { return rests ? s.creep * share : 0; };
+  const auto either = [=](const Stepping& s) { return unsolved(s, 2) > margin ? sliding : 0; };  // m/s^2
+  const auto speed = [=](const Stepping& s) { return creep(s) + either(s) * end + round_off(s, end, gravity * end); };
   const auto place = [=](const Stepping& s) {
-    const double either = undecided(s) ? sliding * end * end / 2 : 0;
-    const double late =
-        rests ? pull(p) * lag(s) * (lag(s) + s.h) + s.creep * end : mu * gravity * lag(s) * end + drifted(s, a, end);
-    return late + either + (mu + size.y / size.x) * s.contact_gap() + round_off(s, end, reach);
+    return slid_late(s, late) + creep(s) * end + either(s) * end * end / 2 + drifted(s, a, end) +
+           (mu + size.y / size.x / 2) * s.slop + round_off(s, end, reach);
   };
   return {{.body = "box",
            .quantity = Quantity::vx,
            .expected = a * end,
            .allowed = speed,
-           .source = "0 up to mu_s g, else (pull - mu_d g) t; friction starts a lag late, or creep"},
+           .source = "0 up to mu_s g, else (pull - mu_d g) t; may creep at rest"},
           {.body = "box",
            .quantity = Quantity::x,
            .expected = a * end * end / 2,
            .allowed = place,
-           .source = "0 up to mu_s g, else (pull - mu_d g) t^2/2; friction starts a lag late, drift, penetration"}};
+           .source = "0 up to mu_s g, else (pull - mu_d g) t^2/2; contact a lag late, drift, penetration"}};
 }
 
 const Catalog<Scenario>::Entry entry{
