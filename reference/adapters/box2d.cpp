@@ -291,6 +291,11 @@ class Box2d : public Simulation {
   void add(const Revolute& joint) {
     b2RevoluteJointDef def;
     def.Initialize(bodies_[joint.a], bodies_[joint.b], to_b2(joint.anchor));
+    if (joint.limits) {
+      def.enableLimit = true;
+      def.lowerAngle = static_cast<float>(joint.limits->low);
+      def.upperAngle = static_cast<float>(joint.limits->high);
+    }
     world_.CreateJoint(&def);
   }
 

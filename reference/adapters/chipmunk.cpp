@@ -187,7 +187,12 @@ class Chipmunk : public Simulation {
   void gear(cpBody* a, cpBody* b) { hold(cpGearJointNew(a, b, cpBodyGetAngle(b) - cpBodyGetAngle(a), 1)); }
 
   void add(const Revolute& joint) {
-    hold(cpPivotJointNew(bodies_[joint.a].get(), bodies_[joint.b].get(), to_cp(joint.anchor)));
+    cpBody* a = bodies_[joint.a].get();
+    cpBody* b = bodies_[joint.b].get();
+    hold(cpPivotJointNew(a, b, to_cp(joint.anchor)));
+    if (!joint.limits) return;
+    const double start = cpBodyGetAngle(b) - cpBodyGetAngle(a);
+    hold(cpRotaryLimitJointNew(a, b, start + joint.limits->low, start + joint.limits->high));
   }
 
   void add(const Distance& joint) {

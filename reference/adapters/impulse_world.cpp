@@ -139,7 +139,10 @@ class Impulse : public Simulation {
 
  private:
   impulse::Joint joint_of(const Revolute& joint) const {
-    return impulse::RevoluteJoint{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor)};
+    impulse::RevoluteJoint made{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor)};
+    if (joint.limits)
+      made.limits = impulse::Limits{static_cast<Real>(joint.limits->low), static_cast<Real>(joint.limits->high)};
+    return made;
   }
 
   impulse::Joint joint_of(const Distance& joint) const {

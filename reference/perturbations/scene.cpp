@@ -127,6 +127,19 @@ const Catalog<Perturbation>::Entry anchors{
                return any;
              })};
 
+const Catalog<Perturbation>::Entry limits{
+    of_scene("joint limits", "the angles at which hinges stop, from their start", [](Scene& scene, double error) {
+      bool any = false;
+      for (Joint& joint : scene.joints) {
+        auto* hinge = std::get_if<Revolute>(&joint);
+        if (hinge == nullptr || !hinge->limits) continue;
+        const bool low = scale(hinge->limits->low, error);
+        const bool high = scale(hinge->limits->high, error);
+        any = any || low || high;
+      }
+      return any;
+    })};
+
 const Catalog<Perturbation>::Entry stiffness{
     of_scene("spring stiffness", "the stiffness of springs and of soft joints", [](Scene& scene, double error) {
       bool any = false;

@@ -34,9 +34,9 @@ struct Trial {
 using Seen = std::optional<Detection>;
 
 std::vector<JudgedRun> judged_by_all(const JudgedCase& of, const Outcome& outcome,
-                                     const std::vector<StatedMethod>& statements, double dt) {
+                                     const std::vector<EngineStatement>& statements, double dt) {
   std::vector<JudgedRun> all;
-  for (const StatedMethod& statement : statements) {
+  for (const EngineStatement& statement : statements) {
     JudgedRun judged{.status = outcome.status, .reason = outcome.reason};
     if (outcome.status == Status::ok) {
       judged.judgement = judge_case(*of.one, statement.config, dt, *outcome.trace, {}, of.truth.get());
@@ -46,7 +46,7 @@ std::vector<JudgedRun> judged_by_all(const JudgedCase& of, const Outcome& outcom
   return all;
 }
 
-JudgedCase judged_case(const Case& one, const std::vector<StatedMethod>& statements, double dt) {
+JudgedCase judged_case(const Case& one, const std::vector<EngineStatement>& statements, double dt) {
   JudgedCase judged{.one = &one};
   const Engine* closed_form = one.closed_form;
   if (closed_form != nullptr && closed_form->unsupported(*one.scene, complete(*closed_form, {})).empty()) {
@@ -62,7 +62,7 @@ JudgedCase judged_case(const Case& one, const std::vector<StatedMethod>& stateme
 class Search {
  public:
   Search(const Perturbation& parameter, const std::vector<JudgedCase>& cases,
-         const std::vector<StatedMethod>& statements, double dt, int jobs)
+         const std::vector<EngineStatement>& statements, double dt, int jobs)
       : parameter_(parameter), cases_(cases), statements_(statements), dt_(dt), jobs_(jobs) {}
 
   Sensitivity result();
@@ -76,7 +76,7 @@ class Search {
 
   const Perturbation& parameter_;
   const std::vector<JudgedCase>& cases_;
-  const std::vector<StatedMethod>& statements_;
+  const std::vector<EngineStatement>& statements_;
   double dt_;
   int jobs_;
 };
@@ -171,8 +171,8 @@ Sensitivity Search::result() {
 
 }  // namespace
 
-std::vector<StatedMethod> statements() {
-  std::vector<StatedMethod> all;
+std::vector<EngineStatement> engine_statements() {
+  std::vector<EngineStatement> all;
   for (const auto& [name, goal] :
        {std::pair<const char*, std::optional<double>>{"impulse", 1e-4}, {"box2d", 0.02}, {"chipmunk", std::nullopt}}) {
     const Engine* engine = Catalog<Engine>::find(name);
@@ -181,7 +181,7 @@ std::vector<StatedMethod> statements() {
   return all;
 }
 
-bool Sensitivity::reaches(std::size_t statement, const StatedMethod& of) const {
+bool Sensitivity::reaches(std::size_t statement, const EngineStatement& of) const {
   if (!of.goal) return true;
   const std::optional<Sighting>& seen = sighted[statement];
   return seen && std::abs(seen->error) <= *of.goal;
@@ -194,7 +194,7 @@ std::vector<Perturbation> all_perturbations() {
 }
 
 std::vector<Sensitivity> sensitivities(const std::vector<Perturbation>& parameters, const std::vector<Case>& cases,
-                                       const std::vector<StatedMethod>& statements, double dt, int jobs,
+                                       const std::vector<EngineStatement>& statements, double dt, int jobs,
                                        const Progress& progress) {
   const std::size_t all = parameters.size() + 1;
   progress("our engine as it is", 0, all);

@@ -12,14 +12,14 @@
 namespace plumb {
 
 /// What an engine states about itself, by which runs of ours are judged: how fine the harness can be for that engine.
-struct StatedMethod {
+struct EngineStatement {
   std::string engine;
   EngineConfig config;              // only what it states is used; it runs nothing
   std::optional<double> goal = {};  // the error that must be seen in every parameter
 };
 
 /// Our engine's own, Box2D's and, where it was built, Chipmunk's, with their default settings.
-std::vector<StatedMethod> statements();
+std::vector<EngineStatement> engine_statements();
 
 /// The smallest error that some case calls wrong.
 struct Sighting {
@@ -33,7 +33,7 @@ struct Sensitivity {
   std::vector<std::optional<Sighting>> sighted;  // by statement; nullopt: no case sees an error of `largest_error`
 
   /// Whether the error that a statement sees is within its goal; true if it has none.
-  bool reaches(std::size_t statement, const StatedMethod&) const;
+  bool reaches(std::size_t statement, const EngineStatement&) const;
 };
 
 /// The search for errors starts here: a larger one is no slight mistake.
@@ -50,6 +50,6 @@ std::vector<Perturbation> all_perturbations();
 /// with its default settings and is judged by the truth of the case as it is. Only checks that our engine passes
 /// without the error count. The result does not depend on `jobs`.
 std::vector<Sensitivity> sensitivities(const std::vector<Perturbation>&, const std::vector<Case>&,
-                                       const std::vector<StatedMethod>&, double dt, int jobs, const Progress&);
+                                       const std::vector<EngineStatement>&, double dt, int jobs, const Progress&);
 
 }  // namespace plumb

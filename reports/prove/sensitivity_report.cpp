@@ -54,7 +54,7 @@ std::string text_of(const SensitivityReport& report) {
   }
   text += "\n";
   for (std::size_t s = 0; s < report.statements.size(); ++s) {
-    const StatedMethod& statement = report.statements[s];
+    const EngineStatement& statement = report.statements[s];
     if (!statement.goal) continue;
     text += fmt::format("{}: {} of {} parameters within the goal of {:.2g}\n", statement.engine,
                         report.parameters.size() - missed(report, s), report.parameters.size(), *statement.goal);
@@ -65,7 +65,7 @@ std::string text_of(const SensitivityReport& report) {
 std::string markdown_of(const SensitivityReport& report) {
   std::string header = "| error in |";
   std::string rule = "|---|";
-  for (const StatedMethod& statement : report.statements) {
+  for (const EngineStatement& statement : report.statements) {
     header += fmt::format(" by {} | seen in |", statement.engine);
     rule += "--:|---|";
   }
@@ -106,7 +106,7 @@ nlohmann::ordered_json to_json(const SensitivityReport& report) {
                           {"seen", std::move(seen)}});
   }
   SensitivityJson statements = SensitivityJson::array();
-  for (const StatedMethod& one : report.statements) {
+  for (const EngineStatement& one : report.statements) {
     statements.push_back(
         {{"engine", one.engine}, {"goal", one.goal ? SensitivityJson(*one.goal) : SensitivityJson(nullptr)}});
   }

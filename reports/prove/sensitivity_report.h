@@ -10,7 +10,7 @@ namespace plumb {
 
 /// Everything that `plumb prove --sensitivity` found.
 struct SensitivityReport {
-  std::vector<StatedMethod> statements;
+  std::vector<EngineStatement> statements;
   std::vector<Sensitivity> parameters;
   std::size_t cases = 0;
   double dt = 0;  // s

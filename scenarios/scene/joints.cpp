@@ -22,13 +22,21 @@ Joint scaled_kind(OneAnchor joint, double factor) {
 // Revolute
 
 Joint read_revolute(const JsonReader& in, const BodyNames& names) {
-  in.object({"type", "bodies", "anchor"});
+  in.object({"type", "bodies", "anchor"}, {"limits"});
   const auto [a, b] = names.find_two(in["bodies"]);
-  return Revolute{a, b, in["anchor"].vector(limits::coordinate)};
+  Revolute joint{a, b, in["anchor"].vector(limits::coordinate)};
+  if (in.has("limits")) {
+    const Vec range = in["limits"].vector(limits::angle);
+    if (range.x > range.y) in["limits"].refuse("must be two angles, the lower one first");
+    joint.limits = AngleLimits{range.x, range.y};
+  }
+  return joint;
 }
 
 OrderedJson kind_as_json(const Revolute& joint, const Scene& scene) {
-  return {{"type", "revolute"}, {"bodies", joined_names(joint, scene)}, {"anchor", as_json(joint.anchor)}};
+  OrderedJson json{{"type", "revolute"}, {"bodies", joined_names(joint, scene)}, {"anchor", as_json(joint.anchor)}};
+  if (joint.limits) json["limits"] = {joint.limits->low, joint.limits->high};
+  return json;
 }
 
 // Distance

@@ -78,9 +78,14 @@ struct Body {
 };
 
 /// Joints and forces refer to bodies by their index in Scene::bodies.
+struct AngleLimits {
+  double low = 0, high = 0;  // rad, of b relative to a, 0 at the start; low <= high
+};
+
 struct Revolute {
   std::size_t a = 0, b = 0;
   Vec anchor;  // world frame, at the start
+  std::optional<AngleLimits> limits = std::nullopt;
 };
 
 struct Distance {

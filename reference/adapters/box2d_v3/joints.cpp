@@ -24,7 +24,12 @@ class Joiner {
       : world_(world), scene_(scene), bodies_(bodies) {}
 
   void operator()(const Revolute& joint) const {
-    const auto def = between(b2DefaultRevoluteJointDef(), joint.a, joint.b, joint.anchor, joint.anchor);
+    auto def = between(b2DefaultRevoluteJointDef(), joint.a, joint.b, joint.anchor, joint.anchor);
+    if (joint.limits) {
+      def.enableLimit = true;
+      def.lowerAngle = static_cast<float>(joint.limits->low);
+      def.upperAngle = static_cast<float>(joint.limits->high);
+    }
     b2CreateRevoluteJoint(world_, &def);
   }
 

@@ -115,7 +115,7 @@ int measure_sensitivity(const Options& options) {
   const auto parameters = chosen_from(all_perturbations(), "parameter", options.names);
   const std::vector<Case> cases = options.scenarios.empty() ? cases_to_prove_by(dt) : cases_of(options.scenarios);
   Output output(options.out);
-  SensitivityReport report{.statements = statements(), .cases = cases.size(), .dt = dt};
+  SensitivityReport report{.statements = engine_statements(), .cases = cases.size(), .dt = dt};
   {
     const ProgressLine line;
     report.parameters = sensitivities(parameters, cases, report.statements, dt, options.jobs, shown_on(line));

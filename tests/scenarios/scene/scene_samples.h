@@ -114,10 +114,15 @@ class RandomScene {
 
   std::size_t other(const Scene& scene) { return 1 + below(scene.bodies.size() - 1); }
 
+  AngleLimits limits() {
+    const double low = -positive();
+    return {low, low + positive()};
+  }
+
   Joint joint(std::size_t with) {
     switch (below(4)) {
       case 0:
-        return Revolute{0, with, point()};
+        return Revolute{0, with, point(), below(2) == 0 ? std::nullopt : std::optional(limits())};
       case 1:
         return Distance{with, 0, point(), point(), positive(), sometimes(0, positive()), sometimes(0, positive())};
       case 2:
@@ -202,7 +207,10 @@ class SceneBits {
     out_ << "polygon ";
     for (const Vec& vertex : p.vertices) add(vertex);
   }
-  void operator()(const Revolute& j) { add("revolute", j.a, j.b, j.anchor); }
+  void operator()(const Revolute& j) {
+    const AngleLimits limits = j.limits.value_or(AngleLimits{});
+    add("revolute", j.a, j.b, j.anchor, j.limits.has_value(), limits.low, limits.high);
+  }
   void operator()(const Distance& j) {
     add("distance", j.a, j.b, j.anchor_a, j.anchor_b, j.length, j.stiffness, j.damping);
   }
