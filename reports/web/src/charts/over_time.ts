@@ -108,7 +108,7 @@ export function over_time(width: number, chart_of: OverTime): Element {
         ? []
         : [
             Plot.ruleY([limit.value], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
-            Plot.text([limit.value], { y: (value: number) => value, text: () => limit.name, frameAnchor: "right", textAnchor: "end", dy: -7, fill: "var(--soft)" }),
+            Plot.text([limit.value], { y: (value: number) => value, text: () => limit.name, frameAnchor: "left", textAnchor: "start", dx: 8, dy: 9, fill: "var(--soft)", stroke: "var(--card)", strokeWidth: 4 }),
           ]),
       ...drawn.map(({ engine, points }) =>
         Plot.line(points, { x: "t", y: "value", ...line_look(engine), className: "line", ariaDescription: engine.label }),

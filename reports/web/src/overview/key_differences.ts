@@ -34,7 +34,7 @@ function sorted(rows: Row[], name: string | null): Row[] {
 
 const difference = ({ largest, end }: RelativeDifference): Child[] => [
   h("span", { class: "ratio" }, ruler(largest), percent(largest)),
-  h("span", { class: "end" }, percent(end)),
+  percent(end) === percent(largest) ? null : h("span", { class: "end" }, percent(end)),
 ];
 
 const since = (time: number): string => (time === 0 ? "throughout" : given(time, "s", 3));
@@ -60,8 +60,7 @@ function row_of({ item, key, reason }: Row, a: Engine, b: Engine, heads: string[
     difference(key.momentum),
     difference(key.angular_momentum),
     rest(key, a, b),
-    [depth(key.overlap_a)],
-    [depth(key.overlap_b)],
+    [`${depth(key.overlap_a)}, ${depth(key.overlap_b)}`],
     [key.diverged_at === null ? h("span", { class: "quiet-word" }, "never") : given(key.diverged_at, "s", 3)],
   ];
   return h("tr", {}, head, ...cells.map((cell, index) => h("td", { "data-label": heads[index + 1] }, h("span", { class: "both" }, ...cell))));
@@ -124,7 +123,7 @@ export function key_differences(model: Model): HTMLElement[] {
       return found ? [{ item, ...found }] : [];
     });
     const caption = `${a.label} and ${b.label}, case by case`;
-    const heads = ["case", "energy: largest, end", "momentum: largest, end", "angular: largest, end", "at rest since", `overlap, ${a.label}`, `overlap, ${b.label}`, "1 cm apart at"];
+    const heads = ["case", "energy: largest, end", "momentum: largest, end", "angular: largest, end", "at rest since", "deepest overlap", "1 cm apart at"];
     about.replaceChildren(rows.length ? summary(rows, a, b) : h("p", { class: "absence" }, "No case has both."));
     holder.replaceChildren(...(rows.length ? [table(caption, heads, sorted(rows, view.get("by")).map((row) => row_of(row, a, b, heads)))] : []));
   });
@@ -136,8 +135,8 @@ export function key_differences(model: Model): HTMLElement[] {
     h(
       "p",
       { class: "basis" },
-      "Energy, momentum and angular momentum: the largest difference over the run and that at its end, relative to the scene\u2019s own scale; the tick on the bar is 1 %. ",
-      "At rest: slower than 1 cm/s and 0.01 rad/s until the end. Overlap: the deepest of the run.",
+      "Energy, momentum and angular momentum: the largest difference over the run and that at its end (one number if they are the same), relative to the scene\u2019s own scale; the tick on the bar is 1 %. ",
+      "At rest: slower than 1 cm/s and 0.01 rad/s until the end. Of two times or overlaps, the first is that of the engine chosen first.",
     ),
   ];
 }
