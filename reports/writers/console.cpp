@@ -161,8 +161,8 @@ std::string in_words(const Comparison& comparison) {
 // The runs of a case, then the comparisons of the first engine with the others. The files have all pairs.
 std::string case_text(const Report& report, const RunRecord& first, bool colour) {
   std::string text = wrapped(first.variant, 2);
-  text += table_row("engine", fmt::format("{:<13}", "verdict"), "checks", "off, %", "/ allowed", "error, m",
-                    "overlap, m", "us/step");
+  text += table_row("engine", fmt::format("{:<13}", "verdict"), "checks", "off, %", "/ tol.", "error, m", "overlap, m",
+                    "us/step");
   const auto same = [&](const auto& one) { return one.scenario == first.scenario && one.variant == first.variant; };
   for (const RunRecord& run : report.runs) {
     if (same(run)) text += row(report, run, colour);

@@ -50,9 +50,13 @@ std::vector<const Comparison*> comparisons_of(const Report& report, const Pair& 
   return all;
 }
 
-std::string percent(double ratio) { return std::isfinite(ratio) ? fmt::format("{:.2g}", 100 * ratio) : "-"; }
+std::string percent(double ratio) { return std::isfinite(ratio) ? short_number(100 * ratio) : "-"; }
 
-std::string short_number(const std::optional<double>& value) { return value ? fmt::format("{:.2g}", *value) : "-"; }
+std::string short_number(const std::optional<double>& value) {
+  if (!value) return "-";
+  const bool whole = std::abs(*value) >= 99.5 && std::abs(*value) < 1e6;
+  return whole ? fmt::format("{:.0f}", *value) : fmt::format("{:.2g}", *value);
+}
 
 std::string in_one_sentence(const Pair& pair, const std::vector<const Comparison*>& rows) {
   int compared = 0;

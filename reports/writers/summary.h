@@ -40,10 +40,10 @@ std::optional<Pair> first_pair(const Report&);
 /// The comparisons of two engines, one a case.
 std::vector<const Comparison*> comparisons_of(const Report&, const Pair&);
 
-/// A ratio in percent with two digits, without the sign: "0.12", "3e-07"; "-" if it is not finite.
+/// A ratio in percent as short_number, without the sign; "-" if it is not finite.
 std::string percent(double ratio);
 
-/// Two digits; "-" for nullopt.
+/// At least two digits: "0.12", "250", "3e-07"; "-" for nullopt.
 std::string short_number(const std::optional<double>&);
 
 /// "impulse and box2d are within 1 % of the scene's energy in 60 of 97 cases. ..."

@@ -1,7 +1,7 @@
 // The data that the C++ side writes into the page (the report, its series, replays and studies), and their validation.
 // Data that does not fit is refused as a whole, with the path of every problem.
 import { replay_rule, type Replay } from "./replay/data";
-import { finite, is_object, list, map, number, one_of, record, text, yes_no, type Rule } from "./rules";
+import { finite, is_object, list, map, number, one_of, or_null, record, text, yes_no, type Rule } from "./rules";
 
 export interface Measured {
   value: number | null; // null if not finite
@@ -17,6 +17,8 @@ export interface TruthCheck {
   error: number | null;
   tolerance: number | null;
   ratio: number | null; // error / tolerance; null for a tolerance of 0 or an error that is not finite
+  relative_error: number | null; // error / scale of the scene; null for an unknown scale or an error that is not finite
+  evidence: boolean; // false if the tolerance is too large for the check to be a test
   relation: "equal" | "at least" | "at most"; // of measured to expected
   passed: boolean;
   reported: boolean; // false if the engine does not report the quantity
@@ -35,11 +37,12 @@ export interface InvariantCheck {
   value: number | null;
   tolerance: number | null;
   ratio: number | null; // value / tolerance; null for a tolerance of 0 or a value that is not finite
+  evidence: boolean; // false if nothing in the run tested it
   time: number;
   where: string;
 }
 
-const verdicts = ["right", "plausible", "wrong", "beyond horizon", "not supported", "failed"] as const;
+const verdicts = ["right", "coarse", "wrong", "plausible", "no evidence", "beyond horizon", "not supported", "failed"] as const;
 export type Verdict = (typeof verdicts)[number];
 
 export interface Run {
@@ -58,11 +61,30 @@ export interface Run {
   verdict: Verdict;
 }
 
+/** Between two runs, divided by a scale of the scene that is the same for all engines. */
+export interface RelativeDifference {
+  largest: number | null; // over time
+  end: number | null;
+}
+
+/** The first things to know of two runs. */
+export interface KeyDifferences {
+  energy: RelativeDifference;
+  momentum: RelativeDifference;
+  angular_momentum: RelativeDifference;
+  rest_a: number | null; // s, since when all bodies are at rest; null if one moves at the end
+  rest_b: number | null;
+  overlap_a: number | null; // m, the deepest; null if there are no two bodies
+  overlap_b: number | null;
+  diverged_at: number | null; // s; null: never
+}
+
 export interface Comparison {
   scenario: string;
   variant: string;
   a: string;
   b: string;
+  key_differences: KeyDifferences | null; // null unless both runs reached their end
   metrics: Record<string, Measured>;
   verdict: Verdict;
   reason: string;
@@ -131,6 +153,7 @@ export interface Series {
   momentum_x: (number | null)[];
   momentum_y: (number | null)[];
   angular_momentum: (number | null)[];
+  fastest: (number | null)[]; // m/s, the speed of the fastest body
   pose_difference: (number | null)[];
   overlap: (number | null)[]; // m, the deepest of the moment
 }
@@ -175,11 +198,23 @@ export interface Page {
 }
 
 /** The format of report.json this page reads. */
-const format = 2;
+const format = 3;
 
 const measured = record({ value: number, unit: text });
 const of_case = { scenario: text, variant: text };
 const of_run = { ...of_case, engine: text, method: text };
+
+const difference = record({ largest: number, end: number });
+const key_differences = record({
+  energy: difference,
+  momentum: difference,
+  angular_momentum: difference,
+  rest_a: number,
+  rest_b: number,
+  overlap_a: number,
+  overlap_b: number,
+  diverged_at: number,
+});
 
 const report_rule = record({
   title: text,
@@ -208,6 +243,8 @@ const report_rule = record({
           error: number,
           tolerance: number,
           ratio: number,
+          relative_error: number,
+          evidence: yes_no,
           relation: one_of("equal", "at least", "at most"),
           passed: yes_no,
           reported: yes_no,
@@ -223,6 +260,7 @@ const report_rule = record({
           value: number,
           tolerance: number,
           ratio: number,
+          evidence: yes_no,
           time: finite,
           where: text,
         }),
@@ -231,7 +269,15 @@ const report_rule = record({
     }),
   ),
   comparisons: list(
-    record({ ...of_case, a: text, b: text, metrics: map(measured), verdict: one_of(...verdicts), reason: text }),
+    record({
+      ...of_case,
+      a: text,
+      b: text,
+      key_differences: or_null(key_differences),
+      metrics: map(measured),
+      verdict: one_of(...verdicts),
+      reason: text,
+    }),
   ),
   timings: record({
     steps: list(
@@ -248,7 +294,7 @@ const report_rule = record({
   }),
 });
 
-const columns = ["energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference", "overlap"] as const;
+const columns = ["energy", "momentum_x", "momentum_y", "angular_momentum", "fastest", "pose_difference", "overlap"] as const;
 
 const series_shape = record({ ...of_run, t: list(finite), ...Object.fromEntries(columns.map((column) => [column, list(number)])) });
 

@@ -37,6 +37,18 @@ export function number(value: number | null | undefined, unit = "", digits = 3):
   return with_unit(signed(value.toFixed(decimals)), unit);
 }
 
+const least_percent = 0.001;
+
+/** A ratio in percent with two digits; a dash if there is none or it is not finite. */
+export function percent(ratio: number | null | undefined): string {
+  if (typeof ratio !== "number" || !Number.isFinite(ratio)) return "\u2013";
+  if (ratio > 0 && 100 * ratio < least_percent) return with_unit(`< ${least_percent}`, "%");
+  return number(100 * ratio, "%", 2);
+}
+
+/** The share of a whole in percent, rounded down: 100 % means all. */
+export const share = (part: number, whole: number): string => (whole ? with_unit(String(Math.floor((100 * part) / whole)), "%") : "\u2013");
+
 /** A parameter as it was entered, without added digits. */
 export function given(value: number, unit = "", digits = 6): string {
   const short = Number(value.toPrecision(digits));

@@ -1,6 +1,6 @@
 // The report as the page shows it: engines with their colours and shapes, and cases (one variant of a scenario) with
 // their runs, comparisons, timings and replays.
-import type { Comparison, InvariantCheck, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
+import type { Comparison, InvariantCheck, KeyDifferences, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
 import type { Replay } from "./replay/data";
 
 export interface Engine {
@@ -19,6 +19,7 @@ export interface Entry {
   series: Series | undefined;
   timing: Timing | undefined;
   worst: number; // largest error / tolerance of the truth checks and invariants; NaN if nothing is judged
+  farthest: number; // largest error / scale of the truth checks; NaN if there is none
 }
 
 export interface Case {
@@ -82,9 +83,19 @@ function engines_of(runs: Run[]): Engine[] {
 export const ratio_of = ({ ratio }: TruthCheck | InvariantCheck): number => ratio ?? Infinity;
 
 function worst(run: Run): number {
-  const truth = run.truth.filter(({ reported }) => reported).map(ratio_of);
+  const truth = reported(run).map(ratio_of);
   const invariants = run.invariants.filter(({ status }) => status !== "not reported").map(ratio_of);
   const all = [...truth, ...invariants];
+  return all.length ? Math.max(...all) : NaN;
+}
+
+/** error / scale of a check; infinite for an unknown scale or an error that is not finite. */
+export const relative_of = ({ relative_error }: TruthCheck): number => relative_error ?? Infinity;
+
+export const reported = (run: Run): TruthCheck[] => run.truth.filter((check) => check.reported);
+
+function farthest(run: Run): number {
+  const all = reported(run).map(relative_of);
   return all.length ? Math.max(...all) : NaN;
 }
 
@@ -127,13 +138,44 @@ export function model_of(page: Page): Model {
       chapter.cases.push(item);
     }
     const found = { series: series.get(run_key(run)), timing: timings.get(run_key(run)) };
-    item.entries.push({ engine, run, worst: worst(run), ...found });
+    item.entries.push({ engine, run, worst: worst(run), farthest: farthest(run), ...found });
   }
   const order = new Map(engines.map((engine, index) => [engine, index]));
   for (const item of cases.values()) {
     item.entries.sort((a, b) => (order.get(a.engine) ?? 0) - (order.get(b.engine) ?? 0));
   }
   return { page, engines, chapters: [...chapters.values()] };
+}
+
+/** How far apart the runs of two engines are in a case, and when each came to rest. */
+export interface Apart {
+  key: KeyDifferences | null; // null unless both runs reached their end
+  reason: string;
+}
+
+const run_label = ({ engine, run }: Entry): string => (engine.exact ? label_of(run) : engine.label);
+
+/** undefined unless both engines ran the case. */
+export function apart(item: Case, a: Engine, b: Engine): Apart | undefined {
+  const name = (engine: Engine): string | undefined => item.entries.filter((entry) => entry.engine === engine).map(run_label)[0];
+  const [of_a, of_b] = [name(a), name(b)];
+  if (of_a === undefined || of_b === undefined) return undefined;
+  const straight = item.comparisons.find((one) => one.a === of_a && one.b === of_b);
+  if (straight) return { key: straight.key_differences, reason: straight.reason };
+  const turned = item.comparisons.find((one) => one.a === of_b && one.b === of_a);
+  if (!turned) return undefined;
+  const key = turned.key_differences;
+  const swapped = key && { ...key, rest_a: key.rest_b, rest_b: key.rest_a, overlap_a: key.overlap_b, overlap_b: key.overlap_a };
+  return { key: swapped, reason: turned.reason };
+}
+
+/** s, since when all bodies of a run are at rest; null if one moves at the end, undefined if it is not known. */
+export function rest_of(item: Case, entry: Entry): number | null | undefined {
+  for (const other of item.entries) {
+    const key = apart(item, entry.engine, other.engine)?.key;
+    if (key) return key.rest_a;
+  }
+  return entry.run.metrics["time_to_rest"]?.value;
 }
 
 /** What the page of a study consists of: its result in one sentence, and its sections. */

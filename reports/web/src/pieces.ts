@@ -7,8 +7,10 @@ import { count, ratio_text, shell } from "./format";
 /** Distinguishes verdicts without colour. */
 const verdict_signs: Record<Verdict, string> = {
   right: "\u2713",
-  plausible: "\u2248",
+  coarse: "\u2213",
   wrong: "\u2717",
+  plausible: "\u2248",
+  "no evidence": "?",
   "beyond horizon": "\u223f",
   "not supported": "\u2013",
   failed: "!",
@@ -21,6 +23,37 @@ export function badge(verdict: Verdict): HTMLElement {
     h("span", { class: "sign", "aria-hidden": "true" }, verdict_signs[verdict]),
     verdict,
   );
+}
+
+/** What each verdict says, as in README.md and reports/glossary.md. */
+export const verdict_meanings: Record<Verdict, string> = {
+  right: "within 1 % of scale, explained by the method, and checked by what could have failed",
+  coarse: "explained by the method, but farther off than 1 % of scale; a smaller step cures it",
+  wrong: "farther off than the method explains, or an invariant is broken",
+  plausible: "there is no truth to compare with; invariants that could have been broken held",
+  "no evidence": "nothing that was checked could have failed: every tolerance is too large for a test",
+  "beyond horizon": "past the time up to which the motion can be predicted; not compared point by point",
+  "not supported": "the engine cannot run the scene, with the reason",
+  failed: "the run diverged, crashed or stopped early, with the reason",
+};
+
+/** The verdicts that were given, each with its meaning. */
+export function verdict_legend(given: Verdict[]): HTMLElement {
+  const all = (Object.keys(verdict_meanings) as Verdict[]).filter((verdict) => given.includes(verdict));
+  return h("ul", { class: "meanings" }, ...all.map((verdict) => h("li", {}, badge(verdict), h("span", {}, verdict_meanings[verdict]))));
+}
+
+/** A check is right only within this share of its scale. */
+export const right_share = 0.01;
+
+const ruler_decades = 4;
+
+/** A share of a scale as a logarithmic bar from 0.01 % to 100 %, with a tick at 1 %. */
+export function ruler(ratio: number | null): HTMLElement {
+  const size = ratio ?? Infinity;
+  const width = Math.min(1, Math.max(0, 1 + Math.log10(size) / ruler_decades));
+  const bar = h("i", { style: `width: ${(100 * width).toFixed(1)}%` });
+  return h("span", { class: size > right_share ? "ruler far" : "ruler", "aria-hidden": "true" }, bar);
 }
 
 /** error / tolerance as a bar; the tick at two thirds of the width is 1. */

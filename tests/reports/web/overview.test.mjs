@@ -111,12 +111,63 @@ test("an address shares the view, and back and forward go through views", async 
   await page.close();
 });
 
+test("a row for each case says how far two engines are apart, and which came to rest", async () => {
+  const { page, trouble } = await open(file);
+  const row = (n) => page.locator(".apart tbody tr").nth(n).textContent();
+  assert.match(await row(0), /free-fall: height 5.*2\.3\s%0\.040\s%.*only impulse 1\.25\ss.*0\smm, 3\.4\smm0\.25\ss$/);
+  assert.match(await page.locator("#overview .lede").first().textContent(), /within 1 % of each other in energy in 0 of 2 cases, in momentum in 2.*only impulse in 2 \(free-fall height 5, free-fall height 50\), only box2d in 0\./);
+  await page.getByRole("combobox", { name: "with" }).selectOption("truth");
+  assert.match(await row(0), /50\s%0\s%.*both 1\.25\ss, 1\.5\ss/);
+  assert.equal(hash(page), "#overview?b=truth");
+  await page.getByRole("combobox", { name: "compare" }).selectOption("box2d");
+  assert.match(await page.locator(".apart").textContent(), /^$/);
+  await page.getByRole("combobox", { name: "with" }).selectOption("impulse");
+  assert.match(await row(0), /only impulse 1\.25\ss.*3\.4\smm, 0\smm/, "turned around");
+  assert.deepEqual(trouble, []);
+  await page.close();
+});
+
+test("rows of differences are sorted by the chosen quantity", async () => {
+  const data = sample();
+  data.report.comparisons[1].key_differences.energy = { largest: 0.9, end: 0 };
+  const { page } = await open(await write(data));
+  const first = () => page.locator(".apart tbody th").first().textContent();
+  assert.equal(await first(), "free-fall: height 5");
+  await page.getByRole("combobox", { name: "largest first" }).selectOption("energy");
+  assert.equal(await first(), "free-fall: height 50");
+  await page.close();
+});
+
+test("the league table counts checks by the same ruler for every engine, and cases by verdict", async () => {
+  const { page } = await open(file);
+  const rows = () => page.locator(".league tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent.replace(/\s/g, " "))));
+  assert.deepEqual(await rows(), [
+    ["impulse", "3", "66 %", "66 %", "0 %", "0 %", "1", "2", "1", "1", "0", "0"],
+    ["box2d", "2", "100 %", "100 %", "0 %", "0 %", "0", "2", "0", "0", "1", "1"],
+  ]);
+  await page.close();
+});
+
+test("verdicts of little evidence have a sign, a meaning and a filter", async () => {
+  const data = sample();
+  data.report.runs[0].verdict = "no evidence";
+  data.report.runs[0].truth[0].evidence = false;
+  data.report.runs[1].verdict = "coarse";
+  const { page } = await open(await write(data));
+  assert.match(await page.locator(".meanings").textContent(), /coarse.*a smaller step cures it.*no evidence.*could have failed/);
+  await page.getByRole("combobox", { name: "verdict" }).selectOption("something has no evidence");
+  assert.deepEqual(await rows(page), ["free-fall height 5"]);
+  assert.match(await text_in(page.locator("#free-fall--height-5--impulse")), /too large for a test of y\./);
+  assert.match(await page.locator("#free-fall--height-5 .grouped").first().textContent(), /not a test/);
+  await page.close();
+});
+
 test("a cell links to the reason for its verdict, which is unfolded and highlighted", async () => {
   const { page } = await open(file);
   await page.locator(".matrix a", { hasText: "wrong" }).press("Enter");
   const place = page.locator("#stacking--10-boxes--impulse");
   await until(() => place.evaluate((element) => element.getBoundingClientRect().top), (top) => top >= 0 && top < 900);
-  assert.match(await text_in(place), /Largest error \/ tolerance 3\.23: box 10, x at 10\ss, error 0\.42\sm, tolerance 0\.13\sm\./);
+  assert.match(await text_in(place), /Off by 42\s% of scale at most: box 10, x at 10\ss\. Largest error \/ tolerance 3\.23: box 10, x at 10\ss, error 0\.42\sm, tolerance 0\.13\sm\./);
   assert.ok(await place.evaluate((element) => element === document.activeElement && element.classList.contains("linked")));
   assert.equal(await page.locator("tr.linked").count(), 1);
   await page.locator(".matrix a", { hasText: "failed" }).click();

@@ -26,6 +26,8 @@ function fall(height, engine) {
     error,
     tolerance: error * 1.25 + 1e-9,
     ratio: error / (error * 1.25 + 1e-9),
+    relative_error: error / (2 * g),
+    evidence: true,
     relation: "equal",
     passed: true,
     reported: true,
@@ -35,8 +37,8 @@ function fall(height, engine) {
     metrics: { truth_error_rms: { value: error / 1.7, unit: "m" }, energy_rise: { value: 0, unit: "J" } },
     truth: engine.exact ? [] : [check],
     invariants: [
-      { name: "energy", unit: "J", status: "held", value: 0.1, tolerance: 0.4, ratio: 0.25, time: 1.5, where: "" },
-      { name: "push", unit: "N s", status: "not reported", value: 0, tolerance: 0, ratio: 0, time: 0, where: "" },
+      { name: "energy", unit: "J", status: "held", value: 0.1, tolerance: 0.4, ratio: 0.25, evidence: true, time: 1.5, where: "" },
+      { name: "push", unit: "N s", status: "not reported", value: 0, tolerance: 0, ratio: 0, evidence: false, time: 0, where: "" },
     ],
     series: {
       t: times,
@@ -44,6 +46,7 @@ function fall(height, engine) {
       momentum_x: times.map(() => 0),
       momentum_y: times.map((t) => -g * t),
       angular_momentum: times.map(() => 0),
+      fastest: times.map((t) => g * t),
       pose_difference: times.map((t) => Math.abs(engine.off) * g * t * dt),
       overlap: times.map(() => 0),
     },
@@ -79,11 +82,14 @@ const scene = {
 
 const run_of = (scenario, variant, { engine, method }) => ({ scenario, variant, engine, method });
 
+const none = { largest: 0, end: 0 };
+const key_differences = (found) => ({ energy: none, momentum: none, angular_momentum: none, rest_a: null, rest_b: null, overlap_a: 0, overlap_b: 0, diverged_at: null, ...found });
+
 /** The data of the page; `scenario` is the name of the first scenario. */
 export function sample(scenario = "free-fall") {
   const page = {
     report: {
-      plumb: 2,
+      plumb: 3,
       title: "Canonical scenarios",
       command: ["./plumb", "report"],
       environment: { compiler: "GCC 12.2.0", build: "Release", box2d: "2.4.1" },
@@ -123,17 +129,18 @@ export function sample(scenario = "free-fall") {
       variant,
       a: "impulse",
       b: "box2d",
+      key_differences: key_differences({ energy: { largest: 0.023, end: 0.0004 }, rest_a: 1.25, overlap_b: 0.0034, diverged_at: 0.25 }),
       metrics: { pose_difference_end: { value: 0.333, unit: "m" } },
       verdict: "plausible",
       reason: "",
     });
   }
   for (const { scenario, variant } of page.replays) {
-    const diverged = { parted_at: { value: 0.25, unit: "s" } };
-    report.comparisons.push({ scenario, variant, a: "impulse", b: "free fall", metrics: diverged, verdict: "right", reason: "" });
+    const key = key_differences({ energy: { largest: 0.5, end: 0.5 }, rest_a: 1.25, rest_b: 1.5, diverged_at: 0.25 });
+    report.comparisons.push({ scenario, variant, a: "impulse", b: "free fall", key_differences: key, metrics: {}, verdict: "right", reason: "" });
   }
   const other = { parameters: { boxes: 10 }, exact: false, dt, metrics: {}, truth: [], invariants: [] };
-  const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, ratio: 0.42 / 0.13, relation: "equal", passed: false, reported: true, source: "nothing moves" };
+  const wrong = { body: "box 10", quantity: "x", unit: "m", time: 10, expected: 0, measured: 0.42, error: 0.42, tolerance: 0.13, ratio: 0.42 / 0.13, relative_error: 0.42, evidence: false, relation: "equal", passed: false, reported: true, source: "nothing moves" };
   report.runs.push(
     { ...other, ...run_of("stacking", "10 boxes", engines[0]), status: "ok", reason: "", verdict: "wrong", truth: [wrong] },
     { ...other, ...run_of("stacking", "10 boxes", engines[1]), status: "failed", reason: "diverged at t = 0.42 s", verdict: "failed" },

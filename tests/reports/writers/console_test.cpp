@@ -29,6 +29,24 @@ TEST(Console, ShowsVerdictsReasonsAndTheChecksThatFailed) {
   EXPECT_THAT(text, HasSubstr("diverged at 0.5 s"));
 }
 
+TEST(Console, HasARowForEachCaseOfTheFirstTwoEngines) {
+  const std::string text = console_text(sample_report(), false);
+  EXPECT_THAT(text, HasSubstr("slide:on ice                         25      200        0       -       3    0.015"
+                              "        -      0.5\n"));
+  EXPECT_THAT(text, HasSubstr("b: lost"));
+}
+
+TEST(Console, CountsChecksByTheirErrorRelativeToScale) {
+  Report report = sample_report();
+  const TruthCheck near{.quantity = "y", .unit = "m", .error = 0.005, .tolerance = 0.01, .scale = 1, .passed = true};
+  TruthCheck loose = near;
+  loose.tolerance = 0.1;
+  report.runs[1].truth = {near, near, loose};
+  report.runs[1].truth[1].error = 0.00005;
+  EXPECT_THAT(console_text(report, false),
+              HasSubstr("of 3 checks 100 % within 1 % of\nscale, 33 % within 0.01 %; 1 not a test"));
+}
+
 TEST(Console, SaysOnWhichSideAValueMustBeAndWhatIsNotReported) {
   Report report = sample_report();
   TruthCheck& check = report.runs[1].truth[0];

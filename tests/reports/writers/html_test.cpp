@@ -60,11 +60,13 @@ TEST(Series, IsThinnedButKeepsBothEnds) {
   EXPECT_EQ(series["t"].size(), 300u);
   EXPECT_EQ(series["t"].front(), 0);
   EXPECT_EQ(series["t"].back(), 16.6667) << "six digits";
-  for (const char* column : {"energy", "momentum_x", "momentum_y", "angular_momentum", "pose_difference", "overlap"}) {
+  for (const char* column :
+       {"energy", "momentum_x", "momentum_y", "angular_momentum", "fastest", "pose_difference", "overlap"}) {
     EXPECT_EQ(series[column].size(), 300u) << column;
   }
   EXPECT_EQ(series["energy"][7], 1);
   EXPECT_EQ(series["momentum_x"][7], 2);
+  EXPECT_EQ(series["fastest"][7], 1);
   EXPECT_EQ(series["pose_difference"][7], 0) << "from the closed form";
 }
 

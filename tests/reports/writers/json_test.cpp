@@ -29,6 +29,21 @@ TEST(Json, HasWhatTheFormatPromises) {
   EXPECT_EQ(report["comparisons"].size(), 1u);
 }
 
+TEST(Json, HasTheKeyDifferencesOfTwoRuns) {
+  Report report = sample_report();
+  const Json key = to_json(report)["comparisons"][0]["key_differences"];
+  EXPECT_EQ(key["energy"]["largest"], 0.25);
+  EXPECT_EQ(key["energy"]["end"], 0.125);
+  EXPECT_EQ(key["energy"]["scale"], 4);
+  EXPECT_EQ(key["resting"], "one");
+  EXPECT_TRUE(key["rest_a"].is_null());
+  EXPECT_EQ(key["rest_b"], 3);
+  EXPECT_EQ(key["overlap_a"], 0.015);
+  EXPECT_EQ(key["diverged_at"], 0.5);
+  report.comparisons[0].key.reset();
+  EXPECT_TRUE(to_json(report)["comparisons"][0]["key_differences"].is_null());
+}
+
 TEST(Json, KeepsAllThatHangsOnTheClockApart) {
   Report report = sample_report();
   Json before = to_json(report);

@@ -1,6 +1,6 @@
 // The charts of a case, each with a sentence that sums it up.
-import { enumerate, number, to_within } from "../format";
-import type { Case, Entry } from "../model";
+import { enumerate, given, number, to_within } from "../format";
+import { rest_of, type Case, type Entry } from "../model";
 import type { Cursor } from "./cursor";
 import { figure } from "./figure";
 import { over_time, type OverTime } from "./over_time";
@@ -74,6 +74,38 @@ function momenta({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
   );
 }
 
+const still_speed = 0.01; // m/s; a body that is slower, and turns by less than 0.01 rad/s, is at rest
+const least_speed = 1e-6; // m/s
+
+/** "At rest: impulse since 2.67 s and box2d never." */
+function rests(item: Case): string {
+  const found = item.entries.flatMap((entry) => {
+    const since = entry.series ? rest_of(item, entry) : undefined;
+    if (since === undefined) return [];
+    const name = entry.engine.exact ? "the truth" : entry.engine.label;
+    return [{ name, when: since === null ? "never" : since === 0 ? "throughout" : `since ${given(since, "s", 3)}` }];
+  });
+  if (!found.length) return "";
+  const same = found.every(({ when }) => when === found[0]?.when);
+  if (same) return found[0]?.when === "never" ? "Not at rest at the end." : `At rest ${found[0]?.when ?? ""}.`;
+  return `At rest: ${enumerate(found.map(({ name, when }) => `${name} ${when}`))}.`;
+}
+
+function rest(item: Case, cursor: Cursor): HTMLElement {
+  const chart: OverTime = {
+    quantity: "speed",
+    unit: "m/s",
+    entries: item.entries,
+    column: "fastest",
+    log: true,
+    floor: least_speed,
+    limit: { value: still_speed, name: "at rest below" },
+    horizon: item.horizon,
+    cursor,
+  };
+  return figure({ title: "Speed of the fastest body", note: rests(item), height: 220, draw: (width) => [over_time(width, chart)] });
+}
+
 function pose({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
   const engines = entries.filter(({ engine, series }) => !engine.exact && series);
   const sizes = engines.map(({ engine, series }) => `${engine.label} ${number(largest(series?.pose_difference ?? []), "m")}`);
@@ -107,5 +139,5 @@ function overlap({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
 
 export function case_charts(item: Case, cursor: Cursor): HTMLElement[] {
   if (!item.entries.some(({ series }) => series)) return [];
-  return [energy(item, cursor), pose(item, cursor), ...overlap(item, cursor), ...momenta(item, cursor)];
+  return [energy(item, cursor), ...momenta(item, cursor), rest(item, cursor), pose(item, cursor), ...overlap(item, cursor)];
 }

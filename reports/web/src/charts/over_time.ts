@@ -15,8 +15,10 @@ export interface OverTime {
   quantity: string;
   unit: string;
   entries: Entry[];
-  column: "energy" | "momentum_x" | "momentum_y" | "angular_momentum" | "pose_difference" | "overlap";
+  column: "energy" | "momentum_x" | "momentum_y" | "angular_momentum" | "fastest" | "pose_difference" | "overlap";
   log?: boolean;
+  floor?: number; // of a logarithmic axis: smaller values are drawn there; without one, values of 0 are not drawn
+  limit?: { value: number; name: string }; // a horizontal line
   horizon: number | undefined; // s
   cursor: Cursor; // shared with the case's replay and its other charts
 }
@@ -26,7 +28,7 @@ const shapes_per_line = 5;
 /** More points than pixels only cost time. */
 const most_points = 1500;
 
-function points_of(entry: Entry, column: OverTime["column"], log: boolean): Point[] {
+function points_of(entry: Entry, { column, log = false, floor = 0 }: OverTime): Point[] {
   const { series, engine } = entry;
   if (!series) return [];
   const stride = Math.max(1, Math.ceil(series.t.length / most_points));
@@ -34,7 +36,9 @@ function points_of(entry: Entry, column: OverTime["column"], log: boolean): Poin
   series.t.forEach((t, index) => {
     const value = series[column][index];
     const wanted = index % stride === 0 || index === series.t.length - 1;
-    if (wanted && typeof value === "number" && (!log || value > 0)) points.push({ t, value, engine });
+    if (!wanted || typeof value !== "number") return;
+    const drawn = log ? Math.max(value, floor) : value;
+    if (!log || drawn > 0) points.push({ t, value: drawn, engine });
   });
   return points;
 }
@@ -72,10 +76,11 @@ function linear_domain(points: Point[]): [number, number] {
   return [low - padding, high + padding];
 }
 
-export function over_time(width: number, { quantity, unit, entries, column, log = false, horizon, cursor }: OverTime): Element {
+export function over_time(width: number, chart_of: OverTime): Element {
+  const { quantity, unit, entries, column, log = false, floor, limit, horizon, cursor } = chart_of;
   const lines = entries
-    .filter((entry) => !log || !entry.engine.exact)
-    .map((entry) => ({ engine: entry.engine, points: points_of(entry, column, log) }))
+    .filter((entry) => column !== "pose_difference" || !entry.engine.exact)
+    .map((entry) => ({ engine: entry.engine, points: points_of(entry, chart_of) }))
     .filter((line) => line.points.length > 0);
   const all = lines.flatMap((line) => line.points);
   const moments = moments_of(all);
@@ -89,8 +94,8 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
       label: `${quantity} (${pretty_unit(unit)})`,
       type: log ? "log" : "linear",
       grid: true,
-      ...(log ? decades(all.map(({ value }) => value), 1) : { domain: linear_domain(all), nice: true, ticks: 5 }),
-      tickFormat: log ? (value: number) => number(value, "", 1) : (value: number) => given(value),
+      ...(log ? decades([...all.map(({ value }) => value), ...(limit ? [limit.value] : [])], 1) : { domain: linear_domain(all), nice: true, ticks: 5 }),
+      tickFormat: log ? (value: number) => (value === floor ? `\u2264 ${number(value, "", 1)}` : number(value, "", 1)) : (value: number) => given(value),
     },
     marks: [
       ...(horizon === undefined
@@ -98,6 +103,12 @@ export function over_time(width: number, { quantity, unit, entries, column, log 
         : [
             Plot.ruleX([horizon], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
             Plot.text([horizon], { x: (t: number) => t, text: () => "horizon", frameAnchor: "top", textAnchor: "start", dx: 4, fill: "var(--faint)" }),
+          ]),
+      ...(limit === undefined
+        ? []
+        : [
+            Plot.ruleY([limit.value], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
+            Plot.text([limit.value], { y: (value: number) => value, text: () => limit.name, frameAnchor: "left", textAnchor: "start", dx: 8, dy: 9, fill: "var(--soft)", stroke: "var(--card)", strokeWidth: 4 }),
           ]),
       ...drawn.map(({ engine, points }) =>
         Plot.line(points, { x: "t", y: "value", ...line_look(engine), className: "line", ariaDescription: engine.label }),

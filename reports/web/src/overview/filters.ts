@@ -9,6 +9,8 @@ import { keys, measures, sorting } from "./matrix";
 const verdict_filters: Record<string, (item: Case) => boolean> = {
   "something is wrong": ({ entries }) => entries.some(({ run }) => run.verdict === "wrong" || run.verdict === "failed"),
   "all is right": ({ entries }) => entries.every(({ run, engine }) => engine.exact || run.verdict === "right"),
+  "something is coarse": ({ entries }) => entries.some(({ run }) => run.verdict === "coarse"),
+  "something has no evidence": ({ entries }) => entries.some(({ run }) => run.verdict === "no evidence"),
   "engines differ": ({ entries }) => new Set(entries.filter(({ engine }) => !engine.exact).map(({ run }) => run.verdict)).size > 1,
   "something is not supported": ({ entries }) => entries.some(({ run }) => run.verdict === "not supported"),
 };
@@ -38,12 +40,12 @@ export function filtered(model: Model, view: View): Model {
   return { ...model, engines, chapters };
 }
 
-interface Control {
+export interface Control {
   element: HTMLElement;
   update: (view: View) => void;
 }
 
-type CurrentView = () => View;
+export type CurrentView = () => View;
 
 function changed(view: View, key: string, values: string[]): View {
   const next = new URLSearchParams(view);
@@ -73,7 +75,7 @@ function pills(key: string, choices: string[], current: CurrentView): Control | 
 }
 
 /** One of several choices; the first is the default, which the address leaves out. */
-function select(key: string, label: string, choices: { value: string; name: string }[], current: CurrentView): Control {
+export function select(key: string, label: string, choices: { value: string; name: string }[], current: CurrentView): Control {
   const options = choices.map(({ value, name }) => h("option", { value }, name));
   const element = h("select", {}, ...options);
   element.addEventListener("change", () => show(changed(current(), key, element.value ? [element.value] : [])));

@@ -2,9 +2,9 @@
 // reason. The address's view chooses the number and the order of the rows; "-" before a sort key reverses the order.
 import { show, type View } from "../address";
 import { h, slug, type Child } from "../dom";
-import { number, ratio_text } from "../format";
+import { number, percent, ratio_text } from "../format";
 import type { Case, Engine, Entry, Model } from "../model";
-import { badge, gauge } from "../pieces";
+import { badge, gauge, ruler } from "../pieces";
 
 export interface Measure {
   name: string;
@@ -28,8 +28,17 @@ const largest_error: Measure = {
   shown: ({ worst }) => (Number.isNaN(worst) ? null : h("span", { class: "ratio" }, gauge(worst), ratio_text(worst))),
 };
 
+const farthest: Measure = {
+  name: "error / scale",
+  about:
+    "Each number is the largest error of a run, relative to what the truth says changes in the scene: the same ruler for every engine; the tick on the bar is 1 %. The verdict says whether the engine\u2019s method explains it.",
+  of: ({ run, farthest }) => (run.status === "failed" ? Infinity : farthest),
+  shown: ({ farthest }) => (Number.isNaN(farthest) ? null : h("span", { class: "ratio" }, ruler(farthest), percent(farthest))),
+};
+
 /** The first is the default. */
 export const measures: readonly [Measure, ...Measure[]] = [
+  farthest,
   largest_error,
   {
     name: "distance from the truth",

@@ -1,4 +1,4 @@
-// The overview: the table of verdicts, the changes since the baseline, and the charts of error against cost, all for the
+// The overview: how far apart two engines are, the table of verdicts, the changes since the baseline, and the charts of error against cost, all for the
 // part of the report that the address's view selects.
 import { watch, type View } from "../address";
 import { cost_chart } from "../charts/cost";
@@ -6,11 +6,14 @@ import { legend } from "../charts/look";
 import { h } from "../dom";
 import { count } from "../format";
 import type { Model } from "../model";
+import { verdict_legend } from "../pieces";
 import { sentence } from "../studies/baseline";
 import { study_id } from "../studies/page";
 import { equal_error_chart } from "../studies/speed_charts";
 import { factors_over, speed_model } from "../studies/speed_model";
 import { filtered, filters, shows_case, shows_engine } from "./filters";
+import { key_differences } from "./key_differences";
+import { league } from "./league";
 import { matrix, measures } from "./matrix";
 
 /** The speed study in one chart, for the selected cases and engines; null if the report has no such study. */
@@ -42,6 +45,7 @@ const cases_in = ({ chapters }: Model): number => chapters.reduce((sum, { cases 
 export function overview(model: Model): HTMLElement {
   const about = h("p", { class: "lede" });
   const controls = filters(model);
+  const ranking = h("div", {});
   const shown = h("p", { class: "basis", role: "status" });
   const table = h("div", {});
   const cost = h("div", {});
@@ -56,14 +60,18 @@ export function overview(model: Model): HTMLElement {
     controls.update(view);
     shown.textContent = cases ? `${cases} of ${count(total, "case")} shown` : "No case matches.";
     shown.hidden = view.toString() === "";
-    table.replaceChildren(...(cases ? [matrix(part, engines, view, measure), legend(engines)] : []));
+    ranking.replaceChildren(...(cases ? [league(part, engines)] : []));
+    const verdicts = part.chapters.flatMap((chapter) => chapter.cases.flatMap(({ entries }) => entries.map(({ run }) => run.verdict)));
+    table.replaceChildren(...(cases ? [matrix(part, engines, view, measure), legend(engines), verdict_legend(verdicts)] : []));
     cost.replaceChildren(...[cost_chart(part)].filter((chart) => chart !== null));
     speed?.update(view);
   });
   return h(
     "section",
     { id: "overview" },
+    ...key_differences(model),
     h("h2", {}, "Who is right"),
+    ranking,
     about,
     controls.element,
     shown,

@@ -92,7 +92,7 @@ export function jumps_of({ comparisons, entries }: Case): Jump[] {
   const diverged_at = (film: Film): number | undefined => {
     const label = label_of(film.run);
     const pair = comparisons.find(({ a, b }) => label !== name && ((a === label && b === name) || (a === name && b === label)));
-    return pair?.metrics["parted_at"]?.value ?? undefined;
+    return pair?.key_differences?.diverged_at ?? undefined;
   };
   const from = reference?.exact ? "the truth" : name;
   return [

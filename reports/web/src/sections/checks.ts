@@ -1,18 +1,18 @@
 // The checks of a case: the reason for each engine's verdict in one line, the table of readings against the truth, and
 // the table of invariants.
-import type { InvariantCheck, TruthCheck } from "../data";
+import type { InvariantCheck, TruthCheck, Verdict } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
-import { count, given, number, ratio_text, to_within, words } from "../format";
-import { ratio_of, type Case, type Entry } from "../model";
-import { badge, gauge } from "../pieces";
+import { count, enumerate, given, number, percent, ratio_text, to_within, words } from "../format";
+import { ratio_of, relative_of, reported, type Case, type Entry } from "../model";
+import { badge, gauge, right_share, ruler } from "../pieces";
 
 interface Reading {
   entry: Entry;
   check: TruthCheck;
 }
 
-const heads = ["reading", "engine", "expected", "measured", "error", "tolerance", "error / tolerance", "verdict"];
+const heads = ["reading", "engine", "expected", "measured", "error", "error / scale", "tolerance", "error / tolerance", "verdict"];
 
 /** Longer tables start folded, unless a check fails. */
 const most_open = 12;
@@ -43,6 +43,23 @@ function subject(group: Reading[], check: TruthCheck): HTMLElement {
   return h("th", { scope: "rowgroup", rowspan: String(group.length), class: "subject" }, title, h("span", {}, check.source));
 }
 
+/** error / tolerance with its bar, and whether the check could have failed at all. */
+const tolerated = (check: TruthCheck | InvariantCheck, title?: string): HTMLElement =>
+  h(
+    "span",
+    { class: "ratio", title },
+    gauge(ratio_of(check)),
+    ratio_text(ratio_of(check)),
+    check.evidence ? null : h("span", { class: "no-test" }, "not a test"),
+  );
+
+/** Of one check, by the rules that give a run its verdict. */
+function verdict_of(check: TruthCheck): Verdict {
+  if (!check.passed) return "wrong";
+  if (relative_of(check) > right_share) return "coarse";
+  return check.evidence ? "right" : "no evidence";
+}
+
 function cells({ entry, check }: Reading): HTMLElement[] {
   const { unit } = check;
   const difference = Math.max(check.error ?? 0, check.tolerance ?? 0);
@@ -50,9 +67,10 @@ function cells({ entry, check }: Reading): HTMLElement[] {
     (check.relation === "equal" ? "" : `${check.relation} `) + to_within(check.expected, difference, unit),
     check.reported ? to_within(check.measured, difference, unit) : "not reported",
     check.reported ? number(check.error, unit, 2) : "",
+    check.reported ? h("span", { class: "ratio" }, ruler(check.relative_error), percent(check.relative_error)) : "",
     number(check.tolerance, unit, 2),
-    check.reported ? h("span", { class: "ratio" }, gauge(ratio_of(check)), ratio_text(ratio_of(check))) : "",
-    check.reported ? badge(check.passed ? "right" : "wrong") : "",
+    check.reported ? tolerated(check) : "",
+    check.reported ? badge(verdict_of(check)) : "",
   ];
   return [
     h("th", { scope: "row" }, entry.engine.label),
@@ -90,10 +108,8 @@ function cell(name: string, check: InvariantCheck | undefined): HTMLTableCellEle
   const attributes = { "data-label": words(name) };
   if (!check) return h("td", attributes, "does not apply");
   if (check.status === "not reported") return h("td", attributes, "not reported");
-  const ratio = ratio_of(check);
   const title = largest_error(check);
-  const size = h("span", { class: "ratio", title }, gauge(ratio), ratio_text(ratio));
-  return h("td", attributes, size, check.status === "broken" ? h("span", { class: "reason" }, title) : null);
+  return h("td", attributes, tolerated(check, title), check.status === "broken" ? h("span", { class: "reason" }, title) : null);
 }
 
 export function invariants(item: Case): HTMLElement | null {
@@ -113,18 +129,31 @@ export function invariants(item: Case): HTMLElement | null {
   );
 }
 
+const subject_of = (check: TruthCheck): string =>
+  `${check.body ? `${check.body}, ` : ""}${words(check.quantity)} at ${given(check.time, "s", 4)}`;
+
+/** "Off by 2.3 % of scale at most: ball, y at 2 s." */
+function farthest_off(entry: Entry): string {
+  const [most] = reported(entry.run).sort((a, b) => relative_of(b) - relative_of(a));
+  return most && relative_of(most) > 0 ? `Off by ${percent(most.relative_error)} of scale at most: ${subject_of(most)}. ` : "";
+}
+
+/** "Not a test: y, energy." */
+function untested({ run }: Entry): string {
+  const checks = run.verdict === "no evidence" ? [...new Set(reported(run).filter(({ evidence }) => !evidence).map(({ quantity }) => words(quantity)))] : [];
+  return checks.length ? ` The tolerance is too large for a test of ${enumerate(checks)}.` : "";
+}
+
 interface Finding {
   ratio: number;
   text: string;
 }
 
 function findings_of({ run }: Entry): Finding[] {
-  const truth = run.truth
-    .filter(({ reported }) => reported)
-    .map((check) => ({
-      ratio: ratio_of(check),
-      text: `${check.body ? `${check.body}, ` : ""}${words(check.quantity)} at ${given(check.time, "s", 4)}, error ${number(check.error, check.unit, 2)}, tolerance ${number(check.tolerance, check.unit, 2)}`,
-    }));
+  const truth = reported(run).map((check) => ({
+    ratio: ratio_of(check),
+    text: `${subject_of(check)}, error ${number(check.error, check.unit, 2)}, tolerance ${number(check.tolerance, check.unit, 2)}`,
+  }));
   const invariants = run.invariants
     .filter(({ status }) => status !== "not reported")
     .map((check) => ({ ratio: ratio_of(check), text: `${words(check.name)}, ${largest_error(check)}` }));
@@ -136,8 +165,8 @@ function reason(entry: Entry): string {
   if (run.status !== "ok") return run.reason;
   const [most] = findings_of(entry).sort((a, b) => b.ratio - a.ratio);
   if (!most) return "There is no check for this case.";
-  if (most.ratio === 0) return "No error in any check.";
-  return `Largest error / tolerance ${ratio_text(most.ratio)}: ${most.text}.`;
+  if (most.ratio === 0) return `No error in any check.${untested(entry)}`;
+  return `${farthest_off(entry)}Largest error / tolerance ${ratio_text(most.ratio)}: ${most.text}.${untested(entry)}`;
 }
 
 /** The reason for each engine's verdict; cells of the overview link here. */

@@ -4,23 +4,25 @@ import { h } from "../dom";
 import { folded } from "../folded";
 import { number, pretty_unit, shell, words } from "../format";
 import type { Model } from "../model";
-import { case_command, command } from "../pieces";
+import { case_command, command, verdict_meanings } from "../pieces";
 
 /** As in README.md ("Reading a report") and reports/glossary.md, plus the numbers that this page adds. */
 const definitions: [string, string][] = [
-  ["right", "every reading is within its tolerance of the truth, and no invariant is broken"],
-  ["plausible", "there is no closed form to compare with, and no invariant is broken; engines may differ and all be plausible"],
-  ["wrong", "a reading is outside its tolerance, or an invariant is broken"],
-  ["not supported", "the engine cannot run the scene, with the reason"],
-  ["failed", "the run diverged, crashed or stopped early, with the reason"],
-  ["beyond horizon", "past the time up to which the motion can be predicted; not compared point by point"],
+  ...Object.entries(verdict_meanings),
   ["not reported", "the engine does not report what the check needs, such as contacts; counts neither way"],
   ["error", "|measured \u2212 expected|, in the unit of the quantity"],
   [
-    "tolerance",
-    "how far off a correct engine may be: derived from the order of its method, its step, its stated gaps and the round-off of its arithmetic, never from what an engine happened to do",
+    "scale",
+    "what the truth says changes in the scene: a displacement, a speed, an energy that is exchanged, an angle; at least a floor such as the size of the body; from the scene alone, so the same ruler for every engine",
   ],
-  ["error / tolerance", "above 1 is wrong; the largest of a run decides"],
+  ["error / scale", "how far off a run is; within 1 % may be right, farther off is coarse at best"],
+  [
+    "tolerance",
+    "how far off a correct engine may be: derived from the order of its method, its step, the skin and slop that it states, and the round-off of its arithmetic, never from what an engine happened to do",
+  ],
+  ["error / tolerance", "whether the method explains the error: above 1 is wrong; the largest of a run decides"],
+  ["not a test", "the tolerance is more than 5 % of scale, or nothing happened that the invariant could catch: the check could not have failed, and is no evidence"],
+  ["at rest", "all bodies are slower than 1 cm/s and 0.01 rad/s from some time until the end"],
   ["energy", "kinetic, rotational and gravitational, of all dynamic bodies, computed from the scene and the positions and velocities read out, not by the engine"],
   ["momentum", "linear, and angular about the world\u2019s origin, of all dynamic bodies"],
   ["distance from the truth", "of the bodies\u2019 centres, root mean square over bodies and recorded moments"],

@@ -1,54 +1,46 @@
 // The head of the report: the result in one sentence, and what was compared.
-import type { Run } from "../data";
 import { h } from "../dom";
-import { count, enumerate, time_step, times } from "../format";
-import type { Engine, Entry, Model } from "../model";
-import { mark } from "../pieces";
+import { count, enumerate, share, time_step } from "../format";
+import { relative_of, reported, type Engine, type Entry, type Model } from "../model";
+import { mark, right_share } from "../pieces";
 
 interface Tally {
   engine: Engine;
-  judged: number;
-  right: number;
+  cases: number;
+  wrong: number;
+  checks: number;
+  near: number; // checks within 1 % of scale
 }
-
-const is_judged = (run: Run): boolean => run.verdict === "right" || run.verdict === "wrong" || run.verdict === "failed";
 
 function tally(engine: Engine, entries: Entry[]): Tally {
-  const judged = entries.filter((entry) => entry.engine === engine && is_judged(entry.run));
-  return { engine, judged: judged.length, right: judged.filter(({ run }) => run.verdict === "right").length };
+  const runs = entries.filter((entry) => entry.engine === engine && entry.run.status !== "not supported").map(({ run }) => run);
+  const checks = runs.flatMap(reported);
+  return {
+    engine,
+    cases: runs.length,
+    wrong: runs.filter(({ verdict }) => verdict === "wrong" || verdict === "failed").length,
+    checks: checks.length,
+    near: checks.filter((check) => relative_of(check) <= right_share).length,
+  };
 }
 
-/** "impulse is right in all 9 cases, box2d in 7 of 9 and chipmunk in 8 of 9" */
-function scores(tallies: Tally[]): string {
-  const cases = Math.max(...tallies.map(({ judged }) => judged));
-  const faultless = tallies.filter(({ right }) => right === cases);
-  const others = tallies.filter((one) => !faultless.includes(one));
-  const all = cases === 1 ? "the one case" : `all ${cases} cases`;
-  const names = enumerate(faultless.map(({ engine }) => engine.label));
-  const lead = faultless.length ? [`${names} ${faultless.length > 1 ? "are" : "is"} right in ${all}`] : [];
-  const rest = others.map(({ engine, right, judged }, index) =>
-    lead.length || index ? `${engine.label} in ${right} of ${judged}` : `${engine.label} is right in ${right} of ${count(judged, "case")}`,
-  );
-  return [...lead, ...(rest.length ? [enumerate(rest)] : [])].join(", ");
-}
-
-/** "; box2d has the largest error, in bounce (e=0.9): 3.2 times the tolerance" */
-function largest_error(entries: Entry[]): string {
-  const [largest] = entries
-    .filter(({ engine, run, worst }) => !engine.exact && run.status === "ok" && worst > 1 && Number.isFinite(worst))
-    .sort((a, b) => b.worst - a.worst);
-  if (!largest) return "";
-  const { engine, run, worst } = largest;
-  return `; ${engine.label} has the largest error, in ${run.scenario} (${run.variant}): ${times(worst)} the tolerance`;
-}
-
+/**
+ * "Within 1 % of scale: impulse in 97 % of its checks, box2d in 72 %. Wrong beyond what their methods explain: impulse in 1
+ * of 99 cases, box2d in 16."
+ */
 export function sentence(model: Model): string {
   const entries = model.chapters.flatMap((chapter) => chapter.cases.flatMap((item) => item.entries));
   const tallies = model.engines
     .filter((engine) => !engine.exact)
     .map((engine) => tally(engine, entries))
-    .filter(({ judged }) => judged > 0);
-  return tallies.length ? `${scores(tallies)}${largest_error(entries)}.` : "No case here has a truth to compare with.";
+    .filter(({ checks }) => checks > 0);
+  if (!tallies.length) return "No case here has a truth to compare with.";
+  const near = tallies.map(({ engine, near, checks }, index) => `${engine.label} in ${share(near, checks)}${index ? "" : " of its checks"}`);
+  const wrong = tallies.map(({ engine, wrong, cases }, index) => `${engine.label} in ${wrong}${index ? "" : ` of ${count(cases, "case")}`}`);
+  const verdict = tallies.every((one) => one.wrong === 0)
+    ? "None is wrong beyond what its method explains."
+    : `Wrong beyond what the method explains: ${enumerate(wrong)}.`;
+  return `Within 1 % of scale: ${enumerate(near)}. ${verdict}`;
 }
 
 export function opening(model: Model): HTMLElement {

@@ -1,0 +1,52 @@
+#include <gmock/gmock.h>
+
+#include "reports/writers/output.h"
+#include "sample.h"
+#include "scenarios/catalog.h"
+
+namespace plumb::markdown_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string text_of(const Report& report) {
+  std::string why_not;
+  return Catalog<Writer>::find("markdown")->text(report, why_not).value();
+}
+
+TEST(Markdown, HasARowForEachCaseOfTheFirstTwoEngines) {
+  EXPECT_THAT(text_of(sample_report()),
+              HasSubstr("| slide:on ice | 25 (12) | 200 (0) | 0 (0) | - | 3 | 0.015 | - | 0.5 |"));
+}
+
+TEST(Markdown, SaysWhyACaseCannotBeCompared) {
+  Report report = sample_report();
+  report.comparisons[0].key.reset();
+  EXPECT_THAT(text_of(report), HasSubstr("| slide:on ice | lost: diverged |  |"));
+}
+
+TEST(Markdown, CountsChecksAndVerdictsOfEachEngine) {
+  Report report = sample_report();
+  report.runs[1].truth = {{.quantity = "y", .error = 0.005, .tolerance = 0.01, .scale = 1, .passed = true},
+                          {.quantity = "y", .error = 0.5, .tolerance = 1, .scale = 1, .passed = true}};
+  const std::string text = text_of(report);
+  EXPECT_THAT(text, HasSubstr("iterations=1000 | 2 | 50 % | 50 % | 0 % | 0 % | 1 |"));
+  EXPECT_THAT(text, HasSubstr("| engine | wrong | failed |"));
+  EXPECT_THAT(text, HasSubstr("| lost | 0 | 1 |"));
+}
+
+TEST(Markdown, LetsNoNameBreakATableOrBecomeMarkup) {
+  Report report = sample_report();
+  report.comparisons[0].variant = "a|b<script>";
+  EXPECT_THAT(text_of(report), HasSubstr("slide:a&#124;b&#60;script&#62;"));
+}
+
+TEST(Markdown, HasNoTableOfDifferencesForOneEngine) {
+  Report report = sample_report();
+  report.runs.resize(2);
+  EXPECT_THAT(text_of(report), Not(HasSubstr("against")));
+}
+
+}  // namespace
+}  // namespace plumb::markdown_test
