@@ -115,13 +115,19 @@ Verdict verdict_of(std::span<const TruthCheck> truth, std::span<const InvariantC
   return has_power(truth) ? Verdict::right : Verdict::no_evidence;
 }
 
-Judgement judge(const Scene& scene, std::span<const Expectation> expectations, const Trace& trace,
-                const Stepping& stepping, const Truth* truth) {
-  Judgement judgement;
+std::vector<TruthCheck> check_expectations(const Scene& scene, std::span<const Expectation> expectations,
+                                           const Trace& trace, const Stepping& stepping, const Truth* truth) {
+  std::vector<TruthCheck> checks;
   const Scales scales(scene, truth);
   for (const Expectation& expectation : expectations) {
-    judgement.checks.push_back(check(scene, expectation, trace, stepping, truth, scales));
+    checks.push_back(check(scene, expectation, trace, stepping, truth, scales));
   }
+  return checks;
+}
+
+Judgement judge(const Scene& scene, std::span<const Expectation> expectations, const Trace& trace,
+                const Stepping& stepping, const Truth* truth) {
+  Judgement judgement{.checks = check_expectations(scene, expectations, trace, stepping, truth)};
   judgement.invariants = check_invariants({scene, trace, stepping});
   judgement.verdict = verdict_of(judgement.checks, judgement.invariants);
   return judgement;
