@@ -15,26 +15,33 @@ namespace plumb {
 struct Stress {
   double smooth = 0;   // m/s, the sum of all changes of velocity while nothing pushed the body
   double bends = 0;    // m/s^2, the sum of all changes of acceleration but those as a contact begins or ends
+  double jolts = 0;    // m/s^3, the same of its rate of change
   double pushed = 0;   // m/s, the sum of all changes of velocity by contacts
   double carried = 0;  // m, the sum of all changes of velocity, each times the time since
   double slowest = 0;  // m/s, the smallest change of velocity at an impact; 0: none
   double touched = 0;  // s, since the first contact
-  double time = 0;     // s
-  int contacts = 0;    // bodies in the largest group that contacts and joints have connected, if one has touched
-  int joints = 0;      // bodies in the largest group that joints connect
+  int contacts = 0;    // in a row, at most: from a fixed body, or across a group that touches none
+  int joints = 0;      // the same
 };
 
 /// One per moment of a trace that reports contacts.
 std::vector<Stress> stress_along(const Scene&, const Trace&);
 
-/// m, the largest position error of a method in such a motion. The sum of
-/// - a method of first order applies each change of velocity too early or too late by up to h/2 (the
-///   free fall of symplectic Euler, g t h/2, is such a sum), or as its drift states; one of second order is off by
-///   h^2/6 times the changes of acceleration in position, and by as much through its velocity;
+struct MethodError {
+  double place = 0;  // m
+  double speed = 0;  // m/s
+};
+
+/// The largest errors of a method in such a motion. Its place is off by the sum of
+/// - a method of first order applies each change of velocity too early or too late by up to h/2 (the free fall of
+///   symplectic Euler, g t h/2, is such a sum), or as its drift states; one of second order is off by h^2/6 times the
+///   changes of acceleration in position, and by as much through its velocity;
 /// - contact: a change of velocity is late by up to the lag of an impact, or by the h/2 of first order;
-/// - skin and slop: of every body in a row of contacts or joints;
+/// - skin and slop, at every contact or joint in a row;
 /// - creep, and impacts below the restitution threshold, times the time since;
 /// - what the iterations leave of a change of velocity (see `unsolved`), times the time since.
-double method_error(const Stepping&, const Stress&, bool bounces);
+/// Its speed is off by h/2 times the changes of acceleration at first order (the rectangle rule), by h^2/6 times the
+/// changes of their rate at second.
+MethodError method_error(const Stepping&, const Stress&, bool bounces);
 
 }  // namespace plumb

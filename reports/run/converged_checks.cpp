@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "reports/judge/verdict.h"
 #include "reports/vec.h"
@@ -33,7 +32,11 @@ double energy_error_of(const Scene& scene, std::span<const BodyState> states, st
 }  // namespace
 
 ConvergedChecks::ConvergedChecks(const Scene& scene, const ConvergedTruth& truth, double dt)
-    : scene_(scene), answer_(*truth.answer), growth_(scene, dt, answer_.valid_until()) {
+    : scene_(scene),
+      answer_(*truth.answer),
+      truth_(truth.engine, scene),
+      scales_(scene, &truth_),
+      growth_(scene, dt, answer_.valid_until()) {
   const auto valid = std::upper_bound(answer_.times().begin(), answer_.times().end(), answer_.valid_until());
   const auto last = std::min(static_cast<std::size_t>(valid - answer_.times().begin()), growth_.moments());
   if (last < 2) return;
@@ -43,8 +46,7 @@ ConvergedChecks::ConvergedChecks(const Scene& scene, const ConvergedTruth& truth
     const double time = answer_.times()[index];
     const Truth until(truth.engine, scene, time);
     moments_.push_back({.index = index,
-                        .truth = until,
-                        .scales = Scales(scene, &until),
+                        .moved = Scales(scene, &until),
                         .energy_error = energy_error_of(scene, answer_.states(index), answer_.errors(index))});
   }
 }
@@ -85,34 +87,34 @@ std::string ConvergedChecks::source(const Question& question, const Moment& mome
   return fmt::format(
       "converged reference, good to {:.1g} m; tolerance: the method's own error by then, {:.2g} m, as "
       "this motion amplifies it",
-      answer_.errors(moment.index)[question.body].position, growth_.own_error(stepping, moment.index));
+      answer_.errors(moment.index)[question.body].position, growth_.own_error(stepping, moment.index).place);
 }
 
 std::vector<TruthCheck> ConvergedChecks::of(const Stepping& stepping, const Trace& trace) const {
-  std::map<const Moment*, std::vector<Expectation>> asked;
+  constexpr double of_what_moved = 0.5;
+  std::vector<Expectation> asked;
   for (const Question& question : questions()) {
     double before = std::numeric_limits<double>::infinity();  // s
     for (const Moment& moment : moments_) {
       const double time = answer_.times()[moment.index];
       if (time > before || time > trace.times().back() * (1 + 1e-9)) continue;
-      const double allowed = tolerance(question, moment, stepping);
-      const double expected = expected_value(scene_, question.expectation, &moment.truth, time).value();
-      if (!(allowed < evidence_share * moment.scales.of(question.expectation, expected))) continue;
       Expectation expectation = question.expectation;
       expectation.time = time;
+      const double allowed = tolerance(question, moment, stepping);
+      const double expected = expected_value(scene_, expectation, &truth_, time).value();
+      if (!(allowed < evidence_share * scales_.of(expectation, expected)) ||
+          !(allowed < of_what_moved * moment.moved.of(expectation, expected))) {
+        continue;
+      }
       expectation.allowed = [allowed](const Stepping&) { return allowed; };
       expectation.source = source(question, moment, stepping);
-      asked[&moment].push_back(std::move(expectation));
+      asked.push_back(std::move(expectation));
       if (std::isfinite(before)) break;
       before = time / 2;
     }
   }
-  std::vector<TruthCheck> checks;
-  for (const auto& [moment, expectations] : asked) {
-    for (TruthCheck& one : check_expectations(scene_, expectations, trace, stepping, &moment->truth)) {
-      if (is_evidence(one)) checks.push_back(std::move(one));
-    }
-  }
+  std::vector<TruthCheck> checks = check_expectations(scene_, asked, trace, stepping, &truth_);
+  std::erase_if(checks, [](const TruthCheck& one) { return !is_evidence(one); });
   return checks;
 }
 

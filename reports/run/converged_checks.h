@@ -13,8 +13,9 @@ namespace plumb {
 
 /// The checks of one scene: place and angle of up to `judged_bodies` bodies, spread evenly over the scene, and the
 /// energy. The tolerance is what the method states about itself, times how the scene amplifies it (see growth.h), plus
-/// the error of the reference. Each quantity is checked at the latest time at which that is evidence, and once in the
-/// first half of the time to there.
+/// the error of the reference. Each quantity is checked at the latest time at which that is evidence, and less than
+/// half of what the truth changes up to then, so that no body can pass by standing still; and once in the first half of
+/// the time to there.
 class ConvergedChecks {
  public:
   /// The truth and the scene must outlive it. `dt`, s, is the step of the runs and of the truth's times.
@@ -26,8 +27,7 @@ class ConvergedChecks {
  private:
   struct Moment {
     std::size_t index = 0;    // of the truth's times
-    Truth truth;              // that ends there
-    Scales scales;            // of the motion up to there
+    Scales moved;             // what the truth changes up to there
     double energy_error = 0;  // J, of the reference
   };
   struct Question {
@@ -42,6 +42,8 @@ class ConvergedChecks {
 
   const Scene& scene_;
   const Converged& answer_;
+  Truth truth_;
+  Scales scales_;
   Growth growth_;
   std::vector<Moment> moments_;  // latest first
 };

@@ -2,21 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "reference/scene_facts.h"
 #include "reports/judge/mechanics.h"
+#include "reports/judge/overlap.h"
 #include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/random.h"
 #include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {
 
 constexpr std::size_t steps_per_moment = 2;
-constexpr int random_directions = 2;                                // random ones, of each size
+constexpr int random_directions = 3;
 constexpr double displacement_shares[] = {1e-5, 1e-3, 1e-2, 1e-1};  // of the smallest body
-// Of random directions, for how much faster the worst one may grow.
-constexpr double worst_direction = 2;
+
+// Every dynamic body moved at random by up to `size`, m, and turned so that its rim moves as much.
+Scene displaced_scene(const Scene& scene, std::span<const double> radius, double size, std::uint64_t seed) {
+  Scene moved = perturbed(scene, size, seed);
+  Random random(~seed);
+  for (std::size_t i = 0; i < moved.bodies.size(); ++i) {
+    if (moved.bodies[i].type == BodyType::dynamic) moved.bodies[i].angle += random.between(-size, size) / radius[i];
+  }
+  return moved;
+}
 
 EngineConfig our_config() {
   const Engine& ours = *Catalog<Engine>::find("impulse");
@@ -31,6 +42,10 @@ Growth::Growth(const Scene& scene, double dt, double until) : dt_(dt), bodies_(s
   for (const Body& body : scene.bodies) {
     for (const Shape& shape : body.shapes) bounces_ = bounces_ || shape.surface.restitution > 0;
   }
+  for (const Body& body : scene.bodies) {
+    const double radius = bounding_radius(body);
+    radius_.push_back(radius > 0 ? radius : smallest_body(scene));
+  }
   const EngineConfig config = our_config();
   const Outcome outcome = run(shortened, config, dt / steps_per_moment);
   if (outcome.status != Status::ok) return;
@@ -39,16 +54,22 @@ Growth::Growth(const Scene& scene, double dt, double until) : dt_(dt), bodies_(s
   const Conserved conserved(scene);
   const auto masses = conserved.masses();
   double force = 0;
+  double momentum = 0;
   for (std::size_t step = 0; step < fine.size(); ++step) {
     double together = 0;
+    double moving = 0;
     for (std::size_t i = 0; step > 0 && i < bodies_; ++i) {
       const Vec change = trace.states(step)[i].velocity - trace.states(step - 1)[i].velocity;
       together += masses[i].mass * length(change) / (trace.time(step) - trace.time(step - 1));
+      moving += masses[i].mass * (length(trace.states(step)[i].velocity) +
+                                  radius_[i] * std::abs(trace.states(step)[i].angular_velocity));
     }
+    momentum = std::max(momentum, moving);
     if (step > 0 && fine[step].pushed == fine[step - 1].pushed) force = std::max(force, together);
     if (step % steps_per_moment != 0) continue;
     stress_.push_back(fine[step]);
     force_.push_back(force);
+    momentum_.push_back(momentum);
   }
   for (const double share : displacement_shares) displace(shortened, config, trace, share * smallest_body(scene));
 }
@@ -56,12 +77,12 @@ Growth::Growth(const Scene& scene, double dt, double until) : dt_(dt), bodies_(s
 void Growth::displace(const Scene& scene, const EngineConfig& config, const Trace& undisturbed, double size) {
   const Conserved conserved(scene);
   Displaced displaced{.size = size, .growth = std::vector<Shift>(stress_.size() * bodies_)};
-  const double usual = size / std::sqrt(3.0);  // root mean square of uniform displacements, along an axis
   for (int seed = 1; seed <= random_directions; ++seed) {
-    const Outcome outcome =
-        run(perturbed(scene, size, static_cast<std::uint64_t>(seed)), config, dt_ / steps_per_moment);
+    const Scene moved = displaced_scene(scene, radius_, size, static_cast<std::uint64_t>(seed));
+    const Outcome outcome = run(moved, config, dt_ / steps_per_moment);
     if (!outcome.trace) continue;
-    std::vector<Shift> so_far(bodies_, {1, 0, 0});
+    const double usual = size * std::sqrt(2.0 / 3);  // root mean square of such displacements
+    std::vector<Shift> so_far(bodies_);
     for (std::size_t moment = 0; moment < stress_.size(); ++moment) {
       const std::size_t step = std::min(moment * steps_per_moment, outcome.trace->size() - 1);
       const auto here = undisturbed.states(step);
@@ -81,20 +102,20 @@ void Growth::displace(const Scene& scene, const EngineConfig& config, const Trac
   displaced_.push_back(std::move(displaced));
 }
 
-double Growth::own_error(const Stepping& stepping, std::size_t moment) const {
+MethodError Growth::own_error(const Stepping& stepping, std::size_t moment) const {
   return method_error(stepping, stress_[moment], bounces_);
 }
 
 std::optional<Shift> Growth::allowance(const Stepping& stepping, std::size_t moment, std::size_t body) const {
-  const double own = own_error(stepping, moment);
-  Shift worst;
+  const MethodError own = own_error(stepping, moment);
+  Shift worst{1, 1 / radius_[body], 0};
   for (const Displaced& one : displaced_) {
     const Shift& growth = one.growth[moment * bodies_ + body];
     worst = {std::max(worst.place, growth.place), std::max(worst.angle, growth.angle),
              std::max(worst.energy, growth.energy)};
-    if (one.size < own) continue;
-    return Shift{worst_direction * worst.place * own, worst_direction * worst.angle * own,
-                 (worst_direction * worst.energy + force_[moment]) * own};
+    if (one.size < own.place) continue;
+    return Shift{worst.place * own.place, worst.angle * own.place,
+                 (worst.energy + force_[moment]) * own.place + momentum_[moment] * own.speed};
   }
   return std::nullopt;
 }

@@ -33,8 +33,8 @@ class Growth {
   /// times the largest growth by then of any displacement up to that size. Nullopt where that error is larger than any
   /// displacement that was tried, a tenth of the smallest body.
   std::optional<Shift> allowance(const Stepping&, std::size_t moment, std::size_t body) const;
-  /// m, the first of these factors.
-  double own_error(const Stepping&, std::size_t moment) const;
+  /// The first of these factors.
+  MethodError own_error(const Stepping&, std::size_t moment) const;
 
  private:
   struct Displaced {
@@ -49,6 +49,8 @@ class Growth {
   bool bounces_ = false;
   std::vector<Stress> stress_;        // moment by moment
   std::vector<double> force_;         // N, the largest outside of impacts, of all bodies together, moment by moment
+  std::vector<double> momentum_;      // kg m/s, the largest so far, the sum of all bodies' sizes
+  std::vector<double> radius_;        // m, of each body
   std::vector<Displaced> displaced_;  // smallest first
 };
 

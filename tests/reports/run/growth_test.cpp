@@ -14,7 +14,7 @@ TEST(Growth, IsAboutOneInFreeFall) {
   const Scene scene = *parse_cases("bounce:e=0.8").front().scene;
   const Growth growth(scene, frame, 0.5);
   const std::size_t moment = 30;
-  const double drift = growth.own_error(first_order, moment);
+  const double drift = growth.own_error(first_order, moment).place;
   EXPECT_NEAR(drift, 10 * 0.5 * frame / 2, 1e-9);
   const std::size_t disc = scene.bodies[0].type == BodyType::dynamic ? 0 : 1;
   const auto shift = growth.allowance(first_order, moment, disc);
@@ -29,7 +29,7 @@ TEST(Growth, IsLargeInAChaoticScene) {
   const auto amplified = [&](std::size_t moment) {
     Stepping fine = first_order;
     fine.h = 1e-6;
-    return growth.allowance(fine, moment, 2)->place / growth.own_error(fine, moment);
+    return growth.allowance(fine, moment, 2)->place / growth.own_error(fine, moment).place;
   };
   EXPECT_GT(amplified(149), 3 * amplified(6));
 }
