@@ -17,8 +17,16 @@
 namespace plumb {
 namespace {
 
-const Engine& engine() { return *Catalog<Engine>::find("impulse"); }
-Settings settings() { return complete(engine(), {{"precision", "double"}}); }
+struct Method {
+  const Engine& engine;
+  Settings settings;
+};
+
+Method method_of(const Refinement& refinement) {
+  if (refinement.engine != nullptr) return {*refinement.engine, complete(*refinement.engine, refinement.settings)};
+  const Engine& ours = *Catalog<Engine>::find("impulse");
+  return {ours, complete(ours, {{"precision", "double"}})};
+}
 
 BodyState interpolated(const BodyState& a, const BodyState& b, double share) {
   return {.position = a.position + share * (b.position - a.position),
@@ -29,11 +37,11 @@ BodyState interpolated(const BodyState& a, const BodyState& b, double share) {
 
 // The answer after k halvings: 2^k times as many steps in a scene 2^k times as large. Scaling by a power of two is
 // exact. Between two steps it is interpolated linearly; that error shrinks along with the others.
-std::vector<BodyState> refined_answer(const Scene& scene, std::span<const double> times, double coarsest,
-                                      int halvings) {
+std::vector<BodyState> refined_answer(const Scene& scene, const Method& method, std::span<const double> times,
+                                      double coarsest, int halvings) {
   const double scale = std::ldexp(1.0, halvings);
   const double dt = coarsest / scale;
-  const auto simulation = engine().build(scaled(scene, scale), settings());
+  const auto simulation = method.engine.build(scaled(scene, scale), method.settings);
   std::vector<BodyState> before(scene.bodies.size());
   simulation->read(before);
   std::vector<BodyState> now = before;
@@ -114,7 +122,7 @@ std::string divergence_in_words(const Scene& scene, std::size_t body, double tim
 class ErrorFloor {
  public:
   ErrorFloor(const Scene& scene, const Refinement& refinement, int halvings)
-      : stepping_(engine().stepping(settings(), refinement.dt / std::ldexp(1.0, halvings))),
+      : stepping_(stepping_of(refinement, halvings)),
         gravity_(length(scene.gravity)),
         size_(smallest_body(scene)),
         fastest_(scene.bodies.size()) {
@@ -138,6 +146,11 @@ class ErrorFloor {
   }
 
  private:
+  static Stepping stepping_of(const Refinement& refinement, int halvings) {
+    const auto [engine, settings] = method_of(refinement);
+    return engine.stepping(settings, refinement.dt / std::ldexp(1.0, halvings));
+  }
+
   Stepping stepping_;
   double gravity_, size_;
   double slowest_bounce_ = 0;    // m/s
@@ -168,60 +181,128 @@ class InterpolatedMotion {
 }  // namespace
 
 Converged::Converged(const Scene& scene, std::vector<double> times, const Refinement& refinement)
-    : times_(std::move(times)), bodies_(scene.bodies.size()) {
+    : times_(std::move(times)),
+      bodies_(scene.bodies.size()),
+      size_(smallest_body(scene)),
+      tolerance_(refinement.tolerance * size_) {
   if (times_.empty() || times_.front() < 0 || !std::is_sorted(times_.begin(), times_.end())) {
     throw std::invalid_argument("the times of a converged reference must ascend from 0 or later");
   }
-  const std::string unsupported = engine().unsupported(scene, settings());
+  const auto [engine, settings] = method_of(refinement);
+  const std::string unsupported = engine.unsupported(scene, settings);
   if (!unsupported.empty()) throw std::domain_error(unsupported);
-  const double coarsest = static_cast<double>(bodies_) * std::ceil(times_.back() / refinement.dt);
-  const auto cost = [&](int halvings) { return coarsest * (std::ldexp(1.0, halvings + 1) - 1); };
-  const auto budget = static_cast<double>(refinement.budget);
-  if (cost(fewest_halvings) > budget) {
-    std::ostringstream words;
-    words << "over budget: " << fewest_halvings << " halvings need " << cost(fewest_halvings)
-          << " body-steps, the limit is " << budget;
-    throw std::domain_error(words.str());
-  }
-  while (halvings_ < refinement.halvings && cost(halvings_ + 1) <= budget) ++halvings_;
-
-  std::vector<std::vector<BodyState>> answers;
-  for (int k = 0; k <= halvings_; ++k) answers.push_back(refined_answer(scene, times_, refinement.dt, k));
-  extrapolate(scene, answers, refinement);
+  states_.resize(times_.size() * bodies_);
+  errors_.resize(times_.size() * bodies_);
+  valid_until_ = times_.back();
+  extrapolate(scene, refine(scene, refinement), refinement);
 }
 
-void Converged::extrapolate(const Scene& scene, std::span<const std::vector<BodyState>> answers,
-                            const Refinement& refinement) {
-  ErrorFloor floor(scene, refinement, halvings_);
-  const double size = smallest_body(scene);
+// As many answers as the budget allows. Each is computed only as long as those before it leave hope.
+Converged::Answers Converged::refine(const Scene& scene, const Refinement& refinement) {
+  const Method method = method_of(refinement);
+  const auto budget = static_cast<double>(refinement.budget);
+  const auto cost = [&](std::size_t moments, double coarsest_steps) {  // body-steps
+    return moments == 0
+               ? 0
+               : static_cast<double>(bodies_) * std::ceil(times_[moments - 1] / refinement.dt) * coarsest_steps;
+  };
+  std::size_t moments = times_.size();
+  const double fewest = std::ldexp(1.0, fewest_halvings + 1) - 1;
+  while (cost(moments, fewest) > budget) --moments;
+  if (moments < times_.size()) {
+    std::ostringstream words;
+    words << "over budget: " << fewest_halvings << " halvings need " << cost(times_.size(), fewest)
+          << " body-steps, the limit is " << budget;
+    end_before(moments, words.str());
+  }
+  Answers answers;
+  double spent = 0;
+  for (int k = 0; k <= refinement.halvings; ++k) {
+    spent += cost(moments, std::ldexp(1.0, k));
+    if (k > fewest_halvings && spent > budget) break;
+    answers.push_back(refined_answer(scene, method, std::span(times_).first(moments), refinement.dt, k));
+    moments = promising_moments(scene, refinement, answers);
+  }
+  return answers;
+}
+
+// The number of times at which the last two answers are close enough for the remaining halvings to bring them within
+// the tolerance, even at second order, which gains a factor of four each.
+std::size_t Converged::promising_moments(const Scene& scene, const Refinement& refinement, const Answers& answers) {
+  const std::size_t moments = answers.back().size() / bodies_;
+  const std::size_t n = answers.size();
+  if (n < 2) return moments;
+  const int left = refinement.halvings + 2 - static_cast<int>(n);
+  const double hopeless = tolerance_ * std::ldexp(1.0, 2 * left);
+  for (std::size_t index = 0; index < answers.back().size(); ++index) {
+    const double apart = length(answers[n - 1][index].position - answers[n - 2][index].position);
+    if (apart <= hopeless) continue;
+    const std::size_t moment = index / bodies_;
+    std::ostringstream words;
+    words.precision(3);
+    words << "does not converge: at t = " << times_[moment] << " s \"" << scene.bodies[index % bodies_].name
+          << "\" still differs by " << apart << " m after halving " << n - 1 << " of the step";
+    end_before(moment, words.str());
+    return moment;
+  }
+  return moments;
+}
+
+void Converged::end_before(std::size_t time_index, std::string reason) {
+  const double until = time_index == 0 ? 0 : times_[time_index - 1];
+  if (!reason_.empty() && until >= valid_until_) return;
+  valid_until_ = until;
+  reason_ = std::move(reason);
+}
+
+// Written so that a NaN counts as not known.
+bool Converged::is_known(const StateError& error) const {
+  return error.position + size_ / 2 * error.angle <= tolerance_;
+}
+
+void Converged::extrapolate(const Scene& scene, const Answers& answers, const Refinement& refinement) {
+  ErrorFloor floor(scene, refinement, static_cast<int>(answers.size()) - 1);
   std::vector<Vec> sequence(answers.size());
   const auto limit = [&](std::size_t index, auto&& read) {
     for (std::size_t k = 0; k < answers.size(); ++k) sequence[k] = read(answers[k][index]);
     return limit_of(sequence);
   };
   const auto place = [](const BodyState& state) { return state.position; };
-  valid_until_ = times_.back();
-  for (std::size_t time_index = 0; time_index < times_.size(); ++time_index) {
-    for (std::size_t i = 0; i < bodies_; ++i) {
-      const std::size_t index = time_index * bodies_ + i;
-      const Limit position = limit(index, place);
-      const Limit angle = limit(index, [](const BodyState& state) { return Vec{state.angle, 0}; });
-      const Limit velocity = limit(index, [](const BodyState& state) { return state.velocity; });
-      const Limit turning = limit(index, [](const BodyState& state) { return Vec{state.angular_velocity, 0}; });
-      states_.push_back({position.value, angle.value.x, velocity.value, turning.value.x});
-      StateError error = floor.at(times_[time_index], i, states_.back());
-      error.position += position.error;
-      error.angle += angle.error;
-      error.velocity += error_of_speed(velocity, position, refinement.dt);
-      error.angular_velocity += error_of_speed(turning, angle, refinement.dt);
-      errors_.push_back(error);
-      // Written so that a NaN counts as not converged.
-      if (error.position + size / 2 * error.angle <= refinement.tolerance * size || !reason_.empty()) continue;
-      valid_until_ = time_index == 0 ? 0 : times_[time_index - 1];
-      limit(index, place);
-      reason_ = divergence_in_words(scene, i, times_[time_index], sequence);
-    }
+  for (std::size_t index = 0; index < answers.back().size(); ++index) {
+    const std::size_t time_index = index / bodies_;
+    const std::size_t i = index % bodies_;
+    const Limit position = limit(index, place);
+    const Limit angle = limit(index, [](const BodyState& state) { return Vec{state.angle, 0}; });
+    const Limit velocity = limit(index, [](const BodyState& state) { return state.velocity; });
+    const Limit turning = limit(index, [](const BodyState& state) { return Vec{state.angular_velocity, 0}; });
+    states_[index] = {position.value, angle.value.x, velocity.value, turning.value.x};
+    StateError error = floor.at(times_[time_index], i, states_[index]);
+    error.position += position.error;
+    error.angle += angle.error;
+    error.velocity += error_of_speed(velocity, position, refinement.dt);
+    error.angular_velocity += error_of_speed(turning, angle, refinement.dt);
+    errors_[index] = error;
+    if (is_known(error)) continue;
+    limit(index, place);
+    end_before(time_index, divergence_in_words(scene, i, times_[time_index], sequence));
+    return;
   }
+}
+
+std::optional<std::size_t> Converged::contradicted_by(const Converged& other, std::size_t time_index) {
+  for (std::size_t i = 0; i < bodies_; ++i) {
+    const BodyState& a = states(time_index)[i];
+    const BodyState& b = other.states(time_index)[i];
+    const StateError& doubt = other.errors(time_index)[i];
+    StateError& error = errors_[time_index * bodies_ + i];
+    error.position = std::max(error.position, length(a.position - b.position) - doubt.position);
+    error.angle = std::max(error.angle, std::abs(a.angle - b.angle) - doubt.angle);
+    error.velocity = std::max(error.velocity, length(a.velocity - b.velocity) - doubt.velocity);
+    error.angular_velocity =
+        std::max(error.angular_velocity, std::abs(a.angular_velocity - b.angular_velocity) - doubt.angular_velocity);
+    if (!is_known(error)) return i;
+  }
+  return std::nullopt;
 }
 
 std::span<const BodyState> Converged::states(std::size_t time_index) const {
@@ -241,10 +322,14 @@ double Converged::largest_error() const {
 }
 
 ConvergedTruth converged_truth(const Scene& scene, std::vector<double> times, const Refinement& refinement) {
+  return truth_of([&] { return std::make_shared<const Converged>(scene, std::move(times), refinement); });
+}
+
+ConvergedTruth truth_of(const std::function<std::shared_ptr<const Converged>()>& solve) {
   ConvergedTruth truth;
   std::string refused;
   try {
-    truth.answer = std::make_shared<const Converged>(scene, std::move(times), refinement);
+    truth.answer = solve();
     if (!(truth.answer->valid_until() > 0)) refused = truth.answer->reason();
   } catch (const std::domain_error& error) {
     refused = error.what();

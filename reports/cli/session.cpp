@@ -41,7 +41,7 @@ Plan plan_of(const Session& session) {
   Plan plan = select_plan(session.scenarios, session.all, session.engines);
   plan.dt = parse_dt(session.dt);
   plan.jobs = session.jobs;
-  plan.refine = session.converged;
+  plan.refine = session.refinement();
   plan.ensemble = session.ensemble;
   return plan;
 }
@@ -50,8 +50,10 @@ Plan plan_of(const Session& session) {
 
 void Session::attach_to(CLI::App& app) {
   app.add_flag("--all", all, "Every scenario, not only the canonical ones");
-  app.add_flag("--converged", converged,
-               "Where there is no closed form, compare with a converged reference; about 1 s a scene");
+  auto* more = app.add_flag("--converged", converged,
+                            "Spend five times as much on the converged references that judge where there is no closed "
+                            "form; a few seconds a scene");
+  app.add_flag("--no-converged", no_converged, "Judge without converged references")->excludes(more);
   app.add_option("--ensemble", ensemble, "Runs of each engine that are compared beyond a scene's horizon; 0: none")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000))
@@ -69,6 +71,12 @@ void Session::attach_to(CLI::App& app) {
       ->type_name("DIR");
 }
 
+std::size_t Session::refinement() const {
+  constexpr std::size_t usual = 200'000;  // less than a second a scene
+  if (no_converged) return 0;
+  return converged ? 5 * usual : usual;
+}
+
 Report Session::conduct(const std::string& command, const std::function<void(Report&)>& complete) const {
   const Plan plan = plan_of(*this);
   const OutputFolder folder(out);
@@ -79,6 +87,7 @@ Report Session::conduct(const std::string& command, const std::function<void(Rep
   report.command.insert(report.command.end(), scenarios.begin(), scenarios.end());
   if (all) report.command.emplace_back("--all");
   if (converged) report.command.emplace_back("--converged");
+  if (no_converged) report.command.emplace_back("--no-converged");
   if (ensemble != Session().ensemble)
     report.command.insert(report.command.end(), {"--ensemble", std::to_string(ensemble)});
   for (const std::string& engine : engines) report.command.insert(report.command.end(), {"--engine", engine});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,7 +15,8 @@ namespace plumb {
 struct Session {
   std::vector<std::string> scenarios;
   bool all = false;
-  bool converged = false;
+  bool converged = false;  // with a larger budget
+  bool no_converged = false;
   int ensemble = 16;
   std::vector<std::string> engines;
   std::string dt = "1/60";
@@ -22,6 +24,9 @@ struct Session {
   int jobs = default_jobs();
 
   void attach_to(CLI::App&);
+
+  /// Body-steps of a converged reference; 0: none.
+  std::size_t refinement() const;
 
   /// Runs the cases, writes the files, and prints the table and the files' paths. `command` is the name of the command;
   /// `complete` may add to the report before it is written. Throws std::invalid_argument for bad options, before

@@ -37,7 +37,7 @@ double rest_time_of(const Scene& scene, const Trace& trace) {
   return rest.value_or(trace.times().back());
 }
 
-std::string in_words(const EnsembleDifference& difference, int members) {
+std::string ensemble_words(const EnsembleDifference& difference, int members) {
   return fmt::format("{} {:.3g} against {:.3g} {} (medians of {} runs; p = {:.1g}, effect {:.2f})", difference.quantity,
                      difference.a.median, difference.b.median, difference.unit, members, difference.p,
                      difference.effect);
@@ -76,18 +76,25 @@ std::vector<EnsembleDifference> compare_ensembles(std::span<const EnsembleSample
   return differences;
 }
 
+std::string differences_in_words(std::span<const EnsembleDifference> differences, int members) {
+  std::string words;
+  for (const EnsembleDifference& one : differences) {
+    if (one.different) words += (words.empty() ? "different: " : "; ") + ensemble_words(one, members);
+  }
+  return words;
+}
+
 void add_ensembles(Comparison& comparison, std::span<const EnsembleDifference> differences, double horizon,
                    int members) {
   comparison.metrics["horizon"] = {horizon, "s"};
-  std::string different;
   for (const EnsembleDifference& one : differences) {
     const std::string name = "ensemble_" + one.quantity;
     put_quartiles(comparison, name + "_a", one.a, one.unit);
     put_quartiles(comparison, name + "_b", one.b, one.unit);
     comparison.metrics[name + "_p"] = {one.p, "1"};
     comparison.metrics[name + "_effect"] = {one.effect, "1"};
-    if (one.different) different += (different.empty() ? "different: " : "; ") + in_words(one, members);
   }
+  const std::string different = differences_in_words(differences, members);
   if (comparison.verdict == Verdict::wrong || comparison.verdict == Verdict::failed ||
       comparison.verdict == Verdict::not_supported) {
     return;

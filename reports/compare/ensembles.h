@@ -41,6 +41,9 @@ constexpr double false_positive_rate = 0.01;
 
 std::vector<EnsembleDifference> compare_ensembles(std::span<const EnsembleSample> a, std::span<const EnsembleSample> b);
 
+/// "different: energy 1 against 2 J (...)", of ensembles of `members` runs; "" if they do not differ.
+std::string differences_in_words(std::span<const EnsembleDifference>, int members);
+
 /// Completes the comparison of two engines beyond the scene's horizon, s, by the differences of their ensembles of
 /// `members` runs each: adds their metrics and, unless one of the runs is worse than plausible, sets the verdict to
 /// `beyond_horizon` if the ensembles do not differ, and otherwise to `plausible`, with the differences as the reason.

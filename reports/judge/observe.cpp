@@ -157,6 +157,10 @@ Truth::Truth(const Engine& closed_form, const Scene& scene)
       scene_(scene),
       until_(closed_form.build(scene, complete(closed_form, {}))->valid_until()) {}
 
+Truth::Truth(const Engine& closed_form, const Scene& scene, double until) : Truth(closed_form, scene) {
+  until_ = std::min(until_, until);
+}
+
 std::optional<std::vector<BodyState>> Truth::at(double time) const {
   if (time > until_) return std::nullopt;
   const auto simulation = closed_form_.build(scene_, complete(closed_form_, {}));

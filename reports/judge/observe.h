@@ -43,6 +43,8 @@ class Truth {
  public:
   /// `closed_form` must support the scene.
   Truth(const Engine& closed_form, const Scene&);
+  /// That ends at a time, s, at the latest.
+  Truth(const Engine& closed_form, const Scene&, double until);
 
   /// The states at a time, s, evaluated in one step; nullopt beyond its validity.
   std::optional<std::vector<BodyState>> at(double time) const;

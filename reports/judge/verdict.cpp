@@ -145,16 +145,22 @@ Verdict verdict_of(std::span<const TruthCheck> truth, std::span<const InvariantC
   return has_power(truth) ? Verdict::right : Verdict::no_evidence;
 }
 
-Judgement judge(const Scene& scene, std::span<const Expectation> expectations, const Trace& trace,
-                const Stepping& stepping, const Truth* truth) {
-  Judgement judgement;
+std::vector<TruthCheck> check_expectations(const Scene& scene, std::span<const Expectation> expectations,
+                                           const Trace& trace, const Stepping& stepping, const Truth* truth) {
+  std::vector<TruthCheck> checks;
   const Scales scales(scene, truth);
   const bool moving = moves(scene, trace);
   const Trace still = motionless(scene);
   for (const Expectation& expectation : expectations) {
-    judgement.checks.push_back(check(scene, expectation, trace, stepping, truth, scales));
-    judgement.checks.back().idle = moving && check(scene, expectation, still, stepping, truth, scales).passed;
+    checks.push_back(check(scene, expectation, trace, stepping, truth, scales));
+    checks.back().idle = moving && check(scene, expectation, still, stepping, truth, scales).passed;
   }
+  return checks;
+}
+
+Judgement judge(const Scene& scene, std::span<const Expectation> expectations, const Trace& trace,
+                const Stepping& stepping, const Truth* truth) {
+  Judgement judgement{.checks = check_expectations(scene, expectations, trace, stepping, truth)};
   judgement.invariants = check_invariants({scene, trace, stepping});
   judgement.verdict = verdict_of(judgement.checks, judgement.invariants);
   return judgement;

@@ -24,6 +24,10 @@ struct Judgement {
 /// values that expectations leave to the closed form; without it they cannot pass.
 Judgement judge(const Scene&, std::span<const Expectation>, const Trace&, const Stepping&, const Truth* truth);
 
+/// Only the checks of these expectations.
+std::vector<TruthCheck> check_expectations(const Scene&, std::span<const Expectation>, const Trace&, const Stepping&,
+                                           const Truth* truth);
+
 /// Judges a run together with runs of the same case with shifted steps (see run/case_run.h): every check is that of its
 /// worst phase and gives the spread of the errors, and the verdict is the worst. A null phase did not reach its end and
 /// is wrong.

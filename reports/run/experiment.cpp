@@ -8,12 +8,13 @@
 #include <optional>
 #include <utility>
 
-#include "reference/converged/converged.h"
+#include "reference/converged/witnesses.h"
 #include "reports/compare/comparator.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
 #include "reports/judge/observe.h"
 #include "reports/run/case_run.h"
+#include "reports/run/converged_checks.h"
 #include "reports/run/horizon.h"
 #include "reports/run/timings.h"
 #include "reports/system/jobs.h"
@@ -32,15 +33,30 @@ std::vector<double> moments_in(double duration, double dt) {
   return moments;
 }
 
+// The largest error of a pose that a converged reference may have, as a share of the smallest body. Its errors are part
+// of the tolerances.
+constexpr double converged_share = 0.01;
+
+std::string converged_words(const ConvergedTruth& truth, double duration) {
+  const Converged& answer = *truth.answer;
+  const std::string until = answer.reason().empty()
+                                ? fmt::format("to the end, {:.4g} s", duration)
+                                : fmt::format("until {:.4g} s: {}", answer.valid_until(), answer.reason());
+  return fmt::format("converged to {:.1g} m, with {} as second witness, {}", answer.largest_error(), truth.confirmed_by,
+                     until);
+}
+
 // All runs of one case: the reference first, if there is one.
 class CaseExperiment {
  public:
   CaseExperiment(const Case& test_case, double dt) : case_(test_case), dt_(dt) {}
 
-  void run_reference(bool refine) {
+  // With a converged reference of that many body-steps where no closed form can be evaluated; 0: none.
+  void run_reference(std::size_t budget) {
     const Engine* engine = case_.closed_form;
-    if (engine == nullptr && refine) {
-      refined_ = converged_truth(*case_.scene, moments_in(case_.scene->duration, dt_), {.dt = dt_});
+    if (budget > 0 && (engine == nullptr || !engine->unsupported(*case_.scene, complete(*engine, {})).empty())) {
+      refined_ = witnessed_truth(*case_.scene, moments_in(case_.scene->duration, dt_),
+                                 {.dt = dt_, .tolerance = converged_share, .budget = budget});
       engine = &refined_->engine;
     }
     if (engine == nullptr) return;
@@ -50,8 +66,12 @@ class CaseExperiment {
       truth_.emplace(*engine, *case_.scene);
       reference_ = {&*truth_, record.trace};
       record.metrics = measure(reference_.context(*case_.scene, *record.trace));
-      if (refined_) record.metrics["truth_estimate_max"] = {refined_->answer->largest_error(), "m"};
-      if (!refined_) {
+      if (refined_) {
+        checks_.emplace(*case_.scene, *refined_, dt_);
+        record.reason = converged_words(*refined_, case_.scene->duration);
+        record.metrics["truth_estimate_max"] = {refined_->answer->largest_error(), "m"};
+        record.metrics["truth_until"] = {refined_->answer->valid_until(), "s"};
+      } else {
         record.invariants = check_invariants({*case_.scene, *record.trace, engine->stepping(config.settings, dt_)});
       }
       record.verdict = Verdict::right;  // by definition; the formula has tests of its own
@@ -65,12 +85,13 @@ class CaseExperiment {
     for (const Outcome& shifted : runs.shifted) add_time(shifted);
     RunRecord record = judged_record(case_, config, dt_, runs, reference_);
     if (record.status == Status::ok) runnable_.push_back(config);
+    if (record.status == Status::ok && checks_) judge_by_converged(*checks_, config, record);
     records_.push_back(std::move(record));
   }
 
-  void compare_engines(int ensemble) {
+  void compare_engines(int ensemble, std::size_t budget) {
     comparisons_ = compare(records_, truth_ ? &*truth_ : nullptr);
-    if (ensemble > 0) compare_beyond_horizon(case_, runnable_, dt_, ensemble, records_, comparisons_);
+    if (ensemble > 0) compare_beyond_horizon(case_, runnable_, dt_, ensemble, budget, records_, comparisons_);
   }
 
   const Case& test_case() const { return case_; }
@@ -82,6 +103,16 @@ class CaseExperiment {
   const std::vector<EngineConfig>& runnable() const { return runnable_; }
 
  private:
+  static void judge_by_converged(const ConvergedChecks& converged, const EngineConfig& config, RunRecord& record) {
+    auto checks = converged.of(config.engine->stepping(config.settings, record.dt), *record.trace);
+    if (checks.empty()) {
+      record.reason +=
+          fmt::format("{}no converged truth for a method of this order and step", record.reason.empty() ? "" : "; ");
+    }
+    std::ranges::move(checks, std::back_inserter(record.truth));
+    if (record.verdict != Verdict::wrong) record.verdict = verdict_of(record.truth, record.invariants);
+  }
+
   void add_time(const Outcome& outcome) {
     spent_.wall += outcome.wall;
     spent_.stepping += outcome.stepping;
@@ -91,6 +122,7 @@ class CaseExperiment {
   double dt_;
   TimeSpent spent_;
   std::optional<ConvergedTruth> refined_;
+  std::optional<ConvergedChecks> checks_;
   std::optional<Truth> truth_;
   ReferenceRun reference_;
   std::vector<RunRecord> records_;
@@ -120,9 +152,10 @@ void add_notes(const Plan& plan, Report& report) {
     report.metrics.push_back({metric->name, metric->unit, metric->definition, name_of(metric->better)});
   }
   if (plan.ensemble > 0) report.metrics.push_back(horizon_note());
-  if (plan.refine) {
+  if (plan.refine > 0) {
     report.metrics.push_back(
         {"truth_estimate_max", "m", "largest estimated error of the converged reference, while it is valid", "lower"});
+    report.metrics.push_back({"truth_until", "s", "time up to which the converged reference is valid", "higher"});
   }
   for (const Invariant* invariant : Catalog<Invariant>::all()) {
     report.invariants.push_back({invariant->name, invariant->unit, invariant->definition});
@@ -148,7 +181,7 @@ Report run_experiment(const Plan& plan, const Progress& progress) {
       show(cases[i].test_case(), label_of(config.engine->name, config.method()));
       cases[i].run_engine(config);
     }
-    cases[i].compare_engines(plan.ensemble);
+    cases[i].compare_engines(plan.ensemble, plan.refine);
   });
 
   Report report;

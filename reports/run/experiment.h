@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,11 +14,11 @@ namespace plumb {
 struct Plan {
   std::vector<Case> cases;
   std::vector<EngineConfig> configs;
-  double dt = 1.0 / 60;  // s
-  int jobs = 1;          // cases that run at once; the results do not depend on it
-  bool refine = false;   // compute a converged reference where there is no closed form
-  bool timed = true;     // measure the cost of a step after everything else
-  int ensemble = 0;      // runs of each engine to compare beyond a scene's horizon; 0: do not look for horizons
+  double dt = 1.0 / 60;    // s
+  int jobs = 1;            // cases that run at once; the results do not depend on it
+  std::size_t refine = 0;  // body-steps of each witness of a converged reference where there is no closed form; 0: none
+  bool timed = true;       // measure the cost of a step after everything else
+  int ensemble = 0;        // runs of each engine to compare beyond a scene's horizon; 0: do not look for horizons
 };
 
 /// Called before each run with what comes next ("bounce e=0.5: box2d"), how many are done, and of how many; never

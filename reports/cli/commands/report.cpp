@@ -49,7 +49,7 @@ Preview preview_of_case(const std::string& word, const Session& session) {
   Plan plan = select_plan({word}, false, session.engines);
   plan.cases.erase(plan.cases.begin() + 1, plan.cases.end());
   plan.dt = parse_dt(session.dt);
-  plan.refine = session.converged;
+  plan.refine = session.refinement();
   plan.timed = false;
   return preview_of(run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {}));
 }

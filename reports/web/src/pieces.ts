@@ -98,7 +98,7 @@ const is_file = (variant: string): boolean => variant.endsWith(".json") || varia
 const case_word = (scenario: string, variant: string): string => (is_file(variant) ? variant : variant ? `${scenario}:${variant}` : scenario);
 
 /** Options of the report's command that choose or judge runs, and how many values each takes. */
-const kept: Record<string, number> = { "--converged": 0, "--ensemble": 1, "--engine": 1, "--dt": 1 };
+const kept: Record<string, number> = { "--converged": 0, "--no-converged": 0, "--ensemble": 1, "--engine": 1, "--dt": 1 };
 
 /** The command that repeats one case. */
 export function case_command({ command }: Report, scenario: string, variant: string): string {

@@ -1,0 +1,178 @@
+#include "reports/judge/method_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "reference/scene_facts.h"
+#include "reports/judge/overlap.h"
+#include "reports/vec.h"
+#include "scenarios/allowance.h"
+#include "scenarios/scene/joints.h"
+
+namespace plumb {
+namespace {
+
+// Bodies in a row of contacts or joints.
+class Rows {
+ public:
+  explicit Rows(const Scene& scene) : scene_(scene), next_(scene.bodies.size()) {}
+
+  /// Whether the two were not connected before.
+  bool connect(std::size_t a, std::size_t b) {
+    next_[b].insert(a);
+    return next_[a].insert(b).second;
+  }
+
+  /// Connections in the longest of the shortest ways from a fixed body. In a group without one, at most twice as many
+  /// as from any of its bodies.
+  int longest() const {
+    std::vector<int> depth(next_.size(), -1);
+    std::vector<std::size_t> fixed;
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      if (scene_.bodies[i].type != BodyType::dynamic) fixed.push_back(i);
+    }
+    int most = reach(fixed, depth);
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      if (depth[i] < 0) most = std::max(most, 2 * reach({i}, depth));
+    }
+    return most;
+  }
+
+ private:
+  int reach(std::vector<std::size_t> from, std::vector<int>& depth) const {
+    for (const std::size_t one : from) depth[one] = 0;
+    int most = 0;
+    for (std::size_t done = 0; done < from.size(); ++done) {
+      const std::size_t at = from[done];
+      for (const std::size_t other : next_[at]) {
+        if (depth[other] >= 0) continue;
+        depth[other] = depth[at] + 1;
+        most = std::max(most, depth[other]);
+        from.push_back(other);
+      }
+    }
+    return most;
+  }
+
+  const Scene& scene_;
+  std::vector<std::set<std::size_t>> next_;
+};
+
+// Bodies that start this close, as a share of the smallest body, may be in contact for an engine with a skin.
+constexpr double starts_touching = 0.01;
+
+void connect_touching(const Scene& scene, std::span<const BodyState> start, Rows& rows) {
+  const Overlap overlap(scene);
+  const double near = starts_touching * smallest_body(scene);
+  for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < scene.bodies.size(); ++b) {
+      const bool may = (scene.bodies[a].layers & scene.bodies[b].layers) != 0 &&
+                       (scene.bodies[a].type == BodyType::dynamic || scene.bodies[b].type == BodyType::dynamic);
+      if (may && overlap.gap(a, b, start) <= near) rows.connect(a, b);
+    }
+  }
+}
+
+struct BodyStress {
+  double radius = 0;  // m
+  double smooth = 0, bends = 0, jolts = 0, pushed = 0, carried = 0, changes = 0;
+  std::array<double, 3> acceleration{}, rate{};  // of both coordinates and the rim
+  std::optional<bool> touched;                   // in the step before
+  int alike = 0;                                 // steps since that changed
+
+  void add(const BodyState& before, const BodyState& after, bool touches, double dt) {
+    const std::array<double, 3> change{after.velocity.x - before.velocity.x, after.velocity.y - before.velocity.y,
+                                       radius * (after.angular_velocity - before.angular_velocity)};
+    const double size = length_of(change);
+    carried += changes * dt;
+    changes += size;
+    (touches ? pushed : smooth) += size;
+    alike = touched == touches ? alike + 1 : 0;
+    const std::array<double, 3> now = scaled_by(1 / dt, change);
+    const std::array<double, 3> bend = minus(now, acceleration);
+    const std::array<double, 3> rate_now = scaled_by(1 / dt, bend);
+    if (alike > 0) bends += length_of(bend);
+    if (alike > 1) jolts += length_of(minus(rate_now, rate));
+    acceleration = now;
+    rate = rate_now;
+    touched = touches;
+  }
+
+ private:
+  using Triple = std::array<double, 3>;
+  static double length_of(const Triple& a) { return std::hypot(a[0], a[1], a[2]); }
+  static Triple scaled_by(double factor, const Triple& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
+  static Triple minus(const Triple& a, const Triple& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+};
+
+}  // namespace
+
+std::vector<Stress> stress_along(const Scene& scene, const Trace& trace) {
+  const auto dynamic = [&](std::size_t i) { return scene.bodies[i].type == BodyType::dynamic; };
+  std::vector<BodyStress> bodies(scene.bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].radius = bounding_radius(scene.bodies[i]);
+  Stress stress;
+  Rows rows(scene);
+  for (const Joint& joint : scene.joints) {
+    const auto [a, b] = std::visit([](const auto& one) { return std::pair(one.a, one.b); }, joint);
+    rows.connect(a, b);
+  }
+  stress.joints = rows.longest();
+  connect_touching(scene, trace.states(0), rows);
+  const int connected = rows.longest();
+  if (connected > stress.joints) stress.contacts = connected;
+  std::vector<Stress> along{stress};
+  std::vector<bool> touches(scene.bodies.size());
+  bool touched = false;
+  for (std::size_t moment = 1; moment < trace.size(); ++moment) {
+    const double dt = trace.time(moment) - trace.time(moment - 1);
+    std::fill(touches.begin(), touches.end(), false);
+    bool any = false;
+    bool longer = false;
+    for (const ContactState& contact : trace.contacts(moment)) {
+      if (contact.normal_impulse <= 0) continue;
+      any = true;
+      touches[contact.a] = touches[contact.b] = true;
+      longer = rows.connect(contact.a, contact.b) || longer;
+    }
+    if (longer || (any && stress.contacts == 0)) stress.contacts = rows.longest();
+    if (touched) stress.touched += dt;
+    touched = touched || any;
+    const bool spreads = any && !scene.joints.empty();  // joints pass a push on within the step
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (!dynamic(i)) continue;
+      const double before = bodies[i].pushed;
+      bodies[i].add(trace.states(moment - 1)[i], trace.states(moment)[i], touches[i] || spreads, dt);
+      const double hit = bodies[i].pushed - before;
+      const double fall = length(scene.gravity) * dt;
+      if (hit > 2 * fall && (stress.slowest == 0 || hit < stress.slowest)) stress.slowest = hit;
+      stress.smooth = std::max(stress.smooth, bodies[i].smooth);
+      stress.bends = std::max(stress.bends, bodies[i].bends);
+      stress.jolts = std::max(stress.jolts, bodies[i].jolts);
+      stress.pushed = std::max(stress.pushed, bodies[i].pushed);
+      stress.carried = std::max(stress.carried, bodies[i].carried);
+    }
+    along.push_back(stress);
+  }
+  return along;
+}
+
+MethodError method_error(const Stepping& s, const Stress& stress, bool bounces) {
+  const bool second = s.order >= 2 && s.drift == 0;
+  const double smooth = second ? s.h * s.h / 3 * stress.bends : std::max(std::abs(s.drift), 0.5) * s.h * stress.smooth;
+  const double late = std::max(lag(s), s.order_in_contact >= 2 ? 0 : s.h / 2) * stress.pushed;
+  const double gaps = s.contact_gap() * stress.contacts + s.joint_slop * stress.joints;
+  const bool stopped = bounces && stress.slowest > 0 && stress.slowest < 2 * s.restitution_threshold;
+  const double speed = (stress.contacts > 0 ? s.creep : 0) + (stopped ? s.restitution_threshold : 0);
+  const double left = unsolved(s, std::max({stress.contacts, stress.joints, 1})) * stress.carried;
+  return {.place = smooth + late + gaps + speed * stress.touched + left,
+          .speed = second ? s.h * s.h / 6 * stress.jolts : s.h / 2 * stress.bends};
+}
+
+}  // namespace plumb

@@ -1,0 +1,121 @@
+#include "reports/run/converged_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/judge/verdict.h"
+#include "reports/vec.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t most_moments = 24;  // at which a check may be made
+
+// J: a state's energy changes by m v dv + I w dw with its speeds, and by its weight with its height.
+double energy_error_of(const Scene& scene, std::span<const BodyState> states, std::span<const StateError> errors) {
+  const Conserved conserved(scene);
+  const auto masses = conserved.masses();
+  double error = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const auto& [mass, inertia, center] = masses[i];
+    if (mass == 0) continue;
+    error += mass * length(states[i].velocity) * errors[i].velocity +
+             inertia * std::abs(states[i].angular_velocity) * errors[i].angular_velocity +
+             mass * length(scene.gravity) * errors[i].position;
+  }
+  return error;
+}
+
+}  // namespace
+
+ConvergedChecks::ConvergedChecks(const Scene& scene, const ConvergedTruth& truth, double dt)
+    : scene_(scene),
+      answer_(*truth.answer),
+      truth_(truth.engine, scene),
+      scales_(scene, &truth_),
+      growth_(scene, dt, answer_.valid_until()) {
+  const auto valid = std::upper_bound(answer_.times().begin(), answer_.times().end(), answer_.valid_until());
+  const auto last = std::min(static_cast<std::size_t>(valid - answer_.times().begin()), growth_.moments());
+  if (last < 2) return;
+  for (std::size_t k = most_moments; k > 0; --k) {
+    const std::size_t index = (last - 1) * k / most_moments;
+    if (index == 0 || (!moments_.empty() && moments_.back().index == index)) continue;
+    const double time = answer_.times()[index];
+    const Truth until(truth.engine, scene, time);
+    moments_.push_back({.index = index,
+                        .moved = Scales(scene, &until),
+                        .energy_error = energy_error_of(scene, answer_.states(index), answer_.errors(index))});
+  }
+}
+
+std::vector<ConvergedChecks::Question> ConvergedChecks::questions() const {
+  std::vector<std::size_t> moving;
+  for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+    if (scene_.bodies[i].type == BodyType::dynamic) moving.push_back(i);
+  }
+  std::vector<Question> all;
+  if (moving.empty()) return all;
+  const std::size_t count = std::min(judged_bodies, moving.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t body = moving[count == 1 ? 0 : k * (moving.size() - 1) / (count - 1)];
+    for (const Quantity quantity : {Quantity::x, Quantity::y, Quantity::angle}) {
+      all.push_back({{.body = scene_.bodies[body].name, .quantity = quantity}, body});
+    }
+  }
+  all.push_back({{.quantity = Quantity::energy}, moving.front()});
+  return all;
+}
+
+double ConvergedChecks::tolerance(const Question& question, const Moment& moment, const Stepping& stepping) const {
+  const auto shift = growth_.allowance(stepping, moment.index, question.body);
+  if (!shift) return std::numeric_limits<double>::infinity();
+  const StateError& error = answer_.errors(moment.index)[question.body];
+  switch (question.expectation.quantity) {
+    case Quantity::angle:
+      return shift->angle + error.angle;
+    case Quantity::energy:
+      return shift->energy + moment.energy_error;
+    default:
+      return shift->place + error.position;
+  }
+}
+
+std::string ConvergedChecks::source(const Question& question, const Moment& moment, const Stepping& stepping) const {
+  return fmt::format(
+      "converged reference, good to {:.1g} m; tolerance: the method's own error by then, {:.2g} m, as "
+      "this motion amplifies it",
+      answer_.errors(moment.index)[question.body].position, growth_.own_error(stepping, moment.index).place);
+}
+
+std::vector<TruthCheck> ConvergedChecks::of(const Stepping& stepping, const Trace& trace) const {
+  constexpr double of_what_moved = 0.5;
+  std::vector<Expectation> asked;
+  for (const Question& question : questions()) {
+    double before = std::numeric_limits<double>::infinity();  // s
+    for (const Moment& moment : moments_) {
+      const double time = answer_.times()[moment.index];
+      if (time > before || time > trace.times().back() * (1 + 1e-9)) continue;
+      Expectation expectation = question.expectation;
+      expectation.time = time;
+      const double allowed = tolerance(question, moment, stepping);
+      const double expected = expected_value(scene_, expectation, &truth_, time).value();
+      if (!(allowed < evidence_share * scales_.of(expectation, expected)) ||
+          !(allowed < of_what_moved * moment.moved.of(expectation, expected))) {
+        continue;
+      }
+      expectation.allowed = [allowed](const Stepping&) { return allowed; };
+      expectation.source = source(question, moment, stepping);
+      asked.push_back(std::move(expectation));
+      if (std::isfinite(before)) break;
+      before = time / 2;
+    }
+  }
+  std::vector<TruthCheck> checks = check_expectations(scene_, asked, trace, stepping, &truth_);
+  std::erase_if(checks, [](const TruthCheck& one) { return !is_evidence(one); });
+  return checks;
+}
+
+}  // namespace plumb

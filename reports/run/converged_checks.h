@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/converged/converged.h"
+#include "reports/judge/observe.h"
+#include "reports/judge/scale.h"
+#include "reports/run/growth.h"
+
+/// Judges runs by a converged reference.
+namespace plumb {
+
+/// The checks of one scene: place and angle of up to `judged_bodies` bodies, spread evenly over the scene, and the
+/// energy. The tolerance is what the method states about itself, times how the scene amplifies it (see growth.h), plus
+/// the error of the reference. Each quantity is checked at the latest time at which that is evidence, and less than
+/// half of what the truth changes up to then, so that no body can pass by standing still; and once in the first half of
+/// the time to there.
+class ConvergedChecks {
+ public:
+  /// The truth and the scene must outlive it. `dt`, s, is the step of the runs and of the truth's times.
+  ConvergedChecks(const Scene&, const ConvergedTruth&, double dt);
+
+  /// None if the method's error can nowhere be told from a wrong motion.
+  std::vector<TruthCheck> of(const Stepping&, const Trace&) const;
+
+ private:
+  struct Moment {
+    std::size_t index = 0;    // of the truth's times
+    Scales moved;             // what the truth changes up to there
+    double energy_error = 0;  // J, of the reference
+  };
+  struct Question {
+    Expectation expectation;
+    std::size_t body = 0;
+  };
+
+  std::vector<Question> questions() const;
+  /// The reference's error plus the method's; infinite where none can be given.
+  double tolerance(const Question&, const Moment&, const Stepping&) const;
+  std::string source(const Question&, const Moment&, const Stepping&) const;
+
+  const Scene& scene_;
+  const Converged& answer_;
+  Truth truth_;
+  Scales scales_;
+  Growth growth_;
+  std::vector<Moment> moments_;  // latest first
+};
+
+/// The most bodies that are checked.
+inline constexpr std::size_t judged_bodies = 4;
+
+}  // namespace plumb

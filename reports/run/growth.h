@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "reports/judge/method_error.h"
+#include "reports/run/run.h"
+
+/// How far small displacements of the start take a scene: what its motion makes of a method's own error.
+namespace plumb {
+
+/// Differences to the unperturbed run.
+struct Shift {
+  double place = 0;   // m
+  double angle = 0;   // rad
+  double energy = 0;  // J, of the scene
+};
+
+/// Measured with our engine in double precision at half the step, by displacements of several sizes, since growth
+/// depends on the size where an impact may be missed.
+class Growth {
+ public:
+  /// Up to a time, s. Without growth if our engine cannot run the scene to there.
+  Growth(const Scene&, double dt, double until);
+
+  std::size_t moments() const { return stress_.size(); }
+  /// s, of the moments, every dt.
+  double time(std::size_t moment) const { return static_cast<double>(moment) * dt_; }
+
+  /// By how much an engine that steps like this may be off at a moment: its own error by then, wherever it was made,
+  /// times the largest growth by then of any displacement up to that size. Nullopt where that error is larger than any
+  /// displacement that was tried, a tenth of the smallest body.
+  std::optional<Shift> allowance(const Stepping&, std::size_t moment, std::size_t body) const;
+  /// The first of these factors.
+  MethodError own_error(const Stepping&, std::size_t moment) const;
+
+ private:
+  struct Displaced {
+    double size = 0;            // m
+    std::vector<Shift> growth;  // per m of displacement so far, moment by moment, body by body
+  };
+
+  void displace(const Scene&, const EngineConfig&, const Trace& undisturbed, double size);
+
+  double dt_;
+  std::size_t bodies_;
+  bool bounces_ = false;
+  std::vector<Stress> stress_;        // moment by moment
+  std::vector<double> force_;         // N, the largest outside of impacts, of all bodies together, moment by moment
+  std::vector<double> momentum_;      // kg m/s, the largest so far, the sum of all bodies' sizes
+  std::vector<double> radius_;        // m, of each body
+  std::vector<Displaced> displaced_;  // smallest first
+};
+
+}  // namespace plumb

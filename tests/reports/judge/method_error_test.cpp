@@ -1,0 +1,54 @@
+#include "reports/judge/method_error.h"
+
+#include <gmock/gmock.h>
+
+#include "reports/run/run.h"
+#include "reports/run/selection.h"
+
+namespace plumb::method_error_test {
+namespace {
+
+constexpr double g = 10;
+constexpr double dt = 1.0 / 120;
+
+const Stepping first_order{.dt = dt, .h = dt, .drift = 0.5, .order = 1, .impact_lag = 1};
+const Stepping second_order{.dt = dt, .h = dt, .order = 2, .order_in_contact = 2, .impact_lag = 0};
+
+std::vector<Stress> stress_of(const char* word) {
+  const Case one = parse_cases(word).front();
+  return stress_along(*one.scene, *run(*one.scene, parse_engine("impulse"), dt).trace);
+}
+
+TEST(MethodError, IsTheDriftOfFreeFall) {
+  const Stress falling = stress_of("bounce:e=0.8")[60];
+  EXPECT_NEAR(method_error(first_order, falling, true).place, g * 0.5 * dt / 2, 1e-9);
+  EXPECT_NEAR(method_error(second_order, falling, true).place, 0, 1e-9);
+}
+
+TEST(MethodError, AddsTheLagOfAnImpact) {
+  const std::vector<Stress> all = stress_of("bounce:e=0.8");
+  const Stress& bounced = all[132];  // lands at .894 s with 8.94 m/s
+  EXPECT_NEAR(bounced.pushed, 1.8 * 8.94, 0.1);
+  EXPECT_NEAR(method_error(first_order, bounced, false).place - dt / 2 * bounced.smooth, dt * bounced.pushed, 1e-9);
+}
+
+TEST(MethodError, HasAGapForEveryBodyThatTouches) {
+  const Stress resting = stress_of("stacking:ten").back();
+  EXPECT_EQ(resting.contacts, 10);
+  Stepping soft = second_order;
+  soft.skin = 0.01;
+  EXPECT_NEAR(method_error(soft, resting, false).place - method_error(second_order, resting, false).place, 0.1, 1e-12);
+}
+
+TEST(MethodError, HalvesWithTheStepAtFirstOrderAndQuartersAtSecond) {
+  const Stress swinging = stress_of("double-pendulum:wild")[60];
+  Stepping half = first_order;
+  half.h = dt / 2;
+  EXPECT_NEAR(method_error(half, swinging, false).place, method_error(first_order, swinging, false).place / 2, 1e-12);
+  half = second_order;
+  half.h = dt / 2;
+  EXPECT_NEAR(method_error(half, swinging, false).place, method_error(second_order, swinging, false).place / 4, 1e-12);
+}
+
+}  // namespace
+}  // namespace plumb::method_error_test
