@@ -7,7 +7,8 @@
 #include "scenarios/scene/mass.h"
 
 // Two boxes of different mass, connected by a joint, that fly and turn as one. With its anchors on the line through
-// both centres, a rod or a hinge between them pulls along that line and turns neither box.
+// both centres, a rod or a hinge between them pulls along that line and turns neither box. A weld whose anchor is off
+// that line must also hold the torque of the pull.
 namespace plumb::scenarios::joined_pair {
 namespace {
 
@@ -49,8 +50,11 @@ Joint joint_of(Kind kind, const Pair& pair) {
   const double first = pair.from_center[0] + arms[0];
   const double second = pair.from_center[1] - arms[1];
   switch (kind) {
-    case Kind::weld:
-      return Weld{.a = 0, .b = 1, .anchor = on_line(first)};
+    case Kind::weld: {
+      constexpr double aside = 0.3;  // m
+      const Vec on = on_line(first);
+      return Weld{.a = 0, .b = 1, .anchor = {on.x - aside * std::sin(along), on.y + aside * std::cos(along)}};
+    }
     case Kind::rod:
       return Distance{
           .a = 0, .b = 1, .anchor_a = on_line(first), .anchor_b = on_line(second), .length = second - first};

@@ -19,7 +19,7 @@ TEST(Scenarios, AreAllRegistered) {
   for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);
   EXPECT_THAT(names, testing::ElementsAre(
                          "arch", "beam", "billiard", "bounce", "breakaway", "cantilever", "capsule-heap", "capsules",
-                         "card-house", "conveyor", "corner-impact", "cradle", "disc-pile", "dominoes",
+                         "card-house", "conveyor", "corner-impact", "cradle", "crowd", "disc-pile", "dominoes",
                          "double-pendulum", "flush-tiles", "free-bodies", "gas", "hanging-chain", "head-on",
                          "heavy-object", "joined-pair", "joint-grid", "ladder", "late-blow", "layers", "lone-bodies",
                          "lost-support", "many-pyramids", "mass-ratio", "materials", "mixing-rules", "oblique-disc",
