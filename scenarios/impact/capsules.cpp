@@ -114,7 +114,7 @@ constexpr double pitch = 2.1 * (capsules::half + capsules::radius);  // m, room 
 
 // The lower capsule lies, the upper ones fall on it, each turned from the last.
 Scene scene(const Parameters& p) {
-  const Surface of = surface(0.4, 0.1);
+  const Surface of = surface(p.at("friction"), p.at("restitution"));
   Scene scene{.name = "capsule-heap", .about = "Capsules fall on one another.", .duration = duration};
   scene.bodies.push_back(pit(4, of));
   for (int i = 0; i < static_cast<int>(p.at("count")); ++i) {
@@ -131,8 +131,12 @@ const Catalog<Scenario>::Entry entry{
      .parameters =
          {{.name = "count", .value = 6, .min = 2, .max = 40, .about = "capsules", .whole = true},
           {.name = "offset", .value = 0.2, .min = 0, .max = 0.7, .unit = "m", .about = "to the side, in turns"},
-          {.name = "turn", .value = 25, .min = 0, .max = 90, .unit = "deg", .about = "from one to the next"}},
-     .variants = {{"two", {{"count", 2}, {"turn", 0}}}, {"crossed", {{"count", 2}}}, {"six", {}}},
+          {.name = "turn", .value = 25, .min = 0, .max = 90, .unit = "deg", .about = "from one to the next"},
+          {.name = "friction", .value = 0.4, .min = 0, .max = 2, .about = "of all"},
+          {.name = "restitution", .value = 0.1, .min = 0, .max = 1, .about = "of all"}},
+     .variants = {{"two", {{"count", 2}, {"turn", 0}}},
+                  {"smooth", {{"count", 2}, {"offset", 0.7}, {"turn", 75}, {"friction", 0}, {"restitution", 0.2}}},
+                  {"six", {}}},
      .scene = scene,
      .expectations = [](const Parameters&) { return std::vector<Expectation>{}; }}};
 

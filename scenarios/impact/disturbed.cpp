@@ -98,7 +98,7 @@ namespace {
 
 constexpr double duration = 2.5;  // s
 constexpr double radius = 0.3;    // m
-constexpr double place = 1;       // m, of the disc
+constexpr double place = 1.07;    // m, of the disc: its support ends between two steps
 constexpr double speed = 12;      // m/s: speed^2 > g radius, so that the plank's edge leaves the disc behind
 constexpr Vec plank{4, 1};        // m
 

@@ -2,9 +2,10 @@
 """The mutation score: of N small mistakes in engine/src, how many do the scenarios find?
 
 Draws places from a seed, makes one mistake at a time in a copy of the engine, builds that, runs every scenario with the
-default settings, and says whether a truth or an invariant finds it: a verdict becomes wrong or failed, or coarse where
-the sound engine is right, or the program crashes, refuses or hangs. There is no baseline. What does not compile is drawn
-anew. A mistake that changes no number of any run is listed by its place: it is a scene to write, or dead code to delete.
+default settings and then with sleeping and two workers, and says whether a truth or an invariant finds it: a verdict
+becomes wrong or failed, or coarse where the sound engine is right, or the program crashes, refuses or hangs. There is no
+baseline. What does not compile is drawn anew. A mistake that changes no number of any run is listed by its place: it is a
+scene to write, or dead code to delete.
 
 Not a test: a mutant takes a quarter of a minute. Results go to a file and are continued after an interruption.
 
@@ -34,6 +35,7 @@ ROOT = Path(__file__).resolve().parents[2]
 OBJECTS = "impulse_double_objects"  # scenarios run in double precision
 MEMORY = 4 << 30  # bytes that a mutant may take
 PATIENCE = 8  # times the sound engine's time, then a mutant hangs
+ENGINES = ["impulse", "impulse:sleeping=on,workers=2"]  # those that survive the first are tried with the second
 # Neither a scene nor the interface of a simulation can ask for these; and another method than the default.
 OUT_OF_REACH = ["src/world/debug_draw.cpp", "src/world/queries.cpp", "src/shapes/ray_cast.cpp", "src/core/stages.cpp",
                 "src/core/stages.h", "src/solver/soft_step.cpp"]
@@ -149,13 +151,13 @@ class Build:
         subprocess.run([words[0], *ours, *words[1:]], cwd=self.built, check=True)
 
 
-def run_all(program, folder, seconds, words):
+def run_all(program, engine, folder, seconds, words):
     """(report, reason): the runs of report.json by case, or why there is none."""
     shutil.rmtree(folder, ignore_errors=True)
-    limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     try:
-        ended = subprocess.run([program, "run", "--all", "--engine", "impulse", "--ensemble", "0", *words, "--out", folder],
-                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=seconds, preexec_fn=limit)
+        ended = subprocess.run([program, "run", "--all", "--engine", engine, "--ensemble", "0", *words, "--out", folder],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds,
+                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
     except subprocess.TimeoutExpired:
         return None, "hangs"
     if ended.returncode not in (0, 1):
@@ -221,33 +223,37 @@ def try_place(build, place, sound, options):
         path.write_text(text)
     program = build.work / "plumb-mutant"
     build.link(program, users)
-    runs, reason = run_all(program, build.work / "out", PATIENCE * sound["seconds"], options.words)
-    if runs is None:
-        return {"killed": True, "by": [reason], "changed": True}
-    found = kills(sound["runs"], runs)
-    changed = [case for case in runs if runs[case] != sound["runs"][case]]
-    return {"killed": bool(found), "by": found, "changed": changed}
+    changed = set()
+    for engine, right in sound.items():
+        runs, reason = run_all(program, engine, build.work / "out", PATIENCE * right["seconds"], options.words)
+        found = kills(right["runs"], runs) if runs else [reason]
+        if found:
+            return {"killed": True, "by": found, "changed": []}
+        changed |= {case for case in runs if runs[case] != right["runs"][case]}
+    return {"killed": False, "by": [], "changed": sorted(changed)}
 
 
 def sound_runs(build, words):
-    """Of the sound engine, remembered until the program it is linked from changes."""
+    """Of the sound engine, by engine; remembered until the program it is linked from changes."""
     file = build.work / "sound.json"
     if file.exists() and file.stat().st_mtime > (build.built / "reports/plumb").stat().st_mtime:
         return json.loads(file.read_text())
     program = build.work / "plumb-sound"
     build.link(program, [])
-    begun = time.monotonic()
-    runs, reason = run_all(program, build.work / "out", None, words)
-    if runs is None:
-        fail(f"the sound engine {reason}")
-    sound = {"seconds": max(10, time.monotonic() - begun), "runs": runs}
+    sound = {}
+    for engine in ENGINES:
+        begun = time.monotonic()
+        runs, reason = run_all(program, engine, build.work / "out", None, words)
+        if runs is None:
+            fail(f"the sound engine {reason}")
+        sound[engine] = {"seconds": max(10, time.monotonic() - begun), "runs": runs}
     file.write_text(json.dumps(sound))
     return sound
 
 
 def summary(records):
     killed = [one for one in records if one["killed"]]
-    silent = [one for one in records if not one["changed"]]
+    silent = [one for one in records if not one["killed"] and not one["changed"]]
     print(f"\nMutation score: {len(killed)} of {len(records)} killed, {100 * len(killed) / max(1, len(records)):.0f} %.")
     kinds = collections.Counter(one["kind"] for one in records)
     for kind, count in sorted(kinds.items()):
@@ -266,6 +272,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=200, help="mutants of this seed, including those of earlier calls")
+    parser.add_argument("--first", type=int, default=0, help="index of the first to try; for a part of them")
     parser.add_argument("--retry", action="store_true", help="try survivors of earlier calls again, after cases were added")
     parser.add_argument("--build", type=Path, default=ROOT / "build/release", help="an up-to-date build of plumb")
     parser.add_argument("--work", type=Path, default=ROOT / "build/mutation", help="folder for the copy and the results")
@@ -287,7 +294,7 @@ def main():
             fail(f"{results} is of other sources of the engine: move it away, or give --work another folder")
         records[record["index"]] = record
     survived = {index for index, record in records.items() if not record["killed"]}
-    for index in range(options.count):
+    for index in range(options.first, options.count):
         if index in records and not (options.retry and index in survived):
             continue
         for attempt in range(1000):
@@ -301,7 +308,7 @@ def main():
             file.write(json.dumps(record) + "\n")
         print(f"{index}: {'killed' if record['killed'] else 'SURVIVES'} engine/{place.file}:{place.line} ({place.kind})"
               f" {record['by'][:1]}", file=sys.stderr)
-    summary([records[index] for index in sorted(records) if index < options.count])
+    summary([records[index] for index in sorted(records)])
 
 
 if __name__ == "__main__":
