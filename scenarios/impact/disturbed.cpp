@@ -124,7 +124,7 @@ Scene scene(const Parameters&) {
 std::vector<Expectation> expectations(const Parameters&) {
   const double fallen = duration - moment;
   const double reach = disturbed::gravity * duration * duration;
-  const auto late = [=](const Stepping& s) { return lag(s) + 2 * s.contact_gap() / speed + s.dt; };
+  const auto late = [=](const Stepping& s) { return lag(s) + 2 * s.contact_gap() / speed + (s.h > 0 ? s.dt : 0); };
   const auto velocity = [=](const Stepping& s) { return disturbed::gravity * late(s) + round_off(s, duration, reach); };
   const auto height = [=](const Stepping& s) {
     return disturbed::gravity * (fallen + late(s)) * late(s) + drifted(s, disturbed::gravity, fallen) +
