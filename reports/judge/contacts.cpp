@@ -63,17 +63,23 @@ double impulse_change(std::span<const ContactState> before, const ContactState& 
   return std::abs(now.normal_impulse - impulse);
 }
 
+// If each iteration multiplies the error by r, iteration n + 1 changes it by (1 - r) r^n, which is largest for
+// r = n/(n + 1), whatever r the scene gives.
+double unsolved_share(const Stepping& stepping) {
+  if (stepping.iterations == 0) return 0;
+  const double n = stepping.iterations;
+  return std::pow(n / (n + 1), n) / (n + 1);
+}
+
 // A first-order method may use the normal impulse of the step before. A method that iterates n times over all contacts
-// uses that of the iteration before: if each iteration multiplies the error by r, iteration n + 1 changes it by
-// (1 - r) r^n, which is largest for r = n/(n + 1), whatever r the scene gives. The initial error is the step's change.
+// uses that of the iteration before, which is off by the unsolved share of the step's change, the initial error.
 std::vector<double> stale_impulse_error(std::span<const ContactState> before, std::span<const ContactState> now,
                                         const Stepping& stepping) {
   std::vector<double> errors;
   errors.reserve(now.size());
   for (const ContactState& contact : now) errors.push_back(stepping.drift == 0 ? 0 : impulse_change(before, contact));
   if (stepping.iterations == 0 || errors.empty()) return errors;
-  const double n = stepping.iterations;
-  const double iterated = std::pow(n / (n + 1), n) / (n + 1) * *std::max_element(errors.begin(), errors.end());
+  const double iterated = unsolved_share(stepping) * *std::max_element(errors.begin(), errors.end());
   for (double& one : errors) one = std::max(one, iterated);
   return errors;
 }

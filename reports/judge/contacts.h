@@ -47,6 +47,10 @@ std::string pair_name(const Scene&, std::size_t a, std::size_t b);
 /// or from zero if there was none.
 double impulse_change(std::span<const ContactState> before, const ContactState& now);
 
+/// The largest share of a step's error by which one more of the stated iterations would still change the result; 0 for
+/// a method without.
+double unsolved_share(const Stepping&);
+
 /// N s, by contact: how much the normal impulse may differ from the one that bounded its friction, which may be that of
 /// an earlier step or iteration. Zero for a second-order method without iterations.
 std::vector<double> stale_impulse_error(std::span<const ContactState> before, std::span<const ContactState> now,

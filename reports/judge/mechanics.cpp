@@ -55,6 +55,15 @@ std::vector<BodyState> initial_states(const Scene& scene) {
   return states;
 }
 
+std::vector<BodyState> moved_on(std::span<const BodyState> states, double time) {
+  std::vector<BodyState> ahead(states.begin(), states.end());
+  for (BodyState& state : ahead) {
+    state.position = state.position + time * state.velocity;
+    state.angle += time * state.angular_velocity;
+  }
+  return ahead;
+}
+
 Conserved::Conserved(const Scene& scene) : scene_(scene) {
   for (const Body& body : scene.bodies) masses_.push_back(mass_of(body));
   for (const Force& force : scene.forces) {

@@ -12,6 +12,9 @@
 /// code that no engine shares. States give the centre of mass.
 namespace plumb {
 
+/// The states after `time` s at constant velocities.
+std::vector<BodyState> moved_on(std::span<const BodyState>, double time);
+
 struct Energy {
   double linear = 0;      // J, sum of m v^2/2
   double rotational = 0;  // J, sum of I w^2/2

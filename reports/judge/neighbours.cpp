@@ -23,7 +23,7 @@ double path(double moved, double turned, double radius) { return moved + (turned
 }  // namespace
 
 Neighbours::Neighbours(const Scene& scene, const Trace& trace, const Stepping& stepping)
-    : trace_(trace), contact_gap_(stepping.contact_gap()), overlap_(scene) {
+    : trace_(trace), forces_(scene), contact_gap_(stepping.contact_gap()), overlap_(scene) {
   for (const Body& body : scene.bodies) radii_.push_back(turning_radius(body));
 }
 
@@ -31,11 +31,14 @@ std::vector<BodyGap> Neighbours::in_step(std::size_t moment) const {
   const double dt = trace_.time(moment) - trace_.time(moment - 1);
   const auto then = trace_.states(moment - 1);
   const auto now = trace_.states(moment);
+  const std::vector<Wrench> wrenches = forces_.at(then);
   std::vector<double> reach;
   for (std::size_t i = 0; i < radii_.size(); ++i) {
     const double moved = length(now[i].position - then[i].position);
     const double turned = std::abs(now[i].angle - then[i].angle);
-    reach.push_back(contact_gap_ / 2 +
+    const double mass = forces_.masses()[i].mass;
+    const double fallen = mass > 0 ? dt * dt * length(wrenches[i].force) / mass : 0;
+    reach.push_back(contact_gap_ / 2 + fallen +
                     std::max({path(moved, turned, radii_[i]),
                               path(dt * length(then[i].velocity), dt * std::abs(then[i].angular_velocity), radii_[i]),
                               path(dt * length(now[i].velocity), dt * std::abs(now[i].angular_velocity), radii_[i])}));

@@ -71,9 +71,8 @@ std::optional<InvariantCheck> check_cone(const InvariantContext& context) {
 
 Vec arm_of(const ContactState& contact, const BodyState& state) { return contact.point - state.position; }
 
-// m/s, the approach at a contact at which it is struck rather than loaded: within a step, forces may press bodies
-// together before a method solves for it, and again after it.
-double impact_speed(const Scene& scene, double dt) { return 2 * dt * length(scene.gravity); }
+// m/s, the approach at a contact up to which it is loaded rather than struck: what gravity adds between two solves.
+double load_speed(const InvariantContext& context) { return context.stepping.h * length(context.scene.gravity); }
 
 /// The most that impulses in a step can change a body's velocity, in whatever order they act.
 struct VelocityBound {
@@ -99,7 +98,6 @@ std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::
   const auto contacts = context.trace.contacts(moment);
   const auto then = context.trace.states(moment - 1);
   const auto now = context.trace.states(moment);
-  const double struck = impact_speed(context.scene, context.trace.time(moment) - context.trace.time(moment - 1));
   Groups groups(now.size());
   for (const ContactState& contact : contacts) {
     if (masses[contact.a].mass > 0 && masses[contact.b].mass > 0) groups.join(contact.a, contact.b);
@@ -107,7 +105,7 @@ std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::
   std::vector<bool> has_impact(now.size());
   std::vector<VelocityBound> bounds(now.size());
   for (const ContactState& contact : contacts) {
-    const bool impact = -dot(contact.normal, relative_velocity(contact, then)) > struck;
+    const bool impact = -dot(contact.normal, relative_velocity(contact, then)) > load_speed(context);
     for (const std::size_t body : {contact.a, contact.b}) {
       if (impact && masses[body].mass > 0) has_impact[groups.of(body)] = true;
       const VelocityBound by = given_by(contact, masses[body], now[body]);
@@ -127,10 +125,10 @@ double slip_speed(const ContactState& contact, std::span<const BodyState> states
 
 // Gap times normal impulse is zero, the gap measured by the scene's shapes. A trace gives the gap at the end of a step,
 // but the impulse acted at some moment within it. After that the pair may have moved by dt V, V the relative velocity
-// at the contact after the step or, if the gap is that of the start, before it; by what the forces add, g dt^2; and by
-// dt times the velocity that the impulses of others can give both bodies in an impact (see hidden_changes). Its own
-// impulse shows in V. Within the gap that the method states it may push, and the correction of another contact may move
-// the pair as far again.
+// at the contact after the step or, if the gap is that of the start, before it; by what gravity adds, and by an impact
+// too slow to be told from a load; and by dt times the velocity that the impulses of others can give both bodies in an
+// impact (see hidden_changes). Its own impulse shows in V. Within the gap that the method states it may push, and the
+// correction of another contact may move the pair as far again.
 std::optional<InvariantCheck> check_complementarity(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   if (!trace.has_contacts()) return not_reported();
@@ -146,7 +144,7 @@ std::optional<InvariantCheck> check_complementarity(const InvariantContext& cont
       if (contact.normal_impulse <= 0) continue;
       const double gap = overlap.gap(contact.a, contact.b, states);
       double path = dt * (slip_speed(contact, trace.states(moment - 1)) + slip_speed(contact, states)) +
-                    dt * dt * length(scene.gravity);
+                    dt * (dt * length(scene.gravity) + load_speed(context));
       double size = 0;
       for (const std::size_t body : {contact.a, contact.b}) {
         const VelocityBound own = given_by(contact, masses[body], states[body]);
@@ -172,7 +170,8 @@ double tangential_velocity(const ContactState& contact, std::span<const BodyStat
 // A sliding contact uses all of its friction: slip times the unused part of the cone, mu n - |t|, is zero. A contact
 // that started or stopped sliding within the step stuck for part of it, so the slip is the smaller of those before and
 // after. It may reach what the method states as creep; what the forces add in a step while friction balances those of
-// the last one, g dt, and w V dt as the contact point moves around; and, if the touching bodies are struck, all that
+// the last one, g dt, and w V dt as the contact point moves around; what an impact gives that is too slow to be told
+// from a load; and, if the touching bodies are struck, all that
 // the step's impulses give the two, which may have stopped the slide in between. A first-order method may bound
 // friction by an earlier normal impulse, as in the cone.
 std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
@@ -202,8 +201,8 @@ std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
           dt * (std::abs(now[contact.a].angular_velocity) + std::abs(now[contact.b].angular_velocity)) *
           (length(now[contact.a].velocity) + length(now[contact.b].velocity));
       const double speeds = length(now[contact.a].velocity) + length(now[contact.b].velocity);
-      double slip_tolerance =
-          stepping.creep + dt * length(scene.gravity) + moved_point + solver_rounding(stepping) * speeds;
+      double slip_tolerance = stepping.creep + dt * length(scene.gravity) + load_speed(context) + moved_point +
+                              solver_rounding(stepping) * speeds;
       double size = 0;
       for (const std::size_t body : {contact.a, contact.b}) {
         slip_tolerance += hidden[body].at(length(arm_of(contact, now[body])));

@@ -96,6 +96,18 @@ TEST(Overlap, FindsTheDeepestPair) {
   EXPECT_EQ(deepest({.bodies = {ground_body(), box_at(0, 0.5), box_at(0, 1.5)}}), 0);
 }
 
+TEST(Overlap, FindsThePairsWithinReach) {
+  const Scene scene{.bodies = {ground_body(), box_at(0, 0.6), box_at(1.2, 0.8)}};
+  const std::vector<BodyState> states = initial_states(scene);
+  const auto pairs = [&](double reach) {
+    return Overlap(scene).near(states, std::vector<double>{0, reach, reach}).size();
+  };
+  EXPECT_EQ(pairs(0), 0u);
+  EXPECT_EQ(pairs(0.0999), 0u);
+  EXPECT_EQ(pairs(0.1001), 2u);  // the ground and a box, and both boxes
+  EXPECT_EQ(pairs(0.3001), 3u);
+}
+
 TEST(Overlap, LeavesOutBodiesThatMayNotTouch) {
   Scene layers{.bodies = {box_at(0, 0), box_at(0.5, 0)}};
   EXPECT_NEAR(deepest(layers), 0.5, 1e-12);

@@ -6,6 +6,7 @@
 #include "forged_runs.h"
 #include "reports/judge/mechanics.h"
 #include "reports/vec.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb::free_motion_test {
 namespace {
@@ -103,10 +104,12 @@ Scene chain(int links, double angle) {
   return scene;
 }
 
-// A compound pendulum of one bar: I = m (1/12 + 1/4), w' = -(3/2) g sin(angle), by small steps of symplectic Euler;
+// A compound pendulum of one bar: w' = -m g r sin(angle)/(I + m r^2), r = 1/2 m, by small steps of symplectic Euler;
 // with a factor on gravity.
 Trace pendulum(const Scene& scene, double angle, double factor) {
   constexpr int parts = 1000;
+  const Mass mass = mass_of(scene.bodies[1]);
+  const double rate = 10 * mass.mass * 0.5 / (mass.inertia + mass.mass * 0.25);
   Trace trace(2);
   double w = 0;
   for (int i = 0; i <= 40; ++i) {
@@ -115,7 +118,7 @@ Trace pendulum(const Scene& scene, double angle, double factor) {
     states[1] = {.position = arm, .angle = angle, .velocity = w * Vec{-arm.y, arm.x}, .angular_velocity = w};
     trace.record(i * dt, states, {});
     for (int part = 0; part < parts; ++part) {
-      w -= dt / parts * 15 * factor * std::sin(angle);
+      w -= dt / parts * rate * factor * std::sin(angle);
       angle += dt / parts * w;
     }
   }

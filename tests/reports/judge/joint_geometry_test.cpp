@@ -1,0 +1,61 @@
+#include "reports/judge/joint_geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reports/judge/mechanics.h"
+#include "reports/vec.h"
+
+namespace plumb::joint_geometry_test {
+namespace {
+
+// A box 2 m to the right of a fixed body.
+Scene joined(const Joint& joint) {
+  return {.bodies = {{.name = "base", .type = BodyType::fixed},
+                     {.name = "box", .position = {2, 0}, .shapes = {{Box{}, {.density = 1}}}}},
+          .joints = {joint}};
+}
+
+double error_at(const Joint& joint, BodyState moved) {
+  const Scene scene = joined(joint);
+  std::vector<BodyState> states = initial_states(scene);
+  states[1] = moved;
+  return JointGeometry(scene).error(0, states);
+}
+
+TEST(JointGeometry, MeasuresByHowMuchAJointIsViolated) {
+  const BodyState start{.position = {2, 0}};
+  const BodyState right{.position = {2.5, 0}};
+  const BodyState up{.position = {2, 0.5}};
+  const Joint point = Revolute{.a = 0, .b = 1};
+  const Joint line = Prismatic{.a = 0, .b = 1, .axis = {1, 0}};
+  const Joint rod = Distance{.a = 0, .b = 1, .anchor_b = {2, 0}, .length = 2};
+  const Joint spring = Distance{.a = 0, .b = 1, .anchor_b = {2, 0}, .length = 2, .stiffness = 1};
+  for (const Joint& joint : {point, line, rod, spring}) EXPECT_EQ(error_at(joint, start), 0);
+  EXPECT_DOUBLE_EQ(error_at(point, right), 0.5);
+  EXPECT_DOUBLE_EQ(error_at(line, right), 0);
+  EXPECT_DOUBLE_EQ(error_at(line, up), 0.5);
+  EXPECT_DOUBLE_EQ(error_at(rod, right), 0.5);
+  EXPECT_DOUBLE_EQ(error_at(spring, right), 0);
+  // Turned about the anchor, 2 m to the left of the centre, nothing is violated.
+  EXPECT_NEAR(error_at(point, {.position = rotated({2, 0}, 0.3), .angle = 0.3}), 0, 1e-15);
+}
+
+// A row's impulse does no work on motions that the joint allows: J v = 0.
+TEST(JointGeometry, HasDirectionsThatAllowedMotionsDoNotFollow) {
+  const Scene scene = joined(Revolute{.a = 0, .b = 1});
+  std::vector<BodyState> states = initial_states(scene);
+  states[1].velocity = {0, 2};
+  states[1].angular_velocity = 1;
+  const JointGeometry joints(scene);
+  ASSERT_EQ(joints.rows(states).size(), 2u);
+  for (const JointRow& row : joints.rows(states)) {
+    EXPECT_NEAR(dot(row.direction, states[1].velocity) + row.turn_b * states[1].angular_velocity, 0, 1e-15);
+  }
+  // On the tangent, its anchor leaves the circle of 2 m by 2 (1 dt)^2/2.
+  EXPECT_DOUBLE_EQ(joints.linearisation(0, states, 0.01), 1e-4);
+}
+
+}  // namespace
+}  // namespace plumb::joint_geometry_test
