@@ -60,7 +60,7 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// A chain that hangs straight down does not move, but each hinge may be off by the gap. Released from the side it has
+// A chain that hangs straight down does not move, but each hinge may be off by its slop. Released from the side it has
 // no closed form.
 std::vector<Expectation> expectations(const Parameters& p) {
   if (p.at("angle") != 0) return {};
@@ -71,7 +71,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .quantity = Quantity::y,
            .expected = -reach,
            .allowed = place,
-           .source = "equilibrium: links keep their length; one gap per hinge"},
+           .source = "equilibrium: links keep their length; one slop per hinge"},
           {.body = "load",
            .quantity = Quantity::x,
            .expected = 0,
@@ -154,7 +154,7 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Nothing moves. If each hinge lengthens the chain by the gap, the middle sinks by their sum divided by the sine of the
+// Nothing moves. If each hinge lengthens the chain by its slop, the middle sinks by their sum divided by the sine of the
 // smallest slope, which is where the tilts of all planks add up. It does not move sideways because the scene is its own
 // mirror image.
 std::vector<Expectation> expectations(const Parameters& p) {
@@ -167,7 +167,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .expected = 0,
            .allowed =
                [=](const Stepping& s) { return hinges * s.joint_slop / least + round_off(s, duration, reach) / least; },
-           .source = "equilibrium: H and the weights give each slope; one gap per hinge"},
+           .source = "equilibrium: H and the weights give each slope; one slop per hinge"},
           {.body = "load",
            .quantity = Quantity::x,
            .expected = 0,

@@ -10,7 +10,7 @@ namespace {
 constexpr double pitch = 1;     // m
 constexpr double duration = 2;  // s
 
-const char* const rigid = "rigid: the hinges hold every disc; one gap per hinge";
+const char* const rigid = "rigid: the hinges hold every disc; one slop per hinge";
 
 std::string name(int row, int column) { return std::to_string(row + 1) + "." + std::to_string(column + 1); }
 Vec place(int side, int row, int column) { return {(column - (side - 1) / 2.0) * pitch, -row * pitch}; }
@@ -41,8 +41,8 @@ Scene scene(const Parameters& p) {
 
 // Hinges on four sides leave the discs only one motion, in which each turns against its neighbours like meshed gears;
 // but the corners do not turn. (The hinges' equations for all velocities have full rank for 2 ... 7 discs per side.) So
-// nothing moves except by a gap in every hinge: a shift of one gap for each hinge on the way from the nearer corner,
-// and a sag like that of a beam whose columns turn by 2 gap/height each, (side/2)^2/2 of those in the middle.
+// nothing moves except by its slop in every hinge: a shift of one slop for each hinge on the way from the nearer corner,
+// and a sag like that of a beam whose columns turn by 2 slop/height each, (side/2)^2/2 of those in the middle.
 std::vector<Expectation> expectations(const Parameters& p) {
   const int side = static_cast<int>(p.at("side"));
   std::vector<Expectation> all;
