@@ -81,7 +81,7 @@ int measure_sensitivity(const Options& options) {
     const auto show = [&](const std::string& what, std::size_t done, std::size_t of) {
       line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
     };
-    report.parameters = sensitivities(parameters, cases, report.statements, dt, options.jobs, show);
+    report.found = sensitivities(parameters, cases, report.statements, dt, options.jobs, show);
   }
   fmt::print("{}", options.markdown ? markdown_of(report) : text_of(report));
   finish(file, options.out, to_json(report));

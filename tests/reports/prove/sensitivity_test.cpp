@@ -31,7 +31,7 @@ Perturbation parameter_called(const std::string& name) {
 }
 
 Sensitivity sensitivity_to(const std::string& parameter, const std::vector<Case>& cases, int jobs = 1) {
-  return sensitivities({parameter_called(parameter)}, cases, engine_statements(), dt, jobs, silent).front();
+  return sensitivities({parameter_called(parameter)}, cases, engine_statements(), dt, jobs, silent).parameters.front();
 }
 
 constexpr double speed = 4;         // m/s
@@ -97,7 +97,8 @@ TEST(Sensitivity, IsFinerByOurStatementThanByThatOfAFirstOrderEngine) {
 
 TEST(Sensitivity, IsTheSameForAnyNumberOfJobs) {
   const auto report = [](int jobs) {
-    return to_json(SensitivityReport{engine_statements(), {sensitivity_to("mass", parse_cases("head-on"), jobs)}});
+    return to_json(
+        SensitivityReport{engine_statements(), {{sensitivity_to("mass", parse_cases("head-on"), jobs)}, {}}});
   };
   EXPECT_EQ(report(1), report(4));
 }
@@ -129,9 +130,9 @@ TEST(Perturbations, AreEachOfAParameterThatSomeCaseHas) {
 TEST(SensitivityReport, PassesOnlyIfEveryGoalIsReached) {
   const std::vector<EngineStatement> statements{{"ours", {}, 1e-4}, {"other", {}, std::nullopt}};
   Sensitivity fine{.parameter = {.name = "gravity"}, .sighted = {Sighting{-1e-4, {}}, std::nullopt}};
-  EXPECT_TRUE((SensitivityReport{statements, {fine}}).passed());
+  EXPECT_TRUE((SensitivityReport{statements, {{fine}, {}}}).passed());
   fine.sighted[0]->error = -1.1e-4;
-  const SensitivityReport missed{statements, {fine}};
+  const SensitivityReport missed{statements, {{fine}, {}}};
   EXPECT_FALSE(missed.passed());
   EXPECT_THAT(text_of(missed), HasSubstr("MISSES ITS GOAL"));
 }
@@ -139,7 +140,7 @@ TEST(SensitivityReport, PassesOnlyIfEveryGoalIsReached) {
 TEST(SensitivityReport, ListsEachParameterInARowOfMarkdown) {
   const Sighting seen{-2e-6, {.scenario = "bounce", .variant = "e=1", .metric = "disc apex"}};
   const SensitivityReport report{{{"impulse", {}, 1e-4}, {"box2d", {}, 0.02}},
-                                 {{.parameter = {.name = "gravity"}, .sighted = {seen, std::nullopt}}}};
+                                 {{{.parameter = {.name = "gravity"}, .sighted = {seen, std::nullopt}}}, {}}};
   EXPECT_THAT(markdown_of(report), HasSubstr("| gravity | 2.0e-06 | bounce:e=1, disc apex | over 10 % | - |\n"));
 }
 
