@@ -36,9 +36,10 @@ Sensitivity sensitivity_to(const std::string& parameter, const std::vector<Case>
 
 constexpr double speed = 4;         // m/s
 constexpr double damping = 0.5;     // 1/s
-constexpr double tolerance = 1e-3;  // m/s
+constexpr double tolerance = 0.01;  // m/s
 
-// A disc slows down for a second; its speed is checked with the same tolerance for any engine.
+// A disc slows down for a second; its speed is checked with the same tolerance for any engine, large against the error
+// of any method.
 Scenario slowing_disc() {
   Scenario made{.name = "slowing-disc"};
   made.scene = [](const Parameters&) {
@@ -66,8 +67,8 @@ TEST(Sensitivity, IsTheToleranceDividedByTheDerivativeOfALinearCheck) {
   ASSERT_FALSE(found.sighted.empty());
   const auto& box2d = found.sighted[1];
   ASSERT_TRUE(box2d.has_value());
-  EXPECT_GE(std::abs(box2d->error), 0.999 * tolerance / derivative);
-  EXPECT_LE(std::abs(box2d->error), 1.001 * error_precision * tolerance / derivative);
+  EXPECT_GE(std::abs(box2d->error), 0.97 * tolerance / derivative);
+  EXPECT_LE(std::abs(box2d->error), 1.03 * error_precision * tolerance / derivative);
   EXPECT_EQ(box2d->detection.metric, "disc vx");
 }
 
