@@ -42,12 +42,12 @@ bool SensitivityReport::passed() const {
 std::string text_of(const SensitivityReport& report) {
   std::string text = fmt::format(
       "The smallest error put into our engine that a case calls wrong, by what each engine states about itself; "
-      "cases: {}.\n\n{:<20}{:<10}{:<14}{:<34}{:<28}{:<10}\n",
+      "cases: {}.\n\n{:<20}{:<10}{:<18}{:<34}{:<28}{:<10}\n",
       report.cases, "parameter", "by", "error seen", "in", "check", "kind");
   for (const Sensitivity& one : report.found.parameters) {
     for (std::size_t s = 0; s < report.statements.size(); ++s) {
       const std::optional<Sighting>& seen = one.sighted[s];
-      text += fmt::format("{:<20}{:<10}{:<14}{:<34}{:<28}{:<10}{}\n", s == 0 ? one.parameter.name : "",
+      text += fmt::format("{:<20}{:<10}{:<18}{:<34}{:<28}{:<10}{}\n", s == 0 ? one.parameter.name : "",
                           report.statements[s].engine, error_text(one.parameter, seen),
                           seen ? case_text(seen->detection) : fmt::format("none of {} cases", one.cases),
                           seen ? seen->detection.metric : "", seen ? name_of(seen->detection.kind) : "",
