@@ -1,9 +1,8 @@
 #include "reports/prove/sensitivity.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include "reports/judge/observe.h"
@@ -16,11 +15,13 @@ namespace {
 // Cases that a statement follows to smaller errors: those that see the present one most clearly.
 constexpr std::size_t most_followed = 10;
 
-// A case with the judgements of our engine as it is, by each statement.
+// A case with the judgements of our engine as it is, by each statement. A check that an error of round-off size breaks
+// is not held there.
 struct JudgedCase {
   const Case* one = nullptr;
   std::unique_ptr<const Truth> truth;
   std::vector<JudgedRun> right;
+  std::string unstable;  // the first check, by our own statement, that held without such an error
 };
 
 // A case and the sign of the error.
@@ -46,6 +47,17 @@ std::vector<JudgedRun> judged_by_all(const JudgedCase& of, const Outcome& outcom
   return all;
 }
 
+// Takes a check as held only if it held in `also`, too.
+void hold_in_both(JudgedRun& right, const JudgedRun& also) {
+  for (std::size_t i = 0; i < right.judgement.checks.size(); ++i) {
+    right.judgement.checks[i].passed = right.judgement.checks[i].passed && also.judgement.checks[i].passed;
+  }
+  for (std::size_t i = 0; i < right.judgement.invariants.size(); ++i) {
+    double& ratio = right.judgement.invariants[i].ratio;
+    ratio = std::max(ratio, also.judgement.invariants[i].ratio);
+  }
+}
+
 JudgedCase judged_case(const Case& one, const std::vector<EngineStatement>& statements, double dt) {
   JudgedCase judged{.one = &one};
   const Engine* closed_form = one.closed_form;
@@ -55,6 +67,17 @@ JudgedCase judged_case(const Case& one, const std::vector<EngineStatement>& stat
   const Engine& ours = *Catalog<Engine>::find("impulse");
   const Outcome outcome = run(*one.scene, {&ours, complete(ours, {})}, dt, one.first_step);
   judged.right = judged_by_all(judged, outcome, statements, dt);
+  if (outcome.status != Status::ok) return judged;
+  for (const Perturbation& parameter : all_perturbations()) {
+    if (!parameter.applies(*one.scene)) continue;
+    const Engine engine = perturbed_engine(parameter, round_off_error);
+    const Outcome off = run(*one.scene, {&engine, complete(engine, {})}, dt, one.first_step);
+    if (off.status != Status::ok) continue;
+    const std::vector<JudgedRun> runs = judged_by_all(judged, off, statements, dt);
+    const std::vector<Detection> broken = physics_detections(one, judged.right.front(), runs.front());
+    if (judged.unstable.empty() && !broken.empty()) judged.unstable = broken.front().metric;
+    for (std::size_t s = 0; s < runs.size(); ++s) hold_in_both(judged.right[s], runs[s]);
+  }
   return judged;
 }
 
@@ -150,7 +173,7 @@ Sensitivity Search::result() {
     std::vector<Trial> trials;
   };
   std::vector<Decade> last(statements_.size());
-  for (double error = largest_error; error >= smallest_error && !trials.empty(); error /= 10) {
+  for (double error = largest_error; error > smallest_error / 2 && !trials.empty(); error /= 10) {
     const Sightings seen = look(trials, error);
     std::set<Trial> followed;
     for (std::size_t s = 0; s < statements_.size(); ++s) {
@@ -193,19 +216,24 @@ std::vector<Perturbation> all_perturbations() {
   return all;
 }
 
-std::vector<Sensitivity> sensitivities(const std::vector<Perturbation>& parameters, const std::vector<Case>& cases,
-                                       const std::vector<EngineStatement>& statements, double dt, int jobs,
-                                       const Progress& progress) {
+Sensitivities sensitivities(const std::vector<Perturbation>& parameters, const std::vector<Case>& cases,
+                            const std::vector<EngineStatement>& statements, double dt, int jobs,
+                            const Progress& progress) {
   const std::size_t all = parameters.size() + 1;
   progress("our engine as it is", 0, all);
   std::vector<JudgedCase> judged(cases.size());
   do_all(cases.size(), jobs, [&](std::size_t c) { judged[c] = judged_case(cases[c], statements, dt); });
-  std::vector<Sensitivity> results;
-  for (const Perturbation& parameter : parameters) {
-    progress(parameter.name, results.size() + 1, all);
-    results.push_back(Search(parameter, judged, statements, dt, jobs).result());
+  Sensitivities found;
+  for (const JudgedCase& of : judged) {
+    if (of.unstable.empty()) continue;
+    const std::string& variant = of.one->variant;
+    found.unstable.push_back(of.one->scenario->name + (variant.empty() ? "" : ":" + variant) + ", " + of.unstable);
   }
-  return results;
+  for (const Perturbation& parameter : parameters) {
+    progress(parameter.name, found.parameters.size() + 1, all);
+    found.parameters.push_back(Search(parameter, judged, statements, dt, jobs).result());
+  }
+  return found;
 }
 
 }  // namespace plumb

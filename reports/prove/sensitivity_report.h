@@ -11,7 +11,7 @@ namespace plumb {
 /// Everything that `plumb prove --sensitivity` found.
 struct SensitivityReport {
   std::vector<EngineStatement> statements;
-  std::vector<Sensitivity> parameters;
+  Sensitivities found;
   std::size_t cases = 0;
   double dt = 0;  // s
 

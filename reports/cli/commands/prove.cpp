@@ -118,7 +118,7 @@ int measure_sensitivity(const Options& options) {
   SensitivityReport report{.statements = engine_statements(), .cases = cases.size(), .dt = dt};
   {
     const ProgressLine line;
-    report.parameters = sensitivities(parameters, cases, report.statements, dt, options.jobs, shown_on(line));
+    report.found = sensitivities(parameters, cases, report.statements, dt, options.jobs, shown_on(line));
   }
   fmt::print("{}", options.markdown ? markdown_of(report) : text_of(report));
   output.finish(to_json(report));

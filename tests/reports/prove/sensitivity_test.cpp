@@ -31,14 +31,15 @@ Perturbation parameter_called(const std::string& name) {
 }
 
 Sensitivity sensitivity_to(const std::string& parameter, const std::vector<Case>& cases, int jobs = 1) {
-  return sensitivities({parameter_called(parameter)}, cases, engine_statements(), dt, jobs, silent).front();
+  return sensitivities({parameter_called(parameter)}, cases, engine_statements(), dt, jobs, silent).parameters.front();
 }
 
 constexpr double speed = 4;         // m/s
 constexpr double damping = 0.5;     // 1/s
-constexpr double tolerance = 1e-3;  // m/s
+constexpr double tolerance = 0.01;  // m/s
 
-// A disc slows down for a second; its speed is checked with the same tolerance for any engine.
+// A disc slows down for a second; its speed is checked with the same tolerance for any engine, large against the error
+// of any method.
 Scenario slowing_disc() {
   Scenario made{.name = "slowing-disc"};
   made.scene = [](const Parameters&) {
@@ -66,8 +67,8 @@ TEST(Sensitivity, IsTheToleranceDividedByTheDerivativeOfALinearCheck) {
   ASSERT_FALSE(found.sighted.empty());
   const auto& box2d = found.sighted[1];
   ASSERT_TRUE(box2d.has_value());
-  EXPECT_GE(std::abs(box2d->error), 0.999 * tolerance / derivative);
-  EXPECT_LE(std::abs(box2d->error), 1.001 * error_precision * tolerance / derivative);
+  EXPECT_GE(std::abs(box2d->error), 0.97 * tolerance / derivative);
+  EXPECT_LE(std::abs(box2d->error), 1.03 * error_precision * tolerance / derivative);
   EXPECT_EQ(box2d->detection.metric, "disc vx");
 }
 
@@ -97,7 +98,8 @@ TEST(Sensitivity, IsFinerByOurStatementThanByThatOfAFirstOrderEngine) {
 
 TEST(Sensitivity, IsTheSameForAnyNumberOfJobs) {
   const auto report = [](int jobs) {
-    return to_json(SensitivityReport{engine_statements(), {sensitivity_to("mass", parse_cases("head-on"), jobs)}});
+    return to_json(
+        SensitivityReport{engine_statements(), {{sensitivity_to("mass", parse_cases("head-on"), jobs)}, {}}});
   };
   EXPECT_EQ(report(1), report(4));
 }
@@ -129,9 +131,9 @@ TEST(Perturbations, AreEachOfAParameterThatSomeCaseHas) {
 TEST(SensitivityReport, PassesOnlyIfEveryGoalIsReached) {
   const std::vector<EngineStatement> statements{{"ours", {}, 1e-4}, {"other", {}, std::nullopt}};
   Sensitivity fine{.parameter = {.name = "gravity"}, .sighted = {Sighting{-1e-4, {}}, std::nullopt}};
-  EXPECT_TRUE((SensitivityReport{statements, {fine}}).passed());
+  EXPECT_TRUE((SensitivityReport{statements, {{fine}, {}}}).passed());
   fine.sighted[0]->error = -1.1e-4;
-  const SensitivityReport missed{statements, {fine}};
+  const SensitivityReport missed{statements, {{fine}, {}}};
   EXPECT_FALSE(missed.passed());
   EXPECT_THAT(text_of(missed), HasSubstr("MISSES ITS GOAL"));
 }
@@ -139,7 +141,7 @@ TEST(SensitivityReport, PassesOnlyIfEveryGoalIsReached) {
 TEST(SensitivityReport, ListsEachParameterInARowOfMarkdown) {
   const Sighting seen{-2e-6, {.scenario = "bounce", .variant = "e=1", .metric = "disc apex"}};
   const SensitivityReport report{{{"impulse", {}, 1e-4}, {"box2d", {}, 0.02}},
-                                 {{.parameter = {.name = "gravity"}, .sighted = {seen, std::nullopt}}}};
+                                 {{{.parameter = {.name = "gravity"}, .sighted = {seen, std::nullopt}}}, {}}};
   EXPECT_THAT(markdown_of(report), HasSubstr("| gravity | 2.0e-06 | bounce:e=1, disc apex | over 10 % | - |\n"));
 }
 
