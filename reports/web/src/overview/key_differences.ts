@@ -49,7 +49,12 @@ function rest({ rest_a, rest_b }: KeyDifferences, a: Engine, b: Engine): Child[]
   return [h("strong", {}, `only ${name} `), h("span", { class: "end" }, since(time))];
 }
 
-const depth = (value: number | null): string => (value === null ? "\u2013" : number(1000 * value, "mm", 2));
+const least_depth = 0.001; // mm
+
+function depth(value: number | null): string {
+  if (value === null) return "\u2013";
+  return value > 0 && 1000 * value < least_depth ? `< ${least_depth}` : number(1000 * value, "", 2);
+}
 
 function row_of({ item, key, reason }: Row, a: Engine, b: Engine, heads: string[]): HTMLTableRowElement {
   const name = [item.scenario, item.variant].filter(Boolean).join(": ");
@@ -123,7 +128,7 @@ export function key_differences(model: Model): HTMLElement[] {
       return found ? [{ item, ...found }] : [];
     });
     const caption = `${a.label} and ${b.label}, case by case`;
-    const heads = ["case", "energy: largest, end", "momentum: largest, end", "angular: largest, end", "at rest since", "deepest overlap", "1 cm apart at"];
+    const heads = ["case", "energy: largest, end", "momentum: largest, end", "angular: largest, end", "at rest since", "overlap (mm)", "1 cm apart at"];
     about.replaceChildren(rows.length ? summary(rows, a, b) : h("p", { class: "absence" }, "No case has both."));
     holder.replaceChildren(...(rows.length ? [table(caption, heads, sorted(rows, view.get("by")).map((row) => row_of(row, a, b, heads)))] : []));
   });
@@ -136,7 +141,7 @@ export function key_differences(model: Model): HTMLElement[] {
       "p",
       { class: "basis" },
       "Energy, momentum and angular momentum: the largest difference over the run and that at its end (one number if they are the same), relative to the scene\u2019s own scale; the tick on the bar is 1 %. ",
-      "At rest: slower than 1 cm/s and 0.01 rad/s until the end. Of two times or overlaps, the first is that of the engine chosen first.",
+      "At rest: slower than 1 cm/s and 0.01 rad/s until the end. Overlap: the deepest of the run. Of two times or overlaps, the first is that of the engine chosen first.",
     ),
   ];
 }
