@@ -60,7 +60,7 @@ Growth::Growth(const Scene& scene, double dt, double until) : dt_(dt), bodies_(s
     double moving = 0;
     for (std::size_t i = 0; step > 0 && i < bodies_; ++i) {
       const Vec change = trace.states(step)[i].velocity - trace.states(step - 1)[i].velocity;
-      together += masses[i].mass * length(change) / (trace.time(step) - trace.time(step - 1));
+      together += masses[i].mass * (length(change) / (trace.time(step) - trace.time(step - 1)) + length(scene.gravity));
       moving += masses[i].mass * (length(trace.states(step)[i].velocity) +
                                   radius_[i] * std::abs(trace.states(step)[i].angular_velocity));
     }

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 constexpr double frame = 1.0 / 60;
-constexpr Refinement usual{.tolerance = 0.01, .budget = 200'000};
+const Refinement usual{.tolerance = 0.01, .budget = 200'000};
 
 std::vector<double> frames(double duration) {
   std::vector<double> times;
