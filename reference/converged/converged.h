@@ -12,7 +12,7 @@
 
 /// A solution by refinement, for scenes without a closed form: an engine, run repeatedly with half the step until its
 /// answers agree. The scene is doubled in size each time, so that the lengths that the engine fixes in metres vanish as
-/// well. One engine is no witness of its own convergence: see witnesses.h.
+/// well. One engine cannot confirm its own convergence: see confirmed.h.
 namespace plumb {
 
 /// Half-widths of the intervals that should contain the true state.

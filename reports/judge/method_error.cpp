@@ -65,7 +65,7 @@ class Rows {
 };
 
 // Bodies that start this close, as a share of the smallest body, may be in contact for an engine with a skin.
-constexpr double starts_touching = 0.01;
+constexpr double starts_touching = 0.05;
 
 void connect_touching(const Scene& scene, std::span<const BodyState> start, Rows& rows) {
   const Overlap overlap(scene);
@@ -80,18 +80,19 @@ void connect_touching(const Scene& scene, std::span<const BodyState> start, Rows
 }
 
 struct BodyStress {
-  double radius = 0;  // m
+  double radius = 0;   // m
+  double damping = 0;  // 1/s
   double smooth = 0, bends = 0, jolts = 0, pushed = 0, carried = 0, changes = 0;
   std::array<double, 3> acceleration{}, rate{};  // of both coordinates and the rim
   std::optional<bool> touched;                   // in the step before
   int alike = 0;                                 // steps since that changed
 
-  void add(const BodyState& before, const BodyState& after, bool touches, double dt) {
+  void add(const BodyState& before, const BodyState& after, bool touches, double load, double dt) {
     const std::array<double, 3> change{after.velocity.x - before.velocity.x, after.velocity.y - before.velocity.y,
                                        radius * (after.angular_velocity - before.angular_velocity)};
     const double size = length_of(change);
     carried += changes * dt;
-    changes += size;
+    changes += size + load;
     (touches ? pushed : smooth) += size;
     alike = touched == touches ? alike + 1 : 0;
     const std::array<double, 3> now = scaled_by(1 / dt, change);
@@ -99,6 +100,10 @@ struct BodyStress {
     const std::array<double, 3> rate_now = scaled_by(1 / dt, bend);
     if (alike > 0) bends += length_of(bend);
     if (alike > 1) jolts += length_of(minus(rate_now, rate));
+    // What damps and what drives may balance, and each is still integrated with an error.
+    const double path = dt * std::hypot(length(after.velocity), radius * after.angular_velocity);
+    bends += damping * damping * path;
+    jolts += damping * damping * damping * path;
     acceleration = now;
     rate = rate_now;
     touched = touches;
@@ -116,7 +121,10 @@ struct BodyStress {
 std::vector<Stress> stress_along(const Scene& scene, const Trace& trace) {
   const auto dynamic = [&](std::size_t i) { return scene.bodies[i].type == BodyType::dynamic; };
   std::vector<BodyStress> bodies(scene.bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].radius = bounding_radius(scene.bodies[i]);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    bodies[i].radius = bounding_radius(scene.bodies[i]);
+    bodies[i].damping = std::max(scene.bodies[i].linear_damping, scene.bodies[i].angular_damping);
+  }
   Stress stress;
   Rows rows(scene);
   for (const Joint& joint : scene.joints) {
@@ -148,9 +156,10 @@ std::vector<Stress> stress_along(const Scene& scene, const Trace& trace) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (!dynamic(i)) continue;
       const double before = bodies[i].pushed;
-      bodies[i].add(trace.states(moment - 1)[i], trace.states(moment)[i], touches[i] || spreads, dt);
-      const double hit = bodies[i].pushed - before;
       const double fall = length(scene.gravity) * dt;
+      const bool held = touches[i] || !scene.joints.empty();
+      bodies[i].add(trace.states(moment - 1)[i], trace.states(moment)[i], touches[i] || spreads, held ? fall : 0, dt);
+      const double hit = bodies[i].pushed - before;
       if (hit > 2 * fall && (stress.slowest == 0 || hit < stress.slowest)) stress.slowest = hit;
       stress.smooth = std::max(stress.smooth, bodies[i].smooth);
       stress.bends = std::max(stress.bends, bodies[i].bends);

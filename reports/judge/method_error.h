@@ -17,7 +17,8 @@ struct Stress {
   double bends = 0;    // m/s^2, the sum of all changes of acceleration but those as a contact begins or ends
   double jolts = 0;    // m/s^3, the same of its rate of change
   double pushed = 0;   // m/s, the sum of all changes of velocity by contacts
-  double carried = 0;  // m, the sum of all changes of velocity, each times the time since
+  double carried = 0;  // m, the sum of all changes of velocity, and of gravity's that contacts and joints take away,
+                       // each times the time since
   double slowest = 0;  // m/s, the smallest change of velocity at an impact; 0: none
   double touched = 0;  // s, since the first contact
   int contacts = 0;    // in a row, at most: from a fixed body, or across a group that touches none

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "reference/converged/witnesses.h"
+#include "reference/converged/confirmed.h"
 #include "reports/compare/comparator.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
@@ -42,8 +42,7 @@ std::string converged_words(const ConvergedTruth& truth, double duration) {
   const std::string until = answer.reason().empty()
                                 ? fmt::format("to the end, {:.4g} s", duration)
                                 : fmt::format("until {:.4g} s: {}", answer.valid_until(), answer.reason());
-  return fmt::format("converged to {:.1g} m, with {} as second witness, {}", answer.largest_error(), truth.confirmed_by,
-                     until);
+  return fmt::format("converged to {:.1g} m, confirmed by {}, {}", answer.largest_error(), truth.confirmed_by, until);
 }
 
 // All runs of one case: the reference first, if there is one.
@@ -55,7 +54,7 @@ class CaseExperiment {
   void run_reference(std::size_t budget) {
     const Engine* engine = case_.closed_form;
     if (budget > 0 && (engine == nullptr || !engine->unsupported(*case_.scene, complete(*engine, {})).empty())) {
-      refined_ = witnessed_truth(*case_.scene, moments_in(case_.scene->duration, dt_),
+      refined_ = confirmed_truth(*case_.scene, moments_in(case_.scene->duration, dt_),
                                  {.dt = dt_, .tolerance = converged_share, .budget = budget});
       engine = &refined_->engine;
     }

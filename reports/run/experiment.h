@@ -16,7 +16,7 @@ struct Plan {
   std::vector<EngineConfig> configs;
   double dt = 1.0 / 60;    // s
   int jobs = 1;            // cases that run at once; the results do not depend on it
-  std::size_t refine = 0;  // body-steps of each witness of a converged reference where there is no closed form; 0: none
+  std::size_t refine = 0;  // body-steps of each engine of a converged reference where there is no closed form; 0: none
   bool timed = true;       // measure the cost of a step after everything else
   int ensemble = 0;        // runs of each engine to compare beyond a scene's horizon; 0: do not look for horizons
 };

@@ -53,7 +53,9 @@ Growth::Growth(const Scene& scene, double dt, double until) : dt_(dt), bodies_(s
   const std::vector<Stress> fine = stress_along(scene, trace);
   const Conserved conserved(scene);
   const auto masses = conserved.masses();
-  double force = 0;
+  double weight = 0;
+  for (const Mass& mass : masses) weight += mass.mass * length(scene.gravity);
+  double force = weight;
   double momentum = 0;
   for (std::size_t step = 0; step < fine.size(); ++step) {
     double together = 0;
@@ -65,7 +67,7 @@ Growth::Growth(const Scene& scene, double dt, double until) : dt_(dt), bodies_(s
                                   radius_[i] * std::abs(trace.states(step)[i].angular_velocity));
     }
     momentum = std::max(momentum, moving);
-    if (step > 0 && fine[step].pushed == fine[step - 1].pushed) force = std::max(force, together);
+    if (step > 0 && fine[step].pushed == fine[step - 1].pushed) force = std::max(force, weight + together);
     if (step % steps_per_moment != 0) continue;
     stress_.push_back(fine[step]);
     force_.push_back(force);

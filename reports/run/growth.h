@@ -48,7 +48,7 @@ class Growth {
   std::size_t bodies_;
   bool bounces_ = false;
   std::vector<Stress> stress_;        // moment by moment
-  std::vector<double> force_;         // N, the largest outside of impacts, of all bodies together, moment by moment
+  std::vector<double> force_;         // N, the largest outside of impacts and all weights, moment by moment
   std::vector<double> momentum_;      // kg m/s, the largest so far, the sum of all bodies' sizes
   std::vector<double> radius_;        // m, of each body
   std::vector<Displaced> displaced_;  // smallest first

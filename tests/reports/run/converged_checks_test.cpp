@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reference/converged/witnesses.h"
+#include "reference/converged/confirmed.h"
 #include "reports/run/selection.h"
 
 namespace plumb::converged_checks_test {

@@ -75,6 +75,27 @@ TEST(RunExperiment, IsIdenticalForAnyNumberOfJobs) {
   EXPECT_EQ(alone, text(5));
 }
 
+TEST(RunExperiment, JudgesByAConvergedAnswerThatSaysWhereItEnds) {
+  if (Catalog<Engine>::find("chipmunk") == nullptr) GTEST_SKIP() << "built without Chipmunk";
+  const Plan plan{.cases = parse_cases("double-pendulum:wild"),
+                  .configs = {parse_engine("impulse")},
+                  .refine = 100'000,
+                  .timed = false};
+  const Report report = run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {});
+  ASSERT_EQ(report.runs.size(), 2u);
+  EXPECT_THAT(report.runs[0].reason, ::testing::HasSubstr(", until "));
+  EXPECT_LT(report.runs[0].metrics.at("truth_until").value, 5);
+  EXPECT_FALSE(report.runs[1].truth.empty());
+  EXPECT_EQ(report.runs[1].verdict, Verdict::right);
+}
+
+TEST(RunExperiment, HasNoTruthWithoutABudgetForIt) {
+  const Plan plan{.cases = parse_cases("double-pendulum:wild"), .configs = {parse_engine("impulse")}, .timed = false};
+  const Report report = run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {});
+  ASSERT_EQ(report.runs.size(), 1u);
+  EXPECT_TRUE(report.runs[0].truth.empty());
+}
+
 TEST_F(Throwing, ExplainsItsNames) {
   const Report report = run_engines({&ours_});
   ASSERT_EQ(report.scenarios.size(), 1u);

@@ -1,4 +1,4 @@
-#include "reference/converged/witnesses.h"
+#include "reference/converged/confirmed.h"
 
 #include <cstddef>
 #include <memory>
@@ -27,7 +27,7 @@ std::vector<OtherEngine> other_engines() {
           {"impulse:solver=exact", "impulse", {{"solver", "exact"}}}};
 }
 
-struct Witness {
+struct SecondAnswer {
   std::string name;
   std::unique_ptr<const Converged> answer;  // null if it cannot run the scene
   std::string reason;                       // why it is null or ends early
@@ -35,79 +35,80 @@ struct Witness {
   bool knows(double time) const { return answer != nullptr && time <= answer->valid_until(); }
 };
 
-Witness hear(const OtherEngine& candidate, const Scene& scene, std::vector<double> times, const Refinement& first) {
-  Witness witness{.name = candidate.name};
+SecondAnswer hear(const OtherEngine& candidate, const Scene& scene, std::vector<double> times,
+                  const Refinement& first) {
+  SecondAnswer second{.name = candidate.name};
   Refinement refinement = first;
   refinement.engine = Catalog<Engine>::find(candidate.engine);
   refinement.settings = candidate.settings;
   refinement.tolerance = second_share;
   if (refinement.engine == nullptr) {
-    witness.reason = "not part of this build";
-    return witness;
+    second.reason = "not part of this build";
+    return second;
   }
   try {
-    witness.answer = std::make_unique<const Converged>(scene, std::move(times), refinement);
-    witness.reason = witness.answer->reason();
+    second.answer = std::make_unique<const Converged>(scene, std::move(times), refinement);
+    second.reason = second.answer->reason();
   } catch (const std::domain_error& refused) {
-    witness.reason = refused.what();
+    second.reason = refused.what();
   }
-  return witness;
+  return second;
 }
 
-std::string contradiction(const Scene& scene, double time, std::size_t body, double apart, const Witness& witness) {
+std::string contradiction(const Scene& scene, double time, std::size_t body, double apart, const SecondAnswer& second) {
   std::ostringstream words;
   words.precision(3);
-  words << "the witnesses disagree from t = " << time << " s on: \"" << scene.bodies[body].name << "\" is " << apart
-        << " m elsewhere in " << witness.name << ", beyond what either may be off";
+  words << "the engines disagree from t = " << time << " s on: \"" << scene.bodies[body].name << "\" is " << apart
+        << " m elsewhere in " << second.name << ", beyond what either may be off";
   return words.str();
 }
 
-std::string silence(double time, std::span<const Witness> witnesses) {
+std::string silence(double time, std::span<const SecondAnswer> seconds) {
   std::ostringstream words;
   words.precision(3);
-  words << "no second witness at t = " << time << " s";
-  for (const Witness& witness : witnesses) words << "; " << witness.name << ": " << witness.reason;
+  words << "no second engine has an answer at t = " << time << " s";
+  for (const SecondAnswer& second : seconds) words << "; " << second.name << ": " << second.reason;
   return words.str();
 }
 
-// Ends the answer where a witness contradicts it or none knows.
-void confirm(Converged& answer, const Scene& scene, std::span<const Witness> witnesses) {
+// Ends the answer where a second answer contradicts it or none knows.
+void confirm(Converged& answer, const Scene& scene, std::span<const SecondAnswer> seconds) {
   for (std::size_t moment = 0; moment < answer.times().size(); ++moment) {
     const double time = answer.times()[moment];
     if (time > answer.valid_until()) return;
     bool known = false;
-    for (const Witness& witness : witnesses) {
-      if (!witness.knows(time)) continue;
+    for (const SecondAnswer& second : seconds) {
+      if (!second.knows(time)) continue;
       known = true;
-      const auto body = answer.contradicted_by(*witness.answer, moment);
+      const auto body = answer.contradicted_by(*second.answer, moment);
       if (!body) continue;
       const Vec here = answer.states(moment)[*body].position;
-      const Vec there = witness.answer->states(moment)[*body].position;
-      answer.end_before(moment, contradiction(scene, time, *body, length(here - there), witness));
+      const Vec there = second.answer->states(moment)[*body].position;
+      answer.end_before(moment, contradiction(scene, time, *body, length(here - there), second));
       return;
     }
-    if (!known) return answer.end_before(moment, silence(time, witnesses));
+    if (!known) return answer.end_before(moment, silence(time, seconds));
   }
 }
 
 }  // namespace
 
-ConvergedTruth witnessed_truth(const Scene& scene, std::vector<double> times, const Refinement& first) {
-  std::vector<Witness> witnesses;
+ConvergedTruth confirmed_truth(const Scene& scene, std::vector<double> times, const Refinement& first) {
+  std::vector<SecondAnswer> seconds;
   ConvergedTruth truth = truth_of([&] {
     auto answer = std::make_shared<Converged>(scene, std::move(times), first);
     std::vector<double> until = answer->times();
     std::erase_if(until, [&](double time) { return time > answer->valid_until(); });
     for (const OtherEngine& candidate : other_engines()) {
-      witnesses.push_back(hear(candidate, scene, until, first));
-      if (witnesses.back().knows(until.back())) break;
+      seconds.push_back(hear(candidate, scene, until, first));
+      if (seconds.back().knows(until.back())) break;
     }
-    confirm(*answer, scene, witnesses);
+    confirm(*answer, scene, seconds);
     return answer;
   });
-  for (const Witness& witness : witnesses) {
-    if (!witness.knows(scene.duration * 1e-9)) continue;
-    truth.confirmed_by += (truth.confirmed_by.empty() ? "" : ", ") + witness.name;
+  for (const SecondAnswer& second : seconds) {
+    if (!second.knows(scene.duration * 1e-9)) continue;
+    truth.confirmed_by += (truth.confirmed_by.empty() ? "" : ", ") + second.name;
   }
   return truth;
 }

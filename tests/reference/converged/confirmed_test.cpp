@@ -1,4 +1,4 @@
-#include "reference/converged/witnesses.h"
+#include "reference/converged/confirmed.h"
 
 #include <gmock/gmock.h>
 
@@ -8,14 +8,14 @@
 #include "reports/run/run.h"
 #include "scenarios/scenario.h"
 
-namespace plumb::witnesses_test {
+namespace plumb::confirmed_test {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 constexpr double frame = 1.0 / 60;
-constexpr Refinement usual{.tolerance = 0.01, .budget = 200'000};
+const Refinement usual{.tolerance = 0.01, .budget = 200'000};
 
 std::vector<double> frames(double duration) {
   std::vector<double> times;
@@ -30,27 +30,27 @@ Scene scene_of(const char* name, const Parameters& changes) {
 
 bool without_chipmunk() { return Catalog<Engine>::find("chipmunk") == nullptr; }
 
-TEST(WitnessedTruth, ReachesTheEndWhereBothEnginesConverge) {
+TEST(ConfirmedTruth, ReachesTheEndWhereBothEnginesConverge) {
   if (without_chipmunk()) GTEST_SKIP() << "built without Chipmunk";
-  const ConvergedTruth truth = witnessed_truth(scene_of("double-pendulum", {{"angle", 5}}), frames(2), usual);
+  const ConvergedTruth truth = confirmed_truth(scene_of("double-pendulum", {{"angle", 5}}), frames(2), usual);
   EXPECT_EQ(truth.answer->reason(), "");
   EXPECT_EQ(truth.confirmed_by, "chipmunk");
 }
 
-TEST(WitnessedTruth, SaysWhenAndWhyItEnds) {
+TEST(ConfirmedTruth, SaysWhenAndWhyItEnds) {
   if (without_chipmunk()) GTEST_SKIP() << "built without Chipmunk";
-  const ConvergedTruth truth = witnessed_truth(scene_of("double-pendulum", {}), frames(5), usual);
+  const ConvergedTruth truth = confirmed_truth(scene_of("double-pendulum", {}), frames(5), usual);
   EXPECT_GT(truth.answer->valid_until(), 0.5);
   EXPECT_LT(truth.answer->valid_until(), 4);
   EXPECT_THAT(truth.answer->reason(), HasSubstr("t = "));
 }
 
-TEST(WitnessedTruth, TakesTheExactSolverWhereNoOtherEngineHasTheFrictionOfTheScene) {
-  const ConvergedTruth truth = witnessed_truth(scene_of("breakaway", {}), frames(0.5), usual);
+TEST(ConfirmedTruth, TakesTheExactSolverWhereNoOtherEngineHasTheFrictionOfTheScene) {
+  const ConvergedTruth truth = confirmed_truth(scene_of("breakaway", {}), frames(0.5), usual);
   EXPECT_EQ(truth.confirmed_by, "impulse:solver=exact");
 }
 
-TEST(WitnessedTruth, IsNoneWithoutASecondWitness) {
+TEST(ConfirmedTruth, IsNoneWithoutASecondEngine) {
   Scene scene = scene_of("double-pendulum", {});
   for (Body& body : scene.bodies) {
     for (Shape& shape : body.shapes) {
@@ -58,9 +58,9 @@ TEST(WitnessedTruth, IsNoneWithoutASecondWitness) {
       shape.surface.dynamic_friction = 0.1;
     }
   }
-  const ConvergedTruth truth = witnessed_truth(scene, frames(0.5), usual);
+  const ConvergedTruth truth = confirmed_truth(scene, frames(0.5), usual);
   EXPECT_EQ(truth.confirmed_by, "");
-  EXPECT_THAT(truth.engine.unsupported(scene, {}), StartsWith("no second witness"));
+  EXPECT_THAT(truth.engine.unsupported(scene, {}), StartsWith("no second engine"));
 }
 
 TEST(Converged, IsContradictedByAnAnswerToAnotherScene) {
@@ -73,7 +73,7 @@ TEST(Converged, IsContradictedByAnAnswerToAnotherScene) {
   EXPECT_TRUE(answer.contradicted_by(Converged(heavier, frames(0.5), usual), 30));
 }
 
-TEST(Converged, CountsWhatItDiffersFromAWitnessByAsAnError) {
+TEST(Converged, CountsWhatItDiffersFromAnotherAnswerByAsAnError) {
   const Scene scene = scene_of("double-pendulum", {});
   Scene heavier = scene;
   heavier.gravity.y *= 1.0001;
@@ -84,4 +84,4 @@ TEST(Converged, CountsWhatItDiffersFromAWitnessByAsAnError) {
 }
 
 }  // namespace
-}  // namespace plumb::witnesses_test
+}  // namespace plumb::confirmed_test
