@@ -29,7 +29,7 @@ import sys
 import time
 from pathlib import Path
 
-from places import places_in
+from places import Place, places_in
 
 ROOT = Path(__file__).resolve().parents[2]
 OBJECTS = "impulse_double_objects"  # scenarios run in double precision
@@ -233,6 +233,10 @@ def try_place(build, place, sound, options):
     return {"killed": False, "by": [], "changed": sorted(changed)}
 
 
+def place_of(record):
+    return Place(**{field.name: record[field.name] for field in dataclasses.fields(Place)})
+
+
 def sound_runs(build, words):
     """Of the sound engine, by engine; remembered until the program it is linked from changes."""
     file = build.work / "sound.json"
@@ -298,7 +302,7 @@ def main():
         if index in records and not (options.retry and index in survived):
             continue
         for attempt in range(1000):
-            place = draw.place(index, attempt)
+            place = place_of(records[index]) if index in records else draw.place(index, attempt)
             outcome = try_place(build, place, sound, options) if place else None
             if outcome is not None:
                 break
