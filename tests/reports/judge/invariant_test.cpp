@@ -15,8 +15,8 @@ TEST(Invariants, AreAllThere) {
   std::vector<std::string> names;
   for (const Invariant* invariant : Catalog<Invariant>::all()) names.push_back(invariant->name);
   EXPECT_THAT(names, ::testing::ElementsAre("angular_momentum", "complementarity", "cone", "displacement", "energy",
-                                            "free_motion", "momentum", "momentum_of_bodies", "overlap", "push", "rest",
-                                            "start", "sticking"));
+                                            "energy_bound", "free_motion", "momentum", "momentum_of_bodies", "overlap",
+                                            "push", "rest", "start", "sticking"));
 }
 
 TEST(WorstViolation, KeepsTheLargestErrorRatio) {

@@ -62,10 +62,10 @@ TEST(FreeMotionInvariant, IsNotTestedByWhatMayTouch) {
   const auto lying = [](double gap) {
     return in_the_air([=](double) { return Vec{0, 0.5 + gap}; }, [](double) { return Vec{}; });
   };
-  const InvariantCheck within_skin = checked("free_motion", scene, lying(0.0099), first_order).value();
+  const InvariantCheck within_skin = checked("free_motion", scene, lying(0.0109), first_order).value();
   EXPECT_EQ(within_skin.status, CheckStatus::held);
   EXPECT_FALSE(is_evidence(within_skin));
-  EXPECT_EQ(status("free_motion", scene, lying(0.0101), first_order), CheckStatus::broken);
+  EXPECT_EQ(status("free_motion", scene, lying(0.0111), first_order), CheckStatus::broken);
 }
 
 TEST(FreeMotionInvariant, SeesAnEngineThatStopsWhatNothingPulls) {
