@@ -1,5 +1,6 @@
 #include "reports/judge/joint_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -21,7 +22,7 @@ JointGeometry::JointGeometry(const Scene& scene) {
   };
   for (const Joint& joint : scene.joints) {
     if (const auto* revolute = std::get_if<Revolute>(&joint)) {
-      add(Kind::point, revolute->a, revolute->b, revolute->anchor, revolute->anchor);
+      add(Kind::point, revolute->a, revolute->b, revolute->anchor, revolute->anchor).limits = revolute->limits;
     } else if (const auto* weld = std::get_if<Weld>(&joint)) {
       add(Kind::fixed, weld->a, weld->b, weld->anchor, weld->anchor);
     } else if (const auto* line = std::get_if<Prismatic>(&joint)) {
@@ -36,6 +37,12 @@ JointGeometry::JointGeometry(const Scene& scene) {
       }
     }
   }
+}
+
+double JointGeometry::beyond_limits(const Ends& joint, const BodyState& a, const BodyState& b) {
+  if (!joint.limits) return 0;
+  const double angle = b.angle - a.angle - joint.angle;
+  return std::max({0.0, joint.limits->low - angle, angle - joint.limits->high});
 }
 
 std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) const {
@@ -66,7 +73,8 @@ std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) con
         break;
       }
     }
-    if (joint.kind == Kind::line || joint.kind == Kind::fixed) rows.push_back({joint.a, joint.b, {}, -1, 1});
+    const bool turns = joint.kind == Kind::line || joint.kind == Kind::fixed || joint.limits;
+    if (turns) rows.push_back({joint.a, joint.b, {}, -1, 1});
   }
   return rows;
 }
@@ -79,7 +87,7 @@ double JointGeometry::error(std::size_t index, std::span<const BodyState> states
   const double turned = std::abs(b.angle - a.angle - joint.angle) * (length(joint.at_a) + length(joint.at_b));
   switch (joint.kind) {
     case Kind::point:
-      return length(between);
+      return length(between) + beyond_limits(joint, a, b) * (length(joint.at_a) + length(joint.at_b));
     case Kind::fixed:
       return length(between) + turned;
     case Kind::line:
@@ -90,6 +98,42 @@ double JointGeometry::error(std::size_t index, std::span<const BodyState> states
       return 0;
   }
   return 0;
+}
+
+double JointGeometry::passes_limits(std::size_t index, std::span<const BodyState> states, double dt) const {
+  const Ends& joint = ends_[index];
+  BodyState a = states[joint.a];
+  BodyState b = states[joint.b];
+  a.angle += dt * a.angular_velocity;
+  b.angle += dt * b.angular_velocity;
+  return beyond_limits(joint, a, b) * (length(joint.at_a) + length(joint.at_b));
+}
+
+double JointGeometry::acceleration(std::span<const BodyState> states, double gravity) const {
+  double sum = ends_.empty() ? 0 : gravity;
+  for (const Ends& joint : ends_) {
+    const double of_a = states[joint.a].angular_velocity;
+    const double of_b = states[joint.b].angular_velocity;
+    sum += of_a * of_a * length(joint.at_a) + of_b * of_b * length(joint.at_b);
+    const double distance = joint.kind == Kind::rod ? joint.length : 0;
+    if (distance > 0) {
+      const Vec apart = states[joint.b].velocity - states[joint.a].velocity;
+      sum += dot(apart, apart) / distance;
+    }
+  }
+  return sum;
+}
+
+double JointGeometry::spin(std::span<const BodyState> states) const {
+  double fastest = 0;
+  for (const Ends& joint : ends_) {
+    fastest =
+        std::max({fastest, std::abs(states[joint.a].angular_velocity), std::abs(states[joint.b].angular_velocity)});
+    if (joint.kind == Kind::rod && joint.length > 0) {
+      fastest = std::max(fastest, length(states[joint.b].velocity - states[joint.a].velocity) / joint.length);
+    }
+  }
+  return fastest;
 }
 
 double JointGeometry::linearisation(std::size_t index, std::span<const BodyState> states, double dt) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,8 @@ class JointGeometry {
  public:
   explicit JointGeometry(const Scene&);
 
-  /// Every direction of every joint, in the same order for any states.
+  /// Every direction of every joint, in the same order for any states; turning too where there are limits, which may be
+  /// reached at any moment of a step.
   std::vector<JointRow> rows(std::span<const BodyState>) const;
 
   std::size_t size() const { return ends_.size(); }
@@ -30,6 +32,12 @@ class JointGeometry {
   std::pair<std::size_t, std::size_t> bodies(std::size_t joint) const { return {ends_[joint].a, ends_[joint].b}; }
   /// m, by how much a joint is violated; 0 for a spring.
   double error(std::size_t joint, std::span<const BodyState>) const;
+  /// m, by how much a joint would violate its limits after dt s at these velocities.
+  double passes_limits(std::size_t joint, std::span<const BodyState>, double dt) const;
+  /// m/s^2, a bound of the acceleration by which joints hold any body: that of gravity, and w^2 r of every arm.
+  double acceleration(std::span<const BodyState>, double gravity) const;
+  /// rad/s, the fastest rotation of a body in a joint.
+  double spin(std::span<const BodyState>) const;
   /// m, by how much a step of dt s along the tangents at these velocities violates a joint: a point at an arm r that
   /// turns by w dt leaves its circle by r (w dt)^2/2. Of a spring: how far its change of force moves its bodies, k/m
   /// dt^2 times the path.
@@ -43,9 +51,13 @@ class JointGeometry {
     Vec at_a, at_b;  // m, from the centres of mass, in the bodies' frames
     Vec axis;        // of a line, in a's frame
     double length = 0;
-    double angle = 0;  // rad, of b less a at the start
-    double rate = 0;   // 1/s^2, of a spring: its stiffness per mass
+    double angle = 0;                        // rad, of b less a at the start
+    double rate = 0;                         // 1/s^2, of a spring: its stiffness per mass
+    std::optional<AngleLimits> limits = {};  // of a point
   };
+  // rad, by how much the angle is beyond the joint's limits.
+  static double beyond_limits(const Ends&, const BodyState& a, const BodyState& b);
+
   std::vector<Ends> ends_;
 };
 

@@ -52,6 +52,8 @@ CaseRuns runs_of(const Case& one_case, const std::vector<Control>& controls, con
   CaseRuns all(stated.size());
   const CaseRun right = run_case(one_case, {&ours, settings}, dt);
   if (right.outcome.status != Status::ok) return all;
+  // A motion that is wrong is no standard for others.
+  if (judge_run(one_case, {&ours, settings}, dt, right).judgement.verdict == Verdict::wrong) return all;
   std::vector<JudgedRun> right_by;
   for (const EngineConfig& one : stated) right_by.push_back(judge_run(one_case, one, dt, right));
   for (const Control& control : controls) {
@@ -145,6 +147,8 @@ std::vector<ControlReport> prove_controls(const std::vector<Control>& controls, 
       }
       reports.back().results.push_back(std::move(result));
     }
+    reports.back().left_out = static_cast<std::size_t>(
+        std::count_if(runs.begin(), runs.end(), [s](const CaseRuns& of_case) { return of_case[s].empty(); }));
   }
   return reports;
 }

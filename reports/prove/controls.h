@@ -33,7 +33,7 @@ struct ControlRun {
 
 struct ControlResult {
   Control control;
-  std::vector<ControlRun> runs;  // of the cases that our engine can run
+  std::vector<ControlRun> runs;  // of the cases that our engine can run and is not wrong in
 
   std::size_t count(Unmasking) const;
   /// The run with the largest ratio; null if the control was never unmasked.
@@ -44,6 +44,7 @@ struct ControlResult {
 struct ControlReport {
   std::string stated;  // label of the engine, see label_of
   std::size_t cases = 0;
+  std::size_t left_out = 0;  // of the cases: our engine can't run them, or is wrong there
   std::vector<ControlResult> results;
 
   std::size_t passes() const;

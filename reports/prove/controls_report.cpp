@@ -49,8 +49,10 @@ nlohmann::ordered_json json_of(const ControlRun& run) {
 }  // namespace
 
 std::string text_of(const ControlReport& report, bool each_case) {
-  std::string text = fmt::format("controls: {}, judged by what {} states; false passes: {}; cases: {}.\n\n",
-                                 report.results.size(), report.stated, report.passes(), report.cases);
+  std::string text = fmt::format(
+      "controls: {}, judged by what {} states; false passes: {}; cases: {}, of which {} are left out: our engine is "
+      "wrong in them.\n\n",
+      report.results.size(), report.stated, report.passes(), report.cases, report.left_out);
   text += fmt::format("{:<18}{:>7}{:>11}{:>6}{:>14}{:>8}   {}\n", "control", "truth", "invariant", "same",
                       "inconclusive", "PASSES", "unmasked best in");
   for (const ControlResult& result : report.results) text += line_of(result);
@@ -82,6 +84,7 @@ nlohmann::ordered_json to_json(const std::vector<ControlReport>& reports) {
     }
     all.push_back({{"stated_by", report.stated},
                    {"cases", report.cases},
+                   {"left_out", report.left_out},
                    {"false_passes", report.passes()},
                    {"controls", controls}});
   }

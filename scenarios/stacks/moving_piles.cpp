@@ -129,7 +129,7 @@ Scene scene(const Parameters& p) {
 const Catalog<Scenario>::Entry entry{
     {.name = "struck-wall",
      .question = "Does a wall that is knocked down obey the laws of contact throughout?",
-     .parameters = {{.name = "rows", .value = 10, .min = 1, .max = 40, .about = "of the wall", .whole = true},
+     .parameters = {{.name = "rows", .value = 10, .min = 4, .max = 40, .about = "of the wall", .whole = true},
                     {.name = "columns", .value = 8, .min = 1, .max = 40, .about = "of the wall", .whole = true},
                     {.name = "ratio",
                      .value = 4,

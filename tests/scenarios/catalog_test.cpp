@@ -21,13 +21,13 @@ TEST(Scenarios, AreAllRegistered) {
                          "arch", "beam", "billiard", "bounce", "breakaway", "cantilever", "capsule-heap", "capsules",
                          "card-house", "conveyor", "corner-impact", "cradle", "crowd", "disc-pile", "dominoes",
                          "double-pendulum", "flush-tiles", "free-bodies", "gas", "hanging-chain", "head-on",
-                         "heavy-object", "joined-pair", "joint-grid", "ladder", "late-blow", "layers", "lone-bodies",
-                         "lost-support", "many-pyramids", "mass-ratio", "materials", "mixing-rules", "oblique-disc",
-                         "off-center", "orbit", "overhang", "painleve-rod", "pendulum", "pi-billiard", "pushed-plank",
-                         "pyramid", "rain", "restitution-rules", "rod-pendulum", "rod-toppling", "rope-bridge",
-                         "slider", "sliding-ladder", "sliding-pyramid", "slip-to-roll", "slope", "slope-disc", "smash",
-                         "spinning-obb", "spring", "stacking", "stopping-distance", "struck-wall", "tautochrone",
-                         "teams", "thin-wall", "tipping", "tumbler", "two-frictions"));
+                         "heavy-object", "joined-pair", "joint-grid", "joint-stop", "ladder", "late-blow", "layers",
+                         "limiting-friction", "lone-bodies", "lost-support", "many-pyramids", "mass-ratio", "materials",
+                         "mixing-rules", "oblique-disc", "off-center", "orbit", "overhang", "painleve-rod", "pendulum",
+                         "pi-billiard", "pushed-plank", "pyramid", "rain", "restitution-rules", "rod-pendulum",
+                         "rod-toppling", "rope-bridge", "slider", "sliding-ladder", "sliding-pyramid", "slip-to-roll",
+                         "slope", "slope-disc", "smash", "spinning-obb", "spring", "stacking", "stopping-distance",
+                         "struck-wall", "tautochrone", "teams", "thin-wall", "tipping", "tumbler", "two-frictions"));
 }
 
 TEST(Scenarios, InTheShortReportAreTheFourCanonicalOnes) {

@@ -159,7 +159,7 @@ bool refers_to(const ConstantForce& constant, BodyId body) { return constant.bod
 
 }  // namespace
 
-void ForceField::accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out) const {
+void ForceField::accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out, Real reach) const {
   const std::size_t n = bodies.size();
   out.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -171,13 +171,14 @@ void ForceField::accelerations(const BodySet& bodies, Real implicit, std::vector
     if (!slot.force) continue;
     std::visit([&](const auto& force) { accelerate(force, bodies, out); }, *slot.force);
   }
+  const auto damped = [&](Real damping) { return std::max(1 + implicit * damping, reach * damping); };
   for (std::size_t i = 0; i < n; ++i) {
     if (bodies.inverse_mass[i].m == 0) continue;
     const Velocity& velocity = bodies.velocity[i];
     const Real linear = bodies.response[i].linear_damping;
     const Real angular = bodies.response[i].angular_damping;
-    if (linear > 0) out[i].v = (out[i].v - linear * velocity.v) / (1 + implicit * linear);
-    if (angular > 0) out[i].w = (out[i].w - angular * velocity.w) / (1 + implicit * angular);
+    if (linear > 0) out[i].v = (out[i].v - linear * velocity.v) / damped(linear);
+    if (angular > 0) out[i].w = (out[i].w - angular * velocity.w) / damped(angular);
   }
 }
 

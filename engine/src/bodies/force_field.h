@@ -21,9 +21,9 @@ class ForceField {
   ///
   /// Damping is -d v at the velocity after `implicit` seconds: v' = v + h (a - d v') is v' = v + h (a - d v)/(1 + h d).
   /// That is stable for any damping, and the terminal velocity a/d is exact, but it is of first order in h. A method of
-  /// higher order passes 0 and gets -d v at the current velocity. Springs always use the current velocity for
-  /// their damping.
-  void accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out) const;
+  /// higher order passes 0 and gets -d v at the current velocity; over the next `reach` seconds that at most stops the
+  /// body. Springs always use the current velocity for their damping.
+  void accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out, Real reach = 0) const;
 
   /// Whether accelerations depend on positions or velocities.
   bool vary(const BodySet& bodies) const;

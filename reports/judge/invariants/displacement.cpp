@@ -21,7 +21,7 @@
 // the radius of gyration k. The tolerance covers:
 // - forces that change within the step: dt^2 times the change of the acceleration;
 // - joints: each of a group may be off at the start or at the end by what is measured and by the stated slop, and by
-//   moving along the tangents; putting that right moves the group's bodies;
+//   moving along the tangents; putting that right moves the group's bodies. A limit that a step would pass stops them;
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
 //   may overlap by c dt before it is noticed, and that, the overlap at the start and the stated gap are pushed out.
 //   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
@@ -111,6 +111,11 @@ class Displacement {
       pushes[group_of(a, b)].correction += stepping.joint_slop + joints_.error(joint, then) +
                                            joints_.error(joint, now) + joints_.linearisation(joint, then, dt) +
                                            joints_.linearisation(joint, now, dt);
+      const double stopped = joints_.passes_limits(joint, then, dt);
+      if (stopped > 0) {
+        pushes[group_of(a, b)].correction += stopped;
+        pushes[group_of(a, b)].touched = true;
+      }
     }
     return pushes;
   }

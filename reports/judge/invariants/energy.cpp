@@ -5,6 +5,7 @@
 
 #include "reports/judge/contacts.h"
 #include "reports/judge/invariant.h"
+#include "reports/judge/joint_geometry.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/rounding.h"
 #include "reports/vec.h"
@@ -17,6 +18,8 @@
 // middle term, which belongs to the method and is no error. H, less the work W done from outside, must never rise by
 // more than
 // - h^2/12 (|dF/dt . v| + |F|^2/m), the next term, which oscillates: twice its largest value, and its range;
+//   Joints exert forces too: what holds a body on circles about its anchors, m sum w^2 r over the joints that hold it
+//   and those that these hang from, turns with w;
 // - F.V h (|d| + lag) at an impact of speed V, noticed `lag` late: the overlap is pushed out against F. In a step whose
 //   velocities change by D, by c more than F explains: h (|d| + lag) min(|F.D|, |F.c|), which is zero in free motion
 //   (c = 0) and at rest (D = 0);
@@ -111,6 +114,12 @@ Balance balance_of(const InvariantContext& context, double drift) {
   const auto& [scene, trace, stepping] = context;
   const auto masses = forces.masses();
   const double nu = trace_rounding(trace, stepping);
+  const JointGeometry joints(scene);
+  std::vector<bool> jointed(scene.bodies.size());
+  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+    const auto [a, b] = joints.bodies(joint);
+    jointed[a] = jointed[b] = true;
+  }
   Balance balance;
   double work = 0;
   double tolerance = 0;
@@ -123,9 +132,12 @@ Balance balance_of(const InvariantContext& context, double drift) {
     const auto states = trace.states(moment);
     const auto wrenches = forces.at(states);
     double power_sum = 0;  // sum F.v + T w
-    double squares = 0;    // sum |F|^2/m
+    double joint_squares = 0;
+    double squares = 0;  // sum |F|^2/m
     double rate = 0;
     double sizes = 0;
+    const double held = joints.acceleration(states, length(scene.gravity));  // m/s^2
+    const double turns = joints.spin(states);                                // rad/s
     const double dt = moment == 0 ? 0 : trace.time(moment) - trace.time(moment - 1);
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Mass& mass = masses[i];
@@ -133,6 +145,10 @@ Balance balance_of(const InvariantContext& context, double drift) {
       const BodyState& now = states[i];
       power_sum += dot(wrenches[i].force, now.velocity) + wrenches[i].torque * now.angular_velocity;
       squares += dot(wrenches[i].force, wrenches[i].force) / mass.mass;
+      if (jointed[i]) {
+        joint_squares += mass.mass * held * held;
+        rate += mass.mass * held * turns * length(now.velocity);
+      }
       if (mass.inertia > 0) squares += wrenches[i].torque * wrenches[i].torque / mass.inertia;
       sizes += mass.mass * dot(now.velocity, now.velocity) +
                mass.inertia * now.angular_velocity * now.angular_velocity +
@@ -157,7 +173,7 @@ Balance balance_of(const InvariantContext& context, double drift) {
     before = wrenches;
     force_rate = std::max(force_rate, rate);
     low = std::min(low, squares);
-    high = std::max(high, squares);
+    high = std::max(high, squares + joint_squares);
     size = std::max(size, sizes);
     balance.modified.push_back(forces.conserved().energy(states).total() + forces.potential(states) +
                                drift * stepping.h * power_sum - work);

@@ -26,7 +26,8 @@
 //   an eighth of what their rates at both ends would change in a step;
 // - the joints' directions, which turn within the step from J0 to J1. The fit takes their mean; whenever within the
 //   step an impulse acts, its direction is off by at most half of J1 - J0, and by an eighth of both rates for the arc.
-//   A method with one solve a step takes J0 or J1 for all impulses, so either may fit better;
+//   A method with one solve a step takes J0 or J1 for all impulses, so either may fit better. The anchors may be apart
+//   by the stated slop, and the impulse may act at either;
 // - damping c, which a first-order method takes from either end: c dt of the change that the damping and the forces
 //   make;
 // - sleep, which stops a body of at most the stated speed;
@@ -198,6 +199,16 @@ class FreeMotion {
     std::vector<double> off;
   };
 
+  // What the stated slop between the anchors changes of the arms on both bodies.
+  double apart(const JointRow& joint) const {
+    double sum = 0;
+    for (const std::size_t body : {joint.a, joint.b}) {
+      const double inertia = forces_.masses()[body].inertia;
+      if (inertia > 0 && joint.direction != Vec{}) sum += context_.stepping.joint_slop / std::sqrt(inertia);
+    }
+    return sum;
+  }
+
   Directions directions_of(const Step& step, const std::vector<std::size_t>& group) const {
     Directions directions;
     for (std::size_t r = 0; r < step.rows_start.size(); ++r) {
@@ -208,7 +219,7 @@ class FreeMotion {
       directions.start.push_back(start);
       directions.end.push_back(end);
       directions.mean.push_back(combined(0.5, start, 0.5, end));
-      directions.off.push_back(combined(1, end, -1, start).size() / 2 +
+      directions.off.push_back(apart(joint) + combined(1, end, -1, start).size() / 2 +
                                (combined(1, row_of(step.rows_ahead[r]), -1, start).size() +
                                 combined(1, end, -1, row_of(step.rows_behind[r])).size()) /
                                    8);

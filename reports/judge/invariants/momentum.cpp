@@ -9,6 +9,7 @@
 
 #include "reports/judge/contacts.h"
 #include "reports/judge/invariant.h"
+#include "reports/judge/joint_geometry.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
@@ -68,8 +69,9 @@ struct Missed {
 // the integrals by the trapezoidal rule over the reported states, which is off by dt^2/12 times the change of the
 // force's slope. A first-order method takes a force at one end of its sub-step: its sums differ from the trapezoids by
 // d h (F(t) - F(0)) and d h (M(t) - M(0)), M = sum r x F + T, with its drift d. The check subtracts that, unless the
-// run is better without. An overlap from an impact is pushed out sideways and takes momentum along: the impulse times
-// the gap, and times the distance moved in a step if the method notices impacts late.
+// run is better without. A first-order method moves the bodies of a joint along the tangents and then puts their places
+// right, which moves their momentum along. An overlap from an impact is pushed out sideways and takes momentum along:
+// the impulse times the gap, and times the distance moved in a step if the method notices impacts late.
 Missed missed_with(const InvariantContext& context, double drift) {
   const auto& [scene, trace, stepping] = context;
   const AppliedForces forces(scene);
@@ -88,11 +90,17 @@ Missed missed_with(const InvariantContext& context, double drift) {
   double angular_size = 0;  // largest sum m r v + I w
   double force_change = 0;  // largest in a step
   double torque_change = 0;
+  const JointGeometry joints(scene);
   std::vector<Wrench> before = forces.at(start);
   for (std::size_t moment = 1; moment < trace.size(); ++moment) {
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);
     const double dt = trace.time(moment) - trace.time(moment - 1);
+    for (std::size_t joint = 0; stepping.order == 1 && joint < joints.size(); ++joint) {
+      const auto [a, b] = joints.bodies(joint);
+      const double tangents = joints.linearisation(joint, then, dt) + joints.linearisation(joint, now, dt);
+      for (const std::size_t body : {a, b}) pushed_out += masses[body].mass * length(now[body].velocity) * tangents;
+    }
     const std::vector<Wrench> after = forces.at(now);
     const TotalWrench was = total_of(before, then);
     const TotalWrench is = total_of(after, now);

@@ -28,8 +28,8 @@ double relative_speed(const BodyState& a, const BodyState& b, double radius_a, d
 // that it approaches before an impact is noticed: lag h V, V the largest relative speed of two of its points in the
 // steps that the lag covers, and in the one after, in which it is measured, and what gravity adds to V until then. How
 // fast a method pushes the pair apart again is not judged, but an overlap that was allowed may only shrink, except for
-// the share of an approach that the stated iterations leave unsolved. The law is tested where the pair touches, or
-// would overlap if both went on for a step.
+// the share of the fastest approach of that step, of any pair, that the stated iterations leave unsolved. The law is
+// tested where the pair touches, or would overlap if both went on for a step.
 std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   if (scene.bodies.size() < 2) return std::nullopt;
@@ -72,20 +72,28 @@ std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
       depth = std::max(depth, pair.depth);
     }
     for (const BodyGap& near : neighbours.in_step(moment)) depths.insert({{near.a, near.b}, 0});
+    std::map<BodyPair, double> late_by;  // m, approached before an impact is noticed
+    double latest = 0;
+    for (const auto& [pair, depth] : depths) {
+      double approach = 0;
+      for (std::size_t i = since; lag > 0 && i <= moment; ++i) {
+        const auto states = trace.states(i);
+        approach = std::max(
+            approach, relative_speed(states[pair.first], states[pair.second], radii[pair.first], radii[pair.second]));
+      }
+      late_by[pair] = lag * (approach + lag * gravity);
+      latest = std::max(latest, late_by[pair]);
+    }
     std::map<BodyPair, double> still_allowed;
     for (const auto& [pair, depth] : depths) {
       const std::size_t a = pair.first;
       const std::size_t b = pair.second;
-      double approach = 0;
-      for (std::size_t i = since; lag > 0 && i <= moment; ++i) {
-        approach = std::max(approach, relative_speed(trace.states(i)[a], trace.states(i)[b], radii[a], radii[b]));
-      }
       const double rounded = farthest[a] + farthest[b] + trace.times().back() / 2 * (fastest[a] + fastest[b]);
       const auto start = at_start.find(pair);
       const auto left = allowed.find(pair);
-      const double late = lag * (approach + lag * gravity);
+      const double late = late_by[pair];
       const double tolerance = std::max(stepping.contact_gap() + (start == at_start.end() ? 0 : start->second) + late,
-                                        left == allowed.end() ? 0 : left->second + unsolved_share(stepping) * late) +
+                                        left == allowed.end() ? 0 : left->second + unsolved_share(stepping) * latest) +
                                nu * rounded;
       const double size = radii[a] > 0 && radii[b] > 0 ? std::min(radii[a], radii[b]) : std::max(radii[a], radii[b]);
       worst.add(depth, tolerance, size, trace.time(moment), [&] { return pair_name(context.scene, a, b); });

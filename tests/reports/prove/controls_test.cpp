@@ -118,11 +118,11 @@ TEST(ProveControls, CountsARightVerdictOnAnotherMotionAsAPass) {
   Engine lenient = *Catalog<Engine>::find("impulse");
   lenient.stepping = [](const Settings&, double step) { return Stepping{.dt = step, .h = step, .epsilon = 1}; };
   const auto turning = [](Scene scene, const Settings& settings) {
-    for (Body& body : scene.bodies) body.angular_velocity += 1;
+    scene.forces.push_back(Constant{.body = 1, .torque = 1});
     return build_ours(scene, settings);
   };
-  const ControlReport report = prove_controls({{.name = "turning", .about = "turns faster", .build = turning}},
-                                              {one_case}, {{&lenient, complete(lenient, {})}}, dt, 1, silent)
+  const ControlReport report = prove_controls({{.name = "turning", .about = "is turned", .build = turning}}, {one_case},
+                                              {{&lenient, complete(lenient, {})}}, dt, 1, silent)
                                    .front();
   EXPECT_GT(report.results[0].runs.at(0).difference, right_share);
   EXPECT_EQ(report.results[0].runs.at(0).unmasking, Unmasking::passes) << text_of(report, true);
