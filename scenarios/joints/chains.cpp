@@ -154,9 +154,9 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Nothing moves. If each hinge lengthens the chain by its slop, the middle sinks by their sum divided by the sine of the
-// smallest slope, which is where the tilts of all planks add up. It does not move sideways because the scene is its own
-// mirror image.
+// Nothing moves. If each hinge lengthens the chain by its slop, the middle sinks by their sum divided by the sine of
+// the smallest slope, which is where the tilts of all planks add up. It does not move sideways because the scene is its
+// own mirror image.
 std::vector<Expectation> expectations(const Parameters& p) {
   const auto chain = catenary(p);
   const double hinges = half(p) + 1;

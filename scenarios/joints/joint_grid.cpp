@@ -41,8 +41,8 @@ Scene scene(const Parameters& p) {
 
 // Hinges on four sides leave the discs only one motion, in which each turns against its neighbours like meshed gears;
 // but the corners do not turn. (The hinges' equations for all velocities have full rank for 2 ... 7 discs per side.) So
-// nothing moves except by its slop in every hinge: a shift of one slop for each hinge on the way from the nearer corner,
-// and a sag like that of a beam whose columns turn by 2 slop/height each, (side/2)^2/2 of those in the middle.
+// nothing moves except by its slop in every hinge: a shift of one slop for each hinge on the way from the nearer
+// corner, and a sag like that of a beam whose columns turn by 2 slop/height each, (side/2)^2/2 of those in the middle.
 std::vector<Expectation> expectations(const Parameters& p) {
   const int side = static_cast<int>(p.at("side"));
   std::vector<Expectation> all;
