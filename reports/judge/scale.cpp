@@ -76,6 +76,16 @@ Scales::Scales(const Scene& scene, const Trace& trace) : scene_(scene), start_(i
   energy_ = energy_range(scene, &trace);
 }
 
+bool Scales::moves() const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (scene_.bodies[i].type != BodyType::dynamic) continue;
+    const BodyScale& one = bodies_[i];
+    if (start_[i].velocity != Vec{} || start_[i].angular_velocity != 0) return true;
+    if (one.displacement > at_rest * one.size || one.turn > at_rest) return true;
+  }
+  return false;
+}
+
 double Scales::of(const Expectation& expectation, double expected) const {
   const std::size_t body = expectation.body.empty() ? 0 : index_of(scene_, expectation.body);
   const BodyScale& scale = bodies_[body];

@@ -29,6 +29,10 @@ class Scales {
   ///   a time, a spread       the expected value itself
   double of(const Expectation&, double expected) const;
 
+  /// Whether a body moves: the scene gives it a velocity, or the truth, or trace, moves it by more than a hundredth of
+  /// its size, or of a radian.
+  bool moves() const;
+
   /// J, of the scene; see energy_range.
   double energy() const { return energy_; }
   /// kg m/s, of the scene: the largest sum of m |v|.

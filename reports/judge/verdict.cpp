@@ -63,24 +63,6 @@ TruthCheck check(const Scene& scene, const Expectation& expectation, const Trace
   return check;
 }
 
-// Whether a body moves: the scene gives it a velocity, or it is ever away from its start by more than a hundredth of
-// its size or of a radian.
-bool moves(const Scene& scene, const Trace& trace) {
-  const std::vector<BodyState> start = initial_states(scene);
-  for (std::size_t i = 0; i < start.size(); ++i) {
-    if (scene.bodies[i].type != BodyType::dynamic) continue;
-    if (start[i].velocity != Vec{} || start[i].angular_velocity != 0) return true;
-    const double radius = bounding_radius(scene.bodies[i]);
-    const double size = radius > 0 ? radius : 1;
-    for (std::size_t moment = 0; moment < trace.size(); ++moment) {
-      const BodyState& state = trace.states(moment)[i];
-      if (length(state.position - start[i].position) > right_share * size) return true;
-      if (std::abs(state.angle - start[i].angle) > right_share) return true;
-    }
-  }
-  return false;
-}
-
 // A run of the scene in which nothing moves, although velocities are those of the start.
 Trace motionless(const Scene& scene) {
   const std::vector<BodyState> start = initial_states(scene);
@@ -149,7 +131,7 @@ std::vector<TruthCheck> check_expectations(const Scene& scene, std::span<const E
                                            const Trace& trace, const Stepping& stepping, const Truth* truth) {
   std::vector<TruthCheck> checks;
   const Scales scales(scene, truth);
-  const bool moving = moves(scene, trace);
+  const bool moving = scales.moves() || Scales(scene, trace).moves();
   const Trace still = motionless(scene);
   for (const Expectation& expectation : expectations) {
     checks.push_back(check(scene, expectation, trace, stepping, truth, scales));

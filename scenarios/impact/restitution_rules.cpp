@@ -55,6 +55,7 @@ const Catalog<Scenario>::Entry entry{
                     {.name = "disc", .value = 0.9, .min = 0, .max = 1, .about = "restitution of the disc"},
                     {.name = "ground", .value = 0.4, .min = 0, .max = 1, .about = "restitution of the ground"}},
      .variants = {{"max", {}}, {"min", {{"rule", 1}}}, {"average", {{"rule", 2}}}, {"product", {{"rule", 3}}}},
+     .closed_form = "first-impact",
      .scene = scene,
      .expectations = expectations,
      .phased = true}};

@@ -19,7 +19,7 @@
 // more than
 // - h^2/12 (|dF/dt . v| + |F|^2/m), the next term, which oscillates: twice its largest value, and its range;
 //   Joints exert forces too: what holds a body on circles about its anchors, m sum w^2 r over the joints that hold it
-//   and those that these hang from, turns with w;
+//   and those that these hang from, turns with w. No w counts that the energy of the scene could not give the body;
 // - F.V h (|d| + lag) at an impact of speed V, noticed `lag` late: the overlap is pushed out against F. In a step whose
 //   velocities change by D, by c more than F explains: h (|d| + lag) min(|F.D|, |F.c|), which is zero in free motion
 //   (c = 0) and at rest (D = 0);
@@ -103,6 +103,20 @@ double load_of(const InvariantContext& context, const AppliedForces& forces) {
   return largest;
 }
 
+// The states with no more speed or spin than an energy, J, gives each body.
+std::vector<BodyState> slowed(std::span<const BodyState> states, std::span<const Mass> masses, double energy) {
+  std::vector<BodyState> all(states.begin(), states.end());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double speed = length(all[i].velocity);
+    const double fastest = masses[i].mass > 0 ? std::sqrt(2 * energy / masses[i].mass) : speed;
+    if (speed > fastest) all[i].velocity = fastest / speed * all[i].velocity;
+    if (masses[i].inertia == 0) continue;
+    const double most = std::sqrt(2 * energy / masses[i].inertia);
+    all[i].angular_velocity = std::clamp(all[i].angular_velocity, -most, most);
+  }
+  return all;
+}
+
 // By moment, J: the modified energy, which must not rise, and by how much it may have risen until then.
 struct Balance {
   std::vector<double> modified, tolerance;
@@ -115,6 +129,7 @@ Balance balance_of(const InvariantContext& context, double drift) {
   const auto masses = forces.masses();
   const double nu = trace_rounding(trace, stepping);
   const JointGeometry joints(scene);
+  const double range = energy_range(scene, nullptr);
   std::vector<bool> jointed(scene.bodies.size());
   for (std::size_t joint = 0; joint < joints.size(); ++joint) {
     const auto [a, b] = joints.bodies(joint);
@@ -136,8 +151,9 @@ Balance balance_of(const InvariantContext& context, double drift) {
     double squares = 0;  // sum |F|^2/m
     double rate = 0;
     double sizes = 0;
-    const double held = joints.acceleration(states, length(scene.gravity));  // m/s^2
-    const double turns = joints.spin(states);                                // rad/s
+    const std::vector<BodyState> possible = slowed(states, masses, range);
+    const double held = joints.acceleration(possible, length(scene.gravity));  // m/s^2
+    const double turns = joints.spin(possible);                                // rad/s
     const double dt = moment == 0 ? 0 : trace.time(moment) - trace.time(moment - 1);
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Mass& mass = masses[i];

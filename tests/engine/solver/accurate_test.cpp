@@ -21,6 +21,39 @@ TEST(Accurate, FallsFreelyAsGalileoSays) {
   EXPECT_NEAR(world.body(id).angle(), 3, bound(1e-9, 1e-5));
 }
 
+// e^(-c t), to second order: half the step, a quarter of the error.
+TEST(Accurate, DampsToSecondOrder) {
+  const auto error = [](double dt) {
+    Settings settings = accurate();
+    settings.dt = real(dt);
+    World world(settings);
+    BodyDef def = at(0, 0, 4, 0, 3);
+    def.gravity_scale = 0;
+    def.linear_damping = real(.8);
+    def.angular_damping = real(1.5);
+    const BodyId id = world.create_body(def, Shape::box(vec(.5, .5)));
+    run(world, static_cast<int>(std::lround(1 / dt)));
+    const Body body = world.body(id);
+    return std::hypot(static_cast<double>(body.velocity().x) - 4 * std::exp(-.8),
+                      static_cast<double>(body.angular_velocity()) - 3 * std::exp(-1.5));
+  };
+  EXPECT_LT(error(1.0 / 60), bound(1e-5, 2e-5));
+  if (sizeof(Real) == sizeof(double)) EXPECT_NEAR(error(1.0 / 30) / error(1.0 / 60), 4, .1);
+}
+
+TEST(Accurate, StopsUnderAnyDampingAndNeverTurnsBack) {
+  World world(accurate());
+  BodyDef def = at(0, 0, 100, 0);
+  def.linear_damping = 10000;
+  const BodyId id = world.create_body(def, Shape::circle(1));
+  for (int i = 0; i < 10; ++i) {
+    world.step();
+    EXPECT_GE(world.body(id).position().x, 0);
+    EXPECT_LE(std::abs(world.body(id).velocity().x), 1);
+  }
+  EXPECT_NEAR(static_cast<double>(world.body(id).velocity().y) * 10000 / -g, 1, bound(1e-9, 1e-3));
+}
+
 TEST(Accurate, SlidesDownASlopeWithCoulombsAcceleration) {
   for (const double degrees : {15.0, 20.0, 35.0}) {
     const double a = degrees * static_cast<double>(pi) / 180;

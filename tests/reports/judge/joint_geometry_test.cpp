@@ -42,6 +42,23 @@ TEST(JointGeometry, MeasuresByHowMuchAJointIsViolated) {
   EXPECT_NEAR(error_at(point, {.position = rotated({2, 0}, 0.3), .angle = 0.3}), 0, 1e-15);
 }
 
+TEST(JointGeometry, HasLimitsThatAreMeasuredFromTheStart) {
+  const Joint limited = Revolute{.a = 0, .b = 1, .limits = AngleLimits{-0.2, 0.1}};
+  const auto turned = [](double angle) { return BodyState{.position = rotated({2, 0}, angle), .angle = angle}; };
+  EXPECT_NEAR(error_at(limited, turned(0.1)), 0, 1e-15);
+  EXPECT_NEAR(error_at(limited, turned(-0.2)), 0, 1e-15);
+  EXPECT_NEAR(error_at(limited, turned(0.15)), 0.05 * 2, 1e-15);
+  EXPECT_NEAR(error_at(limited, turned(-0.3)), 0.1 * 2, 1e-15);
+
+  const Scene scene = joined(limited);
+  std::vector<BodyState> states = initial_states(scene);
+  states[1].angular_velocity = 3;
+  const JointGeometry joints(scene);
+  EXPECT_EQ(joints.rows(states).size(), 3u) << "two for the anchor, one for the limit";
+  EXPECT_DOUBLE_EQ(joints.passes_limits(0, states, 0.01), 0);
+  EXPECT_DOUBLE_EQ(joints.passes_limits(0, states, 0.05), 0.05 * 2);
+}
+
 // A row's impulse does no work on motions that the joint allows: J v = 0.
 TEST(JointGeometry, HasDirectionsThatAllowedMotionsDoNotFollow) {
   const Scene scene = joined(Revolute{.a = 0, .b = 1});

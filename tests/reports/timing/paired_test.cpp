@@ -80,8 +80,8 @@ TEST(TimingShift, ThatIsSignificantButSmallIsNotSlower) {
 }
 
 TEST(TimingShift, NeedsMoreSignificanceAmongMoreCases) {
-  // p = 0.01 is significant among 5 at the level 0.05, but not among 6.
-  const Shift hint{.ratio = 1.1, .p = 0.01, .effect = 0.8};
+  // p = 0.009 is significant among 5 at the level 0.05 (0.01 each), but not among 6 (0.0083).
+  const Shift hint{.ratio = 1.1, .p = 0.009, .effect = 0.8};
   std::vector<Shift> all(5);
   all[2] = hint;
   EXPECT_THAT(slower(all, 0.05, 0.025), ElementsAre(false, false, true, false, false));

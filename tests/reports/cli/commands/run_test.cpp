@@ -14,14 +14,16 @@ using Json = nlohmann::ordered_json;
 
 class RunFile : public SceneFiles {
  protected:
-  // Where the bodies of a run ended, by engine.
+  // Where the bodies of a run ended, by engine, and whether it was wrong. (A file states the tolerances of a
+  // first-order method for all engines, so it may be no evidence of what the catalogue calls right.)
   Json answers(const std::string& scenario, const char* out) const {
     say({"run", scenario, "--out", at(out)});
     const Json report = json(at(out) + "/report.json");
     Json all;
     for (const Json& run : report["runs"]) {
       if (!run["exact"].get<bool>())
-        all[run["engine"].get<std::string>() + run["method"].get<std::string>()] = run["final_pose"];
+        all[run["engine"].get<std::string>() + run["method"].get<std::string>()] = {run["final_pose"],
+                                                                                    run["verdict"] == "wrong"};
     }
     return all;
   }

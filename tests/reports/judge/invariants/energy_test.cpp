@@ -82,6 +82,35 @@ TEST(EnergyInvariant, IsBrokenByExplicitEulerOnASpring) {
 }
 
 // An impact at 1 m/s that is noticed 1 cm late; lifting the box out takes m g v h.
+// Two boxes that turn about a hinge between them, whose energy oscillates by h^2/12 times the squares of the forces
+// that hold them.
+TEST(EnergyInvariant, CountsTheForcesOfJointsAndNotWhatTheyGain) {
+  const auto box = [](const char* name, double x) {
+    return Body{.name = name, .position = {x, 0}, .layers = 0, .shapes = {{Box{}, {.density = 1}}}};
+  };
+  Scene scene{.name = "pair", .duration = 1, .bodies = {box("left", -1), box("right", 1)}};
+  const auto spinning = [](double gain) {
+    Trace trace(2);
+    for (int i = 0; i <= 50; ++i) {
+      const double w = 5 * (1 + gain * i);
+      const Vec place = rotated({1, 0}, 5 * i * h);
+      const Vec velocity{-w * place.y, w * place.x};
+      const std::vector<BodyState> states{{-1 * place, 5 * i * h, -1 * velocity, w}, {place, 5 * i * h, velocity, w}};
+      trace.record(i * h, states, {});
+    }
+    return trace;
+  };
+  for (Body& body : scene.bodies) body.angular_velocity = 5;
+  scene.bodies[0].velocity = {0, -5};
+  scene.bodies[1].velocity = {0, 5};
+  Scene hinged = scene;
+  hinged.joints.push_back(Revolute{.a = 0, .b = 1});
+  EXPECT_EQ(status("energy", hinged, spinning(1e-6), second_order), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, spinning(1e-6), second_order), CheckStatus::broken);
+  EXPECT_EQ(status("energy", hinged, spinning(1e-2), second_order), CheckStatus::broken);
+  EXPECT_EQ(status("energy", hinged, spinning(10), second_order), CheckStatus::broken) << "no matter how fast it gets";
+}
+
 TEST(EnergyInvariant, LetsALateImpactBePushedOut) {
   const Scene scene = box_on_ground(0.5, {0, -10});
   const auto lifted = [](double by) {
