@@ -38,7 +38,9 @@ TEST(Accurate, DampsToSecondOrder) {
                       static_cast<double>(body.angular_velocity()) - 3 * std::exp(-1.5));
   };
   EXPECT_LT(error(1.0 / 60), bound(1e-5, 2e-5));
-  if (sizeof(Real) == sizeof(double)) EXPECT_NEAR(error(1.0 / 30) / error(1.0 / 60), 4, .1);
+  if (sizeof(Real) == sizeof(double)) {
+    EXPECT_NEAR(error(1.0 / 30) / error(1.0 / 60), 4, .1);
+  }
 }
 
 TEST(Accurate, StopsUnderAnyDampingAndNeverTurnsBack) {
@@ -48,7 +50,7 @@ TEST(Accurate, StopsUnderAnyDampingAndNeverTurnsBack) {
   const BodyId id = world.create_body(def, Shape::circle(1));
   for (int i = 0; i < 10; ++i) {
     world.step();
-    EXPECT_GE(world.body(id).position().x, 0);
+    EXPECT_GE(world.body(id).position().x, -bound(1e-15, 1e-7)) << "but for the rounding of a step at 100 m/s";
     EXPECT_LE(std::abs(world.body(id).velocity().x), 1);
   }
   EXPECT_NEAR(static_cast<double>(world.body(id).velocity().y) * 10000 / -g, 1, bound(1e-9, 1e-3));
