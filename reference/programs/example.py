@@ -19,11 +19,15 @@ class World:
         self.touching = []
 
     def add(self, body, mass, inertia):
-        if body.get("type") == "kinematic" or body.get("linearDamping") or body.get("angularDamping"):
-            raise NotSupported("no kinematic bodies and no damping")
+        unknown = set(body) - {"name", "type", "position", "angle", "velocity", "angularVelocity", "gravityScale",
+                               "shapes"}
+        if unknown or body.get("type") == "kinematic":
+            raise NotSupported("no " + ", ".join(sorted(unknown) or ["kinematic bodies"]))
         if len(body["shapes"]) != 1:
             raise NotSupported("one shape a body")
         shape = body["shapes"][0]
+        if isinstance(shape.get("friction"), dict):
+            raise NotSupported("one coefficient of friction")
         fixed = body.get("type") == "static"
         (x, y), angle = body.get("position", [0, 0]), body.get("angle", 0)
         index = len(self.bodies)

@@ -24,7 +24,7 @@ namespace plumb {
 namespace {
 
 constexpr int poll_interval = 50;                          // ms, after which limits are looked at again
-constexpr std::size_t longest_line = 64 * 1024 * 1024;     // bytes; 5,000 bodies take 1 MiB
+constexpr std::size_t longest_line = 16 * 1024 * 1024;     // bytes; 5,000 bodies take 1 MiB
 constexpr std::size_t kept_log = 2000;                     // bytes
 constexpr std::size_t log_lines = 5;                       // of them, shown
 constexpr std::chrono::milliseconds patience_at_end{200};  // until a program that was asked to end is killed
@@ -176,7 +176,7 @@ std::string LineProcess::receive(const ProgramLimits& limits) {
       return line;
     }
     searched_ = answers_.size();
-    if (searched_ > longest_line) throw failure("it answered a line of more than 64 MiB");
+    if (searched_ > longest_line) throw failure("it answered a line of more than 16 MiB");
     exchange({}, limits, since);
   }
 }

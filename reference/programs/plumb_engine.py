@@ -24,16 +24,16 @@ def serve(hello, stepping, build):
         lines.write(json.dumps(value, allow_nan=False) + "\n")
         lines.flush()
 
-    def step(dt):
+    def step(number, dt):
         began = time.perf_counter_ns()
         world.step(dt)
         spent = time.perf_counter_ns() - began
-        told = {"states": world.states(), "ns": spent}
+        told = {"step": number, "states": world.states(), "ns": spent}
         if hasattr(world, "contacts"):
             told["contacts"] = world.contacts()
         return told
 
-    world = None
+    world, steps = None, 0
     for line in sys.stdin:
         ask = json.loads(line)
         if "hello" in ask:
@@ -43,13 +43,14 @@ def serve(hello, stepping, build):
         elif "build" in ask:
             wanted = ask["build"]
             try:
-                world = build(wanted["scene"], wanted["masses"], wanted["options"])
+                world, steps = build(wanted["scene"], wanted["masses"], wanted["options"]), 0
                 answer({"states": world.states()})
             except NotSupported as reason:
                 answer({"notSupported": str(reason)})
         elif "step" in ask:
             for _ in range(ask["step"]["count"]):
-                answer(step(ask["step"]["dt"]))
+                steps += 1
+                answer(step(steps, ask["step"]["dt"]))
         elif "end" in ask:
             return
         else:

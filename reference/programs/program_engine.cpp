@@ -142,7 +142,7 @@ class ProgramSimulation : public Simulation {
     failed_ = true;
     const std::string answer = process_->receive(limits_);
     try {
-      now_ = protocol::read_step(answer, bodies_);
+      now_ = protocol::read_step(answer, bodies_, ++steps_);
     } catch (const std::invalid_argument& error) {
       throw process_->failure(error.what());
     }
@@ -182,6 +182,7 @@ class ProgramSimulation : public Simulation {
   std::unique_ptr<LineProcess> process_;
   ProgramLimits limits_;
   std::size_t bodies_;
+  std::size_t steps_ = 0;  // since the build
   Answer now_;
   double announced_ = 0;   // s, the length of steps to come
   std::size_t ahead_ = 0;  // of them, not yet asked for

@@ -190,11 +190,12 @@ Answer read_build(std::string_view answer, std::size_t bodies) {
 
 std::string ask_steps(std::size_t count, double dt) { return Json{{"step", {{"count", count}, {"dt", dt}}}}.dump(); }
 
-Answer read_step(std::string_view answer, std::size_t bodies) {
+Answer read_step(std::string_view answer, std::size_t bodies, std::size_t number) {
   const nlohmann::json json = parsed(answer);
   const JsonReader in(json, place);
   check_error(in);
-  in.object({"states", "ns"}, {"contacts"});
+  in.object({"step", "states", "ns"}, {"contacts"});
+  if (in["step"].number(any_number) != static_cast<double>(number)) in["step"].expected(std::to_string(number));
   Answer read{.refusal = "", .states = read_states(in["states"], bodies), .contacts = {}};
   if (in.has("contacts")) read.contacts = read_contacts(in["contacts"], bodies);
   read.seconds = in["ns"].number(not_negative) * 1e-9;

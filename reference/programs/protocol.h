@@ -41,9 +41,9 @@ struct Answer {
 
 Answer read_build(std::string_view answer, std::size_t bodies);
 
-/// That many steps of dt seconds, each with an answer of its own.
+/// That many steps of dt seconds, each with an answer of its own, which bears the number of the step since the build.
 std::string ask_steps(std::size_t count, double dt);
-Answer read_step(std::string_view answer, std::size_t bodies);
+Answer read_step(std::string_view answer, std::size_t bodies, std::size_t number);
 
 std::string ask_end();
 

@@ -77,6 +77,7 @@ Outcome run_observed(const Scene& scene, const EngineConfig& config, double dt, 
       outcome.status = Status::not_supported;
       return outcome;
     }
+    config.engine->stepping(config.settings, dt);  // a program may fail to say it, which must end no more than this run
     const auto simulation = config.engine->build(scene, config.settings);
     Readout readout(scene);
     step_to_end(scene, *simulation, dt, first_step, readout, make_observer(outcome, *simulation, readout), outcome);

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "reference/programs/program_engine.h"
+#include "reports/engines/installed.h"
 #include "reports/run/scene_file.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"
@@ -109,6 +111,15 @@ EngineConfig configured(const Engine& engine, std::string_view words) {
   return {&engine, complete(engine, settings)};
 }
 
+// The command of an engine that `plumb engine add` installs; nullopt for other names.
+std::optional<std::string> command_of_packaged(const std::string& name) {
+  const auto packaged = packaged_engines();
+  if (std::ranges::none_of(packaged, [&](const PackagedEngine& one) { return one.name == name; })) return std::nullopt;
+  const auto command = command_of_installed(name, engines_folder());
+  if (command) return command;
+  throw std::invalid_argument(fmt::format("\"{0}\" is not installed, or out of date: plumb engine add {0}", name));
+}
+
 // "COMMAND", or "COMMAND:key=value,...". Commands may contain colons; what follows the last one are settings if it has
 // no space or slash, but an =.
 EngineConfig parse_program(std::string_view word) {
@@ -179,6 +190,7 @@ EngineConfig parse_engine(std::string_view word) {
   if (closed_form != nullptr && closed_form->exact) {
     throw std::invalid_argument("\"" + name + "\" is a closed form, not an engine; its scenarios always include it");
   }
+  if (const auto command = command_of_packaged(name)) return configured(engine_of_program(*command), rest);
   const Engine& engine = find_entry<Engine>("engine", name, [](const Engine& offered) { return !offered.exact; });
   return configured(engine, rest);
 }
