@@ -1,5 +1,5 @@
 #!/bin/sh
-# An engine of one body that does not move, and misbehaves as its argument says. It counts its processes' asks by lines.
+# An engine of one body that does not move, and misbehaves as its argument says.
 fault=$1
 state='[0,5,0,0,0,0]'
 hello='{"plumb-engine":1,"name":"faulty","version":"1","options":[{"key":"knob","value":"1","about":"nothing","min":0,"max":2}]}'
@@ -62,6 +62,7 @@ while read -r ask; do
         *) say "$stepping" ;;
       esac ;;
     *'"build"'*)
+      number=0
       case $fault in
         crashes-in-build) kill -SEGV $$ ;;
         refuses) say '{"notSupported":"too round"}' ;;
