@@ -28,10 +28,10 @@ constexpr double dt = 1.0 / 60;  // s
 constexpr int steps = 60;
 
 Body disc(std::string name, Vec position) {
-  return {.name = std::move(name), .position = position, .shapes = {{Circle{}, {1, 0.5, 0.5, 0}}}};
+  return {.name = std::move(name), .position = position, .shapes = {{Circle{}, {1, 0, 0, 0}}}};
 }
 
-Body ground() { return {.name = "ground", .type = BodyType::fixed, .shapes = {{HalfSpace{}, {1, 0.5, 0.5, 0}}}}; }
+Body ground() { return {.name = "ground", .type = BodyType::fixed, .shapes = {{HalfSpace{}, {1, 0, 0, 0}}}}; }
 
 Scene scene_of(std::vector<Body> bodies) {
   return {.name = "conformance", .gravity = {0, -g}, .duration = 1, .bodies = std::move(bodies)};
@@ -62,7 +62,7 @@ std::vector<std::pair<std::string, Scene>> features() {
     change(changed);
     all.emplace_back(name, scene_of({ground(), changed}));
   };
-  body("several shapes a body", [](Body& it) { it.shapes.push_back({Circle{0.5, {1, 0}}, {2, 0.5, 0.5, 0}}); });
+  body("several shapes a body", [](Body& it) { it.shapes.push_back({Circle{0.5, {1, 0}}, {2, 0, 0, 0}}); });
   body("kinematic bodies", [](Body& it) { it.type = BodyType::kinematic; });
   body("fixed rotation", [](Body& it) { it.fixed_rotation = true; });
   body("gravity scale", [](Body& it) { it.gravity_scale = 0.5; });
