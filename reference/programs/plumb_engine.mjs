@@ -18,6 +18,7 @@ process.stdout.write = process.stderr.write.bind(process.stderr); // what the en
  */
 export function serve(hello, stepping, build) {
   let world;
+  let steps = 0; // since the build
   let text = '';
   let flushed = Date.now();
   const flush = () => (text && write(text), (text = ''), (flushed = Date.now()));
@@ -29,7 +30,7 @@ export function serve(hello, stepping, build) {
     const began = process.hrtime.bigint();
     world.step(dt);
     const ns = Number(process.hrtime.bigint() - began);
-    answer({ states: world.states(), ns, ...(world.contacts && { contacts: world.contacts() }) });
+    answer({ step: ++steps, states: world.states(), ns, ...(world.contacts && { contacts: world.contacts() }) });
   };
   const asked = {
     hello: () => answer({ 'plumb-engine': 1, ...hello }),
@@ -37,6 +38,7 @@ export function serve(hello, stepping, build) {
     build: ({ scene, masses, options }) => {
       world?.free?.();
       world = undefined;
+      steps = 0;
       try {
         answer({ states: (world = build(scene, masses, options)).states() });
       } catch (error) {
@@ -51,7 +53,10 @@ export function serve(hello, stepping, build) {
   process.stdin.setEncoding('utf8').on('data', (chunk) => {
     const lines = (rest + chunk).split('\n');
     rest = lines.pop();
-    for (const ask of lines.map((line) => Object.entries(JSON.parse(line))[0])) asked[ask[0]](ask[1]);
+    for (const ask of lines.map((line) => Object.entries(JSON.parse(line))[0])) {
+      if (asked[ask[0]]) asked[ask[0]](ask[1]);
+      else answer({ error: `unknown ask: ${ask[0]}` });
+    }
     flush();
   });
 }
