@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,6 +39,10 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
   virtual ~Simulation() = default;
 
+  /// Says that the next `steps` steps will last dt seconds each. It changes no result; an engine that is a program of
+  /// its own can compute them while their states are read.
+  virtual void announce(double /*dt*/, std::size_t /*steps*/) {}
+
   /// Advances by dt seconds. The only call that is ever timed. Throws std::domain_error with the reason if the scene
   /// turns out to be beyond the engine: that is reported as *not supported*, not as a failure.
   virtual void step(double dt) = 0;
@@ -47,6 +52,10 @@ class Simulation {
 
   /// Appends the contacts of the last step; nothing if the engine does not report contacts.
   virtual void read_contacts(std::vector<ContactState>&) const {}
+
+  /// Seconds that all steps so far took by the engine's own clock, for an engine whose calls cost more than its steps:
+  /// a program of its own. nullopt: the time of the calls counts.
+  virtual std::optional<double> seconds_stepped() const { return std::nullopt; }
 
   /// Seconds from the start until which the solution is valid, infinite by default. A closed form may end at the second
   /// impact, for example.

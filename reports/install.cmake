@@ -27,7 +27,7 @@ endfunction()
 get_property(adapters GLOBAL PROPERTY PLUMB_ADAPTERS)
 get_property(engines GLOBAL PROPERTY PLUMB_ENGINES)
 add_part(scenarios OBJECTS plumb_scenarios USES nlohmann_json::nlohmann_json)
-add_part(reference OBJECTS plumb_reference ${adapters} USES plumb::scenarios ${engines}
+add_part(reference OBJECTS plumb_reference ${adapters} USES plumb::scenarios fmt::fmt ${engines}
   $<LINK_LIBRARY:WHOLE_ARCHIVE,impulse::impulse_archive,impulse::impulse_double_archive,impulse::impulse_methods_archive,impulse::impulse_methods_double_archive> Threads::Threads)
 add_part(reports OBJECTS plumb_reports plumb_page USES plumb::reference CLI11::CLI11 fmt::fmt OpenSSL::Crypto SQLite::SQLite3 ZLIB::ZLIB)
 add_part(main OBJECTS plumb_main USES plumb::reports)

@@ -47,9 +47,11 @@ void step_to_end(const Scene& scene, Simulation& simulation, double dt, double f
     if (time > valid) return;
     const double step = cut && (i == 1 || i == steps) ? time - outcome.time : dt;
     outcome.time = time;
+    if (i == (cut ? 2U : 1U)) simulation.announce(dt, steps - (cut ? 2 : 0));
     const Stopwatch in_step;
     simulation.step(step);
     outcome.stepping += in_step.seconds();
+    if (const auto own = simulation.seconds_stepped()) outcome.stepping = *own;
 
     const std::span<const BodyState> states = readout.states(simulation);
     const auto lost = std::find_if_not(states.begin(), states.end(), sane);
@@ -75,6 +77,7 @@ Outcome run_observed(const Scene& scene, const EngineConfig& config, double dt, 
       outcome.status = Status::not_supported;
       return outcome;
     }
+    config.engine->stepping(config.settings, dt);  // a program may fail to say it, which must end no more than this run
     const auto simulation = config.engine->build(scene, config.settings);
     Readout readout(scene);
     step_to_end(scene, *simulation, dt, first_step, readout, make_observer(outcome, *simulation, readout), outcome);

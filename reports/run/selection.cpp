@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "reference/programs/program_engine.h"
+#include "reports/engines/installed.h"
 #include "reports/run/scene_file.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"
@@ -99,6 +102,35 @@ std::vector<Case> all_variants(const Scenario& scenario) {
   return cases;
 }
 
+EngineConfig configured(const Engine& engine, std::string_view words) {
+  Settings settings;
+  for (const std::string& piece : split_at_commas(words)) {
+    const auto [key, value] = parse_setting(engine, piece);
+    settings[key] = value;
+  }
+  return {&engine, complete(engine, settings)};
+}
+
+// The command of an engine that `plumb engine add` installs; nullopt for other names.
+std::optional<std::string> command_of_packaged(const std::string& name) {
+  const auto packaged = packaged_engines();
+  if (std::ranges::none_of(packaged, [&](const PackagedEngine& one) { return one.name == name; })) return std::nullopt;
+  const auto command = command_of_installed(name, engines_folder());
+  if (command) return command;
+  throw std::invalid_argument(fmt::format("\"{0}\" is not installed, or out of date: plumb engine add {0}", name));
+}
+
+// "COMMAND", or "COMMAND:key=value,...". Commands may contain colons; what follows the last one are settings if it has
+// no space or slash, but an =.
+EngineConfig parse_program(std::string_view word) {
+  const std::size_t colon = word.rfind(':');
+  const std::string_view last = colon == std::string_view::npos ? std::string_view{} : word.substr(colon + 1);
+  const bool has_settings =
+      last.find('=') != std::string_view::npos && last.find_first_of(" /") == std::string_view::npos;
+  const Engine& engine = engine_of_program(std::string(has_settings ? word.substr(0, colon) : word));
+  return configured(engine, has_settings ? last : std::string_view{});
+}
+
 }  // namespace
 
 double parse_number(std::string_view what, std::string_view text) {
@@ -152,18 +184,15 @@ std::vector<Case> default_cases(bool all) {
 }
 
 EngineConfig parse_engine(std::string_view word) {
+  if (word.starts_with(program_prefix)) return parse_program(word.substr(program_prefix.size()));
   const auto [name, rest] = split(word, ':');
   const Engine* closed_form = Catalog<Engine>::find(name);
   if (closed_form != nullptr && closed_form->exact) {
     throw std::invalid_argument("\"" + name + "\" is a closed form, not an engine; its scenarios always include it");
   }
+  if (const auto command = command_of_packaged(name)) return configured(engine_of_program(*command), rest);
   const Engine& engine = find_entry<Engine>("engine", name, [](const Engine& offered) { return !offered.exact; });
-  Settings settings;
-  for (const std::string& piece : split_at_commas(rest)) {
-    const auto [key, value] = parse_setting(engine, piece);
-    settings[key] = value;
-  }
-  return {&engine, complete(engine, settings)};
+  return configured(engine, rest);
 }
 
 std::vector<EngineConfig> default_engines() {

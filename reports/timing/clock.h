@@ -34,7 +34,8 @@ struct Elapsed {
   double cpu = 0;   // s; 0 for CpuClock::none
 };
 
-/// The time of that many steps of dt seconds. Nothing but `step` is between the clock readings.
+/// The time of that many steps of dt seconds. Nothing but `step` is between the clock readings; of an engine that has a
+/// clock of its own, what that says.
 Elapsed time_steps(Simulation&, double dt, std::size_t steps, CpuClock);
 
 /// The wall time of all steps of one run, in s: the mean over as many runs, each from its initial state, as take

@@ -1,14 +1,20 @@
 // What every adapter must satisfy. Each test runs for every engine that is not a closed form, with its default settings
-// and with every other solver, broad phase and precision that it offers.
+// and with every other solver, broad phase and precision that it offers; and for every program of
+// reference/programs/npm that is installed in the folder that the environment variable PLUMB_ENGINES_DIR names.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "reference/programs/program_engine.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
 
@@ -41,6 +47,7 @@ Scene scene_of(std::vector<Body> bodies) {
   scene.gravity = {0, -g};
   scene.duration = 2;
   scene.bodies = std::move(bodies);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) scene.bodies[i].name += " " + std::to_string(i);
   return scene;
 }
 
@@ -56,9 +63,24 @@ void PrintTo(const TestedEngine& config, std::ostream* out) {
 
 class EveryEngine : public testing::TestWithParam<TestedEngine> {
  protected:
-  const Engine& engine() const { return *Catalog<Engine>::find(GetParam().name); }
+  const Engine& engine() const {
+    const Engine* const built_in = Catalog<Engine>::find(GetParam().name);
+    return built_in != nullptr ? *built_in : engine_of_program(GetParam().name);
+  }
   Stepping stated() const { return engine().stepping(GetParam().settings, dt); }
-  std::string refusal(const Scene& scene) const { return engine().unsupported(scene, GetParam().settings); }
+  // A program is only asked when it builds, and never of a scene that cannot be written.
+  std::string refusal(const Scene& scene) const {
+    std::string reason = engine().unsupported(scene, GetParam().settings);
+    if (!reason.empty()) return reason;
+    try {
+      engine().build(scene, GetParam().settings);
+    } catch (const std::domain_error& error) {
+      return error.what();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  }
 
   std::unique_ptr<Simulation> after(const Scene& scene, int steps) const {
     std::unique_ptr<Simulation> simulation = engine().build(scene, GetParam().settings);
@@ -407,8 +429,23 @@ std::vector<TestedEngine> configs() {
   return all;
 }
 
+// Commands of the programs that are installed.
+std::vector<TestedEngine> installed() {
+  std::vector<TestedEngine> all;
+  const char* const folder = std::getenv("PLUMB_ENGINES_DIR");
+  if (folder == nullptr) return all;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path adapter = entry.path() / "adapter.mjs";
+    if (std::filesystem::exists(adapter)) all.push_back({"node " + adapter.string(), {}});
+  }
+  std::ranges::sort(all, {}, &TestedEngine::name);
+  return all;
+}
+
 std::string test_name(const testing::TestParamInfo<TestedEngine>& info) {
   std::string name = testing::PrintToString(info.param);
+  const std::size_t adapter = name.find("/adapter.mjs");
+  if (adapter != std::string::npos) name = name.substr(name.rfind('/', adapter - 1) + 1, adapter);
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
@@ -416,6 +453,14 @@ std::string test_name(const testing::TestParamInfo<TestedEngine>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Adapters, EveryEngine, testing::ValuesIn(configs()), test_name);
+INSTANTIATE_TEST_SUITE_P(Programs, EveryEngine, testing::ValuesIn(installed()), test_name);
+
+TEST(Programs, AreInstalled) {
+  if (installed().empty()) {
+    GTEST_SKIP() << "no programs are tested: PLUMB_ENGINES_DIR names no folder with a sub-folder for each engine "
+                    "(adapter.mjs, plumb_engine.mjs, node_modules)";
+  }
+}
 
 }  // namespace
 }  // namespace plumb::every_engine_test

@@ -63,3 +63,25 @@ test('the schema refuses what the reader refuses, as far as a schema can', async
     assert.equal(is_scene(scene), row.beyondSchema === true, JSON.stringify(row));
   }
 });
+
+// Every line that the example of Python 3 exchanges with `plumb engine check` would do too; these are one of each kind.
+test('the schema of the protocol takes what it describes and nothing else', async () => {
+  const is_line = await validator('reference/programs/engine.schema.json');
+  const state = [0, 1, 0, 0, 0, 0];
+  const lines = [
+    {hello: 1},
+    {'plumb-engine': 1, name: 'mine', version: '1', options: [{key: 'n', value: '1', about: 'iterations', min: 1, max: 9}]},
+    {stepping: {dt: 0.1, options: {n: '1'}}},
+    {stepping: {arithmetic: 'float', substep: 0.01, drift: 0.5, order: 1}},
+    {build: {scene: {}, masses: [[1, 1, 0, 0]], options: {}}},
+    {states: [state]},
+    {notSupported: 'no joints'},
+    {step: {count: 3, dt: 0.1}},
+    {step: 1, states: [state], ns: 100, contacts: [[0, 1, 0, 0, 0, 1, 2, 0, -0.1]]},
+    {error: 'unknown ask'},
+    {end: true},
+  ];
+  for (const line of lines) assert.ok(is_line(line), `${JSON.stringify(line)}: ${JSON.stringify(is_line.errors)}`);
+  const wrong = [{}, {hello: 2}, {states: [[0, 1]]}, {step: 1, states: [state]}, {stepping: {skin: 1}}, {end: false}, {'plumb-engine': 1, name: 'my engine', version: '1'}];
+  for (const line of wrong) assert.ok(!is_line(line), JSON.stringify(line));
+});

@@ -1,0 +1,205 @@
+// What this engine does differently (sources: github.com/dimforge/rapier, src/dynamics, of version 0.35)
+// - Float arithmetic. Each step is split into 4 sub-steps (option `substeps`, its numSolverIterations) of symplectic
+//   Euler; free fall is off by +g t h/2, h being the length of a sub-step. Forces are constant over a step.
+// - Contacts are damped springs of 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (integration_parameters.rs): they
+//   do not converge with the step. Nothing of an overlap is left alone.
+// - Collisions are found once a step, a little ahead; continuous collision against fixed bodies.
+// - Restitution acts once, at the end of a step, on contacts that carried nothing in the step before; those of 1 always.
+// - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
+// - Damping c divides velocities by 1 + c dt (rigid_body_components.rs), while the scene means e^(-c dt).
+// - Nothing moves faster than 400 m/s.
+// - It mixes coefficients by four rules. Of sqrt(a) and sqrt(b) the product is the geometric mean; sqrt(a^2 + b^2) it
+//   can only be given if it is the same for all pairs.
+// - It has 16 layers. Ropes hold no thrust, so that there are no rigid rods; springs are implicit and lose energy.
+// - One axis serves both bodies of a sliding joint, which must have the same angle.
+// - Contact impulses are sums over the step. A half-space is one.
+// - Sleeping is off by default.
+import RAPIER from '@dimforge/rapier2d-compat';
+import { NotSupported, centered, corners, mixed, plus, serve, turned, unwound } from './plumb_engine.mjs';
+
+const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
+const { RigidBodyDesc, ColliderDesc, JointData, CoefficientCombineRule: Rule } = RAPIER;
+const at = ([x, y]) => ({ x, y });
+
+class World {
+  constructor(scene, options) {
+    this.world = new RAPIER.World(at(scene.gravity));
+    this.world.numSolverIterations = Number(options.substeps);
+    this.world.numInternalPgsIterations = Number(options.iterations);
+    this.world.maxCcdSubsteps = options.continuous === 'on' ? 1 : 0;
+    this.loads = scene.loads;
+    this.owners = new Map();
+    this.angles = scene.bodies.map(({ angle }) => angle);
+    this.sinceRead = 0;
+    this.mix = mixingOf(scene);
+    this.layers = layersOf(scene);
+    this.bodies = scene.bodies.map((body) => this.add(body, options.sleep === 'on'));
+    for (const joint of scene.joints) this.join(joint, scene);
+  }
+
+  add(body, sleeps) {
+    const kinds = { static: 'fixed', kinematic: 'kinematicVelocityBased', dynamic: 'dynamic' };
+    const desc = RigidBodyDesc[kinds[body.type]]()
+      .setTranslation(...body.position).setRotation(body.angle)
+      .setLinvel(...body.velocity).setAngvel(body.angularVelocity)
+      .setGravityScale(body.gravityScale).setCanSleep(sleeps).setCcdEnabled(body.bullet)
+      .setLinearDamping(body.linearDamping).setAngularDamping(body.angularDamping);
+    if (body.type === 'dynamic') desc.setAdditionalMassProperties(body.mass, { x: 0, y: 0 }, body.inertia);
+    if (body.fixedRotation) desc.lockRotations();
+    const made = this.world.createRigidBody(desc);
+    for (const shape of body.shapes) {
+      const collider = colliderOf(shape).setDensity(0).setCollisionGroups(this.layers(body.layers));
+      this.mix(collider, shape);
+      this.owners.set(this.world.createCollider(collider, made).handle, body.index);
+    }
+    return made;
+  }
+
+  join(joint, scene) {
+    const pair = joint.bodies.map((i) => scene.bodies[i]);
+    const local = (k, point) => at(turned(plus(point, pair[k].position, -1), -pair[k].angle));
+    const anchors = [0, 1].map((k) => local(k, joint.anchors?.[k] ?? joint.anchor));
+    const start = pair[1].angle - pair[0].angle;
+    const limits = joint.limits?.map((angle) => angle + start);
+    if (limits?.some((angle) => Math.abs(angle) >= Math.PI)) throw new NotSupported('limits hinges to half a turn');
+    const kinds = {
+      revolute: () => JointData.revolute(...anchors),
+      weld: () => JointData.fixed(anchors[0], -pair[0].angle, anchors[1], -pair[1].angle),
+      prismatic: () => JointData.prismatic(...anchors, at(turned(joint.axis, -pair[0].angle))),
+      distance: () => JointData.spring(joint.length, joint.stiffness, joint.damping ?? 0, ...anchors),
+    };
+    if (joint.type === 'distance' && !joint.stiffness) throw new NotSupported('has ropes, but no rigid rods');
+    if (joint.type === 'prismatic' && start) throw new NotSupported('has one sliding axis for two bodies turned apart');
+    const [a, b] = joint.bodies.map((i) => this.bodies[i]);
+    const made = this.world.createImpulseJoint(kinds[joint.type](), a, b, true);
+    made.setContactsEnabled(false);
+    if (limits) made.setLimits(...limits);
+  }
+
+  step(dt) {
+    this.world.timestep = dt;
+    if (this.loads) this.exert();
+    this.world.step();
+    this.sinceRead += dt;
+  }
+
+  exert() {
+    this.loads(this.states()).forEach(([x, y, torque], i) => {
+      this.bodies[i].resetForces(true);
+      this.bodies[i].resetTorques(true);
+      this.bodies[i].addForce({ x, y }, true);
+      this.bodies[i].addTorque(torque, true);
+    });
+  }
+
+  states() {
+    const states = this.bodies.map((body, i) => {
+      const { x, y } = body.translation();
+      const velocity = body.linvel();
+      const w = body.angvel();
+      this.angles[i] = unwound(body.rotation(), this.angles[i] + w * this.sinceRead);
+      return [x, y, this.angles[i], velocity.x, velocity.y, w];
+    });
+    this.sinceRead = 0;
+    return states;
+  }
+
+  contacts() {
+    const all = [];
+    this.world.forEachCollider((one) => this.world.contactPairsWith(one, (other) =>
+      this.world.contactPair(one, other, (manifold, flipped) => flipped || this.tell(manifold, one, other, all))));
+    return all; // both colliders of a pair list it: it is told from its first
+  }
+
+  tell(manifold, one, other, all) {
+    const { x, y } = manifold.normal();
+    for (let i = 0; i < manifold.numContacts(); ++i) {
+      const on = (collider, { x, y }) => {
+        const origin = collider.translation();
+        return plus(turned([x, y], collider.rotation()), [origin.x, origin.y]);
+      };
+      const a = on(one, manifold.localContactPoint1(i));
+      const b = on(other, manifold.localContactPoint2(i));
+      const middle = plus(a, b).map((part) => part / 2);
+      const gap = (b[0] - a[0]) * x + (b[1] - a[1]) * y;
+      all.push([this.owners.get(one.handle), this.owners.get(other.handle), ...middle, x, y,
+                manifold.contactImpulse(i), manifold.contactTangentImpulse(i), gap]);
+    }
+  }
+
+  free() {
+    this.world.free();
+  }
+}
+
+function colliderOf(shape) {
+  const points = () => Float32Array.from(corners(shape).flat());
+  const [dx, dy] = shape.to ? plus(shape.to, shape.from, -1) : [0, 0];
+  const kinds = {
+    circle: () => ColliderDesc.ball(shape.radius).setTranslation(...shape.center),
+    box: () => ColliderDesc.cuboid(shape.size[0] / 2, shape.size[1] / 2)
+      .setTranslation(...shape.center).setRotation(shape.angle ?? 0),
+    polygon: () => ColliderDesc.convexPolyline(points()),
+    capsule: () => ColliderDesc.capsule(Math.hypot(dx, dy) / 2, shape.radius)
+      .setTranslation(...plus(shape.from, [dx / 2, dy / 2])).setRotation(Math.atan2(-dx, dy)),
+    segment: () => ColliderDesc.segment(at(shape.from), at(shape.to)),
+    halfspace: () => ColliderDesc.halfspace(at(shape.normal))
+      .setTranslation(...shape.normal.map((part) => part * shape.offset)),
+  };
+  const made = kinds[shape.type]();
+  if (!made) throw new NotSupported('takes a polygon to have no inside');
+  return made;
+}
+
+// Gives a collider coefficients and rules that make the scene's of each pair.
+function mixingOf({ bodies, mixing }) {
+  const rules = { average: Rule.Average, min: Rule.Min, multiply: Rule.Multiply, max: Rule.Max };
+  let rule = rules[mixing.friction];
+  let own = (friction) => friction;
+  if (mixing.friction === 'geometric') [rule, own] = [Rule.Multiply, Math.sqrt];
+  if (mixing.friction === 'pythagorean') {
+    const meet = (a, b) => a.index < b.index && (a.type === 'dynamic' || b.type === 'dynamic') && a.layers & b.layers;
+    const pairs = bodies.flatMap((a) => bodies.filter((b) => meet(a, b)).flatMap((b) => a.shapes.flatMap((one) =>
+      b.shapes.map((other) => mixed.pythagorean(one.friction, other.friction)))));
+    if (new Set(pairs).size > 1) throw new NotSupported('cannot mix friction by sqrt(a^2 + b^2)');
+    [rule, own] = [Rule.Min, () => pairs[0] ?? 0];
+  }
+  return (collider, { friction, restitution }) => collider
+    .setFriction(own(friction)).setFrictionCombineRule(rule)
+    .setRestitution(restitution).setRestitutionCombineRule(rules[mixing.restitution]);
+}
+
+// Of 32 layers those count that differ in which bodies are on them.
+function layersOf({ bodies }) {
+  const has = (layers, bit) => (layers >>> bit) & 1;
+  const bits = new Map();
+  for (let bit = 0; bit < 32; ++bit) bits.set(bodies.map(({ layers }) => has(layers, bit)).join(''), bit);
+  if (bits.size > 16) throw new NotSupported('has 16 layers');
+  return (layers) => [...bits.values()].reduce((groups, bit, k) => groups | (has(layers, bit) * (0x10001 << k)), 0);
+}
+
+// As for Box2D 3, whose method this is. Contacts rest where their spring bears the load, 2.5 g/w^2 deep for a square on
+// its like (two corners, each with half the weight and an effective mass of m/5). A joint falls for one sub-step before
+// it is pulled back. Forces are constant over the sub-steps of a step, so that a spring gains energy at any step but
+// with one sub-step.
+function stepping({ substeps, iterations, sleep }, dt) {
+  const h = dt / Number(substeps);
+  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: Number(substeps),
+           slop: (2.5 * GRAVITY) / (2 * Math.PI * 30) ** 2, jointSlop: GRAVITY * h * h, iterations: Number(iterations),
+           wholeImpulses: sleep === 'off', springLimit: Number(substeps) === 1 ? 2 : 0 };
+}
+
+await RAPIER.init();
+const choice = (key, value, on, off, about) =>
+  ({ key, value, about, choices: [{ value: 'on', about: on }, { value: 'off', about: off }] });
+serve({
+  name: 'rapier', version: RAPIER.version(), language: 'Rust, as WebAssembly',
+  about: 'Rapier 2D: soft contacts in sub-steps, float', source: '@dimforge/rapier2d-compat, Dimforge, rapier.rs',
+  options: [
+    { key: 'substeps', value: '4', about: 'sub-steps of a step', min: 1, max: 1000, whole: true },
+    { key: 'iterations', value: '1', about: 'of the solver in each sub-step', min: 1, max: 1000, whole: true },
+    choice('continuous', 'on', 'stops bodies at fixed ones within a step', 'bodies may overlap after a step',
+           'continuous collision'),
+    choice('sleep', 'off', 'stops bodies that hardly move', 'bodies never sleep', 'sleeping'),
+  ],
+}, stepping, (scene, masses, options) => new World(centered(scene, masses), options));

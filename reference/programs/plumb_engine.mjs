@@ -1,0 +1,156 @@
+// plumb-engine 1 for Node 18: the lines between Plumb and an engine, and what adapters share. Give serve() yours.
+
+/** Throw it with the reason if the engine can't run a scene. */
+export class NotSupported extends Error {}
+
+const write = process.stdout.write.bind(process.stdout);
+process.stdout.write = process.stderr.write.bind(process.stderr); // what the engine prints is its log
+
+/**
+ * Answers Plumb until it says end.
+ * @param hello     object: name, version, and if you like about, source, language, options
+ * @param stepping  (options, dt) => object of what the engine states about itself; see reference/README.md
+ * @param build     (scene, masses, options) => a world with
+ *                  step(dt)    advances by dt seconds; the only call that is timed
+ *                  states()    [x, y, angle, vx, vy, angular velocity] for each body, of its centre of mass
+ *                  contacts()  optional: [a, b, x, y, normal x, normal y, normal impulse, tangent impulse, separation]
+ *                  free()      optional: gives back what the world holds
+ */
+export function serve(hello, stepping, build) {
+  let world;
+  let steps = 0; // since the build
+  let text = '';
+  let flushed = Date.now();
+  const flush = () => (text && write(text), (text = ''), (flushed = Date.now()));
+  const answer = (value) => {
+    text += JSON.stringify(value) + '\n';
+    if (text.length > 32768 || Date.now() - flushed > 50) flush(); // many answers in one write, none held back for long
+  };
+  const step = (dt) => {
+    const began = process.hrtime.bigint();
+    world.step(dt);
+    const ns = Number(process.hrtime.bigint() - began);
+    answer({ step: ++steps, states: world.states(), ns, ...(world.contacts && { contacts: world.contacts() }) });
+  };
+  const asked = {
+    hello: () => answer({ 'plumb-engine': 1, ...hello }),
+    stepping: ({ options, dt }) => answer({ stepping: stepping(options, dt) }),
+    build: ({ scene, masses, options }) => {
+      world?.free?.();
+      world = undefined;
+      steps = 0;
+      try {
+        answer({ states: (world = build(scene, masses, options)).states() });
+      } catch (error) {
+        if (!(error instanceof NotSupported)) throw error;
+        answer({ notSupported: error.message });
+      }
+    },
+    step: ({ count, dt }) => Array.from({ length: count }, () => step(dt)),
+    end: () => process.exit(0),
+  };
+  let rest = '';
+  process.stdin.setEncoding('utf8').on('data', (chunk) => {
+    const lines = (rest + chunk).split('\n');
+    rest = lines.pop();
+    for (const ask of lines.map((line) => Object.entries(JSON.parse(line))[0])) {
+      if (asked[ask[0]]) asked[ask[0]](ask[1]);
+      else answer({ error: `unknown ask: ${ask[0]}` });
+    }
+    flush();
+  });
+}
+
+export const mixed = {
+  geometric: (a, b) => Math.sqrt(a * b), pythagorean: (a, b) => Math.sqrt(a * a + b * b),
+  average: (a, b) => (a + b) / 2, multiply: (a, b) => a * b, min: Math.min, max: Math.max };
+
+export const plus = ([ax, ay], [bx, by], factor = 1) => [ax + factor * bx, ay + factor * by];
+export const turned = ([x, y], angle) => [Math.cos(angle) * x - Math.sin(angle) * y,
+                                          Math.sin(angle) * x + Math.cos(angle) * y];
+
+/** The angle that is nearest to an expected one, for engines that keep angles within half a turn. */
+export const unwound = (angle, expected) => angle + 2 * Math.PI * Math.round((expected - angle) / (2 * Math.PI));
+
+/** The corners of a box or polygon, counter-clockwise. */
+export function corners({ vertices, size: [w, h] = [0, 0], center, angle = 0 }) {
+  const signs = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
+  const points = vertices ?? signs.map(([x, y]) => plus(turned([(x * w) / 2, (y * h) / 2], angle), center));
+  const area = points.reduce((sum, [x, y], i) => sum + points.at(i - 1)[0] * y - points.at(i - 1)[1] * x, 0);
+  return area < 0 ? [...points].reverse() : points;
+}
+
+/** The scene with its defaults, bodies and shapes about their centres of mass, joints' bodies as indices, and
+ *  extent   m, within which everything stays that gravity and its first velocity alone move
+ *  loads    states => [force x, force y, torque] for each body, of all forces but gravity; null if there are none */
+export function centered(scene, masses) {
+  const index = Object.fromEntries(scene.bodies.map(({ name }, i) => [name, i]));
+  const bodies = scene.bodies.map((given, i) => {
+    const [mass, inertia, ...center] = masses[i];
+    if (given.type === 'dynamic' && !mass) throw new NotSupported(`cannot move "${given.name}", which has no mass`);
+    return { angle: 0, velocity: [0, 0], angularVelocity: 0, gravityScale: 1, linearDamping: 0, angularDamping: 0,
+             fixedRotation: false, bullet: false, layers: ~0, ...given, index: i, mass, inertia, center,
+             position: plus(given.position, turned(center, given.angle ?? 0)),
+             shapes: given.shapes.map((shape) => moved(shape, center, given)) };
+  });
+  const reach = ({ position, velocity, gravityScale }) => Math.hypot(...position) + scene.duration *
+    (Math.hypot(...velocity) + (Math.abs(gravityScale) * Math.hypot(...scene.gravity) * scene.duration) / 2);
+  const joints = (scene.joints ?? []).map((joint) => ({ ...joint, bodies: joint.bodies.map((name) => index[name]) }));
+  return { ...scene, bodies, joints, mixing: { friction: 'geometric', restitution: 'max', ...scene.mixing },
+           extent: Math.max(100, ...bodies.map(reach)), loads: loadsOf(scene.forces ?? [], bodies, index) };
+}
+
+function moved(shape, center, { type, name }) {
+  const from = (point) => point && plus(point, center, -1);
+  if (shape.friction?.static !== shape.friction?.dynamic) {
+    throw new NotSupported(`has one coefficient of friction, but static and dynamic friction of "${name}" differ`);
+  }
+  if (shape.type === 'halfspace' && type === 'dynamic') throw new NotSupported(`cannot move the half-space "${name}"`);
+  const [nx, ny] = shape.normal ?? [0, 0];
+  return { restitution: 0, ...shape, friction: shape.friction?.dynamic ?? shape.friction ?? 0,
+           center: from(shape.center ?? [0, 0]), from: from(shape.from), to: from(shape.to),
+           vertices: shape.vertices?.map(from), offset: shape.offset - nx * center[0] - ny * center[1] };
+}
+
+function loadsOf(forces, bodies, index) {
+  const add = (load, force, arm = [0, 0], factor = 1) => [force[0], force[1], arm[0] * force[1] - arm[1] * force[0]]
+    .forEach((part, k) => (load[k] += factor * part));
+  const kinds = {
+    constant: ({ body, force, torque = 0 }) => (_, loads) => [...force, torque].forEach((part, k) =>
+      (loads[index[body]][k] += part)),
+    attraction: ({ from, strength, exponent = 2, mutual }) => (states, loads) => bodies.forEach(({ mass }, i) => {
+      const d = plus(states[index[from]], states[i], -1);
+      const r = Math.hypot(...d);
+      if (i === index[from] || !mass || !r) return;
+      const force = d.map((part) => (part / r) * mass * strength * r ** -exponent);
+      add(loads[i], force);
+      if (mutual) add(loads[index[from]], force, [0, 0], -1);
+    }),
+    spring: (spring) => (states, loads) => {
+      const end = (name, local) => {
+        const [x, y, angle, vx, vy, w] = states[index[name]];
+        const arm = turned(plus(local, bodies[index[name]].center, -1), angle);
+        const velocity = [vx - w * arm[1], vy + w * arm[0]];
+        return { load: loads[index[name]], arm, point: plus([x, y], arm), velocity };
+      };
+      const [a, b] = spring.bodies?.map((name, k) => end(name, spring.anchors[k])) ??
+        [{ point: spring.anchor, velocity: [0, 0] }, end(spring.body, spring.bodyAnchor ?? [0, 0])];
+      const d = plus(b.point, a.point, -1);
+      const distance = Math.hypot(...d);
+      if (!distance) return;
+      const u = d.map((part) => part / distance);
+      const speed = plus(b.velocity, a.velocity, -1);
+      const pull = spring.stiffness * (distance - spring.length) +
+        (spring.damping ?? 0) * (u[0] * speed[0] + u[1] * speed[1]);
+      if (a.load) add(a.load, u, a.arm, pull);
+      add(b.load, u, b.arm, -pull);
+    },
+  };
+  const all = forces.map((force) => kinds[force.type](force));
+  if (!all.length) return null;
+  return (states) => {
+    const loads = states.map(() => [0, 0, 0]);
+    all.forEach((exert) => exert(states, loads));
+    return loads;
+  };
+}

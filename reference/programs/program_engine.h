@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "reference/simulation.h"
+
+/// Engines that are programs of their own, in any language, and speak plumb-engine 1 (see protocol.h). Plumb starts the
+/// program, gives it the scene, and judges what it answers; whatever the program does, only its own runs fail.
+namespace plumb {
+
+/// How a command line names such an engine: exec:COMMAND.
+constexpr std::string_view program_prefix = "exec:";
+
+/// The engine that a command starts. The program is asked who it is the first time. It bears the name that it says, or
+/// NAME@VERSION if that is taken, so that two versions of one engine can be compared. Throws std::invalid_argument if
+/// it does not answer as the protocol asks.
+///
+/// Each simulation has a process to itself while it lives; then another may build its scene in it. The engine has the
+/// options of the program, and `timeout` and `memory`, beyond which it is ended.
+const Engine& engine_of_program(const std::string& command);
+
+/// The engine of a program that was named before, by its name; null if there is none.
+const Engine* known_program(std::string_view name);
+
+}  // namespace plumb

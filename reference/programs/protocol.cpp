@@ -1,0 +1,207 @@
+#include "reference/programs/protocol.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/scene/json_reader.h"
+#include "scenarios/scene/mass.h"
+#include "scenarios/scene/scene_json.h"
+
+namespace plumb::protocol {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int version = 1;
+constexpr std::size_t longest_text = 500;  // bytes
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr NumberRange any_number{-largest, largest};
+constexpr NumberRange not_negative{0, largest};
+
+// JsonReader names this as the place of an error.
+constexpr std::string_view place = "its answer";
+
+nlohmann::json parsed(std::string_view answer) { return parse_json(answer, place); }
+
+// A program may answer any ask with {"error": "why"}.
+void check_error(const JsonReader& in) {
+  if (in.value().is_object() && in.has("error")) {
+    throw std::invalid_argument("it says: " + in["error"].text(1, longest_text));
+  }
+}
+
+std::string text_or(const JsonReader& in, const char* key, const std::string& otherwise) {
+  return in.has(key) ? in[key].text(0, longest_text) : otherwise;
+}
+
+Option read_option(const JsonReader& in) {
+  in.object({"key", "value", "about"}, {"choices", "min", "max", "whole"});
+  Option option{.key = in["key"].text(1, 40), .value = in["value"].text(1, 40), .about = in["about"].text(1, 200)};
+  if (in.has("choices")) {
+    const JsonReader choices = in["choices"];
+    for (std::size_t i = 0; i < choices.list(); ++i) {
+      const JsonReader choice = choices[i];
+      choice.object({"value", "about"});
+      option.choices.emplace_back(choice["value"].text(1, 40), choice["about"].text(1, 200));
+    }
+    return option;
+  }
+  in.must_have("min");
+  in.must_have("max");
+  option.min = in["min"].number(any_number);
+  option.max = in["max"].number({option.min, largest});
+  option.whole = in.boolean("whole", false);
+  return option;
+}
+
+std::size_t read_index(const JsonReader& in, std::size_t below) {
+  const double number = in.number({0, static_cast<double>(below) - 1});
+  if (number != std::floor(number)) in.expected("a whole number");
+  return static_cast<std::size_t>(number);
+}
+
+void expect_length(const JsonReader& in, std::size_t length, const char* what) {
+  if (in.list() != length) in.expected(what);
+}
+
+std::vector<BodyState> read_states(const JsonReader& in, std::size_t bodies) {
+  const std::string count = "the states of " + std::to_string(bodies) + " bodies";
+  expect_length(in, bodies, count.c_str());
+  std::vector<BodyState> states(bodies);
+  for (std::size_t i = 0; i < bodies; ++i) {
+    const JsonReader one = in[i];
+    expect_length(one, 6, "6 numbers: x, y, angle, vx, vy, angular velocity");
+    const auto at = [&](std::size_t k) { return one[k].number(any_number); };
+    states[i] = {{at(0), at(1)}, at(2), {at(3), at(4)}, at(5)};
+  }
+  return states;
+}
+
+std::vector<ContactState> read_contacts(const JsonReader& in, std::size_t bodies) {
+  std::vector<ContactState> contacts(in.list());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const JsonReader one = in[i];
+    expect_length(one, 9,
+                  "9 numbers: bodies a and b, point x and y, normal x and y, normal impulse, tangent impulse, "
+                  "separation");
+    const auto at = [&](std::size_t k) { return one[k].number(any_number); };
+    contacts[i] = {read_index(one[std::size_t{0}], bodies),
+                   read_index(one[std::size_t{1}], bodies),
+                   {at(2), at(3)},
+                   {at(4), at(5)},
+                   at(6),
+                   at(7),
+                   at(8)};
+    if (std::abs(std::hypot(at(4), at(5)) - 1) > 1e-3) one.expected("a normal of length 1");
+  }
+  return contacts;
+}
+
+Json settings_as_json(const Settings& settings) {
+  Json json = Json::object();
+  for (const auto& [key, value] : settings) json[key] = value;
+  return json;
+}
+
+constexpr Word<double> arithmetics[] = {{"float", 0x1p-24}, {"double", 0x1p-53}};
+
+}  // namespace
+
+std::string ask_hello() { return Json{{"hello", version}}.dump(); }
+
+Identity read_hello(std::string_view answer) {
+  const nlohmann::json json = parsed(answer);
+  const JsonReader in(json, place);
+  check_error(in);
+  in.object({"plumb-engine", "name", "version"}, {"about", "source", "language", "options"});
+  if (in["plumb-engine"].number(any_number) != version) in["plumb-engine"].expected("1, the version of the protocol");
+  Identity identity{.name = in["name"].text(1, 40),
+                    .version = in["version"].text(1, 40),
+                    .about = text_or(in, "about", ""),
+                    .source = text_or(in, "source", ""),
+                    .language = text_or(in, "language", "")};
+  if (identity.name.find_first_of(":,= @") != std::string::npos) {
+    in["name"].refuse("must be a name without space, : , = and @");
+  }
+  for (std::size_t i = 0; in.has("options") && i < in["options"].list(); ++i) {
+    identity.options.push_back(read_option(in["options"][i]));
+  }
+  return identity;
+}
+
+std::string ask_stepping(const Settings& settings, double dt) {
+  return Json{{"stepping", {{"dt", dt}, {"options", settings_as_json(settings)}}}}.dump();
+}
+
+Stepping read_stepping(std::string_view answer, double dt) {
+  const nlohmann::json json = parsed(answer);
+  const JsonReader top(json, place);
+  check_error(top);
+  top.object({"stepping"});
+  const JsonReader in = top["stepping"];
+  in.object({"arithmetic"}, {"substep", "drift", "order", "orderInContact", "impactLag", "skin", "slop", "jointSlop",
+                             "creep", "restSpeed", "restitutionThreshold", "iterations", "positionIterations",
+                             "wholeImpulses", "looksAhead", "springLimit"});
+  const auto length = [&](const char* key) { return in.number(key, 0, not_negative); };
+  const auto count = [&](const char* key) { return static_cast<int>(in.number(key, 0, {0, 1e6})); };
+  Stepping stated{.dt = dt,
+                  .h = in.number("substep", dt, {dt * 1e-6, dt}),
+                  .drift = in.number("drift", 0, {-1, 1}),
+                  .order = count("order"),
+                  .order_in_contact = count("orderInContact"),
+                  .impact_lag = in.number("impactLag", 1, {0, 1e3}),
+                  .skin = length("skin"),
+                  .slop = length("slop"),
+                  .joint_slop = length("jointSlop"),
+                  .creep = length("creep"),
+                  .rest_speed = length("restSpeed"),
+                  .restitution_threshold = length("restitutionThreshold"),
+                  .iterations = count("iterations"),
+                  .position_iterations = count("positionIterations"),
+                  .epsilon = in["arithmetic"].one_of<double>(arithmetics),
+                  .whole_impulses = in.boolean("wholeImpulses", false),
+                  .looks_ahead = in.boolean("looksAhead", false)};
+  if (in.has("springLimit")) stated.spring_limit = in["springLimit"].number(not_negative);
+  return stated;
+}
+
+std::string ask_build(const Scene& scene, const Settings& settings) {
+  Json masses = Json::array();
+  for (const Body& body : scene.bodies) {
+    const Mass mass = mass_of(body);
+    masses.push_back({mass.mass, mass.inertia, mass.center.x, mass.center.y});
+  }
+  const Json written = Json::parse(write_scene({scene, {}}));
+  return Json{{"build", {{"scene", written}, {"masses", masses}, {"options", settings_as_json(settings)}}}}.dump();
+}
+
+Answer read_build(std::string_view answer, std::size_t bodies) {
+  const nlohmann::json json = parsed(answer);
+  const JsonReader in(json, place);
+  check_error(in);
+  if (in.value().is_object() && in.has("notSupported")) {
+    return {.refusal = in["notSupported"].text(1, longest_text), .states = {}, .contacts = {}};
+  }
+  in.object({"states"});
+  return {.refusal = "", .states = read_states(in["states"], bodies), .contacts = {}};
+}
+
+std::string ask_steps(std::size_t count, double dt) { return Json{{"step", {{"count", count}, {"dt", dt}}}}.dump(); }
+
+Answer read_step(std::string_view answer, std::size_t bodies, std::size_t number) {
+  const nlohmann::json json = parsed(answer);
+  const JsonReader in(json, place);
+  check_error(in);
+  in.object({"step", "states", "ns"}, {"contacts"});
+  if (in["step"].number(any_number) != static_cast<double>(number)) in["step"].expected(std::to_string(number));
+  Answer read{.refusal = "", .states = read_states(in["states"], bodies), .contacts = {}};
+  if (in.has("contacts")) read.contacts = read_contacts(in["contacts"], bodies);
+  read.seconds = in["ns"].number(not_negative) * 1e-9;
+  return read;
+}
+
+std::string ask_end() { return Json{{"end", true}}.dump(); }
+
+}  // namespace plumb::protocol

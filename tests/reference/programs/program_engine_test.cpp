@@ -1,0 +1,120 @@
+#include "reference/programs/program_engine.h"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "reports/run/run.h"
+#include "reports/run/selection.h"
+
+// Engines that are programs, and every way in which one may misbehave.
+namespace plumb::program_engine_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr double dt = 1.0 / 60;
+
+std::string faulty(const std::string& fault, const std::string& settings = "") {
+  return "exec:sh " PLUMB_SOURCE_DIR "/tests/reference/programs/faulty.sh " + fault + settings;
+}
+
+Scene one_disc() {
+  return {.name = "one disc",
+          .duration = 0.5,
+          .bodies = {{.name = "disc", .position = {0, 5}, .shapes = {{Circle{}, {1, 0.5, 0.5, 0}}}}}};
+}
+
+Outcome outcome_of(const std::string& word) { return run(one_disc(), parse_engine(word), dt); }
+
+struct Fault {
+  const char* name;
+  const char* reason;           // that Plumb gives, in part
+  const char* timeout = "0.3";  // s
+};
+
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+class FaultyProgram : public testing::TestWithParam<Fault> {};
+
+TEST_P(FaultyProgram, FailsItsRunAndNoOther) {
+  const Outcome outcome = outcome_of(faulty(GetParam().name, std::string(":timeout=") + GetParam().timeout));
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_THAT(outcome.reason, HasSubstr(GetParam().reason));
+  EXPECT_EQ(outcome_of(faulty("none")).status, Status::ok);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, FaultyProgram,
+    testing::Values(
+        Fault{"crash", "ended by signal 11"}, Fault{"abort", "its log ends: assertion failed: x > 0"},
+        Fault{"exits-with-0", "ended with exit code 0 although it was not asked to"},
+        Fault{"exits-with-3", "exit code 3 although it was not asked to; its log ends: no more"},
+        Fault{"hangs", "did not answer within 0.3 s"}, Fault{"garbage", "its answer: line 1"},
+        Fault{"half-a-line", "ended with exit code 0"}, Fault{"no-object", "expected an object"},
+        Fault{"bad-utf8", "its answer: line 1"}, Fault{"nan", "its answer: line 1"},
+        Fault{"null", "states[0][0]: expected a number"}, Fault{"infinite", "states[0][0]"},
+        Fault{"diverges", "diverged at"}, Fault{"no-bodies", "states: expected the states of 1 bodies"},
+        Fault{"too-many-bodies", "states: expected the states of 1 bodies"},
+        Fault{"five-numbers", "states[0]: expected 6 numbers"}, Fault{"words", "states[0][0]: expected a number"},
+        Fault{"no-time", "ns"}, Fault{"negative-time", "ns: "},
+        Fault{"lies-about-time", "it says that its steps took 1e+04 s, but only"},
+        Fault{"contact-of-nobody", "contacts[0][1]"}, Fault{"contact-without-direction", "a normal of length 1"},
+        Fault{"says-too-much", "step: expected 2"}, Fault{"skips-a-step", "step: expected 2"},
+        Fault{"says-error", "it says: my solver gave up"}, Fault{"closes-output", "it closed its standard output"},
+        Fault{"floods", "more than 16 MiB", "20"}, Fault{"states-nonsense", "stepping.skin"},
+        Fault{"crashes-when-asked-how", "ended by signal 11"}, Fault{"crashes-in-build", "ended by signal 11"}),
+    [](const auto& instance) {
+      std::string name = instance.param.name;
+      std::erase(name, '-');
+      return name;
+    });
+
+TEST(ProgramEngine, IsRefusedIfItDoesNotSayWhoItIs) {
+  const auto refusal = [](const std::string& word) -> std::string {
+    try {
+      parse_engine(word);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal("exec:/no/such/program"), HasSubstr("could not be started"));
+  EXPECT_THAT(refusal("exec:true"), HasSubstr("asked who it is, it ended with exit code 0"));
+  EXPECT_THAT(refusal(faulty("other-protocol")), HasSubstr("1, the version of the protocol"));
+  EXPECT_THAT(refusal(faulty("name-with-space")), HasSubstr("must be a name without space"));
+  EXPECT_THAT(refusal("exec:cat"), HasSubstr("its answer"));
+}
+
+TEST(ProgramEngine, RunsAndMayRefuseAScene) {
+  const Outcome still = outcome_of(faulty("none"));
+  EXPECT_EQ(still.status, Status::ok);
+  EXPECT_EQ(still.trace->size(), 31u);
+  EXPECT_NEAR(still.stepping, 30e-9, 1e-12) << "30 steps of 1 ns, by its own clock";
+  const Outcome refused = outcome_of(faulty("refuses"));
+  EXPECT_EQ(refused.status, Status::not_supported);
+  EXPECT_EQ(refused.reason, "too round");
+}
+
+TEST(ProgramEngine, MayWriteALogOfAnyLength) { EXPECT_EQ(outcome_of(faulty("logs-a-lot")).status, Status::ok); }
+
+TEST(ProgramEngine, HasItsOwnOptionsAndLimits) {
+  EXPECT_EQ(parse_engine(faulty("none", ":knob=2")).settings.at("knob"), "2");
+  EXPECT_EQ(parse_engine(faulty("none")).settings.at("timeout"), "10");
+  EXPECT_THROW(parse_engine(faulty("none", ":knob=3")), std::invalid_argument);
+}
+
+TEST(ProgramEngine, BearsItsVersionIfItsNameIsTaken) {
+  const std::string first = parse_engine(faulty("none")).engine->name;
+  const std::string second = parse_engine(faulty("refuses")).engine->name;
+  EXPECT_NE(first, second);
+  EXPECT_EQ(parse_engine(faulty("none")).engine->name, first);
+  EXPECT_EQ(known_program(second), parse_engine(faulty("refuses")).engine);
+  EXPECT_EQ(known_program("nobody"), nullptr);
+}
+
+}  // namespace
+}  // namespace plumb::program_engine_test
