@@ -145,7 +145,7 @@ std::vector<Allowance> explained_by_rounding(const RelationRun& run, std::vector
   };
   const auto undecided = std::make_shared<std::optional<double>>();
   const auto by_ties = [=, &run](std::size_t moment, std::size_t body) {
-    if (!*undecided) *undecided = run.amplification.undecided_from(plain->back());
+    if (!*undecided) *undecided = run.amplification.undecided_from(*plain);
     const auto most = amplified(moment, body);
     if (!most || run.trace.time(moment) < **undecided) return most;
     const auto own = run.amplification.of_method(run.stepping, moment, body);

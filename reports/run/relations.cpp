@@ -19,8 +19,10 @@
 namespace plumb {
 namespace {
 
-// An engine decides otherwise for about half of all displacements, so that three leave it one chance in eight to hide.
-constexpr int tied_runs = 3;
+// An engine may decide otherwise for one half of all displacements, or for those of one size: round-off is smaller than
+// its bound by about the square root of the number of roundings, and up to that number.
+constexpr double tied_sizes[] = {1, 1.0 / 32, 1.0 / 1024};  // of the bound
+constexpr int tied_runs = 2;                                // of each
 
 class MeasuredAmplification : public Amplification {
  public:
@@ -46,16 +48,11 @@ class MeasuredAmplification : public Amplification {
     return std::max(shift->place, rim_of(body) * shift->angle);
   }
 
-  double undecided_from(double size) const override {
+  double undecided_from(std::span<const double> rounding) const override {
     double from = std::numeric_limits<double>::infinity();
-    const Scene& scene = scene_.scene();
-    for (int seed = 1; seed <= tied_runs; ++seed) {
-      const Outcome other = run(displaced(scene, size, static_cast<std::uint64_t>(seed)), config_, dt_);
-      if (!other.trace) continue;
-      for (std::size_t moment = 0; moment < std::min(trace_.size(), other.trace->size()); ++moment) {
-        if (trace_.time(moment) >= from) break;
-        if (!explained(size, moment, other.trace->states(moment))) from = trace_.time(moment);
-      }
+    std::uint64_t seed = 0;
+    for (const double share : tied_sizes) {
+      for (int i = 0; i < tied_runs; ++i) from = std::min(from, decided_in(++seed, share * rounding.back(), rounding));
     }
     return from;
   }
@@ -68,12 +65,22 @@ class MeasuredAmplification : public Amplification {
     return radius > 0 ? radius : smallest_body(scene_.scene());
   }
 
-  // Displaced by up to `size` along both axes, and by rounding as much again.
+  // s, when a run from a start displaced by up to `size`, m, is farther from ours than that and rounding explain.
+  double decided_in(std::uint64_t seed, double size, std::span<const double> rounding) const {
+    const Outcome other = run(displaced(scene_.scene(), size, seed), config_, dt_);
+    const std::size_t both = other.trace ? std::min(rounding.size(), other.trace->size()) : 0;
+    for (std::size_t moment = 0; moment < both; ++moment) {
+      // Displaced along both axes and turned.
+      if (!explained(3 * size + rounding[moment], moment, other.trace->states(moment))) return trace_.time(moment);
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
   bool explained(double size, std::size_t moment, std::span<const BodyState> states) const {
     const Scene& scene = scene_.scene();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       if (scene.bodies[i].type != BodyType::dynamic) continue;
-      const auto most = of(3 * size, moment, i);
+      const auto most = of(size, moment, i);
       if (!most) return true;
       const BodyState& here = trace_.states(moment)[i];
       if (length(here.position - states[i].position) > *most) return false;
