@@ -68,7 +68,8 @@ struct MetamorphicRelation {
   std::string definition;  // the image, and what must hold
   /// Why it says nothing about such a scene or an engine that steps like this; "" if it does.
   std::function<std::string(const Scene&, const Stepping&)> excludes;
-  /// The images of a scene that ran like this with steps of dt; only `time` looks at the run.
+  /// The images of a scene that ran like this with steps of dt; its run tells where it ends and how far it
+  /// reaches.
   std::function<std::vector<Image>(const Scene&, const Trace&, double dt)> images;
   /// Maps the images' runs back and compares. `images` are the runs of what `images` returned, in that order, all to
   /// their ends. Sets neither names nor units.

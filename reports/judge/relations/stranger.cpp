@@ -52,8 +52,8 @@ const Catalog<MetamorphicRelation>::Entry entry{
            const std::vector<double> rounding = pose_rounding(run);
            std::vector<Allowance> allowances =
                explained_by_rounding(run, sum_of(rounding, rounding), residue_of(run.stepping));
-       // Without sweeps there is no order that may change, and so no tie to be decided otherwise.
-       if (!residue_of(run.stepping)) allowances.pop_back();
+           // Without sweeps there is no order that may change, and so no tie to be decided otherwise.
+           if (!residue_of(run.stepping)) allowances.pop_back();
            allowances.insert(allowances.begin(),
                              Allowance{"nothing: the same to the bit", [](std::size_t, std::size_t) { return 0.0; }});
            return compare_poses(run, run.trace.size(), poses, allowances);
