@@ -31,6 +31,11 @@ Real rate(const JointRow& row, const Velocity& a, const Velocity& b) {
   return dot(row.axis, b.v - a.v) + row.arm_b * b.w - row.arm_a * a.w;
 }
 
+Real effective_mass(const JointBlock& block, const JointRow& row) {
+  const Real inverse = inverse_effective_mass(block, row, row);
+  return inverse > 0 ? 1 / inverse : Real{0};
+}
+
 void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b,
                      const Softness& soft) {
   const auto n = static_cast<std::size_t>(block.equations);

@@ -40,6 +40,9 @@ void apply(const JointBlock& block, const JointRow& row, Real impulse, Velocity&
 /// The rate of change of the row's error, m/s or rad/s.
 Real rate(const JointRow& row, const Velocity& a, const Velocity& b);
 
+/// kg or kg m^2, the effective mass of a row alone; 0 if neither body can move.
+Real effective_mass(const JointBlock& block, const JointRow& row);
+
 /// Changes the rates of the equations to -bias[i] by solving K d = -(rate + bias), with K the matrix of inverse
 /// effective masses, and scales the impulses d by `soft`. Ignores the bias rate of `soft`.
 void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b,

@@ -126,12 +126,14 @@ inline void add_deepest(Manifold& m, const Edge& reference, const Edge& incident
 }
 
 /// The manifold of two shapes with these nearest faces. `separation` (m) is that of the faces without radii, along the
-/// reference's normal; `size` (m) is the magnitude of the coordinates.
-inline Manifold meet(const Edge& reference, const Edge& incident, Real separation, Real size, Real margin) {
+/// reference's normal; `size` (m) is the magnitude of the coordinates; `of_other` (m) the separation by the face of the
+/// other shape, which was not preferred although it may be the one that separates them.
+inline Manifold meet(const Edge& reference, const Edge& incident, Real separation, Real size, Real margin,
+                     Real of_other = -std::numeric_limits<Real>::infinity()) {
   const Overlay over(reference, incident);
   const Real least = blurred(size);
-  // Two lines end to end have no separating face, yet their corners may be separate.
-  if (separation > 0 || (separation > -least && !over.overlaps())) {
+  // Two lines end to end have no separating face, yet their corners may be separate. Slightly bent, one has.
+  if (separation > 0 || (std::max(separation, of_other) > -least && !over.overlaps())) {
     const Corners corners = facing_corners(reference, incident, over);
     if (corners.closest && length_squared(corners.b - corners.a) > least * least) {
       return touch(reference, incident, corners, margin);

@@ -10,11 +10,11 @@ namespace {
 Real size_of(const Hull& hull) { return std::abs(hull.vertices[0].x) + std::abs(hull.vertices[0].y); }
 
 // The reference face belongs to `hull`.
-Manifold against(const Hull& hull, const Face& face, const Hull& other, Real margin) {
+Manifold against(const Hull& hull, const Face& face, const Hull& other, const Face& of_other, Real margin) {
   const Edge reference = hull.edge(face.edge);
   const Edge incident = other.edge(edge_against(other, face.support, reference.normal));
   const Real size = size_of(hull) + size_of(other);
-  return meet(reference, incident, face.separation, size, margin);
+  return meet(reference, incident, face.separation, size, margin, of_other.separation);
 }
 
 // Adds a point of a shape with rounding radius `radius` over the plane.
@@ -38,9 +38,9 @@ Manifold hull_hull(const Shape& a, const Pose& pose_a, const Shape& b, const Pos
   const Vec2 normal_a = first.normals[static_cast<std::size_t>(of_first.edge)];
   const Vec2 normal_b = second.normals[static_cast<std::size_t>(of_second.edge)];
   if (beats(of_second.separation, of_first.separation, opposite(normal_a, normal_b))) {
-    return to_world(pose_a, flipped(against(second, of_second, first, margin)));
+    return to_world(pose_a, flipped(against(second, of_second, first, of_first, margin)));
   }
-  return to_world(pose_a, against(first, of_first, second, margin));
+  return to_world(pose_a, against(first, of_first, second, of_second, margin));
 }
 
 Manifold hull_segment(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, Real margin) {

@@ -117,6 +117,8 @@ class Accurate : public Solver {
   void fly_all(StepData& data);
   void substep(StepData& data, Island& island, Workspace& space);
   void find_impacts(StepData& data, Island& island, Impacts& impacts);
+  /// m/s^2, the largest acceleration of a body by forces.
+  Real pressing(const Island& island) const;
   void kick(BodySet& bodies, Island& island);
   void press(BodySet& bodies, Island& island, bool rigidly);
   int press_through(BodySet& bodies, Island& island);
@@ -268,6 +270,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   }
   space.turning.lead(island, data.bodies, motion_);
   if (!island.joints.empty()) island.joints.halve();
+  if (island.two_frictions) ScalarContacts(data.bodies, motion_).meet(island, slow_impact(pressing(island), island.h));
   ScalarContacts::halve(island, kicks_);
   if (!island.joints.empty() || island.more_sweeps > 0) space.bound.note(island.bodies, data.bodies, motion_);
   if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
@@ -281,6 +284,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   relax(data.bodies, island,
         island.settling ? std::max(settling_sweeps_for(island.bodies.size()), island.sweeps) : island.sweeps + pressed);
   relax_through(data.bodies, island);
+  if (island.two_frictions && ScalarContacts::stick_or_slip(island)) relax(data.bodies, island, island.sweeps);
   if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
   if (!joints_fit || island.ideal) {
     // Compliant joints must return their energy as height, not as speed.
@@ -330,6 +334,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     row.block = !row.web && row.count == 2;
     if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
     island.bounces |= row.restitution > 0;
+    island.two_frictions |= row.two_frictions();
     island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
     bearing.add(row);
     if (is_few && row.age >= OffsetRule::from_age) bearing.add_load(row, contact.offset, data.settings);
@@ -382,13 +387,17 @@ Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
 }
 
 void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {
-  Real pressing = 0;  // m/s^2
   for (const std::uint32_t body : island.bodies) {
     flight_[body] = loaded_[body] != 0 ? Velocity{} : acceleration_[body];
-    pressing = std::max(pressing, length(acceleration_[body].v));
   }
   impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h,
-                  slow_impact(pressing, island.h));
+                  slow_impact(pressing(island), island.h));
+}
+
+Real Accurate::pressing(const Island& island) const {
+  Real most = 0;
+  for (const std::uint32_t body : island.bodies) most = std::max(most, length(acceleration_[body].v));
+  return most;
 }
 
 /// Half of the forces, half of what contacts and joints bore in the last sub-step.

@@ -147,6 +147,13 @@ Hit first_hit(const Encounter& here, const RowPoint& p, const Flight& flight, Re
   return {now + x, -Encounter(here.row, flight, now + x).of(p).speed};
 }
 
+/// The coefficient up to which friction stops the tangential velocity vt, m/s. A point that slips when it hits slips
+/// until friction has stopped it, and meanwhile friction is the dynamic one; only where nothing slips the static
+/// coefficient counts.
+Real grip_at(const ContactRow& row, Real vt) {
+  return std::abs(vt) > no_speed ? row.dynamic_friction : row.static_friction;
+}
+
 /// Normal and tangential impulse at one point, satisfying both laws: the normal velocity is reversed and multiplied by
 /// e, and the tangential one is stopped if Coulomb's cone allows, otherwise opposed by mu J. K is the 2x2 matrix of
 /// inverse effective masses in (n, t).
@@ -159,8 +166,9 @@ void strike_one(const ContactRow& row, RowPoint& p, ContactFrame& frame) {
   const Real wanted = -(1 + row.restitution) * vn;
   if (wanted <= 0) return;  // by rounding: a point that hits approaches
 
+  const Real grip = grip_at(row, vt);
   Vec2 j = Mat22({kn, knt}, {knt, kt}).solve({wanted, -vt});  // sticks
-  if (std::abs(j.y) > row.static_friction * j.x) {
+  if (std::abs(j.y) > grip * j.x) {
     const Real mu = j.y < 0 ? -row.dynamic_friction : row.dynamic_friction;
     j.x = wanted / (kn + mu * knt);
     j.y = mu * j.x;
@@ -170,7 +178,8 @@ void strike_one(const ContactRow& row, RowPoint& p, ContactFrame& frame) {
   const Real work = j.x * vn + j.y * vt + (kn * j.x * j.x + 2 * knt * j.x * j.y + kt * j.y * j.y) / 2;
   if (!(j.x > 0) || work > 0) {
     j.x = wanted / kn;
-    j.y = within_cone(row, -(vt + knt * j.x) / kt, j.x);
+    j.y = -(vt + knt * j.x) / kt;
+    if (std::abs(j.y) > grip * j.x) j.y = std::copysign(row.dynamic_friction * j.x, j.y);
   }
   frame.push_normal(row, p, j.x);
   frame.push_tangent(row, p, j.y);
@@ -194,16 +203,23 @@ void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& f
     frame.push_normal(row, point, normal_impulse);
     point.total_normal += normal_impulse;
   };
-  const auto solve_friction_at = [&](RowPoint& point, Real normal_impulse) {
-    const Real wanted = -effective_mass(row, point.dot_a, point.dot_b) * frame.tangent_velocity(point);
-    const Real given = within_cone(row, wanted, normal_impulse);
-    frame.push_tangent(row, point, given);
-    point.total_tangent += given;
+  // Returns whether friction stopped the point.
+  const auto solve_friction_at = [&](RowPoint& point, Real most) {
+    const Real mass = effective_mass(row, point.dot_a, point.dot_b);
+    const Real wanted = point.total_tangent - mass * frame.tangent_velocity(point);
+    const Real held = clamp(wanted, -most, most);
+    frame.push_tangent(row, point, held - point.total_tangent);
+    point.total_tangent = held;
+    return held == wanted;
   };
   push(p, j.x);
   push(q, j.y);
-  solve_friction_at(p, j.x);
-  solve_friction_at(q, j.y);
+  const Real slip = std::max(std::abs(frame.tangent_velocity(p)), std::abs(frame.tangent_velocity(q)));
+  const auto stops = [&](Real mu) {
+    const bool stops_p = solve_friction_at(p, mu * j.x);
+    return solve_friction_at(q, mu * j.y) || stops_p;  // what one cannot bear, the other may
+  };
+  if (!stops(grip_at(row, slip))) stops(row.dynamic_friction);
 }
 
 /// The points that hit: the lower of those that approach, and the other one too if it also almost touches.

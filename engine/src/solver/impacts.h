@@ -61,10 +61,14 @@ struct ImpactRow : ContactRow {
   bool turns = false;  // its normal follows the bodies within a step
   bool active = true;  // takes part in this sub-step's solve
   bool fresh = false;  // first step of the contact
+  bool slips = false;  // slides, so that the dynamic coefficient limits friction
   bool web = false;    // a body of it touches more than two others, as in a pyramid and not in a column
   bool block = false;  // its two points are solved together, by `pair`
   PointPair pair;
 
+  bool two_frictions() const { return static_friction != dynamic_friction; }
+  /// The coefficient that limits friction now.
+  Real friction() const { return slips ? dynamic_friction : static_friction; }
   /// Adds a point's impulse, given along a normal and its tangent, to the totals of the step.
   void note(RowPoint& p, Vec2 impulse, Vec2 along) {
     p.total_normal += impulse.x;
@@ -86,10 +90,13 @@ struct ImpactRow : ContactRow {
   }
 };
 
+/// m/s, a velocity that rounding may leave of none.
+constexpr Real no_speed = static_cast<Real>(1e-4);
+
 /// m/s, the restitution threshold: slower approaches are left to the contact solve, which ends the infinite sequence of
 /// ever smaller bounces ("Zeno"). A body at rest under an acceleration a gains a h within a sub-step: with 1.2 to 5
 /// times that, every stack of boxes settles. Without load, only rounding must be distinguished from an impact.
-inline Real slow_impact(Real acceleration, Real h) { return static_cast<Real>(2.4) * acceleration * h + Real{1e-4F}; }
+inline Real slow_impact(Real acceleration, Real h) { return static_cast<Real>(2.4) * acceleration * h + no_speed; }
 
 /// Newton's impact law at the exact time of touching, inside a sub-step of h seconds.
 ///

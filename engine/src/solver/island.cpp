@@ -143,8 +143,8 @@ int more_sweeps_for(std::size_t bodies) {
 bool few(const Island& island) { return island.bodies.size() * most_more_sweeps <= most_body_substeps; }
 
 bool plain(const Island& island) {
-  return island.joints.empty() && !island.bounces && !island.settling && !island.turning && island.sweeps == 1 &&
-         island.press_sweeps == 0 && island.more_sweeps == 0;
+  return island.joints.empty() && !island.bounces && !island.two_frictions && !island.settling && !island.turning &&
+         island.sweeps == 1 && island.press_sweeps == 0 && island.more_sweeps == 0;
 }
 
 bool new_or_deep(const Contact& contact) {

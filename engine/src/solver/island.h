@@ -101,10 +101,12 @@ struct Island {
   bool heap = false;    // see is_heap()
   bool held = false;    // a body that cannot be pushed holds it; not set for a pile
   bool ideal = false;   // only its joints could add energy, and they must not
-  bool bounces = false;   // some contact has restitution
-  bool struck = false;    // an impact that may set any body rotating
-  bool turning = false;   // normals and arms follow the bodies within a step, see turning.h
-  bool settling = false;  // starts at rest: solve its initial load at once
+  bool bounces = false;        // some contact has restitution
+  bool two_frictions = false;  // of some contact
+  Real pressing = 0;           // m/s^2, the largest acceleration of a body by forces; set if contacts ask for it
+  bool struck = false;         // an impact that may set any body rotating
+  bool turning = false;        // normals and arms follow the bodies within a step, see turning.h
+  bool settling = false;       // starts at rest: solve its initial load at once
 
   const Softness& softness(bool in_web, const InverseMass& a, const InverseMass& b) const {
     const Softnesses& of = in_web ? web : column;

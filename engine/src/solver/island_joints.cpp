@@ -103,10 +103,7 @@ Real IslandJoints::miss(Real h) {
 
 void IslandJoints::press(Real h) {
   if (swept_) return press_by_sweep(h);
-  for (ActiveJoint* joint : joints_) {
-    JointBlock& block = joint->block;
-    solve_motor(block, h, bodies_.velocity[block.a], bodies_.velocity[block.b]);
-  }
+  drive_motors(h);
   const Real most = most_energy();
   if (fit_) {
     remember();
@@ -120,9 +117,50 @@ void IslandJoints::press(Real h) {
     Velocity& a = bodies_.velocity[block.a];
     Velocity& b = bodies_.velocity[block.b];
     const JointBlock there = ahead(*joint, h);
-    std::array<Real, 2> bias{};
-    for (std::size_t i = 0; i < 2; ++i) bias[i] = there.stop[i].error / h - rate(block.stop[i], a, b);
-    solve_stops(block, bias, a, b);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
+      JointRow& stop = block.stop[i];
+      const Real now = rate(block.stop[i], a, b);
+      drive(block, stop, now - there.stop[i].error / h, 0, std::numeric_limits<Real>::infinity());
+    }
+  }
+}
+
+/// Changes the impulse of a stop or motor, from `least` to `most` in total, so that its rate becomes `wanted`. The
+/// equations answer at once, and their rates stay as they are: alone, a stop of a hinged rod would need an iteration
+/// for each quarter of what is left. All is linear, so that one trial tells its effective mass.
+void IslandJoints::drive(JointBlock& block, JointRow& row, Real wanted, Real least, Real most) {
+  Velocity& a = bodies_.velocity[block.a];
+  Velocity& b = bodies_.velocity[block.b];
+  const Real mass = effective_mass(block, row);
+  const Real change = wanted - rate(row, a, b);
+  const Real trial = mass * change;
+  if (clamp(row.impulse + trial, least, most) == row.impulse) return;
+  work_.bias.clear();
+  for (const ActiveJoint* joint : joints_) {
+    const JointBlock& other = joint->block;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(other.equations); ++i) {
+      work_.bias.push_back(-rate(other.equation[i], bodies_.velocity[other.a], bodies_.velocity[other.b]));
+    }
+  }
+  apply(block, row, trial, a, b);
+  work_.system.solve(joints_, bodies_, work_.bias);
+  work_.system.push(joints_, bodies_, 1, true);
+  const Real gained = change - (wanted - rate(row, a, b));
+  // Less is the give of equations that hold it still.
+  constexpr Real least_share = 10 * give;
+  const bool moves = gained / change > least_share;
+  const Real total = moves ? clamp(row.impulse + trial * (change / gained), least, most) : row.impulse;
+  const Real share = (total - row.impulse) / trial;
+  apply(block, row, (share - 1) * trial, a, b);
+  work_.system.push(joints_, bodies_, share - 1, true);
+  row.impulse = total;
+}
+
+void IslandJoints::drive_motors(Real h) {
+  for (ActiveJoint* joint : joints_) {
+    JointBlock& block = joint->block;
+    const Real most = h * block.motor_strength;
+    if (block.driven) drive(block, block.motor, block.motor_speed, -most, most);
   }
 }
 
@@ -232,18 +270,17 @@ void IslandJoints::relax_by_sweep(Real h) {
 
 void IslandJoints::relax(Real h) {
   if (swept_) return relax_by_sweep(h);
-  for (ActiveJoint* joint : joints_) {
-    JointBlock& block = joint->block;
-    Velocity& a = bodies_.velocity[block.a];
-    Velocity& b = bodies_.velocity[block.b];
-    std::array<Real, 2> bias{};
-    for (std::size_t i = 0; i < 2; ++i) bias[i] = std::max(block.stop[i].error / h, Real{0});
-    solve_motor(block, h, a, b);
-    solve_stops(block, bias, a, b);
-  }
   work_.bias.assign(work_.system.equations(), 0);
   work_.system.solve(joints_, bodies_, work_.bias);
   work_.system.push(joints_, bodies_, 1, true);
+  drive_motors(h);
+  for (ActiveJoint* joint : joints_) {
+    JointBlock& block = joint->block;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
+      JointRow& stop = block.stop[i];
+      drive(block, stop, -std::max(stop.error / h, Real{0}), 0, std::numeric_limits<Real>::infinity());
+    }
+  }
 }
 
 void IslandJoints::absorb_impact() {

@@ -72,6 +72,8 @@ class IslandJoints {
   Real most_energy() const;
   void press_by_sweep(Real h);
   void relax_by_sweep(Real h);
+  void drive(JointBlock& block, JointRow& row, Real wanted, Real least, Real most);
+  void drive_motors(Real h);
   void remember();
   void take_back();
 

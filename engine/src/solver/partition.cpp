@@ -83,7 +83,7 @@ void Partition::list_ties(const StepData& data) {
     const bool stirs_a = (kinds_[a] & stirs) != 0;
     const bool stirs_b = (kinds_[b] & stirs) != 0;
     tied_.push_back({c, a, b, pushes_a, pushes_b, stirs_a && stirs_b, static_cast<std::uint8_t>(contact.count),
-                     contact.discs(), smooth(contact, stirs_a, stirs_b)});
+                     contact.discs(), smooth(contact, stirs_a, stirs_b), contact.two_frictions()});
   }
 }
 

@@ -75,6 +75,8 @@ class PileLanesOf : public PileLanes {
   void kick(const BodyRows& bodies) override { passes_.kick(table_, bodies); }
   void press(const BodyRows& bodies, Real h) override { passes_.press(table_, bodies, soft_, h); }
   void relax(const BodyRows& bodies, bool again) override { passes_.relax(table_, bodies, again); }
+  void meet(const BodyRows& bodies, Real slow) override { passes_.meet(table_, bodies, slow); }
+  bool stick_or_slip() override { return passes_.stick_or_slip(table_); }
   void settle(bool settling) override { passes_.settle(table_, soft_, settling); }
   void store() override { passes_.store(table_, input_); }
 
@@ -217,11 +219,19 @@ void Pile::substep(const Island& island, bool first) {
     start_motion_ = motion_;
     start_turn_ = turn_;
   }
+  if (island.two_frictions) {
+    for_both([&](PileLanes& lanes) { lanes.meet(rows_, slow_impact(island.pressing, island.h)); });
+  }
   kernels_->kick_bodies(rows_, first);
   for_both([&](PileLanes& lanes) { lanes.press(rows_, island.h); });
   if (kernels_->drift_bodies(rows_, island.h)) turn_far();
   for (int sweep = 0; sweep < island.sweeps; ++sweep) {
     for_both([&](PileLanes& lanes) { lanes.relax(rows_, sweep > 0); });
+  }
+  if (island.two_frictions) {
+    bool broke = false;
+    for_both([&](PileLanes& lanes) { broke |= lanes.stick_or_slip(); });
+    if (broke) for_both([&](PileLanes& lanes) { lanes.relax(rows_, true); });
   }
   if (island.more_sweeps > 0) relax_until_bounded(island);
   if (island.settling) lanes_->settle(true);
@@ -311,10 +321,20 @@ void plan_pile(const StepData& data, Island& island, const std::vector<Velocity>
   }
   island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration, data.settings));
   end_stage("pile: bearing");
+  rub(island, acceleration);
   island.settling = settles(data, island);
   if (island.settling) island.sweeps = settling_sweeps_for(island.bodies.size());
   relax_blows(data, island);
   end_stage("pile: struck");
+}
+
+void rub(Island& island, const std::vector<Velocity>& acceleration) {
+  island.two_frictions = island.two_frictions || std::any_of(island.contacts.begin(), island.contacts.end(),
+                                                             [](const Tie& tie) { return tie.two_frictions; });
+  if (!island.two_frictions) return;
+  for (const std::uint32_t body : island.bodies) {
+    island.pressing = std::max(island.pressing, length(acceleration[body].v));
+  }
 }
 
 void relax_blows(const StepData& data, Island& island) {

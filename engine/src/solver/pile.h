@@ -33,6 +33,8 @@ class PileLanes {
   virtual void kick(const BodyRows& bodies) = 0;
   virtual void press(const BodyRows& bodies, Real h) = 0;
   virtual void relax(const BodyRows& bodies, bool again) = 0;
+  virtual void meet(const BodyRows& bodies, Real slow) = 0;
+  virtual bool stick_or_slip() = 0;
   virtual void settle(bool settling) = 0;
   /// Writes impulses and offsets back to the contacts that were laid out.
   virtual void store() = 0;
@@ -103,6 +105,8 @@ bool is_pile(const StepData& data, const Island& island);
 
 /// Chooses sub-steps and iterations of a pile.
 void plan_pile(const StepData& data, Island& island, const std::vector<Velocity>& acceleration);
+/// Notes whether contacts of the pile have two coefficients of friction, and then what presses them.
+void rub(Island& island, const std::vector<Velocity>& acceleration);
 /// Allows extra iterations if one of its contacts is hit.
 void relax_blows(const StepData& data, Island& island);
 

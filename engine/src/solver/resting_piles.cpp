@@ -75,7 +75,8 @@ RestingPile::RestingPile(const StepData& data, const Partition& parts, const Isl
       substeps_(island.substeps),
       offset_scale_(island.offset_scale),
       webbed_(island.webbed),
-      heap_(island.heap) {
+      heap_(island.heap),
+      two_frictions_(island.two_frictions) {
   for (Tie& tie : ties_) {
     contacts_.push_back(data.contacts[tie.contact]);
     contacts_.back().offset *= offset_scale_;
@@ -92,6 +93,8 @@ void RestingPile::step(StepData& data, const Partition& parts, Island island, co
   island.webbed = webbed_;
   island.heap = heap_;
   island.cut(data.settings, substeps_);
+  island.two_frictions = two_frictions_;
+  rub(island, acceleration);
   relax_blows(data, island);
   pile_.step(data, parts, island, acceleration, motion, row_of);
   ++steps_;

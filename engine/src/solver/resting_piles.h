@@ -53,7 +53,7 @@ class RestingPile {
   Pile pile_;
   int substeps_;
   Real offset_scale_;
-  bool webbed_, heap_;
+  bool webbed_, heap_, two_frictions_;
   int steps_ = 0;
   bool rests_ = true;
 };

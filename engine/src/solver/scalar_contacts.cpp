@@ -37,6 +37,19 @@ void show(Vec2 normal, Contact& contact) {
   contact.found_a.p = contact.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
 }
 
+/// Friction at all points: stops the sliding as far as the friction cone of the accumulated normal impulse allows.
+template <class Frame>
+[[gnu::always_inline]] inline void solve_friction_by_state(ImpactRow& row, Frame& frame) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    RowPoint& p = row.points[i];
+    const Real wanted = p.tangent_impulse - p.tangent_mass * frame.tangent_velocity(p);
+    const Real most = row.friction() * p.normal_impulse;
+    const Real held = clamp(wanted, -most, most);
+    frame.push_tangent(row, p, held - p.tangent_impulse);
+    p.tangent_impulse = held;
+  }
+}
+
 /// Solves both points together for these velocity changes; false if a point would pull.
 template <class Frame>
 [[gnu::always_inline]] inline bool push_both(const PairMatrix& masses, ImpactRow& row, Frame& frame, Vec2 change) {
@@ -70,11 +83,13 @@ void renew(ImpactRow& row, const BodySet& bodies, const std::vector<Pose>& start
   row.between = start[row.b].p - start[row.a].p;
   row.age = contact.age;
   row.fresh = contact.age == 0;
+  row.slips = contact.slips;
 }
 
 void write_back(ImpactRow& row, Real offset_scale, std::vector<Contact>& contacts) {
   Contact& contact = contacts[row.contact];
   contact.offset = row.offset / offset_scale;
+  contact.slips = row.slips;
   if (row.turns) show(row.join(), contact);
   store_row(row, contacts);
 }
@@ -124,6 +139,29 @@ void ScalarContacts::halve(const Island& island, std::vector<Velocity>& kicks) {
   }
 }
 
+void ScalarContacts::meet(const Island& island, Real slow) const {
+  for (ImpactRow& row : island.rows) {
+    if (!row.two_frictions() || row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) continue;
+    const ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
+    row.slips = std::any_of(row.points.begin(), row.points.begin() + row.count,
+                            [&](const RowPoint& p) { return std::abs(frame.tangent_velocity(p)) > slow; });
+  }
+}
+
+bool ScalarContacts::stick_or_slip(const Island& island) {
+  bool broke = false;
+  for (ImpactRow& row : island.rows) {
+    if (!row.active || !row.two_frictions()) continue;
+    const Real mu = row.friction();
+    const bool slips = std::all_of(row.points.begin(), row.points.begin() + row.count, [mu](const RowPoint& p) {
+      return std::abs(p.tangent_impulse) >= mu * p.normal_impulse;
+    });
+    broke |= slips && !row.slips;
+    row.slips = slips;
+  }
+  return broke;
+}
+
 void ScalarContacts::count_halves(const Island& island) {
   for (ImpactRow& row : island.rows) {
     if (!row.active) continue;
@@ -168,7 +206,7 @@ void ScalarContacts::press(const Island& island) {
         apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
-    if (row.fresh) solve_friction(row, frame);
+    if (row.fresh) solve_friction_by_state(row, frame);
   });
 }
 
@@ -182,7 +220,7 @@ void ScalarContacts::relax(const Island& island) {
         apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
-    solve_friction(row, frame);
+    solve_friction_by_state(row, frame);
   });
 }
 

@@ -38,6 +38,13 @@ class ScalarContacts {
   /// Rigid contacts with friction, regardless of depth. Skips points with a gap and no load, which would be braked one
   /// sub-step before they arrive.
   void relax(const Island& island);
+  /// At the start of a sub-step: a contact that bore nothing slips if its points move past each other faster than
+  /// `slow`, m/s.
+  void meet(const Island& island, Real slow) const;
+  /// Decides after relax() which contacts slip: those that needed all of their static friction, and those that slipped
+  /// and still need all of the dynamic one. Points share what a contact bears, so it slips only if none has any left.
+  /// Returns whether one broke away, and friction must be solved again.
+  static bool stick_or_slip(const Island& island);
   /// m, the largest growth of a contact's penetration in a sub-step at these velocities. `held`: without the points
   /// that relax() skips.
   Real deepening(const Island& island, bool held) const;

@@ -162,6 +162,22 @@ TEST(Joints, HingeStopsAtItsLimits) {
   EXPECT_NEAR(world.body(arm).angular_velocity(), 0, bound(1e-6, 1e-3));
 }
 
+// A stop does not rebound, and what stops the arm acts at hinge and stop together.
+TEST(Joints, HingeLosesAllSpeedInTheStepThatReachesItsLimit) {
+  for (const double limit : {.2, .5236, 1.0, 1.2}) {
+    World world(accurate());
+    const BodyId post = anchor(world);
+    const BodyId arm = box(world, {1, 0}, {1, 0.05_r});
+    world.create_joint(RevoluteJoint{post, arm, {}, Limits{-static_cast<Real>(limit), 0.5_r}});
+    for (int step = 0; step < 60; ++step) {
+      world.step();
+      if (world.body(arm).angle() > -limit + 1e-4) continue;
+      EXPECT_NEAR(world.body(arm).angle(), -limit, bound(1e-6, 1e-5)) << limit << " at step " << step;
+      EXPECT_NEAR(world.body(arm).angular_velocity(), 0, bound(1e-6, 1e-4)) << limit << " at step " << step;
+    }
+  }
+}
+
 TEST(Joints, MotorAcceleratesWithItsStrengthAndHoldsItsSpeed) {
   World world(accurate({}));
   const BodyId post = anchor(world);

@@ -299,6 +299,19 @@ TEST(Collide, SeparatesCapsulesThatLieEndToEnd) {
   EXPECT_EQ(m.normal, (Vec2{1, 0}));
 }
 
+// Bent so little that the face of one separates the cores by less than the preference of the other allows for.
+TEST(Collide, SeparatesCapsulesThatLieEndToEndSlightlyBent) {
+  const Shape capsule = Shape::capsule({-1, 0}, {1, 0}, 0.25_r);
+  for (const Real turn : {1e-6_r, 2e-5_r, -2e-5_r, 1e-4_r, -1e-3_r}) {
+    for (const Real rise : {0.0_r, 1e-5_r, -1e-5_r, -3e-5_r}) {
+      const Manifold m = collide(capsule, origin, capsule, at(2.4_r, rise, turn), 0.1_r);
+      ASSERT_EQ(m.count, 1);
+      EXPECT_NEAR(m.points[0].separation, -0.1_r, 1e-5_r) << turn << ' ' << rise;
+      EXPECT_GT(m.normal.x, 0.99_r) << turn << ' ' << rise;
+    }
+  }
+}
+
 TEST(Collide, KeepsItsPrecisionFarFromTheOrigin) {
   const Shape box = Shape::box({0.5_r, 0.5_r});
   const Real far = 4096;  // a power of two: sums with halves and quarters are exact

@@ -56,6 +56,30 @@ TEST(Accurate, StopsUnderAnyDampingAndNeverTurnsBack) {
   EXPECT_NEAR(static_cast<double>(world.body(id).velocity().y) * 10000 / -g, 1, bound(1e-9, 1e-3));
 }
 
+/// m/s after 1 s, of a box on two corners that moves at `speed` and is pulled by `pull` times its weight.
+double pulled(const Material& m, double pull, double speed = 0) {
+  Settings settings = accurate();
+  settings.gravity = vec(pull * g, -g);
+  World world(settings);
+  ground(world, m);
+  const BodyId box = world.create_body(at(0, .25, speed), Shape::box(vec(.5, .25)), m);
+  run_for(world, 1);
+  return static_cast<double>(world.body(box).velocity().x);
+}
+
+// Each corner alone would break away: what one cannot bear is left to the other.
+TEST(Accurate, HoldsABoxUpToItsStaticFrictionAndThenSlidesWithTheDynamicOne) {
+  for (const double dynamic : {0.0, .3, .55}) {
+    const Material m{1, real(.6), real(dynamic), 0};
+    EXPECT_NEAR(pulled(m, .599), 0, bound(1e-9, 1e-4)) << dynamic;
+    EXPECT_NEAR(pulled(m, .601) / ((.601 - dynamic) * g), 1, bound(1e-4, 1e-3)) << dynamic;
+  }
+}
+
+TEST(Accurate, GoesOnSlidingUnderAPullThatStaticFrictionWouldBear) {
+  EXPECT_NEAR(pulled({1, real(.6), real(.3), 0}, .4, .5), .5 + .1 * g, bound(1e-4, 1e-3));
+}
+
 TEST(Accurate, SlidesDownASlopeWithCoulombsAcceleration) {
   for (const double degrees : {15.0, 20.0, 35.0}) {
     const double a = degrees * static_cast<double>(pi) / 180;

@@ -40,5 +40,19 @@ TEST(Impacts, HoldABoxThatTipsOntoItsFaceAtTheCornerItStandsOn) {
   EXPECT_GT(deepest, -1e-4);
 }
 
+// While it slips, the dynamic coefficient acts: Jt = mu_d (1 + e) v, although the static one could stop it.
+TEST(Impacts, SlipWithTheDynamicCoefficient) {
+  constexpr double e = 0.6;
+  Settings weightless;
+  weightless.gravity = {};
+  World world(weightless);
+  const Material m{1, real(.8), real(.2), real(e)};
+  add_floor(world, m);
+  const BodyId ball = world.create_body(at(0, 1, 5, -2), Shape::circle(real(.5)), m);
+  run(world, 60);
+  EXPECT_NEAR(static_cast<double>(world.body(ball).velocity().x), 5 - .2 * (1 + e) * 2, 1e-5);
+  EXPECT_NEAR(static_cast<double>(world.body(ball).angular_velocity() * real(.25)), -.2 * (1 + e) * 2, 1e-5);
+}
+
 }  // namespace
 }  // namespace impulse::inline IMPULSE_PRECISION::impacts_test

@@ -138,7 +138,7 @@ constexpr bool is_discs = requires(Contacts contacts) {
 /// Whether the contacts have friction and rotate bodies.
 template <class Contacts>
 constexpr bool rubs = requires(Contacts contacts) {
-  contacts.static_friction;
+  contacts.friction;
 };
 template <class Contacts>
 using FrameOf = std::conditional_t<rubs<Contacts>, LanesFrame, CentresFrame>;

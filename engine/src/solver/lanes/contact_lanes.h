@@ -18,6 +18,7 @@ struct Tie {
   std::uint8_t points = 0;
   bool discs = false;
   bool smooth = false;  // frictionless, and of discs or fixed shapes: it rotates nothing
+  bool two_frictions = false;
   friend bool operator==(const Tie&, const Tie&) = default;
 };
 
@@ -79,6 +80,9 @@ struct ContactLanes : NormalLanes<width> {
   using Row = impulse::Row<width>;
   Row inertia_a, inertia_b;  // inverse, 1/(kg m^2)
   Row static_friction, dynamic_friction;
+  Row friction;                     // the one of these that limits it now
+  std::uint32_t two_frictions = 0;  // a bit for each lane: they differ
+  std::uint32_t slips = 0;          // see ImpactRow
   PointLanes<width> point[points];
   Row radius_a, radius_b;  // m, by which the shapes are rounded: that part of r . n does not turn with the body
 };
@@ -179,6 +183,9 @@ struct ContactPasses {
   void (*press)(const ContactTable<width>&, const BodyRows&, const SoftRule&, Real h);
   /// Rigid contacts with friction. `again`: not the first iteration in this sub-step.
   void (*relax)(const ContactTable<width>&, const BodyRows&, bool again);
+  /// See ScalarContacts.
+  void (*meet)(const ContactTable<width>&, const BodyRows&, Real slow);
+  bool (*stick_or_slip)(const ContactTable<width>&);
   /// Moves the offsets towards the depth that the load explains; at once if `settling`.
   void (*settle)(const ContactTable<width>&, const SoftRule&, bool settling);
   /// Writes impulses and offsets back to the contacts.

@@ -83,6 +83,7 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
   std::uint32_t fixed = 0;
   std::uint32_t aged = 0;
   std::uint32_t fresh = 0;
+  std::uint32_t slips = 0;
   for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
     const Slot& slot = slots[lane];
     const bool present = slot.tie.contact != Slot::empty;
@@ -99,6 +100,7 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
     const int age = contact[lane]->age;
     aged |= bit_where(present && age >= input.offset_from_age);
     fresh |= bit_where(present && age == 0);
+    slips |= bit_where(contact[lane]->slips);
     if constexpr (rubs<Contacts>) {
       lanes.inertia_a.lane[lane] = mass_a.i;
       lanes.inertia_b.lane[lane] = mass_b.i;
@@ -117,6 +119,9 @@ void lay_out(const LayoutInput& input, const Slot* slots, Contacts& lanes) {
   if constexpr (rubs<Contacts>) {
     store(surface[0], lanes.static_friction);
     store(surface[1], lanes.dynamic_friction);
+    lanes.two_frictions = (~(surface[0] == surface[1]).bits()) & all_lanes;
+    lanes.slips = slips;
+    store(select(Lanes::Mask::of(slips), surface[1], surface[0]), lanes.friction);
     store(surface[2], lanes.radius_a);
     store(surface[3], lanes.radius_b);
     lanes.rounded = (Lanes::all(0) < surface[2] + surface[3]).bits() != 0;
@@ -181,7 +186,9 @@ void store_all(const LayoutInput& input, LanesKind kind, const Contacts* all) {
     }
     for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
       const std::uint32_t contact = slots[lane].tie.contact;
-      if (contact != Slot::empty) input.contacts[contact].offset = lanes.offset.lane[lane];
+      if (contact == Slot::empty) continue;
+      input.contacts[contact].offset = lanes.offset.lane[lane];
+      if constexpr (rubs<Contacts>) input.contacts[contact].slips = (lanes.slips >> lane & 1U) != 0;
     }
   }
 }

@@ -4,21 +4,14 @@ namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 namespace {
 
-/// within_cone() (contact_rows.h) in lanes.
-Lanes held_by_cone(const Lanes& wanted, const Lanes& load_now, const Lanes& static_friction,
-                   const Lanes& dynamic_friction) {
-  const Lanes most = dynamic_friction * load_now;
-  const Lanes sliding = max(-most, min(most, wanted));
-  return select(max(wanted, -wanted) <= static_friction * load_now, wanted, sliding);
-}
-
 /// The friction impulse that stops the sliding at a point, as far as the friction cone allows.
 template <class Contacts>
 [[gnu::always_inline]] inline Lanes solve_friction(const Contacts& contacts, const PointLanes& p,
                                                    const LanesFrame& frame, const Lanes& normal_impulse,
                                                    const Lanes& tangent_impulse) {
   const Lanes wanted = tangent_impulse - load(p.tangent_mass) * frame.tangent_velocity(p);
-  return held_by_cone(wanted, normal_impulse, load(contacts.static_friction), load(contacts.dynamic_friction));
+  const Lanes most = load(contacts.friction) * normal_impulse;
+  return max(-most, min(most, wanted));
 }
 
 /// A parameter of SoftRule for each lane.
@@ -304,6 +297,50 @@ void relax_contacts(const ContactTable& table, const BodyRows& bodies, bool agai
   again ? relax_once<true>(table, bodies) : relax_once<false>(table, bodies);
 }
 
+template <class Contacts>
+void choose_friction(Contacts& contacts) {
+  store(select(Lanes::Mask::of(contacts.slips), load(contacts.dynamic_friction), load(contacts.static_friction)),
+        contacts.friction);
+}
+
+void meet_contacts(const ContactTable& table, const BodyRows& bodies, Real slow) {
+  const Lanes nothing = Lanes::all(0);
+  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
+    if constexpr (rubs<Contacts>) {
+      if (contacts.two_frictions == 0) return;
+      const LanesFrame frame(contacts, bodies.velocity);
+      std::uint32_t idle = all_lanes;
+      std::uint32_t slips = 0;
+      for (const auto& p : contacts.point) {
+        const Lanes speed = frame.tangent_velocity(p);
+        idle &= (load(p.normal_impulse) == nothing).bits();
+        slips |= (Lanes::all(slow) < max(speed, -speed)).bits();
+      }
+      contacts.slips = (contacts.slips & ~idle) | (slips & idle);
+      choose_friction(contacts);
+    }
+  });
+}
+
+bool stick_or_slip(const ContactTable& table) {
+  bool broke = false;
+  for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
+    if constexpr (rubs<Contacts>) {
+      if (contacts.two_frictions == 0) return;
+      const Lanes mu = load(contacts.friction);
+      std::uint32_t slips = contacts.two_frictions;
+      for (const auto& p : contacts.point) {
+        const Lanes rubbed = load(p.tangent_impulse);
+        slips &= (mu * load(p.normal_impulse) <= max(rubbed, -rubbed)).bits();
+      }
+      broke |= (slips & ~contacts.slips) != 0;
+      contacts.slips = slips;
+      choose_friction(contacts);
+    }
+  });
+  return broke;
+}
+
 // See ScalarContacts::settle_offsets.
 void settle_offsets(const ContactTable& table, const SoftRule& soft, bool settling) {
   const Lanes nothing = Lanes::all(0);
@@ -342,7 +379,8 @@ void settle_offsets(const ContactTable& table, const SoftRule& soft, bool settli
 }  // namespace
 
 extern const ContactPasses<lane_count> contact_passes;
-const ContactPasses<lane_count> contact_passes{lay_out_contacts, begin_late,     kick_by_contacts, press_contacts,
-                                               relax_contacts,   settle_offsets, store_contacts};
+const ContactPasses<lane_count> contact_passes{lay_out_contacts, begin_late,     kick_by_contacts,
+                                               press_contacts,   relax_contacts, meet_contacts,
+                                               stick_or_slip,    settle_offsets, store_contacts};
 
 }  // namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES

@@ -68,6 +68,7 @@ struct Heap {
     contact.radius_a = random.number(0, 1);
     contact.radius_b = random.number(0, 1);
     contact.offset = random.number(0, .001);
+    contact.slips = contact.offset < Real{1} / 2000;
     contact.age = static_cast<int>(random.number(0, 3.9));
     for (ContactPoint& p : contact.points) {
       p.arm_a = random.point(1);
@@ -100,11 +101,14 @@ struct Laid {
 };
 
 template <std::size_t width, class Lanes>
-void expect_rough(const ContactRow& row, const Lanes& lanes, std::size_t lane) {
+void expect_rough(const ContactRow& row, bool slips, const Lanes& lanes, std::size_t lane) {
   const auto at = [lane](const Row<width>& row_of_lanes) { return row_of_lanes.lane[lane]; };
   EXPECT_EQ(at(lanes.inertia_b), row.mass_b.i);
   EXPECT_EQ(at(lanes.static_friction), row.static_friction);
   EXPECT_EQ(at(lanes.dynamic_friction), row.dynamic_friction);
+  EXPECT_EQ(at(lanes.friction), slips ? row.dynamic_friction : row.static_friction);
+  EXPECT_EQ((lanes.slips >> lane & 1U) != 0, slips);
+  EXPECT_EQ((lanes.two_frictions >> lane & 1U) != 0, row.static_friction != row.dynamic_friction);
   for (std::size_t i = 0; i < std::size(lanes.point); ++i) {
     const RowPoint& p = row.points[i];
     const PointLanes<width>& laid = lanes.point[i];
@@ -143,7 +147,7 @@ void expect_contact(const Heap& heap, const Slot& slot, const Lanes& lanes, std:
     EXPECT_EQ(at(laid.normal_impulse), p.normal_impulse / 4);
   }
   if constexpr (requires { lanes.static_friction; }) {
-    expect_rough<width>(row, lanes, lane);
+    expect_rough<width>(row, contact.slips, lanes, lane);
     EXPECT_EQ(lanes.rounded, heap.rounded);
   } else {
     EXPECT_EQ(at(lanes.point[0].normal_mass), solvable(heap.bodies, contact) ? 1 / (row.mass_a.m + row.mass_b.m) : 0);

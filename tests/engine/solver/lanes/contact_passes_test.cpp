@@ -115,6 +115,8 @@ struct Tangle {
     lanes.inertia_b.lane[lane] = i % 8 == 3 ? 0 : random.number(.1, 2);
     lanes.static_friction.lane[lane] = random.number(.3, 1);
     lanes.dynamic_friction.lane[lane] = random.number(.1, .3);
+    lanes.friction.lane[lane] = lanes.static_friction.lane[lane];
+    lanes.two_frictions |= (i % 5 < 3 ? 1U : 0U) << lane;
     for (PointLanes<width>& p : lanes.point) {
       for (Row<width>* row : {&p.cross_a, &p.cross_b, &p.dot_a, &p.dot_b}) {
         row->lane[lane] = random.number(-1, 1);
@@ -134,15 +136,18 @@ struct Tangle {
     by.kick_by_forces(rows, h);
     passes.kick(table, rows);
     for (int i = 0; i < 2; ++i) {
+      passes.meet(table, rows, Real{1} / 2);
       by.kick_bodies(rows, i == 0);
       passes.press(table, rows, soft, h);
       far |= by.drift_bodies(rows, h);
       passes.relax(table, rows, false);
+      broke |= passes.stick_or_slip(table);
       passes.relax(table, rows, true);
     }
     passes.settle(table, soft, false);
   }
   bool far = false;
+  bool broke = false;
 };
 
 template <class Item>
@@ -179,6 +184,7 @@ void expect_same_bits(const Tangle<8>& oracle, const SolverKernels& by, const Co
   EXPECT_TRUE(same_bits(tangle.motion, oracle.motion)) << seed;
   EXPECT_TRUE(same_bits(tangle.turn, oracle.turn)) << seed;
   EXPECT_EQ(tangle.far, oracle.far);
+  EXPECT_EQ(tangle.broke, oracle.broke);
   EXPECT_TRUE(same_bits(numbers_of<width>(tangle.one), numbers_of<8>(oracle.one))) << seed;
   EXPECT_TRUE(same_bits(numbers_of<width>(tangle.discs), numbers_of<8>(oracle.discs))) << seed;
   EXPECT_TRUE(same_bits(numbers_of<width>(tangle.two), numbers_of<8>(oracle.two))) << seed;
