@@ -53,8 +53,12 @@ export function serve(hello, stepping, build) {
     rest = lines.pop();
     for (const ask of lines.map((line) => Object.entries(JSON.parse(line))[0])) asked[ask[0]](ask[1]);
     flush();
-  });
+  }).on('end', () => process.exit(0)); // or threads of an engine would outlive Plumb
 }
+
+/** An option that is on or off. */
+export const onOff = (key, value, about, on, off) =>
+  ({ key, value, about, choices: [{ value: 'on', about: on }, { value: 'off', about: off }] });
 
 export const mixed = {
   geometric: (a, b) => Math.sqrt(a * b), pythagorean: (a, b) => Math.sqrt(a * a + b * b),
