@@ -16,7 +16,7 @@
 //   those before and after relaxing both: twice the weight at rest.
 // - Sleeping is off by default.
 import Box2D from 'box2d3-wasm';
-import { NotSupported, centered, corners, mixed, onOff, plus, serve, turned, unwound } from './plumb_engine.mjs';
+import { NotSupported, centered, corners, mixed, onOff, plus, serve, tuned, turned, unwound } from './plumb_engine.mjs';
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
 const b2 = await Box2D();
@@ -105,9 +105,6 @@ class World {
       ['A', 'B'].forEach((side, k) => {
         const frame = def.base[`localFrame${side}`];
         const arm = plus(joint.anchors?.[k] ?? joint.anchor, ends[k].position, -1);
-        if (joint.stiffness && ends[k].type === 'dynamic' && Math.hypot(...arm) > 1e-6) {
-          throw new NotSupported('tunes springs by frequency: soft distance joints between centres of mass only');
-        }
         frame.p.Set(...turned(arm, -ends[k].angle));
         turn(frame.q, along - ends[k].angle);
         def.base[`bodyId${side}`] = this.bodies[joint.bodies[k]];
@@ -116,11 +113,8 @@ class World {
       if (joint.limits) Object.assign(def, { enableLimit: true, lowerAngle, upperAngle });
       if (joint.length) def.length = joint.length;
       if (joint.stiffness) {
-        // k = m w^2 and d = 2 z m w for the effective mass m along the line between the centres of mass
-        const inverse = ends.reduce((sum, { mass }) => sum + (mass && 1 / mass), 0);
-        const w = Math.sqrt(joint.stiffness * inverse);
-        const dampingRatio = ((joint.damping ?? 0) * inverse) / (2 * w);
-        Object.assign(def, { enableSpring: true, hertz: w / (2 * Math.PI), dampingRatio });
+        const { hertz, ratio } = tuned(joint, ends);
+        Object.assign(def, { enableSpring: true, hertz, dampingRatio: ratio });
       }
       b2[`b2Create${kind}Joint`](this.world, def);
     });
