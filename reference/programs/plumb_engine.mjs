@@ -53,13 +53,24 @@ export function serve(hello, stepping, build) {
   process.stdin.setEncoding('utf8').on('data', (chunk) => {
     const lines = (rest + chunk).split('\n');
     rest = lines.pop();
-    for (const ask of lines.map((line) => Object.entries(JSON.parse(line))[0])) {
-      if (asked[ask[0]]) asked[ask[0]](ask[1]);
-      else answer({ error: `unknown ask: ${ask[0]}` });
+    try {
+      for (const [[what, how]] of lines.map((line) => Object.entries(JSON.parse(line)))) {
+        if (asked[what]) asked[what](how);
+        else answer({ error: `unknown ask: ${what}` });
+      }
+    } catch (error) {
+      answer({ error: `${error}`.slice(0, 400) });
+      process.exitCode = 1;
+      process.stdin.destroy();
+      console.error(error);
     }
     flush();
-  });
+  }).on('end', () => process.exit(0)); // or threads of an engine would outlive Plumb
 }
+
+/** An option that is on or off. */
+export const onOff = (key, value, about, on, off) =>
+  ({ key, value, about, choices: [{ value: 'on', about: on }, { value: 'off', about: off }] });
 
 export const mixed = {
   geometric: (a, b) => Math.sqrt(a * b), pythagorean: (a, b) => Math.sqrt(a * a + b * b),
@@ -78,6 +89,18 @@ export function corners({ vertices, size: [w, h] = [0, 0], center, angle = 0 }) 
   const points = vertices ?? signs.map(([x, y]) => plus(turned([(x * w) / 2, (y * h) / 2], angle), center));
   const area = points.reduce((sum, [x, y], i) => sum + points.at(i - 1)[0] * y - points.at(i - 1)[1] * x, 0);
   return area < 0 ? [...points].reverse() : points;
+}
+
+/** Stiffness k and damping d of a soft distance joint as frequency and damping ratio: k = m w^2 and d = 2 z m w for the
+ *  effective mass m along the line between two centres of mass. */
+export function tuned({ stiffness, damping = 0, anchors }, ends) {
+  const arm = ({ position }, k) => Math.hypot(...plus(anchors[k], position, -1));
+  if (ends.some((body, k) => body.type === 'dynamic' && arm(body, k) > 1e-6)) {
+    throw new NotSupported('tunes springs by frequency: soft distance joints between centres of mass only');
+  }
+  const inverse = ends.reduce((sum, { mass }) => sum + (mass && 1 / mass), 0);
+  const w = Math.sqrt(stiffness * inverse);
+  return { hertz: w / (2 * Math.PI), ratio: (damping * inverse) / (2 * w) };
 }
 
 /** The scene with its defaults, bodies and shapes about their centres of mass, joints' bodies as indices, and

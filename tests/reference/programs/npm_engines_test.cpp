@@ -1,0 +1,91 @@
+// What theory says of the programs of reference/programs/npm, to 1 %. They are tested if the environment variable
+// PLUMB_ENGINES_DIR names a folder where they are installed; every_engine_test.cpp has what all adapters must satisfy.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/programs/program_engine.h"
+#include "tests/reference/adapters/scenes.h"
+
+namespace plumb::adapter_tests {
+namespace {
+
+constexpr double g = 10;
+constexpr double dt = 1.0 / 60;
+
+// Both split a step into four sub-steps and make contacts damped springs.
+class SoftStepProgram : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    const char* const folder = std::getenv("PLUMB_ENGINES_DIR");
+    if (folder == nullptr) GTEST_SKIP() << "PLUMB_ENGINES_DIR names no folder with installed engines";
+    adapter_ = std::filesystem::path(folder) / GetParam() / "adapter.mjs";
+    if (!std::filesystem::exists(adapter_)) GTEST_SKIP() << adapter_ << " is not installed";
+  }
+
+  const Engine& engine() const { return engine_of_program("node " + adapter_.string()); }
+
+  static Scene named(std::vector<Body> bodies) {
+    Scene scene = scene_of(std::move(bodies));
+    scene.name = "test";
+    scene.gravity = {0, -g};
+    scene.duration = 10;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) scene.bodies[i].name = "body " + std::to_string(i);
+    return scene;
+  }
+
+ private:
+  std::filesystem::path adapter_;
+};
+
+// v += g h, then x += v h: off by g t h/2, h = dt/4.
+TEST_P(SoftStepProgram, FallsShortByItsSubStep) {
+  const BodyState fallen = last_state(engine(), named({body_of(BodyType::dynamic, {0, 10}, Circle{.5, {}})}), {}, 60);
+  const double off = g * 1 * (dt / 4) / 2;
+  EXPECT_NEAR(fallen.position.y - (10 - g / 2), -off, off / 100);
+}
+
+// A spring of frequency f holds half the weight at each corner, of effective mass m/5 between boxes and m/2.5 on the
+// ground: 2.5 g/w^2 and 1.25 g/w^2 deep, w = 2 pi f, f 30 Hz between bodies and 60 Hz on fixed ones, times the weights
+// above.
+TEST_P(SoftStepProgram, LetsATowerOfTenSinkByItsSprings) {
+  std::vector<Body> tower{body_of(BodyType::fixed, {}, HalfSpace{})};
+  for (int i = 0; i < 10; ++i) tower.push_back(body_of(BodyType::dynamic, {0, i + .5}, Box{}));
+  const BodyState top = last_state(engine(), named(tower), {}, 600);
+  const double w = 2 * std::numbers::pi * 30;
+  const double sink = 10 * 1.25 * g / (4 * w * w) + 45 * 2.5 * g / (w * w);
+  EXPECT_NEAR(9.5 - top.position.y, sink, sink / 100);
+}
+
+// Restitution acts at the end of a step, on the closing speed at its start.
+TEST_P(SoftStepProgram, ReboundsAtItsShareOfTheSpeedAtTheStepsStart) {
+  const double e = .8;
+  const Scene scene =
+      named({body_of(BodyType::fixed, {}, HalfSpace{}, e), body_of(BodyType::dynamic, {0, 4.5}, Circle{.5, {}}, e)});
+  const std::unique_ptr<Simulation> simulation = engine().build(scene, {});
+  std::vector<BodyState> states(2);
+  double before = 0;
+  double after = 0;
+  for (int i = 0; i < 90 && after <= 0; ++i) {
+    before = after;
+    simulation->step(dt);
+    simulation->read(states);
+    after = states[1].velocity.y;
+  }
+  EXPECT_NEAR(after, -e * before, e * -before / 100);
+}
+
+std::string folder_name(const testing::TestParamInfo<std::string>& engine) { return engine.param; }
+
+INSTANTIATE_TEST_SUITE_P(Npm, SoftStepProgram, testing::Values("rapier", "box2d3"), folder_name);
+
+}  // namespace
+}  // namespace plumb::adapter_tests
