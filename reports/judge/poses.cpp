@@ -148,15 +148,20 @@ Allowance decided_otherwise(const RelationRun& run, const Allowance& explained, 
 
 std::vector<Allowance> explained_by_rounding(const RelationRun& run, std::vector<double> rounding,
                                              std::optional<Stepping> residue) {
-  const Allowance amplified{
-      residue ? "round-off as this scene amplifies it, and what the stated iterations leave in another order"
-              : "round-off as this scene amplifies it",
-      [rounding, residue, &run](std::size_t moment, std::size_t body) -> std::optional<double> {
-        const auto most = run.amplification.of(rounding[moment], moment, body);
-        if (!most || !residue) return most;
-        const auto left = run.amplification.of_method(*residue, moment, body);
-        return left ? std::optional(*most + 2 * *left) : std::nullopt;
-      }};
+  std::string reason = "round-off as this scene amplifies it";
+  if (residue) reason += ", what the stated iterations leave in another order";
+  if (!run.scene.joints.empty() && run.stepping.joint_slop > 0) {
+    if (!residue) residue = Stepping{.dt = run.stepping.dt};
+    residue->joint_slop = run.stepping.joint_slop;
+    reason += ", the stated slop of joints";
+  }
+  const Allowance amplified{reason,
+                            [rounding, residue, &run](std::size_t moment, std::size_t body) -> std::optional<double> {
+                              const auto most = run.amplification.of(rounding[moment], moment, body);
+                              if (!most || !residue) return most;
+                              const auto left = run.amplification.of_method(*residue, moment, body);
+                              return left ? std::optional(*most + 2 * *left) : std::nullopt;
+                            }};
   return {{"round-off", [rounding](std::size_t moment, std::size_t) { return rounding[moment]; }},
           amplified,
           decided_otherwise(run, amplified, rounding, rounding.back())};

@@ -68,7 +68,8 @@ RelationCheck compare(const RelationRun& run, std::span<const RelationRun> image
   std::vector<Allowance> allowances = explained_by_rounding(run, rounding);
   allowances.back() = explained_by_method(run, rounding, here, there).back();
   allowances.back().reason = "round-off and the engine's thresholds, as this scene amplifies them";
-  allowances.push_back(decided_otherwise(run, allowances.back(), rounding, rounding.back()));
+  const double gaps = here.contact_gap() + here.joint_slop;
+  allowances.push_back(decided_otherwise(run, allowances.back(), rounding, rounding.back() + gaps));
   RelationCheck result = compare_poses(run, std::min(run.trace.size(), image.trace.size()), poses, allowances);
   if (!result.why_not.empty() || result.check.value <= rounding.back()) return result;
   const std::size_t moment = run.trace.bracket(result.check.time).before;
