@@ -71,10 +71,11 @@ struct InvariantCheck {
   std::string unit;
   CheckStatus status = CheckStatus::held;
   double value = 0, tolerance = 0;
-  double ratio = 0;   // error_ratio(value, tolerance)
-  double scale = 0;   // what an engine without the law would show, in the same unit; 0: nothing tested it
-  double time = 0;    // s
-  std::string where;  // body, or "a - b"; "" for the whole scene
+  double ratio = 0;         // error_ratio(value, tolerance)
+  double scale = 0;         // what an engine without the law would show, in the same unit; 0: nothing tested it
+  double time = 0;          // s
+  std::string where;        // body, or "a - b"; "" for the whole scene
+  std::string detail = {};  // of a metamorphic relation: what was compared, and why that much may differ
 };
 
 struct RunRecord {

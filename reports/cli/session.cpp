@@ -42,6 +42,7 @@ Plan plan_of(const Session& session) {
   plan.dt = parse_dt(session.dt);
   plan.jobs = session.jobs;
   plan.refine = session.refinement();
+  plan.relations = session.relations;
   plan.ensemble = session.ensemble;
   return plan;
 }
@@ -54,6 +55,8 @@ void Session::attach_to(CLI::App& app) {
                             "Spend five times as much on the converged references that judge where there is no closed "
                             "form; a few seconds a scene");
   app.add_flag("--no-converged", no_converged, "Judge without converged references")->excludes(more);
+  app.add_flag("--relations", relations,
+               "Also run images of every scene (shifted, turned, mirrored ...) and check that they move alike");
   app.add_option("--ensemble", ensemble, "Runs of each engine that are compared beyond a scene's horizon; 0: none")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000))
@@ -88,6 +91,7 @@ Report Session::conduct(const std::string& command, const std::function<void(Rep
   if (all) report.command.emplace_back("--all");
   if (converged) report.command.emplace_back("--converged");
   if (no_converged) report.command.emplace_back("--no-converged");
+  if (relations) report.command.emplace_back("--relations");
   if (ensemble != Session().ensemble)
     report.command.insert(report.command.end(), {"--ensemble", std::to_string(ensemble)});
   for (const std::string& engine : engines) report.command.insert(report.command.end(), {"--engine", engine});

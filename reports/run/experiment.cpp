@@ -16,6 +16,7 @@
 #include "reports/run/case_run.h"
 #include "reports/run/converged_checks.h"
 #include "reports/run/horizon.h"
+#include "reports/run/relations.h"
 #include "reports/run/timings.h"
 #include "reports/system/jobs.h"
 
@@ -26,6 +27,8 @@ namespace {
 struct TimeSpent {
   double wall = 0, stepping = 0;  // s
 };
+
+const std::string relation_prefix = "relation_";  // of a relation's name among invariants and metrics
 
 std::vector<double> moments_in(double duration, double dt) {
   std::vector<double> moments(steps_in(duration, dt) + 1);
@@ -58,7 +61,7 @@ bool asks_for_places(const Case& one_case) {
 // All runs of one case: the reference first, if there is one.
 class CaseExperiment {
  public:
-  CaseExperiment(const Case& test_case, double dt) : case_(test_case), dt_(dt) {}
+  CaseExperiment(const Case& test_case, double dt) : case_(test_case), dt_(dt), growth_(*test_case.scene, dt) {}
 
   // With a converged reference of that many body-steps where no closed form can be evaluated and the scenario does not
   // ask for places itself; 0: none.
@@ -90,13 +93,14 @@ class CaseExperiment {
     records_.push_back(std::move(record));
   }
 
-  void run_engine(const EngineConfig& config) {
+  void run_engine(const EngineConfig& config, bool relations) {
     const CaseRun runs = run_case(case_, config, dt_);
     add_time(runs.outcome);
     for (const Outcome& shifted : runs.shifted) add_time(shifted);
     RunRecord record = judged_record(case_, config, dt_, runs, reference_);
     if (record.status == Status::ok) runnable_.push_back(config);
     if (record.status == Status::ok && checks_) judge_by_converged(*checks_, config, record);
+    if (record.status == Status::ok && relations) judge_by_relations(config, record);
     records_.push_back(std::move(record));
   }
 
@@ -124,6 +128,16 @@ class CaseExperiment {
     if (record.verdict != Verdict::wrong) record.verdict = verdict_of(record.truth, record.invariants);
   }
 
+  void judge_by_relations(const EngineConfig& config, RunRecord& record) const {
+    for (RelationCheck& relation : check_relations(growth_, config, dt_, *record.trace)) {
+      if (!relation.why_not.empty()) continue;
+      relation.check.name = relation_prefix + relation.name;
+      record.metrics[relation.check.name] = {relation.share, "1"};
+      record.invariants.push_back(std::move(relation.check));
+    }
+    if (record.verdict != Verdict::wrong) record.verdict = verdict_of(record.truth, record.invariants);
+  }
+
   void add_time(const Outcome& outcome) {
     spent_.wall += outcome.wall;
     spent_.stepping += outcome.stepping;
@@ -131,6 +145,7 @@ class CaseExperiment {
 
   const Case& case_;
   double dt_;
+  SceneGrowth growth_;
   TimeSpent spent_;
   std::optional<ConvergedTruth> refined_;
   std::optional<ConvergedChecks> checks_;
@@ -171,6 +186,15 @@ void add_notes(const Plan& plan, Report& report) {
   for (const Invariant* invariant : Catalog<Invariant>::all()) {
     report.invariants.push_back({invariant->name, invariant->unit, invariant->definition});
   }
+  if (!plan.relations) return;
+  for (const MetamorphicRelation* relation : Catalog<MetamorphicRelation>::all()) {
+    const std::string name = relation_prefix + relation->name;
+    report.invariants.push_back({name, relation->unit, relation->definition});
+    report.metrics.push_back({name, "1",
+                              "the largest difference of a body's pose from that relation, over how far the body moves "
+                              "or its size, up to the horizon",
+                              "lower"});
+  }
 }
 
 }  // namespace
@@ -190,7 +214,7 @@ Report run_experiment(const Plan& plan, const Progress& progress) {
     cases[i].run_reference(plan.refine);
     for (const EngineConfig& config : plan.configs) {
       show(cases[i].test_case(), label_of(config.engine->name, config.method()));
-      cases[i].run_engine(config);
+      cases[i].run_engine(config, plan.relations);
     }
     cases[i].compare_engines(plan.ensemble, plan.refine);
   });

@@ -18,6 +18,7 @@ struct Plan {
   int jobs = 1;            // cases that run at once; the results do not depend on it
   std::size_t refine = 0;  // body-steps of each engine of a converged reference where there is no closed form; 0: none
   bool timed = true;       // measure the cost of a step after everything else
+  bool relations = false;  // check the metamorphic relations, which takes a run of every engine for each image
   int ensemble = 0;        // runs of each engine to compare beyond a scene's horizon; 0: do not look for horizons
 };
 

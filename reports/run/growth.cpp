@@ -19,14 +19,10 @@ constexpr std::size_t steps_per_moment = 2;
 constexpr int random_directions = 3;
 constexpr double displacement_shares[] = {1e-5, 1e-3, 1e-2, 1e-1};  // of the smallest body
 
-// Every dynamic body moved at random by up to `size`, m, and turned so that its rim moves as much.
-Scene displaced_scene(const Scene& scene, std::span<const double> radius, double size, std::uint64_t seed) {
-  Scene moved = perturbed(scene, size, seed);
-  Random random(~seed);
-  for (std::size_t i = 0; i < moved.bodies.size(); ++i) {
-    if (moved.bodies[i].type == BodyType::dynamic) moved.bodies[i].angle += random.between(-size, size) / radius[i];
-  }
-  return moved;
+// m, of the rim; of a body that has none the size of the smallest.
+double rim_of(const Scene& scene, const Body& body) {
+  const double radius = bounding_radius(body);
+  return radius > 0 ? radius : smallest_body(scene);
 }
 
 EngineConfig our_config() {
@@ -36,16 +32,22 @@ EngineConfig our_config() {
 
 }  // namespace
 
+Scene displaced(const Scene& scene, double size, std::uint64_t seed) {
+  Scene moved = perturbed(scene, size, seed);
+  Random random(~seed);
+  for (Body& body : moved.bodies) {
+    if (body.type == BodyType::dynamic) body.angle += random.between(-size, size) / rim_of(scene, body);
+  }
+  return moved;
+}
+
 Growth::Growth(const Scene& scene, double dt, double until) : dt_(dt), bodies_(scene.bodies.size()) {
   Scene shortened = scene;
   shortened.duration = until;
   for (const Body& body : scene.bodies) {
     for (const Shape& shape : body.shapes) bounces_ = bounces_ || shape.surface.restitution > 0;
   }
-  for (const Body& body : scene.bodies) {
-    const double radius = bounding_radius(body);
-    radius_.push_back(radius > 0 ? radius : smallest_body(scene));
-  }
+  for (const Body& body : scene.bodies) radius_.push_back(rim_of(scene, body));
   const EngineConfig config = our_config();
   const Outcome outcome = run(shortened, config, dt / steps_per_moment);
   if (outcome.status != Status::ok) return;
@@ -80,7 +82,7 @@ void Growth::displace(const Scene& scene, const EngineConfig& config, const Trac
   const Conserved conserved(scene);
   Displaced displaced{.size = size, .growth = std::vector<Shift>(stress_.size() * bodies_)};
   for (int seed = 1; seed <= random_directions; ++seed) {
-    const Scene moved = displaced_scene(scene, radius_, size, static_cast<std::uint64_t>(seed));
+    const Scene moved = plumb::displaced(scene, size, static_cast<std::uint64_t>(seed));
     const Outcome outcome = run(moved, config, dt_ / steps_per_moment);
     if (!outcome.trace) continue;
     const double usual = size * std::sqrt(2.0 / 3);  // root mean square of such displacements
@@ -108,18 +110,24 @@ MethodError Growth::own_error(const Stepping& stepping, std::size_t moment) cons
   return method_error(stepping, stress_[moment], bounces_);
 }
 
-std::optional<Shift> Growth::allowance(const Stepping& stepping, std::size_t moment, std::size_t body) const {
-  const MethodError own = own_error(stepping, moment);
+std::optional<Growth::Factor> Growth::factor(double size, std::size_t moment, std::size_t body) const {
   Shift worst{1, 1 / radius_[body], 0};
   for (const Displaced& one : displaced_) {
     const Shift& growth = one.growth[moment * bodies_ + body];
     worst = {std::max(worst.place, growth.place), std::max(worst.angle, growth.angle),
              std::max(worst.energy, growth.energy)};
-    if (one.size < own.place) continue;
-    return Shift{worst.place * own.place, worst.angle * own.place,
-                 (worst.energy + force_[moment]) * own.place + momentum_[moment] * own.speed};
+    if (one.size >= size) return Factor{worst, one.size};
   }
   return std::nullopt;
+}
+
+std::optional<Shift> Growth::allowance(const Stepping& stepping, std::size_t moment, std::size_t body) const {
+  const MethodError own = own_error(stepping, moment);
+  const auto found = factor(own.place, moment, body);
+  if (!found) return std::nullopt;
+  const Shift& worst = found->per_metre;
+  return Shift{worst.place * own.place, worst.angle * own.place,
+               (worst.energy + force_[moment]) * own.place + momentum_[moment] * own.speed};
 }
 
 }  // namespace plumb

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,6 +19,9 @@ struct Shift {
   double energy = 0;  // J, of the scene
 };
 
+/// Every dynamic body moved at random by up to `size`, m, and turned so that its rim moves as much.
+Scene displaced(const Scene&, double size, std::uint64_t seed);
+
 /// Measured with our engine in double precision at half the step, by displacements of several sizes, since growth
 /// depends on the size where an impact may be missed.
 class Growth {
@@ -33,6 +37,14 @@ class Growth {
   /// times the largest growth by then of any displacement up to that size. Nullopt where that error is larger than any
   /// displacement that was tried, a tenth of the smallest body.
   std::optional<Shift> allowance(const Stepping&, std::size_t moment, std::size_t body) const;
+  /// The largest growth by a moment of any displacement up to the smallest size tried that is at least `size`, m: per
+  /// m, and that size. Nullopt if none is.
+  struct Factor {
+    Shift per_metre;
+    double tried = 0;  // m
+  };
+  std::optional<Factor> factor(double size, std::size_t moment, std::size_t body) const;
+
   /// The first of these factors.
   MethodError own_error(const Stepping&, std::size_t moment) const;
 

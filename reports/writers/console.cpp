@@ -118,8 +118,9 @@ std::string in_words(const TruthCheck& check) {
 
 std::string in_words(const InvariantCheck& check) {
   const std::string where = check.where.empty() ? "" : " of " + check.where;
-  return fmt::format("breaks {}{} at {:.4g} s: {:.3g}, tolerance {:.2g} {} ({:.3g} times)", check.name, where,
-                     check.time, check.value, check.tolerance, check.unit, check.ratio);
+  return fmt::format("breaks {}{} at {:.4g} s: {:.3g}, tolerance {:.2g} {} ({:.3g} times){}{}", check.name, where,
+                     check.time, check.value, check.tolerance, check.unit, check.ratio,
+                     check.detail.empty() ? "" : ": ", check.detail);
 }
 
 // The error estimate of a converged reference.

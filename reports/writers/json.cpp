@@ -51,16 +51,18 @@ Json of(const TruthCheck& check) {
 }
 
 Json of(const InvariantCheck& check) {
-  return {{"name", check.name},
-          {"unit", check.unit},
-          {"status", name_of(check.status)},
-          {"value", check.value},
-          {"tolerance", check.tolerance},
-          {"ratio", check.ratio},
-          {"scale", check.scale},
-          {"evidence", is_evidence(check)},
-          {"time", check.time},
-          {"where", check.where}};
+  Json json{{"name", check.name},
+            {"unit", check.unit},
+            {"status", name_of(check.status)},
+            {"value", check.value},
+            {"tolerance", check.tolerance},
+            {"ratio", check.ratio},
+            {"scale", check.scale},
+            {"evidence", is_evidence(check)},
+            {"time", check.time},
+            {"where", check.where}};
+  if (!check.detail.empty()) json["detail"] = check.detail;
+  return json;
 }
 
 Json final_pose_of(const RunRecord& run) {

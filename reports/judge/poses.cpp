@@ -1,0 +1,214 @@
+#include "reports/judge/poses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "reference/adapter.h"
+#include "reference/scene_facts.h"
+#include "reports/judge/invariant.h"
+#include "reports/judge/overlap.h"
+#include "reports/judge/rounding.h"
+#include "reports/judge/scale.h"
+#include "reports/vec.h"
+
+namespace plumb {
+namespace {
+
+constexpr double full_turn = 6.283185307179586;  // rad
+
+double rim_of(const Scene& scene, std::size_t body) {
+  const double radius = bounding_radius(scene.bodies[body]);
+  return radius > 0 ? radius : smallest_body(scene);
+}
+
+// m: engines may count turns or not.
+double apart(const BodyState& a, const BodyState& b, double rim) {
+  return std::max(length(a.position - b.position), rim * std::abs(std::remainder(a.angle - b.angle, full_turn)));
+}
+
+// m, the largest coordinate that an engine computes with: of bodies that do not move, and of edges for half-spaces.
+double largest_coordinate(const Scene& scene) {
+  double largest = 0;
+  for (const Body& body : scene.bodies) {
+    largest = std::max(largest, length(body.position) + bounding_radius(body));
+    for (const Shape& shape : body.shapes) {
+      if (std::holds_alternative<HalfSpace>(shape.geometry)) largest = std::max(largest, scene_extent(scene));
+    }
+  }
+  return largest;
+}
+
+// m, by body: how far it moves, or its size.
+std::vector<double> pose_scales(const Scene& scene, const Trace& trace) {
+  const Scales scales(scene, trace);
+  std::vector<double> all;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Vec start = trace.states(0)[i].position;
+    const auto of = [&](Quantity quantity, double value) {
+      return scales.of({.body = scene.bodies[i].name, .quantity = quantity}, value);
+    };
+    all.push_back(std::max(of(Quantity::x, start.x), of(Quantity::y, start.y)));
+  }
+  return all;
+}
+
+}  // namespace
+
+// With n = the numbers of sub-steps so far + 2 and u the unit round-off (see rounding.h), X the largest coordinate and
+// V the largest speed so far, of the rim too:
+//   position  n u X, its own sum, and where shapes are placed and compared
+//   velocity  n u V, which after a time t has moved the body by t/2 n u V
+//   contacts  a solver rounds velocities in each iteration, by `solver_rounding` (V + g dt) in a step that touches
+//             something or has joints; each such error lasts to the end.
+std::vector<double> pose_rounding(const RelationRun& run) {
+  const auto& [scene, trace, stepping, amplification] = run;
+  double coordinate = largest_coordinate(scene);
+  double speed = 0;
+  double pushed = 0;   // m/s, what solving has added to the velocities' errors
+  double carried = 0;  // m, their integral
+  std::vector<double> all;
+  for (std::size_t moment = 0; moment < trace.size(); ++moment) {
+    const double t = trace.time(moment);
+    const double dt = moment > 0 ? t - trace.time(moment - 1) : 0;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      if (scene.bodies[i].type != BodyType::dynamic) continue;
+      const BodyState& state = trace.states(moment)[i];
+      const double rim = rim_of(scene, i);
+      coordinate = std::max(coordinate, length(state.position) + rim * (1 + std::abs(state.angle)));
+      speed = std::max(speed, length(state.velocity) + rim * std::abs(state.angular_velocity));
+    }
+    carried += dt * pushed;
+    const bool solves = !scene.joints.empty() || !trace.contacts(moment).empty() || !trace.has_contacts();
+    if (moment > 0 && solves) pushed += solver_rounding(stepping) * (speed + dt * length(scene.gravity));
+    const double steps = std::max(static_cast<double>(moment), stepping.h > 0 ? t / stepping.h : 0);
+    const double once = (steps + 2) * stepping.epsilon;
+    all.push_back(once * coordinate + t / 2 * once * speed + carried);
+  }
+  return all;
+}
+
+RelationCheck compare_poses(const RelationRun& run, std::size_t moments, const Poses& expected,
+                            std::span<const Allowance> allowances) {
+  const std::vector<double> scales = pose_scales(run.scene, run.trace);
+  RelationCheck result;
+  for (const Allowance& allowance : allowances) {
+    WorstViolation worst;
+    result = {};
+    std::size_t compared = 0;
+    for (std::size_t moment = 0; moment < moments && compared == moment; ++moment) {
+      bool known = true;
+      std::vector<double> allowed(run.scene.bodies.size());
+      for (std::size_t i = 0; i < allowed.size() && known; ++i) {
+        if (run.scene.bodies[i].type != BodyType::dynamic) continue;
+        const auto most = allowance.at(moment, i);
+        known = most.has_value();
+        allowed[i] = most.value_or(0);
+      }
+      if (!known) break;
+      ++compared;
+      for (std::size_t i = 0; i < allowed.size(); ++i) {
+        if (run.scene.bodies[i].type != BodyType::dynamic) continue;
+        const BodyState should = expected(moment, i);
+        const double off = apart(run.trace.states(moment)[i], should, rim_of(run.scene, i));
+        result.share = std::max(result.share, off / scales[i]);
+        worst.add(off, allowed[i], scales[i], run.trace.time(moment), [&] { return run.scene.bodies[i].name; });
+      }
+    }
+    if (compared < 2) {
+      result.why_not = fmt::format("what may differ cannot be told from the start on: {}", allowance.reason);
+      return result;
+    }
+    result.check = worst.result();
+    const std::string until = compared == moments ? "to the end"
+                                                  : fmt::format("until {:.4g} s, the horizon of such differences",
+                                                                run.trace.time(compared - 1));
+    result.check.detail = fmt::format("compared {}; may differ by {}", until, allowance.reason);
+    if (result.check.status == CheckStatus::held) break;
+  }
+  return result;
+}
+
+std::vector<Allowance> explained_by_rounding(const RelationRun& run, std::vector<double> rounding,
+                                             std::optional<Stepping> residue) {
+  const auto plain = std::make_shared<const std::vector<double>>(std::move(rounding));
+  const Amplification& amplification = run.amplification;
+  const auto amplified = [plain, &amplification, residue](std::size_t moment, std::size_t body) {
+    std::optional<double> most = amplification.of((*plain)[moment], moment, body);
+    if (!most || !residue) return most;
+    const auto left = amplification.of_method(*residue, moment, body);
+    return left ? std::optional(*most + 2 * *left) : std::nullopt;
+  };
+  const auto undecided = std::make_shared<std::optional<double>>();
+  const auto by_ties = [=, &run](std::size_t moment, std::size_t body) {
+    if (!*undecided) *undecided = run.amplification.undecided_from(*plain);
+    const auto most = amplified(moment, body);
+    if (!most || run.trace.time(moment) < **undecided) return most;
+    const auto own = run.amplification.of_method(run.stepping, moment, body);
+    return own ? std::optional(*most + 2 * *own) : std::nullopt;
+  };
+  return {{"round-off", [plain](std::size_t moment, std::size_t) { return (*plain)[moment]; }},
+          {residue ? "round-off as this scene amplifies it, and what the stated iterations leave in another order"
+                   : "round-off as this scene amplifies it",
+           amplified},
+          {"round-off as this scene amplifies it, and once the engine decides by it in a tie, the method's own error",
+           by_ties}};
+}
+
+RelationCheck compare_congruent(const RelationRun& run, const RelationRun& image, const Congruence& map,
+                                std::size_t first, std::optional<Stepping> residue) {
+  const Congruence back = map.inverse();
+  const auto poses = [&](std::size_t moment, std::size_t body) {
+    BodyState state = image.trace.states(moment)[first + body];
+    state.position = back.of_point(state.position);
+    state.angle = back.of_angle(state.angle);
+    return state;
+  };
+  return compare_poses(run, std::min(run.trace.size(), image.trace.size()), poses,
+                       explained_by_rounding(run, sum_of(pose_rounding(run), pose_rounding(image)), residue));
+}
+
+std::vector<Allowance> explained_by_method(const RelationRun& run, std::vector<double> rounding, const Stepping& one,
+                                           const Stepping& other) {
+  const auto plain = std::make_shared<const std::vector<double>>(std::move(rounding));
+  return {{"round-off", [plain](std::size_t moment, std::size_t) { return (*plain)[moment]; }},
+          {"the method's own error, as this scene amplifies it",
+           [plain, one, other, &run](std::size_t moment, std::size_t body) -> std::optional<double> {
+             const auto rounded = run.amplification.of((*plain)[moment], moment, body);
+             const auto first = run.amplification.of_method(one, moment, body);
+             const auto second = run.amplification.of_method(other, moment, body);
+             if (!rounded || !first || !second) return std::nullopt;
+             return *rounded + *first + *second;
+           }}};
+}
+
+std::optional<Stepping> residue_of(const Stepping& stepping) {
+  if (stepping.iterations == 0 && stepping.position_iterations == 0) return std::nullopt;
+  Stepping residue{.dt = stepping.dt, .iterations = stepping.iterations};
+  if (stepping.position_iterations > 0) {
+    residue.skin = stepping.skin;
+    residue.slop = stepping.slop;
+    residue.joint_slop = stepping.joint_slop;
+  }
+  return residue;
+}
+
+RelationCheck worse(const RelationCheck& a, const RelationCheck& b) {
+  if (!a.why_not.empty()) return b;
+  if (!b.why_not.empty()) return a;
+  RelationCheck worst = a.check.ratio >= b.check.ratio ? a : b;
+  worst.share = std::max(a.share, b.share);
+  return worst;
+}
+
+std::vector<double> sum_of(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> sum(std::min(a.size(), b.size()));
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = a[i] + b[i];
+  return sum;
+}
+
+}  // namespace plumb
