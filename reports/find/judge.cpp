@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t most_refined_bodies = 6;
 constexpr std::size_t refinement_budget = 40'000;  // body-steps of each engine
 constexpr double converged_share = 0.01;           // of the smallest body, as in `plumb run`
+// Every relation takes one to three runs of the engine, and the growth about ten of ours.
+constexpr std::size_t most_related_bodies = 16;
+constexpr const char* relation_mark = "relation ";
 
 std::vector<double> moments_of(const Scene& scene) {
   std::vector<double> moments(steps_in(scene.duration, search_step) + 1);
@@ -47,8 +50,20 @@ void add(std::vector<Complaint>& all, Complaint one) {
 
 }  // namespace
 
-Known::Known(const Scene& scene, Posed posed) {
-  if (posed != Posed::well || scene.bodies.size() > most_refined_bodies) return;
+Judges Judges::of_reason(const std::string& reason) {
+  const bool relation = reason.starts_with(relation_mark);
+  return {.places = reason.starts_with("closed form") || reason.starts_with("converged"),
+          .relations = relation,
+          .only = relation ? reason.substr(std::string(relation_mark).size()) : ""};
+}
+
+Known::Known(const Scene& scene, Posed posed, Judges judges) : judges_(std::move(judges)) {
+  if (posed != Posed::well) return;
+  if (judges_.relations && scene.bodies.size() <= most_related_bodies) {
+    growth_.emplace(scene, search_step);
+    growth_->growth();  // now: what a process of its own measured would be lost with it
+  }
+  if (!judges_.places || scene.bodies.size() > most_refined_bodies) return;
   const Engine* closed_form = find_closed_form(scene);
   judge_ = closed_form != nullptr ? "closed form" : "converged";
   // The states of a closed form don't depend on the step, so it converges at once.
@@ -63,7 +78,21 @@ Known::Known(const Scene& scene, Posed posed) {
   }
 }
 
-std::vector<Complaint> Known::complaints(const Stepping& stepping, const Trace& trace) const {
+std::vector<Complaint> Known::complaints(const EngineConfig& config, const Trace& trace) const {
+  std::vector<Complaint> all = misplaced(config.engine->stepping(config.settings, search_step), trace);
+  if (!growth_) return all;
+  const std::vector<std::string> only = judges_.only.empty() ? std::vector<std::string>{} : std::vector{judges_.only};
+  for (const RelationCheck& one : check_relations(*growth_, config, search_step, trace, only)) {
+    if (!one.why_not.empty() || one.check.status != CheckStatus::broken) continue;
+    Complaint complaint = complaint_of(one.check);
+    complaint.judge = "relation";
+    complaint.what = one.name;
+    add(all, std::move(complaint));
+  }
+  return all;
+}
+
+std::vector<Complaint> Known::misplaced(const Stepping& stepping, const Trace& trace) const {
   std::vector<Complaint> all;
   if (!checks_) return all;
   for (const TruthCheck& check : checks_->of(stepping, trace)) {
@@ -98,7 +127,7 @@ Opinion judged(const Scene& scene, Posed posed, const EngineConfig& config, cons
     const bool holds_here = posed != Posed::impossible || check.name == "energy" || check.name == "energy_bound";
     if (check.status == CheckStatus::broken && holds_here) add(opinion.complaints, complaint_of(check));
   }
-  for (Complaint& one : known.complaints(stepping, *outcome.trace)) add(opinion.complaints, std::move(one));
+  for (Complaint& one : known.complaints(config, *outcome.trace)) add(opinion.complaints, std::move(one));
   const auto metrics = measure({.scene = scene, .trace = *outcome.trace});
   const auto value_of = [&](const char* name) -> std::optional<double> {
     const auto found = metrics.find(name);

@@ -113,10 +113,9 @@ JobOutput cut_down(const Search& search, const Lead& lead) {
   const Kind& kind = find_kind(lead.scene.substr(0, slash));
   Scene scene = drawn(kind, search.seed, std::stoi(lead.scene.substr(slash + 1)));
   const Suspect& suspect = search.suspect(lead.engine);
-  const bool known_matters = lead.reason.starts_with("closed form") || lead.reason.starts_with("converged");
+  const Judges judges = Judges::of_reason(lead.reason);
   const Failing fails = [&](const Scene& candidate) -> std::optional<Complaint> {
-    // Nothing is known where it does not matter, which takes a tenth of the time.
-    const Known known(candidate, known_matters ? kind.posed : Posed::ambiguous);
+    const Known known(candidate, kind.posed, judges);
     const Opinion opinion = judged_apart(candidate, kind.posed, suspect, known, search.limits);
     const Complaint* same = opinion.of(lead.reason);
     return same == nullptr ? std::nullopt : std::optional(*same);
