@@ -52,7 +52,9 @@ int run_again(const std::string& folder, const std::vector<std::string>& words, 
       failed += failure.empty() ? 0 : 1;
       cases.push_back({file.stem().string(), suspect.name, failure});
       rows.push_back({file.stem().string(), suspect.name,
-                      !failure.empty() ? failure : opinion.status == "ok" ? "holds" : "not supported"});
+                      !failure.empty()         ? failure
+                      : opinion.status == "ok" ? "holds"
+                                               : "not supported"});
     }
   }
   const std::string verdict = fmt::format("{} of {} fail.\n", failed, cases.size());

@@ -62,7 +62,7 @@ Vec Draw::direction() { return unit_at(random_.between(0, 1)); }
 Surface Draw::surface() {
   Surface of;
   of.static_friction = chance(0.2) ? 0 : chance(0.15) ? 1 : between(0.05, 1);
-  of.dynamic_friction = chance(0.1) ? rounded(of.static_friction * between(0.3, 1), 1e4) : of.static_friction;
+  of.dynamic_friction = chance(0.25) ? rounded(of.static_friction * between(0.3, 1), 1e4) : of.static_friction;
   of.restitution = chance(0.45) ? 0 : chance(0.15) ? 1 : between(0.1, 0.95);
   of.density = over_magnitudes(0.5, 8);
   return of;
@@ -74,7 +74,7 @@ Geometry Draw::geometry(double size) {
     case 0:
       return Circle{.radius = size};
     case 1:
-      return Box{.size = {2 * size, rounded(2 * size * slender, 1e5)}};
+      return Box{.size = {rounded(1.4 * size, 1e5), rounded(1.4 * size * slender, 1e5)}};
     case 2: {
       const double radius = rounded(size * std::min(slender, 0.7), 1e5);
       return Capsule{.from = {-(size - radius), 0}, .to = {size - radius, 0}, .radius = radius};

@@ -35,7 +35,7 @@ class Draw {
 
   /// Often smooth, perfectly rough, inelastic or elastic: the values at which laws change.
   Surface surface();
-  /// A shape around the origin of the body's frame with mass and about that size, m: its half extent.
+  /// A shape with mass around the origin of the body's frame, none of it further away than `size`, m.
   Geometry geometry(double size);
   /// A dynamic body of one shape, often turned.
   Body body(std::string name, Vec position, double size);

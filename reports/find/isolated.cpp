@@ -10,21 +10,21 @@ namespace {
 
 Opinion opinion_apart(const Scene& scene, Posed posed, const EngineConfig& config, const Known& known,
                       const RunLimits& limits) {
-  const std::array jobs{Job{.key = scene.name, .run = [&] {
-                              return JobOutput{.values = as_json(judged(scene, posed, config, known))};
-                            }}};
+  const std::array jobs{
+      Job{.key = scene.name, .run = [&] { return JobOutput{.values = as_json(judged(scene, posed, config, known))}; }}};
   const std::array<std::span<const Job>, 1> units{std::span<const Job>(jobs)};
   Opinion opinion;
-  execute(units, {.parallel = 1, .limits = {limits.seconds, limits.mebibytes}}, [&](std::span<const JobResult> results) {
-    const JobResult& result = results.front();
-    if (result.ending == Ending::done) {
-      opinion = opinion_of(result.output.values);
-      return;
-    }
-    opinion = {.status = "failed", .note = result.reason};
-    opinion.complaints.push_back(
-        {.judge = "run", .what = name_of(result.ending), .ratio = std::numeric_limits<double>::infinity()});
-  });
+  execute(units, {.parallel = 1, .limits = {limits.seconds, limits.mebibytes}},
+          [&](std::span<const JobResult> results) {
+            const JobResult& result = results.front();
+            if (result.ending == Ending::done) {
+              opinion = opinion_of(result.output.values);
+              return;
+            }
+            opinion = {.status = "failed", .note = result.reason};
+            opinion.complaints.push_back(
+                {.judge = "run", .what = name_of(result.ending), .ratio = std::numeric_limits<double>::infinity()});
+          });
   return opinion;
 }
 

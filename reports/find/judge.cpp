@@ -67,10 +67,8 @@ Known::Known(const Scene& scene, Posed posed, Judges judges) : judges_(std::move
   const Engine* closed_form = find_closed_form(scene);
   judge_ = closed_form != nullptr ? "closed form" : "converged";
   // The states of a closed form don't depend on the step, so it converges at once.
-  const Refinement refinement{.engine = closed_form,
-                              .dt = search_step,
-                              .tolerance = converged_share,
-                              .budget = refinement_budget};
+  const Refinement refinement{
+      .engine = closed_form, .dt = search_step, .tolerance = converged_share, .budget = refinement_budget};
   truth_ = closed_form != nullptr ? converged_truth(scene, moments_of(scene), refinement)
                                   : confirmed_truth(scene, moments_of(scene), refinement);
   if (truth_->answer != nullptr && truth_->engine.unsupported(scene, {}).empty()) {

@@ -17,6 +17,12 @@ std::uint64_t seed_of(const Kind& kind, std::uint64_t seed, int n) {
 
 // Rare features of bodies, so that each meets every kind.
 void season(Draw& draw, Scene& scene) {
+  const bool in_layers = draw.chance(0.1);
+  for (Body& body : scene.bodies) {
+    if (in_layers && body.type == BodyType::dynamic && body.layers == Body{}.layers) {
+      body.layers = static_cast<std::uint32_t>(draw.whole(1, 7));  // some meet, some pass; all meet what is fixed
+    }
+  }
   if (!draw.chance(0.2)) return;
   for (Body& body : scene.bodies) {
     if (body.type != BodyType::dynamic || !draw.chance(0.3)) continue;

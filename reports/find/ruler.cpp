@@ -76,14 +76,16 @@ nlohmann::ordered_json as_json(const EngineSummary& of) {
 }
 
 std::vector<std::vector<std::string>> rows_of(const std::vector<EngineSummary>& engines) {
-  std::vector<std::vector<std::string>> rows{{"engine", "scenes", "not supported", "failed", "wrong", "energy up > .1 %",
-                                              "> 1 %", "median rise", "deepest overlap, median", "9 in 10"}};
+  std::vector<std::vector<std::string>> rows{{"engine", "scenes", "not supported", "failed", "wrong",
+                                              "energy up > .1 %", "> 1 %", "median rise", "deepest overlap, median",
+                                              "9 in 10"}};
   for (const EngineSummary& one : engines) {
     const auto percent = [](double share) { return fmt::format("{:.0f} %", 100 * share); };
     rows.push_back({one.engine, std::to_string(one.scenes), std::to_string(one.not_supported),
                     std::to_string(one.failed), std::to_string(one.wrong), percent(one.above_thousandth),
                     percent(one.above_hundredth), fmt::format("{:.2g} %", 100 * one.rise_median),
-                    fmt::format("{:.2g} mm", 1e3 * one.overlap_median), fmt::format("{:.2g} mm", 1e3 * one.overlap_high)});
+                    fmt::format("{:.2g} mm", 1e3 * one.overlap_median),
+                    fmt::format("{:.2g} mm", 1e3 * one.overlap_high)});
   }
   return rows;
 }

@@ -43,9 +43,7 @@ struct Search {
   int count = 0, budget = 0, each = 0;
   RunLimits limits;
 
-  const Suspect& suspect(const std::string& name) const {
-    return *std::ranges::find(suspects, name, &Suspect::name);
-  }
+  const Suspect& suspect(const std::string& name) const { return *std::ranges::find(suspects, name, &Suspect::name); }
 };
 
 const Kind& find_kind(const std::string& name) {
@@ -85,10 +83,9 @@ JobOutput look(const Search& search, const Kind& kind, int n) {
     if (!opinion.complaints.empty()) wrong += (wrong.empty() ? "" : ", ") + suspect.name;
     opinions[suspect.name] = as_json(opinion);
   }
-  return {.values = {{"scene", scene.name},
-                     {"bodies", scene.bodies.size()},
-                     {"wrong", wrong},
-                     {"opinions", std::move(opinions)}}};
+  return {
+      .values = {
+          {"scene", scene.name}, {"bodies", scene.bodies.size()}, {"wrong", wrong}, {"opinions", std::move(opinions)}}};
 }
 
 std::vector<Job> looks(const std::shared_ptr<const Search>& search) {
@@ -191,8 +188,9 @@ Json configuration_of(const SearchOptions& options) {
   std::vector<std::string> names;
   for (const Kind* kind : kinds) names.push_back(kind->name);
   require_distinct(names);
-  return {{"engines", suspects},      {"kinds", names},       {"seed", options.seed},
-          {"count", options.count},   {"budget", options.budget}, {"each", options.each},
+  return {{"engines", suspects},        {"kinds", names},
+          {"seed", options.seed},       {"count", options.count},
+          {"budget", options.budget},   {"each", options.each},
           {"run_limit", options.limit}, {"definitions", definitions_hash(kinds, options.seed)}};
 }
 
@@ -236,11 +234,11 @@ const Catalog<Study>::Entry find_entry{
      },
      .plan = [](const Json& configuration) -> StudyPlan {
        const auto search = search_of(configuration);
-       return {.jobs = looks(search),
-               .conclude = [configuration](const std::vector<JobResult>& results) {
-                 return conclude_search(configuration, results);
-               },
-               .follow_up = [search](const std::vector<JobResult>& results) { return cuts_of(search, results); }};
+       return {
+           .jobs = looks(search),
+           .conclude = [configuration](
+                           const std::vector<JobResult>& results) { return conclude_search(configuration, results); },
+           .follow_up = [search](const std::vector<JobResult>& results) { return cuts_of(search, results); }};
      }}};
 
 }  // namespace

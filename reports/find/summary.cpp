@@ -126,17 +126,17 @@ Findings conclude_search(const Json& configuration, const std::vector<JobResult>
   for (const Told& one : told) found_json.push_back(json_of(one));
 
   const std::string faults = faults_sentence(engines);
-  const std::string head =
-      fmt::format("{} scenes, {} findings, half of them with at most {} moving bodies.\n", scenes, told.size(),
-                  median_moving(told));
-  const std::string alike =
-      fmt::format("Energy and overlap: in the {} scenes that every engine ran to the end; energy relative to the "
-                  "scene's range, where none comes from outside.\n",
-                  engines.empty() ? 0 : engines.front().compared);
+  const std::string head = fmt::format("{} scenes, {} findings, half of them with at most {} moving bodies.\n", scenes,
+                                       told.size(), median_moving(told));
+  const std::string alike = fmt::format(
+      "Energy and overlap: in the {} scenes that every engine ran to the end; energy relative to the "
+      "scene's range, where none comes from outside.\n",
+      engines.empty() ? 0 : engines.front().compared);
   Findings findings{.findings = {{"scenes", scenes}, {"engines", engines_json}, {"found", found_json}}};
   findings.text = plain_table(rows_of(engines)) + alike + "\n" + plain_table(rows_of(told)) + "\n" + head + faults;
-  findings.files.emplace_back("find.md", "### Plumb: find\n\n" + head + faults + "\n" + markdown_table(rows_of(engines)) +
-                                             "\n" + alike + "\n" + markdown_table(rows_of(told)));
+  findings.files.emplace_back("find.md", "### Plumb: find\n\n" + head + faults + "\n" +
+                                             markdown_table(rows_of(engines)) + "\n" + alike + "\n" +
+                                             markdown_table(rows_of(told)));
   std::vector<TestCase> cases;
   for (const Told& one : told) {
     cases.push_back({one.finding.name(), one.finding.engine, one.finding.complaint.words()});

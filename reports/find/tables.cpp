@@ -17,9 +17,9 @@ std::string junit(const std::string& name, std::span<const TestCase> cases) {
   for (const TestCase& one : cases) {
     text += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", xml_escaped(one.scene),
                         xml_escaped(one.engine));
-    text += one.failure.empty() ? "/>\n"
-                                : fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n",
-                                              xml_escaped(one.failure));
+    text += one.failure.empty()
+                ? "/>\n"
+                : fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n", xml_escaped(one.failure));
   }
   return text + "  </testsuite>\n</testsuites>\n";
 }

@@ -70,8 +70,9 @@ const Catalog<Command>::Entry entry{
            ->excludes(app.get_option("--count"))
            ->excludes(app.get_option("--shard"))
            ->type_name("TIME");
-       app.add_option("--again", find->again, "Run the scenes of a folder again, each by the engine that it was found "
-                                              "in or by --engine; exit code 1 if one fails")
+       app.add_option("--again", find->again,
+                      "Run the scenes of a folder again, each by the engine that it was found "
+                      "in or by --engine; exit code 1 if one fails")
            ->excludes(app.get_option("--count"))
            ->type_name("DIR");
        return [find, &app] { return execute(*find, app); };

@@ -5,7 +5,7 @@ namespace plumb::cuts::ties {
 namespace {
 
 template <class Item>
-void add_without_each(const Scene& scene, std::vector<Item> Scene::* list, std::vector<Scene>& into) {
+void add_without_each(const Scene& scene, std::vector<Item> Scene::*list, std::vector<Scene>& into) {
   for (std::size_t i = (scene.*list).size(); i-- > 0;) {
     Scene simpler = scene;
     (simpler.*list).erase((simpler.*list).begin() + static_cast<std::ptrdiff_t>(i));

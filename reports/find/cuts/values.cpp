@@ -42,8 +42,8 @@ void straight(Body& body) {
   body.velocity = std::abs(v.x) > std::abs(v.y) ? Vec{v.x, 0} : Vec{0, v.y};
 }
 
-constexpr Change changes[] = {no_damping,     plain,          any_layer,   no_friction,   no_restitution, unit_density,
-                              no_spin,        no_velocity,    straight,    level,         full_friction,  full_restitution};
+constexpr Change changes[] = {no_damping, plain,       any_layer, no_friction, no_restitution, unit_density,
+                              no_spin,    no_velocity, straight,  level,       full_friction,  full_restitution};
 
 // Each change to all bodies at once, then to each.
 std::vector<Scene> simpler_values(const Scene& scene, const Complaint&) {

@@ -23,7 +23,8 @@ Scene scene(Draw& draw) {
   for (int i = 0, tries = 0; i < count && tries < 20 * count; ++tries) {
     const double size = draw.over_magnitudes(0.1, 0.5);
     const Vec at{draw.between(-2, 2), 0};
-    Body body = draw.chance(0.5) ? box("", at, {2 * size, 2 * size}, draw.surface()) : disc("", at, size, draw.surface());
+    Body body =
+        draw.chance(0.5) ? box("", at, {2 * size, 2 * size}, draw.surface()) : disc("", at, size, draw.surface());
     body.name = fmt::format("body {}", i + 1);
     body.position.y = size + (draw.chance(0.6) ? 0 : draw.between(0.01, 0.5));
     Scene others = scene;  // the belt is below, its bounding circle is not

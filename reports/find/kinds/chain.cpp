@@ -32,15 +32,16 @@ Scene scene(Draw& draw) {
     if (rods) {
       const Vec from = i == 0 ? joint : joint - 0.5 * length * along;
       const double span = i == 0 ? 0.5 * length : length;
-      scene.joints.push_back(Distance{.a = before, .b = last, .anchor_a = from, .anchor_b = link.position, .length = span});
+      scene.joints.push_back(
+          Distance{.a = before, .b = last, .anchor_a = from, .anchor_b = link.position, .length = span});
     } else {
       scene.joints.push_back(Revolute{.a = before, .b = last, .anchor = joint});
     }
     before = last;
   }
   if (bridge && !rods) {
-    scene.joints.push_back(Revolute{.a = before, .b = hook("other hook", length * links * along),
-                                    .anchor = length * links * along});
+    scene.joints.push_back(
+        Revolute{.a = before, .b = hook("other hook", length * links * along), .anchor = length * links * along});
   }
   if (draw.chance(0.3)) {
     scene.bodies.push_back(half_space("ground", {.offset = -(links + 1) * length}, of));

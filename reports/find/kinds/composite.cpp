@@ -24,7 +24,8 @@ Scene scene(Draw& draw) {
       const Vec at = draw.within(size, size);
       const Surface of = draw.surface();
       if (draw.chance(0.5)) {
-        body.shapes.push_back({.geometry = Circle{.radius = size * draw.between(0.3, 0.8), .center = at}, .surface = of});
+        body.shapes.push_back(
+            {.geometry = Circle{.radius = size * draw.between(0.3, 0.8), .center = at}, .surface = of});
       } else {
         body.shapes.push_back({.geometry = Box{.size = {size, size * draw.between(0.3, 1)},
                                                .center = at,

@@ -29,6 +29,13 @@ Scene scene(Draw& draw) {
                                   .length = draw.between(0.5, 2),
                                   .damping = draw.chance(0.6) ? 0 : draw.between(0, 0.5)});
   }
+  if (count > 1 && draw.chance(0.3)) {
+    scene.gravity = {};
+    scene.forces.push_back(Attraction{.from = 0,
+                                      .strength = draw.between(1, 20),
+                                      .exponent = draw.chance(0.7) ? 2.0 : 1.0,
+                                      .mutual = draw.chance(0.5)});
+  }
   if (draw.chance(0.2)) {
     scene.forces.push_back(Constant{.body = 0, .force = draw.within(5, 5), .torque = draw.between(-1, 1)});
   }

@@ -20,8 +20,10 @@ Scene scene(Draw& draw) {
                           {draw.between(-1, 1) * (width / 2 - size - 0.05), size + 0.05 + draw.between(0, top)}, size);
     body.velocity = draw.within(2, 2);
     if (draw.chance(0.3)) body.angular_velocity = draw.between(-5, 5);
-    if (add_apart(scene, body)) ++i;
-    else top += 0.05;
+    if (add_apart(scene, body))
+      ++i;
+    else
+      top += 0.05;
   }
   return scene;
 }

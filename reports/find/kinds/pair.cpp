@@ -21,8 +21,7 @@ Scene scene(Draw& draw) {
   return scene;
 }
 
-const Catalog<Kind>::Entry entry{
-    {.name = "pair", .about = "Two free bodies of any mass ratio meet.", .scene = scene}};
+const Catalog<Kind>::Entry entry{{.name = "pair", .about = "Two free bodies of any mass ratio meet.", .scene = scene}};
 
 }  // namespace
 }  // namespace plumb::kinds::pair

@@ -31,10 +31,8 @@ Scene scene(Draw& draw) {
   return scene;
 }
 
-const Catalog<Kind>::Entry entry{{.name = "touching",
-                                  .about = "Bodies that touch at the start.",
-                                  .posed = Posed::ambiguous,
-                                  .scene = scene}};
+const Catalog<Kind>::Entry entry{
+    {.name = "touching", .about = "Bodies that touch at the start.", .posed = Posed::ambiguous, .scene = scene}};
 
 }  // namespace
 }  // namespace plumb::kinds::touching
