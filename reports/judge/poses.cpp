@@ -133,30 +133,33 @@ RelationCheck compare_poses(const RelationRun& run, std::size_t moments, const P
   return result;
 }
 
+Allowance decided_otherwise(const RelationRun& run, const Allowance& explained, std::vector<double> rounding,
+                            double size) {
+  const auto from = std::make_shared<std::optional<double>>();  // s; found when it is first asked for
+  return {explained.reason + ", and once the engine decides by it in a tie, the method's own error",
+          [=, &run, at = explained.at, rounding = std::move(rounding)](std::size_t moment, std::size_t body) {
+            if (!*from) *from = run.amplification.undecided_from(size, rounding);
+            const std::optional<double> most = at(moment, body);
+            if (!most || run.trace.time(moment) < **from) return most;
+            const auto own = run.amplification.of_method(run.stepping, moment, body);
+            return own ? std::optional(*most + 2 * *own) : std::nullopt;
+          }};
+}
+
 std::vector<Allowance> explained_by_rounding(const RelationRun& run, std::vector<double> rounding,
                                              std::optional<Stepping> residue) {
-  const auto plain = std::make_shared<const std::vector<double>>(std::move(rounding));
-  const Amplification& amplification = run.amplification;
-  const auto amplified = [plain, &amplification, residue](std::size_t moment, std::size_t body) {
-    std::optional<double> most = amplification.of((*plain)[moment], moment, body);
-    if (!most || !residue) return most;
-    const auto left = amplification.of_method(*residue, moment, body);
-    return left ? std::optional(*most + 2 * *left) : std::nullopt;
-  };
-  const auto undecided = std::make_shared<std::optional<double>>();
-  const auto by_ties = [=, &run](std::size_t moment, std::size_t body) {
-    if (!*undecided) *undecided = run.amplification.undecided_from(*plain);
-    const auto most = amplified(moment, body);
-    if (!most || run.trace.time(moment) < **undecided) return most;
-    const auto own = run.amplification.of_method(run.stepping, moment, body);
-    return own ? std::optional(*most + 2 * *own) : std::nullopt;
-  };
-  return {{"round-off", [plain](std::size_t moment, std::size_t) { return (*plain)[moment]; }},
-          {residue ? "round-off as this scene amplifies it, and what the stated iterations leave in another order"
-                   : "round-off as this scene amplifies it",
-           amplified},
-          {"round-off as this scene amplifies it, and once the engine decides by it in a tie, the method's own error",
-           by_ties}};
+  const Allowance amplified{
+      residue ? "round-off as this scene amplifies it, and what the stated iterations leave in another order"
+              : "round-off as this scene amplifies it",
+      [rounding, residue, &run](std::size_t moment, std::size_t body) -> std::optional<double> {
+        const auto most = run.amplification.of(rounding[moment], moment, body);
+        if (!most || !residue) return most;
+        const auto left = run.amplification.of_method(*residue, moment, body);
+        return left ? std::optional(*most + 2 * *left) : std::nullopt;
+      }};
+  return {{"round-off", [rounding](std::size_t moment, std::size_t) { return rounding[moment]; }},
+          amplified,
+          decided_otherwise(run, amplified, rounding, rounding.back())};
 }
 
 RelationCheck compare_congruent(const RelationRun& run, const RelationRun& image, const Congruence& map,
@@ -174,11 +177,10 @@ RelationCheck compare_congruent(const RelationRun& run, const RelationRun& image
 
 std::vector<Allowance> explained_by_method(const RelationRun& run, std::vector<double> rounding, const Stepping& one,
                                            const Stepping& other) {
-  const auto plain = std::make_shared<const std::vector<double>>(std::move(rounding));
-  return {{"round-off", [plain](std::size_t moment, std::size_t) { return (*plain)[moment]; }},
+  return {{"round-off", [rounding](std::size_t moment, std::size_t) { return rounding[moment]; }},
           {"the method's own error, as this scene amplifies it",
-           [plain, one, other, &run](std::size_t moment, std::size_t body) -> std::optional<double> {
-             const auto rounded = run.amplification.of((*plain)[moment], moment, body);
+           [rounding, one, other, &run](std::size_t moment, std::size_t body) -> std::optional<double> {
+             const auto rounded = run.amplification.of(rounding[moment], moment, body);
              const auto first = run.amplification.of_method(one, moment, body);
              const auto second = run.amplification.of_method(other, moment, body);
              if (!rounded || !first || !second) return std::nullopt;

@@ -39,6 +39,10 @@ RelationCheck compare_poses(const RelationRun&, std::size_t moments, const Poses
 std::vector<Allowance> explained_by_rounding(const RelationRun&, std::vector<double> rounding,
                                              std::optional<Stepping> residue = std::nullopt);
 
+/// The third of these: what is explained so far, and the method's own error, twice, from the moment on at which the
+/// engine decides otherwise in runs from starts displaced by up to `size`, m.
+Allowance decided_otherwise(const RelationRun&, const Allowance& explained, std::vector<double> rounding, double size);
+
 /// Compares a run with that of a congruent image, in which the bodies follow `first` others. For `residue` see
 /// explained_by_rounding.
 RelationCheck compare_congruent(const RelationRun&, const RelationRun& image, const Congruence&, std::size_t first = 0,

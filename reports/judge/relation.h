@@ -34,10 +34,10 @@ class Amplification {
   /// it.
   virtual std::optional<double> of_method(const Stepping&, std::size_t moment, std::size_t body) const = 0;
 
-  /// s, from when on this engine's runs from starts displaced by no more than its rounding, m by moment, are farther
-  /// apart than `of` explains: it decided by round-off (touching or not, which feature touches which, sticking or
+  /// s, from when on this engine's runs from starts displaced by up to `size`, m, are farther apart than that and its
+  /// rounding, m by moment, explain: it decided otherwise (touching or not, which feature touches which, sticking or
   /// sliding) in a tie. Infinite if never.
-  virtual double undecided_from(std::span<const double> rounding) const = 0;
+  virtual double undecided_from(double size, std::span<const double> rounding) const = 0;
 };
 
 /// A run of a scene, or of an image.

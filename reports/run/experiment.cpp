@@ -13,6 +13,7 @@
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
 #include "reports/judge/observe.h"
+#include "reports/relation_names.h"
 #include "reports/run/case_run.h"
 #include "reports/run/converged_checks.h"
 #include "reports/run/horizon.h"
@@ -27,8 +28,6 @@ namespace {
 struct TimeSpent {
   double wall = 0, stepping = 0;  // s
 };
-
-const std::string relation_prefix = "relation_";  // of a relation's name among invariants and metrics
 
 std::vector<double> moments_in(double duration, double dt) {
   std::vector<double> moments(steps_in(duration, dt) + 1);

@@ -43,16 +43,18 @@ class MeasuredAmplification : public Amplification {
   std::optional<double> of_method(const Stepping& stepping, std::size_t moment, std::size_t body) const override {
     const Growth& growth = scene_.growth();
     if (moment >= growth.moments()) return std::nullopt;
-    const auto shift = growth.allowance(stepping, moment, body);
+    // An engine with a skin may touch a step before the one that growth is measured with, which may be a step late.
+    const std::size_t touched = std::min(moment + 2, growth.moments() - 1);
+    const auto shift = growth.allowance(stepping, touched, body);
     if (!shift) return std::nullopt;
     return std::max(shift->place, rim_of(body) * shift->angle);
   }
 
-  double undecided_from(std::span<const double> rounding) const override {
+  double undecided_from(double size, std::span<const double> rounding) const override {
     double from = std::numeric_limits<double>::infinity();
     std::uint64_t seed = 0;
     for (const double share : tied_sizes) {
-      for (int i = 0; i < tied_runs; ++i) from = std::min(from, decided_in(++seed, share * rounding.back(), rounding));
+      for (int i = 0; i < tied_runs; ++i) from = std::min(from, decided_in(++seed, share * size, rounding));
     }
     return from;
   }

@@ -58,6 +58,35 @@ std::string grade_table(const std::vector<EngineSummary>& engines) {
   return table(rows);
 }
 
+// Empty if relations were not checked.
+std::string relation_table(const Report& report, const std::vector<EngineSummary>& engines) {
+  const std::vector<RelationSummary> all = relation_summaries(report);
+  std::vector<std::string> names;
+  for (const RelationSummary& one : all) {
+    if (std::find(names.begin(), names.end(), one.relation) == names.end()) names.push_back(one.relation);
+  }
+  if (names.empty()) return "";
+  std::sort(names.begin(), names.end());
+  std::vector<std::vector<std::string>> rows{{"engine"}};
+  rows[0].insert(rows[0].end(), names.begin(), names.end());
+  for (const EngineSummary& engine : engines) {
+    rows.push_back({engine.engine});
+    for (const std::string& name : names) {
+      const auto found = std::find_if(all.begin(), all.end(), [&](const RelationSummary& one) {
+        return one.engine == engine.engine && one.relation == name;
+      });
+      rows.back().push_back(
+          found == all.end()
+              ? "-"
+              : fmt::format("{} of {}, {} broken", share_of(found->alike, found->cases), found->cases, found->broken));
+    }
+  }
+  return "\n## Which relations hold\n\nThe share of the cases in which a scene and its image move alike within 0.01 % "
+         "of "
+         "scale, and in how many they differ by more than round-off, the method or its thresholds explain.\n\n" +
+         table(rows);
+}
+
 std::string of(const RelativeDifference& difference) {
   return fmt::format("{} ({})", percent(difference.largest), percent(difference.end));
 }
@@ -102,7 +131,7 @@ std::string text_of(const Report& report) {
       "the same ruler for every engine. A check is not a test if its tolerance is more than 5 % of its scale.\n\n";
   text += grade_table(engines);
   text += "\n## Whether the method explains it\n\nCases by verdict.\n\n";
-  return text + verdict_table(engines);
+  return text + verdict_table(engines) + relation_table(report, engines);
 }
 
 const Catalog<Writer>::Entry entry{

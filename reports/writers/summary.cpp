@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/relation_names.h"
+
 namespace plumb {
 namespace {
 
@@ -28,6 +30,27 @@ std::vector<EngineSummary> engine_summaries(const Report& report) {
     auto found = std::find_if(all.begin(), all.end(), [&](const EngineSummary& one) { return one.engine == label; });
     if (found == all.end()) found = all.insert(all.end(), {.engine = label});
     add(run, *found);
+  }
+  return all;
+}
+
+std::vector<RelationSummary> relation_summaries(const Report& report) {
+  std::vector<RelationSummary> all;
+  for (const EngineSummary& engine : engine_summaries(report)) {
+    std::map<std::string, RelationSummary> of_engine;
+    for (const RunRecord& run : report.runs) {
+      if (run.exact || label_of(run.engine, run.method) != engine.engine) continue;
+      for (const InvariantCheck& check : run.invariants) {
+        if (!check.name.starts_with(relation_prefix)) continue;
+        const std::string name = check.name.substr(relation_prefix.size());
+        RelationSummary& one = of_engine.try_emplace(name, RelationSummary{engine.engine, name}).first->second;
+        const auto share = run.metrics.find(check.name);
+        ++one.cases;
+        one.alike += share != run.metrics.end() && share->second.value <= relation_grade ? 1 : 0;
+        one.broken += check.status == CheckStatus::broken ? 1 : 0;
+      }
+    }
+    for (auto& [name, one] : of_engine) all.push_back(std::move(one));
   }
   return all;
 }

@@ -26,6 +26,21 @@ struct EngineSummary {
 /// Every engine that is not a closed form, in the order of their first runs.
 std::vector<EngineSummary> engine_summaries(const Report&);
 
+/// One engine and one metamorphic relation over all cases.
+struct RelationSummary {
+  std::string engine;    // label
+  std::string relation;  // "mirror"
+  int cases = 0;         // in which it applies
+  int alike = 0;         // whose image moves alike within `relation_grade` of scale
+  int broken = 0;
+};
+
+/// The share of scale within which a scene and its image count as alike.
+inline constexpr double relation_grade = 1e-4;
+
+/// Every engine with every relation that applies to one of its runs; none if relations were not checked.
+std::vector<RelationSummary> relation_summaries(const Report&);
+
 /// "97 %", rounded down: 100 % means all. "-" of none.
 std::string share_of(int part, int whole);
 

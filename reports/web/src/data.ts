@@ -1,7 +1,7 @@
 // The data that the C++ side writes into the page (the report, its series, replays and studies), and their validation.
 // Data that does not fit is refused as a whole, with the path of every problem.
 import { replay_rule, type Replay } from "./replay/data";
-import { finite, is_object, list, map, number, one_of, or_null, record, text, yes_no, type Rule } from "./rules";
+import { finite, is_object, list, map, number, one_of, optional, or_null, record, text, yes_no, type Rule } from "./rules";
 
 export interface Measured {
   value: number | null; // null if not finite
@@ -40,6 +40,7 @@ export interface InvariantCheck {
   evidence: boolean; // false if nothing in the run tested it
   time: number;
   where: string;
+  detail?: string; // of a metamorphic relation: what was compared, and why that much may differ
 }
 
 const verdicts = ["right", "coarse", "wrong", "plausible", "no evidence", "beyond horizon", "not supported", "failed"] as const;
@@ -263,6 +264,7 @@ const report_rule = record({
           evidence: yes_no,
           time: finite,
           where: text,
+          detail: optional(text),
         }),
       ),
       verdict: one_of(...verdicts),

@@ -46,6 +46,12 @@ export const or_null =
     if (value !== null) rule(value, problems);
   };
 
+export const optional =
+  (rule: Rule): Rule =>
+  (value, problems) => {
+    if (value !== undefined) rule(value, problems);
+  };
+
 export const map =
   (rule: Rule): Rule =>
   (value, problems) => {

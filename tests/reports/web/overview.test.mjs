@@ -148,6 +148,34 @@ test("the league table counts checks by the same ruler for every engine, and cas
   await page.close();
 });
 
+test("a table shows which engine keeps which relation, if they were checked", async () => {
+  const without = await open(file);
+  assert.equal(await without.page.locator(".relations").count(), 0);
+  await without.page.close();
+  const data = sample();
+  const checked = (run, name, value, status) => {
+    run.invariants.push({ name, unit: "m", status, value, tolerance: 1e-3, ratio: value / 1e-3, evidence: true, time: 1, where: "ball", detail: "compared to the end" });
+    run.metrics[name] = { value, unit: "1" };
+  };
+  const [first, second] = ["height 5", "height 50"].map((variant) => data.report.runs.filter((run) => run.variant === variant));
+  checked(first.find(({ engine }) => engine === "impulse"), "relation_mirror", 1e-12, "held");
+  checked(second.find(({ engine }) => engine === "impulse"), "relation_mirror", 1e-5, "held");
+  checked(second.find(({ engine }) => engine === "impulse"), "relation_shift", 5e-4, "held");
+  checked(first.find(({ engine }) => engine === "box2d"), "relation_mirror", 1e-12, "held");
+  checked(second.find(({ engine }) => engine === "box2d"), "relation_mirror", 0.5, "broken");
+  data.report.invariants.push({ name: "relation_mirror", unit: "m", definition: "the mirrored scene moves as the mirror image" });
+  const { page, trouble } = await open(await write(data));
+  const cells = await page.locator(".relations tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent.replace(/\s/g, " "))));
+  assert.deepEqual(cells, [
+    ["impulse", "100 % of 2", "0 % of 1"],
+    ["box2d", "50 % of 2 1 broken", "\u2013"],
+  ]);
+  assert.match(await page.locator(".relations").textContent(), /the mirrored scene moves as the mirror image/);
+  assert.match(await page.locator("#free-fall--height-50").textContent(), /compared to the end/);
+  assert.deepEqual(trouble, []);
+  await page.close();
+});
+
 test("verdicts of little evidence have a sign, a meaning and a filter", async () => {
   const data = sample();
   data.report.runs[0].verdict = "no evidence";

@@ -36,6 +36,17 @@ TEST(Markdown, CountsChecksAndVerdictsOfEachEngine) {
   EXPECT_THAT(text, HasSubstr("| lost | 0 | 1 |"));
 }
 
+TEST(Markdown, SaysWhichEngineKeepsWhichRelationIfTheyWereChecked) {
+  Report report = sample_report();
+  EXPECT_THAT(text_of(report), Not(HasSubstr("relations")));
+  report.runs[1].invariants = {{.name = "relation_mirror", .unit = "m"},
+                               {.name = "relation_shift", .unit = "m", .status = CheckStatus::broken}};
+  report.runs[1].metrics = {{"relation_mirror", {1e-4, "1"}}, {"relation_shift", {0.5, "1"}}};
+  EXPECT_THAT(text_of(report), HasSubstr("| engine | mirror | shift |"));
+  EXPECT_THAT(text_of(report), HasSubstr("| 100 % of 1, 0 broken | 0 % of 1, 1 broken |"));
+  EXPECT_THAT(text_of(report), HasSubstr("| lost | - | - |"));
+}
+
 TEST(Markdown, LetsNoNameBreakATableOrBecomeMarkup) {
   Report report = sample_report();
   report.comparisons[0].variant = "a|b<script>";

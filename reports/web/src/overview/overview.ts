@@ -15,6 +15,7 @@ import { filtered, filters, shows_case, shows_engine } from "./filters";
 import { key_differences } from "./key_differences";
 import { league } from "./league";
 import { matrix, measures } from "./matrix";
+import { relations } from "./relations";
 
 /** The speed study in one chart, for the selected cases and engines; null if the report has no such study. */
 function equal_error(model: Model): { element: HTMLElement; update: (view: View) => void } | null {
@@ -46,6 +47,7 @@ export function overview(model: Model): HTMLElement {
   const about = h("p", { class: "lede" });
   const controls = filters(model);
   const ranking = h("div", {});
+  const symmetries = h("div", {});
   const shown = h("p", { class: "basis", role: "status" });
   const table = h("div", {});
   const cost = h("div", {});
@@ -61,6 +63,7 @@ export function overview(model: Model): HTMLElement {
     shown.textContent = cases ? `${cases} of ${count(total, "case")} shown` : "No case matches.";
     shown.hidden = view.toString() === "";
     ranking.replaceChildren(...(cases ? [league(part, engines)] : []));
+    symmetries.replaceChildren(...[relations(part, engines)].filter((one) => one !== null));
     const verdicts = part.chapters.flatMap((chapter) => chapter.cases.flatMap(({ entries }) => entries.map(({ run }) => run.verdict)));
     table.replaceChildren(...(cases ? [matrix(part, engines, view, measure), legend(engines), verdict_legend(verdicts)] : []));
     cost.replaceChildren(...[cost_chart(part)].filter((chart) => chart !== null));
@@ -76,6 +79,7 @@ export function overview(model: Model): HTMLElement {
     controls.element,
     shown,
     table,
+    symmetries,
     since_baseline(model),
     h("div", { class: "pair" }, cost, speed?.element),
   );

@@ -99,9 +99,9 @@ export function checks(item: Case): HTMLElement | null {
 }
 
 /** "0.012 N s of ground - box at 0.5 s, tolerance 0.003 N s" */
-function largest_error({ value, tolerance, unit, where, time }: InvariantCheck): string {
+function largest_error({ value, tolerance, unit, where, time, detail }: InvariantCheck): string {
   const subject = where ? ` of ${where}` : "";
-  return `${number(value, unit, 2)}${subject} at ${number(time, "s")}, tolerance ${number(tolerance, unit, 2)}`;
+  return `${number(value, unit, 2)}${subject} at ${number(time, "s")}, tolerance ${number(tolerance, unit, 2)}${detail ? `; ${detail}` : ""}`;
 }
 
 function cell(name: string, check: InvariantCheck | undefined): HTMLTableCellElement {

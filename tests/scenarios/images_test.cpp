@@ -1,0 +1,142 @@
+#include "scenarios/images.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "reports/judge/mechanics.h"
+#include "scenarios/scene/scene_json.h"
+
+namespace plumb::images_test {
+namespace {
+
+// Of every kind of shape, joint and force.
+Scene of_everything() {
+  const Surface material = surface(0.3, 0.2, 2);
+  Scene scene{
+      .name = "everything",
+      .bodies = {{.name = "ground",
+                  .type = BodyType::fixed,
+                  .shapes = {{HalfSpace{{0, 1}, 0.25}, material}, {Segment{{1, 2}, {3, 4}}, material}}},
+                 {.name = "a",
+                  .position = {1, 2},
+                  .angle = 0.25,
+                  .velocity = {3, 4},
+                  .angular_velocity = 2,
+                  .shapes = {{Box{{1, 2}, {0.5, 0.25}, 0.5}, material}, {Circle{0.5, {0.5, 0}}, material}}},
+                 {.name = "b",
+                  .position = {4, 2},
+                  .velocity = {-1, 0.5},
+                  .linear_damping = 0.5,
+                  .shapes = {{Polygon{{{0, 0}, {1, 0}, {0, 1}}}, material},
+                             {Capsule{{0, 0}, {1, 0.5}, 0.25}, material}}}},
+      .joints = {Revolute{1, 2, {2, 3}, AngleLimits{-0.5, 1}}, Prismatic{0, 1, {1, 1}, {1, 0.5}}, Weld{1, 2, {3, 3}},
+                 Distance{.a = 0, .b = 2, .anchor_a = {0, 1}, .anchor_b = {1, 1}, .length = 2, .stiffness = 8}},
+      .forces = {Spring{.a = {}, .b = 1, .anchor_a = {1, 5}, .anchor_b = {0.5, 0}, .stiffness = 4, .length = 1},
+                 Constant{2, {1, 2}, 3}, Attraction{.from = 1, .strength = 2, .exponent = 2}}};
+  return scene;
+}
+
+std::string text_of(const Scene& scene) { return write_scene({.scene = scene, .truth = {}}); }
+
+TEST(Images, MirroredTwiceIsTheScene) {
+  const Congruence mirror{.mirrored = true};
+  const Scene scene = of_everything();
+  EXPECT_NE(text_of(mapped(scene, mirror)), text_of(scene));
+  EXPECT_EQ(text_of(mapped(mapped(scene, mirror), mirror)), text_of(scene));
+}
+
+TEST(Images, ListedBackwardsTwiceIsTheScene) {
+  const Scene scene = of_everything();
+  EXPECT_NE(text_of(listed_backwards(scene)), text_of(scene));
+  EXPECT_EQ(text_of(listed_backwards(listed_backwards(scene))), text_of(scene));
+}
+
+TEST(Congruence, IsUndoneByItsInverse) {
+  for (const bool mirrored : {false, true}) {
+    const Congruence map{.mirrored = mirrored, .angle = 0.7, .shift = {3, -2}};
+    const Vec point = map.inverse().of_point(map.of_point({5, 7}));
+    EXPECT_NEAR(point.x, 5, 1e-14);
+    EXPECT_NEAR(point.y, 7, 1e-14);
+    EXPECT_NEAR(map.inverse().of_angle(map.of_angle(0.4)), 0.4, 1e-15);
+  }
+}
+
+// Of all terms, springs and constant forces too, but those whose zero the image moves.
+double kinetic(const Scene& scene) { return Conserved(scene).energy(initial_states(scene)).kinetic(); }
+
+TEST(Images, KeepTheKineticEnergy) {
+  const Scene scene = of_everything();
+  EXPECT_NEAR(kinetic(mapped(scene, {.mirrored = true, .angle = 0.7, .shift = {9, 1}})), kinetic(scene), 1e-12);
+  EXPECT_NEAR(kinetic(listed_backwards(scene)), kinetic(scene), 1e-12);
+  EXPECT_NEAR(kinetic(doubled(scene, {50, 0}, 0xFFFF, 16)), 2 * kinetic(scene), 1e-12);
+  EXPECT_NEAR(kinetic(with_masses(scene, 10)), 10 * kinetic(scene), 1e-11);
+}
+
+// Joules are kg m^2/s^2: M L^2/(sqrt L)^2; forces are M, for gravity is the same.
+TEST(Images, InOtherUnitsScaleEveryForceAndEnergy) {
+  Scene scene = of_everything();
+  scene.forces.pop_back();  // the centre of an attraction is measured from where it is
+  const double length = 4;
+  const double mass = 10;
+  const Scene image = in_units(scene, length, mass);
+  const Conserved here(scene);
+  const Conserved there(image);
+  EXPECT_NEAR(there.energy(initial_states(image)).total(), mass * length * here.energy(initial_states(scene)).total(),
+              1e-9);
+  const auto forces = AppliedForces(scene).at(initial_states(scene));
+  const auto scaled_forces = AppliedForces(image).at(initial_states(image));
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    EXPECT_NEAR(scaled_forces[i].force.x, mass * forces[i].force.x, 1e-9);
+    EXPECT_NEAR(scaled_forces[i].force.y, mass * forces[i].force.y, 1e-9);
+    EXPECT_NEAR(scaled_forces[i].torque, mass * length * forces[i].torque, 1e-9);
+  }
+}
+
+TEST(Images, OfAnAttractionScaleLikeGravity) {
+  Scene scene = of_everything();
+  scene.forces.erase(scene.forces.begin(), scene.forces.end() - 1);
+  const auto pull = [](const Scene& of) { return AppliedForces(of).at(initial_states(of))[2].force; };
+  EXPECT_NEAR(pull(in_units(scene, 4, 10)).x, 10 * pull(scene).x, 1e-12);
+  EXPECT_NEAR(pull(with_masses(scene, 10)).x, 10 * pull(scene).x, 1e-12);
+}
+
+TEST(Images, OfForcesTurnWithTheScene) {
+  const Scene scene = of_everything();
+  const Congruence map{.mirrored = true, .angle = 0.7, .shift = {9, 1}};
+  const Scene image = mapped(scene, map);
+  const auto forces = AppliedForces(scene).at(initial_states(scene));
+  const auto turned = AppliedForces(image).at(initial_states(image));
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const Vec expected = map.of_vector(forces[i].force);
+    EXPECT_NEAR(turned[i].force.x, expected.x, 1e-12);
+    EXPECT_NEAR(turned[i].force.y, expected.y, 1e-12);
+    EXPECT_NEAR(turned[i].torque, -forces[i].torque, 1e-12);
+  }
+}
+
+TEST(Images, BoostedMoveAllAlike) {
+  const Scene scene = of_everything();
+  const Scene image = boosted(scene, {5, -1});
+  EXPECT_EQ(image.bodies[0].type, BodyType::kinematic);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    EXPECT_EQ(image.bodies[i].velocity.x, scene.bodies[i].velocity.x + 5);
+    EXPECT_EQ(image.bodies[i].velocity.y, scene.bodies[i].velocity.y - 1);
+  }
+}
+
+TEST(Images, OfTwoWorldsShareNoLayer) {
+  const Scene scene = of_everything();
+  const Scene both = doubled(scene, {50, 0}, 0xFFFF, 16);
+  ASSERT_EQ(both.bodies.size(), 6u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 3; k < 6; ++k) EXPECT_EQ(both.bodies[i].layers & both.bodies[k].layers, 0u);
+    EXPECT_NE(both.bodies[3].layers & both.bodies[3 + i].layers, 0u);
+  }
+  EXPECT_EQ(std::get<Constant>(both.forces[4]).body, 5u);
+}
+
+}  // namespace
+}  // namespace plumb::images_test
