@@ -47,33 +47,6 @@ std::string markdown(const GateResult& result) {
 const Catalog<GateWriter>::Entry markdown_entry{
     {.name = "markdown", .about = "a summary for a pull request", .text = markdown}};
 
-// For text and attributes. XML 1.0 does not allow control characters, escaped or not.
-std::string xml_escaped(const std::string& text) {
-  std::string out;
-  for (const char letter : printable(text, text.npos)) {
-    switch (letter) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&apos;";
-        break;
-      default:
-        out += letter;
-    }
-  }
-  return out;
-}
-
 std::string test_case(const GateResult& result, const RunKey& run) {
   const std::string name = label_of(run.engine, run.method);
   const std::string about = run.scenario + (run.variant.empty() ? "" : " " + run.variant);

@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "reports/study/document.h"
+#include "reports/study/follow_up.h"
 #include "reports/study/results_file.h"
 #include "reports/study/runner.h"
 #include "reports/system/environment.h"
@@ -87,18 +90,20 @@ class StudyProgress {
   ProgressLine line_;
 };
 
-// The units without the jobs that already have a result.
-std::vector<std::vector<Job>> units_left(const std::vector<std::span<const Job>>& all,
-                                         const std::map<std::string, JobResult>& known) {
-  std::vector<std::vector<Job>> units;
-  for (const std::span<const Job> unit : all) {
-    std::vector<Job> left;
-    for (const Job& job : unit) {
-      if (!known.contains(job.key)) left.push_back(job);
-    }
-    if (!left.empty()) units.push_back(std::move(left));
-  }
-  return units;
+// Seconds since it was made.
+class Watch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// The jobs up to the first without a result: all, unless the time was up. Jobs start in the plan's order, so they are
+// those that a shorter plan would have.
+std::span<const Job> jobs_done(const StudyPlan& plan, const std::map<std::string, JobResult>& known) {
+  const auto end = std::ranges::find_if(plan.jobs, [&](const Job& one) { return !known.contains(one.key); });
+  return {plan.jobs.begin(), end};
 }
 
 nlohmann::ordered_json summary_configuration(const Study& study) {
@@ -155,22 +160,38 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
 
   ResultsFile file = stored ? ResultsFile::append(path, *stored) : ResultsFile::create(path, head);
   const std::vector<std::vector<Job>> left = units_left(own_units, known);
-  const Execution execution{
-      .parallel = options.parallel, .limits = {options.seconds, options.mebibytes}, .interrupted = Interrupt::raised};
+  const Watch watch;
+  double enough = plan.follow_up ? options.enough * 2 / 3 : options.enough;
+  const Execution execution{.parallel = options.parallel,
+                            .limits = {options.seconds, options.mebibytes},
+                            .interrupted = Interrupt::raised,
+                            .enough = [&] { return options.enough > 0 && watch.seconds() > enough; }};
+  std::vector<JobResult> results;
   bool complete = false;
   {
     const Interrupt interrupt;
-    StudyProgress progress(known.size(), head.jobs);
+    std::size_t to_do = 0;
+    for (const std::vector<Job>& unit : left) to_do += unit.size();
+    std::optional<StudyProgress> progress(std::in_place, head.jobs - to_do, head.jobs);
+    const auto keep = [&](std::span<const JobResult> arrived) {
+      file.add(arrived);
+      for (const JobResult& result : arrived) known.emplace(result.key, result);
+      progress->add(arrived);
+    };
     const std::vector<std::span<const Job>> units(left.begin(), left.end());
-    complete = execute(units, execution, [&](std::span<const JobResult> results) {
-      file.add(results);
-      for (const JobResult& result : results) known.emplace(result.key, result);
-      progress.add(results);
-    });
+    complete = execute(units, execution, keep);
+    if (complete && head.shard.whole()) {
+      enough = options.enough;
+      const auto done = jobs_done(plan, known);
+      results = in_plan_order(done, known);
+      complete = add_follow_up(
+          plan, results, execution, known,
+          [&](std::size_t resumed, std::size_t jobs) { progress.emplace(resumed, jobs); }, keep);
+    }
   }
   if (!complete) {
     fmt::print(stderr, "Interrupted: {} of {} results are in {}. The same command with --resume continues.\n",
-               known.size(), head.jobs, path.string());
+               known.size(), std::max(head.jobs, known.size()), path.string());
     return interrupted_exit;
   }
   if (!head.shard.whole()) {
@@ -178,7 +199,7 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
                head.shard.name());
     return 0;
   }
-  write_study(study, head, plan, in_plan_order(plan.jobs, known), folder);
+  write_study(study, head, plan, results, folder);
   return 0;
 }
 
@@ -196,7 +217,8 @@ nlohmann::ordered_json summary_document(const Study& study, int parallel, const 
     for (const JobResult& result : results) known.emplace(result.key, result);
     progress(results.back().key, known.size(), plan.jobs.size());
   });
-  const std::vector<JobResult> results = in_plan_order(plan.jobs, known);
+  std::vector<JobResult> results = in_plan_order(plan.jobs, known);
+  add_follow_up(plan, results, {.parallel = parallel});
   const ResultsHead head{.study = study.name,
                          .configuration = configuration,
                          .plan = plan_hash(plan.jobs),

@@ -20,6 +20,7 @@ struct StudyOptions {
   std::string shard;
   double seconds = 60;
   double mebibytes = 4096;
+  double enough = 0;  // s after which no further job starts; follow-up jobs get a third of them. 0: never
 
   void attach_to(CLI::App&);
 };

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <set>
 #include <stdexcept>
 
+#include "reports/study/follow_up.h"
 #include "reports/system/files.h"
+#include "reports/system/jobs.h"
 #include "reports/writers/html.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"
@@ -175,9 +178,12 @@ void write_study(const Study& study, const ResultsHead& head, const StudyPlan& p
   if (auto page = fill_page(page_template(), Json{{"study", document}}, why_not)) {
     files.emplace_back(stem + ".html", std::move(*page));
   }
+  const std::size_t own = files.size();
+  files.insert(files.end(), found.files.begin(), found.files.end());
   const auto paths = folder.put(files);
   fmt::print("{}", found.text);
-  for (const auto& path : paths) fmt::print("{}\n", path.string());
+  for (const auto& path : paths | std::views::take(own)) fmt::print("{}\n", path.string());
+  if (paths.size() > own) fmt::print("{} and {} more\n", paths[own].string(), paths.size() - own - 1);
   if (!why_not.empty()) fmt::print("No {}.html: {}.\n", stem, why_not);
 }
 
@@ -204,7 +210,8 @@ void merge_shards(const std::vector<fs::path>& paths, const OutputFolder& folder
     add_machine(file.stored.head, head);
     by_key.merge(file.stored.results);
   }
-  const std::vector<JobResult> results = in_plan_order(plan.jobs, by_key);
+  std::vector<JobResult> results = in_plan_order(plan.jobs, by_key);
+  add_follow_up(plan, results, {.parallel = default_jobs()});
   head.shard = {};
   head.jobs = results.size();
   write_study(study, head, plan, results, folder);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// The jobs of a study, what they return, the plan that lists them, and how it is divided among machines.
@@ -60,12 +61,17 @@ struct Findings {
   nlohmann::ordered_json findings = nlohmann::ordered_json::object();  // the same in every run
   nlohmann::ordered_json timings = nlohmann::ordered_json::object();   // everything that depends on the clock
   std::string text;                                                    // lines for the console
+  /// Further files, as pairs of a path inside the study's folder and contents: the same in every run.
+  std::vector<std::pair<std::string, std::string>> files = {};
 };
 
 struct StudyPlan {
   std::vector<Job> jobs;  // in the order in which they run and are shown
-  /// Takes the results of all jobs, in the same order.
+  /// Takes the results of all jobs, in the same order, and then those of the jobs that followed from them.
   std::function<Findings(const std::vector<JobResult>&)> conclude;
+  /// Jobs that follow from the results of the others, in the order in which they run; null if there never are any. They
+  /// run once all others have, after a merge if these were divided.
+  std::function<std::vector<Job>(const std::vector<JobResult>&)> follow_up = nullptr;
 };
 
 /// Jobs that must stay together: a group, or a single job. In order.

@@ -127,6 +127,7 @@ class Runner {
            const std::function<void(std::unique_ptr<JobProcess>)>& finished) const {
     Processes working;
     for (std::size_t next = 0; next < jobs.size() || !working.empty();) {
+      if (execution_.enough()) next = jobs.size();
       while (next < jobs.size() && working.size() < static_cast<std::size_t>(std::max(parallel, 1))) {
         if (jobs[next]->prepare) jobs[next]->prepare();
         working.push_back(std::make_unique<JobProcess>(*jobs[next++]));
@@ -298,7 +299,7 @@ bool execute(std::span<const std::span<const Job>> units, const Execution& execu
     keep({&result, 1});
   };
   try {
-    for (std::size_t i = 0; i < units.size();) {
+    for (std::size_t i = 0; i < units.size() && !execution.enough();) {
       std::vector<const Job*> jobs;
       if (!needs_machine(units[i])) {
         for (; i < units.size() && !needs_machine(units[i]); ++i) {

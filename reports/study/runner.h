@@ -70,10 +70,12 @@ struct Execution {
   int parallel = 1;  // jobs that run at the same time; timed jobs and those that want to be alone have the machine
   JobLimits limits = {};
   std::function<bool()> interrupted = [] { return false; };
+  std::function<bool()> enough = [] { return false; };  // no further job starts; those under way end
 };
 
-/// Runs all jobs of the units. `keep` receives results as soon as they are final: one at a time, or a whole group.
-/// Returns false if it was interrupted; the results of jobs under way are then lost.
+/// Runs all jobs of the units, or the first of them if it was enough. `keep` receives results as soon as they are
+/// final: one at a time, or a whole group. Returns false if it was interrupted; the results of jobs under way are then
+/// lost.
 bool execute(std::span<const std::span<const Job>> units, const Execution&,
              const std::function<void(std::span<const JobResult>)>& keep);
 

@@ -78,4 +78,30 @@ std::string markdown_cell(const std::string& text) {
   return out;
 }
 
+std::string xml_escaped(const std::string& text) {
+  std::string out;
+  for (const char letter : printable(text, text.npos)) {
+    switch (letter) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&apos;";
+        break;
+      default:
+        out += letter;
+    }
+  }
+  return out;
+}
+
 }  // namespace plumb

@@ -41,4 +41,7 @@ std::string csv_field(double number);
 /// references, which both show as text.
 std::string markdown_cell(const std::string& text);
 
+/// Text as the content of an element or attribute of XML 1.0, which allows no control characters, escaped or not.
+std::string xml_escaped(const std::string& text);
+
 }  // namespace plumb

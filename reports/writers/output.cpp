@@ -45,6 +45,8 @@ std::vector<fs::path> OutputFolder::put(const std::vector<std::pair<std::string,
   std::vector<NewFile> ready;
   for (const auto& [name, text] : files) {
     const fs::path place = folder_ / name;
+    std::error_code ignored;  // then it cannot be written, which is told below
+    fs::create_directories(place.parent_path(), ignored);
     ready.emplace_back(place);
     if (!ready.back().write(text)) throw std::runtime_error("cannot write \"" + place.string() + "\"");
   }

@@ -39,7 +39,7 @@ class OutputFolder {
   /// std::runtime_error if that fails; existing files are then left as they were.
   Written write(const Report&) const;
 
-  /// The same for any files, as pairs of name and contents.
+  /// The same for any files, as pairs of a name, which may begin with a folder, and contents.
   std::vector<std::filesystem::path> put(const std::vector<std::pair<std::string, std::string>>& files) const;
 
   const std::filesystem::path& path() const { return folder_; }

@@ -7,12 +7,13 @@ import { folded } from "../folded";
 import { count, given, words } from "../format";
 import { command, mark } from "../pieces";
 import { baseline } from "./baseline";
+import { find } from "./find";
 import { history } from "./history";
 import { model } from "./model";
 import { speed } from "./speed";
 import { stability } from "./stability";
 
-const views: Record<string, (study: Study) => StudyView> = { baseline, history, model, speed, stability };
+const views: Record<string, (study: Study) => StudyView> = { baseline, find, history, model, speed, stability };
 
 /** A study without a view of its own still shows its unfinished jobs. */
 export const view_of = (study: Study): StudyView => (views[study.study] ?? (() => ({ sentence: study.about, sections: [] })))(study);

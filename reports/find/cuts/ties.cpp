@@ -1,0 +1,45 @@
+#include "reports/find/shrink.h"
+#include "scenarios/catalog.h"
+
+namespace plumb::cuts::ties {
+namespace {
+
+template <class Item>
+void add_without_each(const Scene& scene, std::vector<Item> Scene::*list, std::vector<Scene>& into) {
+  for (std::size_t i = (scene.*list).size(); i-- > 0;) {
+    Scene simpler = scene;
+    (simpler.*list).erase((simpler.*list).begin() + static_cast<std::ptrdiff_t>(i));
+    into.push_back(std::move(simpler));
+  }
+}
+
+// Without any joint or force, without one, without a limit or a damper.
+std::vector<Scene> fewer_ties(const Scene& scene, const Complaint&) {
+  std::vector<Scene> all;
+  if (scene.joints.size() > 1 || scene.forces.size() > 1) {
+    Scene none = scene;
+    none.joints.clear();
+    none.forces.clear();
+    all.push_back(std::move(none));
+  }
+  add_without_each(scene, &Scene::joints, all);
+  add_without_each(scene, &Scene::forces, all);
+  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+    const auto* hinge = std::get_if<Revolute>(&scene.joints[i]);
+    if (hinge == nullptr || !hinge->limits) continue;
+    all.push_back(scene);
+    std::get<Revolute>(all.back().joints[i]).limits.reset();
+  }
+  for (std::size_t i = 0; i < scene.forces.size(); ++i) {
+    const auto* spring = std::get_if<Spring>(&scene.forces[i]);
+    if (spring == nullptr || spring->damping == 0) continue;
+    all.push_back(scene);
+    std::get<Spring>(all.back().forces[i]).damping = 0;
+  }
+  return all;
+}
+
+const Catalog<Cut>::Entry entry{{.name = "drop joints and forces", .order = 2, .simpler = fewer_ties}};
+
+}  // namespace
+}  // namespace plumb::cuts::ties

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+
+#include "reference/converged/converged.h"
+#include "reports/find/complaint.h"
+#include "reports/find/kind.h"
+#include "reports/run/converged_checks.h"
+#include "reports/run/relations.h"
+#include "reports/run/run.h"
+
+/// Judges an engine in a scene that nobody wrote expectations for.
+namespace plumb {
+
+/// s, the step of all runs of a search.
+inline constexpr double search_step = 1.0 / 60;
+
+/// What a scene is judged by. To find the same complaint again, only its own judge is needed.
+struct Judges {
+  bool places = true;     // where every body must be
+  bool relations = true;  // of the scene's run and its images'
+  std::string only = "";  // the only relation; "" for all
+
+  /// Those that can have a complaint for this reason.
+  static Judges of_reason(const std::string& reason);
+};
+
+/// What judges need to know of a scene, whatever engine runs it: where every body must be, from a closed form that
+/// recognises the scene, or from refinement that a second engine confirms; and how differences grow.
+class Known {
+ public:
+  /// The scene must outlive it. Nothing is known of scenes that are not well posed, and of those that would take more
+  /// than a fraction of a second.
+  Known(const Scene&, Posed, Judges = {});
+
+  /// What this engine breaks, apart from laws.
+  std::vector<Complaint> complaints(const EngineConfig&, const Trace&) const;
+
+ private:
+  std::vector<Complaint> misplaced(const Stepping&, const Trace&) const;
+
+  Judges judges_;
+  std::optional<SceneGrowth> growth_;
+  std::string judge_;
+  std::optional<ConvergedTruth> truth_;
+  std::optional<ConvergedChecks> checks_;
+};
+
+/// Runs the scene once and judges it by all that holds in such scenes: the run's end, the invariants and what is known.
+Opinion judged(const Scene&, Posed, const EngineConfig&, const Known&);
+
+}  // namespace plumb

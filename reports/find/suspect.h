@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/run/run.h"
+
+namespace plumb {
+
+/// An engine that is searched for mistakes.
+struct Suspect {
+  std::string name;  // as it is given: "box2d", "impulse:solver=article", "fault:NAME"
+  EngineConfig config;
+  /// Set for a fault: what the right engine fails as well does not count.
+  std::optional<EngineConfig> right = std::nullopt;
+  /// Keep the engines of a fault, which no catalog holds.
+  std::shared_ptr<const Engine> faulty = nullptr, sound = nullptr;
+};
+
+/// "NAME[:key=value,...]" is an engine, "fault:NAME" ours with a fault of `plumb prove`, "fault:all" with each of them
+/// in turn. Throws std::invalid_argument, naming the nearest, for one that is not there.
+std::vector<Suspect> parse_suspects(std::string_view word);
+
+/// Of several words; every engine as it is if there are none.
+std::vector<Suspect> parse_suspects(const std::vector<std::string>& words);
+
+}  // namespace plumb

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+/// The forms in which a search, or a corpus that ran again, tells other tools.
+namespace plumb {
+
+/// A scene and an engine for JUnit.
+struct TestCase {
+  std::string scene, engine;
+  std::string failure;  // "" if it passes
+};
+
+/// In the dialect that CI systems read, described at https://github.com/testmoapp/junitxml.
+std::string junit(const std::string& name, std::span<const TestCase>);
+
+/// A table; the first row is the head. Cells show as text, whatever they contain.
+std::string markdown_table(std::span<const std::vector<std::string>> rows);
+
+/// The same for the console: columns as wide as they need be, numbers not aligned.
+std::string plain_table(std::span<const std::vector<std::string>> rows);
+
+}  // namespace plumb

@@ -1,0 +1,89 @@
+#include "reports/find/finding.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "reports/find/ruler.h"
+#include "reports/find/tables.h"
+#include "scenarios/parts.h"
+#include "scenarios/scene/scene_json.h"
+
+namespace plumb::finding_test {
+namespace {
+
+Finding finding() {
+  Finding of{.engine = "box2d:velocity=2",
+             .complaint = {.judge = "invariant", .what = "energy", .unit = "J", .value = 2, .tolerance = 1, .ratio = 2},
+             .from = "drop/3",
+             .drawn_bodies = 7};
+  of.scene = {.name = "scene", .bodies = {level_ground({}), disc("ball", {0, 0.5}, 0.5, {})}};
+  return of;
+}
+
+TEST(Finding, IsNamedByItsContent) {
+  Finding one = finding();
+  EXPECT_EQ(one.name(), finding().name());
+  EXPECT_TRUE(one.name().starts_with("box2d-velocity-2-energy-")) << one.name();
+  one.scene.bodies[1].position.y = 0.6;
+  EXPECT_NE(one.name(), finding().name());
+  EXPECT_EQ(one.signature(), finding().signature()) << "the same fault elsewhere";
+  one.scene.bodies[1] = box("ball", {0, 0.5}, {1, 1}, {});
+  EXPECT_NE(one.signature(), finding().signature());
+}
+
+TEST(Finding, SaysInItsFileHowToRunItAgain) {
+  for (const Posed posed : {Posed::well, Posed::ambiguous, Posed::impossible}) {
+    Finding one = finding();
+    one.posed = posed;
+    const Scene scene = read_scene(one.file(5), "found").scene;
+    EXPECT_EQ(origin_of(scene).engine, "box2d:velocity=2");
+    EXPECT_EQ(origin_of(scene).posed, posed);
+  }
+  EXPECT_EQ(origin_of({.about = "impulse: a scene of somebody's."}).engine, "");
+}
+
+TEST(Finding, IsTheSameAfterWritingAndReading) {
+  Finding one = finding();
+  one.complaint.ratio = std::numeric_limits<double>::infinity();
+  const Finding other = finding_of(as_json(one));
+  EXPECT_EQ(as_json(other).dump(), as_json(one).dump());
+  EXPECT_EQ(other.name(), one.name());
+}
+
+Opinion opinion(double rise, double overlap, const std::string& judge = "") {
+  Opinion of{.status = "ok", .energy_rise = rise, .overlap = overlap};
+  if (!judge.empty()) of.complaints.push_back({.judge = judge, .what = "x"});
+  if (judge == "run") of.status = "failed";
+  return of;
+}
+
+TEST(Ruler, ComparesOnlyScenesThatAllEnginesRan) {
+  const auto engines = measured_alike({{"a", {opinion(0.5, 1), opinion(0.002, 0.1), opinion(0, 0.2, "invariant")}},
+                                       {"b", {opinion(0, 0, "run"), opinion(0.02, 0.3), opinion(0.0005, 0.5)}}});
+  ASSERT_EQ(engines.size(), 2U);
+  EXPECT_EQ(engines[0].compared, 2);
+  EXPECT_EQ(engines[0].wrong, 1);
+  EXPECT_EQ(engines[0].failed, 0);
+  EXPECT_EQ(engines[1].failed, 1);
+  EXPECT_EQ(engines[1].wrong, 0);
+  EXPECT_DOUBLE_EQ(engines[0].above_thousandth, 0.5);
+  EXPECT_DOUBLE_EQ(engines[0].above_hundredth, 0);
+  EXPECT_DOUBLE_EQ(engines[1].above_hundredth, 0.5);
+  EXPECT_DOUBLE_EQ(engines[0].overlap_median, 0.15);
+  EXPECT_DOUBLE_EQ(engines[1].overlap_high, 0.5);
+}
+
+TEST(Tables, ShowWhateverANameContainsAsText) {
+  const std::vector<TestCase> cases{{"a<b", "e", ""}, {"c", "e&f", "off \"by\" 2"}};
+  const std::string xml = junit("plumb find", cases);
+  EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), xml.npos);
+  EXPECT_NE(xml.find("a&lt;b"), xml.npos);
+  EXPECT_NE(xml.find("off &quot;by&quot; 2"), xml.npos);
+  const std::vector<std::vector<std::string>> rows{{"x", "long head"}, {"a|b", "1"}};
+  EXPECT_EQ(markdown_table(rows), "| x | long head |\n|---|---|\n| a&#124;b | 1 |\n");
+  EXPECT_EQ(plain_table(rows), "x    long head\na|b  1\n");
+}
+
+}  // namespace
+}  // namespace plumb::finding_test

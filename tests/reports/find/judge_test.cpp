@@ -1,0 +1,118 @@
+#include "reports/find/judge.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "reports/find/isolated.h"
+#include "reports/find/suspect.h"
+#include "reports/run/scene_file.h"
+#include "scenarios/catalog.h"
+#include "scenarios/parts.h"
+
+namespace plumb::find_judge_test {
+namespace {
+
+TEST(FindJudge, RaisesNoAlarmForClosedFormsInTheScenesTheyKnow) {
+  int judged_scenes = 0;
+  for (const char* name : {"flight", "plane", "pair", "slider"}) {
+    const Kind& kind = *Catalog<Kind>::find(name);
+    for (int n = 0; n < 25; ++n) {
+      const Scene scene = drawn(kind, 1, n);
+      const Engine* exact = find_closed_form(scene);
+      if (exact == nullptr) continue;
+      const Opinion opinion = judged(scene, kind.posed, {exact, complete(*exact, {})}, Known(scene, kind.posed));
+      if (opinion.status == "not supported") continue;
+      ++judged_scenes;
+      for (const Complaint& one : opinion.complaints) ADD_FAILURE() << scene.name << ": " << one.words();
+    }
+  }
+  EXPECT_GE(judged_scenes, 10) << "random scenes have closed forms now and then";
+}
+
+TEST(FindJudge, KnowsWhereAThrownBodyMustBe) {
+  Scene scene{.name = "throw", .gravity = {0, -10}, .duration = 1};
+  scene.bodies.push_back(disc("ball", {}, 0.5, {}));
+  scene.bodies[0].velocity = {3, 4};
+  const Known known(scene, Posed::well);
+  const Suspect twice = parse_suspects("fault:gravity-twice").front();
+  const Opinion wrong = judged(scene, Posed::well, twice.config, known);
+  EXPECT_NE(wrong.of("closed form y -"), nullptr);
+  EXPECT_TRUE(judged(scene, Posed::well, *twice.right, known).complaints.empty());
+}
+
+TEST(FindJudge, AsksOnlyForEnergyWhereNoMotionIsRight) {
+  const Kind& kind = *Catalog<Kind>::find("painleve");
+  EXPECT_EQ(kind.posed, Posed::impossible);
+  for (const char* engine : {"impulse", "box2d", "chipmunk"}) {
+    for (int n = 0; n < 5; ++n) {
+      const Scene scene = drawn(kind, 1, n);
+      const Opinion opinion =
+          judged(scene, kind.posed, parse_suspects(engine).front().config, Known(scene, kind.posed));
+      for (const Complaint& one : opinion.complaints) {
+        EXPECT_TRUE(one.judge == "run" || one.what == "energy" || one.what == "energy_bound") << one.words();
+      }
+    }
+  }
+}
+
+std::shared_ptr<Engine> misbehaving(void (*step)()) {
+  class Bad : public Simulation {
+   public:
+    explicit Bad(void (*what)()) : step_(what) {}
+    void step(double) override { step_(); }
+    void read(std::span<BodyState> out) const override { std::ranges::fill(out, BodyState{}); }
+
+   private:
+    void (*step_)();
+  };
+  return std::make_shared<Engine>(
+      Engine{.name = "bad",
+             .about = "",
+             .source = "",
+             .options = {},
+             .stepping = [](const Settings&, double dt) { return Stepping{.dt = dt, .h = dt}; },
+             .unsupported = [](const Scene&, const Settings&) { return ""; },
+             .build = [step](const Scene&, const Settings&) { return std::make_unique<Bad>(step); }});
+}
+
+TEST(JudgedApart, SurvivesAnEngineThatCrashesOrHangs) {
+  Scene scene{.name = "one", .duration = 0.1};
+  scene.bodies.push_back(disc("ball", {}, 0.5, {}));
+  const Known known(scene, Posed::ambiguous);
+  const auto of = [&](void (*step)()) {
+    const auto engine = misbehaving(step);
+    return judged_apart(scene, Posed::ambiguous, {.name = "bad", .config = {engine.get(), {}}}, known,
+                        {.seconds = 0.2, .mebibytes = 2048});
+  };
+  const Opinion crashed = of([] { std::abort(); });
+  EXPECT_NE(crashed.of("run crashed"), nullptr) << as_json(crashed).dump();
+  EXPECT_NE(of([] {
+              for (;;) usleep(1000);
+            }).of("run timed out"),
+            nullptr);
+}
+
+TEST(JudgedApart, DoesNotBlameAFaultForWhatTheRightEngineFailsToo) {
+  Scene scene{.name = "throw", .gravity = {0, -10}, .duration = 1};
+  scene.bodies.push_back(disc("ball", {}, 0.5, {}));
+  const Known known(scene, Posed::well);
+  Suspect twice = parse_suspects("fault:gravity-twice").front();
+  EXPECT_FALSE(judged_apart(scene, Posed::well, twice, known, {}).complaints.empty());
+  twice.right = twice.config;
+  EXPECT_TRUE(judged_apart(scene, Posed::well, twice, known, {}).complaints.empty());
+}
+
+TEST(Suspects, AreEnginesAndFaultsByName) {
+  EXPECT_EQ(parse_suspects("impulse").size(), 1U);
+  EXPECT_GE(parse_suspects("fault:all").size(), 70U);
+  EXPECT_TRUE(parse_suspects("fault:gravity-twice").front().right.has_value());
+  EXPECT_THROW(parse_suspects("fault:gravity-twce"), std::invalid_argument);
+  EXPECT_THROW(parse_suspects("impuls"), std::invalid_argument);
+  EXPECT_GE(parse_suspects(std::vector<std::string>{}).size(), 3U);
+}
+
+}  // namespace
+}  // namespace plumb::find_judge_test

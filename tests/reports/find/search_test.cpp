@@ -1,0 +1,138 @@
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <csignal>
+#include <map>
+
+#include "../study/study_files.h"
+#include "reports/find/finding.h"
+#include "scenarios/scene/scene_json.h"
+
+namespace plumb::search_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Search : public StudyFiles {
+ protected:
+  std::vector<std::string> words(const std::string& out, std::vector<std::string> more) const {
+    std::vector<std::string> all{"find", "--out", at(out), "--seed", "3"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  // Name and contents of every scene that was found.
+  std::map<std::string, std::string> found(const std::string& out) const {
+    std::map<std::string, std::string> all;
+    if (!std::filesystem::exists(at(out + "/found"))) return all;
+    for (const auto& file : std::filesystem::directory_iterator(at(out + "/found"))) {
+      all[file.path().filename().string()] = text(file.path().string());
+    }
+    return all;
+  }
+
+  const std::vector<std::string> small{"--engine", "fault:gravity-twice",
+                                       "--engine", "box2d",
+                                       "--kind",   "plane",
+                                       "--kind",   "flight",
+                                       "--count",  "6",
+                                       "--budget", "20"};
+};
+
+TEST_F(Search, FindsTheSameToTheByteWithAnyNumberOfJobs) {
+  std::vector<std::string> one = small;
+  one.insert(one.end(), {"--jobs", "1"});
+  std::vector<std::string> two = small;
+  two.insert(two.end(), {"--jobs", "2"});
+  EXPECT_EQ(say(words("one", one)).code, 0);
+  EXPECT_EQ(say(words("two", two)).code, 0);
+  EXPECT_FALSE(found("one").empty());
+  EXPECT_EQ(found("one"), found("two"));
+  EXPECT_EQ(document("one", "find").dump(), document("two", "find").dump());
+  EXPECT_EQ(text(at("one/find.md")), text(at("two/find.md")));
+  EXPECT_EQ(text(at("one/find.xml")), text(at("two/find.xml")));
+}
+
+TEST_F(Search, FindsAPlantedFaultAndCutsItDownToAFewBodies) {
+  const Said said = say(words("out", {"--engine", "fault:centre-of-mass", "--kind", "composite", "--count", "6"}));
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("1 of 1 faults found"));
+  const auto scenes = found("out");
+  ASSERT_EQ(scenes.size(), 1U);
+  const Scene scene = read_scene(scenes.begin()->second, scenes.begin()->first).scene;
+  const auto moving =
+      std::ranges::count_if(scene.bodies, [](const Body& one) { return one.type == BodyType::dynamic; });
+  EXPECT_LE(moving, 3);
+  EXPECT_EQ(origin_of(scene).engine, "fault:centre-of-mass");
+}
+
+TEST_F(Search, GoesOnAfterKill9AsIfNothingHadHappened) {
+  const std::string results = at("killed/study-find.jsonl");
+  const auto lines = [&] {
+    const std::string all = text(results);
+    return std::count(all.begin(), all.end(), '\n');
+  };
+  const pid_t process = fork();
+  if (process == 0) _exit(program(words("killed", small)));
+  while (lines() < 3) usleep(200);
+  kill(process, SIGKILL);
+  waitpid(process, nullptr, 0);
+  std::vector<std::string> more = small;
+  more.push_back("--resume");
+  EXPECT_EQ(say(words("killed", more)).code, 0);
+  EXPECT_EQ(say(words("calm", small)).code, 0);
+  EXPECT_EQ(found("killed"), found("calm"));
+  EXPECT_EQ(document("killed", "find").dump(), document("calm", "find").dump());
+}
+
+TEST_F(Search, InShardsFindsTheSame) {
+  for (const char* shard : {"1/2", "2/2"}) {
+    std::vector<std::string> part = small;
+    part.insert(part.end(), {"--shard", shard});
+    EXPECT_EQ(say(words("parts", part)).code, 0);
+  }
+  EXPECT_EQ(
+      say({"merge", at("parts/study-find-1-of-2.jsonl"), at("parts/study-find-2-of-2.jsonl"), "--out", at("merged")})
+          .code,
+      0);
+  EXPECT_EQ(say(words("whole", small)).code, 0);
+  EXPECT_EQ(found("merged"), found("whole"));
+  EXPECT_EQ(document("merged", "find").dump(), document("whole", "find").dump());
+}
+
+TEST_F(Search, EndsWhenItsTimeIsUpWithWhatItHas) {
+  std::vector<std::string> timed = small;
+  timed.erase(std::ranges::find(timed, "--count"), std::ranges::find(timed, "--count") + 2);
+  timed.insert(timed.end(), {"--time", "1s"});
+  const Said said = say(words("out", timed));
+  EXPECT_EQ(said.code, 0) << said.err;
+  const auto scenes = document("out", "find")["findings"]["scenes"].get<int>();
+  EXPECT_GE(scenes, 1);
+  EXPECT_LT(scenes, 50'000);
+}
+
+TEST_F(Search, RunsACorpusAgainAsAGate) {
+  ASSERT_EQ(say(words("out", small)).code, 0);
+  const Said broken = say({"find", "--again", at("out/found"), "--out", at("again")});
+  EXPECT_EQ(broken.code, 1) << broken.out << broken.err;
+  EXPECT_THAT(text(at("again/again.xml")), HasSubstr("<failure message="));
+  EXPECT_THAT(text(at("again/again.md")), HasSubstr("fail."));
+  for (const auto& [name, scene] : found("out")) {
+    if (!name.starts_with("fault")) std::filesystem::remove(at("out/found/" + name));
+  }
+  const Said mended = say({"find", "--again", at("out/found"), "--engine", "impulse", "--out", at("again")});
+  EXPECT_EQ(mended.code, 0) << mended.out << mended.err;
+  EXPECT_THAT(text(at("again/again.xml")), HasSubstr("failures=\"0\""));
+}
+
+TEST_F(Search, SaysWhatIsWrongWithItsOptions) {
+  EXPECT_THAT(say(words("out", {"--kind", "towr"})).err, HasSubstr("tower"));
+  EXPECT_THAT(say(words("out", {"--engine", "fault:gravity-twce"})).err, HasSubstr("gravity-twice"));
+  EXPECT_THAT(say(words("out", {"--time", "soon"})).err, HasSubstr("90s, 10m or 2h"));
+  EXPECT_THAT(say({"find", "--again", at("nowhere")}).err, HasSubstr("is not a folder"));
+  EXPECT_EQ(say({"find", "--again", at("nowhere")}).code, 2);
+}
+
+}  // namespace
+}  // namespace plumb::search_test
