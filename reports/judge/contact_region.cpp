@@ -1,17 +1,22 @@
 #include "reports/judge/contact_region.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "reports/vec.h"
 
 namespace plumb {
 namespace {
 
-// What lies on the inner side of a line: normal . p <= offset.
-std::vector<Vec> cut(const std::vector<Vec>& hull, Vec normal, double offset) {
+// Leaves what lies on the inner side of a line: normal . p <= offset.
+void cut(std::vector<Vec>& hull, Vec normal, double offset) {
+  const auto is_outside = [&](Vec point) { return dot(normal, point) > offset; };
+  if (std::none_of(hull.begin(), hull.end(), is_outside)) return;
   std::vector<Vec> inside;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec from = hull[i];
@@ -21,22 +26,26 @@ std::vector<Vec> cut(const std::vector<Vec>& hull, Vec normal, double offset) {
     if (out_from <= 0) inside.push_back(from);
     if (out_from * out_to < 0) inside.push_back(from + out_from / (out_from - out_to) * (to - from));
   }
-  return inside;
+  hull = std::move(inside);
 }
 
-// Normals of the tangents by which a core is enclosed: those of its edges, and of a 16-gon around its corners.
-std::vector<Vec> tangents_of(const Outline& outline) {
-  std::vector<Vec> normals;
-  constexpr int corners = 16;
-  for (int i = 0; i < corners; ++i) normals.push_back(rotated({1, 0}, 2 * std::numbers::pi * i / corners));
-  const std::vector<Vec>& points = outline.points;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec edge = points[(i + 1) % points.size()] - points[i];
-    const double size = length(edge);
-    if (size == 0) continue;
-    for (const double side : {-1.0, 1.0}) normals.push_back({side * edge.y / size, -side * edge.x / size});
-  }
-  return normals;
+// Cuts by the tangent of a core in a direction, moved out by a reach.
+void cut_by_tangent(std::vector<Vec>& hull, std::span<const Vec> core, Vec normal, double reach) {
+  double offset = -std::numeric_limits<double>::infinity();
+  for (const Vec point : core) offset = std::max(offset, dot(normal, point));
+  cut(hull, normal, offset + reach);
+}
+
+// Directions around a corner: those of the sides of a regular polygon of 16.
+const std::array<Vec, 16>& around() {
+  static const std::array<Vec, 16> directions = [] {
+    std::array<Vec, 16> all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i] = rotated({1, 0}, 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(all.size()));
+    }
+    return all;
+  }();
+  return directions;
 }
 
 Vec nearest_on(Vec point, Vec from, Vec to) {
@@ -68,10 +77,20 @@ Outline core_of(Outline outline) {
 }  // namespace
 
 std::vector<Vec> region_near(const Outline& of, const Outline& other, double reach) {
-  if (other.halfspace) return cut(of.points, other.halfspace->normal, other.halfspace->offset + reach);
   std::vector<Vec> region = of.points;
-  for (const Vec normal : tangents_of(other)) {
-    region = cut(region, normal, range_along(normal, core_of(other))->high + reach);
+  if (other.halfspace) {
+    cut(region, other.halfspace->normal, other.halfspace->offset + reach);
+    return region;
+  }
+  const std::vector<Vec>& core = other.points;
+  for (const Vec normal : around()) cut_by_tangent(region, core, normal, reach);
+  for (std::size_t i = 0; i < core.size() && core.size() > 1; ++i) {
+    const Vec edge = core[(i + 1) % core.size()] - core[i];
+    const double size = length(edge);
+    if (size == 0) continue;
+    const Vec normal{edge.y / size, -edge.x / size};
+    cut_by_tangent(region, core, normal, reach);
+    cut_by_tangent(region, core, -1 * normal, reach);
   }
   return region;
 }
