@@ -3,10 +3,33 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <variant>
 
 #include "reports/vec.h"
 
 namespace plumb {
+namespace {
+
+// m, the smallest radius of a body's round shapes; nullopt if it has none.
+std::optional<double> smallest_radius(const Body& body) {
+  std::optional<double> radius;
+  for (const Shape& shape : body.shapes) {
+    const auto* circle = std::get_if<Circle>(&shape.geometry);
+    const auto* capsule = std::get_if<Capsule>(&shape.geometry);
+    if (circle == nullptr && capsule == nullptr) continue;
+    radius = std::min(radius.value_or(std::numeric_limits<double>::infinity()),
+                      circle != nullptr ? circle->radius : capsule->radius);
+  }
+  return radius;
+}
+
+bool is_flat(const Body& body) {
+  return std::all_of(body.shapes.begin(), body.shapes.end(),
+                     [](const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.geometry); });
+}
+
+}  // namespace
 
 Vec velocity_at(const BodyState& state, Vec point) {
   const Vec arm = point - state.position;
@@ -20,6 +43,17 @@ Vec relative_velocity(const ContactState& contact, std::span<const BodyState> st
 Vec impulse_of(const ContactState& contact) {
   const Vec tangent{-contact.normal.y, contact.normal.x};
   return contact.normal_impulse * contact.normal + contact.tangent_impulse * tangent;
+}
+
+double normal_rotation(const Scene& scene, const ContactState& contact, std::span<const BodyState> states, double dt) {
+  const BodyState& a = states[contact.a];
+  const BodyState& b = states[contact.b];
+  const double turned = dt * (std::abs(a.angular_velocity) + std::abs(b.angular_velocity));
+  if (is_flat(scene.bodies[contact.a]) || is_flat(scene.bodies[contact.b])) return turned;
+  const auto of_a = smallest_radius(scene.bodies[contact.a]);
+  const auto of_b = smallest_radius(scene.bodies[contact.b]);
+  if (!of_a && !of_b) return turned;
+  return turned + dt * length(b.velocity - a.velocity) / (of_a.value_or(0) + of_b.value_or(0));
 }
 
 bool PairContacts::acts(double slack) const { return normal_impulse > 0 || separation() < -slack; }
@@ -82,6 +116,17 @@ std::vector<double> stale_impulse_error(std::span<const ContactState> before, st
   const double iterated = unsolved_share(stepping) * *std::max_element(errors.begin(), errors.end());
   for (double& one : errors) one = std::max(one, iterated);
   return errors;
+}
+
+RestitutionBounds restitution_between(const Scene& scene, std::size_t a, std::size_t b) {
+  RestitutionBounds bounds{1, 0};
+  for (const Shape& one : scene.bodies[a].shapes) {
+    for (const Shape& other : scene.bodies[b].shapes) {
+      const double e = mixed_restitution(scene.mixing, one.surface, other.surface);
+      bounds = {std::min(bounds.smallest, e), std::max(bounds.largest, e)};
+    }
+  }
+  return bounds;
 }
 
 double FrictionBounds::largest_static(std::size_t a, std::size_t b) const {

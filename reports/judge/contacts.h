@@ -23,6 +23,10 @@ Vec relative_velocity(const ContactState&, std::span<const BodyState>);
 /// N s, the impulse on b, normal and tangential.
 Vec impulse_of(const ContactState&);
 
+/// rad, by which a contact's normal may rotate in a step of dt s: its bodies rotate, and a round body rolls over a
+/// corner or past another, V dt/r.
+double normal_rotation(const Scene&, const ContactState&, std::span<const BodyState>, double dt);
+
 /// The contacts of two bodies in one step. a < b in every point, whichever the engine called a.
 struct PairContacts {
   std::vector<ContactState> points;                // at least one
@@ -55,6 +59,13 @@ double unsolved_share(const Stepping&);
 /// an earlier step or iteration. Zero for a second-order method without iterations.
 std::vector<double> stale_impulse_error(std::span<const ContactState> before, std::span<const ContactState> now,
                                         const Stepping&);
+
+/// Coefficients of restitution between two bodies: the smallest and the largest over all pairs of shapes.
+struct RestitutionBounds {
+  double smallest = 0, largest = 0;
+};
+
+RestitutionBounds restitution_between(const Scene&, std::size_t a, std::size_t b);
 
 /// Friction coefficients between two bodies. A contact does not say which of their shapes touch: where surfaces differ,
 /// `largest_static` is the largest over all pairs of shapes, `smallest_dynamic` the smallest. The scene must outlive

@@ -127,7 +127,8 @@ double gap_between(const Outline& a, const Outline& b) {
 Overlap::Overlap(const Scene& scene) : scene_(scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Vec center = mass_of(scene.bodies[i]).center;
-    for (const Shape& shape : scene.bodies[i].shapes) parts_.push_back({i, outline_of(shape.geometry, center)});
+    const std::vector<Shape>& shapes = scene.bodies[i].shapes;
+    for (std::size_t k = 0; k < shapes.size(); ++k) parts_.push_back({i, k, outline_of(shapes[k].geometry, center)});
   }
   for (const Joint& joint : scene.joints) {
     jointed_.push_back(std::visit([](const auto& of) { return std::minmax(of.a, of.b); }, joint));
@@ -146,7 +147,7 @@ bool Overlap::may_touch(std::size_t a, std::size_t b) const {
 
 std::vector<BodyGap> Overlap::near(std::span<const BodyState> states, std::span<const double> reach) const {
   struct Placed {
-    std::size_t body;
+    std::size_t body, shape;
     Outline outline;
     Interval x, y;  // grown by the body's reach
   };
@@ -161,7 +162,7 @@ std::vector<BodyGap> Overlap::near(std::span<const BodyState> states, std::span<
     };
     const Interval x = grown({1, 0});
     const Interval y = grown({0, 1});
-    parts.push_back({part.body, std::move(outline), x, y});
+    parts.push_back({part.body, part.shape, std::move(outline), x, y});
   }
   // Sorted by their left ends, a part can only be near those after it that start before it ends.
   std::sort(parts.begin(), parts.end(), [](const Placed& a, const Placed& b) { return a.x.low < b.x.low; });
@@ -171,8 +172,11 @@ std::vector<BodyGap> Overlap::near(std::span<const BodyState> states, std::span<
       if (parts[j].y.low > parts[i].y.high || parts[i].y.low > parts[j].y.high) continue;
       if (!may_touch(parts[i].body, parts[j].body)) continue;
       const double gap = gap_between(parts[i].outline, parts[j].outline);
-      const auto [a, b] = std::minmax(parts[i].body, parts[j].body);
-      if (gap <= reach[a] + reach[b]) gaps.push_back({a, b, gap});
+      const bool in_order = parts[i].body < parts[j].body;
+      const Placed& a = in_order ? parts[i] : parts[j];
+      const Placed& b = in_order ? parts[j] : parts[i];
+      const double within = reach[a.body] + reach[b.body];
+      if (gap <= within) gaps.push_back({a.body, b.body, gap, a.shape, b.shape, within});
     }
   }
   return gaps;

@@ -50,7 +50,9 @@ struct BodyOverlap {
 /// Two bodies, the smaller index first, and the gap between a part of one and a part of the other.
 struct BodyGap {
   std::size_t a = 0, b = 0;
-  double gap = 0;  // m, negative where they overlap
+  double gap = 0;                        // m, negative where they overlap
+  std::size_t shape_a = 0, shape_b = 0;  // of the parts, indices into Body::shapes
+  double reach = 0;                      // m, both bodies', up to which they were looked for
 };
 
 /// Gaps and overlaps of bodies. Pairs that may touch are measured: layers in common, at least one dynamic, no joint
@@ -73,7 +75,7 @@ class Overlap {
 
  private:
   struct Part {
-    std::size_t body;
+    std::size_t body, shape;
     Outline outline;  // relative to the centre of mass
   };
   bool may_touch(std::size_t a, std::size_t b) const;

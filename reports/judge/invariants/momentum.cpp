@@ -159,8 +159,6 @@ const Catalog<Invariant>::Entry angular{
          "nothing immovable",
      .check = [](const InvariantContext& context) { return check_total(context, &Missed::angular); }}};
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Bodies whose impulses are all known.
 std::vector<bool> known_bodies(const Scene& scene) {
   std::vector<bool> known;
@@ -171,35 +169,6 @@ std::vector<bool> known_bodies(const Scene& scene) {
     std::visit([&](const auto& of) { known[of.a] = known[of.b] = false; }, joint);
   }
   return known;
-}
-
-// m, the smallest radius of a body's round shapes; nullopt if it has none.
-std::optional<double> smallest_radius(const Body& body) {
-  std::optional<double> radius;
-  for (const Shape& shape : body.shapes) {
-    const auto* circle = std::get_if<Circle>(&shape.geometry);
-    const auto* capsule = std::get_if<Capsule>(&shape.geometry);
-    if (circle == nullptr && capsule == nullptr) continue;
-    radius = std::min(radius.value_or(infinity), circle != nullptr ? circle->radius : capsule->radius);
-  }
-  return radius;
-}
-
-bool is_flat(const Body& body) {
-  return std::all_of(body.shapes.begin(), body.shapes.end(),
-                     [](const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.geometry); });
-}
-
-// rad, by which a contact's normal may rotate in a step.
-double normal_rotation(const Scene& scene, const ContactState& contact, std::span<const BodyState> states, double dt) {
-  const BodyState& a = states[contact.a];
-  const BodyState& b = states[contact.b];
-  const double turned = dt * (std::abs(a.angular_velocity) + std::abs(b.angular_velocity));
-  if (is_flat(scene.bodies[contact.a]) || is_flat(scene.bodies[contact.b])) return turned;
-  const auto of_a = smallest_radius(scene.bodies[contact.a]);
-  const auto of_b = smallest_radius(scene.bodies[contact.b]);
-  if (!of_a && !of_b) return turned;
-  return turned + dt * length(b.velocity - a.velocity) / (of_a.value_or(0) + of_b.value_or(0));
 }
 
 // The states with the mean velocities between two moments.
