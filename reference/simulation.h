@@ -107,6 +107,9 @@ struct Engine {
   std::function<std::unique_ptr<Simulation>(const Scene&, const Settings&)> build;
   /// The values that it chooses by itself for a scene with these settings; null if it never does.
   std::function<std::vector<Choice>(const Scene&, const Settings&)> chooses = nullptr;
+  /// Whether it may run in Plumb's own process, because it was tested with it. Other engines get processes of their own
+  /// (see isolated): a crash, a hang or a call of exit then fails its own runs and nothing else.
+  bool in_process = false;
 };
 
 /// The settings with every option present. Throws std::invalid_argument for an unknown key or choice, naming the

@@ -431,6 +431,7 @@ const Catalog<Engine>::Entry entry{{
     .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
       return std::make_unique<Box2d>(scene, complete(self(), settings));
     },
+    .in_process = true,
 }};
 
 }  // namespace

@@ -378,6 +378,7 @@ const Catalog<Engine>::Entry entry{{
     .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
       return std::make_unique<Box2dV3>(scene, complete(self(), settings));
     },
+    .in_process = true,
 }};
 
 }  // namespace

@@ -349,6 +349,7 @@ Engine chipmunk() {
       .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
         return std::make_unique<Chipmunk>(scene, complete(self(), settings));
       },
+      .in_process = true,
   };
 }
 

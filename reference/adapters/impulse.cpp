@@ -102,6 +102,7 @@ Engine impulse() {
     return in_precision_of(settings).build(reduced(scene, settings), settings);
   };
   engine.chooses = choices_of;
+  engine.in_process = true;
   return engine;
 }
 

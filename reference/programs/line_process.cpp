@@ -53,7 +53,7 @@ int taken_without_waiting(int& end) {
   return std::exchange(end, -1);
 }
 
-// Whoever writes to a program that has ended gets SIGPIPE. For the time of a write this thread takes it upon itself.
+// What writes to a program that has ended gets SIGPIPE. For the time of a write this thread takes it upon itself.
 class NoBrokenPipe {
  public:
   NoBrokenPipe() {
@@ -104,6 +104,12 @@ std::string last_lines(std::string_view log) {
 }
 
 }  // namespace
+
+std::string quoted_for_shell(const std::string& word) {
+  std::string all = "'";
+  for (const char c : word) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return all + '\'';
+}
 
 LineProcess::LineProcess(const std::string& command) {
   Pipe in;

@@ -21,6 +21,9 @@ struct ProgramLimits {
   double mebibytes = 4096;  // of resident memory
 };
 
+/// A word of a command line, whatever is in it.
+std::string quoted_for_shell(const std::string&);
+
 /// A program that is spoken to in lines: it reads them from its standard input and answers on its standard output. It
 /// runs in a process group of its own, which ends with this object. Not for use by two threads at once.
 class LineProcess {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -118,9 +119,9 @@ class Program {
 
 class ProgramSimulation : public Simulation {
  public:
-  ProgramSimulation(Program& program, const Scene& scene, const Settings& settings)
-      : program_(program), process_(program.take()), limits_(limits_of(settings)), bodies_(scene.bodies.size()) {
-    now_ = ask(*process_, protocol::ask_build(scene, without_limits(settings)), limits_,
+  ProgramSimulation(Program& program, const Scene& scene, const Settings& settings, const ProgramLimits& limits)
+      : program_(program), process_(program.take()), limits_(limits), bodies_(scene.bodies.size()) {
+    now_ = ask(*process_, protocol::ask_build(scene, settings), limits_,
                [&](const std::string& answer) { return protocol::read_build(answer, bodies_); });
     if (!now_.refusal.empty()) {
       program_.give_back(std::move(process_));
@@ -193,6 +194,8 @@ class ProgramSimulation : public Simulation {
   bool failed_ = false;
 };
 
+std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
 // All programs named so far. They live as long as we do: engines refer to them.
 class Programs {
  public:
@@ -208,6 +211,22 @@ class Programs {
       entries_.pop_back();
       throw;
     }
+    return entry.engine;
+  }
+
+  const Engine& isolated(const Engine& engine) {
+    const std::string command = fmt::format("{} engine serve {}", quoted_for_shell(this_program()), engine.name);
+    const std::lock_guard lock(mutex_);
+    for (const Entry& entry : isolated_) {
+      if (entry.command == command) return entry.engine;
+    }
+    Entry& entry = isolated_.emplace_back(command);
+    entry.engine = engine;
+    entry.engine.in_process = true;
+    entry.engine.build = [&program = entry.program, &engine](const Scene& scene, const Settings& settings) {
+      constexpr ProgramLimits limits{.seconds = 60};
+      return std::make_unique<ProgramSimulation>(program, scene, complete(engine, settings), limits);
+    };
     return entry.engine;
   }
 
@@ -264,12 +283,14 @@ class Programs {
                                           double dt) { return program.stepping(completed(settings), dt); },
         .unsupported = [](const Scene&, const Settings&) { return std::string(); },
         .build = [&program, completed](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
-          return std::make_unique<ProgramSimulation>(program, scene, completed(settings));
-        }};
+          const Settings all = completed(settings);
+          return std::make_unique<ProgramSimulation>(program, scene, without_limits(all), limits_of(all));
+        },
+        .in_process = true};
   }
 
   std::mutex mutex_;
-  std::deque<Entry> entries_;
+  std::deque<Entry> entries_, isolated_;
 };
 
 Programs& programs() {
@@ -280,6 +301,8 @@ Programs& programs() {
 }  // namespace
 
 const Engine& engine_of_program(const std::string& command) { return programs().of(command); }
+
+const Engine& isolated(const Engine& engine) { return programs().isolated(engine); }
 
 const Engine* known_program(std::string_view name) { return programs().find(name); }
 

@@ -20,6 +20,10 @@ constexpr std::string_view program_prefix = "exec:";
 /// options of the program, and `timeout` and `memory`, beyond which it is ended.
 const Engine& engine_of_program(const std::string& command);
 
+/// An engine of this program in a process of its own: `plumb engine serve NAME`, so that whatever it does, only its own
+/// runs fail. It says the same of itself and moves to the same bits. Its runs are ended after a minute without answer.
+const Engine& isolated(const Engine&);
+
 /// The engine of a program that was named before, by its name; null if there is none.
 const Engine* known_program(std::string_view name);
 

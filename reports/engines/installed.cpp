@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "reference/programs/line_process.h"
 #include "reference/programs/packaged.h"
 #include "reports/system/files.h"
 #include "reports/system/processes.h"
@@ -40,13 +41,6 @@ bool is_current(const std::string& name, const fs::path& place) {
     const fs::path path = place / file.name;
     return !belongs_to(file, name) || (fs::exists(path) && read_text(path.string(), largest_file) == file.text);
   });
-}
-
-// For a shell.
-std::string quoted(const std::string& text) {
-  std::string all = "'";
-  for (const char c : text) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return all + '\'';
 }
 
 std::string node() {
@@ -105,7 +99,7 @@ fs::path engines_folder(const std::string& prefix) {
 std::optional<std::string> command_of_installed(const std::string& name, const fs::path& folder) {
   const fs::path place = folder / name;
   if (!is_current(name, place)) return std::nullopt;
-  return fmt::format("{} {}", node(), quoted((place / adapter).string()));
+  return fmt::format("{} {}", node(), quoted_for_shell((place / adapter).string()));
 }
 
 bool install_engine(const std::string& name, const fs::path& folder) {

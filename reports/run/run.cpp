@@ -89,6 +89,9 @@ Outcome run_observed(const Scene& scene, const EngineConfig& config, double dt, 
   } catch (const std::exception& error) {
     outcome.status = Status::failed;
     outcome.reason = error.what();
+  } catch (...) {
+    outcome.status = Status::failed;
+    outcome.reason = "it threw something that is not a std::exception";
   }
   outcome.wall = all.seconds();
   return outcome;

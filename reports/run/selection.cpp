@@ -19,6 +19,9 @@ namespace plumb {
 namespace {
 
 constexpr std::string_view our_engine = "impulse";
+constexpr std::string_view in_process =
+    "in-process";  // before an engine's name: in Plumb's process, whatever it may do
+constexpr std::string_view in_a_process = "isolated";  // likewise: in a process of its own
 
 // The text before and after the first `mark`; all of it before, if there is none.
 std::pair<std::string, std::string> split(std::string_view text, char mark) {
@@ -102,6 +105,9 @@ std::vector<Case> all_variants(const Scenario& scenario) {
   return cases;
 }
 
+// Engines that Plumb does not come with run in processes of their own.
+const Engine& placed(const Engine& engine) { return engine.in_process ? engine : isolated(engine); }
+
 EngineConfig configured(const Engine& engine, std::string_view words) {
   Settings settings;
   for (const std::string& piece : split_at_commas(words)) {
@@ -109,6 +115,10 @@ EngineConfig configured(const Engine& engine, std::string_view words) {
     settings[key] = value;
   }
   return {&engine, complete(engine, settings)};
+}
+
+const Engine& find_engine(const std::string& name) {
+  return find_entry<Engine>("engine", name, [](const Engine& offered) { return !offered.exact; });
 }
 
 // The command of an engine that `plumb engine add` installs; nullopt for other names.
@@ -191,16 +201,20 @@ EngineConfig parse_engine(std::string_view word) {
     throw std::invalid_argument("\"" + name + "\" is a closed form, not an engine; its scenarios always include it");
   }
   if (const auto command = command_of_packaged(name)) return configured(engine_of_program(*command), rest);
-  const Engine& engine = find_entry<Engine>("engine", name, [](const Engine& offered) { return !offered.exact; });
-  return configured(engine, rest);
+  if (name == in_process) {
+    const auto [own, settings] = split(rest, ':');
+    return Catalog<Engine>::find(own) == nullptr ? parse_engine(rest) : configured(find_engine(own), settings);
+  }
+  if (name == in_a_process) return configured(isolated(find_engine(split(rest, ':').first)), split(rest, ':').second);
+  return configured(placed(find_engine(name)), rest);
 }
 
 std::vector<EngineConfig> default_engines() {
   std::vector<EngineConfig> configs;
   for (const Engine* engine : Catalog<Engine>::all()) {
     if (engine->exact) continue;
-    configs.push_back({engine, complete(*engine, {})});
-    for (const Settings& other : engine->also) configs.push_back({engine, complete(*engine, other)});
+    configs.push_back({&placed(*engine), complete(*engine, {})});
+    for (const Settings& other : engine->also) configs.push_back({&placed(*engine), complete(*engine, other)});
   }
   std::stable_partition(configs.begin(), configs.end(),
                         [](const EngineConfig& config) { return config.engine->name == our_engine; });

@@ -28,7 +28,8 @@ Case parse_case(std::string_view word);
 std::vector<Case> default_cases(bool all);
 
 /// "NAME" or "NAME:key=value,...": an engine and its settings. "NAME:word" sets the one option that has this choice.
-/// "exec:COMMAND" or "exec:COMMAND:key=value,...": an engine that is a program of its own.
+/// "exec:COMMAND" or "exec:COMMAND:key=value,...": an engine that is a program of its own. Engines that Plumb does not
+/// come with run in processes of their own; "isolated:NAME" and "in-process:NAME" decide otherwise.
 EngineConfig parse_engine(std::string_view word);
 
 /// Every engine with its default settings and the others it lists; Plumb's own comes first, so that the others are

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/programs/program_engine.h"
+#include "reference/programs/server.h"
 #include "reports/cli/command.h"
 #include "reports/engines/conformance.h"
 #include "reports/engines/installed.h"
@@ -75,6 +76,12 @@ int check(const Options& options) {
   return kept ? 0 : 1;
 }
 
+int serve_named(const Options& options) {
+  const Engine* engine = Catalog<Engine>::find(options.checked);
+  if (engine == nullptr || engine->exact) throw std::invalid_argument("no engine \"" + options.checked + "\"");
+  return serve(*engine);
+}
+
 std::function<int()> attach(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   const auto chosen = std::make_shared<std::function<int(const Options&)>>();
@@ -95,6 +102,10 @@ std::function<int()> attach(CLI::App& app) {
   add_word("check", "Try whether a program speaks plumb-engine 1, and say what to mend", check)
       .add_option("engine", options->checked, "exec:COMMAND, or the name of an installed engine")
       ->type_name("ENGINE")
+      ->required();
+  add_word("serve", "Speak plumb-engine 1 for an engine of this program, on standard input and output", serve_named)
+      .add_option("engine", options->checked, "its name")
+      ->type_name("NAME")
       ->required();
   return [options, chosen] { return (*chosen)(*options); };
 }

@@ -14,7 +14,7 @@ namespace {
 
 FreshSimulation simulation_of(const std::string& text, const std::string& words) {
   const auto scene = std::make_shared<const Scene>(read_scene(text, "scene").scene);
-  const EngineConfig config = parse_engine(words);
+  const EngineConfig config = parse_engine("in-process:" + words);  // this process is there for it alone
   const std::string unsupported = config.engine->unsupported(*scene, config.settings);
   if (!unsupported.empty()) throw std::invalid_argument(unsupported);
   return [scene, config] { return config.engine->build(*scene, config.settings); };

@@ -116,5 +116,28 @@ TEST(ProgramEngine, BearsItsVersionIfItsNameIsTaken) {
   EXPECT_EQ(known_program("nobody"), nullptr);
 }
 
+// Every engine that Plumb comes with, as itself and through `plumb engine serve`.
+TEST(IsolatedEngine, MovesToTheSameBits) {
+  Scene scene = one_disc();
+  scene.bodies.push_back(
+      {.name = "ground", .type = BodyType::fixed, .position = {0, 4}, .shapes = {{HalfSpace{}, {1, 0.5, 0.5, 0.5}}}});
+  for (const EngineConfig& own : default_engines()) {
+    const std::string label = own.engine->name + ':' + own.method();
+    const std::string word = "exec:" PLUMB_PROGRAM " engine serve " + own.engine->name;
+    const EngineConfig served = parse_engine(own.method().empty() ? word : word + ':' + own.method());
+    EXPECT_THAT(served.engine->name, testing::StartsWith(own.engine->name + '@')) << label;
+    const Outcome a = run(scene, own, dt);
+    const Outcome b = run(scene, served, dt);
+    ASSERT_EQ(a.status, Status::ok) << label << ": " << a.reason;
+    ASSERT_EQ(b.status, Status::ok) << label << ": " << b.reason;
+    ASSERT_EQ(a.trace->size(), b.trace->size());
+    for (std::size_t moment = 0; moment < a.trace->size(); ++moment) {
+      EXPECT_EQ(a.trace->states(moment)[0].position, b.trace->states(moment)[0].position) << label;
+      EXPECT_EQ(a.trace->states(moment)[0].velocity, b.trace->states(moment)[0].velocity) << label;
+      EXPECT_EQ(a.trace->contacts(moment).size(), b.trace->contacts(moment).size()) << label;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plumb::program_engine_test

@@ -1,0 +1,181 @@
+#include "reference/programs/server.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenarios/scene/json_reader.h"
+#include "scenarios/scene/scene_json.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+Json vector_of(const BodyState& state) {
+  return {state.position.x, state.position.y, state.angle, state.velocity.x, state.velocity.y, state.angular_velocity};
+}
+
+Json vector_of(const ContactState& contact) {
+  return {contact.a,         contact.b,        contact.point.x,        contact.point.y,
+          contact.normal.x,  contact.normal.y, contact.normal_impulse, contact.tangent_impulse,
+          contact.separation};
+}
+
+Json option_as_json(const Option& option) {
+  Json json{{"key", option.key}, {"value", option.value}, {"about", option.about}};
+  if (option.choices.empty()) {
+    json.update({{"min", option.min}, {"max", option.max}, {"whole", option.whole}});
+    return json;
+  }
+  for (const auto& [value, about] : option.choices) json["choices"].push_back({{"value", value}, {"about", about}});
+  return json;
+}
+
+Json stepping_as_json(const Stepping& stated) {
+  Json json{{"arithmetic", stated.epsilon > 1e-12 ? "float" : "double"},
+            {"substep", stated.h},
+            {"drift", stated.drift},
+            {"order", stated.order},
+            {"orderInContact", stated.order_in_contact},
+            {"impactLag", stated.impact_lag},
+            {"skin", stated.skin},
+            {"slop", stated.slop},
+            {"jointSlop", stated.joint_slop},
+            {"creep", stated.creep},
+            {"restSpeed", stated.rest_speed},
+            {"restitutionThreshold", stated.restitution_threshold},
+            {"iterations", stated.iterations},
+            {"positionIterations", stated.position_iterations},
+            {"wholeImpulses", stated.whole_impulses},
+            {"looksAhead", stated.looks_ahead}};
+  if (stated.spring_limit) json["springLimit"] = *stated.spring_limit;
+  return json;
+}
+
+// Standard output under another number: what the engine prints goes to standard error, and no answer is lost in it.
+class Answers {
+ public:
+  Answers() : file_(fdopen(dup(STDOUT_FILENO), "w")) {
+    std::fflush(stdout);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+  }
+  Answers(const Answers&) = delete;
+  Answers& operator=(const Answers&) = delete;
+  ~Answers() { std::fclose(file_); }
+
+  void add(const Json& answer) const { std::fputs((answer.dump() + '\n').c_str(), file_); }
+  void send() const { std::fflush(file_); }
+
+ private:
+  std::FILE* file_;
+};
+
+class Server {
+ public:
+  explicit Server(const Engine& engine) : engine_(engine) {}
+
+  void answer(const nlohmann::json& ask) {
+    const auto is = [&](const char* what) { return ask.is_object() && ask.contains(what); };
+    if (is("hello")) {
+      answers_.add(hello());
+    } else if (is("stepping")) {
+      const auto& how = ask["stepping"];
+      answers_.add({{"stepping", stepping_as_json(engine_.stepping(settings_of(how), how.at("dt").get<double>()))}});
+    } else if (is("build")) {
+      answers_.add(build(ask["build"]));
+    } else if (is("step")) {
+      for (auto left = ask["step"].at("count").get<std::size_t>(); left > 0; --left) {
+        answers_.add(step(ask["step"].at("dt").get<double>()));
+      }
+    } else {
+      answers_.add({{"error", "unknown ask"}});
+    }
+    answers_.send();
+  }
+
+  void refuse(const std::string& why) const {
+    answers_.add({{"error", printable(why, 400)}});
+    answers_.send();
+  }
+
+ private:
+  Json hello() const {
+    Json json{{"plumb-engine", 1},      {"name", engine_.name},     {"version", "1"},
+              {"about", engine_.about}, {"source", engine_.source}, {"language", "C++"}};
+    for (const Option& option : engine_.options) json["options"].push_back(option_as_json(option));
+    return json;
+  }
+
+  Settings settings_of(const nlohmann::json& how) const { return complete(engine_, how.at("options").get<Settings>()); }
+
+  Json build(const nlohmann::json& how) {
+    simulation_.reset();
+    steps_ = 0;
+    const Settings settings = settings_of(how);
+    scene_ = read_scene(how.at("scene").dump(), "the scene").scene;
+    const std::string refusal = engine_.unsupported(scene_, settings);
+    if (!refusal.empty()) return {{"notSupported", refusal}};
+    try {
+      simulation_ = engine_.build(scene_, settings);
+    } catch (const std::domain_error& error) {
+      return {{"notSupported", error.what()}};
+    }
+    return {{"states", states()}};
+  }
+
+  Json step(double dt) {
+    if (!simulation_) throw std::logic_error("nothing is built");
+    const auto began = Clock::now();
+    simulation_->step(dt);
+    const auto spent = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - began);
+    Json json{{"step", ++steps_}, {"states", states()}, {"ns", spent.count()}};
+    std::vector<ContactState> contacts;
+    simulation_->read_contacts(contacts);
+    for (const ContactState& contact : contacts) json["contacts"].push_back(vector_of(contact));
+    return json;
+  }
+
+  Json states() const {
+    std::vector<BodyState> all(scene_.bodies.size());
+    simulation_->read(all);
+    Json json = Json::array();
+    for (const BodyState& state : all) json.push_back(vector_of(state));
+    return json;
+  }
+
+  const Engine& engine_;
+  Answers answers_;
+  Scene scene_;
+  std::unique_ptr<Simulation> simulation_;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace
+
+int serve(const Engine& engine) {
+  Server server(engine);
+  for (std::string line; std::getline(std::cin, line);) {
+    try {
+      const nlohmann::json ask = parse_json(line, "the ask");
+      if (ask.is_object() && ask.contains("end")) return 0;
+      server.answer(ask);
+    } catch (const std::exception& error) {
+      server.refuse(error.what());
+    }
+  }
+  return 0;
+}
+
+}  // namespace plumb
