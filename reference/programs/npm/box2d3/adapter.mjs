@@ -65,7 +65,6 @@ class World {
       const slope = shape.type === 'halfspace' ? Math.atan2(-shape.normal[0], shape.normal[1]) : null;
       const carrier = slope === null ? made : this.make(body, body.angle + slope);
       using(b2.b2DefaultShapeDef(), (def) => {
-        def.updateBodyMass = false; // it would shift the centre of mass, and the velocity with it
         def.material.friction = shape.friction;
         def.material.restitution = shape.restitution;
         def.filter.categoryBits = def.filter.maskBits = body.layers >>> 0;
@@ -77,6 +76,8 @@ class World {
         data.center.Set(0, 0);
         b2.b2Body_SetMassData(made, Object.assign(data, { mass: body.mass, rotationalInertia: body.inertia }));
       });
+      // Shapes shift the centre of mass, and the velocity with it; without that, fast bodies would not be seen as such.
+      using(vector(body.velocity), (velocity) => b2.b2Body_SetLinearVelocity(made, velocity));
     }
     return made;
   }
