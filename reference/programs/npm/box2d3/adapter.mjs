@@ -49,7 +49,7 @@ class World {
     this.angles = scene.bodies.map(({ angle }) => angle);
     this.sinceRead = 0;
     this.owners = new Map(); // of the engine's bodies, one more for each half-space
-    this.carriers = [];
+    this.moving = scene.bodies.map(({ type }) => type !== 'static');
     try {
       this.bodies = scene.bodies.map((body) => this.add(body, scene.extent));
       for (const joint of scene.joints) this.join(joint, scene.bodies);
@@ -65,7 +65,6 @@ class World {
       const slope = shape.type === 'halfspace' ? Math.atan2(-shape.normal[0], shape.normal[1]) : null;
       const carrier = slope === null ? made : this.make(body, body.angle + slope);
       using(b2.b2DefaultShapeDef(), (def) => {
-        def.updateBodyMass = false; // it would shift the centre of mass, and the velocity with it
         def.material.friction = shape.friction;
         def.material.restitution = shape.restitution;
         def.filter.categoryBits = def.filter.maskBits = body.layers >>> 0;
@@ -77,6 +76,8 @@ class World {
         data.center.Set(0, 0);
         b2.b2Body_SetMassData(made, Object.assign(data, { mass: body.mass, rotationalInertia: body.inertia }));
       });
+      // Shapes shift the centre of mass, and the velocity with it; without that, fast bodies would not be seen as such.
+      using(vector(body.velocity), (velocity) => b2.b2Body_SetLinearVelocity(made, velocity));
     }
     return made;
   }
@@ -93,7 +94,6 @@ class World {
       return b2.b2CreateBody(this.world, def);
     });
     this.owners.set(id.index1, body.index);
-    this.carriers.push(id);
     return id;
   }
 
@@ -145,24 +145,27 @@ class World {
   }
 
   contacts() {
-    const all = []; // both bodies of a contact list it: it is told from its first
-    for (const body of this.carriers) {
+    const all = [];
+    for (const body of this.bodies.filter((_, i) => this.moving[i])) {
       for (const contact of b2.b2Body_GetContactData(body, b2.b2Body_GetContactCapacity(body))) {
         using(contact, ({ manifold, shapeIdA, shapeIdB }) => {
-          const [a, b] = [shapeIdA, shapeIdB].map((shape) => b2.b2Shape_GetBody(shape).index1);
-          if (a === body.index1) this.tell(manifold, pair(b2.b2Body_GetPosition(body)), a, b, all);
+          const [one, other] = [b2.b2Shape_GetBody(shapeIdA), b2.b2Shape_GetBody(shapeIdB)];
+          const [a, b] = [one, other].map(({ index1 }) => this.owners.get(index1));
+          // Two moving bodies both list it: it is told from its first.
+          if (one.index1 === body.index1 || !this.moving[a]) this.tell(manifold, one, a, b, all);
         });
       }
     }
     return all;
   }
 
-  tell(manifold, origin, a, b, all) {
+  tell(manifold, one, a, b, all) {
     const { x, y } = manifold.normal;
+    const origin = pair(b2.b2Body_GetPosition(one));
     for (let i = 0; i < manifold.pointCount; ++i) {
       const { anchorA, normalImpulse, tangentImpulse, separation } = manifold.GetPoint(i);
       const at = plus(origin, [anchorA.x, anchorA.y]);
-      all.push([this.owners.get(a), this.owners.get(b), ...at, x, y, this.substeps * normalImpulse,
+      all.push([a, b, ...at, x, y, this.substeps * normalImpulse,
                 -this.substeps * tangentImpulse, separation]); // its tangent is the normal turned by -90 degrees
     }
   }

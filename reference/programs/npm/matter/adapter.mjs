@@ -140,9 +140,9 @@ class World {
   }
 }
 
-// The slop is what Body.slop leaves alone and, of what a body falls into another in a step, the tenth that each iteration
-// leaves (Resolver._positionDampen); the threshold is Resolver._restingThresh. A joint falls for one step before it is
-// pulled back. Contacts have no order that its author states.
+// The slop is what Body.slop leaves alone and, of what a body falls into another in a step, the tenth that each
+// iteration leaves (Resolver._positionDampen); the threshold is Resolver._restingThresh. A joint falls for one step
+// before it is pulled back. Contacts have no order that its author states.
 function stepping({ scale, velocity, position }, dt) {
   const fall = GRAVITY * dt * dt;
   return { arithmetic: 'double', drift: 0.5, order: 1, slop: 0.05 / scale + fall * 0.1 ** position, jointSlop: fall,

@@ -37,9 +37,11 @@ class World {
       contact.setRestitution(mixed[scene.mixing.restitution](a.restitution, b.restitution));
     });
     this.world.on('pre-solve', (contact) => this.met.set(contact, placed(contact)));
-    this.world.on('post-solve', (contact, { normalImpulses, tangentImpulses }) => this.solved.push({
-      contact, owners: of(contact).map(({ owner }) => owner), met: this.met.get(contact),
-      normals: [...normalImpulses], tangents: [...tangentImpulses] }));
+    this.world.on('post-solve', (contact, { normalImpulses, tangentImpulses }) => {
+      const count = contact.v_pointCount; // of two points that hardly differ it solves one, and lists two impulses
+      this.solved.push({ contact, owners: of(contact).map(({ owner }) => owner), met: this.met.get(contact),
+                         normals: normalImpulses.slice(0, count), tangents: tangentImpulses.slice(0, count) });
+    });
     this.bodies = scene.bodies.map((body) => this.add(body, scene.extent));
     for (const joint of scene.joints) this.join(joint, scene.bodies);
   }
@@ -98,8 +100,8 @@ class World {
   contacts() {
     return this.solved.flatMap(({ contact, owners, met, normals, tangents }) => {
       const left = placed(contact) ?? met; // nothing if the bodies have come apart within the step
-      return met.gaps.map((gap, i) => // its tangent is the normal turned by -90 degrees
-        [...owners, ...met.points[i], ...met.normal, normals[i], -tangents[i], left.gaps[i] ?? gap]);
+      return normals.map((normal, i) => // its tangent is the normal turned by -90 degrees
+        [...owners, ...met.points[i], ...met.normal, normal, -tangents[i], left.gaps[i] ?? met.gaps[i]]);
     });
   }
 }

@@ -106,23 +106,26 @@ class World {
 
   contacts() {
     const all = [];
-    this.world.forEachCollider((one) => this.world.contactPairsWith(one, (other) =>
-      this.world.contactPair(one, other, (manifold, flipped) => flipped || this.tell(manifold, one, other, all))));
-    return all; // both colliders of a pair list it: it is told from its first
+    this.world.forEachCollider((one) => this.world.contactPairsWith(one, (other) => {
+      if (one.handle > other.handle) return; // both list the pair
+      this.world.contactPair(one, other, (manifold, flipped) =>
+        flipped ? this.tell(manifold, other, one, all) : this.tell(manifold, one, other, all));
+    }));
+    return all;
   }
 
   tell(manifold, one, other, all) {
     const { x, y } = manifold.normal();
+    const [onOne, onOther] = [one, other].map((collider) => {
+      const origin = collider.translation();
+      const angle = collider.rotation();
+      return (point) => plus(turned([point.x, point.y], angle), [origin.x, origin.y]);
+    });
     for (let i = 0; i < manifold.numContacts(); ++i) {
-      const on = (collider, { x, y }) => {
-        const origin = collider.translation();
-        return plus(turned([x, y], collider.rotation()), [origin.x, origin.y]);
-      };
-      const a = on(one, manifold.localContactPoint1(i));
-      const b = on(other, manifold.localContactPoint2(i));
-      const middle = plus(a, b).map((part) => part / 2);
+      const a = onOne(manifold.localContactPoint1(i));
+      const b = onOther(manifold.localContactPoint2(i));
       const gap = (b[0] - a[0]) * x + (b[1] - a[1]) * y;
-      all.push([this.owners.get(one.handle), this.owners.get(other.handle), ...middle, x, y,
+      all.push([this.owners.get(one.handle), this.owners.get(other.handle), (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, x, y,
                 manifold.contactImpulse(i), manifold.contactTangentImpulse(i), gap]);
     }
   }
