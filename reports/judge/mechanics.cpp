@@ -44,6 +44,11 @@ double height_of(const Scene& scene, Vec down, const std::vector<BodyState>& sta
 
 }  // namespace
 
+bool is_driven(const Body& body) {
+  if (body.type == BodyType::kinematic) return body.velocity != Vec{} || body.angular_velocity != 0;
+  return body.type == BodyType::dynamic && body.fixed_rotation && body.angular_velocity != 0;
+}
+
 std::vector<BodyState> initial_states(const Scene& scene) {
   std::vector<BodyState> states;
   for (const Body& body : scene.bodies) {
@@ -186,6 +191,24 @@ std::vector<Wrench> AppliedForces::at(std::span<const BodyState> states) const {
     if (masses()[i].inertia == 0) wrenches[i].torque = 0;
   }
   return wrenches;
+}
+
+std::vector<WrenchError> AppliedForces::change_in(std::span<const BodyState> then, std::span<const BodyState> now,
+                                                  double dt) const {
+  std::vector<WrenchError> errors(then.size());
+  const auto is_constant = [](const Force& force) { return std::holds_alternative<Constant>(force); };
+  if (std::all_of(scene_.forces.begin(), scene_.forces.end(), is_constant)) return errors;
+  const std::vector<Wrench> start = at(then);
+  const std::vector<Wrench> end = at(now);
+  const std::vector<Wrench> ahead = at(moved_on(then, dt));
+  const std::vector<Wrench> behind = at(moved_on(now, -dt));
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    errors[i].force = length(end[i].force - start[i].force) +
+                      (length(ahead[i].force - start[i].force) + length(end[i].force - behind[i].force)) / 8;
+    errors[i].torque = std::abs(end[i].torque - start[i].torque) +
+                       (std::abs(ahead[i].torque - start[i].torque) + std::abs(end[i].torque - behind[i].torque)) / 8;
+  }
+  return errors;
 }
 
 // With U(r) the potential, dU/dt = -F.(v - v_centre): the work done on the body, F.v, exceeds the loss of potential by

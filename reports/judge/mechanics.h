@@ -28,6 +28,10 @@ struct Momentum {
   double angular = 0;  // kg m^2/s, about the world's origin
 };
 
+/// Whether something outside keeps up a velocity of the body, and so may do work: a kinematic body that moves, and one
+/// that may not turn but has an angular velocity.
+bool is_driven(const Body&);
+
 /// The states that the scene starts from.
 std::vector<BodyState> initial_states(const Scene&);
 
@@ -63,6 +67,11 @@ struct Wrench {
   double torque = 0;  // N m about it
 };
 
+/// N and N m: how far a wrench may be off.
+struct WrenchError {
+  double force = 0, torque = 0;
+};
+
 /// Gravity and the scene's forces on its dynamic bodies, without joints and contacts. Independent of reference/loads.h,
 /// which feeds the same forces to engines that lack them. The scene must outlive it.
 class AppliedForces {
@@ -71,6 +80,11 @@ class AppliedForces {
 
   /// By body, in Scene order; zero for a body that is not dynamic.
   std::vector<Wrench> at(std::span<const BodyState>) const;
+
+  /// By body: how far the mean over a step of dt s may be off from the mean of both ends, whichever end a method takes.
+  /// That is half their difference, and as much again within the step; and where forces turn back within it, as a
+  /// spring at the end of its stroke, an eighth of what their rates at both ends would change in a step.
+  std::vector<WrenchError> change_in(std::span<const BodyState> then, std::span<const BodyState> now, double dt) const;
 
   /// W, the power that the scene's forces bring in from outside: it moves the centre of an attraction that is not
   /// mutual. (A constant force has a potential instead.)

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "reports/judge/contacts.h"
@@ -92,7 +94,9 @@ VelocityBound given_by(const ContactState& contact, const Mass& mass, const Body
 
 // By body: what all impulses of a step may have changed between its ends without showing there, because one impulse
 // may start a motion that another stops. That takes an impact: where no contact of a group of touching bodies is
-// struck, its impulses bear loads, and each acts against what the forces add.
+// struck, its impulses bear loads, and each acts against what the forces add. Joints pass impulses on, which nobody
+// reports. But constraints never add to the energy that an impulse J gives to bodies at rest (Bertrand), J^2 B/2 with B
+// the inverse inertia at the contact, so no body of the group gets more speed by it than J sqrt(B/m).
 std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::size_t moment,
                                           std::span<const Mass> masses) {
   const auto contacts = context.trace.contacts(moment);
@@ -102,9 +106,28 @@ std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::
   for (const ContactState& contact : contacts) {
     if (masses[contact.a].mass > 0 && masses[contact.b].mass > 0) groups.join(contact.a, contact.b);
   }
+  std::vector<bool> jointed(now.size());
+  for (const Joint& joint : context.scene.joints) {
+    const auto [a, b] = std::visit([](const auto& of) { return std::pair{of.a, of.b}; }, joint);
+    if (masses[a].mass > 0 && masses[b].mass > 0) groups.join(a, b);
+    jointed[a] = jointed[b] = true;
+  }
   std::vector<bool> has_impact(now.size());
+  std::vector<bool> has_joint(now.size());
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (jointed[i] && masses[i].mass > 0) has_joint[groups.of(i)] = true;
+  }
   std::vector<VelocityBound> bounds(now.size());
+  std::vector<double> passed_on(now.size());  // of a group, the sum of J sqrt(B)
   for (const ContactState& contact : contacts) {
+    double inverse = 0;  // 1/kg, B in any direction
+    for (const std::size_t body : {contact.a, contact.b}) {
+      if (masses[body].mass > 0) inverse += 1 / masses[body].mass;
+      const Vec arm = arm_of(contact, now[body]);
+      if (masses[body].inertia > 0) inverse += dot(arm, arm) / masses[body].inertia;
+    }
+    const std::size_t group = groups.of(masses[contact.a].mass > 0 ? contact.a : contact.b);
+    passed_on[group] += length(impulse_of(contact)) * std::sqrt(inverse);
     const bool impact = -dot(contact.normal, relative_velocity(contact, then)) > load_speed(context);
     for (const std::size_t body : {contact.a, contact.b}) {
       if (impact && masses[body].mass > 0) has_impact[groups.of(body)] = true;
@@ -115,6 +138,10 @@ std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::
   }
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     if (!has_impact[groups.of(i)]) bounds[i] = {};
+    const double root = passed_on[groups.of(i)];
+    if (!has_impact[groups.of(i)] || !has_joint[groups.of(i)]) continue;
+    if (masses[i].mass > 0) bounds[i].speed = root / std::sqrt(masses[i].mass);
+    if (masses[i].inertia > 0) bounds[i].spin = root / std::sqrt(masses[i].inertia);
   }
   return bounds;
 }

@@ -47,12 +47,8 @@ double impact_work(const BodyStep& by, const Mass& mass, double dt) {
   return work;
 }
 
-bool is_driven(const Body& body) {
-  return body.type == BodyType::kinematic && (body.velocity != Vec{} || body.angular_velocity != 0);
-}
-
-// Work of the driven (moving kinematic) bodies through the reported contacts. The position of a contact is uncertain by
-// the distance its body moves in a step, and its velocity by w times that.
+// Work of the driven bodies through the reported contacts: of one that may not turn, by its spin alone. The position of
+// a contact is uncertain by the distance its body moves in a step, and its velocity by w times that.
 struct DriveWork {
   double work = 0, uncertainty = 0;  // J
 };
@@ -66,9 +62,11 @@ DriveWork drive_work(const InvariantContext& context, std::size_t moment) {
     for (const auto& [body, on_other] : {std::pair{contact.a, 1.0}, std::pair{contact.b, -1.0}}) {
       if (!is_driven(context.scene.bodies[body])) continue;
       const Vec velocity = velocity_at(states[body], contact.point);
-      done.work += on_other * dot(impulse, velocity);
+      const double moved = dt * std::max(length(velocity), length(states[body].velocity));
+      const bool spins_only = context.scene.bodies[body].type == BodyType::dynamic;
+      done.work += on_other * dot(impulse, spins_only ? velocity - states[body].velocity : velocity);
       done.uncertainty += length(impulse) * std::abs(states[body].angular_velocity) *
-                          (length(velocity) * dt + context.stepping.contact_gap() + std::abs(contact.separation));
+                          (moved + context.stepping.contact_gap() + std::abs(contact.separation));
     }
   }
   return done;
@@ -219,6 +217,9 @@ std::optional<InvariantCheck> check(const InvariantContext& context) {
   const auto& bodies = context.scene.bodies;
   const bool drives = std::any_of(bodies.begin(), bodies.end(), is_driven);
   if (drives && (!context.trace.has_contacts() || !context.stepping.whole_impulses)) return not_reported();
+  // What keeps up a spin against a spring works too.
+  const auto spins = [](const Body& body) { return body.type == BodyType::dynamic && is_driven(body); };
+  if (!context.scene.forces.empty() && std::any_of(bodies.begin(), bodies.end(), spins)) return not_reported();
   for (const Joint& joint : context.scene.joints) {
     const auto [a, b] = std::visit([](const auto& of) { return std::pair{of.a, of.b}; }, joint);
     if (is_driven(bodies[a]) || is_driven(bodies[b])) return not_reported();

@@ -32,11 +32,8 @@ namespace {
 
 bool is_bounded(const Scene& scene) {
   const auto is_constant = [](const Force& force) { return std::holds_alternative<Constant>(force); };
-  const auto is_moved = [](const Body& body) {
-    return body.type == BodyType::kinematic && (body.velocity != Vec{} || body.angular_velocity != 0);
-  };
   return scene.joints.empty() && std::all_of(scene.forces.begin(), scene.forces.end(), is_constant) &&
-         std::none_of(scene.bodies.begin(), scene.bodies.end(), is_moved);
+         std::none_of(scene.bodies.begin(), scene.bodies.end(), is_driven);
 }
 
 // Sums over the dynamic bodies.

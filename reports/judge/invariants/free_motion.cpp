@@ -21,9 +21,7 @@
 // in the norm sum |p|^2/m + L^2/I, times the root of the group's mass: for one body that is |m dv - F dt|.
 //
 // The tolerance covers:
-// - the forces, known at both ends of the step. Whichever a method takes is off from their mean by half the difference,
-//   and the mean from the integral by as much again; where they turn back within the step, as at the end of a swing, by
-//   an eighth of what their rates at both ends would change in a step;
+// - the forces, known at both ends of the step (see AppliedForces::change_in);
 // - the joints' directions, which turn within the step from J0 to J1. The fit takes their mean; whenever within the
 //   step an impulse acts, its direction is off by at most half of J1 - J0, and by an eighth of both rates for the arc.
 //   A method with one solve a step takes J0 or J1 for all impulses, so either may fit better. The anchors may be apart
@@ -168,10 +166,11 @@ class FreeMotion {
     return row;
   }
 
-  // A step, and what would act a step after its start, and a step before its end, at the velocities there.
+  // A step, and what joints would be like a step after its start, and a step before its end, at the velocities there.
   struct Step {
     std::size_t moment;
-    std::vector<Wrench> start, end, ahead, behind;
+    std::vector<Wrench> start, end;
+    std::vector<WrenchError> off;  // of their mean
     std::vector<JointRow> rows_start, rows_end, rows_ahead, rows_behind;
   };
 
@@ -185,8 +184,7 @@ class FreeMotion {
     return {moment,
             forces_.at(then),
             forces_.at(now),
-            forces_.at(ahead),
-            forces_.at(behind),
+            forces_.change_in(then, now, dt),
             joints_.rows(then),
             joints_.rows(now),
             joints_.rows(ahead),
@@ -247,13 +245,9 @@ class FreeMotion {
       const auto push = [](Vector& to, Vec linear, double angular) {
         to.insert(to.end(), {linear.x, linear.y, angular});
       };
-      const auto change = [&](const std::vector<Wrench>& from, const std::vector<Wrench>& to) {
-        return length(to[i].force - from[i].force) / m + std::abs(to[i].torque - from[i].torque) * per_k;
-      };
       push(force, dt / (2 * m) * (step.start[i].force + step.end[i].force),
            dt / 2 * (step.start[i].torque + step.end[i].torque) * per_k);
-      force_change.push_back(
-          dt * (change(step.start, step.end) + (change(step.start, step.ahead) + change(step.behind, step.end)) / 8));
+      force_change.push_back(dt * (step.off[i].force / m + step.off[i].torque * per_k));
       push(momentum, m * now.velocity + m * then.velocity, k * (now.angular_velocity + then.angular_velocity));
       push(damping, damped * m / 2 * (now.velocity + then.velocity),
            spin_damped * k / 2 * (now.angular_velocity + then.angular_velocity));

@@ -68,7 +68,10 @@ class Turning {
   InvariantCheck check() {
     std::vector<Wrench> before = forces_.at(context_.trace.states(0));
     for (std::size_t moment = 1; moment < context_.trace.size(); ++moment) {
-      std::vector<Wrench> after = forces_.at(context_.trace.states(moment));
+      const auto& trace = context_.trace;
+      std::vector<Wrench> after = forces_.at(trace.states(moment));
+      off_ = forces_.change_in(trace.states(moment - 1), trace.states(moment),
+                               trace.time(moment) - trace.time(moment - 1));
       const std::vector<BodyGap> pairs = neighbours_.in_step(moment);
       std::vector<std::size_t> met(judged_.size());
       for (const BodyGap& pair : pairs) {
@@ -163,8 +166,7 @@ class Turning {
     const double expected = cross(arm, impulse);
     const double got = mass.inertia * (now.angular_velocity - then.angular_velocity) - dt * torque;
     const double longest = farthest + own.radius;
-    const double change =
-        longest * length(after[i].force - before[i].force) + std::abs(after[i].torque - before[i].torque);
+    const double change = longest * off_[i].force + off_[i].torque;
     const double rounded = longest * (mass.mass * (length(then.velocity) + length(now.velocity)) + dt * length(force)) +
                            mass.inertia * (std::abs(then.angular_velocity) + std::abs(now.angular_velocity)) +
                            dt * std::abs(torque);
@@ -182,6 +184,7 @@ class Turning {
   Neighbours neighbours_;
   FrictionBounds friction_;
   std::vector<bool> judged_;
+  std::vector<WrenchError> off_;  // in the step
   WorstViolation worst_;
 };
 

@@ -178,5 +178,32 @@ TEST(EnergyRange, CoversTheLargestKineticEnergyOfTheClosedForm) {
   EXPECT_NEAR(energy_range(scene, &truth), 2 * 20 * 20 / 2.0, 1e-9);
 }
 
+// A body at rest at both ends of a step in which a spring of 8 N/m pulled it out and back: F is the same at both, and
+// its slope, 8 N/m times 3 m/s, changes sign.
+TEST(AppliedForces, KnowThatAForceMayTurnBackWithinAStep) {
+  Scene scene = fakes::thrown_box();
+  scene.forces = {Spring{.b = 0, .stiffness = 8}};
+  const AppliedForces forces(scene);
+  const std::vector<BodyState> then{{.position = {2, 0}, .velocity = {3, 0}}};
+  const std::vector<BodyState> now{{.position = {2, 0}, .velocity = {-3, 0}}};
+  EXPECT_NEAR(forces.change_in(then, now, 0.1)[0].force, 2 * 8 * 3 * 0.1 / 8, 1e-12);
+  scene.forces = {};
+  EXPECT_EQ(AppliedForces(scene).change_in(then, now, 0.1)[0].force, 0);
+}
+
+TEST(IsDriven, WhatKeepsUpAVelocity) {
+  Body body = fakes::thrown_box().bodies[0];
+  body.angular_velocity = 1;
+  EXPECT_FALSE(is_driven(body));
+  body.fixed_rotation = true;
+  EXPECT_TRUE(is_driven(body));
+  body.angular_velocity = 0;
+  EXPECT_FALSE(is_driven(body));
+  body.type = BodyType::kinematic;
+  EXPECT_TRUE(is_driven(body));
+  body.type = BodyType::fixed;
+  EXPECT_FALSE(is_driven(body));
+}
+
 }  // namespace
 }  // namespace plumb::mechanics_test

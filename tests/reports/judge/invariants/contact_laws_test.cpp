@@ -141,5 +141,21 @@ TEST(StickingInvariant, AllowsForAnImpactThatStoppedTheSlideWithinTheStep) {
   EXPECT_EQ(status("sticking", scene, landing(0.01, 0), exact), CheckStatus::broken);
 }
 
+// A joint passes an impulse on, with no more energy than J^2 B/2, B = 1 + 6/4 per kg at the contact.
+TEST(StickingInvariant, AllowsForAnImpactThatAJointPassesOn) {
+  Scene scene = box_on_ground(0.5);
+  scene.bodies.push_back(scene.bodies[1]);
+  scene.joints.push_back(Weld{.a = 1, .b = 2});
+  const double change = std::hypot(1, 0.25) * std::sqrt(2.5) * (1 + std::sqrt(6) * 0.5);
+  const auto landing = [](double slip, double falls) {
+    const BodyState then{.position = {0, 0.5}, .velocity = {slip, -falls}};
+    const BodyState now{.position = {0, 0.5}, .velocity = {slip, 0}};
+    return forged(dt, {{{{}, then, then}}, {{{}, now, now}, {pushing(1, 0.25)}}});
+  };
+  EXPECT_EQ(status("sticking", scene, landing(0.99 * change, 1), exact), CheckStatus::held);
+  EXPECT_EQ(status("sticking", scene, landing(1.01 * change, 1), exact), CheckStatus::broken);
+  EXPECT_EQ(status("sticking", scene, landing(0.01, 0), exact), CheckStatus::broken);
+}
+
 }  // namespace
 }  // namespace plumb::contact_laws_test

@@ -4,6 +4,7 @@
 
 #include "../../fakes.h"
 #include "forged_runs.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb::energy_test {
 namespace {
@@ -142,6 +143,27 @@ TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfKinematicBodies) {
   EXPECT_EQ(status("energy", driven, hit(3, {pushing(3)}), exact), CheckStatus::held);
   EXPECT_EQ(status("energy", driven, hit(4.3, {pushing(3)}), exact), CheckStatus::broken);
   EXPECT_EQ(status("energy", driven, hit(3, {}), exact), CheckStatus::not_reported);
+}
+
+// A disc of 1 m that may not turn but spins at -5 rad/s: friction drives it along, and what keeps up its spin works
+// twice what it gains, until it rolls.
+TEST(EnergyInvariant, CountsTheWorkOfASpinThatNothingSlows) {
+  Scene scene = box_on_ground();
+  Body& motor = scene.bodies[1];
+  motor.shapes[0].geometry = Circle{.radius = 1};
+  motor.angular_velocity = -5;
+  motor.fixed_rotation = true;
+  const double mass = mass_of(motor).mass;
+  const auto driven = [&](double spin, double gained) {
+    const auto disc = [&](double x, double v) {
+      return std::vector<BodyState>{{}, {.position = {x, 1}, .velocity = {v, 0}, .angular_velocity = spin}};
+    };
+    ContactState contact = pushing(1, -0.1 * mass);  // along the tangent of the ground's normal, (-1, 0)
+    return forged(h, {{disc(0, 0)}, {disc(0, gained), {contact}}});
+  };
+  EXPECT_EQ(status("energy", scene, driven(-5, 0.1), second_order), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, driven(-5, 2), second_order), CheckStatus::broken);
+  EXPECT_FALSE(checked("energy_bound", scene, driven(-5, 2), second_order).has_value());
 }
 
 }  // namespace

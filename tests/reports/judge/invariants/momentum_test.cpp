@@ -84,5 +84,21 @@ TEST(BodyMomentumInvariant, LetsSleepStopABodyBelowTheStatedSpeed) {
   EXPECT_EQ(status("momentum_of_bodies", scene, stopped(0.009, 0.001), sleeping), CheckStatus::broken);
 }
 
+// Adding the momenta of n bodies rounds by up to n u of their sum, however exact each of them is.
+TEST(MomentumInvariant, KnowsThatItsOwnSumsAreRounded) {
+  Scene scene = two_boxes();
+  for (int i = 0; i < 398; ++i) {
+    scene.bodies.push_back(scene.bodies[1]);
+    scene.bodies.back().position = {6.0 + 3 * i, 0};
+  }
+  const auto rising = [&](double share) {
+    std::vector<BodyState> before(scene.bodies.size(), {.velocity = {1, 0}});
+    std::vector<BodyState> after(scene.bodies.size(), {.velocity = {1 + share, 0}});
+    return forged(dt, {{before}, {after}});
+  };
+  EXPECT_EQ(status("momentum", scene, rising(4e-14), exact), CheckStatus::held);
+  EXPECT_EQ(status("momentum", scene, rising(2e-13), exact), CheckStatus::broken);
+}
+
 }  // namespace
 }  // namespace plumb::momentum_test
