@@ -131,7 +131,7 @@ std::optional<BedJoint> side(const std::vector<Vec>& of, Vec towards, Shared is_
 }
 
 Recognised<StandingArch> recognise_arch(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   if (scene.bodies.size() < 2) return "handles only stones between abutments";
   const Body& ground = scene.bodies.front();
   const std::optional<Floor> floor = floor_of(ground, scene.gravity);

@@ -73,7 +73,7 @@ struct BouncingDisc {
 };
 
 Recognised<BouncingDisc> recognise_bounce(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   const std::optional<BodyOnGround> pair = single_body_on_ground(scene);
   if (!pair) return "handles only one disc over fixed ground";
   const Body& body = scene.bodies[pair->body];

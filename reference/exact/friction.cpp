@@ -80,7 +80,7 @@ struct SlidingBox {
 };
 
 Recognised<SlidingBox> recognise_slide(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   const std::optional<BodyOnFloor> found = single_body_on_floor(scene);
   if (!found) return "handles only one box on a floor made of one half-space or of boxes laid flush";
   const Body& body = scene.bodies[found->body];
@@ -164,7 +164,7 @@ struct RollingDisc {
 };
 
 Recognised<RollingDisc> recognise_roll(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   const std::optional<BodyOnGround> pair = single_body_on_ground(scene);
   if (!pair) return "handles only one disc on fixed ground";
   const Body& body = scene.bodies[pair->body];

@@ -104,7 +104,7 @@ struct ImpactingBody {
 };
 
 Recognised<ImpactingBody> recognise_first_impact(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   const std::optional<BodyOnGround> pair = single_body_on_ground(scene);
   if (!pair) return "handles only one body over fixed ground";
   const Body& ground = scene.bodies[pair->ground];

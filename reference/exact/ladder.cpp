@@ -150,7 +150,7 @@ std::optional<Vec> touching(const Polygon& polygon, const Body& body, const Floo
 }
 
 Recognised<LeaningLadder> recognise_ladder(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   std::optional<std::size_t> ladder;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies[i].type == BodyType::dynamic) ladder = i;

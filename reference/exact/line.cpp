@@ -154,7 +154,7 @@ std::variant<std::vector<LineObject>, std::string> objects_on_line(const Scene& 
 }
 
 Recognised<BodiesOnLine> recognise_line(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   const auto found = objects_on_line(scene);
   if (const std::string* reason = std::get_if<std::string>(&found)) return *reason;
   const auto& row = std::get<std::vector<LineObject>>(found);

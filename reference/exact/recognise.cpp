@@ -27,6 +27,16 @@ std::string textbook_refusal(const Scene& scene) {
   return "";
 }
 
+std::string contact_refusal(const Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    for (const Body& other : scene.bodies) {
+      if (body.type == BodyType::dynamic && (body.layers & other.layers) == 0)
+        return "handles only bodies that share a layer";
+    }
+  }
+  return textbook_refusal(scene);
+}
+
 std::optional<Floor> floor_of(const Body& body, Vec gravity) {
   if (body.type != BodyType::fixed) return std::nullopt;
   if (const HalfSpace* half = only_shape<HalfSpace>(body)) {

@@ -13,6 +13,9 @@ namespace plumb {
 /// Why no textbook case fits: joints, forces or damping; "" if one may.
 std::string textbook_refusal(const Scene&);
 
+/// The same for closed forms of bodies that touch: also if there are bodies that pass through each other.
+std::string contact_refusal(const Scene&);
+
 /// A straight floor in the world frame: solid where normal . p <= offset, for `from` <= along . p <= `to`.
 struct Floor {
   Vec normal;

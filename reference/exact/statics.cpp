@@ -31,7 +31,7 @@ struct LyingBeam {
 };
 
 Recognised<LyingBeam> recognise_beam(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   std::optional<std::size_t> beam;
   std::vector<std::size_t> supports;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -129,7 +129,7 @@ std::variant<std::vector<Storey>, std::string> storeys(const Scene& scene, std::
 }
 
 Recognised<RestingTower> recognise_rest(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   const auto fixed = std::find_if(scene.bodies.begin(), scene.bodies.end(),
                                   [](const Body& body) { return body.type == BodyType::fixed; });
   if (fixed == scene.bodies.end()) return "handles only towers on fixed ground";

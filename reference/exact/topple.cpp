@@ -84,7 +84,7 @@ struct TopplingBox {
 };
 
 Recognised<TopplingBox> recognise_topple(const Scene& scene) {
-  if (const std::string reason = textbook_refusal(scene); !reason.empty()) return reason;
+  if (const std::string reason = contact_refusal(scene); !reason.empty()) return reason;
   const std::optional<BodyOnGround> pair = single_body_on_ground(scene);
   if (!pair) return "handles only one box on fixed ground";
   const Body& body = scene.bodies[pair->body];

@@ -1,30 +1,52 @@
 #include "reports/find/isolated.h"
 
 #include <array>
+#include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "reports/study/runner.h"
 
 namespace plumb {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+// Does some work in a process of its own.
+JobResult done_apart(const std::string& key, const RunLimits& limits, const std::function<Json()>& work) {
+  const std::array jobs{Job{.key = key, .run = [&] { return JobOutput{.values = work()}; }}};
+  const std::array<std::span<const Job>, 1> units{std::span<const Job>(jobs)};
+  JobResult result;
+  execute(units, {.parallel = 1, .limits = {limits.seconds, limits.mebibytes}},
+          [&](std::span<const JobResult> results) { result = results.front(); });
+  return result;
+}
+
+Complaint lost(const JobResult& result, const std::string& judge) {
+  return {.judge = judge, .what = name_of(result.ending), .ratio = std::numeric_limits<double>::infinity()};
+}
+
 Opinion opinion_apart(const Scene& scene, Posed posed, const EngineConfig& config, const Known& known,
                       const RunLimits& limits) {
-  const std::array jobs{
-      Job{.key = scene.name, .run = [&] { return JobOutput{.values = as_json(judged(scene, posed, config, known))}; }}};
-  const std::array<std::span<const Job>, 1> units{std::span<const Job>(jobs)};
-  Opinion opinion;
-  execute(units, {.parallel = 1, .limits = {limits.seconds, limits.mebibytes}},
-          [&](std::span<const JobResult> results) {
-            const JobResult& result = results.front();
-            if (result.ending == Ending::done) {
-              opinion = opinion_of(result.output.values);
-              return;
-            }
-            opinion = {.status = "failed", .note = result.reason};
-            opinion.complaints.push_back(
-                {.judge = "run", .what = name_of(result.ending), .ratio = std::numeric_limits<double>::infinity()});
-          });
+  const JobResult alone = done_apart(scene.name, limits, [&] { return as_json(judged_by_laws(scene, posed, config)); });
+  if (alone.ending != Ending::done) {
+    Opinion opinion{.status = "failed", .note = alone.reason};
+    opinion.complaints.push_back(lost(alone, "run"));
+    return opinion;
+  }
+  Opinion opinion = opinion_of(alone.output.values);
+  if (opinion.status != name_of(Status::ok) || known.empty()) return opinion;
+  const JobResult more = done_apart(scene.name, limits, [&] {
+    Json all = Json::array();
+    for (const Complaint& one : judged_by(known, scene, config)) all.push_back(as_json(one));
+    return Json{{"complaints", std::move(all)}};
+  });
+  // Many images of a slow scene take long: that is not the engine's fault.
+  if (more.ending == Ending::timed_out) return opinion;
+  if (more.ending != Ending::done) opinion.complaints.push_back(lost(more, "relation"));
+  if (more.ending == Ending::done) {
+    for (const Json& one : more.output.values.at("complaints")) opinion.complaints.push_back(complaint_of(one));
+  }
   return opinion;
 }
 

@@ -21,9 +21,13 @@ constexpr double converged_share = 0.01;           // of the smallest body, as i
 constexpr std::size_t most_related_bodies = 16;
 constexpr const char* relation_mark = "relation ";
 
-std::vector<double> moments_of(const Scene& scene) {
+std::vector<double> moments_of(const Scene& scene, const Engine* closed_form) {
   std::vector<double> moments(steps_in(scene.duration, search_step) + 1);
   for (std::size_t i = 0; i < moments.size(); ++i) moments[i] = static_cast<double>(i) * search_step;
+  if (closed_form != nullptr) {
+    const double until = Truth(*closed_form, scene).until();
+    std::erase_if(moments, [&](double moment) { return moment > until; });
+  }
   return moments;
 }
 
@@ -69,8 +73,10 @@ Known::Known(const Scene& scene, Posed posed, Judges judges) : judges_(std::move
   // The states of a closed form don't depend on the step, so it converges at once.
   const Refinement refinement{
       .engine = closed_form, .dt = search_step, .tolerance = converged_share, .budget = refinement_budget};
-  truth_ = closed_form != nullptr ? converged_truth(scene, moments_of(scene), refinement)
-                                  : confirmed_truth(scene, moments_of(scene), refinement);
+  const std::vector<double> moments = moments_of(scene, closed_form);
+  if (moments.size() < 2) return;
+  truth_ = closed_form != nullptr ? converged_truth(scene, moments, refinement)
+                                  : confirmed_truth(scene, moments, refinement);
   if (truth_->answer != nullptr && truth_->engine.unsupported(scene, {}).empty()) {
     checks_.emplace(scene, *truth_, search_step);
   }
@@ -108,7 +114,7 @@ std::vector<Complaint> Known::misplaced(const Stepping& stepping, const Trace& t
   return all;
 }
 
-Opinion judged(const Scene& scene, Posed posed, const EngineConfig& config, const Known& known) {
+Opinion judged_by_laws(const Scene& scene, Posed posed, const EngineConfig& config) {
   const Outcome outcome = run(scene, config, search_step);
   Opinion opinion{.status = name_of(outcome.status), .note = outcome.reason};
   if (outcome.status == Status::not_supported) return opinion;
@@ -125,7 +131,6 @@ Opinion judged(const Scene& scene, Posed posed, const EngineConfig& config, cons
     const bool holds_here = posed != Posed::impossible || check.name == "energy" || check.name == "energy_bound";
     if (check.status == CheckStatus::broken && holds_here) add(opinion.complaints, complaint_of(check));
   }
-  for (Complaint& one : known.complaints(config, *outcome.trace)) add(opinion.complaints, std::move(one));
   const auto metrics = measure({.scene = scene, .trace = *outcome.trace});
   const auto value_of = [&](const char* name) -> std::optional<double> {
     const auto found = metrics.find(name);
@@ -134,6 +139,11 @@ Opinion judged(const Scene& scene, Posed posed, const EngineConfig& config, cons
   opinion.energy_rise = value_of("energy_rise");
   opinion.overlap = value_of("penetration_max");
   return opinion;
+}
+
+std::vector<Complaint> judged_by(const Known& known, const Scene& scene, const EngineConfig& config) {
+  const Outcome outcome = run(scene, config, search_step);
+  return outcome.status == Status::ok ? known.complaints(config, *outcome.trace) : std::vector<Complaint>{};
 }
 
 }  // namespace plumb

@@ -36,6 +36,9 @@ class Known {
   /// What this engine breaks, apart from laws.
   std::vector<Complaint> complaints(const EngineConfig&, const Trace&) const;
 
+  /// Whether there is anything to judge by.
+  bool empty() const { return !growth_ && !checks_; }
+
  private:
   std::vector<Complaint> misplaced(const Stepping&, const Trace&) const;
 
@@ -46,7 +49,10 @@ class Known {
   std::optional<ConvergedChecks> checks_;
 };
 
-/// Runs the scene once and judges it by all that holds in such scenes: the run's end, the invariants and what is known.
-Opinion judged(const Scene&, Posed, const EngineConfig&, const Known&);
+/// Runs the scene once and judges it by the run's end and the invariants.
+Opinion judged_by_laws(const Scene&, Posed, const EngineConfig&);
+
+/// Runs the scene, which the engine runs to its end, and its images, and judges by what is known.
+std::vector<Complaint> judged_by(const Known&, const Scene&, const EngineConfig&);
 
 }  // namespace plumb

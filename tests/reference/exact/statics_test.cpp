@@ -125,6 +125,15 @@ TEST(RestingTower, RefusesATowerThatMovesOrFloats) {
   EXPECT_NE(rest().unsupported(floating, {}), "");
 }
 
+TEST(RestingTower, RefusesBoxesThatPassThroughEachOther) {
+  Scene falling = tower({0});
+  falling.bodies[1].layers = 1;
+  EXPECT_EQ(rest().unsupported(falling, {}), "");
+  falling.bodies.back().layers = 2;
+  falling.bodies.front().layers = 1;
+  EXPECT_NE(rest().unsupported(falling, {}), "");
+}
+
 }  // namespace rest_tests
 
 }  // namespace

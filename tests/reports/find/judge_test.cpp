@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "reports/find/isolated.h"
@@ -23,8 +24,10 @@ TEST(FindJudge, RaisesNoAlarmForClosedFormsInTheScenesTheyKnow) {
       const Scene scene = drawn(kind, 1, n);
       const Engine* exact = find_closed_form(scene);
       if (exact == nullptr) continue;
-      const Opinion opinion = judged(scene, kind.posed, {exact, complete(*exact, {})}, Known(scene, kind.posed));
+      const EngineConfig config{exact, complete(*exact, {})};
+      Opinion opinion = judged_by_laws(scene, kind.posed, config);
       if (opinion.status == "not supported") continue;
+      std::ranges::move(judged_by(Known(scene, kind.posed), scene, config), std::back_inserter(opinion.complaints));
       ++judged_scenes;
       for (const Complaint& one : opinion.complaints) ADD_FAILURE() << scene.name << ": " << one.words();
     }
@@ -38,9 +41,22 @@ TEST(FindJudge, KnowsWhereAThrownBodyMustBe) {
   scene.bodies[0].velocity = {3, 4};
   const Known known(scene, Posed::well);
   const Suspect twice = parse_suspects("fault:gravity-twice").front();
-  const Opinion wrong = judged(scene, Posed::well, twice.config, known);
+  const Opinion wrong{.status = "ok", .complaints = judged_by(known, scene, twice.config)};
   EXPECT_NE(wrong.of("closed form y -"), nullptr);
-  EXPECT_TRUE(judged(scene, Posed::well, *twice.right, known).complaints.empty());
+  EXPECT_TRUE(judged_by(known, scene, *twice.right).empty());
+}
+
+TEST(FindJudge, AsksNothingBeyondTheEndOfAClosedForm) {
+  // Lands shortly before the end, where the closed form ends; the last step ends after it.
+  Scene scene{.name = "landing", .gravity = {0, -10}, .duration = 0.64};
+  scene.bodies.push_back(level_ground({}));
+  scene.bodies.push_back({.name = "body", .position = {0, 2}, .angle = -3});
+  scene.bodies[1].shapes.push_back({.geometry = Capsule{.from = {-0.3, 0}, .to = {0.3, 0}, .radius = 0.6}});
+  ASSERT_NE(find_closed_form(scene), nullptr);
+  const EngineConfig impulse = parse_suspects("impulse").front().config;
+  for (const Complaint& one : judged_by(Known(scene, Posed::well), scene, impulse)) {
+    EXPECT_NE(one.judge, "closed form") << one.words();
+  }
 }
 
 TEST(FindJudge, AsksOnlyForEnergyWhereNoMotionIsRight) {
@@ -49,8 +65,9 @@ TEST(FindJudge, AsksOnlyForEnergyWhereNoMotionIsRight) {
   for (const char* engine : {"impulse", "box2d", "chipmunk"}) {
     for (int n = 0; n < 5; ++n) {
       const Scene scene = drawn(kind, 1, n);
-      const Opinion opinion =
-          judged(scene, kind.posed, parse_suspects(engine).front().config, Known(scene, kind.posed));
+      const EngineConfig config = parse_suspects(engine).front().config;
+      EXPECT_TRUE(judged_by(Known(scene, kind.posed), scene, config).empty());
+      const Opinion opinion = judged_by_laws(scene, kind.posed, config);
       for (const Complaint& one : opinion.complaints) {
         EXPECT_TRUE(one.judge == "run" || one.what == "energy" || one.what == "energy_bound") << one.words();
       }
