@@ -31,9 +31,12 @@ double apart(const BodyState& a, const BodyState& b, double rim) {
   return std::max(length(a.position - b.position), rim * std::abs(std::remainder(a.angle - b.angle, full_turn)));
 }
 
-// m, the largest coordinate that an engine computes with: of bodies that do not move, and of edges for half-spaces.
+// m, the largest coordinate that an engine computes with: of bodies that do not move, and of edges and grooves that
+// stand for half-spaces and sliders without ends.
 double largest_coordinate(const Scene& scene) {
-  double largest = 0;
+  const bool slides = std::any_of(scene.joints.begin(), scene.joints.end(),
+                                  [](const Joint& joint) { return std::holds_alternative<Prismatic>(joint); });
+  double largest = slides ? scene_extent(scene) : 0;
   for (const Body& body : scene.bodies) {
     largest = std::max(largest, length(body.position) + bounding_radius(body));
     for (const Shape& shape : body.shapes) {

@@ -67,13 +67,16 @@ class MeasuredAmplification : public Amplification {
     return radius > 0 ? radius : smallest_body(scene_.scene());
   }
 
-  // s, when a run from a start displaced by up to `size`, m, is farther from ours than that and rounding explain.
+  // s, when a run from a start displaced by up to `size`, m, is farther from ours than that and rounding explain, or a
+  // step before: what it decides in one step, another run may decide in the step before.
   double decided_in(std::uint64_t seed, double size, std::span<const double> rounding) const {
     const Outcome other = run(displaced(scene_.scene(), size, seed), config_, dt_);
     const std::size_t both = other.trace ? std::min(rounding.size(), other.trace->size()) : 0;
     for (std::size_t moment = 0; moment < both; ++moment) {
       // Displaced along both axes and turned.
-      if (!explained(3 * size + rounding[moment], moment, other.trace->states(moment))) return trace_.time(moment);
+      if (!explained(3 * size + rounding[moment], moment, other.trace->states(moment))) {
+        return trace_.time(moment > 0 ? moment - 1 : 0);
+      }
     }
     return std::numeric_limits<double>::infinity();
   }
