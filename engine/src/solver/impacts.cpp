@@ -219,7 +219,8 @@ void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& f
     const bool stops_p = solve_friction_at(p, mu * j.x);
     return solve_friction_at(q, mu * j.y) || stops_p;  // what one cannot bear, the other may
   };
-  if (!stops(grip_at(row, slip))) stops(row.dynamic_friction);
+  const Real grip = grip_at(row, slip);
+  if (!stops(grip) && grip != row.dynamic_friction) stops(row.dynamic_friction);
 }
 
 /// The points that hit: the lower of those that approach, and the other one too if it also almost touches.
