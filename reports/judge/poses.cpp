@@ -86,7 +86,8 @@ std::vector<double> pose_rounding(const RelationRun& run) {
       speed = std::max(speed, length(state.velocity) + rim * std::abs(state.angular_velocity));
     }
     carried += dt * pushed;
-    const bool solves = !scene.joints.empty() || !trace.contacts(moment).empty() || !trace.has_contacts();
+    const bool touches = !trace.contacts(moment).empty() || !trace.has_contacts();
+    const bool solves = scene.bodies.size() > 1 && (touches || !scene.joints.empty());
     if (moment > 0 && solves) pushed += solver_rounding(stepping) * (speed + dt * length(scene.gravity));
     const double steps = std::max(static_cast<double>(moment), stepping.h > 0 ? t / stepping.h : 0);
     const double once = (steps + 2) * stepping.epsilon;

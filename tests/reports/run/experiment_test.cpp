@@ -89,6 +89,26 @@ TEST(RunExperiment, JudgesByAConvergedAnswerThatSaysWhereItEnds) {
   EXPECT_EQ(report.runs[1].verdict, Verdict::right);
 }
 
+TEST(RunExperiment, ChecksRelationsOnlyIfAskedTo) {
+  Plan plan{.cases = parse_cases("bounce:e=0.5"), .configs = {parse_engine("impulse")}, .timed = false};
+  const auto relations_in = [&] {
+    const Report report = run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {});
+    std::vector<std::string> names;
+    for (const InvariantCheck& check : report.runs.back().invariants) {
+      if (!check.name.starts_with("relation_")) continue;
+      names.push_back(check.name);
+      EXPECT_EQ(check.status, CheckStatus::held) << check.name;
+      EXPECT_FALSE(check.detail.empty());
+      EXPECT_TRUE(report.runs.back().metrics.contains(check.name));
+    }
+    return names;
+  };
+  EXPECT_TRUE(relations_in().empty());
+  plan.relations = true;
+  // All but time: the disc loses energy.
+  EXPECT_EQ(relations_in().size(), 10U);
+}
+
 TEST(RunExperiment, HasNoTruthWithoutABudgetForIt) {
   const Plan plan{.cases = parse_cases("double-pendulum:wild"), .configs = {parse_engine("impulse")}, .timed = false};
   const Report report = run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {});
