@@ -38,7 +38,8 @@ std::string text_or(const JsonReader& in, const char* key, const std::string& ot
 
 Option read_option(const JsonReader& in) {
   in.object({"key", "value", "about"}, {"choices", "min", "max", "whole"});
-  Option option{.key = in["key"].text(1, 40), .value = in["value"].text(1, 40), .about = in["about"].text(1, longest_text)};
+  Option option{
+      .key = in["key"].text(1, 40), .value = in["value"].text(1, 40), .about = in["about"].text(1, longest_text)};
   if (in.has("choices")) {
     const JsonReader choices = in["choices"];
     for (std::size_t i = 0; i < choices.list(); ++i) {

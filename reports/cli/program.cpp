@@ -74,8 +74,10 @@ int parse_and_run(std::vector<std::string> arguments) {
   }
   app.footer(
       "Examples:\n  plumb report\n  plumb run bounce --engine impulse\n  plumb list engines\n\n"
-      "Exit codes: 0 fine; 1 a run is wrong or failed (run, find --again), two runs diverge (diff), something is not as accepted "
-      "(check), a fault is not caught (prove); 2 bad usage or input; 3 an internal error; 130 interrupted (study, find).");
+      "Exit codes: 0 fine; 1 a run is wrong or failed (run, find --again), two runs diverge (diff), something is not "
+      "as accepted "
+      "(check), a fault is not caught (prove); 2 bad usage or input; 3 an internal error; 130 interrupted (study, "
+      "find).");
 
   std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
   try {
