@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 #include "reports/study/follow_up.h"
@@ -182,7 +182,7 @@ void write_study(const Study& study, const ResultsHead& head, const StudyPlan& p
   files.insert(files.end(), found.files.begin(), found.files.end());
   const auto paths = folder.put(files);
   fmt::print("{}", found.text);
-  for (const auto& path : paths | std::views::take(own)) fmt::print("{}\n", path.string());
+  for (const auto& path : std::span(paths).first(std::min(own, paths.size()))) fmt::print("{}\n", path.string());
   if (paths.size() > own) fmt::print("{} and {} more\n", paths[own].string(), paths.size() - own - 1);
   if (!why_not.empty()) fmt::print("No {}.html: {}.\n", stem, why_not);
 }

@@ -224,7 +224,7 @@ class Bouncing {
     const double least = bounces ? e.smallest * slower * (1 - k) / (1 + k) : 0;
     const double middle = (most + least) / 2;
     worst_.add(std::abs(hit.separation - middle), (most - least) / 2 + hit.off, hit.approach, trace.time(moment),
-               [&] { return pair_name(scene, contact.a, contact.b); });
+               [&] { return pair_name(context_.scene, contact.a, contact.b); });
   }
 
   static constexpr double explained_share = 1e-3;  // by which another push would change a bound less than the rest does
