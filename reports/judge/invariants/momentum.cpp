@@ -200,11 +200,11 @@ std::vector<BodyState> mean_motion(std::span<const BodyState> then, std::span<co
 //   or past another, V dt/r. Whether a method reports the normal of the start, of the end or of a sub-step in between,
 //   it is off by at most that angle.
 // - A body that is put to sleep loses the velocity it had, and reports the impulses of its last step awake, in which
-// the
-//   velocity may have changed by as much.
+//   the velocity may have changed by as much.
 // - Velocities and impulses are rounded in every iteration, at every contact, including those of the other body, and
-//   rounding errors of the largest so far may come out in any later step. The reported time, n dt, is rounded too, and
-//   with it dt, their difference.
+//   rounding errors of the largest so far may come out in any later step. No velocity at a contact is smaller than what
+//   the rounding of a place makes of its gap, u |x| / h. The reported time, n dt, is rounded too, and with it dt, their
+//   difference.
 std::optional<InvariantCheck> check_bodies(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   const std::vector<bool> known = known_bodies(scene);
@@ -249,6 +249,9 @@ std::optional<InvariantCheck> check_bodies(const InvariantContext& context) {
       const Vec missing = mass * (now[i].velocity - then[i].velocity) - received[i] - dt * force;
       largest[i] = std::max(largest[i],
                             mass * (length(then[i].velocity) + length(now[i].velocity)) + size[i] + dt * length(force));
+      if (contacts[i] > 0 && stepping.h > 0) {
+        largest[i] = std::max(largest[i], mass * stepping.epsilon * length(now[i].position) / stepping.h);
+      }
       const double stopped = now[i].velocity == Vec{} ? 2 * mass * stepping.rest_speed : 0;
       const double tolerance = stopped + dt * off[i].force + uncertainty[i] +
                                solver_rounding(stepping) * (1 + contacts[i]) * largest[i] +

@@ -57,6 +57,16 @@ TEST(BodyMomentumInvariant, HoldsBodiesToTheReportedImpulses) {
   EXPECT_EQ(broken.where, "box");
 }
 
+// A gap of rounding, 1e-16 of .5 m, gives a velocity of 5e-15 m/s, of which again 1e-16 may be lost.
+TEST(BodyMomentumInvariant, KnowsHowSmallAVelocityAtAContactCanBe) {
+  const Scene scene = box_on_ground(0.5, {0, 0});
+  const auto off_by = [&](double speed) {
+    return forged(dt, {{box_at({0, 0.5})}, {box_at({0, 0.5}, {0, speed}), {pushing(0, 0)}}});
+  };
+  EXPECT_EQ(status("momentum_of_bodies", scene, off_by(1e-32), rounded_exact), CheckStatus::held);
+  EXPECT_EQ(status("momentum_of_bodies", scene, off_by(1e-20), rounded_exact), CheckStatus::broken);
+}
+
 // Two discs of 1 m, one on the other, and an impulse straight up of 2 N s: if the upper one moves 1 mm sideways within
 // the step, their normal rotates by 1/2000 and gives it 1 mm/s kg sideways, although both are at rest at both ends.
 TEST(BodyMomentumInvariant, AllowsForRoundBodiesThatPassEachOtherWithinAStep) {
