@@ -25,7 +25,7 @@
 // - A contact lifts its load when it takes up the gap: the same number of times the sum of F times the gap.
 // - Simultaneous impacts that iterations solve conserve energy only once they have converged: K times the share that
 //   the stated iterations leave unsolved.
-// - Round-off.
+// - Round-off; and the velocity that the rounding of a gap, u |x|, gives in a sub-step, for bodies that do not move.
 // Joints, springs and attractions have no such bound of constants, and `energy` alone judges them.
 namespace plumb::invariants::energy_bound {
 namespace {
@@ -97,7 +97,9 @@ std::optional<InvariantCheck> check(const InvariantContext& context) {
     const double fastest = std::sqrt(2 * kinetic / loads.lightest);
     const double rounded = nu * (2 * kinetic + loads.force * (farthest + trace.times().back() / 2 * fastest));
     const double gained = forces.conserved().energy(states).kinetic() + now - moving - at_start;
-    worst.add(gained, oscillation + pushed_out + lifted + unsolved + rounded, range, trace.time(moment),
+    const double closing = stepping.h > 0 ? stepping.epsilon * farthest / stepping.h : 0;  // m/s, of a rounded gap
+    const double least = loads.mass * closing * closing / 2;
+    worst.add(gained, oscillation + pushed_out + lifted + unsolved + rounded + least, range, trace.time(moment),
               [] { return ""; });
   }
   return worst.result();

@@ -47,6 +47,14 @@ TEST(EnergyBoundInvariant, AllowsWhatTheMethodStates) {
   EXPECT_EQ(status("energy_bound", raised(), bouncing(5e-3), symplectic), CheckStatus::broken);
 }
 
+// A gap of rounding, 1e-16 of .5 m, gives a body that rests without gravity 5e-15 m/s.
+TEST(EnergyBoundInvariant, KnowsHowSmallAVelocityCanBe) {
+  const Scene scene = box_on_ground(0.5, {0, 0});
+  const auto pushed = [](double speed) { return forged(dt, {{box_at({0, 0.5})}, {box_at({0, 0.5}, {0, speed})}}); };
+  EXPECT_EQ(status("energy_bound", scene, pushed(4e-15), exact), CheckStatus::held);
+  EXPECT_EQ(status("energy_bound", scene, pushed(1e-14), exact), CheckStatus::broken);
+}
+
 TEST(EnergyBoundInvariant, LeavesJointsAndSpringsToTheOtherLaw) {
   Scene scene = raised();
   scene.forces = {Spring{.b = 1, .stiffness = 1}};
