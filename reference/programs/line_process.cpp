@@ -97,7 +97,7 @@ std::string last_lines(std::string_view log) {
   for (std::size_t line = 0; line < log_lines && !log.empty(); ++line) {
     const std::size_t end = log.rfind('\n');
     const std::string_view last = end == std::string_view::npos ? log : log.substr(end + 1);
-    text = printable(last, 200) + (text.empty() ? "" : " | ") + text;
+    text.insert(0, printable(last, 200) + (text.empty() ? "" : " | "));
     log = end == std::string_view::npos ? std::string_view{} : log.substr(0, end);
   }
   return text;

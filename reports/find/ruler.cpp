@@ -27,15 +27,15 @@ double share_above(const std::vector<double>& values, double limit) {
 
 }  // namespace
 
-std::vector<EngineSummary> measured_alike(const std::vector<std::pair<std::string, std::vector<Opinion>>>& engines) {
+std::vector<RulerSummary> measured_alike(const std::vector<std::pair<std::string, std::vector<Opinion>>>& engines) {
   const std::size_t scenes = engines.empty() ? 0 : engines.front().second.size();
   std::vector<bool> all_ran(scenes, true);
   for (const auto& [name, opinions] : engines) {
     for (std::size_t i = 0; i < scenes; ++i) all_ran[i] = all_ran[i] && opinions[i].status == "ok";
   }
-  std::vector<EngineSummary> all;
+  std::vector<RulerSummary> all;
   for (const auto& [name, opinions] : engines) {
-    EngineSummary one{.engine = name};
+    RulerSummary one{.engine = name};
     std::vector<double> rises;
     std::vector<double> overlaps;
     for (std::size_t i = 0; i < scenes; ++i) {
@@ -60,7 +60,7 @@ std::vector<EngineSummary> measured_alike(const std::vector<std::pair<std::strin
   return all;
 }
 
-nlohmann::ordered_json as_json(const EngineSummary& of) {
+nlohmann::ordered_json as_json(const RulerSummary& of) {
   return {{"engine", of.engine},
           {"scenes", of.scenes},
           {"not_supported", of.not_supported},
@@ -75,11 +75,11 @@ nlohmann::ordered_json as_json(const EngineSummary& of) {
           {"overlap_nine_in_ten", finite_or_null(of.overlap_high)}};
 }
 
-std::vector<std::vector<std::string>> rows_of(const std::vector<EngineSummary>& engines) {
+std::vector<std::vector<std::string>> rows_of(const std::vector<RulerSummary>& engines) {
   std::vector<std::vector<std::string>> rows{{"engine", "scenes", "not supported", "failed", "wrong",
                                               "energy up > .1 %", "> 1 %", "median rise", "deepest overlap, median",
                                               "9 in 10"}};
-  for (const EngineSummary& one : engines) {
+  for (const RulerSummary& one : engines) {
     const auto percent = [](double share) { return fmt::format("{:.0f} %", 100 * share); };
     rows.push_back({one.engine, std::to_string(one.scenes), std::to_string(one.not_supported),
                     std::to_string(one.failed), std::to_string(one.wrong), percent(one.above_thousandth),

@@ -11,7 +11,7 @@ namespace plumb {
 
 /// One engine in the scenes of a search. Energy and overlap are measured alike for all engines, in the scenes that all
 /// of them ran to the end, whatever they state about themselves.
-struct EngineSummary {
+struct RulerSummary {
   std::string engine;
   int scenes = 0, not_supported = 0, failed = 0, wrong = 0;  // wrong: by any judge but the run itself
   int compared = 0;                                          // scenes that all engines ran to the end
@@ -22,11 +22,11 @@ struct EngineSummary {
 };
 
 /// By engine, then scene by scene, the same scenes for each.
-std::vector<EngineSummary> measured_alike(const std::vector<std::pair<std::string, std::vector<Opinion>>>&);
+std::vector<RulerSummary> measured_alike(const std::vector<std::pair<std::string, std::vector<Opinion>>>&);
 
-nlohmann::ordered_json as_json(const EngineSummary&);
+nlohmann::ordered_json as_json(const RulerSummary&);
 
 /// Head and rows, for a table.
-std::vector<std::vector<std::string>> rows_of(const std::vector<EngineSummary>&);
+std::vector<std::vector<std::string>> rows_of(const std::vector<RulerSummary>&);
 
 }  // namespace plumb

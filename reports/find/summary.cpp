@@ -89,11 +89,11 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<Told>& told) {
 }
 
 // How many of the engines that are ours with a fault are wrong where the right one is not; nullopt without such.
-std::string faults_sentence(const std::vector<EngineSummary>& engines) {
+std::string faults_sentence(const std::vector<RulerSummary>& engines) {
   int faults = 0;
   int found = 0;
   std::string missed;
-  for (const EngineSummary& one : engines) {
+  for (const RulerSummary& one : engines) {
     if (!one.engine.starts_with("fault:")) continue;
     ++faults;
     if (one.wrong + one.failed > 0) {
@@ -116,12 +116,12 @@ double median_moving(const std::vector<Told>& told) {
 }  // namespace
 
 Findings conclude_search(const Json& configuration, const std::vector<JobResult>& results) {
-  const std::vector<EngineSummary> engines = measured_alike(opinions_in(configuration, results));
+  const std::vector<RulerSummary> engines = measured_alike(opinions_in(configuration, results));
   const std::vector<Told> told = told_once(results);
   const auto scenes = std::ranges::count_if(results, is_look);
   const std::uint64_t seed = configuration.at("seed");
   Json engines_json = Json::array();
-  for (const EngineSummary& one : engines) engines_json.push_back(as_json(one));
+  for (const RulerSummary& one : engines) engines_json.push_back(as_json(one));
   Json found_json = Json::array();
   for (const Told& one : told) found_json.push_back(json_of(one));
 
