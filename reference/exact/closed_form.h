@@ -25,7 +25,7 @@ template <class Motion>
 using Recognised = std::variant<Motion, std::string>;
 
 /// Time by compensated summation (Kahan): after a million steps it is as exact as after one.
-class Elapsed {
+class ElapsedTime {
  public:
   void add(double dt) {
     const double term = dt - lost_;
@@ -76,7 +76,7 @@ class ClosedForm final : public Simulation {
 
  private:
   Motion motion_;
-  Elapsed elapsed_;
+  ElapsedTime elapsed_;
   double last_ = 0;
 };
 

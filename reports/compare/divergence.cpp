@@ -152,9 +152,9 @@ class TraceComparer {
     return largest;
   }
 
-  std::vector<Growth> growth(std::size_t first, const StateComponent& component) const {
+  std::vector<DivergenceGrowth> growth(std::size_t first, const StateComponent& component) const {
     const double start = vector_difference(first, component);
-    std::vector<Growth> all;
+    std::vector<DivergenceGrowth> all;
     double factor = 1;
     for (std::size_t k = first; k < moments_; ++k) {
       const double now = vector_difference(k, component);

@@ -11,7 +11,7 @@
 namespace plumb {
 
 /// A moment at which the difference has grown by a factor since the divergence.
-struct Growth {
+struct DivergenceGrowth {
   double factor = 1;
   std::size_t step = 0;
   double time = 0;        // s
@@ -22,12 +22,12 @@ struct Divergence {
   std::size_t step = 0;  // 0 is the start
   double time = 0;       // s
   Stage stage = Stage::integration;
-  std::string body;                     // with the largest error ratio
-  std::string other;                    // the body at the contact that explains it; "" if none does
-  ValueDifference first;                // of the body's state
-  std::vector<ValueDifference> values;  // the body's state and the contact that explains the divergence
-  std::string advice;                   // a sentence or two: where to look
-  std::vector<Growth> growth;           // at 1, 10, 100 ... times as far as it went, and at the end
+  std::string body;                      // with the largest error ratio
+  std::string other;                     // the body at the contact that explains it; "" if none does
+  ValueDifference first;                 // of the body's state
+  std::vector<ValueDifference> values;   // the body's state and the contact that explains the divergence
+  std::string advice;                    // a sentence or two: where to look
+  std::vector<DivergenceGrowth> growth;  // at 1, 10, 100 ... times as far as it went, and at the end
 };
 
 struct TraceComparison {

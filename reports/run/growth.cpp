@@ -80,24 +80,24 @@ Growth::Growth(const Scene& scene, double dt, double until) : dt_(dt), bodies_(s
 
 void Growth::displace(const Scene& scene, const EngineConfig& config, const Trace& undisturbed, double size) {
   const Conserved conserved(scene);
-  Displaced displaced{.size = size, .growth = std::vector<Shift>(stress_.size() * bodies_)};
+  Displaced displaced{.size = size, .growth = std::vector<PoseShift>(stress_.size() * bodies_)};
   for (int seed = 1; seed <= random_directions; ++seed) {
     const Scene moved = plumb::displaced(scene, size, static_cast<std::uint64_t>(seed));
     const Outcome outcome = run(moved, config, dt_ / steps_per_moment);
     if (!outcome.trace) continue;
     const double usual = size * std::sqrt(2.0 / 3);  // root mean square of such displacements
-    std::vector<Shift> so_far(bodies_);
+    std::vector<PoseShift> so_far(bodies_);
     for (std::size_t moment = 0; moment < stress_.size(); ++moment) {
       const std::size_t step = std::min(moment * steps_per_moment, outcome.trace->size() - 1);
       const auto here = undisturbed.states(step);
       const auto there = outcome.trace->states(step);
       const double energy = std::abs(conserved.energy(here).total() - conserved.energy(there).total()) / usual;
       for (std::size_t i = 0; i < bodies_; ++i) {
-        Shift& most = so_far[i];
+        PoseShift& most = so_far[i];
         most.place = std::max(most.place, length(here[i].position - there[i].position) / usual);
         most.angle = std::max(most.angle, std::abs(here[i].angle - there[i].angle) / usual);
         most.energy = std::max(most.energy, energy);
-        Shift& growth = displaced.growth[moment * bodies_ + i];
+        PoseShift& growth = displaced.growth[moment * bodies_ + i];
         growth = {std::max(growth.place, most.place), std::max(growth.angle, most.angle),
                   std::max(growth.energy, most.energy)};
       }
@@ -111,9 +111,9 @@ MethodError Growth::own_error(const Stepping& stepping, std::size_t moment) cons
 }
 
 std::optional<Growth::Factor> Growth::factor(double size, std::size_t moment, std::size_t body) const {
-  Shift worst{1, 1 / radius_[body], 0};
+  PoseShift worst{1, 1 / radius_[body], 0};
   for (const Displaced& one : displaced_) {
-    const Shift& growth = one.growth[moment * bodies_ + body];
+    const PoseShift& growth = one.growth[moment * bodies_ + body];
     worst = {std::max(worst.place, growth.place), std::max(worst.angle, growth.angle),
              std::max(worst.energy, growth.energy)};
     if (one.size >= size) return Factor{worst, one.size};
@@ -121,13 +121,13 @@ std::optional<Growth::Factor> Growth::factor(double size, std::size_t moment, st
   return std::nullopt;
 }
 
-std::optional<Shift> Growth::allowance(const Stepping& stepping, std::size_t moment, std::size_t body) const {
+std::optional<PoseShift> Growth::allowance(const Stepping& stepping, std::size_t moment, std::size_t body) const {
   const MethodError own = own_error(stepping, moment);
   const auto found = factor(own.place, moment, body);
   if (!found) return std::nullopt;
-  const Shift& worst = found->per_metre;
-  return Shift{worst.place * own.place, worst.angle * own.place,
-               (worst.energy + force_[moment]) * own.place + momentum_[moment] * own.speed};
+  const PoseShift& worst = found->per_metre;
+  return PoseShift{worst.place * own.place, worst.angle * own.place,
+                   (worst.energy + force_[moment]) * own.place + momentum_[moment] * own.speed};
 }
 
 }  // namespace plumb

@@ -13,7 +13,7 @@
 namespace plumb {
 
 /// Differences to the unperturbed run.
-struct Shift {
+struct PoseShift {
   double place = 0;   // m
   double angle = 0;   // rad
   double energy = 0;  // J, of the scene
@@ -36,11 +36,11 @@ class Growth {
   /// By how much an engine that steps like this may be off at a moment: its own error by then, wherever it was made,
   /// times the largest growth by then of any displacement up to that size. Nullopt where that error is larger than any
   /// displacement that was tried, a tenth of the smallest body.
-  std::optional<Shift> allowance(const Stepping&, std::size_t moment, std::size_t body) const;
+  std::optional<PoseShift> allowance(const Stepping&, std::size_t moment, std::size_t body) const;
   /// The largest growth by a moment of any displacement up to the smallest size tried that is at least `size`, m: per
   /// m, and that size. Nullopt if none is.
   struct Factor {
-    Shift per_metre;
+    PoseShift per_metre;
     double tried = 0;  // m
   };
   std::optional<Factor> factor(double size, std::size_t moment, std::size_t body) const;
@@ -50,8 +50,8 @@ class Growth {
 
  private:
   struct Displaced {
-    double size = 0;            // m
-    std::vector<Shift> growth;  // per m of displacement so far, moment by moment, body by body
+    double size = 0;                // m
+    std::vector<PoseShift> growth;  // per m of displacement so far, moment by moment, body by body
   };
 
   void displace(const Scene&, const EngineConfig&, const Trace& undisturbed, double size);

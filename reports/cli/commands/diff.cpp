@@ -85,7 +85,7 @@ std::string text_of(const Options& options, const TraceComparison& compared) {
                       "second", "apart", "tolerance");
   for (const ValueDifference& figure : divergence.values) text += row(figure);
   text += fmt::format("\n  {:>13}{:>8}{:>10}{:>12} {}\n", "grown to", "step", "s", "apart,", divergence.first.unit);
-  for (const Growth& growth : divergence.growth) {
+  for (const DivergenceGrowth& growth : divergence.growth) {
     text += fmt::format("  {:>12.4g}x{:>8}{:>10.4g}{:>12.3g}{}\n", growth.factor, growth.step, growth.time,
                         growth.difference, growth.step == compared.steps ? " at the end" : "");
   }
@@ -107,7 +107,7 @@ Json json_of(const Divergence& divergence) {
   Json figures = Json::array();
   for (const ValueDifference& figure : divergence.values) figures.push_back(json_of(figure));
   Json growth = Json::array();
-  for (const Growth& one : divergence.growth) {
+  for (const DivergenceGrowth& one : divergence.growth) {
     growth.push_back({{"factor", one.factor}, {"step", one.step}, {"time", one.time}, {"difference", one.difference}});
   }
   return {{"step", divergence.step}, {"time", divergence.time},     {"stage", name_of(divergence.stage)},

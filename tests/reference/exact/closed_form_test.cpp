@@ -79,8 +79,8 @@ TEST(ClosedForm, RefusesToBuildWhatItDoesNotSupport) {
   EXPECT_THROW(Catalog<Engine>::find("bounce")->build(Scene{.name = "empty"}, {}), std::invalid_argument);
 }
 
-TEST(Elapsed, DoesNotDriftOverAMillionSteps) {
-  Elapsed elapsed;
+TEST(ElapsedTime, DoesNotDriftOverAMillionSteps) {
+  ElapsedTime elapsed;
   for (int i = 0; i < 1000000; ++i) elapsed.add(1.0 / 60);
   EXPECT_NEAR(elapsed.seconds(), 1000000 / 60.0, 4e-12);  // one ulp of the sum
 }
