@@ -73,15 +73,6 @@ class NoBrokenPipe {
   sigset_t broken_pipe_{}, before_{};
 };
 
-// MiB of resident memory; 0 if the system does not tell.
-double memory_of(pid_t process) {
-  std::ifstream in(fmt::format("/proc/{}/statm", process));
-  double all = 0;
-  double resident = 0;
-  in >> all >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
-}
-
 std::string text_of_end(int status) {
   if (WIFSIGNALED(status)) {
     return fmt::format("it was ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
@@ -104,6 +95,14 @@ std::string last_lines(std::string_view log) {
 }
 
 }  // namespace
+
+double resident_memory(pid_t process) {
+  std::ifstream in(fmt::format("/proc/{}/statm", process));
+  double all = 0;
+  double resident = 0;
+  in >> all >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
 
 std::string quoted_for_shell(const std::string& word) {
   std::string all = "'";
@@ -201,7 +200,7 @@ std::string_view LineProcess::exchange(std::string_view text, const ProgramLimit
   }
   const double waited = std::chrono::duration<double>(Clock::now() - since).count();
   if (waited > limits.seconds) throw failure(fmt::format("it did not answer within {} s", limits.seconds));
-  if (pipes[0].revents == 0 && memory_of(process_) > limits.mebibytes) {
+  if (pipes[0].revents == 0 && resident_memory(process_) > limits.mebibytes) {
     throw failure(fmt::format("it took more than {} MiB of memory", limits.mebibytes));
   }
   return text;

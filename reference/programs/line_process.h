@@ -21,6 +21,9 @@ struct ProgramLimits {
   double mebibytes = 4096;  // of resident memory
 };
 
+/// MiB of resident memory that a process has; 0 if the system does not tell.
+double resident_memory(pid_t);
+
 /// A word of a command line, whatever is in it.
 std::string quoted_for_shell(const std::string&);
 

@@ -10,6 +10,7 @@
 #include "reports/find/finding.h"
 #include "reports/find/ruler.h"
 #include "reports/find/tables.h"
+#include "reports/system/files.h"
 
 namespace plumb {
 namespace {

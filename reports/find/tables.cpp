@@ -24,20 +24,6 @@ std::string junit(const std::string& name, std::span<const TestCase> cases) {
   return text + "  </testsuite>\n</testsuites>\n";
 }
 
-std::string markdown_table(std::span<const std::vector<std::string>> rows) {
-  std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += "|";
-    for (const std::string& cell : rows[i]) text += " " + markdown_cell(cell) + " |";
-    text += "\n";
-    if (i > 0) continue;
-    text += "|";
-    for (std::size_t k = 0; k < rows[i].size(); ++k) text += "---|";
-    text += "\n";
-  }
-  return text;
-}
-
 std::string plain_table(std::span<const std::vector<std::string>> rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {

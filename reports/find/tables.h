@@ -16,10 +16,7 @@ struct TestCase {
 /// In the dialect that CI systems read, described at https://github.com/testmoapp/junitxml.
 std::string junit(const std::string& name, std::span<const TestCase>);
 
-/// A table; the first row is the head. Cells show as text, whatever they contain.
-std::string markdown_table(std::span<const std::vector<std::string>> rows);
-
-/// The same for the console: columns as wide as they need be, numbers not aligned.
+/// A table for the console; the first row is its head: columns as wide as they need be, numbers not aligned.
 std::string plain_table(std::span<const std::vector<std::string>> rows);
 
 }  // namespace plumb

@@ -31,12 +31,27 @@ std::optional<Observation> apex(const Trace& trace, std::size_t body, int index)
   return std::nullopt;
 }
 
-std::optional<Observation> landing(const Trace& trace, std::size_t body, int index) {
+// s after the first of two states, T apart, at which the flight from the one meets the flight back from the other, both
+// with the acceleration a: y1 + v1 s + a s^2/2 = y2 - v2 (T - s) + a (T - s)^2/2, in which s^2 cancels.
+double crossing(const BodyState& from, const BodyState& to, double a, double T) {
+  const double closing = from.velocity.y - to.velocity.y + a * T;
+  const double apart = to.position.y - from.position.y - to.velocity.y * T + a * T * T / 2;
+  return std::clamp(apart / closing, 0.0, T);
+}
+
+std::optional<Observation> landing(const Scene& scene, const Trace& trace, std::size_t body, int index) {
   const auto y = [&](std::size_t moment) { return trace.states(moment)[body].position.y; };
+  const double a = scene.gravity.y * scene.bodies[body].gravity_scale;
   int count = 0;
   for (std::size_t i = 1; i + 1 < trace.size(); ++i) {
     const bool lowest = y(i - 1) > y(i) && y(i) <= y(i + 1);
-    if (lowest && ++count == index) return Observation{trace.time(i), trace.time(i)};
+    if (!lowest || ++count != index) continue;
+    const BodyState& before = trace.states(i - 1)[body];
+    const BodyState& after = trace.states(i + 1)[body];
+    const double turned = before.velocity.y - after.velocity.y;
+    if (turned >= 0) return Observation{trace.time(i), trace.time(i)};
+    const double time = trace.time(i - 1) + crossing(before, after, a, trace.time(i + 1) - trace.time(i - 1));
+    return Observation{time, time};
   }
   return std::nullopt;
 }
@@ -130,7 +145,7 @@ std::optional<Observation> observe(const Scene& scene, const Trace& trace, const
                                    double time) {
   const std::size_t body = expectation.body.empty() ? 0 : index_of(scene, expectation.body);
   if (expectation.quantity == Quantity::apex) return apex(trace, body, expectation.index);
-  if (expectation.quantity == Quantity::landing) return landing(trace, body, expectation.index);
+  if (expectation.quantity == Quantity::landing) return landing(scene, trace, body, expectation.index);
   const double when = expectation.time.value_or(time);
   // The last step ends at the end of the scene, except for the rounding of steps times dt.
   const double rounding = 1e-9 * std::abs(when);

@@ -15,11 +15,11 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <fstream>
 #include <iterator>
 #include <new>
 #include <system_error>
 
+#include "reference/programs/line_process.h"
 #include "reports/timing/repetitions.h"
 
 namespace plumb {
@@ -84,15 +84,6 @@ void run_job(const Job& job) {
     std::abort();  // a repetition threw although the run did not
   }
   _exit(0);
-}
-
-// MiB of resident memory; 0 if the system does not tell.
-double memory_of(pid_t process) {
-  std::ifstream in(fmt::format("/proc/{}/statm", process));
-  double all = 0;
-  double resident = 0;
-  in >> all >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
 std::string exit_text(int status) {
@@ -267,7 +258,7 @@ double JobProcess::time_waited() const { return std::chrono::duration<double>(Cl
 void JobProcess::check(const JobLimits& limits) {
   if (time_waited() > limits.seconds) {
     finish(Ending::timed_out, fmt::format("took more than {} s", limits.seconds));
-  } else if (memory_of(process_) > limits.mebibytes) {
+  } else if (resident_memory(process_) > limits.mebibytes) {
     finish(Ending::out_of_memory, fmt::format("took more than {} MiB", limits.mebibytes));
   }
 }

@@ -78,6 +78,21 @@ std::string markdown_cell(const std::string& text) {
   return out;
 }
 
+std::string markdown_table(std::span<const std::vector<std::string>> rows, Cells cells) {
+  std::string text;
+  for (const auto& row : rows) {
+    const bool head = text.empty();
+    text += "|";
+    for (const std::string& cell : row) text += " " + markdown_cell(cell) + " |";
+    text += "\n";
+    if (!head) continue;
+    text += "|---|";
+    for (std::size_t column = 1; column < row.size(); ++column) text += cells == Cells::numbers ? "---:|" : "---|";
+    text += "\n";
+  }
+  return text;
+}
+
 std::string xml_escaped(const std::string& text) {
   std::string out;
   for (const char letter : printable(text, text.npos)) {

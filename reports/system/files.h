@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace plumb {
 
@@ -40,6 +42,11 @@ std::string csv_field(double number);
 /// One line of text for a table in Markdown: characters that mean something there or in HTML become character
 /// references, which both show as text.
 std::string markdown_cell(const std::string& text);
+
+/// A table in Markdown; the first row is its head. Columns after the first are aligned to the right if they hold
+/// numbers.
+enum class Cells { words, numbers };
+std::string markdown_table(std::span<const std::vector<std::string>> rows, Cells = Cells::words);
 
 /// Text as the content of an element or attribute of XML 1.0, which allows no control characters, escaped or not.
 std::string xml_escaped(const std::string& text);

@@ -14,20 +14,6 @@ namespace {
 constexpr std::array verdicts{Verdict::right,       Verdict::coarse,         Verdict::wrong,         Verdict::plausible,
                               Verdict::no_evidence, Verdict::beyond_horizon, Verdict::not_supported, Verdict::failed};
 
-std::string table(const std::vector<std::vector<std::string>>& rows) {
-  std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += "|";
-    for (const std::string& cell : rows[i]) text += " " + markdown_cell(cell) + " |";
-    text += "\n";
-    if (i > 0) continue;
-    text += "|---|";
-    for (std::size_t column = 1; column < rows[0].size(); ++column) text += "---:|";
-    text += "\n";
-  }
-  return text;
-}
-
 std::string verdict_table(const std::vector<EngineSummary>& engines) {
   std::vector<Verdict> found;
   for (const Verdict one : verdicts) {
@@ -43,7 +29,7 @@ std::string verdict_table(const std::vector<EngineSummary>& engines) {
       rows.back().push_back(std::to_string(count == engine.verdicts.end() ? 0 : count->second));
     }
   }
-  return table(rows);
+  return markdown_table(rows, Cells::numbers);
 }
 
 std::string grade_table(const std::vector<EngineSummary>& engines) {
@@ -55,7 +41,7 @@ std::string grade_table(const std::vector<EngineSummary>& engines) {
     for (const int within : engine.within) rows.back().push_back(share_of(within, engine.checks));
     rows.back().push_back(std::to_string(engine.checks - engine.evident));
   }
-  return table(rows);
+  return markdown_table(rows, Cells::numbers);
 }
 
 // Empty if relations were not checked.
@@ -84,7 +70,7 @@ std::string relation_table(const Report& report, const std::vector<EngineSummary
   return "\n## Which relations hold\n\nThe share of the cases in which a scene and its image move alike within 0.01 % "
          "of "
          "scale, and in how many they differ by more than round-off, the method or its thresholds explain.\n\n" +
-         table(rows);
+         markdown_table(rows, Cells::numbers);
 }
 
 std::string of(const RelativeDifference& difference) {
@@ -110,7 +96,7 @@ std::string key_table(const Pair& pair, const std::vector<const Comparison*>& co
       rows.back().push_back(short_number(value));
     }
   }
-  return table(rows);
+  return markdown_table(rows, Cells::numbers);
 }
 
 std::string text_of(const Report& report) {

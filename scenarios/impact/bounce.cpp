@@ -46,18 +46,21 @@ ApexRange apex_range(int n, double height, double e, const Stepping& s) {
   return now;
 }
 
-// Apex n, sampled every dt: the highest sample is at most dt/2 from the top, g dt^2/8 lower.
+// Apex n, the vertex of the parabola through the samples. A method of drift D moves by v0 t - g t^2/2 - D g h t, whose
+// vertex is D^2 g h^2/2 from where its speed would take it.
 double allowed_apex(int n, double height, double e, const Stepping& s) {
   const double expected = std::pow(e, 2 * n) * height;
   const ApexRange now = apex_range(n, height, e, s);
   const double time = (2 * n + 1) * std::sqrt(2 * height / gravity);
-  return std::max(now.high - expected, expected - now.low) + gravity * s.dt * s.dt / 8 +
+  return std::max(now.high - expected, expected - now.low) + gravity * s.drift * s.drift * s.h * s.h / 2 +
          round_off(s, time, height + gravity * time * time);
 }
 
-// Landing n, sampled every dt: the lowest sample is at most dt away. Each landing may come a lag late, be half a step
-// off by the drift, and be found a skin early, at the speed of its fall. Each flight lasts 2 sqrt(2 H/g), with the H
-// that the impacts lead to.
+// Landing n, where the flights before and after the lowest sample meet, which is exact but for the drift: its positions
+// advance by D g h less than its speeds say, over 2 dt, and the flights close at the speed V of the fall at least. It
+// is never off by more than the samples beside it. Each landing may come a lag late, be half a step off by the drift,
+// and be found a skin early, at the speed of its fall. Each flight lasts 2 sqrt(2 H/g), with the H that the impacts
+// lead to.
 double allowed_landing(int n, double height, double e, const Stepping& s) {
   const double fall = std::sqrt(2 * height / gravity);
   const auto off = [&](double apex) {
@@ -74,7 +77,10 @@ double allowed_landing(int n, double height, double e, const Stepping& s) {
     late += 2 * std::sqrt(2 * now.high / gravity) - exact + off(now.low);
     early += exact - 2 * std::sqrt(2 * std::max(now.low, 0.0) / gravity) + off(now.low);
   }
-  return std::max(late, early) + s.dt + round_off(s, 2 * n * fall, 2 * n * fall);
+  const double speed = std::sqrt(2 * gravity * std::max(now.low, 0.0));
+  const double bent = 2 * std::abs(s.drift) * gravity * s.h * s.dt;  // m
+  const double sampled = speed * s.dt > bent ? bent / speed : s.dt;
+  return std::max(late, early) + sampled + round_off(s, 2 * n * fall, 2 * n * fall);
 }
 
 // At the end the disc is at rest; an engine may still be in the latest flight that its longest possible flights leave
@@ -126,7 +132,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                    .index = n,
                    .expected = landed,
                    .allowed = [=](const Stepping& s) { return allowed_landing(n, height, e, s); },
-                   .source = "sqrt(2h/g) (1 + 2 sum e^k); late detection of impacts, drift, skin, one sample"});
+                   .source = "sqrt(2h/g) (1 + 2 sum e^k); late detection of impacts, drift, skin"});
     landed += 2 * std::pow(e, n) * fall;
     if (std::pow(e, n) * fall < shortest) break;
   }

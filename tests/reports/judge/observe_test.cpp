@@ -39,17 +39,35 @@ TEST(Observe, CountsApexesAndReturnsNothingForThoseThatNeverCome) {
   EXPECT_FALSE(observe(scene, trace, of_box(Quantity::apex, {}, 4), 10));
 }
 
-TEST(Observe, FindsWhenABodyWasLowest) {
-  const Scene scene = fakes::thrown_box();
+// Lets a body fall and bounce at e = 1 from 1.25 m: at .5 s, 1.5 s and 2.5 s.
+Trace bouncing(double dt, double delay = 0) {
   Trace trace(1);
-  const double heights[] = {5, 3, 1, 2, 4, 3, 3, 3.5};
-  for (int i = 0; i < 8; ++i) {
-    const BodyState state{.position = {0, heights[i]}};
-    trace.record(i * 0.5, std::span(&state, 1), {});
+  for (int i = 0; i * dt <= 3; ++i) {
+    const double since = i * dt < 0.5 + delay ? i * dt : std::fmod(i * dt - 0.5 - delay, 1) - 0.5;
+    const double low = -5 * (0.5 + delay) * (0.5 + delay) + 1.25;  // a late bounce turns the body below the ground
+    const BodyState state{
+        .position = {0, i * dt < 0.5 + delay ? 1.25 - 5 * since * since : low + 1.25 - 5 * since * since},
+        .velocity = {0, -10 * since}};
+    trace.record(i * dt, std::span(&state, 1), {});
   }
-  EXPECT_DOUBLE_EQ(observe(scene, trace, of_box(Quantity::landing, {}, 1), 4)->value, 1);
-  EXPECT_DOUBLE_EQ(observe(scene, trace, of_box(Quantity::landing, {}, 2), 4)->value, 2.5);
-  EXPECT_FALSE(observe(scene, trace, of_box(Quantity::landing, {}, 3), 4));
+  return trace;
+}
+
+TEST(Observe, FindsLandingsExactlyWhateverTheStep) {
+  const Scene scene = fakes::thrown_box();
+  for (const double dt : {0.11, 1.0 / 60, 1.0 / 1000}) {
+    for (int n = 1; n <= 2; ++n) {
+      const auto reading = observe(scene, bouncing(dt), of_box(Quantity::landing, {}, n), 3);
+      ASSERT_TRUE(reading) << dt;
+      EXPECT_NEAR(reading->value, n - 0.5, 1e-12) << dt;
+    }
+    EXPECT_FALSE(observe(scene, bouncing(dt), of_box(Quantity::landing, {}, 4), 3));
+  }
+}
+
+TEST(Observe, FindsALandingThatIsLate) {
+  const auto reading = observe(fakes::thrown_box(), bouncing(1.0 / 60, 0.007), of_box(Quantity::landing, {}, 1), 3);
+  EXPECT_NEAR(reading->value, 0.507, 1e-12);
 }
 
 TEST(Observe, InterpolatesLinearlyBetweenSteps) {

@@ -57,12 +57,13 @@ function engine_row(one: Engine): HTMLTableRowElement {
   return h("tr", {}, h("th", { scope: "row" }, one.engine), ...cells(engine_heads, [...numbers, ...shares, ...depths]));
 }
 
-const found_heads = ["engine", "what", "moving bodies", "from", "run it again"];
+const found_heads = ["engine", "what, and what runs it again", "moving bodies", "from"];
 
 function found_row(one: Found): HTMLTableRowElement {
   const from = `${one.from}, ${one.drawn_bodies} ${one.drawn_bodies === 1 ? "body" : "bodies"}${one.posed === "well" ? "" : `, ${one.posed}`}`;
   const again = one.engine.startsWith("fault:") ? "./plumb find --again out/found" : `./plumb run out/${one.file} --engine ${one.engine}`;
-  return h("tr", { id: slug(one.name) }, h("th", { scope: "row" }, one.engine), ...cells(found_heads, [words(one.words), String(one.moving_bodies), from, command(again)]));
+  const what = h("div", { class: "told" }, words(one.words), command(again));
+  return h("tr", { id: slug(one.name) }, h("th", { scope: "row" }, one.engine), ...cells(found_heads, [what, String(one.moving_bodies), from]));
 }
 
 export function find(study: Study): StudyView {

@@ -40,7 +40,8 @@ function endings(study: Study): HTMLElement | null {
 }
 
 function environment(study: Study): HTMLElement {
-  const given = Object.entries(study.configuration).map(([name, value]): [string, string] => [name, typeof value === "string" ? value : JSON.stringify(value)]);
+  const text = (value: unknown): string => (typeof value === "string" ? value : Array.isArray(value) ? value.map(text).join(", ") : JSON.stringify(value));
+  const given = Object.entries(study.configuration).map(([name, value]): [string, string] => [name, text(value)]);
   const pairs = [...given, ...Object.entries(study.environment)];
   return h(
     "section",
