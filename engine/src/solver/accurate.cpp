@@ -116,6 +116,7 @@ class Accurate : public Solver {
   void fly(StepData& data, const Island& island);
   void fly_all(StepData& data);
   void substep(StepData& data, Island& island, Workspace& space);
+  void find_collisions(const StepData&, Island&);
   void find_impacts(StepData& data, Island& island, Impacts& impacts);
   /// m/s^2, the largest acceleration of a body by forces.
   Real pressing(const Island& island) const;
@@ -137,7 +138,8 @@ class Accurate : public Solver {
     if (pushable(block.inv_mass_b)) loaded_[block.b] = 1;
   }
 
-  bool lanes_;  // large islands are solved by kernels
+  std::vector<std::uint32_t> meets_;  // by body: its contacts and joints, in an island
+  bool lanes_;                        // large islands are solved by kernels
   Partition parts_;
   RestingPiles resting_;
   std::vector<std::unique_ptr<RestingPile>> begun_;  // in this step, of each island
@@ -302,6 +304,7 @@ void Accurate::prepare(StepData& data) {
   start_ = bodies.pose;
   motion_.assign(bodies.size(), {});
   kicks_.resize(bodies.size());
+  meets_.resize(bodies.size());
   loaded_.assign(bodies.size(), 0);
   // The first half kick of a step is explicit and the last implicit: together they are of second order.
   const Real half = data.settings.dt / static_cast<Real>(2 * data.settings.substeps);
@@ -333,7 +336,6 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     row.web = parts_.in_web(island.contacts[i]);
     row.block = !row.web && row.count == 2;
     if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
-    island.bounces |= row.restitution > 0;
     island.two_frictions |= row.two_frictions();
     island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
     bearing.add(row);
@@ -349,6 +351,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     note_load(joint->block);
     island.held = island.held || !pushable(joint->block.inv_mass_a) || !pushable(joint->block.inv_mass_b);
   }
+  find_collisions(data, island);
 
   island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   for (ImpactRow& row : island.rows) {
@@ -372,6 +375,26 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.turning = is_few && follows;
   if (is_few && (follows || may_turn)) island.press_sweeps = more_sweeps;
   if (is_closed && follows) island.more_sweeps = more_sweeps;
+}
+
+/// Impacts with restitution are events. So is an inelastic one between bodies that meet nothing else: it happens when
+/// they touch. Where bodies meet several others its impulse passes on, and the contact solve finds all impulses
+/// together.
+void Accurate::find_collisions(const StepData& data, Island& island) {
+  for (const std::uint32_t body : island.bodies) meets_[body] = 0;
+  const auto count = [&](const auto& mass_a, std::uint32_t a, const auto& mass_b, std::uint32_t b) {
+    if (pushable(mass_a)) ++meets_[a];
+    if (pushable(mass_b)) ++meets_[b];
+  };
+  for (const ImpactRow& row : island.rows) count(row.mass_a, row.a, row.mass_b, row.b);
+  for (const ActiveJoint* joint : island.joints.all()) {
+    count(joint->block.inv_mass_a, joint->block.a, joint->block.inv_mass_b, joint->block.b);
+  }
+  for (ImpactRow& row : island.rows) {
+    const bool alone = (!pushable(row.mass_a) || meets_[row.a] == 1) && (!pushable(row.mass_b) || meets_[row.b] == 1);
+    row.collides = row.restitution > 0 || alone;
+    island.bounces |= row.restitution > 0 || (alone && closes(row, data.bodies, data.settings.dt));
+  }
 }
 
 Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {

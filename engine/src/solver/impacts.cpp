@@ -328,7 +328,7 @@ void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, cons
   std::push_heap(events_.begin(), events_.end(), later);
 }
 
-/// Lists the rows with restitution as candidates, and links each to its bodies that an impact can move.
+/// Lists the rows that collide as candidates, and links each to its bodies that an impact can move.
 void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count) {
   candidates_.clear();
   events_.clear();
@@ -339,7 +339,7 @@ void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count)
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].active = true;
-    if (rows[i].restitution <= 0) continue;
+    if (!rows[i].collides) continue;
     candidates_.push_back({static_cast<std::uint32_t>(i)});
     each_movable(rows[i], [this](std::size_t, std::uint32_t body) { first_of_[body] = none; });
   }

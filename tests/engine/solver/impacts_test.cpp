@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../support.h"
+#include "worlds.h"
 
 namespace impulse::inline IMPULSE_PRECISION::impacts_test {
 namespace {
@@ -52,6 +53,36 @@ TEST(Impacts, SlipWithTheDynamicCoefficient) {
   run(world, 60);
   EXPECT_NEAR(static_cast<double>(world.body(ball).velocity().x), 5 - .2 * (1 + e) * 2, 1e-5);
   EXPECT_NEAR(static_cast<double>(world.body(ball).angular_velocity() * real(.25)), -.2 * (1 + e) * 2, 1e-5);
+}
+
+// At e = 0 as at any other: the discs touch where they meet, whatever the sub-step, so the angular momentum about the
+// origin stays and the impulse along the normal is the whole one.
+TEST(Impacts, StopInelasticDiscsWhereTheyMeet) {
+  Settings weightless;
+  weightless.gravity = {};
+  for (const double offset : {0.0, 0.35, 0.8}) {
+    World world(weightless);
+    const Material rough{1, real(.3), real(.3), 0};
+    const BodyId left = world.create_body(at(-2, 0, 3, 0, 4), Shape::circle(real(.5)), rough);
+    const BodyId right = world.create_body(at(2.03, offset, -4, 0, -1), Shape::circle(real(.5)), rough);
+    const auto spin = [&] {
+      const auto of = [&](BodyId id) {
+        const Body body = world.body(id);
+        const double mass = static_cast<double>(pi) / 4;
+        const double across = static_cast<double>(body.position().x) * static_cast<double>(body.velocity().y) -
+                              static_cast<double>(body.position().y) * static_cast<double>(body.velocity().x);
+        return mass * across + mass / 8 * static_cast<double>(body.angular_velocity());
+      };
+      return of(left) + of(right);
+    };
+    const double before = spin();
+    run(world, 60);
+    EXPECT_NEAR(spin(), before, bound(1e-13, 1e-5)) << offset;
+    const Vec2 apart = world.body(right).position() - world.body(left).position();
+    const Vec2 closing = world.body(right).velocity() - world.body(left).velocity();
+    EXPECT_GT(std::hypot(static_cast<double>(apart.x), static_cast<double>(apart.y)), 1 - bound(1e-9, 1e-5)) << offset;
+    EXPECT_LT(static_cast<double>(std::abs(closing.x)), 7) << offset;
+  }
 }
 
 }  // namespace

@@ -95,6 +95,19 @@ TEST(Bounce, AllowsAMethodThatSolvesForImpactsOnlyRounding) {
   EXPECT_LT(apex.allows(exact), 1e-9);
 }
 
+// A flight of less than a few samples has no apex to see; without any, the fall is what is asked.
+TEST(Bounce, AsksOnlyForFlightsThatSamplesResolve) {
+  const auto count = [](double e, Quantity quantity) {
+    const auto all = bounce().expectations(complete(bounce(), {{"restitution", e}}));
+    return std::count_if(all.begin(), all.end(), [&](const Expectation& one) { return one.quantity == quantity; });
+  };
+  EXPECT_EQ(count(0.8, Quantity::apex), 3);
+  EXPECT_EQ(count(0.2, Quantity::apex), 1);
+  EXPECT_EQ(count(0.2, Quantity::landing), 1);
+  EXPECT_EQ(count(0, Quantity::apex), 0);
+  EXPECT_EQ(count(0, Quantity::y), 2);
+}
+
 // Half of gravity lands sqrt 2 later: at 1.26 instead of .89 s.
 TEST(Bounce, StopsHalfGravity) {
   EXPECT_LT((statement_of::Of{"bounce", {}, "disc", Quantity::landing}.allows_at_most()), 0.37 / 5);
