@@ -173,24 +173,30 @@ void add_list(OrderedJson& into, const char* key, const Items& items, ToJson as_
 
 std::string key_of(const std::string& key) { return OrderedJson(key).dump() + ": "; }
 
-std::string in_one_line(const OrderedJson& json) {
-  if (!json.is_structured()) return json.dump();
-  std::string out;
-  for (const auto& item : json.items()) {
-    out += out.empty() ? "" : ", ";
-    if (json.is_object()) out += key_of(item.key());
-    out += in_one_line(item.value());
+// Appends `json` in one line, or as much of it as `room` columns hold, and tells whether that was all.
+bool in_one_line(const OrderedJson& json, std::size_t room, std::string& out) {
+  const std::size_t end = out.size() + room;
+  if (!json.is_structured()) {
+    out += json.dump();
+    return out.size() < end;
   }
-  return json.is_object() ? "{" + out + "}" : "[" + out + "]";
+  out += json.is_object() ? '{' : '[';
+  const char* separator = "";
+  for (const auto& item : json.items()) {
+    out += separator;
+    if (json.is_object()) out += key_of(item.key());
+    if (out.size() >= end || !in_one_line(item.value(), end - out.size(), out)) return false;
+    separator = ", ";
+  }
+  out += json.is_object() ? '}' : ']';
+  return out.size() < end;
 }
 
 // On one line if it fits, otherwise one line per element. `taken` is the number of columns already used on this line.
 void lay_out(const OrderedJson& json, std::size_t indent, std::size_t taken, std::string& out) {
-  const std::string line = in_one_line(json);
-  if (!json.is_structured() || json.empty() || taken + line.size() < width) {
-    out += line;
-    return;
-  }
+  const std::size_t before = out.size();
+  if (in_one_line(json, taken < width ? width - taken : 0, out) || !json.is_structured() || json.empty()) return;
+  out.resize(before);
   const std::string margin(indent + 2, ' ');
   const char* separator = "\n";
   out += json.is_object() ? '{' : '[';
