@@ -61,7 +61,9 @@ const found_heads = ["engine", "what, and what runs it again", "moving bodies", 
 
 function found_row(one: Found): HTMLTableRowElement {
   const from = `${one.from}, ${one.drawn_bodies} ${one.drawn_bodies === 1 ? "body" : "bodies"}${one.posed === "well" ? "" : `, ${one.posed}`}`;
-  const again = one.engine.startsWith("fault:") ? "./plumb find --again out/found" : `./plumb run out/${one.file} --engine ${one.engine}`;
+  const relations = one.reason.startsWith("relation ") ? " --relations" : "";
+  const run = `./plumb run out/${one.file} --engine ${/[ :]/.test(one.engine) ? `"${one.engine}"` : one.engine}${relations}`;
+  const again = one.engine.startsWith("fault:") ? "./plumb find --again out/found" : run;
   const what = h("div", { class: "told" }, words(one.words), command(again));
   return h("tr", { id: slug(one.name) }, h("th", { scope: "row" }, one.engine), ...cells(found_heads, [what, String(one.moving_bodies), from]));
 }
