@@ -61,24 +61,23 @@ struct SpringEnd {
   }
 };
 
-/// Adds the acceleration that the force gives to each body: v in m/s^2, w in rad/s^2.
-void accelerate(const Attraction& attraction, const BodySet& bodies, std::vector<Velocity>& out) {
+/// Adds the acceleration of row i, m/s^2, and what it gives back.
+void accelerate(const Attraction& attraction, std::size_t i, const BodySet& bodies, std::vector<Velocity>& out) {
   const std::size_t from = attraction.from.index;
-  if (!bodies.detail[from].inserted) return;
+  const Real inverse_mass = bodies.inverse_mass[i].m;
+  if (i == from || inverse_mass == 0 || !bodies.detail[from].inserted) return;
+  const Vec2 line = bodies.pose[from].p - bodies.pose[i].p;
+  const Real r = length(line);
+  if (r == 0 || r > attraction.reach) return;
   // `line` has length r instead of 1, so divide by one more power of r.
   const int halves = static_cast<int>(2 * attraction.exponent) + 2;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Real inverse_mass = bodies.inverse_mass[i].m;
-    if (i == from || inverse_mass == 0) continue;
-    const Vec2 line = bodies.pose[from].p - bodies.pose[i].p;
-    const Real r = length(line);
-    if (r == 0 || r > attraction.reach) continue;
-    const Vec2 acceleration = attraction.strength / power_of_halves(r, halves) * line;
-    out[i].v += acceleration;
-    if (attraction.mutual) out[from].v -= bodies.inverse_mass[from].m / inverse_mass * acceleration;
-  }
+  const Vec2 acceleration = attraction.strength / power_of_halves(r, halves) * line;
+  out[i].v += acceleration;
+  const Real inverse_from = bodies.inverse_mass[from].m;
+  if (attraction.mutual && inverse_from > 0) out[from].v -= inverse_from / inverse_mass * acceleration;
 }
 
+/// Adds the acceleration that the force gives to each body: v in m/s^2, w in rad/s^2.
 void accelerate(const Spring& spring, const BodySet& bodies, std::vector<Velocity>& out) {
   const SpringEnd a(spring.a, spring.anchor_a, bodies);
   const SpringEnd b(spring.b, spring.anchor_b, bodies);
@@ -130,17 +129,17 @@ void check_force(const ConstantForce& constant, const BodySet& bodies) {
 }
 
 /// Appends the rows of the bodies whose motion the force makes depend on each other: that of all others on the first.
-void append_bodies(const Attraction& attraction, const BodySet& bodies, std::vector<std::uint32_t>& out) {
+void append_bodies(const Attraction& attraction, const BodySet& bodies, Real margin, std::vector<std::uint32_t>& out) {
   const std::uint32_t from = attraction.from.index;
   if (!bodies.detail[from].inserted) return;
   out.push_back(from);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (i == from || !bodies.detail[i].inserted || !bodies.dynamic(i)) continue;
-    if (length(bodies.pose[from].p - bodies.pose[i].p) <= attraction.reach) out.push_back(i);
+    if (length(bodies.pose[from].p - bodies.pose[i].p) <= attraction.reach + margin) out.push_back(i);
   }
 }
 
-void append_bodies(const Spring& spring, const BodySet& bodies, std::vector<std::uint32_t>& out) {
+void append_bodies(const Spring& spring, const BodySet& bodies, Real, std::vector<std::uint32_t>& out) {
   const auto absent = [&](BodyId end) { return end != BodyId{} && !bodies.detail[end.index].inserted; };
   if (absent(spring.a) || absent(spring.b)) return;
   for (const BodyId end : {spring.a, spring.b}) {
@@ -148,7 +147,7 @@ void append_bodies(const Spring& spring, const BodySet& bodies, std::vector<std:
   }
 }
 
-void append_bodies(const ConstantForce& constant, const BodySet&, std::vector<std::uint32_t>& out) {
+void append_bodies(const ConstantForce& constant, const BodySet&, Real, std::vector<std::uint32_t>& out) {
   out.push_back(constant.body.index);
 }
 
@@ -157,38 +156,90 @@ bool refers_to(const Attraction& attraction, BodyId body) { return attraction.fr
 bool refers_to(const Spring& spring, BodyId body) { return spring.a == body || spring.b == body; }
 bool refers_to(const ConstantForce& constant, BodyId body) { return constant.body == body; }
 
+/// Adds what acts on particular bodies.
+void pull(const Force& force, const BodySet& bodies, std::vector<Velocity>& out) {
+  if (const auto* spring = std::get_if<Spring>(&force)) accelerate(*spring, bodies, out);
+  if (const auto* constant = std::get_if<ConstantForce>(&force)) accelerate(*constant, bodies, out);
+}
+
+/// By gravity and by forces of this step.
+Velocity thrust(Vec2 gravity, const BodySet& bodies, std::size_t i) {
+  const InverseMass inverse = bodies.inverse_mass[i];
+  const Vec2 falling = inverse.m > 0 ? bodies.response[i].gravity_scale * gravity : Vec2{};
+  return {falling + inverse.m * bodies.force[i], inverse.i * bodies.torque[i]};
+}
+
+bool damped(const Response& response) { return response.linear_damping > 0 || response.angular_damping > 0; }
+
+/// See ForceField::accelerations().
+void damp(const BodySet& bodies, std::size_t i, Real implicit, Real reach, std::vector<Velocity>& out) {
+  if (bodies.inverse_mass[i].m == 0) return;
+  const auto slowed = [&](Real damping) { return std::max(1 + implicit * damping, reach * damping); };
+  const Velocity& velocity = bodies.velocity[i];
+  const Real linear = bodies.response[i].linear_damping;
+  const Real angular = bodies.response[i].angular_damping;
+  if (linear > 0) out[i].v = (out[i].v - linear * velocity.v) / slowed(linear);
+  if (angular > 0) out[i].w = (out[i].w - angular * velocity.w) / slowed(angular);
+}
+
 }  // namespace
+
+void ForceField::attract(const BodySet& bodies, std::size_t row, std::vector<Velocity>& out) const {
+  for (const std::uint32_t slot : attractions_) accelerate(std::get<Attraction>(*slots_[slot].force), row, bodies, out);
+}
 
 void ForceField::accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out, Real reach) const {
   const std::size_t n = bodies.size();
   out.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const InverseMass inverse = bodies.inverse_mass[i];
-    const Vec2 falling = inverse.m > 0 ? bodies.response[i].gravity_scale * gravity : Vec2{};
-    out[i] = {falling + inverse.m * bodies.force[i], inverse.i * bodies.torque[i]};
-  }
+  for (std::size_t i = 0; i < n; ++i) out[i] = thrust(gravity, bodies, i);
+  for (std::size_t i = 0; i < n && !attractions_.empty(); ++i) attract(bodies, i, out);
   for (const Slot& slot : slots_) {
-    if (!slot.force) continue;
-    std::visit([&](const auto& force) { accelerate(force, bodies, out); }, *slot.force);
+    if (slot.force) pull(*slot.force, bodies, out);
   }
-  const auto damped = [&](Real damping) { return std::max(1 + implicit * damping, reach * damping); };
-  for (std::size_t i = 0; i < n; ++i) {
-    if (bodies.inverse_mass[i].m == 0) continue;
-    const Velocity& velocity = bodies.velocity[i];
-    const Real linear = bodies.response[i].linear_damping;
-    const Real angular = bodies.response[i].angular_damping;
-    if (linear > 0) out[i].v = (out[i].v - linear * velocity.v) / damped(linear);
-    if (angular > 0) out[i].w = (out[i].w - angular * velocity.w) / damped(angular);
-  }
+  for (std::size_t i = 0; i < n; ++i) damp(bodies, i, implicit, reach, out);
+}
+
+void ForceField::accelerations(const BodySet& bodies, std::span<const std::uint32_t> rows, std::span<const Pull> pulls,
+                               Real implicit, std::vector<Velocity>& out) const {
+  for (const std::uint32_t i : rows) out[i] = thrust(gravity, bodies, i);
+  for (const std::uint32_t i : rows) attract(bodies, i, out);
+  for (const Pull& one : pulls) pull(*slots_[one.slot].force, bodies, out);
+  for (const std::uint32_t i : rows) damp(bodies, i, implicit, 0, out);
 }
 
 bool ForceField::vary(const BodySet& bodies) const {
   const auto varying = [](const Slot& slot) {
     return slot.force && !std::holds_alternative<ConstantForce>(*slot.force);
   };
-  const auto damped = [](const Response& r) { return r.linear_damping > 0 || r.angular_damping > 0; };
   return std::any_of(slots_.begin(), slots_.end(), varying) ||
          std::any_of(bodies.response.begin(), bodies.response.end(), damped);
+}
+
+void ForceField::find_varying(const BodySet& bodies, std::vector<std::uint8_t>& out) const {
+  out.resize(bodies.size());
+  const bool attracted = !attractions_.empty();  // whatever their reach: a body may come into it
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = bodies.pushable(i) && (attracted || damped(bodies.response[i])) ? 1 : 0;
+  }
+  for (const Slot& slot : slots_) {
+    const auto* spring = slot.force ? std::get_if<Spring>(&*slot.force) : nullptr;
+    if (spring == nullptr) continue;
+    for (const BodyId end : {spring->a, spring->b}) {
+      if (end != BodyId{} && bodies.pushable(end.index)) out[end.index] = 1;
+    }
+  }
+}
+
+void ForceField::list_pulls(const BodySet& bodies, std::vector<Pull>& out) const {
+  out.clear();
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) {
+    if (!slots_[slot].force || std::holds_alternative<Attraction>(*slots_[slot].force)) continue;
+    rows.clear();
+    std::visit([&](const auto& force) { append_bodies(force, bodies, 0, rows); }, *slots_[slot].force);
+    const auto moved = std::find_if(rows.begin(), rows.end(), [&](std::uint32_t row) { return bodies.pushable(row); });
+    if (moved != rows.end()) out.push_back({slot, *moved});
+  }
 }
 
 ForceId ForceField::add(const Force& force, const BodySet& bodies) {
@@ -200,6 +251,9 @@ ForceId ForceField::add(const Force& force, const BodySet& bodies) {
   const std::uint32_t i = free_slots_.back();
   free_slots_.pop_back();
   slots_[i].force = force;
+  if (std::holds_alternative<Attraction>(force)) {
+    attractions_.insert(std::upper_bound(attractions_.begin(), attractions_.end(), i), i);
+  }
   return {i, slots_[i].generation};
 }
 
@@ -216,16 +270,17 @@ void ForceField::require(ForceId id) const {
 std::vector<std::uint32_t> ForceField::bodies_of(ForceId id, const BodySet& bodies) const {
   require(id);
   std::vector<std::uint32_t> rows;
-  std::visit([&](const auto& force) { append_bodies(force, bodies, rows); }, *slots_[id.index].force);
+  std::visit([&](const auto& force) { append_bodies(force, bodies, 0, rows); }, *slots_[id.index].force);
   return rows;
 }
 
-void ForceField::append_pairs(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out) const {
+void ForceField::append_pairs(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out,
+                              Real margin) const {
   std::vector<std::uint32_t> rows;
   for (const Slot& slot : slots_) {
     if (!slot.force) continue;
     rows.clear();
-    std::visit([&](const auto& force) { append_bodies(force, bodies, rows); }, *slot.force);
+    std::visit([&](const auto& force) { append_bodies(force, bodies, margin, rows); }, *slot.force);
     for (std::size_t i = 1; i < rows.size(); ++i) out.emplace_back(rows[0], rows[i]);
   }
 }
@@ -243,6 +298,7 @@ void ForceField::forget(BodyId body) {
 }
 
 void ForceField::free_slot(std::size_t slot) {
+  std::erase(attractions_, slot);
   slots_[slot].force.reset();
   ++slots_[slot].generation;
   free_slots_.push_back(static_cast<std::uint32_t>(slot));

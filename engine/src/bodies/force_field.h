@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,12 @@
 #include "impulse/force.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
+
+/// A force on particular bodies: its slot in the field, and the row of one that it can move.
+struct Pull {
+  std::uint32_t slot = 0;
+  std::uint32_t body = 0;
+};
 
 /// Everything that accelerates bodies except contacts and joints: gravity, accumulated forces, persistent forces (see
 /// impulse/force.h), damping.
@@ -24,17 +31,27 @@ class ForceField {
   /// higher order passes 0 and gets -d v at the current velocity; over the next `reach` seconds that at most stops the
   /// body. Springs always use the current velocity for their damping.
   void accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out, Real reach = 0) const;
+  /// The same, to the bit, of some rows alone, given all pulls on them.
+  void accelerations(const BodySet& bodies, std::span<const std::uint32_t> rows, std::span<const Pull> pulls,
+                     Real implicit, std::vector<Velocity>& out) const;
 
+  bool empty() const { return slots_.size() == free_slots_.size(); }
   /// Whether accelerations depend on positions or velocities.
   bool vary(const BodySet& bodies) const;
+  /// The same of each row.
+  void find_varying(const BodySet& bodies, std::vector<std::uint8_t>& out) const;
+  /// Lists the forces on one body or between two, in their own order.
+  void list_pulls(const BodySet& bodies, std::vector<Pull>& out) const;
 
   /// Throws std::invalid_argument for invalid values and std::out_of_range for bodies that don't exist.
   ForceId add(const Force& force, const BodySet& bodies);
   bool contains(ForceId id) const;
   /// The rows of the bodies that the force acts on or comes from. Throws std::out_of_range for a stale id.
   std::vector<std::uint32_t> bodies_of(ForceId id, const BodySet& bodies) const;
-  /// Appends the pairs of rows of which one body's acceleration depends on the other's position.
-  void append_pairs(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out) const;
+  /// Appends the pairs of rows of which one body's acceleration depends on the other's position, or would if they were
+  /// nearer by `margin` m.
+  void append_pairs(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out,
+                    Real margin = 0) const;
   /// Throws std::out_of_range for a stale id.
   void remove(ForceId id);
   /// Removes every force that refers to the body.
@@ -46,10 +63,12 @@ class ForceField {
     std::optional<Force> force;
   };
   void require(ForceId id) const;
+  void attract(const BodySet& bodies, std::size_t row, std::vector<Velocity>& out) const;
   void free_slot(std::size_t slot);
 
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> free_slots_;
+  std::vector<std::uint32_t> attractions_;  // slots, in order
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

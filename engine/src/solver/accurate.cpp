@@ -151,13 +151,12 @@ class Accurate : public Solver {
   std::vector<Velocity> flight_;                     // the same, but 0 for a body that rests on a contact
   std::vector<Velocity> kicks_;                      // of each body, see ScalarContacts::halve
   std::vector<std::uint8_t> loaded_;                 // a contact pushed the body in the last sub-step
-  bool forces_vary_ = false;                         // within a step
   std::vector<Workspace> spaces_;                    // of each worker
 };
 
 void Accurate::step(StepData& data) {
-  forces_vary_ = data.forces.vary(data.bodies);
-  if (data.contacts.empty() && data.joints.empty() && !forces_vary_ && resting_.empty()) return fly_all(data);
+  const bool free = data.contacts.empty() && data.joints.empty() && resting_.empty();
+  if (free && !data.forces.vary(data.bodies)) return fly_all(data);
   prepare(data);
   end_stage("prepare");
   const auto workers = static_cast<std::size_t>(data.workers.count());
@@ -190,8 +189,8 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
     if (resting_.may_grow(data, now, *pile)) pile->begin_anew();
     return;
   }
-  if (now.contacts.empty() && now.joints.empty() && !forces_vary_) return fly(data, now);
-  if (!forces_vary_ && is_pile(data, now)) {
+  if (now.contacts.empty() && now.joints.empty() && !now.varies) return fly(data, now);
+  if (!now.varies && is_pile(data, now)) {
     if (lanes_) return step_pile(data, number, now, space);
     space.colouring.assign(parts_, now, 1);
     now.contacts = space.colouring.order();
@@ -200,7 +199,7 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
   if (!space.alike.empty()) {
     const Island& first = space.alike.front();
     const Island& last = space.alike.back();
-    const bool goes_on = plain(now) && now.substeps == last.substeps &&
+    const bool goes_on = plain(now) && now.substeps == last.substeps && now.varies == last.varies &&
                          now.bodies.data() == last.bodies.data() + last.bodies.size() &&
                          now.rows.data() == last.rows.data() + last.rows.size();
     if (!goes_on || from_to(first.rows, now.rows).size() > most_together) step_alike(data, space);
@@ -225,6 +224,7 @@ void Accurate::step_alike(StepData& data, Workspace& space) {
   Island all = space.alike.front();
   all.bodies = from_to(all.bodies, space.alike.back().bodies);
   all.rows = from_to(all.rows, space.alike.back().rows);
+  all.pulls = from_to(all.pulls, space.alike.back().pulls);
   const auto substeps = static_cast<Real>(all.substeps);
   all.share(1 / substeps);
   for (const Island& one : space.alike) {
@@ -296,7 +296,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   }
   if (island.settling) ScalarContacts(data.bodies, motion_).settle_offsets(island);
   note_loads(island);
-  if (island.press_sweeps > 0 && !forces_vary_) space.unpushed.restore(island, loaded_, data.bodies);
+  if (island.press_sweeps > 0 && !island.varies) space.unpushed.restore(island, loaded_, data.bodies);
 }
 
 void Accurate::prepare(StepData& data) {
@@ -312,9 +312,9 @@ void Accurate::prepare(StepData& data) {
   flight_ = acceleration_;
 
   const std::uint64_t parted = parts_.version();
-  resting_.watch(data, forces_vary_);
-  parts_.split(data, forces_vary_);
-  if (!resting_.empty() && resting_.let_go_hindered(data, parts_, forces_vary_)) parts_.split(data, forces_vary_);
+  resting_.watch(data);
+  parts_.split(data);
+  if (!resting_.empty() && resting_.let_go_hindered(data, parts_)) parts_.split(data);
   begun_.resize(parts_.size());
   rows_.resize(parts_.contact_count());
   const std::uint64_t before = std::exchange(contact_changes_, data.contact_changes);
@@ -367,7 +367,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   const bool on_several = island.bodies.size() == 1 && island.rows.size() > 1;
   if (takes_turns || on_several) island.sweeps = data.settings.iterations;
   island.settling = settles(data, island);
-  const bool is_closed = !forces_vary_ && closed(data.bodies, island.bodies);
+  const bool is_closed = !island.varies && closed(data.bodies, island.bodies);
   island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
   // Small islands in motion are solved more closely.
   const int more_sweeps = more_sweeps_for(island.bodies.size());
@@ -404,6 +404,8 @@ Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
       .contacts = contacts,
       .rows = {},
       .joints = IslandJoints(parts_.joints(number), parts_.bodies(number), data.bodies, start_, motion_, space.joints),
+      .pulls = parts_.pulls(number),
+      .varies = parts_.varies(number),
       .webbed = std::any_of(contacts.begin(), contacts.end(), [&](const Tie& tie) { return parts_.in_web(tie); })};
   island.heap = is_heap(data, island);
   return island;
@@ -486,11 +488,11 @@ void Accurate::drift(StepData& data, const Island& island) {
     motion_[body].d += island.h * v.v;
     motion_[body].turn_by(island.h * v.w);
   }
-  if (!forces_vary_) return;
+  if (!island.varies) return;
   for (const std::uint32_t body : island.bodies) {
     bodies.pose[body] = motion_[body].from(start_[body]);
   }
-  data.forces.accelerations(bodies, island.h / 2, acceleration_);
+  data.forces.accelerations(bodies, island.bodies, island.pulls, island.h / 2, acceleration_);
 }
 
 void Accurate::note_loads(const Island& island) {

@@ -84,6 +84,8 @@ struct Island {
   std::span<const Tie> contacts;
   std::span<ImpactRow> rows;  // of the contacts, unless they are solved as a pile (pile.h)
   IslandJoints joints;
+  std::span<const Pull> pulls = {};
+  bool varies = false;  // forces vary within the step
   int substeps = 1;
   int sweeps = 1;        // iterations over joints and contacts, or joints and their stops
   int press_sweeps = 0;  // extra rigid iterations allowed until an impact adds no penetration

@@ -1,6 +1,7 @@
 #include "solver/partition.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -46,9 +47,13 @@ void Partition::ByIsland<Item>::sort(const Source& source, std::size_t islands, 
   });
 }
 
-void Partition::split(const StepData& data, bool together) {
-  const bool only_contacts = data.joints.empty() && !together;
-  if (nothing_changed(data) && only_contacts && only_contacts_) return;
+void Partition::split(const StepData& data) {
+  const bool only_contacts = data.joints.empty() && data.forces.empty();
+  if (!(nothing_changed(data) && only_contacts && only_contacts_)) split_anew(data, only_contacts);
+  find_varying(data);
+}
+
+void Partition::split_anew(const StepData& data, bool only_contacts) {
   std::swap(tied_, last_tied_);
   list_ties(data);
   const bool same_bodies = crowd_.size() == data.bodies.size() &&
@@ -56,7 +61,7 @@ void Partition::split(const StepData& data, bool together) {
   if (same_bodies && only_contacts && only_contacts_ && tied_ == last_tied_) return;
   only_contacts_ = only_contacts;
   ++version_;
-  find_islands(data, together);
+  find_islands(data);
 }
 
 /// Whether the list of contacts would be that of the last step.
@@ -87,7 +92,7 @@ void Partition::list_ties(const StepData& data) {
   }
 }
 
-void Partition::find_islands(const StepData& data, bool together) {
+void Partition::find_islands(const StepData& data) {
   const BodySet& bodies = data.bodies;
   islands_.clear(bodies.size());
   crowd_.assign(bodies.size(), 0);
@@ -114,8 +119,11 @@ void Partition::find_islands(const StepData& data, bool together) {
     all_joints_.push_back(&joint);
     if (bodies.moves(joint.block.a) && bodies.moves(joint.block.b)) islands_.connect(joint.block.a, joint.block.b);
   }
-  if (together) {
-    for (std::uint32_t body = 1; body < bodies.size(); ++body) islands_.connect(0, body);
+  // Whether a body comes into the reach of an attraction within the step is not known yet.
+  pairs_.clear();
+  data.forces.append_pairs(bodies, pairs_, std::numeric_limits<Real>::infinity());
+  for (const auto& [a, b] : pairs_) {
+    if (bodies.moves(a) && bodies.moves(b)) islands_.connect(a, b);
   }
   islands_.number();
 
@@ -123,6 +131,16 @@ void Partition::find_islands(const StepData& data, bool together) {
   joints_.sort(all_joints_, islands_.size(), [&](const ActiveJoint* joint) {
     return islands_.of(pushable(bodies, joint->block.a) ? joint->block.a : joint->block.b);
   });
+  data.forces.list_pulls(bodies, all_pulls_);
+  pulls_.sort(all_pulls_, islands_.size(), [&](const Pull& pull) { return islands_.of(pull.body); });
+}
+
+void Partition::find_varying(const StepData& data) {
+  data.forces.find_varying(data.bodies, varying_);
+  varies_.assign(islands_.size(), 0);
+  for (std::uint32_t body = 0; body < varying_.size(); ++body) {
+    if (varying_[body] != 0) varies_[islands_.of(body)] = 1;
+  }
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "bodies/force_field.h"
 #include "islands/islands.h"
 #include "solver/lanes/contact_lanes.h"
 #include "solver/solver.h"
@@ -17,9 +19,9 @@ class Partition {
   /// Finds the islands of a step. If only contacts connect bodies, and the same ones as in the last step (as at rest),
   /// the islands are those of the last step.
   ///
-  /// Bodies share an island if they are connected and both move, or belong to the same pile at rest; `together` puts
-  /// all into one.
-  void split(const StepData& data, bool together);
+  /// Bodies share an island if they are connected and both move, or belong to the same pile at rest. Springs and
+  /// attractions connect them too.
+  void split(const StepData& data);
 
   /// To be called when points of contacts changed within the step, so that the next step lists them again.
   void forget_points() { contact_changes_ = 0; }
@@ -36,6 +38,10 @@ class Partition {
   std::size_t first_contact(std::size_t island) const { return contacts_.start[island]; }
   std::size_t contact_count() const { return contacts_.items.size(); }
   std::span<ActiveJoint* const> joints(std::size_t island) const { return joints_.of(island); }
+  /// The forces on an island's bodies but for attractions.
+  std::span<const Pull> pulls(std::size_t island) const { return pulls_.of(island); }
+  /// Whether an acceleration by forces depends on positions or velocities of the island's bodies.
+  bool varies(std::size_t island) const { return varies_[island] != 0; }
   /// Whether a pushable body of the contact has more than two contacts, as in a pyramid but not in a column.
   bool in_web(const Tie& tie) const { return crowd_[tie.a] > 2 || crowd_[tie.b] > 2; }
 
@@ -56,7 +62,9 @@ class Partition {
 
   bool nothing_changed(const StepData& data);
   void list_ties(const StepData& data);
-  void find_islands(const StepData& data, bool together);
+  void split_anew(const StepData& data, bool only_contacts);
+  void find_islands(const StepData& data);
+  void find_varying(const StepData& data);
 
   std::uint64_t version_ = 0;
   bool only_contacts_ = false;  // tied bodies in the last step
@@ -72,6 +80,11 @@ class Partition {
   ByIsland<Tie> contacts_;
   ByIsland<ActiveJoint*> joints_;
   std::vector<ActiveJoint*> all_joints_;
+  ByIsland<Pull> pulls_;
+  std::vector<Pull> all_pulls_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  // of bodies, coupled by forces
+  std::vector<std::uint8_t> varying_;                           // by body: whether forces on it vary within the step
+  std::vector<std::uint8_t> varies_;                            // by island
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -160,14 +160,14 @@ void RestingPiles::append(const BodySet& bodies, std::vector<Contact>& to) const
   }
 }
 
-void RestingPiles::watch(const StepData& data, bool forces_vary) {
+void RestingPiles::watch(const StepData& data) {
   const BodySet& bodies = data.bodies;
   due_ = false;
   if (data.contacts.size() < least_kept && empty()) return calm_.clear();
   if (++steps_ % look_every != 0) return;
   seen_.resize(bodies.size());
   calm_.resize(bodies.size());
-  due_ = data.may_rest && !forces_vary && !something_drives(bodies);
+  due_ = data.may_rest && !something_drives(bodies);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Pose then = std::exchange(seen_[i], bodies.pose[i]);
     const bool calm = way(then, bodies.pose[i], bodies.bounding_radius[i]) <= calm_way;
@@ -175,10 +175,10 @@ void RestingPiles::watch(const StepData& data, bool forces_vary) {
   }
 }
 
-bool RestingPiles::let_go_hindered(StepData& data, const Partition& parts, bool forces_vary) {
+bool RestingPiles::let_go_hindered(StepData& data, const Partition& parts) {
   BodySet& bodies = data.bodies;
   std::vector<Contact> contacts;
-  if (forces_vary || !data.may_rest) let_go(bodies, contacts);
+  if (!data.may_rest) let_go(bodies, contacts);
   for (std::size_t island = 0; island < parts.size() && !empty(); ++island) {
     std::vector<std::uint32_t> held;
     for (const std::uint32_t body : parts.bodies(island)) {
@@ -190,7 +190,8 @@ bool RestingPiles::let_go_hindered(StepData& data, const Partition& parts, bool 
     const bool rebounds =
         std::any_of(met.begin(), met.end(), [&](const Tie& tie) { return data.contacts[tie.contact].restitution > 0; });
     const bool cut_finer = !met.empty() && may_need_substeps(parts.bodies(island).size(), data.settings);
-    if (held.size() == 1 && parts.joints(island).empty() && !rebounds && !cut_finer) continue;
+    const bool only_contacts = parts.joints(island).empty() && !parts.varies(island);
+    if (held.size() == 1 && only_contacts && !rebounds && !cut_finer) continue;
     for (const std::uint32_t pile : held) let_go(pile, bodies, contacts);
   }
   if (contacts.empty()) return false;

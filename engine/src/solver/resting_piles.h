@@ -72,10 +72,10 @@ class RestingPiles {
   void append(const BodySet& bodies, std::vector<Contact>& to) const;
 
   /// At the beginning of a step: records which bodies hardly move.
-  void watch(const StepData& data, bool forces_vary);
+  void watch(const StepData& data);
   /// Invalidates the piles of islands that lanes no longer support, because of forces or new contacts, and adds their
   /// contacts to those of the step. Returns whether there were any.
-  bool let_go_hindered(StepData& data, const Partition& parts, bool forces_vary);
+  bool let_go_hindered(StepData& data, const Partition& parts);
   /// The pile in an island, or null.
   RestingPile* of(const BodySet& bodies, std::span<const std::uint32_t> island) const;
   /// Makes a pile at rest from the part of a planned pile that has hardly moved for long enough; null if it does not

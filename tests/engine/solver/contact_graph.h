@@ -10,7 +10,7 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Bodies, the first of which nothing moves, and contacts between some of them, all in one island.
+/// Bodies, the first of which nothing moves, and contacts and springs between some of them.
 class Graph {
  public:
   explicit Graph(std::uint32_t count) {
@@ -27,21 +27,25 @@ class Graph {
     contact.count = points;
     contacts_.push_back(contact);
   }
+  void tie(std::uint32_t a, std::uint32_t b) { forces_.add(Spring{.a = bodies_.id(a), .b = bodies_.id(b)}, bodies_); }
+  ForceField& forces() { return forces_; }
+  /// Of all contacts, as of one island.
   const Colouring& colour() {
-    split(true);
+    for (std::uint32_t body = 2; body < bodies_.size() && forces_.empty(); ++body) tie(body - 1, body);
+    split();
     JointWorkspace work;
     colouring_.assign(parts_,
-                      {.bodies = parts_.bodies(0),
-                       .contacts = parts_.contacts(0),
+                      {.bodies = parts_.bodies(1),
+                       .contacts = parts_.contacts(1),
                        .rows = {},
-                       .joints = IslandJoints({}, parts_.bodies(0), bodies_, start_, motion_, work)},
+                       .joints = IslandJoints({}, parts_.bodies(1), bodies_, start_, motion_, work)},
                       8);
     return colouring_;
   }
-  const Partition& split(bool together) {
+  const Partition& split() {
     StepData data{bodies_, contacts_, joints_, forces_, *integrator_, settings_, workers_};
     data.contact_changes = changes_;
-    parts_.split(data, together);
+    parts_.split(data);
     return parts_;
   }
   /// From now on contacts have changed as often as that, see ContactSet::changes().
