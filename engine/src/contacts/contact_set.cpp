@@ -158,11 +158,7 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
 
 // A face that replaced a ghost can in turn reveal others, at the next join but one.
 bool ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin) {
-  // Only ground that stands still has joins to consider.
-  const auto stands = [&](const OnGround& meets) { return !bodies.moves(meets.ground); };
-  supports_.clear();
-  std::copy_if(of_part.begin(), of_part.end(), std::back_inserter(supports_), stands);
-  if (supports_.size() < 2) return false;
+  supports_.assign(of_part.begin(), of_part.end());
   bool removed = false;
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     const OnGround below = supports_[i];
@@ -171,7 +167,7 @@ bool ContactSet::remove_ghosts(std::span<const OnGround> of_part, const BodySet&
     if (!plane) continue;
     for (const OnGround& ahead : of_part) {
       Contact& contact = rows_[ahead.row];
-      if (ahead.row == below.row || contact.count == 0 || !stands(ahead)) continue;
+      if (ahead.row == below.row || contact.count == 0 || !joined(bodies, below.ground, ahead.ground)) continue;
       const std::optional<Manifold> instead =
           without_ghost(GroundContact(contact, bodies, ahead.dynamic_first), *plane, bodies, margin);
       if (!instead) continue;

@@ -73,6 +73,16 @@ GroundContact::GroundContact(const Contact& of, const BodySet& bodies, bool dyna
       part(bodies.detail[dynamic].parts[dynamic_first ? of.part_a : of.part_b].shape),
       up(dynamic_first ? -of.normal : of.normal) {}
 
+bool joined(const BodySet& bodies, std::uint32_t a, std::uint32_t b) {
+  const Velocity& of_a = bodies.velocity[a];
+  const Velocity& of_b = bodies.velocity[b];
+  if (a == b || (!bodies.moves(a) && !bodies.moves(b))) return true;
+  if (of_a.w != of_b.w) return false;
+  const Vec2 carried = cross(of_a.w, bodies.pose[b].p - bodies.pose[a].p);
+  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+  return length(of_a.v + carried - of_b.v) <= rounding * (length(of_a.v) + length(carried));
+}
+
 std::optional<Plane> face_under(const GroundContact& at, const BodySet& bodies) {
   const Pose& pose = bodies.pose[at.fixed];
   if (at.ground.type() == ShapeType::half_space) {

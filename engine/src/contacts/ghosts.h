@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "bodies/body_set.h"
@@ -9,7 +10,7 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// Ghost collisions at the joins of the fixed world.
+/// Ghost collisions at the joins of the fixed world, or of kinematic bodies that move as one.
 ///
 /// When a shape slides over the join of two fixed shapes, tiles side by side or segments end to end, the one ahead is
 /// nearest at its end point or its buried side, with a normal that the joined surface does not have. But the face that
@@ -23,7 +24,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// Known as internal edges (G. van den Bergen, Collision Detection in Interactive 3D Environments, 2003), which are
 /// usually found by adjacency. This method needs none, and the shapes may belong to different bodies.
 
-/// A contact of a dynamic body's part with the fixed world.
+/// A contact of a dynamic body's part with a body that cannot be pushed.
 struct GroundContact {
   const Contact& contact;
   std::uint32_t fixed, dynamic;  // bodies
@@ -39,6 +40,9 @@ struct Plane {
   Vec2 normal, place;
   Real height(Vec2 p) const { return dot(normal, p - place); }
 };
+
+/// Whether two bodies that cannot be pushed keep their places relative to each other, up to rounding.
+bool joined(const BodySet& bodies, std::uint32_t a, std::uint32_t b);
 
 /// The face of the ground that the contact lies on; nullopt if it is at a corner.
 std::optional<Plane> face_under(const GroundContact& at, const BodySet& bodies);

@@ -363,8 +363,11 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   // Joints solved by iteration rely on the sub-steps instead.
   const bool takes_turns =
       !island.joints.empty() && !island.joints.swept() && (!island.rows.empty() || has_stops(island.joints));
-  // For a body that slides from one fixed shape to the next, its load moves over at once, not in several sub-steps.
-  const bool on_several = island.bodies.size() == 1 && island.rows.size() > 1;
+  // For a body that slides from one shape of the ground to the next, its load moves over at once, not in several
+  // sub-steps.
+  const auto pushed = [&](std::uint32_t body) { return data.bodies.pushable(body); };
+  const bool on_several =
+      island.rows.size() > 1 && std::count_if(island.bodies.begin(), island.bodies.end(), pushed) == 1;
   if (takes_turns || on_several) island.sweeps = data.settings.iterations;
   island.settling = settles(data, island);
   const bool is_closed = !island.varies && closed(data.bodies, island.bodies);

@@ -71,9 +71,12 @@ bool settles(const StepData& data, const Island& island) {
   const auto is_new = [&](const Tie& tie) { return data.contacts[tie.contact].age == 0; };
   if (island.contacts.empty() || !std::all_of(island.contacts.begin(), island.contacts.end(), is_new)) return false;
   const Real slow = 2 * length(data.settings.gravity) * data.settings.dt;
-  return std::all_of(island.bodies.begin(), island.bodies.end(), [&](std::uint32_t body) {
-    const Velocity& v = bodies.velocity[body];
-    return length(v.v) + std::abs(v.w) * bodies.bounding_radius[body] <= slow;
+  const auto rim_speed = [&](std::uint32_t body) {
+    return std::abs(bodies.velocity[body].w) * bodies.bounding_radius[body];
+  };
+  return std::all_of(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
+    const Vec2 apart = bodies.velocity[tie.b].v - bodies.velocity[tie.a].v;
+    return length(apart) + rim_speed(tie.a) + rim_speed(tie.b) <= slow;
   });
 }
 

@@ -136,7 +136,8 @@ bool closed(const BodySet& bodies, std::span<const std::uint32_t> island);
 /// lie on faces, unlike in walls and pyramids, and that is either so large that its contacts are compliant (it has only
 /// the sub-steps of the settings, see substeps_for), or not small and without friction that would lock it.
 bool is_heap(const StepData& data, const Island& island);
-/// Whether an island starts at rest: all its contacts are new, and all bodies are slow.
+/// Whether an island starts at rest, in whatever frame: all its contacts are new, and their bodies hardly move relative
+/// to each other.
 bool settles(const StepData& data, const Island& island);
 
 /// The support estimate of an island.
