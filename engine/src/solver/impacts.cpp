@@ -274,6 +274,13 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   }
   frame.write_back(now, a, b);
 
+  std::array<Real, 2> grip{};  // that friction has used, or may
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RowPoint* p = hit[i];
+    if (p == nullptr) continue;
+    grip[i] =
+        std::max(row.dynamic_friction, p->total_normal > 0 ? std::abs(p->total_tangent) / p->total_normal : Real{0});
+  }
   // For a cradle on strings, five and sixty iterations gave equal results.
   constexpr int rounds = 5;
   for (int round = 0; round < rounds && !joints.empty(); ++round) {
@@ -281,9 +288,14 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
     ContactFrame again(now, a, b);
     for (std::size_t i = 0; i < 2; ++i) {
       if (hit[i] == nullptr) continue;
-      const Real more = hit[i]->normal_mass * (target[i] - again.normal_velocity(*hit[i]));
-      again.push_normal(now, *hit[i], more);
-      hit[i]->total_normal += more;
+      RowPoint& p = *hit[i];
+      const Real more = p.normal_mass * (target[i] - again.normal_velocity(p));
+      const Real total = std::max(p.total_normal + more, Real{0});
+      again.push_normal(now, p, total - p.total_normal);
+      p.total_normal = total;
+      const Real rubs = clamp(p.total_tangent, -grip[i] * total, grip[i] * total);
+      again.push_tangent(now, p, rubs - p.total_tangent);
+      p.total_tangent = rubs;
     }
     again.write_back(now, a, b);
   }

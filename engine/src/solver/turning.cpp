@@ -14,8 +14,8 @@ namespace {
 // m, sliding before a contact is found again; a corner that appears meanwhile penetrates by at most a fraction of this.
 constexpr Real far = static_cast<Real>(0.002);
 
-// m, gap of the mid-step re-collision.
-constexpr Real margin = static_cast<Real>(0.05);
+// m, gap of the mid-step re-collision; farther points are sought only where none is nearer.
+constexpr Real near = static_cast<Real>(0.05);
 
 // Vectors here are in the row's initial frame: x along its normal n, y along t = perpendicular(n); an arm r is
 // (r . n, -(r x n)).
@@ -79,6 +79,19 @@ Stir stir_of(const Contact& contact, const BodySet& bodies) {
   return stir;
 }
 
+namespace {
+
+/// Whether a body that the row pushes meets another shape that cannot be pushed, or another part of it meets one.
+bool on_several_grounds(const ImpactRow& row, const Island& island) {
+  if (row.mass_a.m > 0 && row.mass_b.m > 0) return false;
+  const std::uint32_t body = row.mass_a.m > 0 ? row.a : row.b;
+  return std::count_if(island.rows.begin(), island.rows.end(), [body](const ImpactRow& other) {
+           return (other.a == body && other.mass_b.m == 0) || (other.b == body && other.mass_a.m == 0);
+         }) > 1;
+}
+
+}  // namespace
+
 bool turns(const Contact& contact, const Stir& stir, const BodySet& bodies, Real dt) {
   constexpr Real felt = static_cast<Real>(6e-4);  // m/s
   if (stir.turning * stir.speed * dt > felt) return true;
@@ -99,8 +112,13 @@ void Turning::begin(const Island& island, const StepData& data) {
     if (stands_still(contact, row, normal_of)) continue;
     row.turns = true;
     row.made = false;  // must be made anew in the next step
-    turned_.push_back(
-        {&row, normal_of, row.normal, contact.radius_a, contact.radius_b, {row.points[0], row.points[1]}});
+    turned_.push_back({&row,
+                       normal_of,
+                       row.normal,
+                       contact.radius_a,
+                       contact.radius_b,
+                       {row.points[0], row.points[1]},
+                       on_several_grounds(row, island)});
   }
 }
 
@@ -169,17 +187,23 @@ void Turning::turn(const Island& island, const Turned& turned, const Pair& at, c
   if (row.block) row.pair = ScalarContacts::pair_of(island, row);
 }
 
-// Contacts with fixed bodies keep their points: only the search removes ghost collisions at joins.
+// Where a body meets several shapes of the ground, their contacts keep their points: only the search removes ghost
+// collisions at joins.
 void Turning::find_again(StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion) {
   for (Turned& turned : turned_) {
     const ImpactRow& row = *turned.row;
     const Pair now{motion[row.a], motion[row.b]};
-    if (row.mass_a.m == 0 || row.mass_b.m == 0 || way(turned, now, data.bodies) < far) continue;
+    if (turned.may_join || way(turned, now, data.bodies) < far) continue;
     Contact& contact = data.contacts[row.contact];
     const Pose pose_a = now.a.from(start[row.a]);
     const Pose pose_b = now.b.from(start[row.b]);
-    const Manifold m = collide(data.bodies.detail[row.a].parts[contact.part_a].shape, pose_a,
-                               data.bodies.detail[row.b].parts[contact.part_b].shape, pose_b, margin);
+    const Shape& shape_a = data.bodies.detail[row.a].parts[contact.part_a].shape;
+    const Shape& shape_b = data.bodies.detail[row.b].parts[contact.part_b].shape;
+    Manifold m = collide(shape_a, pose_a, shape_b, pose_b, near);
+    if (m.count == 0) {
+      const Real gap = speculative_gap(data.bodies, row.a, row.b, {near, data.settings.dt});
+      m = collide(shape_a, pose_a, shape_b, pose_b, gap);
+    }
     if (m.count == 0) continue;
     contact.found_a = pose_a;
     contact.found_b = pose_b;
@@ -190,18 +214,14 @@ void Turning::find_again(StepData& data, const std::vector<Pose>& start, const s
   }
 }
 
-/// New points inherit the impulses of the points with the same feature. Totals of the step are kept; those of a point
-/// that vanished go to the other.
+/// New points inherit the impulses of the points with the same feature, and their totals of the step; those of a point
+/// that vanished go to another.
 void Turning::take_points(Turned& turned, Contact& contact, const Manifold& found) {
   ImpactRow& row = *turned.row;
   const auto last_count = static_cast<std::size_t>(row.count);
   const std::array<ContactPoint, 2> last = contact.points;
   const std::array<RowPoint, 2> given = row.points;
-  if (found.count < row.count) {
-    row.points[0].total_normal += given[1].total_normal;
-    row.points[0].total_tangent += given[1].total_tangent;
-    row.points[1] = {};
-  }
+  row.points = {};
   if (found.count != row.count) {
     contact.count = row.count = found.count;
     row.block = !row.web && row.count == 2;
@@ -216,13 +236,18 @@ void Turning::take_points(Turned& turned, Contact& contact, const Manifold& foun
     p.separation = contact.found_separation[i] = found.points[i].separation;
     p.feature = found.points[i].feature;
     turned.points[i] = arms_of(contact, i);
-    RowPoint& point = row.points[i];
-    point.normal_impulse = point.tangent_impulse = 0;
-    for (std::size_t j = 0; j < last_count; ++j) {
-      if (last[j].feature != p.feature) continue;
-      point.normal_impulse = given[j].normal_impulse;
-      point.tangent_impulse = given[j].tangent_impulse;
+  }
+  for (std::size_t j = 0; j < last_count; ++j) {
+    std::size_t i = 0;
+    while (i < static_cast<std::size_t>(row.count) && contact.points[i].feature != last[j].feature) ++i;
+    if (i < static_cast<std::size_t>(row.count)) {
+      row.points[i].normal_impulse = given[j].normal_impulse;
+      row.points[i].tangent_impulse = given[j].tangent_impulse;
+    } else {
+      i = 0;
     }
+    row.points[i].total_normal += given[j].total_normal;
+    row.points[i].total_tangent += given[j].total_tangent;
   }
 }
 

@@ -65,8 +65,9 @@ class Turning {
     Vec2 normal;
     Real radius_a, radius_b;
     std::array<PointArms, 2> points;
-    bool again = false;  // it was found again within the step,
-    Pair found;          // when its bodies had moved by this
+    bool may_join = false;  // with another contact of one body on the ground
+    bool again = false;     // it was found again within the step,
+    Pair found;             // when its bodies had moved by this
 
     /// The motions since then.
     Pair since(const Pair& now) const;

@@ -142,6 +142,23 @@ TEST(Turning, ABoxThatLeansOnACornerDoesNotStayInTheGround) {
 }
 
 // Each body's momentum changes by the reported impulses along the reported normals, even if these rotated.
+// A plank that spins past a fixed disc comes near it with another side than the one that was near at the start of the
+// step, of which only the plane, far beyond the side's end, would be hit.
+TEST(Turning, APlankThatSpinsPastADiscDoesNotHitIt) {
+  Settings settings;
+  settings.gravity = {};
+  World world(settings);
+  BodyDef post = at(real(.8), 1);
+  post.type = BodyType::fixed;
+  world.create_body(post, Shape::circle(real(.2)));
+  BodyDef def = at(real(.6), 0);
+  def.velocity = {0, 2};
+  const BodyId plank = world.create_body(def, Shape::box({real(.5), real(.15)}));
+  world.add_force(ConstantForce{plank, {}, 6});
+  run(world, 9);
+  EXPECT_EQ(world.body(plank).velocity(), Vec2(0, 2));
+}
+
 TEST(Turning, ReportsTheNormalAlongWhichContactsActed) {
   Settings settings;
   settings.gravity = {};
