@@ -1,10 +1,10 @@
 // What this engine does differently
 // - Float arithmetic: unit round-off 2^-24 (with double positions if it was built so).
-// - Soft step: each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off by +g t
-// h/2,
-//   h being the length of a sub-step.
-// - Contacts are damped springs of at most 30 Hz, relaxed afterwards: they do not converge with the step, and a load
-//   presses boxes a few millimetres into each other. Up to B2_LINEAR_SLOP (0.005 m) of overlap is left alone.
+// - Soft step: each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off
+//   by +g t h/2, h being the length of a sub-step.
+// - Contacts are damped springs of at most 30 Hz, twice that on fixed bodies, relaxed afterwards: they do not converge
+//   with the step, and a load presses boxes a few millimetres into each other. No overlap is left alone
+//   (contact_solver.c: B2_LINEAR_SLOP is a tolerance of finding contacts).
 // - Collisions are found once a step, a little ahead ("speculative"). From 3.2 on, contacts that hardly changed are
 //   recycled, which stacks need. Continuous collision against fixed bodies.
 // - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step.
@@ -14,11 +14,9 @@
 // - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
 // - One coefficient of friction. It is mixed by a callback that gets only the coefficients, so there is one per rule.
 // - Joints are stiff springs too, soft ones tuned by frequency: see box2d_v3/joints.cpp.
-// - Hulls lose vertices within 0.005 m of a line through others; they have at most eight.
+// - Hulls lose vertices within 0.01 m (twice B2_LINEAR_SLOP, hull.c) of a line through others; they have at most eight.
 // - No half-spaces: we build them from a segment (see HalfSpaceEdge).
-// - Contact impulses: the normal ones are the step's sum (before 3.2: the last sub-step's times the number of
-// sub-steps),
-//   the tangential ones are in proportion to the last sub-step's.
+// - Contact impulses: see normal_impulse; the tangential ones are in proportion to the last sub-step's.
 // - Sleeping is off by default.
 // The origin of every body is moved to its centre of mass; mass and inertia come from plumb::mass_of. Fields that 3.1
 // and 3.2 name differently are told apart by `requires`.
@@ -46,8 +44,6 @@ namespace plumb {
 namespace {
 
 using namespace box2d_v3;
-
-constexpr double linear_slop = 0.005;  // m, B2_LINEAR_SLOP
 
 // The ids are not needed. Their type changed with 3.2.
 template <FrictionMixing rule, class Id>
@@ -165,12 +161,18 @@ b2WorldDef world_of(const Scene& scene, const Settings& settings) {
   return def;
 }
 
-// The normal impulse over the whole step.
-template <class Data>
-double normal_impulse(const Data& contact, int point, int substeps) {
-  const b2ManifoldPoint& at = contact.manifold.points[point];
-  constexpr bool sums_sub_steps = requires { contact.contactId; };  // 3.2 on
-  return sums_sub_steps ? double{at.totalNormalImpulse} : substeps * double{at.normalImpulse};
+// Whether totalNormalImpulse is the impulse of the step, as it is since #1022. Before, it is the sum of what was
+// reached after solving and after relaxing, twice the weight at rest. The same change gave this callback its size.
+template <class Free>
+constexpr bool totals_are_impulses() {
+  return requires(Free * free_memory) { free_memory(nullptr, 0u); };
+}
+
+// The normal impulse over the whole step; of older versions only what the last sub-step's would make of it, or what the
+// larger total bounds it by, as in an impact, whose restitution acts once in a step.
+double normal_impulse(const b2ManifoldPoint& at, int substeps) {
+  const double total = at.totalNormalImpulse;
+  return totals_are_impulses<b2FreeFcn>() ? total : std::min(total, substeps * double{at.normalImpulse});
 }
 
 class Box2dV3 : public Simulation {
@@ -223,6 +225,7 @@ class Box2dV3 : public Simulation {
     if (body.type != BodyType::dynamic) return;
     const Mass mass = mass_of(given);
     b2Body_SetMassData(made, {static_cast<float>(mass.mass), {0, 0}, static_cast<float>(mass.inertia)});
+    b2Body_SetLinearVelocity(made, to_b2(body.velocity));  // each shape shifted the centre of mass, and the velocity
   }
 
   b2BodyId make(std::size_t index, const Body& body, double angle) {
@@ -279,7 +282,7 @@ class Box2dV3 : public Simulation {
       const b2Manifold& manifold = contact.manifold;
       for (int p = 0; p < manifold.pointCount; ++p) {
         const b2ManifoldPoint& at = manifold.points[p];
-        const double normal = normal_impulse(contact, p, substeps_);
+        const double normal = normal_impulse(at, substeps_);
         // Box2D's tangent is the normal turned by -90 degrees.
         const double tangent = at.normalImpulse > 0 ? -normal * at.tangentImpulse / at.normalImpulse : 0;
         out.push_back({index_of(body),
@@ -307,7 +310,7 @@ struct Refusal {
   std::string operator()(const Polygon& polygon) const {
     if (polygon.vertices.size() > B2_MAX_POLYGON_VERTICES) return "polygons have at most eight vertices";
     const bool whole = hull_of(polygon.vertices).count == static_cast<int>(polygon.vertices.size());
-    return whole ? "" : "drops vertices within 0.005 m of a line through others";
+    return whole ? "" : "drops vertices within 0.01 m of a line through others";
   }
   template <class Other>
   std::string operator()(const Other&) const {
@@ -335,10 +338,9 @@ Stepping stepping(const Settings& given, double dt) {
   stated.impact_lag = std::stod(settings.at("substeps"));  // impacts are found once a step
   // Shapes have no skin, and contacts are soft: they rest where their spring bears the load, 2.5 g/w^2 deep for a
   // square on its like (two corners, each with half the weight and an effective mass of m/5), w = 2 pi times the lesser
-  // of 30 Hz and a quarter of the sub-step's rate. Overlap up to the slop is not pushed out at all. Joints are springs
-  // of twice that frequency, without a slop.
-  const double contact_omega = 2 * std::numbers::pi * std::min(30.0, 0.25 / stated.h);
-  stated.slop = linear_slop + 2.5 * standard_gravity / (contact_omega * contact_omega);
+  // of 30 Hz and an eighth of the sub-step's rate (b2World_Step). Joints are springs of twice that frequency.
+  const double contact_omega = 2 * std::numbers::pi * std::min(30.0, 0.125 / stated.h);
+  stated.slop = 2.5 * standard_gravity / (contact_omega * contact_omega);
   stated.joint_slop = 2.5 * standard_gravity / (4 * contact_omega * contact_omega);
   stated.creep = 0;
   stated.iterations = 1;  // restitution is applied once a step
