@@ -13,7 +13,7 @@ process.stdout.write = process.stderr.write.bind(process.stderr); // what the en
  * @param build     (scene, masses, options) => a world with
  *                  step(dt)    advances by dt seconds; the only call that is timed
  *                  states()    [x, y, angle, vx, vy, angular velocity] for each body, of its centre of mass
- *                  contacts()  optional: [a, b, x, y, normal x, normal y, normal impulse, tangent impulse, separation]
+ *                  contacts()  optional, after states(): [a, b, x, y, normal x, normal y, normal impulse, tangent impulse, separation]
  *                  free()      optional: gives back what the world holds
  */
 export function serve(hello, stepping, build) {
@@ -22,15 +22,18 @@ export function serve(hello, stepping, build) {
   let text = '';
   let flushed = Date.now();
   const flush = () => (text && write(text), (text = ''), (flushed = Date.now()));
-  const answer = (value) => {
-    text += JSON.stringify(value) + '\n';
+  const answer = (value) => say(JSON.stringify(value));
+  const say = (line) => {
+    text += line + '\n';
     if (text.length > 32768 || Date.now() - flushed > 50) flush(); // many answers in one write, none held back for long
   };
   const step = (dt) => {
-    const began = process.hrtime.bigint();
+    const began = performance.now();
     world.step(dt);
-    const ns = Number(process.hrtime.bigint() - began);
-    answer({ step: ++steps, states: world.states(), ns, ...(world.contacts && { contacts: world.contacts() }) });
+    const ns = Math.round((performance.now() - began) * 1e6);
+    const states = packed(world.states(), 6);
+    const contacts = world.contacts ? `,"contacts":"${packed(world.contacts(), 9)}"` : '';
+    say(`{"step":${++steps},"ns":${ns},"states":"${states}"${contacts}}`);
   };
   const asked = {
     hello: () => answer({ 'plumb-engine': 1, ...hello }),
@@ -66,6 +69,20 @@ export function serve(hello, stepping, build) {
     }
     flush();
   }).on('end', () => process.exit(0)); // or threads of an engine would outlive Plumb
+}
+
+let numbers = new Float64Array(1024);
+
+/** Rows of numbers in base64: thirty times as fast as their digits. */
+function packed(rows, width) {
+  const count = rows.length * width;
+  if (count > numbers.length) numbers = new Float64Array(2 * count);
+  let next = 0;
+  for (const row of rows) {
+    if (row.length !== width) throw new Error(`${row.length} numbers, should be ${width}`);
+    for (let k = 0; k < width; ++k) numbers[next++] = row[k];
+  }
+  return Buffer.from(numbers.buffer, 0, 8 * count).toString('base64');
 }
 
 /** An option that is on or off. */

@@ -14,6 +14,7 @@
 
 #include "reference/programs/line_process.h"
 #include "reference/programs/protocol.h"
+#include "reports/timing/clock.h"
 #include "scenarios/scene/mass.h"
 
 namespace plumb {
@@ -45,6 +46,14 @@ Scene falling() {
   floating.velocity = {1, -2};
   floating.angular_velocity = 3;
   return scene_of({disc("falling", {0, 10}), floating});
+}
+
+// Ten discs, free or each on the ground.
+Scene ten_discs(bool on_ground) {
+  std::vector<Body> bodies;
+  for (int i = 0; i < 10; ++i) bodies.push_back(disc("disc " + std::to_string(i), {2.0 * i, on_ground ? 0.5 : 10}));
+  if (on_ground) bodies.push_back(ground());
+  return scene_of(std::move(bodies));
 }
 
 // One scene for each thing that an engine may lack.
@@ -118,6 +127,7 @@ class Conformance {
     point("a process of its own", "use no time, no address and no randomness", [&] { return another_process(); });
     point("an unknown ask", "answer {\"error\": \"why\"} and go on", [&] { return unknown_ask(); });
     point("the end", "leave when asked to, and when standard input ends", [&] { return end(); });
+    point("cost", "answer a step in less time", [&] { return cost(); });
     for (const auto& [name, scene] : features()) {
       point(name, "run it, or answer {\"notSupported\": \"why\"}", [&, &one = scene] { return feature(one); });
     }
@@ -273,6 +283,31 @@ class Conformance {
       throw;
     }
     throw std::runtime_error("it answered instead");
+  }
+
+  // What a step costs beyond its own time, that is the adapter's and ours: the least of the rounds of a second, as the
+  // first are slow until a program in JavaScript is compiled.
+  std::string cost() {
+    constexpr std::size_t at_once = 64;
+    const auto beyond = [&](bool on_ground) {
+      const Scene scene = ten_discs(on_ground);
+      if (!built(scene).refusal.empty()) return std::string("not supported");
+      double least = INFINITY;
+      const Stopwatch all;
+      for (std::size_t number = 0; number == 0 || all.seconds() < 1;) {
+        const Stopwatch round;
+        double own = 0;
+        process_->send(protocol::ask_steps(at_once, dt), limits_);
+        for (std::size_t i = 0; i < at_once; ++i) {
+          own += protocol::read_step(process_->receive(limits_), scene.bodies.size(), ++number).seconds;
+        }
+        least = std::min(least, round.seconds() - own);
+      }
+      return fmt::format("{:.1f} us", 1e6 * least / at_once);
+    };
+    const std::string free = beyond(false);
+    return fmt::format("a step of ten discs takes {} beyond the engine's own time, {} on the ground", free,
+                       beyond(true));
   }
 
   std::string feature(const Scene& scene) {

@@ -20,6 +20,14 @@ import { NotSupported, centered, corners, mixed, onOff, plus, serve, turned, unw
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
 const { RigidBodyDesc, ColliderDesc, JointData, CoefficientCombineRule: Rule } = RAPIER;
 const at = ([x, y]) => ({ x, y });
+const place = at([0, 0]); // that the engine writes vectors to
+
+function onCollider(collider, { x, y }) {
+  const angle = collider.rotation();
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const origin = collider.translation(place);
+  return [origin.x + c * x - s * y, origin.y + s * x + c * y];
+}
 
 class World {
   constructor(scene, options) {
@@ -94,10 +102,10 @@ class World {
 
   states() {
     const states = this.bodies.map((body, i) => {
-      const { x, y } = body.translation();
-      const velocity = body.linvel();
       const w = body.angvel();
       this.angles[i] = unwound(body.rotation(), this.angles[i] + w * this.sinceRead);
+      const { x, y } = body.translation(place);
+      const velocity = body.linvel(place);
       return [x, y, this.angles[i], velocity.x, velocity.y, w];
     });
     this.sinceRead = 0;
@@ -115,15 +123,10 @@ class World {
   }
 
   tell(manifold, one, other, all) {
-    const { x, y } = manifold.normal();
-    const [onOne, onOther] = [one, other].map((collider) => {
-      const origin = collider.translation();
-      const angle = collider.rotation();
-      return (point) => plus(turned([point.x, point.y], angle), [origin.x, origin.y]);
-    });
+    const { x, y } = manifold.normal(place);
     for (let i = 0; i < manifold.numContacts(); ++i) {
-      const a = onOne(manifold.localContactPoint1(i));
-      const b = onOther(manifold.localContactPoint2(i));
+      const a = onCollider(one, manifold.localContactPoint1(i, place));
+      const b = onCollider(other, manifold.localContactPoint2(i, place));
       const gap = (b[0] - a[0]) * x + (b[1] - a[1]) * y;
       all.push([this.owners.get(one.handle), this.owners.get(other.handle), (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, x, y,
                 manifold.contactImpulse(i), manifold.contactTangentImpulse(i), gap]);
