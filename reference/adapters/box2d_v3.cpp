@@ -186,7 +186,7 @@ class Box2dV3 : public Simulation {
   }
 
   void step(double dt) override {
-    if (loads_.any()) apply_loads();
+    if (loads_.any()) apply_loads(dt);
     b2World_Step(world_.id(), static_cast<float>(dt), substeps_);
     since_reading_ += dt;
   }
@@ -254,8 +254,9 @@ class Box2dV3 : public Simulation {
     return def;
   }
 
-  void apply_loads() {
-    const std::span<const Load> loads = loads_.at(*this);
+  // Held over the step: those of where the sub-steps begin on average, as if each had its own.
+  void apply_loads(double dt) {
+    const std::span<const Load> loads = loads_.at(*this, (1 - 1.0 / substeps_) / 2 * dt);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       b2Body_ApplyForceToCenter(bodies_[i], to_b2(loads[i].force), true);
       b2Body_ApplyTorque(bodies_[i], static_cast<float>(loads[i].torque), true);
@@ -326,8 +327,9 @@ std::string unsupported(const Scene& scene, const Settings&) {
 
 const Engine& self() { return *Catalog<Engine>::find("box2d-v3"); }
 
-// A force is constant over the n sub-steps of a step, so that with k = w dt x' = x + v dt - (1 + 1/n)/2 k^2 x and
-// v' dt = v dt - k^2 x. The determinant 1 + k^2 (n - 1)/(2 n) is above 1 for n > 1: a spring gains energy at any step.
+// A force is held over the n sub-steps of a step: with k = w dt and V = v dt, V' = V - k^2 y, x' = x + V - (1 + 1/n)/2
+// k^2 y. At y = x a spring would gain energy; at y = x + (1 - 1/n)/2 V, where the sub-steps begin on average, the
+// determinant is 1 and the trace 2 - k^2, as for symplectic Euler, so that it is bounded up to k = 2.
 Stepping stepping(const Settings& given, double dt) {
   const Settings settings = complete(self(), given);
   Stepping stated;
@@ -335,7 +337,8 @@ Stepping stepping(const Settings& given, double dt) {
   stated.h = dt / std::stod(settings.at("substeps"));
   stated.drift = 0.5;
   stated.order = 1;
-  stated.impact_lag = std::stod(settings.at("substeps"));  // impacts are found once a step
+  // Impacts are found once a step, and bounce at the end of the step that finds them.
+  stated.impact_lag = 2 * std::stod(settings.at("substeps"));
   // Shapes have no skin, and contacts are soft: they rest where their spring bears the load, 2.5 g/w^2 deep for a
   // square on its like (two corners, each with half the weight and an effective mass of m/5), w = 2 pi times the lesser
   // of 30 Hz and an eighth of the sub-step's rate (b2World_Step). Joints are springs of twice that frequency.
@@ -347,7 +350,7 @@ Stepping stepping(const Settings& given, double dt) {
   stated.restitution_threshold = std::stod(settings.at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
   stated.whole_impulses = false;
-  stated.spring_limit = settings.at("substeps") == "1" ? 2 : 0;
+  stated.spring_limit = 2;
   return stated;
 }
 

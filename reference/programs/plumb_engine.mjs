@@ -97,6 +97,10 @@ export const plus = ([ax, ay], [bx, by], factor = 1) => [ax + factor * bx, ay + 
 export const turned = ([x, y], angle) => [Math.cos(angle) * x - Math.sin(angle) * y,
                                           Math.sin(angle) * x + Math.cos(angle) * y];
 
+/** The states that velocities lead to in that many seconds. */
+export const moved = (states, ahead) => states.map(([x, y, angle, vx, vy, w]) =>
+  [x + ahead * vx, y + ahead * vy, angle + ahead * w, vx, vy, w]);
+
 /** The angle that is nearest to an expected one, for engines that keep angles within half a turn. */
 export const unwound = (angle, expected) => angle + 2 * Math.PI * Math.round((expected - angle) / (2 * Math.PI));
 
@@ -131,7 +135,7 @@ export function centered(scene, masses) {
     return { angle: 0, velocity: [0, 0], angularVelocity: 0, gravityScale: 1, linearDamping: 0, angularDamping: 0,
              fixedRotation: false, bullet: false, layers: ~0, ...given, index: i, mass, inertia, center,
              position: plus(given.position, turned(center, given.angle ?? 0)),
-             shapes: given.shapes.map((shape) => moved(shape, center, given)) };
+             shapes: given.shapes.map((shape) => shifted(shape, center, given)) };
   });
   const reach = ({ position, velocity, gravityScale }) => Math.hypot(...position) + scene.duration *
     (Math.hypot(...velocity) + (Math.abs(gravityScale) * Math.hypot(...scene.gravity) * scene.duration) / 2);
@@ -140,7 +144,7 @@ export function centered(scene, masses) {
            extent: Math.max(100, ...bodies.map(reach)), loads: loadsOf(scene.forces ?? [], bodies, index) };
 }
 
-function moved(shape, center, { type, name }) {
+function shifted(shape, center, { type, name }) {
   const from = (point) => point && plus(point, center, -1);
   if (shape.friction?.static !== shape.friction?.dynamic) {
     throw new NotSupported(`has one coefficient of friction, but static and dynamic friction of "${name}" differ`);

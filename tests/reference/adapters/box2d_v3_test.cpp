@@ -7,6 +7,7 @@
 
 #include "reference/simulation.h"
 #include "scenes.h"
+#include "soft_step.h"
 
 namespace plumb::box2d_v3_test {
 namespace {
@@ -110,6 +111,10 @@ TEST_F(Box2dV3, SinksAsDeepAsItsStatedSlop) {
   const double slop = box2d()->stepping({}, 1.0 / 60).slop;
   EXPECT_NEAR(overlap, slop, slop / 100);
 }
+
+TEST_F(Box2dV3, KeepsSpringsBounded) { expect_bounded_spring(*box2d()); }
+
+TEST_F(Box2dV3, FindsImpactsWithinItsStatedLag) { expect_impacts_within_the_stated_lag(*box2d()); }
 
 // Two bodies on a spring between their centres: period 2 pi sqrt(mu/k) for the reduced mass mu.
 TEST_F(Box2dV3, TunesSpringsToTheirStiffness) {

@@ -1,6 +1,6 @@
 // What this engine does differently (sources: github.com/erincatto/box2d at 3a4f0da, which this package is built from)
 // - Float arithmetic. Each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off by
-//   +g t h/2, h being the length of a sub-step. Forces are constant over a step.
+//   +g t h/2, h being the length of a sub-step. Forces are held over a step.
 // - Contacts are damped springs of at most 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (physics_world.c): they do
 //   not converge with the step. Nothing of an overlap is left alone (contact_solver.c).
 // - Collisions are found once a step, a little ahead. Continuous collision against fixed bodies.
@@ -16,7 +16,7 @@
 //   those before and after relaxing both: twice the weight at rest.
 // - Sleeping is off by default.
 import Box2D from 'box2d3-wasm';
-import { NotSupported, centered, corners, mixed, onOff, plus, serve, tuned, turned, unwound } from './plumb_engine.mjs';
+import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, tuned, turned, unwound } from './plumb_engine.mjs';
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
 const b2 = await Box2D();
@@ -134,13 +134,14 @@ class World {
   }
 
   step(dt) {
-    if (this.loads) this.exert();
+    if (this.loads) this.exert(dt);
     b2.b2World_Step(this.world, dt, this.substeps);
     this.sinceRead += dt;
   }
 
-  exert() {
-    this.loads(this.states()).forEach(([x, y, torque], i) => {
+  exert(dt) {
+    const ahead = ((1 - 1 / this.substeps) / 2) * dt; // where the sub-steps begin on average, as if each had its own
+    this.loads(moved(this.states(), ahead)).forEach(([x, y, torque], i) => {
       using(vector([x, y]), (force) => b2.b2Body_ApplyForceToCenter(this.bodies[i], force, true));
       b2.b2Body_ApplyTorque(this.bodies[i], torque, true);
     });
@@ -232,16 +233,15 @@ const attach = {
 
 // Contacts rest where their spring bears the load, 2.5 g/w^2 deep for a square on its like (two corners, each with half
 // the weight and an effective mass of m/5), w = 2 pi times the lesser of 30 Hz and an eighth of the sub-step's rate;
-// joints likewise, with the lesser of 60 Hz and a quarter of that rate. With k = w dt a force that is constant over
-// n sub-steps makes x' = x + v dt - (1 + 1/n)/2 k^2 x, v' dt = v dt - k^2 x, whose determinant 1 + k^2 (n - 1)/(2 n) is
-// above 1 for n > 1: a spring gains energy at any step.
+// joints likewise, with the lesser of 60 Hz and a quarter of that rate. Impacts bounce at the end of the step that finds
+// them. With k = w dt and V = v dt a force that is held over n sub-steps makes V' = V - k^2 y, x' = x + V - (1 + 1/n)/2
+// k^2 y. At y = x a spring would gain energy; at y = x + (1 - 1/n)/2 V the determinant is 1 and the trace 2 - k^2.
 function stepping({ substeps, restitution }, dt) {
   const h = dt / Number(substeps);
   const sink = (hertz) => (2.5 * GRAVITY) / (2 * Math.PI * hertz) ** 2;
-  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: Number(substeps),
+  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps),
            slop: sink(Math.min(30, 0.125 / h)), jointSlop: sink(Math.min(60, 0.25 / h)), iterations: 1,
-           restitutionThreshold: Number(restitution), wholeImpulses: false,
-           springLimit: Number(substeps) === 1 ? 2 : 0 };
+           restitutionThreshold: Number(restitution), wholeImpulses: false, springLimit: 2 };
 }
 
 serve({

@@ -1,6 +1,6 @@
 // What this engine does differently (sources: github.com/dimforge/rapier, src/dynamics, of version 0.35)
 // - Float arithmetic. Each step is split into 4 sub-steps (option `substeps`, its numSolverIterations) of symplectic
-//   Euler; free fall is off by +g t h/2, h being the length of a sub-step. Forces are constant over a step.
+//   Euler; free fall is off by +g t h/2, h being the length of a sub-step. Forces are held over a step.
 // - Contacts are damped springs of 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (integration_parameters.rs): they
 //   do not converge with the step. Nothing of an overlap is left alone.
 // - Collisions are found once a step, a little ahead; continuous collision against fixed bodies.
@@ -15,7 +15,7 @@
 // - Contact impulses are sums over the step. A half-space is one.
 // - Sleeping is off by default.
 import RAPIER from '@dimforge/rapier2d-compat';
-import { NotSupported, centered, corners, mixed, onOff, plus, serve, turned, unwound } from './plumb_engine.mjs';
+import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, turned, unwound } from './plumb_engine.mjs';
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
 const { RigidBodyDesc, ColliderDesc, JointData, CoefficientCombineRule: Rule } = RAPIER;
@@ -86,13 +86,14 @@ class World {
 
   step(dt) {
     this.world.timestep = dt;
-    if (this.loads) this.exert();
+    if (this.loads) this.exert(dt);
     this.world.step();
     this.sinceRead += dt;
   }
 
-  exert() {
-    this.loads(this.states()).forEach(([x, y, torque], i) => {
+  exert(dt) {
+    const ahead = ((1 - 1 / this.world.numSolverIterations) / 2) * dt; // where the sub-steps begin on average
+    this.loads(moved(this.states(), ahead)).forEach(([x, y, torque], i) => {
       this.bodies[i].resetForces(true);
       this.bodies[i].resetTorques(true);
       this.bodies[i].addForce({ x, y }, true);
@@ -186,13 +187,12 @@ function layersOf({ bodies }) {
 
 // As for Box2D 3, whose method this is. Contacts rest where their spring bears the load, 2.5 g/w^2 deep for a square on
 // its like (two corners, each with half the weight and an effective mass of m/5). A joint falls for one sub-step before
-// it is pulled back. Forces are constant over the sub-steps of a step, so that a spring gains energy at any step but
-// with one sub-step.
+// it is pulled back. Impacts bounce at the end of the step that finds them.
 function stepping({ substeps, iterations, sleep }, dt) {
   const h = dt / Number(substeps);
-  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: Number(substeps),
+  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps),
            slop: (2.5 * GRAVITY) / (2 * Math.PI * 30) ** 2, jointSlop: GRAVITY * h * h, iterations: Number(iterations),
-           wholeImpulses: sleep === 'off', springLimit: Number(substeps) === 1 ? 2 : 0 };
+           wholeImpulses: sleep === 'off', springLimit: 2 };
 }
 
 await RAPIER.init();
