@@ -116,6 +116,8 @@ TEST_F(Box2dV3, KeepsSpringsBounded) { expect_bounded_spring(*box2d()); }
 
 TEST_F(Box2dV3, FindsImpactsWithinItsStatedLag) { expect_impacts_within_the_stated_lag(*box2d()); }
 
+TEST_F(Box2dV3, RestoresSpeedWithoutFriction) { expect_no_friction_of_restitution(*box2d()); }
+
 // Two bodies on a spring between their centres: period 2 pi sqrt(mu/k) for the reduced mass mu.
 TEST_F(Box2dV3, TunesSpringsToTheirStiffness) {
   Scene scene =

@@ -64,4 +64,21 @@ inline void expect_impacts_within_the_stated_lag(const Engine& engine) {
   EXPECT_LE(latest, stated.impact_lag * stated.h);
 }
 
+/// A disc that slips on the ground as it bounces loses mu v of its speed along it, v being that at which it falls: the
+/// impulse of restitution, e m v, comes after the last sub-step, without friction. Coulomb's law has mu (1 + e) v.
+inline void expect_no_friction_of_restitution(const Engine& engine) {
+  constexpr double mu = 0.1, e = 0.6, v = 4;  // m/s
+  Scene scene =
+      scene_of({body_of(BodyType::fixed, {}, HalfSpace{}, e), body_of(BodyType::dynamic, {0, 1}, Circle{0.5, {}}, e)});
+  scene.name = "bounce";
+  scene.gravity = {};
+  scene.duration = 1;
+  scene.bodies[0].name = "ground";
+  for (Body& body : scene.bodies) body.shapes[0].surface.static_friction = body.shapes[0].surface.dynamic_friction = mu;
+  scene.bodies[1].velocity = {v, -v};
+  const BodyState after = last_state(engine, scene, {}, 30);
+  EXPECT_NEAR(after.velocity.y, e * v, e * v / 100);
+  EXPECT_NEAR(v - after.velocity.x, mu * v, mu * v / 100);
+}
+
 }  // namespace plumb::adapter_tests

@@ -88,6 +88,8 @@ TEST_P(SoftStepProgram, KeepsSpringsBounded) { expect_bounded_spring(engine()); 
 
 TEST_P(SoftStepProgram, FindsImpactsWithinItsStatedLag) { expect_impacts_within_the_stated_lag(engine()); }
 
+TEST_P(SoftStepProgram, RestoresSpeedWithoutFriction) { expect_no_friction_of_restitution(engine()); }
+
 std::string folder_name(const testing::TestParamInfo<std::string>& engine) { return engine.param; }
 
 INSTANTIATE_TEST_SUITE_P(Npm, SoftStepProgram, testing::Values("rapier", "box2d3"), folder_name);

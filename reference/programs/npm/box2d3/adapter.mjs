@@ -4,7 +4,8 @@
 // - Contacts are damped springs of at most 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (physics_world.c): they do
 //   not converge with the step. Nothing of an overlap is left alone (contact_solver.c).
 // - Collisions are found once a step, a little ahead. Continuous collision against fixed bodies.
-// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step.
+// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step,
+//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
 // - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
 // - Damping c divides velocities by 1 + c h each sub-step (solver.c), while the scene means e^(-c h).
 // - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
