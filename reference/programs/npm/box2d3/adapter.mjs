@@ -29,14 +29,13 @@ const using = (handle, read) => {
   return value;
 };
 // Reading a field of a handle takes the engine longer than a step of a body, so we read what it points to: floats at
-// that many words from there.
-const words = (handle) => handle.$$.ptr >> 2;
-let floats = new Float32Array(b2.HEAPU8.buffer);
-let integers = new Int32Array(b2.HEAPU8.buffer);
-function followMemory() { // which moves when it grows
-  if (floats.buffer === b2.HEAPU8.buffer) return;
-  floats = new Float32Array(b2.HEAPU8.buffer);
-  integers = new Int32Array(b2.HEAPU8.buffer);
+// that many words from there. The memory moves when it grows.
+let floats = new Float32Array();
+let integers = new Int32Array();
+function words(handle) {
+  const { buffer } = b2.HEAPU8;
+  if (floats.buffer !== buffer) [floats, integers] = [new Float32Array(buffer), new Int32Array(buffer)];
+  return handle.$$.ptr >> 2;
 }
 // In words (box2d/types.h, box2d/collision.h): b2ContactData is a contact's id, two shapes' ids, whose first word is
 // their index, and a b2Manifold: the normal, a rolling impulse, two points and their count. A b2ManifoldPoint is a
@@ -149,7 +148,6 @@ class World {
   }
 
   states() {
-    followMemory();
     this.read = this.bodies.map((body, i) => {
       const w = b2.b2Body_GetAngularVelocity(body);
       const at = b2.b2Body_GetTransform(body);
@@ -169,9 +167,7 @@ class World {
     const all = [];
     this.bodies.forEach((body, i) => {
       if (!this.moving[i]) return;
-      const contacts = b2.b2Body_GetContactData(body, b2.b2Body_GetContactCapacity(body));
-      followMemory();
-      for (const contact of contacts) {
+      for (const contact of b2.b2Body_GetContactData(body, b2.b2Body_GetContactCapacity(body))) {
         const at = words(contact);
         const [one, other] = [SHAPE_A, SHAPE_B].map((word) => this.owners.get(integers[at + word]));
         // Two moving bodies both list it: it is told from its first.
