@@ -105,8 +105,13 @@ std::span<const Load> Loads::at(std::span<const BodyState> states) {
   return loads_;
 }
 
-std::span<const Load> Loads::at(const Simulation& simulation) {
+std::span<const Load> Loads::at(const Simulation& simulation, double ahead) {
   simulation.read(states_);
+  if (ahead == 0) return at(states_);
+  for (BodyState& state : states_) {
+    state.position = state.position + ahead * state.velocity;
+    state.angle += ahead * state.angular_velocity;
+  }
   return at(states_);
 }
 

@@ -58,8 +58,8 @@ class Loads {
 
   /// The loads on all bodies in these states, in Scene order. Valid until the next call.
   std::span<const Load> at(std::span<const BodyState>);
-  /// The same in the present states of a simulation.
-  std::span<const Load> at(const Simulation&);
+  /// The same in the present states of a simulation, or where their velocities lead in that many seconds.
+  std::span<const Load> at(const Simulation&, double ahead = 0);
 
  private:
   void add(const Attraction&, std::span<const BodyState>);

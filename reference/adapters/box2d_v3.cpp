@@ -1,24 +1,23 @@
 // What this engine does differently
 // - Float arithmetic: unit round-off 2^-24 (with double positions if it was built so).
-// - Soft step: each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off by +g t
-// h/2,
-//   h being the length of a sub-step.
-// - Contacts are damped springs of at most 30 Hz, relaxed afterwards: they do not converge with the step, and a load
-//   presses boxes a few millimetres into each other. Up to B2_LINEAR_SLOP (0.005 m) of overlap is left alone.
+// - Soft step: each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off
+//   by +g t h/2, h being the length of a sub-step.
+// - Contacts are damped springs of at most 30 Hz, twice that on fixed bodies, relaxed afterwards: they do not converge
+//   with the step, and a load presses boxes a few millimetres into each other. No overlap is left alone
+//   (contact_solver.c: B2_LINEAR_SLOP is a tolerance of finding contacts).
 // - Collisions are found once a step, a little ahead ("speculative"). From 3.2 on, contacts that hardly changed are
 //   recycled, which stacks need. Continuous collision against fixed bodies.
-// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step.
+// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step,
+//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
 // - Rotations are stored as cosine and sine. We start them from exact values (b2MakeRot is an approximation). They
 //   advance by atan(w h): fast spins lose (w h)^2/3 of their angle. We count whole turns from one reading to the next.
 // - Damping c divides velocities by 1 + c h each sub-step (Pade), while the scene means e^(-c h).
 // - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
 // - One coefficient of friction. It is mixed by a callback that gets only the coefficients, so there is one per rule.
 // - Joints are stiff springs too, soft ones tuned by frequency: see box2d_v3/joints.cpp.
-// - Hulls lose vertices within 0.005 m of a line through others; they have at most eight.
+// - Hulls lose vertices within 0.01 m (twice B2_LINEAR_SLOP, hull.c) of a line through others; they have at most eight.
 // - No half-spaces: we build them from a segment (see HalfSpaceEdge).
-// - Contact impulses: the normal ones are the step's sum (before 3.2: the last sub-step's times the number of
-// sub-steps),
-//   the tangential ones are in proportion to the last sub-step's.
+// - Contact impulses: see normal_impulse; the tangential ones are in proportion to the last sub-step's.
 // - Sleeping is off by default.
 // The origin of every body is moved to its centre of mass; mass and inertia come from plumb::mass_of. Fields that 3.1
 // and 3.2 name differently are told apart by `requires`.
@@ -46,8 +45,6 @@ namespace plumb {
 namespace {
 
 using namespace box2d_v3;
-
-constexpr double linear_slop = 0.005;  // m, B2_LINEAR_SLOP
 
 // The ids are not needed. Their type changed with 3.2.
 template <FrictionMixing rule, class Id>
@@ -165,12 +162,18 @@ b2WorldDef world_of(const Scene& scene, const Settings& settings) {
   return def;
 }
 
-// The normal impulse over the whole step.
-template <class Data>
-double normal_impulse(const Data& contact, int point, int substeps) {
-  const b2ManifoldPoint& at = contact.manifold.points[point];
-  constexpr bool sums_sub_steps = requires { contact.contactId; };  // 3.2 on
-  return sums_sub_steps ? double{at.totalNormalImpulse} : substeps * double{at.normalImpulse};
+// Whether totalNormalImpulse is the impulse of the step, as it is since #1022. Before, it is the sum of what was
+// reached after solving and after relaxing, twice the weight at rest. The same change gave this callback its size.
+template <class Free>
+constexpr bool totals_are_impulses() {
+  return requires(Free * free_memory) { free_memory(nullptr, 0u); };
+}
+
+// The normal impulse over the whole step; of older versions only what the last sub-step's would make of it, or what the
+// larger total bounds it by, as in an impact, whose restitution acts once in a step.
+double normal_impulse(const b2ManifoldPoint& at, int substeps) {
+  const double total = at.totalNormalImpulse;
+  return totals_are_impulses<b2FreeFcn>() ? total : std::min(total, substeps * double{at.normalImpulse});
 }
 
 class Box2dV3 : public Simulation {
@@ -184,7 +187,7 @@ class Box2dV3 : public Simulation {
   }
 
   void step(double dt) override {
-    if (loads_.any()) apply_loads();
+    if (loads_.any()) apply_loads(dt);
     b2World_Step(world_.id(), static_cast<float>(dt), substeps_);
     since_reading_ += dt;
   }
@@ -223,6 +226,7 @@ class Box2dV3 : public Simulation {
     if (body.type != BodyType::dynamic) return;
     const Mass mass = mass_of(given);
     b2Body_SetMassData(made, {static_cast<float>(mass.mass), {0, 0}, static_cast<float>(mass.inertia)});
+    b2Body_SetLinearVelocity(made, to_b2(body.velocity));  // each shape shifted the centre of mass, and the velocity
   }
 
   b2BodyId make(std::size_t index, const Body& body, double angle) {
@@ -251,8 +255,9 @@ class Box2dV3 : public Simulation {
     return def;
   }
 
-  void apply_loads() {
-    const std::span<const Load> loads = loads_.at(*this);
+  // Held over the step: those of where the sub-steps begin on average, as if each had its own.
+  void apply_loads(double dt) {
+    const std::span<const Load> loads = loads_.at(*this, (1 - 1.0 / substeps_) / 2 * dt);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       b2Body_ApplyForceToCenter(bodies_[i], to_b2(loads[i].force), true);
       b2Body_ApplyTorque(bodies_[i], static_cast<float>(loads[i].torque), true);
@@ -279,7 +284,7 @@ class Box2dV3 : public Simulation {
       const b2Manifold& manifold = contact.manifold;
       for (int p = 0; p < manifold.pointCount; ++p) {
         const b2ManifoldPoint& at = manifold.points[p];
-        const double normal = normal_impulse(contact, p, substeps_);
+        const double normal = normal_impulse(at, substeps_);
         // Box2D's tangent is the normal turned by -90 degrees.
         const double tangent = at.normalImpulse > 0 ? -normal * at.tangentImpulse / at.normalImpulse : 0;
         out.push_back({index_of(body),
@@ -307,7 +312,7 @@ struct Refusal {
   std::string operator()(const Polygon& polygon) const {
     if (polygon.vertices.size() > B2_MAX_POLYGON_VERTICES) return "polygons have at most eight vertices";
     const bool whole = hull_of(polygon.vertices).count == static_cast<int>(polygon.vertices.size());
-    return whole ? "" : "drops vertices within 0.005 m of a line through others";
+    return whole ? "" : "drops vertices within 0.01 m of a line through others";
   }
   template <class Other>
   std::string operator()(const Other&) const {
@@ -323,8 +328,9 @@ std::string unsupported(const Scene& scene, const Settings&) {
 
 const Engine& self() { return *Catalog<Engine>::find("box2d-v3"); }
 
-// A force is constant over the n sub-steps of a step, so that with k = w dt x' = x + v dt - (1 + 1/n)/2 k^2 x and
-// v' dt = v dt - k^2 x. The determinant 1 + k^2 (n - 1)/(2 n) is above 1 for n > 1: a spring gains energy at any step.
+// A force is held over the n sub-steps of a step: with k = w dt and V = v dt, V' = V - k^2 y, x' = x + V - (1 + 1/n)/2
+// k^2 y. At y = x a spring would gain energy; at y = x + (1 - 1/n)/2 V, where the sub-steps begin on average, the
+// determinant is 1 and the trace 2 - k^2, as for symplectic Euler, so that it is bounded up to k = 2.
 Stepping stepping(const Settings& given, double dt) {
   const Settings settings = complete(self(), given);
   Stepping stated;
@@ -332,20 +338,20 @@ Stepping stepping(const Settings& given, double dt) {
   stated.h = dt / std::stod(settings.at("substeps"));
   stated.drift = 0.5;
   stated.order = 1;
-  stated.impact_lag = std::stod(settings.at("substeps"));  // impacts are found once a step
+  // Impacts are found once a step, and bounce at the end of the step that finds them.
+  stated.impact_lag = 2 * std::stod(settings.at("substeps"));
   // Shapes have no skin, and contacts are soft: they rest where their spring bears the load, 2.5 g/w^2 deep for a
   // square on its like (two corners, each with half the weight and an effective mass of m/5), w = 2 pi times the lesser
-  // of 30 Hz and a quarter of the sub-step's rate. Overlap up to the slop is not pushed out at all. Joints are springs
-  // of twice that frequency, without a slop.
-  const double contact_omega = 2 * std::numbers::pi * std::min(30.0, 0.25 / stated.h);
-  stated.slop = linear_slop + 2.5 * standard_gravity / (contact_omega * contact_omega);
+  // of 30 Hz and an eighth of the sub-step's rate (b2World_Step). Joints are springs of twice that frequency.
+  const double contact_omega = 2 * std::numbers::pi * std::min(30.0, 0.125 / stated.h);
+  stated.slop = 2.5 * standard_gravity / (contact_omega * contact_omega);
   stated.joint_slop = 2.5 * standard_gravity / (4 * contact_omega * contact_omega);
   stated.creep = 0;
   stated.iterations = 1;  // restitution is applied once a step
   stated.restitution_threshold = std::stod(settings.at("restitution"));
   stated.epsilon = std::ldexp(1.0, -24);
   stated.whole_impulses = false;
-  stated.spring_limit = settings.at("substeps") == "1" ? 2 : 0;
+  stated.spring_limit = 2;
   return stated;
 }
 

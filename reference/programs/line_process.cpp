@@ -175,11 +175,12 @@ std::string LineProcess::receive(const ProgramLimits& limits) {
   for (;;) {
     const std::size_t end = answers_.find('\n', searched_);
     if (end != std::string::npos) {
-      std::string line = answers_.substr(0, end);
-      answers_.erase(0, end + 1);
-      searched_ = 0;
+      std::string line = answers_.substr(taken_, end - taken_);
+      searched_ = taken_ = end + 1;
       return line;
     }
+    answers_.erase(0, taken_);
+    taken_ = 0;
     searched_ = answers_.size();
     if (searched_ > longest_line) throw failure("it answered a line of more than 16 MiB");
     exchange({}, limits, since);

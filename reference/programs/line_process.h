@@ -57,8 +57,9 @@ class LineProcess {
 
   pid_t process_ = 0;
   int in_ = -1, out_ = -1, log_ = -1;  // the program's standard input, output and error
-  std::string answers_;                // read, but not taken
-  std::size_t searched_ = 0;           // of `answers_`, in which there is no end of a line
+  std::string answers_;                // read; the first `taken_` bytes were returned
+  std::size_t taken_ = 0;
+  std::size_t searched_ = 0;  // of `answers_`, beyond which an end of a line may be
   std::string last_log_;
 };
 

@@ -13,7 +13,7 @@ process.stdout.write = process.stderr.write.bind(process.stderr); // what the en
  * @param build     (scene, masses, options) => a world with
  *                  step(dt)    advances by dt seconds; the only call that is timed
  *                  states()    [x, y, angle, vx, vy, angular velocity] for each body, of its centre of mass
- *                  contacts()  optional: [a, b, x, y, normal x, normal y, normal impulse, tangent impulse, separation]
+ *                  contacts()  optional, after states(): [a, b, x, y, normal x, normal y, normal impulse, tangent impulse, separation]
  *                  free()      optional: gives back what the world holds
  */
 export function serve(hello, stepping, build) {
@@ -22,15 +22,18 @@ export function serve(hello, stepping, build) {
   let text = '';
   let flushed = Date.now();
   const flush = () => (text && write(text), (text = ''), (flushed = Date.now()));
-  const answer = (value) => {
-    text += JSON.stringify(value) + '\n';
+  const answer = (value) => say(JSON.stringify(value));
+  const say = (line) => {
+    text += line + '\n';
     if (text.length > 32768 || Date.now() - flushed > 50) flush(); // many answers in one write, none held back for long
   };
   const step = (dt) => {
-    const began = process.hrtime.bigint();
+    const began = performance.now();
     world.step(dt);
-    const ns = Number(process.hrtime.bigint() - began);
-    answer({ step: ++steps, states: world.states(), ns, ...(world.contacts && { contacts: world.contacts() }) });
+    const ns = Math.round((performance.now() - began) * 1e6);
+    const states = packed(world.states(), 6);
+    const contacts = world.contacts ? `,"contacts":"${packed(world.contacts(), 9)}"` : '';
+    say(`{"step":${++steps},"ns":${ns},"states":"${states}"${contacts}}`);
   };
   const asked = {
     hello: () => answer({ 'plumb-engine': 1, ...hello }),
@@ -68,6 +71,20 @@ export function serve(hello, stepping, build) {
   }).on('end', () => process.exit(0)); // or threads of an engine would outlive Plumb
 }
 
+let numbers = new Float64Array(1024);
+
+/** Rows of numbers in base64: thirty times as fast as their digits. */
+function packed(rows, width) {
+  const count = rows.length * width;
+  if (count > numbers.length) numbers = new Float64Array(2 * count);
+  let next = 0;
+  for (const row of rows) {
+    if (row.length !== width) throw new Error(`${row.length} numbers, should be ${width}`);
+    for (let k = 0; k < width; ++k) numbers[next++] = row[k];
+  }
+  return Buffer.from(numbers.buffer, 0, 8 * count).toString('base64');
+}
+
 /** An option that is on or off. */
 export const onOff = (key, value, about, on, off) =>
   ({ key, value, about, choices: [{ value: 'on', about: on }, { value: 'off', about: off }] });
@@ -79,6 +96,10 @@ export const mixed = {
 export const plus = ([ax, ay], [bx, by], factor = 1) => [ax + factor * bx, ay + factor * by];
 export const turned = ([x, y], angle) => [Math.cos(angle) * x - Math.sin(angle) * y,
                                           Math.sin(angle) * x + Math.cos(angle) * y];
+
+/** The states that velocities lead to in that many seconds. */
+export const moved = (states, ahead) => states.map(([x, y, angle, vx, vy, w]) =>
+  [x + ahead * vx, y + ahead * vy, angle + ahead * w, vx, vy, w]);
 
 /** The angle that is nearest to an expected one, for engines that keep angles within half a turn. */
 export const unwound = (angle, expected) => angle + 2 * Math.PI * Math.round((expected - angle) / (2 * Math.PI));
@@ -114,7 +135,7 @@ export function centered(scene, masses) {
     return { angle: 0, velocity: [0, 0], angularVelocity: 0, gravityScale: 1, linearDamping: 0, angularDamping: 0,
              fixedRotation: false, bullet: false, layers: ~0, ...given, index: i, mass, inertia, center,
              position: plus(given.position, turned(center, given.angle ?? 0)),
-             shapes: given.shapes.map((shape) => moved(shape, center, given)) };
+             shapes: given.shapes.map((shape) => shifted(shape, center, given)) };
   });
   const reach = ({ position, velocity, gravityScale }) => Math.hypot(...position) + scene.duration *
     (Math.hypot(...velocity) + (Math.abs(gravityScale) * Math.hypot(...scene.gravity) * scene.duration) / 2);
@@ -123,7 +144,7 @@ export function centered(scene, masses) {
            extent: Math.max(100, ...bodies.map(reach)), loads: loadsOf(scene.forces ?? [], bodies, index) };
 }
 
-function moved(shape, center, { type, name }) {
+function shifted(shape, center, { type, name }) {
   const from = (point) => point && plus(point, center, -1);
   if (shape.friction?.static !== shape.friction?.dynamic) {
     throw new NotSupported(`has one coefficient of friction, but static and dynamic friction of "${name}" differ`);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,10 +40,13 @@ struct Answer {
   double seconds = 0;  // inside the step alone, by the program's own clock
 };
 
+std::string write_start(std::span<const BodyState>);
 Answer read_build(std::string_view answer, std::size_t bodies);
 
 /// That many steps of dt seconds, each with an answer of its own, which bears the number of the step since the build.
 std::string ask_steps(std::size_t count, double dt);
+std::string write_step(std::size_t number, std::int64_t nanoseconds, std::span<const BodyState>,
+                       std::span<const ContactState>);
 Answer read_step(std::string_view answer, std::size_t bodies, std::size_t number);
 
 std::string ask_end();

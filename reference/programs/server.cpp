@@ -9,11 +9,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "reference/programs/protocol.h"
 #include "scenarios/scene/json_reader.h"
 #include "scenarios/scene/scene_json.h"
 
@@ -22,16 +24,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
-
-Json vector_of(const BodyState& state) {
-  return {state.position.x, state.position.y, state.angle, state.velocity.x, state.velocity.y, state.angular_velocity};
-}
-
-Json vector_of(const ContactState& contact) {
-  return {contact.a,         contact.b,        contact.point.x,        contact.point.y,
-          contact.normal.x,  contact.normal.y, contact.normal_impulse, contact.tangent_impulse,
-          contact.separation};
-}
 
 Json option_as_json(const Option& option) {
   Json json{{"key", option.key}, {"value", option.value}, {"about", option.about}};
@@ -68,6 +60,7 @@ Json stepping_as_json(const Stepping& stated) {
 class Answers {
  public:
   Answers() : file_(fdopen(dup(STDOUT_FILENO), "w")) {
+    std::setvbuf(file_, nullptr, _IOFBF, std::size_t{1} << 16);
     std::fflush(stdout);
     dup2(STDERR_FILENO, STDOUT_FILENO);
   }
@@ -75,7 +68,11 @@ class Answers {
   Answers& operator=(const Answers&) = delete;
   ~Answers() { std::fclose(file_); }
 
-  void add(const Json& answer) const { std::fputs((answer.dump() + '\n').c_str(), file_); }
+  void add(const Json& answer) const { add_line(answer.dump()); }
+  void add_line(const std::string& line) const {
+    std::fputs(line.c_str(), file_);
+    std::fputc('\n', file_);
+  }
   void send() const { std::fflush(file_); }
 
  private:
@@ -94,10 +91,10 @@ class Server {
       const auto& how = ask["stepping"];
       answers_.add({{"stepping", stepping_as_json(engine_.stepping(settings_of(how), how.at("dt").get<double>()))}});
     } else if (is("build")) {
-      answers_.add(build(ask["build"]));
+      answers_.add_line(build(ask["build"]));
     } else if (is("step")) {
       for (auto left = ask["step"].at("count").get<std::size_t>(); left > 0; --left) {
-        answers_.add(step(ask["step"].at("dt").get<double>()));
+        answers_.add_line(step(ask["step"].at("dt").get<double>()));
       }
     } else {
       answers_.add({{"error", "unknown ask"}});
@@ -118,41 +115,39 @@ class Server {
     return json;
   }
 
+  static std::string not_supported(const std::string& why) { return Json{{"notSupported", why}}.dump(); }
+
   Settings settings_of(const nlohmann::json& how) const { return complete(engine_, how.at("options").get<Settings>()); }
 
-  Json build(const nlohmann::json& how) {
+  std::string build(const nlohmann::json& how) {
     simulation_.reset();
     steps_ = 0;
     const Settings settings = settings_of(how);
     scene_ = read_scene(how.at("scene").dump(), "the scene").scene;
     const std::string refusal = engine_.unsupported(scene_, settings);
-    if (!refusal.empty()) return {{"notSupported", refusal}};
+    if (!refusal.empty()) return not_supported(refusal);
     try {
       simulation_ = engine_.build(scene_, settings);
     } catch (const std::domain_error& error) {
-      return {{"notSupported", error.what()}};
+      return not_supported(error.what());
     }
-    return {{"states", states()}};
+    return protocol::write_start(states());
   }
 
-  Json step(double dt) {
+  std::string step(double dt) {
     if (!simulation_) throw std::logic_error("nothing is built");
     const auto began = Clock::now();
     simulation_->step(dt);
     const auto spent = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - began);
-    Json json{{"step", ++steps_}, {"states", states()}, {"ns", spent.count()}};
-    std::vector<ContactState> contacts;
-    simulation_->read_contacts(contacts);
-    for (const ContactState& contact : contacts) json["contacts"].push_back(vector_of(contact));
-    return json;
+    contacts_.clear();
+    simulation_->read_contacts(contacts_);
+    return protocol::write_step(++steps_, spent.count(), states(), contacts_);
   }
 
-  Json states() const {
-    std::vector<BodyState> all(scene_.bodies.size());
-    simulation_->read(all);
-    Json json = Json::array();
-    for (const BodyState& state : all) json.push_back(vector_of(state));
-    return json;
+  std::span<const BodyState> states() {
+    states_.resize(scene_.bodies.size());
+    simulation_->read(states_);
+    return states_;
   }
 
   const Engine& engine_;
@@ -160,6 +155,8 @@ class Server {
   Scene scene_;
   std::unique_ptr<Simulation> simulation_;
   std::size_t steps_ = 0;
+  std::vector<BodyState> states_;
+  std::vector<ContactState> contacts_;
 };
 
 }  // namespace

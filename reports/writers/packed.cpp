@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "reference/programs/base64.h"
+
 namespace plumb {
 namespace {
 
@@ -29,19 +31,6 @@ std::string deflated(std::string_view bytes) {
   }
   out.resize(size);
   return out;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t known = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < known ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= known ? letters[bits >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
 }
 
 }  // namespace

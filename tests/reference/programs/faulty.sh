@@ -31,6 +31,12 @@ one_step() {
     too-many-bodies) say "{$at,\"states\":[$state,$state],\"ns\":1}" ;;
     five-numbers) say "{$at,\"states\":[[0,5,0,0,0]],\"ns\":1}" ;;
     words) say "{$at,\"states\":[[\"0\",5,0,0,0,0]],\"ns\":1}" ;;
+    # In base64: 6 numbers of which one is not a number, 5 numbers, 12 numbers, and none.
+    packed-nan) say "{$at,\"ns\":1,\"states\":\"AAAAAAAAAAAAAAAAAAAUQAAAAAAAAAAAAAAAAAAA+H8AAAAAAAAAAAAAAAAAAAAA\"}" ;;
+    packed-five) say "{$at,\"ns\":1,\"states\":\"AAAAAAAAAAAAAAAAAAAUQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA==\"}" ;;
+    packed-too-many) say "{$at,\"ns\":1,\"states\":\"AAAAAAAAAAAAAAAAAAAUQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAUQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA\"}" ;;
+    packed-garbage) say "{$at,\"ns\":1,\"states\":\"zero, five\"}" ;;
+    packed) say "{$at,\"ns\":1,\"states\":\"AAAAAAAAAAAAAAAAAAAUQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA\",\"contacts\":\"\"}" ;;
     no-time) say "{$at,\"states\":[$state]}" ;;
     negative-time) say "{$at,\"states\":[$state],\"ns\":-1}" ;;
     lies-about-time) say "{$at,\"states\":[$state],\"ns\":1e13}" ;;

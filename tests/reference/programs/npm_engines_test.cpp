@@ -14,6 +14,7 @@
 
 #include "reference/programs/program_engine.h"
 #include "tests/reference/adapters/scenes.h"
+#include "tests/reference/adapters/soft_step.h"
 
 namespace plumb::adapter_tests {
 namespace {
@@ -82,6 +83,12 @@ TEST_P(SoftStepProgram, ReboundsAtItsShareOfTheSpeedAtTheStepsStart) {
   }
   EXPECT_NEAR(after, -e * before, e * -before / 100);
 }
+
+TEST_P(SoftStepProgram, KeepsSpringsBounded) { expect_bounded_spring(engine()); }
+
+TEST_P(SoftStepProgram, FindsImpactsWithinItsStatedLag) { expect_impacts_within_the_stated_lag(engine()); }
+
+TEST_P(SoftStepProgram, RestoresSpeedWithoutFriction) { expect_no_friction_of_restitution(engine()); }
 
 std::string folder_name(const testing::TestParamInfo<std::string>& engine) { return engine.param; }
 

@@ -49,24 +49,29 @@ TEST_P(FaultyProgram, FailsItsRunAndNoOther) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, FaultyProgram,
-    testing::Values(
-        Fault{"crash", "ended by signal 11"}, Fault{"abort", "its log ends: assertion failed: x > 0"},
-        Fault{"exits-with-0", "ended with exit code 0 although it was not asked to"},
-        Fault{"exits-with-3", "exit code 3 although it was not asked to; its log ends: no more"},
-        Fault{"hangs", "did not answer within 0.3 s"}, Fault{"garbage", "its answer: line 1"},
-        Fault{"half-a-line", "ended with exit code 0"}, Fault{"no-object", "expected an object"},
-        Fault{"bad-utf8", "its answer: line 1"}, Fault{"nan", "its answer: line 1"},
-        Fault{"null", "states[0][0]: expected a number"}, Fault{"infinite", "states[0][0]"},
-        Fault{"diverges", "diverged at"}, Fault{"no-bodies", "states: expected the states of 1 bodies"},
-        Fault{"too-many-bodies", "states: expected the states of 1 bodies"},
-        Fault{"five-numbers", "states[0]: expected 6 numbers"}, Fault{"words", "states[0][0]: expected a number"},
-        Fault{"no-time", "ns"}, Fault{"negative-time", "ns: "},
-        Fault{"lies-about-time", "it says that its steps took 1e+04 s, but only"},
-        Fault{"contact-of-nobody", "contacts[0][1]"}, Fault{"contact-without-direction", "a normal of length 1"},
-        Fault{"says-too-much", "step: expected 2"}, Fault{"skips-a-step", "step: expected 2"},
-        Fault{"says-error", "it says: my solver gave up"}, Fault{"closes-output", "it closed its standard output"},
-        Fault{"floods", "more than 16 MiB", "20"}, Fault{"states-nonsense", "stepping.skin"},
-        Fault{"crashes-when-asked-how", "ended by signal 11"}, Fault{"crashes-in-build", "ended by signal 11"}),
+    testing::Values(Fault{"crash", "ended by signal 11"}, Fault{"abort", "its log ends: assertion failed: x > 0"},
+                    Fault{"exits-with-0", "ended with exit code 0 although it was not asked to"},
+                    Fault{"exits-with-3", "exit code 3 although it was not asked to; its log ends: no more"},
+                    Fault{"hangs", "did not answer within 0.3 s"}, Fault{"garbage", "its answer: line 1"},
+                    Fault{"half-a-line", "ended with exit code 0"}, Fault{"no-object", "expected an object"},
+                    Fault{"bad-utf8", "its answer: line 1"}, Fault{"nan", "its answer: line 1"},
+                    Fault{"null", "states[0][0]: expected a number"}, Fault{"infinite", "states[0][0]"},
+                    Fault{"diverges", "diverged at"}, Fault{"no-bodies", "states: expected the states of 1 bodies"},
+                    Fault{"too-many-bodies", "states: expected the states of 1 bodies"},
+                    Fault{"five-numbers", "states[0]: expected 6 numbers"},
+                    Fault{"words", "states[0][0]: expected a number"}, Fault{"packed-nan", "states: number 3 is nan"},
+                    Fault{"packed-five", "states: expected a list, or base64 of rows"},
+                    Fault{"packed-too-many", "states: expected the states of 1 bodies"},
+                    Fault{"packed-garbage", "states: expected a list, or base64"}, Fault{"no-time", "ns"},
+                    Fault{"negative-time", "ns: "},
+                    Fault{"lies-about-time", "it says that its steps took 1e+04 s, but only"},
+                    Fault{"contact-of-nobody", "contact 0 is of body 7, but there are 1"},
+                    Fault{"contact-without-direction", "a normal of length 1"},
+                    Fault{"says-too-much", "step: expected 2"}, Fault{"skips-a-step", "step: expected 2"},
+                    Fault{"says-error", "it says: my solver gave up"},
+                    Fault{"closes-output", "it closed its standard output"}, Fault{"floods", "more than 16 MiB", "20"},
+                    Fault{"states-nonsense", "stepping.skin"}, Fault{"crashes-when-asked-how", "ended by signal 11"},
+                    Fault{"crashes-in-build", "ended by signal 11"}),
     [](const auto& instance) {
       std::string name = instance.param.name;
       std::erase(name, '-');
@@ -97,6 +102,14 @@ TEST(ProgramEngine, RunsAndMayRefuseAScene) {
   const Outcome refused = outcome_of(faulty("refuses"));
   EXPECT_EQ(refused.status, Status::not_supported);
   EXPECT_EQ(refused.reason, "too round");
+}
+
+TEST(ProgramEngine, MayPackItsNumbers) {
+  const Outcome packed = outcome_of(faulty("packed"));
+  ASSERT_EQ(packed.status, Status::ok) << packed.reason;
+  const BodyState last = packed.trace->states(packed.trace->size() - 1)[0];
+  EXPECT_EQ(last.position.y, 5);
+  EXPECT_EQ(last.velocity.y, 0);
 }
 
 TEST(ProgramEngine, MayWriteALogOfAnyLength) { EXPECT_EQ(outcome_of(faulty("logs-a-lot")).status, Status::ok); }

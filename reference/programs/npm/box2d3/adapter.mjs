@@ -1,10 +1,11 @@
 // What this engine does differently (sources: github.com/erincatto/box2d at 3a4f0da, which this package is built from)
 // - Float arithmetic. Each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off by
-//   +g t h/2, h being the length of a sub-step. Forces are constant over a step.
+//   +g t h/2, h being the length of a sub-step. Forces are held over a step.
 // - Contacts are damped springs of at most 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (physics_world.c): they do
 //   not converge with the step. Nothing of an overlap is left alone (contact_solver.c).
 // - Collisions are found once a step, a little ahead. Continuous collision against fixed bodies.
-// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step.
+// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step,
+//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
 // - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
 // - Damping c divides velocities by 1 + c h each sub-step (solver.c), while the scene means e^(-c h).
 // - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
@@ -16,7 +17,7 @@
 //   those before and after relaxing both: twice the weight at rest.
 // - Sleeping is off by default.
 import Box2D from 'box2d3-wasm';
-import { NotSupported, centered, corners, mixed, onOff, plus, serve, tuned, turned, unwound } from './plumb_engine.mjs';
+import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, tuned, turned, unwound } from './plumb_engine.mjs';
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
 const b2 = await Box2D();
@@ -27,7 +28,21 @@ const using = (handle, read) => {
   handle.delete();
   return value;
 };
-const pair = (vector) => using(vector, ({ x, y }) => [x, y]);
+// Reading a field of a handle takes the engine longer than a step of a body, so we read what it points to: floats at
+// that many words from there. The memory moves when it grows.
+let floats = new Float32Array();
+let integers = new Int32Array();
+function words(handle) {
+  const { buffer } = b2.HEAPU8;
+  if (floats.buffer !== buffer) [floats, integers] = [new Float32Array(buffer), new Int32Array(buffer)];
+  return handle.$$.ptr >> 2;
+}
+// In words (box2d/types.h, box2d/collision.h): b2ContactData is a contact's id, two shapes' ids, whose first word is
+// their index, and a b2Manifold: the normal, a rolling impulse, two points and their count. A b2ManifoldPoint is a
+// point, its arms from A and B, separation, normal, tangent and total impulse, normal velocity and an id.
+const SHAPE_A = 3, SHAPE_B = 5, NORMAL = 7, POINTS = 10, POINT = 12, COUNT = POINTS + 2 * POINT;
+const ARM = 2, SEPARATION = 6, NORMAL_IMPULSE = 7, TANGENT_IMPULSE = 8;
+
 const vector = ([x, y]) => new b2.b2Vec2(x, y);
 const turn = (rotation, angle) => Object.assign(rotation, { c: Math.cos(angle), s: Math.sin(angle) });
 
@@ -48,7 +63,7 @@ class World {
     this.loads = scene.loads;
     this.angles = scene.bodies.map(({ angle }) => angle);
     this.sinceRead = 0;
-    this.owners = new Map(); // of the engine's bodies, one more for each half-space
+    this.owners = new Map(); // of the engine's shapes
     this.moving = scene.bodies.map(({ type }) => type !== 'static');
     try {
       this.bodies = scene.bodies.map((body) => this.add(body, scene.extent));
@@ -68,7 +83,7 @@ class World {
         def.material.friction = shape.friction;
         def.material.restitution = shape.restitution;
         def.filter.categoryBits = def.filter.maskBits = body.layers >>> 0;
-        attach[shape.type](carrier, def, shape, extent);
+        this.owners.set(attach[shape.type](carrier, def, shape, extent).index1, body.index);
       });
     }
     if (body.type === 'dynamic') {
@@ -83,7 +98,7 @@ class World {
   }
 
   make(body, angle) {
-    const id = using(b2.b2DefaultBodyDef(), (def) => {
+    return using(b2.b2DefaultBodyDef(), (def) => {
       def.type = b2.b2BodyType[`b2_${body.type}Body`];
       def.position.Set(...body.position);
       turn(def.rotation, angle);
@@ -93,8 +108,6 @@ class World {
       Object.assign(def, { angularVelocity, linearDamping, angularDamping, gravityScale, isBullet: bullet });
       return b2.b2CreateBody(this.world, def);
     });
-    this.owners.set(id.index1, body.index);
-    return id;
   }
 
   join(joint, bodies) {
@@ -121,52 +134,57 @@ class World {
   }
 
   step(dt) {
-    if (this.loads) this.exert();
+    if (this.loads) this.exert(dt);
     b2.b2World_Step(this.world, dt, this.substeps);
     this.sinceRead += dt;
   }
 
-  exert() {
-    this.loads(this.states()).forEach(([x, y, torque], i) => {
+  exert(dt) {
+    const ahead = ((1 - 1 / this.substeps) / 2) * dt; // where the sub-steps begin on average, as if each had its own
+    this.loads(moved(this.states(), ahead)).forEach(([x, y, torque], i) => {
       using(vector([x, y]), (force) => b2.b2Body_ApplyForceToCenter(this.bodies[i], force, true));
       b2.b2Body_ApplyTorque(this.bodies[i], torque, true);
     });
   }
 
   states() {
-    const states = this.bodies.map((body, i) => {
+    this.read = this.bodies.map((body, i) => {
       const w = b2.b2Body_GetAngularVelocity(body);
-      const angle = using(b2.b2Body_GetRotation(body), ({ c, s }) => Math.atan2(s, c));
-      this.angles[i] = unwound(angle, this.angles[i] + w * this.sinceRead);
-      return [...pair(b2.b2Body_GetPosition(body)), this.angles[i], ...pair(b2.b2Body_GetLinearVelocity(body)), w];
+      const at = b2.b2Body_GetTransform(body);
+      const velocity = b2.b2Body_GetLinearVelocity(body);
+      const [p, v] = [words(at), words(velocity)];
+      this.angles[i] = unwound(Math.atan2(floats[p + 3], floats[p + 2]), this.angles[i] + w * this.sinceRead);
+      const state = [floats[p], floats[p + 1], this.angles[i], floats[v], floats[v + 1], w];
+      at.delete();
+      velocity.delete();
+      return state;
     });
     this.sinceRead = 0;
-    return states;
+    return this.read;
   }
 
-  contacts() {
+  contacts() { // where the bodies were read last
     const all = [];
-    for (const body of this.bodies.filter((_, i) => this.moving[i])) {
+    this.bodies.forEach((body, i) => {
+      if (!this.moving[i]) return;
       for (const contact of b2.b2Body_GetContactData(body, b2.b2Body_GetContactCapacity(body))) {
-        using(contact, ({ manifold, shapeIdA, shapeIdB }) => {
-          const [one, other] = [b2.b2Shape_GetBody(shapeIdA), b2.b2Shape_GetBody(shapeIdB)];
-          const [a, b] = [one, other].map(({ index1 }) => this.owners.get(index1));
-          // Two moving bodies both list it: it is told from its first.
-          if (one.index1 === body.index1 || !this.moving[a]) this.tell(manifold, one, a, b, all);
-        });
+        const at = words(contact);
+        const [one, other] = [SHAPE_A, SHAPE_B].map((word) => this.owners.get(integers[at + word]));
+        // Two moving bodies both list it: it is told from its first.
+        if (one === i || !this.moving[one]) this.tell(at, one, other, all);
+        contact.delete();
       }
-    }
+    });
     return all;
   }
 
-  tell(manifold, one, a, b, all) {
-    const { x, y } = manifold.normal;
-    const origin = pair(b2.b2Body_GetPosition(one));
-    for (let i = 0; i < manifold.pointCount; ++i) {
-      const { anchorA, normalImpulse, tangentImpulse, separation } = manifold.GetPoint(i);
-      const at = plus(origin, [anchorA.x, anchorA.y]);
-      all.push([a, b, ...at, x, y, this.substeps * normalImpulse,
-                -this.substeps * tangentImpulse, separation]); // its tangent is the normal turned by -90 degrees
+  tell(at, one, other, all) {
+    const [x, y] = this.read[one];
+    for (let i = 0, point = at + POINTS; i < integers[at + COUNT]; ++i, point += POINT) {
+      all.push([one, other, x + floats[point + ARM], y + floats[point + ARM + 1],
+                floats[at + NORMAL], floats[at + NORMAL + 1], this.substeps * floats[point + NORMAL_IMPULSE],
+                -this.substeps * floats[point + TANGENT_IMPULSE], // its tangent is the normal turned by -90 degrees
+                floats[point + SEPARATION]]);
     }
   }
 
@@ -179,7 +197,7 @@ const attach = {
   circle: (body, def, { center, radius }) => using(new b2.b2Circle(), (made) => {
     made.center.Set(...center);
     made.radius = radius;
-    b2.b2CreateCircleShape(body, def, made);
+    return b2.b2CreateCircleShape(body, def, made);
   }),
   box: (body, def, { size: [w, h], center, angle = 0 }) => using(vector(center), (middle) =>
     using(turn(b2.b2MakeRot(0), angle), (rotation) =>
@@ -188,22 +206,23 @@ const attach = {
     const points = corners(shape);
     if (points.length > 8) throw new NotSupported('polygons have at most eight vertices');
     const vectors = points.map(vector);
-    using(b2.b2ComputeHull(vectors), (hull) => {
+    const made = using(b2.b2ComputeHull(vectors), (hull) => {
       if (hull.count < points.length) throw new NotSupported('drops vertices within 0.01 m of a line through others');
-      using(b2.b2MakePolygon(hull, 0), (made) => b2.b2CreatePolygonShape(body, def, made));
+      return using(b2.b2MakePolygon(hull, 0), (made) => b2.b2CreatePolygonShape(body, def, made));
     });
     vectors.forEach((point) => point.delete());
+    return made;
   },
   capsule: (body, def, { from, to, radius }) => using(new b2.b2Capsule(), (made) => {
     made.center1.Set(...from);
     made.center2.Set(...to);
     made.radius = radius;
-    b2.b2CreateCapsuleShape(body, def, made);
+    return b2.b2CreateCapsuleShape(body, def, made);
   }),
   segment: (body, def, { from, to }) => using(new b2.b2Segment(), (made) => {
     made.point1.Set(...from);
     made.point2.Set(...to);
-    b2.b2CreateSegmentShape(body, def, made);
+    return b2.b2CreateSegmentShape(body, def, made);
   }),
   halfspace: (body, def, { offset }, extent) =>
     attach.segment(body, def, { from: [extent, offset], to: [-extent, offset] }),
@@ -211,16 +230,15 @@ const attach = {
 
 // Contacts rest where their spring bears the load, 2.5 g/w^2 deep for a square on its like (two corners, each with half
 // the weight and an effective mass of m/5), w = 2 pi times the lesser of 30 Hz and an eighth of the sub-step's rate;
-// joints likewise, with the lesser of 60 Hz and a quarter of that rate. With k = w dt a force that is constant over
-// n sub-steps makes x' = x + v dt - (1 + 1/n)/2 k^2 x, v' dt = v dt - k^2 x, whose determinant 1 + k^2 (n - 1)/(2 n) is
-// above 1 for n > 1: a spring gains energy at any step.
+// joints likewise, with the lesser of 60 Hz and a quarter of that rate. Impacts bounce at the end of the step that finds
+// them. With k = w dt and V = v dt a force that is held over n sub-steps makes V' = V - k^2 y, x' = x + V - (1 + 1/n)/2
+// k^2 y. At y = x a spring would gain energy; at y = x + (1 - 1/n)/2 V the determinant is 1 and the trace 2 - k^2.
 function stepping({ substeps, restitution }, dt) {
   const h = dt / Number(substeps);
   const sink = (hertz) => (2.5 * GRAVITY) / (2 * Math.PI * hertz) ** 2;
-  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: Number(substeps),
+  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps),
            slop: sink(Math.min(30, 0.125 / h)), jointSlop: sink(Math.min(60, 0.25 / h)), iterations: 1,
-           restitutionThreshold: Number(restitution), wholeImpulses: false,
-           springLimit: Number(substeps) === 1 ? 2 : 0 };
+           restitutionThreshold: Number(restitution), wholeImpulses: false, springLimit: 2 };
 }
 
 serve({

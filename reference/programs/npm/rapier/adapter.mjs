@@ -1,10 +1,11 @@
 // What this engine does differently (sources: github.com/dimforge/rapier, src/dynamics, of version 0.35)
 // - Float arithmetic. Each step is split into 4 sub-steps (option `substeps`, its numSolverIterations) of symplectic
-//   Euler; free fall is off by +g t h/2, h being the length of a sub-step. Forces are constant over a step.
+//   Euler; free fall is off by +g t h/2, h being the length of a sub-step. Forces are held over a step.
 // - Contacts are damped springs of 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (integration_parameters.rs): they
 //   do not converge with the step. Nothing of an overlap is left alone.
 // - Collisions are found once a step, a little ahead; continuous collision against fixed bodies.
-// - Restitution acts once, at the end of a step, on contacts that carried nothing in the step before; that of 1 always.
+// - Restitution acts once, at the end of a step, on contacts that carried nothing in the step before; that of 1 always;
+//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
 // - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
 // - Damping c divides velocities by 1 + c dt (rigid_body_components.rs), while the scene means e^(-c dt).
 // - Nothing moves faster than 400 m/s.
@@ -15,11 +16,19 @@
 // - Contact impulses are sums over the step. A half-space is one.
 // - Sleeping is off by default.
 import RAPIER from '@dimforge/rapier2d-compat';
-import { NotSupported, centered, corners, mixed, onOff, plus, serve, turned, unwound } from './plumb_engine.mjs';
+import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, turned, unwound } from './plumb_engine.mjs';
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
 const { RigidBodyDesc, ColliderDesc, JointData, CoefficientCombineRule: Rule } = RAPIER;
 const at = ([x, y]) => ({ x, y });
+const place = at([0, 0]); // that the engine writes vectors to
+
+function onCollider(collider, { x, y }) {
+  const angle = collider.rotation();
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const origin = collider.translation(place);
+  return [origin.x + c * x - s * y, origin.y + s * x + c * y];
+}
 
 class World {
   constructor(scene, options) {
@@ -78,13 +87,14 @@ class World {
 
   step(dt) {
     this.world.timestep = dt;
-    if (this.loads) this.exert();
+    if (this.loads) this.exert(dt);
     this.world.step();
     this.sinceRead += dt;
   }
 
-  exert() {
-    this.loads(this.states()).forEach(([x, y, torque], i) => {
+  exert(dt) {
+    const ahead = ((1 - 1 / this.world.numSolverIterations) / 2) * dt; // where the sub-steps begin on average
+    this.loads(moved(this.states(), ahead)).forEach(([x, y, torque], i) => {
       this.bodies[i].resetForces(true);
       this.bodies[i].resetTorques(true);
       this.bodies[i].addForce({ x, y }, true);
@@ -94,10 +104,10 @@ class World {
 
   states() {
     const states = this.bodies.map((body, i) => {
-      const { x, y } = body.translation();
-      const velocity = body.linvel();
       const w = body.angvel();
       this.angles[i] = unwound(body.rotation(), this.angles[i] + w * this.sinceRead);
+      const { x, y } = body.translation(place);
+      const velocity = body.linvel(place);
       return [x, y, this.angles[i], velocity.x, velocity.y, w];
     });
     this.sinceRead = 0;
@@ -115,15 +125,10 @@ class World {
   }
 
   tell(manifold, one, other, all) {
-    const { x, y } = manifold.normal();
-    const [onOne, onOther] = [one, other].map((collider) => {
-      const origin = collider.translation();
-      const angle = collider.rotation();
-      return (point) => plus(turned([point.x, point.y], angle), [origin.x, origin.y]);
-    });
+    const { x, y } = manifold.normal(place);
     for (let i = 0; i < manifold.numContacts(); ++i) {
-      const a = onOne(manifold.localContactPoint1(i));
-      const b = onOther(manifold.localContactPoint2(i));
+      const a = onCollider(one, manifold.localContactPoint1(i, place));
+      const b = onCollider(other, manifold.localContactPoint2(i, place));
       const gap = (b[0] - a[0]) * x + (b[1] - a[1]) * y;
       all.push([this.owners.get(one.handle), this.owners.get(other.handle), (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, x, y,
                 manifold.contactImpulse(i), manifold.contactTangentImpulse(i), gap]);
@@ -183,13 +188,12 @@ function layersOf({ bodies }) {
 
 // As for Box2D 3, whose method this is. Contacts rest where their spring bears the load, 2.5 g/w^2 deep for a square on
 // its like (two corners, each with half the weight and an effective mass of m/5). A joint falls for one sub-step before
-// it is pulled back. Forces are constant over the sub-steps of a step, so that a spring gains energy at any step but
-// with one sub-step.
+// it is pulled back. Impacts bounce at the end of the step that finds them.
 function stepping({ substeps, iterations, sleep }, dt) {
   const h = dt / Number(substeps);
-  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: Number(substeps),
+  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps),
            slop: (2.5 * GRAVITY) / (2 * Math.PI * 30) ** 2, jointSlop: GRAVITY * h * h, iterations: Number(iterations),
-           wholeImpulses: sleep === 'off', springLimit: Number(substeps) === 1 ? 2 : 0 };
+           wholeImpulses: sleep === 'off', springLimit: 2 };
 }
 
 await RAPIER.init();

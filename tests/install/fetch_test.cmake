@@ -1,0 +1,38 @@
+# -DPLUMB_BOX2D3=fetch, with a repository of this machine in place of Box2D's: what is pinned gets built, in a folder of the
+# build tree, and nothing else does.
+include(${CMAKE_CURRENT_LIST_DIR}/readme.cmake)
+set(work ${BUILD}/fetch_example)
+file(REMOVE_RECURSE ${work})
+
+set(git git -C ${work}/repository -c user.name=test -c user.email=test@example.org)
+file(WRITE ${work}/repository/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(box2d VERSION 3.1.1 LANGUAGES NONE)
+install(FILES CMakeLists.txt DESTINATION .)\n")
+run(${git} init --quiet)
+run(${git} add .)
+run(${git} commit --quiet --message "Pinned")
+execute_process(COMMAND ${git} rev-parse HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE)
+file(APPEND ${work}/repository/CMakeLists.txt "message(FATAL_ERROR \"this is not what was pinned\")\n")
+run(${git} commit --quiet --all --message "Newer")
+
+file(WRITE ${work}/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(fetching LANGUAGES NONE)
+include(${PROJECT}/reference/adapters/box2d_v3/fetch.cmake)
+message(STATUS \"root \${box2d_ROOT}\")\n")
+function(configure build code said)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${work} -B ${work}/${build} -G Ninja
+    -DPLUMB_BOX2D3_REPOSITORY=${work}/repository ${ARGN} RESULT_VARIABLE is OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if((code EQUAL 0 AND NOT is EQUAL 0) OR (NOT code EQUAL 0 AND is EQUAL 0) OR NOT text MATCHES "${said}")
+    message(FATAL_ERROR "${build}: ${is}, should be ${code}, and say \"${said}\":\n${text}")
+  endif()
+endfunction()
+
+set(built "root ${work}/build/_deps/box2d_v3-build/${commit}")
+configure(build 0 "${built}" -DPLUMB_BOX2D3_COMMIT=${commit})
+if(NOT EXISTS ${work}/build/_deps/box2d_v3-build/${commit}/CMakeLists.txt)
+  message(FATAL_ERROR "It did not install what it fetched")
+endif()
+file(RENAME ${work}/repository ${work}/gone)
+configure(build 0 "${built}" -DPLUMB_BOX2D3_COMMIT=${commit})
+file(RENAME ${work}/gone ${work}/repository)
+configure(other 1 8c661469c9507d3ad6fbd2fea3f1aa71669c2fe3)
