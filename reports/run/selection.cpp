@@ -105,6 +105,18 @@ std::vector<Case> all_variants(const Scenario& scenario) {
   return cases;
 }
 
+// "tracker" or "tracker:NAME".
+std::vector<Case> parse_reported(std::string_view word) {
+  std::vector<Case> cases = reported_cases();
+  if (word == tracker) return cases;
+  std::vector<std::string> words;
+  for (Case& one : cases) {
+    if (one.variant == word) return {std::move(one)};
+    words.push_back(one.variant);
+  }
+  throw std::invalid_argument(unknown("report", std::string(word), words));
+}
+
 // Engines that Plumb does not come with run in processes of their own.
 const Engine& placed(const Engine& engine) { return engine.in_process ? engine : isolated(engine); }
 
@@ -160,6 +172,7 @@ double parse_dt(std::string_view text) {
 std::vector<Case> parse_cases(std::string_view word) {
   if (is_scene_file(word)) return {case_of_file(std::string(word))};
   const auto [name, rest] = split(word, ':');
+  if (name == tracker) return parse_reported(word);
   const Scenario& scenario = find_scenario(name);
   if (rest.empty()) return all_variants(scenario);
   for (const Variant& variant : scenario.variants) {
