@@ -17,10 +17,10 @@ bool is_scene_file(std::string_view word);
 /// the scene is its closed form. Throws std::invalid_argument for a file that cannot be read.
 Case case_of_file(const std::string& path);
 
-/// "tracker", the word that selects the scenes of scenarios/tracker, and the words for each: "tracker:NAME".
+/// The word that selects all scenes of scenarios/tracker; "tracker:NAME" selects one.
 inline constexpr std::string_view tracker = "tracker";
 
-/// The cases of scenarios/tracker, as case_of_file() would make them. A case's question ends with the link of the
+/// The cases of scenarios/tracker, each a scenario of its own with this variant. Its question ends with the link of the
 /// report.
 std::vector<Case> reported_cases();
 

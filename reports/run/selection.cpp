@@ -105,16 +105,16 @@ std::vector<Case> all_variants(const Scenario& scenario) {
   return cases;
 }
 
-// "tracker" or "tracker:NAME".
-std::vector<Case> parse_reported(std::string_view word) {
+// "": all.
+std::vector<Case> parse_reported(const std::string& name) {
   std::vector<Case> cases = reported_cases();
-  if (word == tracker) return cases;
-  std::vector<std::string> words;
+  if (name.empty()) return cases;
+  std::vector<std::string> names;
   for (Case& one : cases) {
-    if (one.variant == word) return {std::move(one)};
-    words.push_back(one.variant);
+    if (one.scenario->name == name) return {std::move(one)};
+    names.push_back(one.scenario->name);
   }
-  throw std::invalid_argument(unknown("report", std::string(word), words));
+  throw std::invalid_argument(unknown("reported case", name, names));
 }
 
 // Engines that Plumb does not come with run in processes of their own.
@@ -172,7 +172,7 @@ double parse_dt(std::string_view text) {
 std::vector<Case> parse_cases(std::string_view word) {
   if (is_scene_file(word)) return {case_of_file(std::string(word))};
   const auto [name, rest] = split(word, ':');
-  if (name == tracker) return parse_reported(word);
+  if (name == tracker) return parse_reported(rest);
   const Scenario& scenario = find_scenario(name);
   if (rest.empty()) return all_variants(scenario);
   for (const Variant& variant : scenario.variants) {

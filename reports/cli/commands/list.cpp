@@ -54,7 +54,8 @@ void list_invariants() {
 }
 
 void list_reported() {
-  for (const Case& one : reported_cases()) fmt::print("  {}\n    {}\n", one.variant, one.scenario->question);
+  for (const Case& one : reported_cases())
+    fmt::print("  {}:{}\n    {}\n", tracker, one.scenario->name, one.scenario->question);
 }
 
 int list(const std::string& what) {
