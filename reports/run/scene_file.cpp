@@ -10,6 +10,7 @@
 
 #include "reports/judge/observe.h"
 #include "reports/system/files.h"
+#include "scenarios/tracker/reported.h"
 
 namespace plumb {
 namespace {
@@ -35,6 +36,24 @@ std::optional<double> expected_in(const Case& test_case, const Expectation& expe
   return expected_value(scene, expectation, truth ? &*truth : nullptr, expectation.time.value_or(scene.duration));
 }
 
+Case case_of_text(std::string_view text, std::string_view name, const std::string& variant) {
+  SceneFile file = read_scene(text, name);
+  const auto scene = std::make_shared<const Scene>(std::move(file.scene));
+  const Engine* closed_form = find_closed_form(*scene);
+  const auto scenario = std::make_shared<const Scenario>(
+      Scenario{.name = scene->name,
+               .question = file.source.empty() ? scene->about : scene->about + " (" + file.source + ")",
+               .variants = {{.label = variant}},
+               .closed_form = closed_form == nullptr ? "" : closed_form->name,
+               .scene = [scene](const Parameters&) { return *scene; },
+               .expectations = [all = expectations_of(file.truth)](const Parameters&) { return all; }});
+  return {.scenario = scenario.get(),
+          .variant = variant,
+          .scene = scene,
+          .closed_form = closed_form,
+          .from_file = scenario};
+}
+
 }  // namespace
 
 bool is_scene_file(std::string_view word) {
@@ -56,19 +75,13 @@ const Engine* find_closed_form(const Scene& scene) {
   return longest;
 }
 
-Case case_of_file(const std::string& path) {
-  SceneFile file = read_scene(read_text(path, largest_scene_file), path);
-  const auto scene = std::make_shared<const Scene>(std::move(file.scene));
-  const Engine* closed_form = find_closed_form(*scene);
-  const auto scenario = std::make_shared<const Scenario>(
-      Scenario{.name = scene->name,
-               .question = scene->about,
-               .variants = {{.label = path}},
-               .closed_form = closed_form == nullptr ? "" : closed_form->name,
-               .scene = [scene](const Parameters&) { return *scene; },
-               .expectations = [all = expectations_of(file.truth)](const Parameters&) { return all; }});
-  return {
-      .scenario = scenario.get(), .variant = path, .scene = scene, .closed_form = closed_form, .from_file = scenario};
+Case case_of_file(const std::string& path) { return case_of_text(read_text(path, largest_scene_file), path, path); }
+
+std::vector<Case> reported_cases() {
+  std::vector<Case> cases;
+  for (const ReportedScene& scene : reported_scenes())
+    cases.push_back(case_of_text(scene.text, scene.name, std::string(tracker)));
+  return cases;
 }
 
 Stepping reference_stepping() {

@@ -17,6 +17,13 @@ bool is_scene_file(std::string_view word);
 /// the scene is its closed form. Throws std::invalid_argument for a file that cannot be read.
 Case case_of_file(const std::string& path);
 
+/// The word that selects all scenes of scenarios/tracker; "tracker:NAME" selects one.
+inline constexpr std::string_view tracker = "tracker";
+
+/// The cases of scenarios/tracker, each a scenario of its own with this variant. Its question ends with the link of the
+/// report.
+std::vector<Case> reported_cases();
+
 /// The closed form that recognises this scene, and of several the one that is valid longest; null if there is none.
 const Engine* find_closed_form(const Scene&);
 

@@ -105,6 +105,18 @@ std::vector<Case> all_variants(const Scenario& scenario) {
   return cases;
 }
 
+// "": all.
+std::vector<Case> parse_reported(const std::string& name) {
+  std::vector<Case> cases = reported_cases();
+  if (name.empty()) return cases;
+  std::vector<std::string> names;
+  for (Case& one : cases) {
+    if (one.scenario->name == name) return {std::move(one)};
+    names.push_back(one.scenario->name);
+  }
+  throw std::invalid_argument(unknown("reported case", name, names));
+}
+
 // Engines that Plumb does not come with run in processes of their own.
 const Engine& placed(const Engine& engine) { return engine.in_process ? engine : isolated(engine); }
 
@@ -160,6 +172,7 @@ double parse_dt(std::string_view text) {
 std::vector<Case> parse_cases(std::string_view word) {
   if (is_scene_file(word)) return {case_of_file(std::string(word))};
   const auto [name, rest] = split(word, ':');
+  if (name == tracker) return parse_reported(rest);
   const Scenario& scenario = find_scenario(name);
   if (rest.empty()) return all_variants(scenario);
   for (const Variant& variant : scenario.variants) {

@@ -18,7 +18,8 @@ double parse_number(std::string_view what, std::string_view text);
 double parse_dt(std::string_view text);
 
 /// "NAME": all variants of a scenario. "NAME:LABEL": one of them. "NAME:parameter=value,...": a variant of your
-/// own. "FILE.json": the case of that scene file.
+/// own. "FILE.json": the case of that scene file. "tracker", "tracker:NAME": what users of engines reported, or one of
+/// that.
 std::vector<Case> parse_cases(std::string_view word);
 
 /// One case of the catalog: "NAME" means the defaults of its parameters.

@@ -216,11 +216,13 @@ SceneFile read_scene(std::string_view text, std::string_view file) {
   const nlohmann::json json = parse_json(text, file);
   const JsonReader in(json, file);
   check_format(in);
-  in.object({"plumb", "name", "gravity", "duration", "bodies"}, {"about", "mixing", "joints", "forces", "truth"});
+  in.object({"plumb", "name", "gravity", "duration", "bodies"},
+            {"about", "source", "mixing", "joints", "forces", "truth"});
   SceneFile read;
   Scene& scene = read.scene;
   scene.name = in["name"].text(1, limits::name);
   if (in.has("about")) scene.about = in["about"].text(0, limits::text);
+  if (in.has("source")) read.source = in["source"].text(1, limits::text);
   scene.gravity = in["gravity"].vector(limits::acceleration);
   scene.duration = in["duration"].number(limits::duration);
   if (in.has("mixing")) scene.mixing = read_mixing(in["mixing"]);
@@ -238,6 +240,7 @@ std::string write_scene(const SceneFile& file) {
   const Scene& scene = file.scene;
   OrderedJson json{{"plumb", format}, {"name", scene.name}};
   if (!scene.about.empty()) json["about"] = scene.about;
+  if (!file.source.empty()) json["source"] = file.source;
   json["gravity"] = as_json(scene.gravity);
   json["duration"] = scene.duration;
   json["mixing"] = {{"friction", word_for(friction_rules, scene.mixing.friction)},

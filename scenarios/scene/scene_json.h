@@ -26,6 +26,7 @@ struct StatedTruth {
 struct SceneFile {
   Scene scene;
   std::vector<StatedTruth> truth;
+  std::string source = "";  // where the question comes from, such as the link of a report; "" if nothing is stated
 };
 
 constexpr std::size_t largest_scene_file = 16 * 1024 * 1024;  // bytes; 5,000 bodies take 1 MiB

@@ -10,6 +10,7 @@
 #include "reports/cli/command.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
+#include "reports/run/scene_file.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/nearest.h"
@@ -52,11 +53,17 @@ void list_invariants() {
   }
 }
 
+void list_reported() {
+  for (const Case& one : reported_cases())
+    fmt::print("  {}:{}\n    {}\n", tracker, one.scenario->name, one.scenario->question);
+}
+
 int list(const std::string& what) {
   const std::vector<std::pair<std::string, std::function<void()>>> lists{{"scenarios", list_scenarios},
                                                                          {"engines", list_engines},
                                                                          {"metrics", list_metrics},
-                                                                         {"invariants", list_invariants}};
+                                                                         {"invariants", list_invariants},
+                                                                         {std::string(tracker), list_reported}};
   std::vector<std::string> names;
   bool found = false;
   for (const auto& [name, print] : lists) {
@@ -72,12 +79,13 @@ int list(const std::string& what) {
 
 const Catalog<Command>::Entry entry{
     {.name = "list",
-     .about = "Show scenarios, engines, metrics and invariants",
+     .about = "Show scenarios, engines, metrics, invariants and reported cases",
      .examples = "  plumb list\n"
                  "  plumb list engines    with their options and where they come from\n",
      .attach = [](CLI::App& app) {
        const auto what = std::make_shared<std::string>();
-       app.add_option("what", *what, "scenarios, engines, metrics or invariants; default: all")->type_name("WHAT");
+       app.add_option("what", *what, "scenarios, engines, metrics, invariants or tracker; default: all")
+           ->type_name("WHAT");
        return [what] { return list(*what); };
      }}};
 

@@ -23,6 +23,7 @@ const Catalog<Command>::Entry entry{
                  "  plumb run bounce                           every variant of one scenario\n"
                  "  plumb run bounce:restitution=0.5           one with a parameter of your own\n"
                  "  plumb run mine.json                        a scene file of your own (see plumb export)\n"
+                 "  plumb run tracker                          what users of engines reported (plumb list tracker)\n"
                  "  plumb run slope --engine box2d --dt 1/240  one engine, a smaller step\n"
                  "  plumb run --engine impulse --engine impulse:integrator=rk4   two methods compared\n",
      .attach = [](CLI::App& app) {

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "reports/run/scene_file.h"
+
 namespace plumb::selection_test {
 namespace {
 
@@ -47,6 +49,16 @@ TEST(ParseCases, AcceptsAScenarioAVariantOrYourOwn) {
   EXPECT_EQ(own.parameters.at("restitution"), 0.25);
   ASSERT_NE(own.closed_form, nullptr);
   EXPECT_EQ(own.closed_form->name, own.scenario->closed_form);
+}
+
+TEST(ParseCases, AcceptsReportedCases) {
+  const auto all = parse_cases("tracker");
+  ASSERT_EQ(all.size(), reported_cases().size());
+  const auto one = parse_cases("tracker:" + all[1].scenario->name);
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].scenario->name, all[1].scenario->name);
+  EXPECT_THAT(refusal([] { parse_cases("tracker:rapier-974-rebounds"); }),
+              ::testing::HasSubstr("did you mean \"rapier-974-rebound\""));
 }
 
 TEST(ParseCases, RefusesUnknownParametersAndVariants) {

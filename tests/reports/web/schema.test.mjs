@@ -43,6 +43,13 @@ test('every exported scene follows the schema', {skip: scenes ? false : 'PLUMB_S
   }
 });
 
+test('every reported scene follows the schema', async () => {
+  const folder = new URL('scenarios/tracker/', root);
+  for (const file of (await readdir(folder)).filter((name) => name.endsWith('.json'))) {
+    assert.ok(is_scene(await json(new URL(file, folder))), `${file}: ${JSON.stringify(is_scene.errors, null, 1)}`);
+  }
+});
+
 test('the schema takes every feature', async () => {
   assert.ok(is_scene(await json(new URL('every_feature.json', files))), JSON.stringify(is_scene.errors, null, 1));
 });

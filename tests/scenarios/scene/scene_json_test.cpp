@@ -55,6 +55,7 @@ TEST(ReadScene, ReadsEveryFeature) {
   EXPECT_EQ(std::get<Spring>(scene.forces[1]).a, 1u);
   EXPECT_EQ(std::get<Spring>(scene.forces[2]).a, std::nullopt);
   EXPECT_EQ(std::get<Spring>(scene.forces[2]).anchor_b, (Vec{0, 0.5}));
+  EXPECT_EQ(read.source, "https://example.org/reports/1");
   ASSERT_EQ(read.truth.size(), 2u);
   EXPECT_EQ(read.truth[0].time, 0);
   EXPECT_EQ(read.truth[1].time, std::nullopt);
@@ -99,7 +100,7 @@ TEST(ReadScene, SaysLineAndColumnIfTheTextIsNotJson) {
       {"{\"plumb\": 01}", "line 1, column 12: "},
       {"{\"name\": \"\xff\"}", "line 1, column 11: "},
       {"{\"name\": \"\xed\xa0\x80\"}", "line 1, column 12: "},
-      {file("every_feature.json") + "}", "line 40, column 1: "},
+      {file("every_feature.json") + "}", "line 41, column 1: "},
       {"{\"plumb\": 1", "line 1, column 12: "},
   };
   for (const auto& [text, place] : broken) EXPECT_THAT(refusal(text), StartsWith("scene.json: " + std::string(place)));
@@ -151,6 +152,12 @@ void expect_round_trip(const SceneFile& given) {
 
 TEST(WriteScene, RoundTripsEveryCatalogSceneToTheBit) {
   for (const SceneFile& scene : whole_catalog()) expect_round_trip(scene);
+}
+
+TEST(WriteScene, RoundTripsEveryFeature) {
+  const SceneFile scene = read_scene(file("every_feature.json"), "every_feature.json");
+  expect_round_trip(scene);
+  EXPECT_EQ(read_scene(write_scene(scene), "written").source, scene.source);
 }
 
 TEST(WriteScene, RoundTripsRandomScenesToTheBit) {
