@@ -79,7 +79,7 @@ TEST(Partition, ConnectsBodiesOnOneSpring) {
   EXPECT_EQ(parts.bodies(1).size(), 2U);
   EXPECT_EQ(parts.pulls(1).size(), 1U);
   EXPECT_TRUE(parts.varies(1));
-  EXPECT_FALSE(parts.varies(2)) << "body 2 hangs on no spring";
+  EXPECT_FALSE(parts.varies(2)) << "no spring pulls body 2";
   EXPECT_TRUE(parts.pulls(2).empty());
 }
 

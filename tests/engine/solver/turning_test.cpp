@@ -156,7 +156,7 @@ TEST(Turning, APlankThatSpinsPastADiscDoesNotHitIt) {
   const BodyId plank = world.create_body(def, Shape::box({real(.5), real(.15)}));
   world.add_force(ConstantForce{plank, {}, 6});
   run(world, 9);
-  EXPECT_EQ(world.body(plank).velocity(), Vec2(0, 2));
+  EXPECT_EQ(world.body(plank).velocity(), (Vec2{0, 2}));
 }
 
 TEST(Turning, ReportsTheNormalAlongWhichContactsActed) {
