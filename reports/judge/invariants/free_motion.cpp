@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -73,6 +74,8 @@ struct Row {
 
 // What is left of v after the best fit of the rows, and the fit: conjugate gradients on the normal equations (CGLS;
 // Bjoerck, Numerical Methods for Least Squares Problems, 7.4.1), which also serves rows that depend on each other.
+// Each step of theirs leaves less of v. Where one doesn't, only rounding is left to be fitted, and further steps would
+// grow without bound.
 struct Fit {
   Vector rest, lambda;
 };
@@ -88,14 +91,19 @@ Fit fitted(Vector v, const std::vector<Row>& rows) {
   Vector direction = gradient;
   double square = product(gradient, gradient);
   const double enough = 1e-30 * square;
+  double left = product(fit.rest, fit.rest);
   for (std::size_t i = 0; i < 8 * rows.size() && square > enough; ++i) {
     Vector image(fit.rest.size());
     for (std::size_t r = 0; r < rows.size(); ++r) rows[r].add_to(image, direction[r]);
     const double curvature = product(image, image);
     if (!(curvature > 0)) break;
     const double step = square / curvature;
+    for (std::size_t k = 0; k < image.size(); ++k) image[k] = fit.rest[k] - step * image[k];
+    const double less = product(image, image);
+    if (!(less < left)) break;
+    left = less;
+    fit.rest = std::move(image);
     for (std::size_t r = 0; r < rows.size(); ++r) fit.lambda[r] += step * direction[r];
-    for (std::size_t k = 0; k < image.size(); ++k) fit.rest[k] -= step * image[k];
     gradient = gradient_of(fit.rest);
     const double next = product(gradient, gradient);
     for (std::size_t r = 0; r < rows.size(); ++r) direction[r] = gradient[r] + next / square * direction[r];
