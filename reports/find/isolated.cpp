@@ -50,15 +50,39 @@ Opinion opinion_apart(const Scene& scene, Posed posed, const EngineConfig& confi
   return opinion;
 }
 
-}  // namespace
-
-Opinion judged_apart(const Scene& scene, Posed posed, const Suspect& suspect, const Known& known,
-                     const RunLimits& limits) {
+Opinion judged_with(const Known& known, const Scene& scene, Posed posed, const Suspect& suspect,
+                    const RunLimits& limits) {
   Opinion opinion = opinion_apart(scene, posed, suspect.config, known, limits);
   if (!suspect.right || opinion.complaints.empty()) return opinion;
   const Opinion right = opinion_apart(scene, posed, *suspect.right, known, limits);
   std::erase_if(opinion.complaints, [&](const Complaint& one) { return right.of(one.reason()) != nullptr; });
   return opinion;
+}
+
+Json judged_with(const Known& known, const Scene& scene, Posed posed, std::span<const Suspect> suspects,
+                 const RunLimits& limits) {
+  Json opinions = Json::array();
+  for (const Suspect& suspect : suspects)
+    opinions.push_back(as_json(judged_with(known, scene, posed, suspect, limits)));
+  return {{"opinions", std::move(opinions)}};
+}
+
+}  // namespace
+
+std::vector<Opinion> judged_apart(const Scene& scene, Posed posed, std::span<const Suspect> suspects,
+                                  const Judges& judges, const RunLimits& limits) {
+  // What is known comes from engines as well, which may crash or hang in such a scene. Beside it, each suspect and its
+  // right engine run twice, each within the limit.
+  const RunLimits all{.seconds = limits.seconds * (1 + 4 * static_cast<double>(suspects.size())),
+                      .mebibytes = limits.mebibytes};
+  const JobResult informed = done_apart(
+      scene.name, all, [&] { return judged_with(Known(scene, posed, judges), scene, posed, suspects, limits); });
+  const Json found = informed.ending == Ending::done
+                         ? informed.output.values
+                         : judged_with(Known(scene, posed, Judges::laws()), scene, posed, suspects, limits);
+  std::vector<Opinion> opinions;
+  for (const Json& one : found.at("opinions")) opinions.push_back(opinion_of(one));
+  return opinions;
 }
 
 }  // namespace plumb

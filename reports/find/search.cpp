@@ -75,13 +75,13 @@ std::shared_ptr<const Search> search_of(const Json& configuration) {
 // All suspects in one scene.
 JobOutput look(const Search& search, const Kind& kind, int n) {
   const Scene scene = drawn(kind, search.seed, n);
-  const Known known(scene, kind.posed);
+  const std::vector<Opinion> judged = judged_apart(scene, kind.posed, search.suspects, {}, search.limits);
   Json opinions = Json::object();
   std::string wrong;
-  for (const Suspect& suspect : search.suspects) {
-    const Opinion opinion = judged_apart(scene, kind.posed, suspect, known, search.limits);
-    if (!opinion.complaints.empty()) wrong += (wrong.empty() ? "" : ", ") + suspect.name;
-    opinions[suspect.name] = as_json(opinion);
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    const std::string& name = search.suspects[i].name;
+    if (!judged[i].complaints.empty()) wrong += (wrong.empty() ? "" : ", ") + name;
+    opinions[name] = as_json(judged[i]);
   }
   return {
       .values = {
@@ -112,9 +112,8 @@ JobOutput cut_down(const Search& search, const Lead& lead) {
   const Suspect& suspect = search.suspect(lead.engine);
   const Judges judges = Judges::of_reason(lead.reason);
   const Failing fails = [&](const Scene& candidate) -> std::optional<Complaint> {
-    const Known known(candidate, kind.posed, judges);
-    const Opinion opinion = judged_apart(candidate, kind.posed, suspect, known, search.limits);
-    const Complaint* same = opinion.of(lead.reason);
+    const auto opinions = judged_apart(candidate, kind.posed, {&suspect, 1}, judges, search.limits);
+    const Complaint* same = opinions.front().of(lead.reason);
     return same == nullptr ? std::nullopt : std::optional(*same);
   };
   const auto first = fails(scene);

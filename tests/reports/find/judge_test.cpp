@@ -98,11 +98,10 @@ std::shared_ptr<Engine> misbehaving(void (*step)()) {
 TEST(JudgedApart, SurvivesAnEngineThatCrashesOrHangs) {
   Scene scene{.name = "one", .duration = 0.1};
   scene.bodies.push_back(disc("ball", {}, 0.5, {}));
-  const Known known(scene, Posed::ambiguous);
   const auto of = [&](void (*step)()) {
     const auto engine = misbehaving(step);
-    return judged_apart(scene, Posed::ambiguous, {.name = "bad", .config = {engine.get(), {}}}, known,
-                        {.seconds = 0.2, .mebibytes = 2048});
+    const Suspect bad{.name = "bad", .config = {engine.get(), {}}};
+    return judged_apart(scene, Posed::ambiguous, {&bad, 1}, {}, {.seconds = 0.2, .mebibytes = 2048}).front();
   };
   const Opinion crashed = of([] { std::abort(); });
   EXPECT_NE(crashed.of("run crashed"), nullptr) << as_json(crashed).dump();
@@ -115,11 +114,10 @@ TEST(JudgedApart, SurvivesAnEngineThatCrashesOrHangs) {
 TEST(JudgedApart, DoesNotBlameAFaultForWhatTheRightEngineFailsToo) {
   Scene scene{.name = "throw", .gravity = {0, -10}, .duration = 1};
   scene.bodies.push_back(disc("ball", {}, 0.5, {}));
-  const Known known(scene, Posed::well);
   Suspect twice = parse_suspects("fault:gravity-twice").front();
-  EXPECT_FALSE(judged_apart(scene, Posed::well, twice, known, {}).complaints.empty());
+  EXPECT_FALSE(judged_apart(scene, Posed::well, {&twice, 1}, {}, {}).front().complaints.empty());
   twice.right = twice.config;
-  EXPECT_TRUE(judged_apart(scene, Posed::well, twice, known, {}).complaints.empty());
+  EXPECT_TRUE(judged_apart(scene, Posed::well, {&twice, 1}, {}, {}).front().complaints.empty());
 }
 
 TEST(Suspects, AreEnginesAndFaultsByName) {
