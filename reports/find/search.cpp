@@ -200,13 +200,16 @@ const Catalog<Study>::Entry find_entry{
                  "  plumb find --time 10m --engine impulse        as many as ten minutes allow\n"
                  "  plumb find --kind heap --kind tower --seed 7  other scenes, of two kinds\n"
                  "  plumb find --engine fault:all                 which of prove's faults random scenes find\n"
+                 "  plumb find --engine closed-form:all           what judges say of closed forms: nothing\n"
                  "  plumb find --again out/found                  run what was found again; exit code 1 if it fails\n",
      .attach = [](CLI::App& app) -> std::function<Json()> {
        const auto options = std::make_shared<SearchOptions>();
        std::string names;
        for (const Kind* kind : Catalog<Kind>::all()) names += (names.empty() ? "" : ", ") + kind->name;
-       app.add_option("--engine", options->engines,
-                      "NAME[:key=value,...], fault:NAME or fault:all; may be repeated. Default: every engine")
+       app.add_option(
+              "--engine", options->engines,
+              "NAME[:key=value,...], fault:NAME, closed-form:NAME or fault:all, closed-form:all; may be repeated. "
+              "Default: every engine")
            ->allow_extra_args(false)
            ->type_name("ENGINE");
        app.add_option("--kind", options->kinds, "Any of: " + names + ". Default: all")

@@ -18,7 +18,7 @@ namespace {
 
 TEST(FindJudge, RaisesNoAlarmForClosedFormsInTheScenesTheyKnow) {
   int judged_scenes = 0;
-  for (const char* name : {"flight", "plane", "pair", "slider"}) {
+  for (const char* name : {"flight", "plane", "pair", "slider", "textbook"}) {
     const Kind& kind = *Catalog<Kind>::find(name);
     for (int n = 0; n < 25; ++n) {
       const Scene scene = drawn(kind, 1, n);
@@ -32,7 +32,7 @@ TEST(FindJudge, RaisesNoAlarmForClosedFormsInTheScenesTheyKnow) {
       for (const Complaint& one : opinion.complaints) ADD_FAILURE() << scene.name << ": " << one.words();
     }
   }
-  EXPECT_GE(judged_scenes, 10) << "random scenes have closed forms now and then";
+  EXPECT_GE(judged_scenes, 30) << "random scenes have closed forms now and then";
 }
 
 TEST(FindJudge, KnowsWhereAThrownBodyMustBe) {
@@ -125,6 +125,9 @@ TEST(Suspects, AreEnginesAndFaultsByName) {
   EXPECT_GE(parse_suspects("fault:all").size(), 70U);
   EXPECT_TRUE(parse_suspects("fault:gravity-twice").front().right.has_value());
   EXPECT_THROW(parse_suspects("fault:gravity-twce"), std::invalid_argument);
+  EXPECT_GE(parse_suspects("closed-form:all").size(), 15U);
+  EXPECT_TRUE(parse_suspects("closed-form:orbit").front().config.engine->exact);
+  EXPECT_THROW(parse_suspects("closed-form:orbt"), std::invalid_argument);
   EXPECT_THROW(parse_suspects("impuls"), std::invalid_argument);
   EXPECT_GE(parse_suspects(std::vector<std::string>{}).size(), 3U);
 }
