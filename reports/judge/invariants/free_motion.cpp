@@ -30,7 +30,8 @@
 // - damping c, which a first-order method takes from either end: c dt of the change that the damping and the forces
 //   make;
 // - sleep, which stops a body of at most the stated speed;
-// - round-off, once for the body and once for each of its joints.
+// - round-off, once for the body and once for each of its joints: of the largest momentum so far, as a small velocity
+//   may be the difference of larger ones.
 namespace plumb::invariants::free_motion {
 namespace {
 
@@ -129,7 +130,8 @@ class FreeMotion {
         joints_(context.scene),
         neighbours_(context.scene, context.trace, context.stepping),
         members_(context.scene.bodies.size()),
-        place_(context.scene.bodies.size()) {
+        place_(context.scene.bodies.size()),
+        largest_(context.scene.bodies.size()) {
     Groups groups(members_.size());
     for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
       const auto [a, b] = joints_.bodies(joint);
@@ -268,10 +270,11 @@ class FreeMotion {
     const double scaled = std::sqrt(total);
     const double force_size = norm(force);
     const double momentum_size = norm(momentum);
+    double& largest = largest_[group.front()];
+    largest = std::max(largest, momentum_size);
     const double known = norm(force_change) + most_damped * (norm(damping) + force_size) +
                          (stopped ? std::min(momentum_size, 2 * scaled * stepping.rest_speed) : 0) +
-                         solver_rounding(stepping) * (momentum_size + force_size) +
-                         2 * 0x1p-53 * time / dt * force_size;
+                         solver_rounding(stepping) * (largest + force_size) + 2 * 0x1p-53 * time / dt * force_size;
     const Directions directions = directions_of(step, group);
     double rest = 0;
     double tolerance = 0;
@@ -299,6 +302,7 @@ class FreeMotion {
   Neighbours neighbours_;
   std::vector<std::vector<std::size_t>> members_;  // of the group with that index
   std::vector<std::size_t> place_;                 // of a body in its group
+  std::vector<double> largest_;                    // momentum of a group so far, by its first body
   WorstViolation worst_;
 };
 

@@ -167,6 +167,20 @@ TEST(FreeMotionInvariant, FitsTheOtherJointsToo) {
   EXPECT_EQ(status("free_motion", scene, frozen(scene), exact), CheckStatus::broken);
 }
 
+// What an impact left of 1 m/s is nothing to within the rounding of 1 m/s, 64 u of it in a step.
+TEST(FreeMotionInvariant, KnowsThatASmallVelocityMayBeADifferenceOfLargerOnes) {
+  const Scene scene = box_on_ground();
+  const auto stopped = [&](double left) {
+    return forged(dt, {{box_at({0, 9}, {0, -1})},
+                       {box_at({0, 8.99}, {0, -1})},
+                       {box_at({0, 0.5})},  // whatever happens on the ground
+                       {box_at({0, 9})},
+                       {box_at({0, 9}, {0, left})}});
+  };
+  EXPECT_EQ(status("free_motion", scene, stopped(1e-15), exact), CheckStatus::held);
+  EXPECT_EQ(status("free_motion", scene, stopped(1e-13), exact), CheckStatus::broken);
+}
+
 // Two bodies on a rail that fly side by side, so that their joint has nothing to do but what rounding leaves.
 TEST(FreeMotionInvariant, FitsNothingToTheRoundingOfJointsAtRest) {
   Scene scene{.gravity = {}, .bodies = {{.name = "one"}, {.name = "other", .position = {2, -2}}}};
