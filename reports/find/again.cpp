@@ -10,6 +10,7 @@
 #include "reports/find/isolated.h"
 #include "reports/find/tables.h"
 #include "reports/system/files.h"
+#include "reports/writers/junit.h"
 #include "reports/writers/output.h"
 #include "scenarios/scene/scene_json.h"
 

@@ -11,6 +11,7 @@
 #include "reports/find/ruler.h"
 #include "reports/find/tables.h"
 #include "reports/system/files.h"
+#include "reports/writers/junit.h"
 
 namespace plumb {
 namespace {

@@ -8,8 +8,10 @@
 
 #include "reference/simulation.h"
 #include "reports/cli/command.h"
+#include "reports/find/kind.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
+#include "reports/judge/relation.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/nearest.h"
@@ -52,11 +54,22 @@ void list_invariants() {
   }
 }
 
+void list_relations() {
+  for (const MetamorphicRelation* relation : Catalog<MetamorphicRelation>::all()) {
+    fmt::print("  {:<24} {:<9} {}\n", relation->name, relation->unit, relation->definition);
+  }
+}
+
+void list_kinds() {
+  for (const Kind* kind : Catalog<Kind>::all()) {
+    fmt::print("  {:<24} {:<9} {}\n", kind->name, kind->posed == Posed::well ? "" : name_of(kind->posed), kind->about);
+  }
+}
+
 int list(const std::string& what) {
-  const std::vector<std::pair<std::string, std::function<void()>>> lists{{"scenarios", list_scenarios},
-                                                                         {"engines", list_engines},
-                                                                         {"metrics", list_metrics},
-                                                                         {"invariants", list_invariants}};
+  const std::vector<std::pair<std::string, std::function<void()>>> lists{
+      {"scenarios", list_scenarios},   {"engines", list_engines},     {"metrics", list_metrics},
+      {"invariants", list_invariants}, {"relations", list_relations}, {"kinds", list_kinds}};
   std::vector<std::string> names;
   bool found = false;
   for (const auto& [name, print] : lists) {
@@ -72,12 +85,13 @@ int list(const std::string& what) {
 
 const Catalog<Command>::Entry entry{
     {.name = "list",
-     .about = "Show scenarios, engines, metrics and invariants",
+     .about = "Show scenarios, engines, metrics, invariants, relations and kinds of random scenes",
      .examples = "  plumb list\n"
                  "  plumb list engines    with their options and where they come from\n",
      .attach = [](CLI::App& app) {
        const auto what = std::make_shared<std::string>();
-       app.add_option("what", *what, "scenarios, engines, metrics or invariants; default: all")->type_name("WHAT");
+       app.add_option("what", *what, "scenarios, engines, metrics, invariants, relations or kinds; default: all")
+           ->type_name("WHAT");
        return [what] { return list(*what); };
      }}};
 
