@@ -6,8 +6,8 @@
 
 #include "reports/find/ruler.h"
 #include "reports/find/tables.h"
-#include "reports/writers/junit.h"
 #include "reports/system/files.h"
+#include "reports/writers/junit.h"
 #include "scenarios/parts.h"
 #include "scenarios/scene/scene_json.h"
 

@@ -59,6 +59,17 @@ TEST(FindJudge, AsksNothingBeyondTheEndOfAClosedForm) {
   }
 }
 
+// Two discs meet after the scene's end, yet within its last step.
+TEST(FindJudge, RunsAClosedFormToTheEndOfTheLastStep) {
+  Scene scene{.name = "row", .gravity = {}, .duration = 0.101};
+  scene.bodies = {disc("a", {0, 0}, 0.1, {}), disc("b", {0.305, 0}, 0.1, {})};
+  scene.bodies[0].velocity = {1, 0};
+  const Engine* line = Catalog<Engine>::find("line");
+  const EngineConfig config{line, complete(*line, {})};
+  EXPECT_EQ(judged_by_laws(scene, Posed::well, config).status, "ok");
+  for (const Complaint& one : judged_by_laws(scene, Posed::well, config).complaints) ADD_FAILURE() << one.words();
+}
+
 TEST(FindJudge, AsksOnlyForEnergyWhereNoMotionIsRight) {
   const Kind& kind = *Catalog<Kind>::find("painleve");
   EXPECT_EQ(kind.posed, Posed::impossible);
