@@ -35,7 +35,7 @@ TEST(Finding, IsNamedByItsContent) {
 }
 
 TEST(Finding, SaysInItsFileHowToRunItAgain) {
-  for (const Posed posed : {Posed::well, Posed::ambiguous, Posed::impossible}) {
+  for (const Posed posed : {Posed::well, Posed::ambiguous, Posed::impossible, Posed::overlapping}) {
     Finding one = finding();
     one.posed = posed;
     const Scene scene = read_scene(one.file(5), "found").scene;

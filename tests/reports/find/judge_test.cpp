@@ -86,6 +86,14 @@ TEST(FindJudge, AsksOnlyForEnergyWhereNoMotionIsRight) {
   }
 }
 
+TEST(FindJudge, AsksOnlyForAnEndWhereBodiesStartInEachOther) {
+  const Scene scene = drawn(*Catalog<Kind>::find("overlapping"), 1, 0);
+  const EngineConfig impulse = parse_suspects("impulse").front().config;
+  EXPECT_FALSE(judged_by_laws(scene, Posed::well, impulse).complaints.empty()) << "it overlaps";
+  EXPECT_TRUE(judged_by_laws(scene, Posed::overlapping, impulse).complaints.empty());
+  EXPECT_TRUE(Known(scene, Posed::overlapping).empty());
+}
+
 std::shared_ptr<Engine> misbehaving(void (*step)()) {
   class Bad : public Simulation {
    public:
