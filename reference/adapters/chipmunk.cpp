@@ -183,14 +183,21 @@ class Chipmunk : public Simulation {
 
   cpVect local(std::size_t body, Vec point) const { return cpBodyWorldToLocal(bodies_[body].get(), to_cp(point)); }
 
+  // The library divides by what both bodies' angles yield to an impulse.
+  static bool may_turn(cpBody* a, cpBody* b) {
+    return std::isfinite(cpBodyGetMoment(a)) || std::isfinite(cpBodyGetMoment(b));
+  }
+
   // Keeps the angle between two bodies.
-  void gear(cpBody* a, cpBody* b) { hold(cpGearJointNew(a, b, cpBodyGetAngle(b) - cpBodyGetAngle(a), 1)); }
+  void gear(cpBody* a, cpBody* b) {
+    if (may_turn(a, b)) hold(cpGearJointNew(a, b, cpBodyGetAngle(b) - cpBodyGetAngle(a), 1));
+  }
 
   void add(const Revolute& joint) {
     cpBody* a = bodies_[joint.a].get();
     cpBody* b = bodies_[joint.b].get();
     hold(cpPivotJointNew(a, b, to_cp(joint.anchor)));
-    if (!joint.limits) return;
+    if (!joint.limits || !may_turn(a, b)) return;
     const double start = cpBodyGetAngle(b) - cpBodyGetAngle(a);
     hold(cpRotaryLimitJointNew(a, b, start + joint.limits->low, start + joint.limits->high));
   }

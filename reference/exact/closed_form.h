@@ -20,6 +20,9 @@ namespace plumb {
 /// s, the time of an event that does not happen.
 constexpr double never = std::numeric_limits<double>::infinity();
 
+/// s, the longest step: the last one of a run may end after the scene, by less than that.
+constexpr double longest_step = 1;
+
 /// The motion of a scene, or why the closed form cannot solve it.
 template <class Motion>
 using Recognised = std::variant<Motion, std::string>;

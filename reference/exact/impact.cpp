@@ -78,7 +78,7 @@ std::variant<FirstImpact, std::string> FirstImpact::solve(const Setup& given) {
   motion.after_ = landed;
   motion.after_.velocity = landed.velocity + (1 / given.mass) * *push;
   motion.after_.angular_velocity += cross(arm, *push) / given.inertia;
-  const double left = given.horizon - contact->time;
+  const double left = given.horizon + longest_step - contact->time;
   if (const auto second = first_contact(motion.after_, given.gravity, given.corners, given.floor, left)) {
     motion.until_ = contact->time + second->time;
   }

@@ -107,7 +107,7 @@ struct Storey {
   double middle = 0;  // m along the floor
   double bottom = 0;  // m above it
   double width = 0, height = 0;
-  double weight = 0;  // N
+  double weight = 0;  // N, negative if it rises
 };
 
 std::variant<std::vector<Storey>, std::string> storeys(const Scene& scene, std::size_t ground, const Floor& floor) {
@@ -122,7 +122,7 @@ std::variant<std::vector<Storey>, std::string> storeys(const Scene& scene, std::
     if (!foot) return "handles only boxes that lie flat";
     const Vec center = start_of(body).position;
     tower.push_back({i, dot(center, floor.along()), dot(center, floor.normal) - floor.offset - foot->height / 2,
-                     foot->width, foot->height, mass_of(body).mass * length(gravity_of(scene, body))});
+                     foot->width, foot->height, -mass_of(body).mass * dot(gravity_of(scene, body), floor.normal)});
   }
   std::sort(tower.begin(), tower.end(), [](const Storey& a, const Storey& b) { return a.bottom < b.bottom; });
   return tower;

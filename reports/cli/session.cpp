@@ -69,7 +69,7 @@ void Session::attach_to(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  app.add_option("--out", out, "Folder for index.html, report.md, report.json and report.csv")
+  app.add_option("--out", out, "Folder for index.html, report.md, report.json, report.csv and report.xml (JUnit)")
       ->capture_default_str()
       ->type_name("DIR");
 }

@@ -10,6 +10,7 @@
 #include "reports/find/isolated.h"
 #include "reports/find/tables.h"
 #include "reports/system/files.h"
+#include "reports/writers/junit.h"
 #include "reports/writers/output.h"
 #include "scenarios/scene/scene_json.h"
 
@@ -43,10 +44,12 @@ int run_again(const std::string& folder, const std::vector<std::string>& words, 
   for (const fs::path& file : files) {
     const Scene scene = read_scene(read_text(file.string(), largest_scene_file), file.string()).scene;
     const Origin origin = origin_of(scene);
-    const Known known(scene, origin.posed);
     const std::string found_in = origin.engine.empty() ? "impulse" : origin.engine;
-    for (const Suspect& suspect : parse_suspects(chosen ? words : std::vector{found_in})) {
-      const Opinion opinion = judged_apart(scene, origin.posed, suspect, known, limits);
+    const std::vector<Suspect> suspects = parse_suspects(chosen ? words : std::vector{found_in});
+    const std::vector<Opinion> opinions = judged_apart(scene, origin.posed, suspects, {}, limits);
+    for (std::size_t i = 0; i < suspects.size(); ++i) {
+      const Suspect& suspect = suspects[i];
+      const Opinion& opinion = opinions[i];
       std::string failure;
       for (const Complaint& one : opinion.complaints) failure += (failure.empty() ? "" : "; ") + one.words();
       failed += failure.empty() ? 0 : 1;

@@ -31,6 +31,7 @@ std::string Complaint::reason() const { return judge + " " + what + (sign == 0 ?
 
 std::string Complaint::words() const {
   const std::string place = where.empty() ? "" : ": " + where;
+  if (judge == "run" && time == 0) return what + place;  // unknown when
   if (judge == "run") return fmt::format("{} at {:.3g} s{}", what, time, place);
   const std::string verb = judge == "invariant" || judge == "relation" ? "breaks the " + judge : "is off the " + judge;
   return fmt::format("{} {} by {:.3g} {}, {:.3g} times what is allowed, at {:.3g} s{}", verb, what, value, unit, ratio,

@@ -18,12 +18,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Posed all_posed[] = {Posed::well, Posed::ambiguous, Posed::impossible};
+constexpr Posed all_posed[] = {Posed::well, Posed::ambiguous, Posed::impossible, Posed::overlapping};
 
 // What a scene file says of a scene that is not well posed.
 std::string judged_by(Posed posed) {
   if (posed == Posed::ambiguous) return " Several motions are right here: judged by laws alone.";
   if (posed == Posed::impossible) return " Rigidity and friction contradict each other here: judged by energy alone.";
+  if (posed == Posed::overlapping) return " Bodies start in each other: judged by the run's end alone.";
   return "";
 }
 

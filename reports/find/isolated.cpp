@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "reports/study/runner.h"
 
@@ -26,7 +27,24 @@ Complaint lost(const JobResult& result, const std::string& judge) {
   return {.judge = judge, .what = name_of(result.ending), .ratio = std::numeric_limits<double>::infinity()};
 }
 
-Opinion opinion_apart(const Scene& scene, Posed posed, const EngineConfig& config, const Known& known,
+// What is known of a scene, found out when an engine has run it.
+class LazyKnown {
+ public:
+  LazyKnown(const Scene& scene, Posed posed, const Judges& judges) : scene_(scene), posed_(posed), judges_(judges) {}
+
+  const Known& get() {
+    if (!known_) known_.emplace(scene_, posed_, judges_);
+    return *known_;
+  }
+
+ private:
+  const Scene& scene_;
+  Posed posed_;
+  Judges judges_;
+  std::optional<Known> known_;
+};
+
+Opinion opinion_apart(const Scene& scene, Posed posed, const EngineConfig& config, LazyKnown& lazy,
                       const RunLimits& limits) {
   const JobResult alone = done_apart(scene.name, limits, [&] { return as_json(judged_by_laws(scene, posed, config)); });
   if (alone.ending != Ending::done) {
@@ -35,7 +53,9 @@ Opinion opinion_apart(const Scene& scene, Posed posed, const EngineConfig& confi
     return opinion;
   }
   Opinion opinion = opinion_of(alone.output.values);
-  if (opinion.status != name_of(Status::ok) || known.empty()) return opinion;
+  if (opinion.status != name_of(Status::ok)) return opinion;
+  const Known& known = lazy.get();
+  if (known.empty()) return opinion;
   const JobResult more = done_apart(scene.name, limits, [&] {
     Json all = Json::array();
     for (const Complaint& one : judged_by(known, scene, config)) all.push_back(as_json(one));
@@ -50,15 +70,40 @@ Opinion opinion_apart(const Scene& scene, Posed posed, const EngineConfig& confi
   return opinion;
 }
 
-}  // namespace
-
-Opinion judged_apart(const Scene& scene, Posed posed, const Suspect& suspect, const Known& known,
-                     const RunLimits& limits) {
+Opinion judged_with(LazyKnown& known, const Scene& scene, Posed posed, const Suspect& suspect,
+                    const RunLimits& limits) {
   Opinion opinion = opinion_apart(scene, posed, suspect.config, known, limits);
   if (!suspect.right || opinion.complaints.empty()) return opinion;
   const Opinion right = opinion_apart(scene, posed, *suspect.right, known, limits);
   std::erase_if(opinion.complaints, [&](const Complaint& one) { return right.of(one.reason()) != nullptr; });
   return opinion;
+}
+
+Json judged_by_all(const Judges& judges, const Scene& scene, Posed posed, std::span<const Suspect> suspects,
+                   const RunLimits& limits) {
+  LazyKnown known(scene, posed, judges);
+  Json opinions = Json::array();
+  for (const Suspect& suspect : suspects) {
+    opinions.push_back(as_json(judged_with(known, scene, posed, suspect, limits)));
+  }
+  return {{"opinions", std::move(opinions)}};
+}
+
+}  // namespace
+
+std::vector<Opinion> judged_apart(const Scene& scene, Posed posed, std::span<const Suspect> suspects,
+                                  const Judges& judges, const RunLimits& limits) {
+  // What is known comes from engines as well, which may crash or hang in such a scene. Beside it, each suspect and its
+  // right engine run twice, each within the limit.
+  const RunLimits all{.seconds = limits.seconds * (1 + 4 * static_cast<double>(suspects.size())),
+                      .mebibytes = limits.mebibytes};
+  const JobResult informed =
+      done_apart(scene.name, all, [&] { return judged_by_all(judges, scene, posed, suspects, limits); });
+  const Json found = informed.ending == Ending::done ? informed.output.values
+                                                     : judged_by_all(Judges::laws(), scene, posed, suspects, limits);
+  std::vector<Opinion> opinions;
+  for (const Json& one : found.at("opinions")) opinions.push_back(opinion_of(one));
+  return opinions;
 }
 
 }  // namespace plumb

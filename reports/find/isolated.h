@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "reports/find/complaint.h"
 #include "reports/find/judge.h"
 #include "reports/find/suspect.h"
@@ -12,9 +15,9 @@ struct RunLimits {
   double mebibytes = 2048;
 };
 
-/// Judges a suspect in a process of its own: one that crashes, hangs or takes too much memory gets a complaint of the
-/// judge "run". What the suspect's right engine fails as well is left out. Only a process without other threads may
-/// call it.
-Opinion judged_apart(const Scene&, Posed, const Suspect&, const Known&, const RunLimits&);
+/// Judges suspects, each in a process of its own: one that crashes, hangs or takes too much memory gets a complaint of
+/// the judge "run". What a suspect's right engine fails as well is left out. Where finding out what is known of the
+/// scene crashes or takes too long, only laws judge. Only a process without other threads may call it.
+std::vector<Opinion> judged_apart(const Scene&, Posed, std::span<const Suspect>, const Judges&, const RunLimits&);
 
 }  // namespace plumb

@@ -126,6 +126,7 @@ Opinion judged_by_laws(const Scene& scene, Posed posed, const EngineConfig& conf
                                   .time = outcome.time});
     return opinion;
   }
+  if (posed == Posed::overlapping) return opinion;
   const Stepping stepping = config.engine->stepping(config.settings, search_step);
   for (const InvariantCheck& check : check_invariants({scene, *outcome.trace, stepping})) {
     const bool holds_here = posed != Posed::impossible || check.name == "energy" || check.name == "energy_bound";

@@ -21,6 +21,8 @@ struct Judges {
   bool relations = true;  // of the scene's run and its images'
   std::string only = "";  // the only relation; "" for all
 
+  /// Only laws, which need to know nothing.
+  static Judges laws() { return {.places = false, .relations = false}; }
   /// Those that can have a complaint for this reason.
   static Judges of_reason(const std::string& reason);
 };

@@ -43,6 +43,8 @@ const char* name_of(Posed posed) {
       return "ambiguous";
     case Posed::impossible:
       return "impossible";
+    case Posed::overlapping:
+      return "overlapping";
   }
   return "";
 }

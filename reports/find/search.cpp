@@ -75,13 +75,13 @@ std::shared_ptr<const Search> search_of(const Json& configuration) {
 // All suspects in one scene.
 JobOutput look(const Search& search, const Kind& kind, int n) {
   const Scene scene = drawn(kind, search.seed, n);
-  const Known known(scene, kind.posed);
+  const std::vector<Opinion> judged = judged_apart(scene, kind.posed, search.suspects, {}, search.limits);
   Json opinions = Json::object();
   std::string wrong;
-  for (const Suspect& suspect : search.suspects) {
-    const Opinion opinion = judged_apart(scene, kind.posed, suspect, known, search.limits);
-    if (!opinion.complaints.empty()) wrong += (wrong.empty() ? "" : ", ") + suspect.name;
-    opinions[suspect.name] = as_json(opinion);
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    const std::string& name = search.suspects[i].name;
+    if (!judged[i].complaints.empty()) wrong += (wrong.empty() ? "" : ", ") + name;
+    opinions[name] = as_json(judged[i]);
   }
   return {
       .values = {
@@ -112,9 +112,8 @@ JobOutput cut_down(const Search& search, const Lead& lead) {
   const Suspect& suspect = search.suspect(lead.engine);
   const Judges judges = Judges::of_reason(lead.reason);
   const Failing fails = [&](const Scene& candidate) -> std::optional<Complaint> {
-    const Known known(candidate, kind.posed, judges);
-    const Opinion opinion = judged_apart(candidate, kind.posed, suspect, known, search.limits);
-    const Complaint* same = opinion.of(lead.reason);
+    const auto opinions = judged_apart(candidate, kind.posed, {&suspect, 1}, judges, search.limits);
+    const Complaint* same = opinions.front().of(lead.reason);
     return same == nullptr ? std::nullopt : std::optional(*same);
   };
   const auto first = fails(scene);
@@ -201,13 +200,16 @@ const Catalog<Study>::Entry find_entry{
                  "  plumb find --time 10m --engine impulse        as many as ten minutes allow\n"
                  "  plumb find --kind heap --kind tower --seed 7  other scenes, of two kinds\n"
                  "  plumb find --engine fault:all                 which of prove's faults random scenes find\n"
+                 "  plumb find --engine closed-form:all           what judges say of closed forms: nothing\n"
                  "  plumb find --again out/found                  run what was found again; exit code 1 if it fails\n",
      .attach = [](CLI::App& app) -> std::function<Json()> {
        const auto options = std::make_shared<SearchOptions>();
        std::string names;
        for (const Kind* kind : Catalog<Kind>::all()) names += (names.empty() ? "" : ", ") + kind->name;
-       app.add_option("--engine", options->engines,
-                      "NAME[:key=value,...], fault:NAME or fault:all; may be repeated. Default: every engine")
+       app.add_option(
+              "--engine", options->engines,
+              "NAME[:key=value,...], fault:NAME, closed-form:NAME or fault:all, closed-form:all; may be repeated. "
+              "Default: every engine")
            ->allow_extra_args(false)
            ->type_name("ENGINE");
        app.add_option("--kind", options->kinds, "Any of: " + names + ". Default: all")

@@ -11,6 +11,7 @@
 #include "reports/find/ruler.h"
 #include "reports/find/tables.h"
 #include "reports/system/files.h"
+#include "reports/writers/junit.h"
 
 namespace plumb {
 namespace {
@@ -107,6 +108,19 @@ std::string faults_sentence(const std::vector<RulerSummary>& engines) {
   return fmt::format("{} of {} faults found{}.\n", found, faults, missed.empty() ? "" : "; not " + missed);
 }
 
+// Jobs without a result, which engines cannot cause; "" if there are none.
+std::string lost_sentence(const std::vector<JobResult>& results) {
+  std::string lost;
+  int count = 0;
+  for (const JobResult& result : results) {
+    if (result.ending == Ending::done) continue;
+    if (++count <= 3) lost += fmt::format("{}{} ({})", lost.empty() ? "" : "; ", result.key, result.reason);
+  }
+  if (count == 0) return "";
+  return fmt::format("{} {} lost: {}{}.\n", count, count == 1 ? "job was" : "jobs were", lost,
+                     count > 3 ? "; ..." : "");
+}
+
 double median_moving(const std::vector<Told>& told) {
   std::vector<int> counts;
   for (const Told& one : told) counts.push_back(one.finding.moving_bodies());
@@ -126,7 +140,7 @@ Findings conclude_search(const Json& configuration, const std::vector<JobResult>
   Json found_json = Json::array();
   for (const Told& one : told) found_json.push_back(json_of(one));
 
-  const std::string faults = faults_sentence(engines);
+  const std::string faults = faults_sentence(engines) + lost_sentence(results);
   const std::string head = fmt::format("{} scenes, {} findings, half of them with at most {} moving bodies.\n", scenes,
                                        told.size(), median_moving(told));
   const std::string alike = fmt::format(

@@ -12,6 +12,7 @@ namespace plumb {
 namespace {
 
 constexpr std::string_view fault_mark = "fault:";
+constexpr std::string_view closed_form_mark = "closed-form:";
 
 Suspect suspect_of(const Fault& fault) {
   Suspect suspect{.name = std::string(fault_mark) + fault.name,
@@ -33,9 +34,23 @@ std::vector<Suspect> faults_named(std::string_view name) {
   return found;
 }
 
+std::vector<Suspect> closed_forms_named(std::string_view name) {
+  std::vector<Suspect> found;
+  std::vector<std::string> names{"all"};
+  for (const Engine* engine : Catalog<Engine>::all()) {
+    if (!engine->exact) continue;
+    names.push_back(engine->name);
+    if (name != "all" && name != engine->name) continue;
+    found.push_back({.name = std::string(closed_form_mark) + engine->name, .config = {engine, complete(*engine, {})}});
+  }
+  if (found.empty()) throw std::invalid_argument(unknown("closed form", std::string(name), names));
+  return found;
+}
+
 }  // namespace
 
 std::vector<Suspect> parse_suspects(std::string_view word) {
+  if (word.starts_with(closed_form_mark)) return closed_forms_named(word.substr(closed_form_mark.size()));
   if (word.starts_with(fault_mark)) return faults_named(word.substr(fault_mark.size()));
   return {{.name = std::string(word), .config = parse_engine(word)}};
 }

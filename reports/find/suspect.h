@@ -21,7 +21,8 @@ struct Suspect {
 };
 
 /// "NAME[:key=value,...]" is an engine, "fault:NAME" ours with a fault of `plumb prove`, "fault:all" with each of them
-/// in turn. Throws std::invalid_argument, naming the nearest, for one that is not there.
+/// in turn, and "closed-form:NAME" or "closed-form:all" closed forms, in which any mistake is the judges'. Throws
+/// std::invalid_argument, naming the nearest, for one that is not there.
 std::vector<Suspect> parse_suspects(std::string_view word);
 
 /// Of several words; every engine as it is if there are none.

@@ -1,10 +1,12 @@
 #include "reports/writers/console.h"
+#include "reports/writers/in_words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
+#include "reports/writers/in_words.h"
 #include "reports/writers/summary.h"
 
 namespace plumb {
@@ -102,25 +104,6 @@ std::string table_row(const std::string& engine, const std::string& verdict, con
                       const std::string& overlap, const std::string& cost) {
   return fmt::format("    {:<27}{}{:>8}{:>9}{:>10}{:>10}{:>11}{:>8}\n", cut(engine, 26), verdict, checks, relative,
                      worst, error, overlap, cost);
-}
-
-std::string in_words(const TruthCheck& check) {
-  const std::string of = check.body.empty() ? "" : " of " + check.body;
-  const std::string what = fmt::format("{}{} at {:.4g} s: ", check.quantity, of, check.time);
-  if (!check.reported) return what + "not reported";
-  const std::string side = check.relation == Relation::equal ? "" : name_of(check.relation) + std::string(" ");
-  const std::string phases = !check.spread ? ""
-                                           : fmt::format(" (worst of {} phases; off by {:.2g} ... {:.2g})",
-                                                         check.spread->phases, check.spread->min, check.spread->max);
-  return what + fmt::format("{:.6g}, expected {}{:.6g} +- {:.2g} {}{}", check.measured, side, check.expected,
-                            check.tolerance, check.unit, phases);
-}
-
-std::string in_words(const InvariantCheck& check) {
-  const std::string where = check.where.empty() ? "" : " of " + check.where;
-  return fmt::format("breaks {}{} at {:.4g} s: {:.3g}, tolerance {:.2g} {} ({:.3g} times){}{}", check.name, where,
-                     check.time, check.value, check.tolerance, check.unit, check.ratio,
-                     check.detail.empty() ? "" : ": ", check.detail);
 }
 
 // The error estimate of a converged reference.

@@ -60,6 +60,22 @@ const auto rough = mutated({.name = "friction-2-percent", .about = "friction 2 %
                              }
                            });
 
+// When two discs meet without bouncing, the second one is turned by 2 % less than friction's torque: what they turn
+// about each other is lost.
+const auto untwisted =
+    mutated({.name = "disc-torque-2-percent",
+             .about = "of two discs that meet without bouncing, one is turned 2 % too little: angular momentum is lost",
+             .mutates = "accurate"},
+            nullptr, [](MutatedStep& step) {
+              for (const Contact& contact : step.contacts) {
+                if (!contact.discs() || contact.restitution != 0) continue;
+                const ContactPoint& at = contact.points[0];
+                const Real torque = at.total_tangent_impulse * cross(at.arm_b, perpendicular(contact.normal));
+                step.bodies.velocity[contact.body_b].w -=
+                    static_cast<Real>(0.02) * step.bodies.inverse_mass[contact.body_b].i * torque;
+              }
+            });
+
 constexpr Real skin = static_cast<Real>(0.01);  // m
 
 const auto thick_skin = mutated({.name = "skin", .about = "shapes 1 cm thicker than they are", .mutates = "accurate"},

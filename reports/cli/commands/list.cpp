@@ -8,8 +8,10 @@
 
 #include "reference/simulation.h"
 #include "reports/cli/command.h"
+#include "reports/find/kind.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
+#include "reports/judge/relation.h"
 #include "reports/run/scene_file.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scenario.h"
@@ -53,17 +55,28 @@ void list_invariants() {
   }
 }
 
+void list_relations() {
+  for (const MetamorphicRelation* relation : Catalog<MetamorphicRelation>::all()) {
+    fmt::print("  {:<24} {:<9} {}\n", relation->name, relation->unit, relation->definition);
+  }
+}
+
+void list_kinds() {
+  for (const Kind* kind : Catalog<Kind>::all()) {
+    fmt::print("  {:<24} {:<9} {}\n", kind->name, kind->posed == Posed::well ? "" : name_of(kind->posed), kind->about);
+  }
+}
+
 void list_reported() {
   for (const Case& one : reported_cases())
     fmt::print("  {}:{}\n    {}\n", tracker, one.scenario->name, one.scenario->question);
 }
 
 int list(const std::string& what) {
-  const std::vector<std::pair<std::string, std::function<void()>>> lists{{"scenarios", list_scenarios},
-                                                                         {"engines", list_engines},
-                                                                         {"metrics", list_metrics},
-                                                                         {"invariants", list_invariants},
-                                                                         {std::string(tracker), list_reported}};
+  const std::vector<std::pair<std::string, std::function<void()>>> lists{
+      {"scenarios", list_scenarios},        {"engines", list_engines},     {"metrics", list_metrics},
+      {"invariants", list_invariants},      {"relations", list_relations}, {"kinds", list_kinds},
+      {std::string(tracker), list_reported}};
   std::vector<std::string> names;
   bool found = false;
   for (const auto& [name, print] : lists) {
@@ -79,12 +92,13 @@ int list(const std::string& what) {
 
 const Catalog<Command>::Entry entry{
     {.name = "list",
-     .about = "Show scenarios, engines, metrics, invariants and reported cases",
+     .about = "Show scenarios, engines, metrics, invariants, relations, kinds of random scenes and reported cases",
      .examples = "  plumb list\n"
                  "  plumb list engines    with their options and where they come from\n",
      .attach = [](CLI::App& app) {
        const auto what = std::make_shared<std::string>();
-       app.add_option("what", *what, "scenarios, engines, metrics, invariants or tracker; default: all")
+       app.add_option("what", *what,
+                      "scenarios, engines, metrics, invariants, relations, kinds or tracker; default: all")
            ->type_name("WHAT");
        return [what] { return list(*what); };
      }}};

@@ -31,9 +31,13 @@ Scene scene(Draw& draw) {
   }
   if (count > 1 && draw.chance(0.3)) {
     scene.gravity = {};
+    // k/r^2 bends a path within a step where k/r^3 > 3600/s^2: here below .05 m, which few bodies pass.
+    const bool spring = draw.chance(0.5);  // k r
     scene.forces.push_back(Attraction{.from = 0,
-                                      .strength = draw.between(1, 20),
-                                      .exponent = draw.chance(0.7) ? 2.0 : 1.0,
+                                      .strength = spring ? draw.between(1, 20) : draw.between(0.05, 0.5),
+                                      .exponent = spring             ? -1.0
+                                                  : draw.chance(0.7) ? 2.0
+                                                                     : 1.0,
                                       .mutual = draw.chance(0.5)});
   }
   if (draw.chance(0.2)) {

@@ -17,6 +17,11 @@ Scene scene(Draw& draw) {
   b.velocity = {-draw.between(0.5, 5), draw.between(-0.5, 0.5)};
   if (draw.chance(0.5)) a.angular_velocity = draw.between(-8, 8);
   if (draw.chance(0.5)) b.angular_velocity = draw.between(-8, 8);
+  if (draw.chance(0.2)) {
+    a.shapes[0].geometry = Circle{.radius = size};
+    b.shapes[0].geometry = Circle{.radius = other_size};
+    if (draw.chance(0.5)) a.shapes[0].surface.restitution = b.shapes[0].surface.restitution = 0;
+  }
   scene.bodies = {a, b};
   return scene;
 }

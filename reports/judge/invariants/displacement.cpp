@@ -27,7 +27,8 @@
 //   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
 //   move it by F/m dt^2 on the way there. At the contact a correction by C turns a body by at most C/2k (of r/(k^2 +
 //   r^2), the largest is 1/2k), which is C/2 in k dw;
-// - the rounding of positions and velocities.
+// - the rounding of positions and velocities: of the largest position so far, as one near the origin may be the
+//   difference of such.
 namespace plumb::invariants::displacement {
 namespace {
 
@@ -57,7 +58,8 @@ class Displacement {
         forces_(context.scene),
         joints_(context.scene),
         neighbours_(context.scene, context.trace, context.stepping),
-        overlap_(context.scene) {}
+        overlap_(context.scene),
+        farthest_(context.scene.bodies.size()) {}
 
   InvariantCheck check() {
     const auto& [scene, trace, stepping] = context_;
@@ -139,8 +141,9 @@ class Displacement {
     if (of.inertia > 0) tolerance += dt * dt * gyration / of.inertia * std::abs(after.torque - before.torque);
     const double path = dt * std::max(length(then.velocity), length(now.velocity));
     const double turn = dt * gyration * std::max(std::abs(then.angular_velocity), std::abs(now.angular_velocity));
+    farthest_[body] = std::max({farthest_[body], length(then.position), length(now.position)});
     const double rounded =
-        solver_rounding(stepping) * (length(now.position) + path + gyration * std::abs(now.angle) + turn) +
+        solver_rounding(stepping) * (farthest_[body] + path + gyration * std::abs(now.angle) + turn) +
         2 * 0x1p-53 * trace.time(moment) / dt * (path + turn);
     worst_.add(std::max(off, turned_off), tolerance + rounded, std::max(path, turn), trace.time(moment),
                [&] { return context_.scene.bodies[body].name; });
@@ -151,6 +154,7 @@ class Displacement {
   JointGeometry joints_;
   Neighbours neighbours_;
   Overlap overlap_;
+  std::vector<double> farthest_;  // m, from the origin
   WorstViolation worst_;
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,7 +30,8 @@
 // - damping c, which a first-order method takes from either end: c dt of the change that the damping and the forces
 //   make;
 // - sleep, which stops a body of at most the stated speed;
-// - round-off, once for the body and once for each of its joints.
+// - round-off, once for the body and once for each of its joints: of the largest momentum so far, as a small velocity
+//   may be the difference of larger ones.
 namespace plumb::invariants::free_motion {
 namespace {
 
@@ -73,6 +75,8 @@ struct Row {
 
 // What is left of v after the best fit of the rows, and the fit: conjugate gradients on the normal equations (CGLS;
 // Bjoerck, Numerical Methods for Least Squares Problems, 7.4.1), which also serves rows that depend on each other.
+// Each step of theirs leaves less of v. Where one doesn't, only rounding is left to be fitted, and further steps would
+// grow without bound.
 struct Fit {
   Vector rest, lambda;
 };
@@ -88,14 +92,19 @@ Fit fitted(Vector v, const std::vector<Row>& rows) {
   Vector direction = gradient;
   double square = product(gradient, gradient);
   const double enough = 1e-30 * square;
+  double left = product(fit.rest, fit.rest);
   for (std::size_t i = 0; i < 8 * rows.size() && square > enough; ++i) {
     Vector image(fit.rest.size());
     for (std::size_t r = 0; r < rows.size(); ++r) rows[r].add_to(image, direction[r]);
     const double curvature = product(image, image);
     if (!(curvature > 0)) break;
     const double step = square / curvature;
+    for (std::size_t k = 0; k < image.size(); ++k) image[k] = fit.rest[k] - step * image[k];
+    const double less = product(image, image);
+    if (!(less < left)) break;
+    left = less;
+    fit.rest = std::move(image);
     for (std::size_t r = 0; r < rows.size(); ++r) fit.lambda[r] += step * direction[r];
-    for (std::size_t k = 0; k < image.size(); ++k) fit.rest[k] -= step * image[k];
     gradient = gradient_of(fit.rest);
     const double next = product(gradient, gradient);
     for (std::size_t r = 0; r < rows.size(); ++r) direction[r] = gradient[r] + next / square * direction[r];
@@ -121,7 +130,8 @@ class FreeMotion {
         joints_(context.scene),
         neighbours_(context.scene, context.trace, context.stepping),
         members_(context.scene.bodies.size()),
-        place_(context.scene.bodies.size()) {
+        place_(context.scene.bodies.size()),
+        largest_(context.scene.bodies.size()) {
     Groups groups(members_.size());
     for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
       const auto [a, b] = joints_.bodies(joint);
@@ -260,10 +270,11 @@ class FreeMotion {
     const double scaled = std::sqrt(total);
     const double force_size = norm(force);
     const double momentum_size = norm(momentum);
+    double& largest = largest_[group.front()];
+    largest = std::max(largest, momentum_size);
     const double known = norm(force_change) + most_damped * (norm(damping) + force_size) +
                          (stopped ? std::min(momentum_size, 2 * scaled * stepping.rest_speed) : 0) +
-                         solver_rounding(stepping) * (momentum_size + force_size) +
-                         2 * 0x1p-53 * time / dt * force_size;
+                         solver_rounding(stepping) * (largest + force_size) + 2 * 0x1p-53 * time / dt * force_size;
     const Directions directions = directions_of(step, group);
     double rest = 0;
     double tolerance = 0;
@@ -291,6 +302,7 @@ class FreeMotion {
   Neighbours neighbours_;
   std::vector<std::vector<std::size_t>> members_;  // of the group with that index
   std::vector<std::size_t> place_;                 // of a body in its group
+  std::vector<double> largest_;                    // momentum of a group so far, by its first body
   WorstViolation worst_;
 };
 

@@ -14,6 +14,7 @@
 #include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/surface.h"
 
 namespace plumb::invariants::positions {
 namespace {
@@ -106,6 +107,28 @@ std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
 
 constexpr double settling_time = 1;  // s, for which all bodies must have been still
 
+// Whether friction holds every body on every half-space that slopes. Where it all but does, a body may take longer than
+// the settling time to be seen sliding.
+bool holds_on_slopes(const Scene& scene) {
+  for (const Body& ground : scene.bodies) {
+    for (const Shape& slope : ground.shapes) {
+      const auto* half = std::get_if<HalfSpace>(&slope.geometry);
+      if (half == nullptr) continue;
+      const Vec normal = rotated(half->normal, ground.angle);
+      const double load = -dot(normal, scene.gravity);
+      const double pull = std::abs(cross(normal, scene.gravity));
+      for (const Body& body : scene.bodies) {
+        if (load <= 0 || body.type != BodyType::dynamic) continue;
+        const auto slides = [&](const Shape& shape) {
+          return pull > load * mixed_static_friction(scene.mixing, slope.surface, shape.surface);
+        };
+        if (std::any_of(body.shapes.begin(), body.shapes.end(), slides)) return false;
+      }
+    }
+  }
+  return true;
+}
+
 // Whether still bodies of the scene are at rest: they lie on their faces and friction holds them. A disc may roll as
 // slowly as it likes, a pendulum may swing and a spring may pull.
 bool stays_where_it_rests(const Scene& scene) {
@@ -118,7 +141,7 @@ bool stays_where_it_rests(const Scene& scene) {
     });
   };
   return scene.joints.empty() && scene.forces.empty() && scene.gravity != Vec{} &&
-         std::all_of(scene.bodies.begin(), scene.bodies.end(), stays);
+         std::all_of(scene.bodies.begin(), scene.bodies.end(), stays) && holds_on_slopes(scene);
 }
 
 // Once every body has been still for a second, no body may move by more than the gap it may still close, along gravity

@@ -81,5 +81,18 @@ TEST_F(Chipmunk, BouncesAtAnySpeed) {
   EXPECT_NEAR(last(scene, {}, 30).velocity.y, .05, 1e-12);
 }
 
+TEST_F(Chipmunk, JoinsBodiesThatMayNotTurn) {
+  Scene scene = scene_of({body_of(BodyType::fixed, {}, Circle{.1}), body_of(BodyType::dynamic, {0, -1}, Circle{.3})});
+  scene.bodies[1].fixed_rotation = true;
+  const auto height = [&](const Joint& joint) {
+    scene.joints = {joint};
+    return last(scene, {}, 60).position.y;
+  };
+  EXPECT_NEAR(height(Prismatic{.a = 0, .b = 1, .anchor = {0, -1}, .axis = {1, 0}}), -1, 0.01);
+  EXPECT_NEAR(height(Prismatic{.a = 0, .b = 1, .anchor = {0, -1}, .axis = {0, 1}}), -1 - standard_gravity / 2, 0.1);
+  EXPECT_NEAR(height(Weld{.a = 0, .b = 1, .anchor = {0, -1}}), -1, 0.01);
+  EXPECT_NEAR(height(Revolute{.a = 0, .b = 1, .anchor = {0, -1}, .limits = AngleLimits{-1, 1}}), -1, 0.01);
+}
+
 }  // namespace
 }  // namespace plumb::chipmunk_test

@@ -201,6 +201,10 @@ TEST(FirstImpact, EndsAtTheSecondContact) {
     least = std::min(least, clearance(corner, motion.at(motion.valid_until()), landing().floor));
   }
   EXPECT_NEAR(least, 0, 1e-14);
+  // A run's last step may end after the solution's end.
+  auto shorter = landing();
+  shorter.horizon = motion.valid_until() - 1e-3;
+  EXPECT_EQ(solved(shorter).valid_until(), motion.valid_until());
 }
 
 TEST(FirstImpact, IsValidForEverIfNothingIsHit) {

@@ -123,6 +123,9 @@ TEST(RestingTower, RefusesATowerThatMovesOrFloats) {
   Scene floating = tower({0});
   floating.bodies[1].position.y += 1e-3;
   EXPECT_NE(rest().unsupported(floating, {}), "");
+  Scene rising = tower({0});
+  rising.bodies[1].gravity_scale = -0.5;
+  EXPECT_NE(rest().unsupported(rising, {}), "");
 }
 
 TEST(RestingTower, RefusesBoxesThatPassThroughEachOther) {

@@ -77,6 +77,8 @@ TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
     EXPECT_THAT(said.out, HasSubstr(word));
   }
   EXPECT_THAT(say({"list", "invariants"}).out, HasSubstr("momentum_of_bodies"));
+  EXPECT_THAT(say({"list", "relations"}).out, HasSubstr("galilei"));
+  EXPECT_THAT(say({"list", "kinds"}).out, HasSubstr("painleve"));
   EXPECT_THAT(say({"list", "metrics"}).out, ::testing::Not(HasSubstr("integrator")));
 }
 

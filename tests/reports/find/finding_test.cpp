@@ -7,6 +7,7 @@
 #include "reports/find/ruler.h"
 #include "reports/find/tables.h"
 #include "reports/system/files.h"
+#include "reports/writers/junit.h"
 #include "scenarios/parts.h"
 #include "scenarios/scene/scene_json.h"
 
@@ -34,7 +35,7 @@ TEST(Finding, IsNamedByItsContent) {
 }
 
 TEST(Finding, SaysInItsFileHowToRunItAgain) {
-  for (const Posed posed : {Posed::well, Posed::ambiguous, Posed::impossible}) {
+  for (const Posed posed : {Posed::well, Posed::ambiguous, Posed::impossible, Posed::overlapping}) {
     Finding one = finding();
     one.posed = posed;
     const Scene scene = read_scene(one.file(5), "found").scene;

@@ -56,8 +56,8 @@ for (const width of [360, 1280]) {
     assert.deepEqual(trouble, []);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
     const told = await text_in(page.locator("#found"));
-    assert.match(told, /\.\/plumb run out\/found\/box2d\.json --engine box2d --relations/);
-    assert.match(told, /\.\/plumb run out\/found\/exec-python3-mine-py\.json --engine "exec:python3 mine\.py"(?! --rel)/);
+    assert.match(told, /\.\/plumb run out\/found\/box2d\.json --engine box2d --engine impulse --relations/);
+    assert.match(told, /\.\/plumb run out\/found\/exec-python3-mine-py\.json --engine "exec:python3 mine\.py" --engine impulse(?! --rel)/);
     assert.match(told, /\.\/plumb find --again out\/found/);
     assert.match(await text_in(page.locator("#environment")), /belt, chain, composite/);
     if (width < 1000) return;

@@ -59,11 +59,20 @@ function engine_row(one: Engine): HTMLTableRowElement {
 
 const found_heads = ["engine", "what, and what runs it again", "moving bodies", "from"];
 
-function found_row(one: Found): HTMLTableRowElement {
+const quoted = (engine: string) => (/[ :]/.test(engine) ? `"${engine}"` : engine);
+
+// The replay shows the engine beside ours, or ours beside another of the search.
+function beside(one: Found, engines: Engine[]): string {
+  const others = ["impulse", ...engines.map((each) => each.engine)];
+  const other = others.find((name) => name !== one.engine && !/^(fault|closed-form):/.test(name));
+  return other === undefined ? "" : ` --engine ${quoted(other)}`;
+}
+
+function found_row(one: Found, engines: Engine[]): HTMLTableRowElement {
   const from = `${one.from}, ${one.drawn_bodies} ${one.drawn_bodies === 1 ? "body" : "bodies"}${one.posed === "well" ? "" : `, ${one.posed}`}`;
   const relations = one.reason.startsWith("relation ") ? " --relations" : "";
-  const run = `./plumb run out/${one.file} --engine ${/[ :]/.test(one.engine) ? `"${one.engine}"` : one.engine}${relations}`;
-  const again = one.engine.startsWith("fault:") ? "./plumb find --again out/found" : run;
+  const run = `./plumb run out/${one.file} --engine ${quoted(one.engine)}${beside(one, engines)}${relations}`;
+  const again = /^(fault|closed-form):/.test(one.engine) ? "./plumb find --again out/found" : run;
   const what = h("div", { class: "told" }, words(one.words), command(again));
   return h("tr", { id: slug(one.name) }, h("th", { scope: "row" }, one.engine), ...cells(found_heads, [what, String(one.moving_bodies), from]));
 }
@@ -90,7 +99,7 @@ export function find(study: Study): StudyView {
       { id: slug("found") },
       h("h2", {}, "Findings"),
       h("p", { class: "lede" }, "Each is told once, in the smallest scene that shows it. Its command writes a page with the replay."),
-      table("Findings", found_heads, found.slice(0, most_shown).map(found_row)),
+      table("Findings", found_heads, found.slice(0, most_shown).map((one) => found_row(one, engines))),
       found.length > most_shown ? h("p", { class: "basis" }, `And ${count(found.length - most_shown, "more finding")}.`) : null,
     );
   return { sentence, sections: [{ id: "ruler", name: "Engines", content: ruler }, { id: "found", name: "Findings", content: scenes_found }] };

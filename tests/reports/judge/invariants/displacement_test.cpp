@@ -72,5 +72,18 @@ TEST(DisplacementInvariant, AllowsAnImpactWithinAStep) {
   EXPECT_EQ(status("displacement", box_on_ground(), bounced(0.05), exact), CheckStatus::broken);
 }
 
+// 9 m less 9 m is nothing to within the rounding of 9 m, 64 u of it in a step.
+TEST(DisplacementInvariant, KnowsThatAPlaceNearTheOriginMayBeADifferenceOfLargerOnes) {
+  Scene scene = box_on_ground();
+  scene.bodies[0].position = {0, -20};
+  const auto stopped_at = [&](double left) {
+    std::vector<std::vector<BodyState>> states{box_at({9, 0}, {-900, 0}), box_at({0, 0}), box_at({left, 0})};
+    for (auto& one : states) one[0].position = {0, -20};
+    return forged(dt, {{states[0]}, {states[1]}, {states[2]}});
+  };
+  EXPECT_EQ(status("displacement", scene, stopped_at(1e-14), exact), CheckStatus::held);
+  EXPECT_EQ(status("displacement", scene, stopped_at(1e-12), exact), CheckStatus::broken);
+}
+
 }  // namespace
 }  // namespace plumb::displacement_test

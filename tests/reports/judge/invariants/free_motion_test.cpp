@@ -6,6 +6,7 @@
 #include "forged_runs.h"
 #include "reports/judge/mechanics.h"
 #include "reports/vec.h"
+#include "scenarios/random.h"
 #include "scenarios/scene/mass.h"
 
 namespace plumb::free_motion_test {
@@ -164,6 +165,47 @@ TEST(FreeMotionInvariant, FitsTheOtherJointsToo) {
   EXPECT_EQ(status("free_motion", scene, frozen(scene), exact), CheckStatus::held);
   scene.joints = {Distance{.a = 0, .b = 1, .anchor_a = centre + Vec{1, 1}, .anchor_b = centre, .length = std::sqrt(2)}};
   EXPECT_EQ(status("free_motion", scene, frozen(scene), exact), CheckStatus::broken);
+}
+
+// What an impact left of 1 m/s is nothing to within the rounding of 1 m/s, 64 u of it in a step.
+TEST(FreeMotionInvariant, KnowsThatASmallVelocityMayBeADifferenceOfLargerOnes) {
+  const Scene scene = box_on_ground();
+  const auto stopped = [&](double left) {
+    return forged(dt, {{box_at({0, 9}, {0, -1})},
+                       {box_at({0, 8.99}, {0, -1})},
+                       {box_at({0, 0.5})},  // whatever happens on the ground
+                       {box_at({0, 9})},
+                       {box_at({0, 9}, {0, left})}});
+  };
+  EXPECT_EQ(status("free_motion", scene, stopped(1e-15), exact), CheckStatus::held);
+  EXPECT_EQ(status("free_motion", scene, stopped(1e-13), exact), CheckStatus::broken);
+}
+
+// Two bodies on a rail that fly side by side, so that their joint has nothing to do but what rounding leaves.
+TEST(FreeMotionInvariant, FitsNothingToTheRoundingOfJointsAtRest) {
+  Scene scene{.gravity = {}, .bodies = {{.name = "one"}, {.name = "other", .position = {2, -2}}}};
+  for (Body& body : scene.bodies) {
+    body.velocity = {-0.1, 2};
+    body.shapes = {{Box{.size = {0.4, 0.6}}, {.density = 5}}};
+  }
+  Random random(1);
+  const auto rounding = [&] { return std::round(random.between(-2, 2)) * 0x1p-53; };
+  for (int rail = 0; rail < 200; ++rail) {
+    const Vec anchor{random.between(-1, 1), random.between(-1, 1)};
+    scene.joints = {Prismatic{.a = 0, .b = 1, .anchor = anchor, .axis = rotated({1, 0}, random.between(0, 6))}};
+    Trace trace(2);
+    for (int i = 0; i <= 200; ++i) {
+      std::vector<BodyState> states = initial_states(scene);
+      for (BodyState& state : states) {
+        state.velocity = state.velocity + Vec{rounding(), rounding()};
+        state.angular_velocity = rounding();
+      }
+      trace.record(i * dt, states, {});
+    }
+    const InvariantCheck check = checked("free_motion", scene, trace, first_order).value();
+    EXPECT_EQ(check.status, CheckStatus::held) << check.value << " of " << check.tolerance << " at " << check.time;
+    EXPECT_LT(check.tolerance, 1e-12);
+  }
 }
 
 }  // namespace

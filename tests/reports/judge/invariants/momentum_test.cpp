@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "forged_runs.h"
 #include "scenarios/scene/mass.h"
 
@@ -108,6 +110,23 @@ TEST(MomentumInvariant, KnowsThatItsOwnSumsAreRounded) {
   };
   EXPECT_EQ(status("momentum", scene, rising(4e-14), exact), CheckStatus::held);
   EXPECT_EQ(status("momentum", scene, rising(2e-13), exact), CheckStatus::broken);
+}
+
+// At the end of its stroke on a spring the force is the same at both ends of a step, but larger in between.
+TEST(MomentumInvariant, KnowsThatASpringTurnsWithinAStep) {
+  constexpr double w = 10;  // rad/s
+  Scene scene{.gravity = {}, .bodies = {{.name = "disc", .shapes = {{Circle{.radius = 1}, {.density = 1}}}}}};
+  const double mass = mass_of(scene.bodies[0]).mass;
+  scene.forces.push_back(Spring{.b = 0, .stiffness = w * w * mass, .length = 0});
+  const auto turning = [&](double factor) {
+    const Vec place{std::cos(w * dt / 2), 0};
+    const double speed = w * std::sin(w * dt / 2);
+    return forged(dt, {{{{.position = place, .velocity = {speed, 0}}}},
+                       {{{.position = place, .velocity = {speed - factor * 2 * speed, 0}}}}});
+  };
+  EXPECT_EQ(status("momentum", scene, turning(1), rounded_exact), CheckStatus::held);
+  EXPECT_EQ(status("momentum", scene, turning(1.01), rounded_exact), CheckStatus::broken);
+  EXPECT_EQ(status("momentum", scene, turning(0.99), rounded_exact), CheckStatus::broken);
 }
 
 }  // namespace

@@ -59,6 +59,13 @@ TEST(RestInvariant, ForbidsBodiesAtRestToCreep) {
   EXPECT_EQ(status("rest", scene, lying({0.0054, 0}), creeping), CheckStatus::held);
 }
 
+TEST(RestInvariant, LetsBodiesSlideWhereFrictionAllButHoldsThem) {
+  const auto tilted = [](double slope) { return box_on_ground(0.5, {10 * slope, -10}); };
+  EXPECT_TRUE(checked("rest", tilted(0.499), lying({}), first_order).has_value());
+  EXPECT_FALSE(checked("rest", tilted(0.501), lying({}), first_order).has_value());
+  EXPECT_EQ(status("rest", tilted(0.499), lying({0.01, 0}), first_order), CheckStatus::broken);
+}
+
 TEST(RestInvariant, LetsRoundBodiesRoll) {
   Scene scene = box_on_ground(0.5, {0, -10});
   scene.bodies[1].shapes = {{Circle{}, scene.bodies[1].shapes[0].surface}};
