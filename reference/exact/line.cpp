@@ -183,8 +183,8 @@ Recognised<BodiesOnLine> recognise_line(const Scene& scene) {
     particles.push_back({body.position.x, body.velocity.x, mass_of(body).mass, (row[k].high - row[k].low) / 2});
   }
   if (particles.empty()) return "handles only bodies that move";
-  return BodiesOnLine{start_of(scene), bodies, {1, 0}, positions,
-                      Line(particles, walls, restitution, scene.duration + longest_step)};
+  return BodiesOnLine{
+      start_of(scene), bodies, {1, 0}, positions, Line(particles, walls, restitution, scene.duration + longest_step)};
 }
 
 const Catalog<Engine>::Entry line_entry{closed_form<BodiesOnLine>(
