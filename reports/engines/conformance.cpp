@@ -52,6 +52,7 @@ Scene falling() {
 // Ten discs, free or each on the ground.
 Scene ten_discs(bool on_ground) {
   std::vector<Body> bodies;
+  bodies.reserve(11);
   for (int i = 0; i < 10; ++i) bodies.push_back(disc("disc " + std::to_string(i), {2.0 * i, on_ground ? 0.5 : 10}));
   if (on_ground) bodies.push_back(ground());
   return scene_of(std::move(bodies));

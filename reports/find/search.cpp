@@ -50,12 +50,14 @@ const Kind& find_kind(const std::string& name) {
   const Kind* found = Catalog<Kind>::find(name);
   if (found != nullptr) return *found;
   std::vector<std::string> names;
+  names.reserve(Catalog<Kind>::all().size());
   for (const Kind* kind : Catalog<Kind>::all()) names.push_back(kind->name);
   throw std::invalid_argument(unknown("kind", name, names));
 }
 
 std::vector<const Kind*> kinds_named(const std::vector<std::string>& names) {
   std::vector<const Kind*> kinds;
+  kinds.reserve(names.size());
   for (const std::string& name : names) kinds.push_back(&find_kind(name));
   return kinds.empty() ? Catalog<Kind>::all() : kinds;
 }
@@ -175,6 +177,7 @@ std::vector<Job> cuts_of(const std::shared_ptr<const Search>& search, const std:
 // Changes when another version draws other scenes.
 std::string definitions_hash(const std::vector<const Kind*>& kinds, std::uint64_t seed) {
   std::vector<std::string> scenes;
+  scenes.reserve(kinds.size());
   for (const Kind* kind : kinds) scenes.push_back(write_scene({.scene = drawn(*kind, seed, 0), .truth = {}}));
   return hash_of_lines(scenes);
 }
@@ -185,6 +188,7 @@ Json configuration_of(const SearchOptions& options) {
   require_distinct(suspects);
   const auto kinds = kinds_named(options.kinds);
   std::vector<std::string> names;
+  names.reserve(kinds.size());
   for (const Kind* kind : kinds) names.push_back(kind->name);
   require_distinct(names);
   return {{"engines", suspects},        {"kinds", names},

@@ -123,6 +123,7 @@ std::string lost_sentence(const std::vector<JobResult>& results) {
 
 double median_moving(const std::vector<Told>& told) {
   std::vector<int> counts;
+  counts.reserve(told.size());
   for (const Told& one : told) counts.push_back(one.finding.moving_bodies());
   std::ranges::sort(counts);
   return counts.empty() ? 0 : counts[counts.size() / 2];

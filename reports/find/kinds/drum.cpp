@@ -17,7 +17,8 @@ void stack(Draw& draw, double half, Scene& scene) {
   const double apart = side + draw.between(0.005, 0.08);
   const int rows = std::min(draw.whole(2, 6), static_cast<int>(2 * half / apart) - 1);
   for (int i = 0; i < rows * rows; ++i) {
-    const Vec at{(i % rows - (rows - 1) / 2.0) * apart, (i / rows - (rows - 1) / 2.0) * apart};
+    const int row = i / rows;
+    const Vec at{(i % rows - (rows - 1) / 2.0) * apart, (row - (rows - 1) / 2.0) * apart};
     scene.bodies.push_back(box(fmt::format("body {}", i + 1), at, {side, side}, of));
   }
 }

@@ -26,7 +26,8 @@ Scene scene(Draw& draw) {
   const double apart = 2 * half / (rows + 1);
   const double side = apart * draw.between(0.5, 0.95);
   for (int i = 0; i < rows * rows; ++i) {
-    const Vec at{(i % rows - (rows - 1) / 2.0) * apart, (i / rows - (rows - 1) / 2.0) * apart};
+    const int row = i / rows;
+    const Vec at{(i % rows - (rows - 1) / 2.0) * apart, (row - (rows - 1) / 2.0) * apart};
     scene.bodies.push_back(box(fmt::format("body {}", i + 1), at, {side, side}, of));
   }
   Body& large = scene.bodies[static_cast<std::size_t>(draw.whole(1, rows * rows))];
