@@ -28,9 +28,10 @@ TEST(IsSceneFile, AcceptsJsonAndPathsThatExist) {
 }
 
 class SceneFileCase : public ::testing::Test {
- protected:
+ public:
   ~SceneFileCase() override { fs::remove_all(folder_); }
 
+ protected:
   std::string write(const std::string& text) const {
     fs::create_directories(folder_);
     std::ofstream(folder_ / "scene.json") << text;
