@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -124,27 +123,22 @@ std::vector<std::string> exported() {
   return texts;
 }
 
-// Each file is either read completely, so that it can be written again, or refused within a second with the location of
-// the error.
+// Each file is either read completely, so that it can be written again, or refused with the location of the error.
 TEST(ReadScene, ReadsOrRefusesTenThousandMutatedFiles) {
   const testing::Matcher<std::string> says_where =
       testing::ContainsRegex("^m\\.json: (line [0-9]+, column [0-9]+|top level|[^ ]+): .");
   const std::vector<std::string> texts = exported();
   Mutator mutated(1);
   int refused = 0;
-  std::chrono::duration<double> slowest{};
   for (std::size_t i = 0; i < 10'000; ++i) {
     const std::string text = mutated(texts[i % texts.size()]);
-    const auto start = std::chrono::steady_clock::now();
     try {
       write_scene(read_scene(text, "m.json"));
     } catch (const std::invalid_argument& error) {
       ++refused;
       ASSERT_TRUE(says_where.Matches(error.what())) << error.what() << '\n' << text;
     }
-    slowest = std::max(slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start));
   }
-  EXPECT_LT(slowest.count(), 1);
   EXPECT_GT(refused, 5'000);
   EXPECT_LT(refused, 9'900);  // the mutations are mild enough that some files are still valid
 }

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -193,17 +192,8 @@ Scene pyramid(int rows) {
   return scene;
 }
 
-TEST(ReadScene, Reads5050BodiesInAFifthOfASecond) {
-#ifdef NDEBUG
-  constexpr double most = 0.2;  // s
-#else
-  constexpr double most = 2;  // s, with assertions and sanitizers
-#endif
-  const std::string text = write_scene({pyramid(100), {}});
-  const auto start = std::chrono::steady_clock::now();
-  EXPECT_EQ(read_scene(text, "pyramid.json").scene.bodies.size(), 5051u);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(took.count(), most);
+TEST(ReadScene, Reads5050Bodies) {
+  EXPECT_EQ(read_scene(write_scene({pyramid(100), {}}), "pyramid.json").scene.bodies.size(), 5051u);
 }
 
 }  // namespace
