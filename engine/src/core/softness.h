@@ -9,15 +9,12 @@ namespace impulse::inline IMPULSE_PRECISION {
 ///   impulse = -m [ mass_scale (v + bias_rate s) ] - impulse_scale * lambda
 ///
 /// with m the effective mass, v the relative velocity, s the position error, lambda the accumulated impulse.
-/// mass_scale + impulse_scale = 1.
+/// mass_scale + impulse_scale = 1. By default it is rigid.
 struct Softness {
   Real bias_rate = 0;      // 1/s
   Real mass_scale = 1;     // share of the rigid impulse
   Real impulse_scale = 0;  // share of the accumulated impulse that is taken back
   Real omega = 0;          // rad/s
-
-  /// The same bias, but with the full rigid impulse.
-  Softness rigid() const { return {bias_rate, 1, 0, omega}; }
 
   /// A spring with this frequency (Hz), integrated implicitly with steps of h (s).
   static Softness of(Real frequency, Real damping_ratio, Real h) {

@@ -14,6 +14,7 @@
 #include "solver/energy_bound.h"
 #include "solver/impacts.h"
 #include "solver/island.h"
+#include "solver/line_search.h"
 #include "solver/partition.h"
 #include "solver/pile.h"
 #include "solver/resting_piles.h"
@@ -35,6 +36,7 @@ struct Workspace {
   Colouring colouring;
   Turning turning;
   Unpushed unpushed;
+  LineSearch search;
   std::vector<Island> alike;  // waiting to be stepped as one
 };
 
@@ -42,8 +44,8 @@ struct Workspace {
 /// about the true one: 1e-5 for a pendulum, 1e-2 and more for chains too fast for the sub-step.
 constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
-/// m, penetration that an impact may add within a sub-step: small against that of loads at rest.
-constexpr Real not_felt = tolerated_sink / 10;
+/// m, penetration that an impact may add within a step: less than loads at rest may cause.
+constexpr Real not_felt = static_cast<Real>(0.4) * tolerated_sink;
 
 /// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
 constexpr std::size_t most_together = 64;
@@ -122,10 +124,11 @@ class Accurate : public Solver {
   Real pressing(const Island& island) const;
   void kick(BodySet& bodies, Island& island);
   void press(BodySet& bodies, Island& island, bool rigidly);
-  int press_through(BodySet& bodies, Island& island);
+  bool deepens(BodySet& bodies, const Island& island, bool held) const;
+  int press_through(BodySet& bodies, Island& island, LineSearch& search);
   void drift(StepData& data, const Island& island);
   void relax(BodySet& bodies, Island& island, int sweeps);
-  void relax_through(BodySet& bodies, Island& island);
+  void relax_through(BodySet& bodies, Island& island, LineSearch& search);
   void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
   void note_loads(const Island& island);
   /// Marks only bodies that can be pushed: the others are shared among islands.
@@ -150,6 +153,7 @@ class Accurate : public Solver {
   std::vector<Velocity> acceleration_;               // of each body, by the force field
   std::vector<Velocity> flight_;                     // the same, but 0 for a body that rests on a contact
   std::vector<Velocity> kicks_;                      // of each body, see ScalarContacts::halve
+  std::vector<Velocity> changes_;                    // of each body, see LineSearch
   std::vector<std::uint8_t> loaded_;                 // a contact pushed the body in the last sub-step
   std::vector<Workspace> spaces_;                    // of each worker
 };
@@ -278,14 +282,14 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
   kick(data.bodies, island);
   press(data.bodies, island, false);
-  const int pressed = press_through(data.bodies, island);
+  const int pressed = press_through(data.bodies, island, space.search);
   drift(data, island);
   const bool joints_fit = island.joints.fit();
   if (!island.joints.empty()) island.joints.write();
   kick(data.bodies, island);
   relax(data.bodies, island,
         island.settling ? std::max(settling_sweeps_for(island.bodies.size()), island.sweeps) : island.sweeps + pressed);
-  relax_through(data.bodies, island);
+  relax_through(data.bodies, island, space.search);
   if (island.two_frictions && ScalarContacts::stick_or_slip(island)) relax(data.bodies, island, island.sweeps);
   if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
   if (!joints_fit || island.ideal) {
@@ -297,6 +301,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   if (island.settling) ScalarContacts(data.bodies, motion_).settle_offsets(island);
   note_loads(island);
   if (island.press_sweeps > 0 && !island.varies) space.unpushed.restore(island, loaded_, data.bodies);
+  if (island.press_sweeps > 0) space.search.temper(island, data.bodies, acceleration_, kicks_, changes_);
 }
 
 void Accurate::prepare(StepData& data) {
@@ -304,6 +309,7 @@ void Accurate::prepare(StepData& data) {
   start_ = bodies.pose;
   motion_.assign(bodies.size(), {});
   kicks_.resize(bodies.size());
+  changes_.resize(bodies.size());
   meets_.resize(bodies.size());
   loaded_.assign(bodies.size(), 0);
   // The first half kick of a step is explicit and the last implicit: together they are of second order.
@@ -451,12 +457,23 @@ void Accurate::press(BodySet& bodies, Island& island, bool rigidly) {
   }
 }
 
+/// Whether a contact penetrates deeper in this sub-step than its share of what is not felt. `held`: without the points
+/// that relax skips.
+bool Accurate::deepens(BodySet& bodies, const Island& island, bool held) const {
+  return ScalarContacts(bodies, motion_).deepening(island, held) * static_cast<Real>(island.substeps) > not_felt;
+}
+
 /// Extra rigid iterations. In an impact, a soft contact penetrates by 1 - strength of the displacement in a sub-step,
 /// and by what one iteration has not propagated: at 10 m/s that is centimetres. So contacts are solved rigidly until
 /// none penetrates deeper in this sub-step. Returns the number of iterations.
-int Accurate::press_through(BodySet& bodies, Island& island) {
+int Accurate::press_through(BodySet& bodies, Island& island, LineSearch& search) {
   int sweeps = 0;
-  while (sweeps < island.press_sweeps && ScalarContacts(bodies, motion_).deepening(island, false) > not_felt) {
+  while (sweeps < island.press_sweeps && deepens(bodies, island, false)) {
+    if (sweeps == 0) {
+      search.begin(island);
+    } else {
+      search.go_on(island, bodies, motion_, changes_, true);
+    }
     press(bodies, island, true);
     sweeps += island.sweeps;
   }
@@ -471,9 +488,13 @@ void Accurate::relax(BodySet& bodies, Island& island, int sweeps) {
 }
 
 /// The same for relax: after one iteration, bodies that friction rotates into the ground still approach it.
-void Accurate::relax_through(BodySet& bodies, Island& island) {
-  for (int sweep = 0; sweep < island.press_sweeps; ++sweep) {
-    if (ScalarContacts(bodies, motion_).deepening(island, true) <= not_felt) return;
+void Accurate::relax_through(BodySet& bodies, Island& island, LineSearch& search) {
+  for (int sweep = 0; sweep < island.press_sweeps && deepens(bodies, island, true); ++sweep) {
+    if (sweep == 0) {
+      search.begin(island);
+    } else {
+      search.go_on(island, bodies, motion_, changes_, false);
+    }
     relax(bodies, island, 1);
   }
 }

@@ -129,6 +129,7 @@ void ScalarContacts::halve(const Island& island, std::vector<Velocity>& kicks) {
       p.normal_impulse = 0;
       p.tangent_impulse = 0;
     }
+    if (count < 2) row.half[1] = {};
     if (!row.active) continue;
     in_frame(row, kicks, [count](ImpactRow& halved, auto& frame) {
       for (std::size_t i = 0; i < count; ++i) {
@@ -195,7 +196,7 @@ template <bool rigidly>
 void ScalarContacts::press(const Island& island) {
   each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
     if (!row.block || !press_pair<rigidly>(island, row, frame)) {
-      const Softness& soft = rigidly ? island.softness(row).rigid() : island.softness(row);
+      const Softness& soft = rigidly ? Softness{} : island.softness(row);
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
         RowPoint& p = row.points[i];
         const Real s = gap<Frame>(row, p);
@@ -261,7 +262,7 @@ template <bool rigidly, class Frame>
                                                               Frame& frame) const {
   const PointPair& pair = row.pair;
   const auto& [p, q] = row.points;
-  const Real rate = island.softness(row).bias_rate;
+  const Real rate = rigidly ? Real{0} : island.softness(row).bias_rate;
   const std::array<Real, 2> s{gap<Frame>(row, p), gap<Frame>(row, q)};
   const auto change = [&](const RowPoint& point, Real gap, Real give) {
     const Real bias = (gap > 0 ? gap / island.h : rate * gap) + give * point.normal_impulse;
