@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reports/system/files.h"
+
 namespace plumb {
 namespace {
 
@@ -170,7 +172,7 @@ void ResultsFile::write(const std::string& text) {
     const ssize_t now = ::write(file_, text.data() + sent, text.size() - sent);
     if (now < 0 && errno == EINTR) continue;
     if (now <= 0)
-      throw std::runtime_error(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+      throw FileError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
     sent += static_cast<std::size_t>(now);
   }
 }
