@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <source_location>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -12,12 +14,15 @@ namespace plumb {
 ///     const Catalog<Scenario>::Entry entry{bounce()};
 ///
 /// An Entry only stores the value: nothing may read a catalog before main. T needs a member `name`, unique in its
-/// catalog.
+/// catalog. A member `group`, if T has one, becomes the name of the folder of the entry's file.
 template <class T>
 class Catalog {
  public:
   struct Entry {
-    explicit Entry(T value) { entries().push_back(std::move(value)); }
+    explicit Entry(T value, std::source_location place = std::source_location::current()) {
+      if constexpr (requires { value.group = std::string(); }) value.group = folder_of(place.file_name());
+      entries().push_back(std::move(value));
+    }
     /// For an entry that depends on other entries: `make` is called when the catalog is first read, after main began.
     explicit Entry(T (*make)()) { makers().push_back(make); }
   };
@@ -39,6 +44,11 @@ class Catalog {
   }
 
  private:
+  static std::string folder_of(std::string_view file) {
+    const std::string_view folder = file.substr(0, std::min(file.size(), file.rfind('/')));
+    return std::string(folder.substr(folder.rfind('/') + 1));
+  }
+
   static const std::vector<T>& complete() {
     static const std::vector<T>& all_entries = []() -> const std::vector<T>& {
       for (T (*make)() : makers()) entries().push_back(make());

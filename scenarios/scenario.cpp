@@ -26,18 +26,6 @@ void check_value(const Scenario& scenario, const Parameter& parameter, double va
 
 }  // namespace
 
-const char* name_of(Relation relation) {
-  switch (relation) {
-    case Relation::equal:
-      return "equal";
-    case Relation::at_least:
-      return "at least";
-    case Relation::at_most:
-      return "at most";
-  }
-  return "";
-}
-
 Parameters complete(const Scenario& scenario, const Parameters& changes) {
   Parameters values;
   std::vector<std::string> names;

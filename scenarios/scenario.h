@@ -64,12 +64,6 @@ struct Stepping {
   double contact_gap() const { return std::max(skin, slop); }
 };
 
-/// How the measured value must compare with the expected one, within the tolerance.
-enum class Relation { equal, at_least, at_most };
-
-/// "equal", "at least", "at most".
-const char* name_of(Relation);
-
 /// One statement that must hold in a run.
 struct Expectation {
   std::string body;   // "" for quantities of the whole scene
@@ -110,6 +104,7 @@ struct Scenario {
   bool canonical = false;                                             // part of the short report, the default
   std::function<Smoothness(const Parameters&)> smoothness = nullptr;  // null: none
   bool phased = false;  // whether its errors depend on when within a step an impact happens
+  std::string group;    // "friction": the folder of its file; its entry sets it
 };
 
 /// The default values with the changes applied. Throws std::invalid_argument if a name is unknown (the message suggests

@@ -2,17 +2,18 @@
 
 #include <fmt/core.h>
 
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
-#include <functional>
-#include <map>
+#include <cstring>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
-#include "reports/cli/command.h"
-#include "reports/system/environment.h"
+#include "reports/cli/command_line.h"
+#include "reports/system/files.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/json_reader.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb {
@@ -61,35 +62,35 @@ std::string advice(const CLI::App& app, const CLI::ParseError& error) {
   return error.what();
 }
 
+// Without control characters, which file names may have, apart from line breaks.
+std::string printable_lines(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    out += printable(line, line.npos);
+    text.remove_prefix(line.size());
+    if (text.empty()) break;
+    out += '\n';
+    text.remove_prefix(1);
+  }
+  return out;
+}
+
 int parse_and_run(std::vector<std::string> arguments) {
   check_engines(Catalog<Engine>::all());
-  CLI::App app{"Plumb tells whether a 2D physics engine is right.", "plumb"};
-  app.set_version_flag("--version", std::string("plumb ") + version());
-  app.require_subcommand(1);
-  std::map<const CLI::App*, std::function<int()>> actions;
-  for (const Command* command : Catalog<Command>::all()) {
-    CLI::App* added = app.add_subcommand(command->name, command->about);
-    added->footer("Examples:\n" + command->examples);
-    actions[added] = command->attach(*added);
-  }
-  app.footer(
-      "Examples:\n  plumb report\n  plumb run bounce --engine impulse\n  plumb list engines\n\n"
-      "Exit codes: 0 fine; 1 a run is wrong or failed (run, find --again), two runs diverge (diff), something is not "
-      "as accepted "
-      "(check), a fault is not caught (prove); 2 bad usage or input; 3 an internal error; 130 interrupted (study, "
-      "find).");
-
+  CommandLine line;
   std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
   try {
-    app.parse(arguments);
+    line.app().parse(arguments);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
-    throw std::invalid_argument(advice(app, error));
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return line.app().exit(error);
+    throw std::invalid_argument(advice(line.app(), error));
   }
-  return actions.at(app.get_subcommands().front())();
+  return line.run();
 }
 
 }  // namespace
+
 void check_engines(std::span<const Engine* const> all) {
   const Engine* before = nullptr;
   for (const Engine* engine : all) {
@@ -101,14 +102,28 @@ void check_engines(std::span<const Engine* const> all) {
 }
 
 int program(std::vector<std::string> arguments) {
+  const auto refuse = [](const std::string& why, int code, const char* hint = "") {
+    fmt::print(stderr, "plumb: {}\n{}", printable_lines(why), hint);
+    return code;
+  };
   try {
-    return parse_and_run(std::move(arguments));
+    const int code = parse_and_run(std::move(arguments));
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    return refuse(std::string("standard output cannot be written: ") + std::strerror(errno), wrong_usage);
   } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "plumb: {}\nSee plumb --help.\n", error.what());
-    return wrong_usage;
+    return refuse(error.what(), wrong_usage, "See plumb --help.\n");
+  } catch (const FileError& error) {
+    return refuse(error.what(), wrong_usage);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return refuse(error.path1().string() + ": " + error.code().message(), wrong_usage);
+  } catch (const std::system_error& error) {
+    // fmt throws it where standard output is full.
+    const bool full = std::ferror(stdout) != 0;
+    return refuse(full ? std::string("standard output cannot be written: ") + error.code().message()
+                       : std::string("internal error: ") + error.what(),
+                  full ? wrong_usage : internal_error);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "plumb: internal error: {}\n", error.what());
-    return internal_error;
+    return refuse(std::string("internal error: ") + error.what(), internal_error);
   }
 }
 

@@ -8,13 +8,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reports/cli/file_warnings.h"
 #include "reports/run/experiment.h"
 #include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/system/environment.h"
 #include "reports/system/terminal.h"
 #include "reports/writers/console.h"
-#include "reports/writers/output.h"
+#include "scenarios/catalog.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {
@@ -25,8 +27,8 @@ bool wants_colour() {
   return (no == nullptr || *no == '\0') && isatty(STDOUT_FILENO) != 0;
 }
 
-Report run_with_progress(const Plan& plan) {
-  const ProgressLine line;
+Report run_with_progress(const Plan& plan, bool quiet) {
+  const ProgressLine line(quiet ? ProgressLine::Kind::quiet : ProgressLine::Kind::usual);
   try {
     return run_experiment(plan, [&](const std::string& what, std::size_t done, std::size_t of) {
       line.show(fmt::format("[{}/{}] {}", done + 1, of, what));
@@ -72,6 +74,9 @@ void Session::attach_to(CLI::App& app) {
   app.add_option("--out", out, "Folder for index.html, report.md, report.json, report.csv and report.xml (JUnit)")
       ->capture_default_str()
       ->type_name("DIR");
+  app.add_flag("--verbose", verbose, "Also print how far every two engines are apart, and all failed checks");
+  app.add_flag("--quiet", quiet, "Print nothing: the files and the exit code say it all");
+  app.add_flag("--json", json, "Print report.json instead of tables");
 }
 
 std::size_t Session::refinement() const {
@@ -81,10 +86,13 @@ std::size_t Session::refinement() const {
 }
 
 Report Session::conduct(const std::string& command, const std::function<void(Report&)>& complete) const {
+  if (int{verbose} + int{quiet} + int{json} > 1)
+    throw std::invalid_argument("--verbose, --quiet and --json exclude each other: choose one");
   const Plan plan = plan_of(*this);
   const OutputFolder folder(out);
+  if (!quiet) warn_about_files(plan.cases);
 
-  Report report = run_with_progress(plan);
+  Report report = run_with_progress(plan, quiet);
   report.title = "Plumb: " + command;
   report.command = {"plumb", command};
   report.command.insert(report.command.end(), scenarios.begin(), scenarios.end());
@@ -99,12 +107,21 @@ Report Session::conduct(const std::string& command, const std::function<void(Rep
   report.environment = environment();
   complete(report);
 
-  const auto [files, skipped] = folder.write(report);
-  fmt::print("{}", console_text(report, wants_colour()));
-  fmt::print("{:.1f} % of the runs' time was spent outside step.\n", 100 * report.clock.at("outside_step"));
-  for (const auto& file : files) fmt::print("{}\n", file.string());
-  for (const auto& [file, why] : skipped) fmt::print("No {}: {}.\n", file, why);
+  print(report, folder.write(report));
   return report;
+}
+
+void Session::print(const Report& report, const OutputFolder::Written& written) const {
+  if (quiet) return;
+  if (json) {
+    std::string why_not;
+    fmt::print("{}", Catalog<Writer>::find("json")->text(report, why_not).value());
+    return;
+  }
+  fmt::print("{}", console_text(report, {.colour = wants_colour(), .verbose = verbose, .width = terminal_width(100)}));
+  fmt::print("{:.1f} % of the runs' time was spent outside step.\n", 100 * report.clock.at("outside_step"));
+  for (const auto& file : written.files) fmt::print("{}\n", printable(file.string(), std::string::npos));
+  for (const auto& [file, why] : written.skipped) fmt::print("No {}: {}.\n", file, why);
 }
 
 }  // namespace plumb

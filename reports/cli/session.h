@@ -8,6 +8,7 @@
 
 #include "reports/report.h"
 #include "reports/system/jobs.h"
+#include "reports/writers/output.h"
 
 namespace plumb {
 
@@ -23,17 +24,25 @@ struct Session {
   std::string dt = "1/60";
   std::string out = "out";
   int jobs = default_jobs();
+  bool verbose = false, quiet = false, json = false;
 
   void attach_to(CLI::App&);
 
   /// Body-steps of a converged reference; 0: none.
   std::size_t refinement() const;
 
-  /// Runs the cases, writes the files, and prints the table and the files' paths. `command` is the name of the command;
+  /// Whether lines of text may go to standard output.
+  bool prints_text() const { return !quiet && !json; }
+
+  /// Runs the cases, writes the files, and prints the table and the files' paths, or what the options ask for instead.
+  /// `command` is the name of the command;
   /// `complete` may add to the report before it is written. Throws std::invalid_argument for bad options, before
   /// anything runs.
   Report conduct(
       const std::string& command, const std::function<void(Report&)>& complete = [](Report&) {}) const;
+
+ private:
+  void print(const Report&, const OutputFolder::Written&) const;
 };
 
 }  // namespace plumb

@@ -96,6 +96,20 @@ Json json_of(const Regression& one) {
           {"change", name_of(one.change)}};
 }
 
+Json findings_of(const GateResult& result) {
+  Json regressions = Json::array();
+  for (const Regression& one : result.regressions) regressions.push_back(json_of(one));
+  return {{"verdict", result.verdict},
+          {"notes", result.notes},
+          {"runs", result.runs.size()},
+          {"regressions", std::move(regressions)}};
+}
+
+const Catalog<GateWriter>::Entry json_entry{
+    {.name = "json", .about = "verdict, notes and every regression as JSON", .text = [](const GateResult& result) {
+       return findings_of(result).dump(1) + "\n";
+     }}};
+
 template <class Map>
 void keep_shared(Map& a, Map& b) {
   std::erase_if(a, [&](const auto& entry) { return b.count(entry.first) == 0; });
@@ -128,19 +142,13 @@ std::optional<Json> changes_since(const std::string& file, const Report& report)
   keep_shared(before.runs, now.runs);
   keep_shared(before.engines, now.engines);  // an engine that only one of them has is not a changed engine
   const GateResult result = compare(before, now);
-  Json regressions = Json::array();
-  for (const Regression& one : result.regressions) regressions.push_back(json_of(one));
   return Json{{"plumb", page_document_format},
               {"study", "baseline"},
               {"about", "Compared with the accepted baseline"},
               {"configuration", {{"baseline", std::filesystem::path(file).filename().string()}}},
               {"environment", report.environment},
               {"results", Json::array()},
-              {"findings",
-               {{"verdict", result.verdict},
-                {"notes", result.notes},
-                {"runs", result.runs.size()},
-                {"regressions", regressions}}},
+              {"findings", findings_of(result)},
               {"timings", {{"results", Json::object()}}}};
 }
 

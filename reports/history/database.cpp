@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reports/system/files.h"
+
 namespace plumb {
 namespace {
 
@@ -39,7 +41,7 @@ std::string explanation_of(sqlite3* connection, int code) {
   const std::string path = name == nullptr ? "" : name;
   const std::string why = explanation_of(connection, code);
   if (!why.empty()) throw std::invalid_argument(path + ": " + why);
-  throw std::runtime_error(path + ": " + sqlite3_errmsg(connection));
+  throw FileError(path + ": " + sqlite3_errmsg(connection));
 }
 
 }  // namespace

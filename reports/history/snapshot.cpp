@@ -112,6 +112,18 @@ std::optional<StepTime> time_of(const Timing& timing) {
   return StepTime{timing.step_us, timing.step_us_low, timing.step_us_high, timing.repetitions};
 }
 
+constexpr std::string_view seal = ",\"sha256\":\"";
+
+// The line without its hash, if it has one.
+std::string unsealed(const std::string& line, const std::string& name) {
+  const std::size_t end = line.rfind(seal);
+  if (end == std::string::npos) return line;
+  const std::string_view given = std::string_view(line).substr(end + seal.size());
+  std::string whole = line.substr(0, end) + "}";
+  if (given == sha256(whole) + "\"}") return whole;
+  throw std::invalid_argument(name + ": was changed since it was exported: its sha256 is another");
+}
+
 }  // namespace
 
 std::string to_line(const Snapshot& snapshot) { return line_of(snapshot, line_format); }
@@ -120,7 +132,13 @@ std::string id_of(const Snapshot& snapshot) { return sha256(to_line(snapshot)); 
 
 std::string old_id_of(const Snapshot& snapshot) { return sha256(line_of(snapshot, first_format)); }
 
-Snapshot snapshot_of_line(const std::string& line, const std::string& name) {
+std::string to_sealed_line(const Snapshot& snapshot) {
+  const std::string line = to_line(snapshot);
+  return line.substr(0, line.size() - 1) + std::string(seal) + sha256(line) + "\"}";
+}
+
+Snapshot snapshot_of_line(const std::string& sealed, const std::string& name) {
+  const std::string line = unsealed(sealed, name);
   nlohmann::json json = parse_json(line, name);
   const JsonReader from(json, name);
   from.must_have("plumb_history");

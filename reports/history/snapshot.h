@@ -45,8 +45,11 @@ struct Snapshot {
 /// One line of JSON without a line break. Equal snapshots give equal lines; numbers keep every bit.
 std::string to_line(const Snapshot&);
 
-/// Reads a line of this version or an older one. Throws std::invalid_argument, naming `name` and the place, if it is
-/// not such a line.
+/// The same line with its hash at the end, so that a changed digit is noticed when it is read.
+std::string to_sealed_line(const Snapshot&);
+
+/// Reads a line of this version or an older one, with or without its hash. Throws std::invalid_argument, naming `name`
+/// and the place, if it is not such a line or was changed.
 Snapshot snapshot_of_line(const std::string& line, const std::string& name);
 
 /// The hash of the snapshot's line: equal for equal snapshots only.

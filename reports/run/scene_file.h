@@ -17,6 +17,10 @@ bool is_scene_file(std::string_view word);
 /// the scene is its closed form. Throws std::invalid_argument for a file that cannot be read.
 Case case_of_file(const std::string& path);
 
+/// The contents of a scene file, or of "tracker:NAME", as they are: with the truths and the source that it states.
+/// Throws std::invalid_argument for any other word, and for a file that cannot be read.
+SceneFile scene_file_of(const std::string& word);
+
 /// The word that selects all scenes of scenarios/tracker; "tracker:NAME" selects one.
 inline constexpr std::string_view tracker = "tracker";
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/left_out.h"
 #include "reference/programs/program_engine.h"
 #include "reports/engines/installed.h"
 #include "reports/run/scene_file.h"
@@ -130,6 +131,9 @@ EngineConfig configured(const Engine& engine, std::string_view words) {
 }
 
 const Engine& find_engine(const std::string& name) {
+  for (const LeftOutEngine& one : left_out_engines()) {
+    if (name == one.name) throw std::invalid_argument(fmt::format("engine \"{}\" is not built: {}", name, one.why));
+  }
   return find_entry<Engine>("engine", name, [](const Engine& offered) { return !offered.exact; });
 }
 

@@ -67,7 +67,10 @@ std::string duration_text(double seconds) {
 
 class StudyProgress {
  public:
-  StudyProgress(std::size_t resumed, std::size_t all) : resumed_(resumed), done_(resumed), all_(all) { show(""); }
+  StudyProgress(std::string study, std::size_t resumed, std::size_t all)
+      : study_(std::move(study)), resumed_(resumed), done_(resumed), all_(all) {
+    show("");
+  }
 
   void add(std::span<const JobResult> results) {
     done_ += results.size();
@@ -82,12 +85,13 @@ class StudyProgress {
     const double each = spent / static_cast<double>(std::max<std::size_t>(done_ - resumed_, 1));
     const std::string left =
         done_ == resumed_ ? "" : duration_text(each * static_cast<double>(all_ - done_)) + " left; last ";
-    line_.show(fmt::format("[{}/{}] {}{}", done_, all_, left, last));
+    line_.show(fmt::format("{} [{}/{}] {}{}", study_, done_, all_, left, last));
   }
 
+  std::string study_;
   std::size_t resumed_, done_, all_;
   Clock::time_point start_ = Clock::now();
-  ProgressLine line_;
+  ProgressLine line_{ProgressLine::Kind::long_run};
 };
 
 // Seconds since it was made.
@@ -172,7 +176,7 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
     const Interrupt interrupt;
     std::size_t to_do = 0;
     for (const std::vector<Job>& unit : left) to_do += unit.size();
-    std::optional<StudyProgress> progress(std::in_place, head.jobs - to_do, head.jobs);
+    std::optional<StudyProgress> progress(std::in_place, study.name, head.jobs - to_do, head.jobs);
     const auto keep = [&](std::span<const JobResult> arrived) {
       file.add(arrived);
       for (const JobResult& result : arrived) known.emplace(result.key, result);
@@ -186,7 +190,7 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
       results = in_plan_order(done, known);
       complete = add_follow_up(
           plan, results, execution, known,
-          [&](std::size_t resumed, std::size_t jobs) { progress.emplace(resumed, jobs); }, keep);
+          [&](std::size_t resumed, std::size_t jobs) { progress.emplace(study.name, resumed, jobs); }, keep);
     }
   }
   if (!complete) {

@@ -35,7 +35,9 @@ std::string fields(const std::vector<std::string>& names, const Json& object) {
     text += ',';
     const auto found = object.find(name);
     if (found == object.end() || found->is_null()) continue;
-    text += found->is_string() ? csv_field(found->get<std::string>()) : csv_field(found->dump());
+    text += found->is_number()   ? found->dump()
+            : found->is_string() ? csv_field(found->get<std::string>())
+                                 : csv_field(found->dump());
   }
   return text;
 }

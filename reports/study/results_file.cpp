@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reports/system/files.h"
+
 namespace plumb {
 namespace {
 
@@ -169,8 +171,7 @@ void ResultsFile::write(const std::string& text) {
   for (std::size_t sent = 0; sent < text.size();) {
     const ssize_t now = ::write(file_, text.data() + sent, text.size() - sent);
     if (now < 0 && errno == EINTR) continue;
-    if (now <= 0)
-      throw std::runtime_error(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+    if (now <= 0) throw FileError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
     sent += static_cast<std::size_t>(now);
   }
 }

@@ -15,24 +15,66 @@
 
 namespace plumb {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where the links of a place lead, whether or not there is a file.
+fs::path target_of(const fs::path& place) {
+  constexpr int most_links = 40;  // as many as Linux follows
+  fs::path target = place;
+  std::error_code ignored;
+  for (int links = 0; fs::is_symlink(target, ignored); ++links) {
+    if (links == most_links) throw FileError(place.string() + ": cannot be written: a circle of symbolic links");
+    target = target.parent_path() / fs::read_symlink(target, ignored);
+  }
+  return target;
+}
+
+bool is_device(const fs::path& place) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(place, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+}  // namespace
+
+NewFile::NewFile(const fs::path& place) : place_(place), direct_(is_device(place)) {
+  target_ = direct_ ? place : target_of(place);
+  path_ = direct_ ? place : fs::path(target_.string() + ".part");
+}
+
 NewFile::NewFile(NewFile&& other) noexcept
-    : place_(std::move(other.place_)), path_(std::move(other.path_)), ours_(std::exchange(other.ours_, false)) {}
+    : place_(std::move(other.place_)),
+      target_(std::move(other.target_)),
+      path_(std::move(other.path_)),
+      ours_(std::exchange(other.ours_, false)),
+      direct_(other.direct_) {}
 
 NewFile::~NewFile() {
   std::error_code ignored;
-  if (ours_) std::filesystem::remove(path_, ignored);
+  if (ours_) fs::remove(path_, ignored);
 }
 
 bool NewFile::write(const std::string& text) {
+  if (direct_ && text.empty()) return true;  // a pipe would end for its reader
+  errno = 0;
   std::ofstream out(path_, std::ios::binary | std::ios::trunc);
-  ours_ = out.is_open();
+  ours_ = out.is_open() && !direct_;
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   out.close();
   return out.good();
 }
 
-std::filesystem::path NewFile::put_in_place() {
-  std::filesystem::rename(path_, place_);
+void NewFile::write_all(const std::string& text) {
+  if (write(text)) return;
+  const int why = errno;
+  throw FileError(fmt::format("{}: cannot be written{}{}", place_.string(), why == 0 ? "" : ": ",
+                              why == 0 ? "" : std::strerror(why)));
+}
+
+fs::path NewFile::put_in_place() {
+  if (!direct_) fs::rename(path_, target_);
   ours_ = false;
   return place_;
 }
@@ -54,9 +96,11 @@ std::string read_text(const std::string& path, std::size_t most) {
 }
 
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  const bool formula = !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+  const std::string safe = formula ? "'" + text : text;
+  if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
   std::string quoted = "\"";
-  for (const char letter : text) {
+  for (const char letter : safe) {
     quoted += letter;
     if (letter == '"') quoted += '"';
   }

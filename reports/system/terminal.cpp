@@ -1,10 +1,15 @@
 #include "reports/system/terminal.h"
 
 #include <fmt/core.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+
+#include "reports/system/layout.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {
@@ -15,19 +20,41 @@ void remember_interrupt(int) { interrupt_raised = 1; }
 
 }  // namespace
 
-ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
+std::size_t terminal_width(std::size_t otherwise) {
+  constexpr std::size_t least = 60;
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return otherwise;
+  return std::max<std::size_t>(size.ws_col, least);
+}
 
-ProgressLine::~ProgressLine() { clear(); }
+ProgressLine::ProgressLine(Kind kind)
+    : terminal_(isatty(STDERR_FILENO) != 0),
+      quiet_(kind == Kind::quiet),
+      pace_(kind == Kind::long_run ? 0 : LogPace::interval) {}
+
+ProgressLine::~ProgressLine() {
+  clear();
+  if (logged_) fmt::print(stderr, "done in {:.0f} s\n", seconds());
+}
 
 void ProgressLine::show(const std::string& text) const {
-  if (!terminal_) return;
-  clear();
-  fmt::print(stderr, "{:.95}", text);
+  if (quiet_) return;
+  if (terminal_) {
+    clear();
+    fmt::print(stderr, "{}", cut(printable(text, text.npos), 95));
+  } else if (pace_.due(seconds())) {
+    fmt::print(stderr, "{}\n", printable(text, text.npos));
+    logged_ = true;
+  }
   std::fflush(stderr);
 }
 
+double ProgressLine::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
 void ProgressLine::clear() const {
-  if (terminal_) std::fputs("\r\033[K", stderr);
+  if (terminal_ && !quiet_) std::fputs("\r\033[K", stderr);
 }
 
 Interrupt::Interrupt()

@@ -1,19 +1,19 @@
 #include "reports/writers/console.h"
-#include "reports/writers/in_words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
+#include <set>
 
+#include "reports/system/layout.h"
+#include "reports/system/text_table.h"
 #include "reports/writers/in_words.h"
 #include "reports/writers/summary.h"
 
 namespace plumb {
 namespace {
 
-constexpr std::size_t console_width = 100;  // columns
-constexpr std::size_t most_failures = 3;    // failed checks of a run; the files have them all
+constexpr std::size_t most_failures = 3;  // failed checks of a run; the files have them all
 
 const char* colour_of(Verdict verdict) {
   switch (verdict) {
@@ -31,38 +31,6 @@ const char* colour_of(Verdict verdict) {
       return "\033[2m";
   }
   return "";
-}
-
-// Padded before colouring: escape sequences take no columns.
-std::string painted(Verdict verdict, std::size_t columns, bool colour) {
-  const std::string text = fmt::format("{:<{}}", name_of(verdict), columns);
-  return colour ? colour_of(verdict) + text + "\033[0m" : text;
-}
-
-std::string cut(const std::string& text, std::size_t columns) {
-  return text.size() <= columns ? text : text.substr(0, columns - 3) + "...";
-}
-
-// Breaks text into indented lines of at most `console_width` columns; a word too long for a line is broken.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  const std::size_t room = console_width - indent;
-  std::istringstream words(text);
-  std::string lines;
-  std::string line;
-  const auto flush = [&] {
-    lines += std::string(indent, ' ') + line + '\n';
-    line.clear();
-  };
-  for (std::string word; words >> word;) {
-    if (!line.empty() && line.size() + 1 + word.size() > room) flush();
-    for (; word.size() > room; word.erase(0, room)) {
-      line = word.substr(0, room);
-      flush();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  if (!line.empty()) flush();
-  return lines;
 }
 
 std::string number(const std::map<std::string, Measured>& metrics, const char* name) {
@@ -99,13 +67,6 @@ std::string farthest(const RunRecord& run) {
   return relative ? percent(*relative) : "-";
 }
 
-std::string table_row(const std::string& engine, const std::string& verdict, const std::string& checks,
-                      const std::string& relative, const std::string& worst, const std::string& error,
-                      const std::string& overlap, const std::string& cost) {
-  return fmt::format("    {:<27}{}{:>8}{:>9}{:>10}{:>10}{:>11}{:>8}\n", cut(engine, 26), verdict, checks, relative,
-                     worst, error, overlap, cost);
-}
-
 // The error estimate of a converged reference.
 std::string exactness(const RunRecord& run) {
   if (!run.exact) return "";
@@ -113,20 +74,75 @@ std::string exactness(const RunRecord& run) {
   return estimate == run.metrics.end() ? " (exact)" : fmt::format(" (+- {:.1g} m)", estimate->second.value);
 }
 
-std::string row(const Report& report, const RunRecord& run, bool colour) {
-  std::string text = table_row(label_of(run.engine, run.method) + exactness(run), painted(run.verdict, 13, colour),
-                               passed(run), farthest(run), worst(run), number(run.metrics, "truth_error_end"),
-                               number(run.metrics, "penetration_max"), step_cost(report, run));
-  if (!run.reason.empty()) text += wrapped(run.reason, 8);
+bool same_case(const RunRecord& a, const RunRecord& b) { return a.scenario == b.scenario && a.variant == b.variant; }
+
+bool same_case(const Comparison& a, const RunRecord& b) { return a.scenario == b.scenario && a.variant == b.variant; }
+
+// The check whose error is largest by the scale.
+const TruthCheck* farthest_check(const RunRecord& run) {
+  const TruthCheck* farthest = nullptr;
+  for (const TruthCheck& check : run.truth) {
+    const bool more = farthest == nullptr || relative_error(check) > relative_error(*farthest);
+    if (check.reported && more) farthest = &check;
+  }
+  return farthest;
+}
+
+std::string tolerance_of(const RunRecord& run) {
+  const TruthCheck* check = farthest_check(run);
+  return check == nullptr || check->scale <= 0 ? "-" : percent(check->tolerance / check->scale);
+}
+
+// What a run is compared with in energy and position: the truth, or else the first engine of the case.
+const KeyDifferences* differences_of(const Report& report, const RunRecord& run) {
+  const std::string label = label_of(run.engine, run.method);
+  const KeyDifferences* from_first = nullptr;
+  for (const Comparison& one : report.comparisons) {
+    if (!same_case(one, run) || !one.key) continue;
+    const bool with_truth = std::ranges::any_of(report.runs, [&](const RunRecord& other) {
+      return other.exact && same_case(other, run) && other.engine == one.b;
+    });
+    if (with_truth && one.a == label) return &*one.key;
+    if (!with_truth && one.b == label && from_first == nullptr) from_first = &*one.key;
+  }
+  return from_first;
+}
+
+std::string differs_at(const KeyDifferences* differences) {
+  if (differences == nullptr) return "-";
+  return differences->diverged_at ? short_number(differences->diverged_at) : "never";
+}
+
+std::string failures_of(const RunRecord& run, const ConsoleOptions& options) {
+  constexpr std::size_t indent = 6;
+  std::string text;
+  if (!run.reason.empty()) text += wrapped(run.reason, indent, options.width);
+  const std::size_t most = options.verbose ? run.truth.size() : most_failures;
   std::size_t failed = 0;
   for (const TruthCheck& check : run.truth) {
-    if (!check.passed && ++failed <= most_failures) text += wrapped(in_words(check), 8);
+    if (!check.passed && ++failed <= most) text += wrapped(in_words(check), indent, options.width);
   }
-  if (failed > most_failures) text += wrapped(fmt::format("and {} more", failed - most_failures), 8);
+  if (failed > most) text += wrapped(fmt::format("and {} more (--verbose)", failed - most), indent, options.width);
   for (const InvariantCheck& check : run.invariants) {
-    if (check.status == CheckStatus::broken) text += wrapped(in_words(check), 8);
+    if (check.status == CheckStatus::broken) text += wrapped(in_words(check), indent, options.width);
   }
   return text;
+}
+
+void add_row(const Report& report, const RunRecord& run, const ConsoleOptions& options, TextTable& table) {
+  const KeyDifferences* differences = differences_of(report, run);
+  table.add({{"  " + label_of(run.engine, run.method) + exactness(run)},
+             {name_of(run.verdict), options.colour ? colour_of(run.verdict) : ""},
+             {passed(run)},
+             {farthest(run)},
+             {tolerance_of(run)},
+             {worst(run)},
+             {differs_at(differences)},
+             {number(run.metrics, "time_to_rest")},
+             {differences == nullptr ? "-" : percent(differences->energy.largest)},
+             {number(run.metrics, "penetration_max")},
+             {step_cost(report, run)}});
+  table.add_lines(failures_of(run, options));
 }
 
 std::string in_words(const Comparison& comparison) {
@@ -142,54 +158,86 @@ std::string in_words(const Comparison& comparison) {
   return text;
 }
 
-// The runs of a case, then the comparisons of the first engine with the others. The files have all pairs.
-std::string case_text(const Report& report, const RunRecord& first, bool colour) {
-  std::string text = wrapped(first.variant, 2);
-  text += table_row("engine", fmt::format("{:<13}", "verdict"), "checks", "off, %", "/ tol.", "error, m", "overlap, m",
-                    "us/step");
-  const auto same = [&](const auto& one) { return one.scenario == first.scenario && one.variant == first.variant; };
-  for (const RunRecord& run : report.runs) {
-    if (same(run)) text += row(report, run, colour);
-  }
-  const auto lead = std::find_if(report.runs.begin(), report.runs.end(),
-                                 [&](const RunRecord& run) { return !run.exact && same(run); });
-  for (const Comparison& comparison : report.comparisons) {
-    const bool with_truth = std::any_of(report.runs.begin(), report.runs.end(), [&](const RunRecord& run) {
-      return run.exact && same(run) && run.engine == comparison.b;
-    });
-    const bool leads = lead != report.runs.end() && comparison.a == label_of(lead->engine, lead->method);
-    if (same(comparison) && leads && !with_truth) text += wrapped(in_words(comparison), 4);
+// All engines of a case, each two of them. Comparisons with the truth are in the table.
+std::string pairs_of(const Report& report, const RunRecord& first, std::size_t width) {
+  std::string text;
+  for (const Comparison& one : report.comparisons) {
+    const bool with_truth = std::ranges::any_of(
+        report.runs, [&](const RunRecord& run) { return run.exact && same_case(run, first) && run.engine == one.b; });
+    if (same_case(one, first) && !with_truth) text += wrapped(in_words(one), 4, width);
   }
   return text;
 }
 
-std::string key_row(const Comparison& one) {
-  const std::string name = cut(one.scenario + (one.variant.empty() ? "" : ":" + one.variant), 29);
-  if (!one.key) return fmt::format("{:<30}{}\n", name, cut(one.reason, console_width - 30));
-  const KeyDifferences& key = *one.key;
-  return fmt::format("{:<30}{:>9}{:>9}{:>9}{:>8}{:>8}{:>9}{:>9}{:>9}\n", name, percent(key.energy.largest),
-                     percent(key.momentum.largest), percent(key.angular_momentum.largest), short_number(key.rest_a),
-                     short_number(key.rest_b), short_number(key.overlap_a), short_number(key.overlap_b),
-                     short_number(key.diverged_at));
+std::string scenario_table(const Report& report, const std::string& scenario, const ConsoleOptions& options) {
+  TextTable table({{"  engine", 0, true},
+                   {"verdict", 0, true},
+                   {"checks", 8},
+                   {"error %"},
+                   {"tol. %", 5},
+                   {"/ tol."},
+                   {"differs", 2},
+                   {"rest", 4},
+                   {"energy %", 3},
+                   {"overlap", 6},
+                   {"us/step", 7}},
+                  0, options.width);
+  const RunRecord* before = nullptr;
+  for (const RunRecord& run : report.runs) {
+    if (run.scenario != scenario) continue;
+    const bool begins = before == nullptr || before->variant != run.variant;
+    if (begins && before != nullptr && options.verbose) table.add_lines(pairs_of(report, *before, options.width));
+    if (begins && !run.variant.empty()) table.add_lines(wrapped(run.variant, 0, options.width));
+    add_row(report, run, options, table);
+    before = &run;
+  }
+  if (before != nullptr && options.verbose) table.add_lines(pairs_of(report, *before, options.width));
+  return table.text();
 }
 
 // One row a case for the first two engines. The files and the page have all pairs.
-std::string key_table(const Report& report) {
+std::string key_table(const Report& report, std::size_t width) {
   const auto pair = first_pair(report);
   if (!pair) return "";
   const auto rows = comparisons_of(report, *pair);
-  std::string text = wrapped(fmt::format("a: {}, b: {}", pair->a, pair->b), 0);
-  text += wrapped(
-      "energy, momentum, angular momentum: the largest difference in % of the scene's scale; rest: since when, s; "
-      "overlap: the deepest, m; 1 cm at: when they were first so far apart, s",
-      0);
-  text += fmt::format("{:<30}{:>9}{:>9}{:>9}{:>8}{:>8}{:>9}{:>9}{:>9}\n", "case", "energy", "momentum", "angular",
-                      "rest a", "rest b", "overl. a", "overl. b", "1 cm at");
-  for (const Comparison* row : rows) text += key_row(*row);
-  return text + wrapped(in_one_sentence(*pair, rows), 0) + "\n";
+  TextTable table({{"case", 0, true},
+                   {"energy, %"},
+                   {"momentum, %", 2},
+                   {"angular, %", 4},
+                   {"rest a, s", 1},
+                   {"rest b, s", 1},
+                   {"overlap a, m", 3},
+                   {"overlap b, m", 3},
+                   {"differ, s"}},
+                  0, width);
+  for (const Comparison* one : rows) {
+    const std::string name = one->scenario + (one->variant.empty() ? "" : ":" + one->variant);
+    if (!one->key) {
+      table.add_lines(beside(name, 14, one->reason, width));
+      continue;
+    }
+    const KeyDifferences& key = *one->key;
+    table.add({{name},
+               {percent(key.energy.largest)},
+               {percent(key.momentum.largest)},
+               {percent(key.angular_momentum.largest)},
+               {short_number(key.rest_a)},
+               {short_number(key.rest_b)},
+               {short_number(key.overlap_a)},
+               {short_number(key.overlap_b)},
+               {key.diverged_at ? short_number(key.diverged_at) : "never"}});
+  }
+  return wrapped(fmt::format("a: {}, b: {}", pair->a, pair->b), 0, width) + table.text() +
+         wrapped(in_one_sentence(*pair, rows), 0, width) + "\n";
 }
 
-std::string in_words(const EngineSummary& one) {
+constexpr const char* legend =
+    "error: the farthest from the truth, and its tolerance, in % of scale; / tol.: the largest error / tolerance, "
+    "above "
+    "1 is wrong; differs: when first 1 cm from the truth, or else from the first engine, s, and energy: the largest "
+    "difference, in % of scale; rest: since when, s; overlap: the deepest, m. plumb help WORD explains a word.";
+
+std::string in_words(const EngineSummary& one, std::size_t width) {
   std::string line = one.engine + ":";
   for (const auto& [verdict, count] : one.verdicts) line += fmt::format(" {} {},", count, name_of(verdict));
   line.pop_back();
@@ -198,11 +246,11 @@ std::string in_words(const EngineSummary& one) {
         fmt::format("; of {} checks {} within 1 % of scale, {} within 0.01 %; {} not a test", one.checks,
                     share_of(one.within[1], one.checks), share_of(one.within[3], one.checks), one.checks - one.evident);
   }
-  return wrapped(line, 0);
+  return wrapped(line, 0, width);
 }
 
 // "impulse, images alike within 0.01 % of scale: shift 100 % of 12, 1 broken; mirror 91 % of 12"
-std::string relations_text(const Report& report) {
+std::string relations_text(const Report& report, std::size_t width) {
   std::vector<std::pair<std::string, std::string>> lines;  // by engine
   for (const RelationSummary& one : relation_summaries(report)) {
     const bool first = lines.empty() || lines.back().first != one.engine;
@@ -212,29 +260,26 @@ std::string relations_text(const Report& report) {
     if (one.broken > 0) lines.back().second += fmt::format(", {} broken", one.broken);
   }
   std::string text;
-  for (const auto& [engine, line] : lines) text += wrapped(line, 0);
+  for (const auto& [engine, line] : lines) text += wrapped(line, 0, width);
   return text;
 }
 
 }  // namespace
 
-std::string console_text(const Report& report, bool colour) {
+std::string console_text(const Report& report, const ConsoleOptions& options) {
   std::string text;
-  const RunRecord* before = nullptr;
+  std::set<std::string> shown;
   for (const RunRecord& run : report.runs) {
-    if (before == nullptr || before->scenario != run.scenario) {
-      const auto note = std::find_if(report.scenarios.begin(), report.scenarios.end(),
-                                     [&](const ScenarioNote& one) { return one.name == run.scenario; });
-      text += wrapped(run.scenario + (note == report.scenarios.end() ? "" : ": " + note->question), 0);
-    }
-    if (before == nullptr || before->scenario != run.scenario || before->variant != run.variant) {
-      text += case_text(report, run, colour) + "\n";
-    }
-    before = &run;
+    if (!shown.insert(run.scenario).second) continue;
+    const auto note =
+        std::ranges::find_if(report.scenarios, [&](const ScenarioNote& one) { return one.name == run.scenario; });
+    text += wrapped(run.scenario + (note == report.scenarios.end() ? "" : ": " + note->question), 0, options.width);
+    text += scenario_table(report, run.scenario, options) + "\n";
   }
-  text += key_table(report);
-  for (const EngineSummary& one : engine_summaries(report)) text += in_words(one);
-  return text + relations_text(report);
+  if (!report.runs.empty()) text += wrapped(legend, 0, options.width) + "\n";
+  text += key_table(report, options.width);
+  for (const EngineSummary& one : engine_summaries(report)) text += in_words(one, options.width);
+  return text + relations_text(report, options.width);
 }
 
 }  // namespace plumb

@@ -48,7 +48,7 @@ std::vector<fs::path> OutputFolder::put(const std::vector<std::pair<std::string,
     std::error_code ignored;  // then it cannot be written, which is told below
     fs::create_directories(place.parent_path(), ignored);
     ready.emplace_back(place);
-    if (!ready.back().write(text)) throw std::runtime_error("cannot write \"" + place.string() + "\"");
+    ready.back().write_all(text);
   }
   std::vector<fs::path> placed;
   for (NewFile& file : ready) placed.push_back(file.put_in_place());

@@ -35,8 +35,8 @@ class OutputFolder {
     std::vector<Skipped> skipped;
   };
 
-  /// Writes every format's file: first all under temporary names, then each is moved into place. Throws
-  /// std::runtime_error if that fails; existing files are then left as they were.
+  /// Writes every format's file: first all under temporary names, then each is moved into place. Throws FileError if
+  /// that fails; existing files are then left as they were.
   Written write(const Report&) const;
 
   /// The same for any files, as pairs of a name, which may begin with a folder, and contents.

@@ -207,7 +207,7 @@ void write_preview(const Preview& preview, const fs::path& file) {
   std::size_t number = 0;
   for (const std::string& frame : preview.frames) {
     NewFile written(folder / fmt::format("{:04}.svg", number++));
-    if (!written.write(frame)) throw std::runtime_error("cannot write in \"" + folder.string() + "\"");
+    if (!written.write(frame)) throw FileError("cannot write in \"" + folder.string() + "\"");
     written.put_in_place();
   }
   const std::string made = (folder / "preview.gif").string();
@@ -230,7 +230,7 @@ void write_preview(const Preview& preview, const fs::path& file) {
   std::error_code ignored;
   fs::remove_all(folder, ignored);
   if (code != 0) throw std::invalid_argument(fmt::format("ffmpeg could not make the preview: exit code {}", code));
-  if (error) throw std::runtime_error("cannot write \"" + file.string() + "\": " + error.message());
+  if (error) throw FileError("cannot write \"" + file.string() + "\": " + error.message());
 }
 
 void check_pictures() {
@@ -242,7 +242,7 @@ void check_pictures() {
 void take_pictures(const std::filesystem::path& page, const std::filesystem::path& folder) {
   check_pictures();
   NewFile program(std::filesystem::temp_directory_path() / fmt::format("plumb-pictures-{}.cjs", getpid()));
-  if (!program.write(std::string(picture_program()))) throw std::runtime_error("cannot write a temporary file");
+  if (!program.write(std::string(picture_program()))) throw FileError("cannot write a temporary file");
   const auto file = program.put_in_place();
   std::fflush(stdout);
   const int code = run_program({"node", file.string(), page.string(), folder.string()});

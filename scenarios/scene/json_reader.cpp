@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "scenarios/scene/foreign_words.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb {
@@ -129,6 +130,12 @@ std::string description(const Json& value) {
   }
 }
 
+// A word of another engine's format gets the reason why there is no such word here.
+std::string unknown_or_foreign(std::string_view what, const std::string& word, const std::vector<std::string>& names) {
+  const std::string why = foreign_word(word);
+  return why.empty() ? unknown(what, printable(word), names) : quoted(word) + ": " + why;
+}
+
 std::string shortest(double number) {
   std::array<char, 32> digits{};
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
@@ -168,7 +175,7 @@ void JsonReader::expected(const std::string& what) const {
 
 void JsonReader::unknown_word(const std::vector<std::string>& names, const char* what) const {
   const std::string* given = string_or_null();
-  if (given != nullptr) refuse(unknown(what, printable(*given), names));
+  if (given != nullptr) refuse(unknown_or_foreign(what, *given, names));
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   expected("one of: " + list);
@@ -180,7 +187,7 @@ void JsonReader::object(const std::vector<const char*>& required, const std::vec
   names.insert(names.end(), optional.begin(), optional.end());
   for (const auto& item : value_.items()) {
     if (std::find(names.begin(), names.end(), item.key()) == names.end()) {
-      refuse(unknown("key", printable(item.key()), names));
+      refuse(unknown_or_foreign("key", item.key(), names));
     }
   }
   for (const char* key : required) must_have(key);

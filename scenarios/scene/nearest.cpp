@@ -27,6 +27,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// The name to suggest: the nearest if no more than every third letter differs, or else one that begins with the word;
+// "" if there is none.
+std::string suggestion(std::string_view word, std::span<const std::string> names) {
+  constexpr std::size_t least_beginning = 3;
+  const std::string near = nearest(word, names);
+  if (edit_distance(word, near) <= (std::max(word.size(), near.size()) + 2) / 3) return near;
+  const auto longer = std::ranges::find_if(names, [&](const std::string& name) { return name.starts_with(word); });
+  return word.size() >= least_beginning && longer != names.end() ? *longer : "";
+}
+
 }  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string> names) {
@@ -43,9 +53,15 @@ std::string nearest(std::string_view word, std::span<const std::string> names) {
 }
 
 std::string unknown(std::string_view kind, std::string_view word, std::span<const std::string> names) {
+  constexpr std::size_t most_listed = 12;
   std::string sentence = "unknown ";
   sentence.append(kind).append(" \"").append(word).append("\"");
-  if (!names.empty()) sentence.append(", did you mean \"").append(nearest(word, names)).append("\"?");
+  if (names.empty()) return sentence;
+  const std::string suggested = suggestion(word, names);
+  if (!suggested.empty()) return sentence.append(", did you mean \"").append(suggested).append("\"?");
+  if (names.size() > most_listed) return sentence;
+  sentence.append(", expected ").append(names.size() == 1 ? "" : "one of: ");
+  for (const std::string& name : names) sentence.append(&name == names.data() ? "" : ", ").append(name);
   return sentence;
 }
 

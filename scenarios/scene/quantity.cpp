@@ -56,4 +56,16 @@ bool of_whole_scene(Quantity quantity) {
          quantity == Quantity::angular_momentum;
 }
 
+const char* name_of(Relation relation) {
+  switch (relation) {
+    case Relation::equal:
+      return "equal";
+    case Relation::at_least:
+      return "at least";
+    case Relation::at_most:
+      return "at most";
+  }
+  return "";
+}
+
 }  // namespace plumb

@@ -30,4 +30,10 @@ const char* unit_of(Quantity);
 /// Whether a quantity belongs to the whole scene rather than to a body.
 bool of_whole_scene(Quantity);
 
+/// How the measured value must compare with the expected one, within the tolerance.
+enum class Relation { equal, at_least, at_most };
+
+/// "equal", "at least", "at most".
+const char* name_of(Relation);
+
 }  // namespace plumb

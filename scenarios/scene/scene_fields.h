@@ -43,6 +43,10 @@ constexpr NumberRange layers{0, 4294967295.0, ""};
 constexpr NumberRange reading{-1e30, 1e30, ""};
 constexpr NumberRange tolerance{0, 1e30, ""};
 
+// Beyond these, judging a run of a few seconds takes hours.
+constexpr std::size_t shapes = 10'000;  // of a body
+constexpr std::size_t bodies = 20'000;
+
 constexpr std::size_t name = 200;  // bytes
 constexpr std::size_t text = 2000;
 

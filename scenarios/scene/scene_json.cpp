@@ -32,7 +32,6 @@ constexpr Word<RestitutionMixing> restitution_rules[] = {{"max", RestitutionMixi
                                                          {"average", RestitutionMixing::average},
                                                          {"multiply", RestitutionMixing::multiply}};
 
-// The quantities that have a value at a moment; an apex, for example, belongs to a whole run.
 const Word<Quantity> quantities[] = {{name_of(Quantity::x), Quantity::x},
                                      {name_of(Quantity::y), Quantity::y},
                                      {name_of(Quantity::angle), Quantity::angle},
@@ -43,7 +42,22 @@ const Word<Quantity> quantities[] = {{name_of(Quantity::x), Quantity::x},
                                      {name_of(Quantity::energy), Quantity::energy},
                                      {name_of(Quantity::momentum_x), Quantity::momentum_x},
                                      {name_of(Quantity::momentum_y), Quantity::momentum_y},
-                                     {name_of(Quantity::angular_momentum), Quantity::angular_momentum}};
+                                     {name_of(Quantity::angular_momentum), Quantity::angular_momentum},
+                                     {name_of(Quantity::speed_spread), Quantity::speed_spread},
+                                     {name_of(Quantity::load), Quantity::load},
+                                     {name_of(Quantity::energy_rise), Quantity::energy_rise},
+                                     {name_of(Quantity::landing), Quantity::landing},
+                                     {name_of(Quantity::apex), Quantity::apex}};
+
+const Word<Relation> relations[] = {{name_of(Relation::equal), Relation::equal},
+                                    {name_of(Relation::at_least), Relation::at_least},
+                                    {name_of(Relation::at_most), Relation::at_most}};
+
+bool is_counted(Quantity quantity) { return quantity == Quantity::apex || quantity == Quantity::landing; }
+
+bool has_no_body(Quantity quantity) {
+  return of_whole_scene(quantity) || quantity == Quantity::speed_spread || quantity == Quantity::energy_rise;
+}
 
 constexpr std::size_t width = 120;  // columns at most, if a line can be broken
 
@@ -61,12 +75,11 @@ void check_mass(const JsonReader& in, const Body& body) {
 }
 
 Body read_body(const JsonReader& in, BodyNames& names) {
-  in.object({"name", "type", "position", "shapes"},
-            {"angle", "velocity", "angularVelocity", "gravityScale", "fixedRotation", "bullet", "layers",
-             "linearDamping", "angularDamping"});
+  in.object({"name", "type", "shapes"}, {"position", "angle", "velocity", "angularVelocity", "gravityScale",
+                                         "fixedRotation", "bullet", "layers", "linearDamping", "angularDamping"});
   Body body{.name = in["name"].text(1, limits::name),
             .type = in["type"].one_of<BodyType>(body_types),
-            .position = in["position"].vector(limits::coordinate),
+            .position = in.vector("position", {}, limits::coordinate),
             .angle = in.number("angle", 0, limits::angle),
             .velocity = in.vector("velocity", {}, limits::speed),
             .angular_velocity = in.number("angularVelocity", 0, limits::spin),
@@ -82,6 +95,8 @@ Body read_body(const JsonReader& in, BodyNames& names) {
     body.layers = static_cast<std::uint32_t>(mask);
   }
   const JsonReader shapes = in["shapes"];
+  if (shapes.list() > limits::shapes)
+    shapes.expected("at most " + std::to_string(limits::shapes) + " shapes: spread them over several bodies");
   for (std::size_t i = 0; i < shapes.list(); ++i) body.shapes.push_back(read_shape(shapes[i]));
   if (body.type == BodyType::fixed) check_static_body(in, body);
   if (body.type == BodyType::dynamic) check_mass(in, body);
@@ -96,8 +111,31 @@ Mixing read_mixing(const JsonReader& in) {
   return mixing;
 }
 
+// What only some quantities have: which extremum, an averaging interval, the other body of a contact.
+void read_details(const JsonReader& in, const BodyNames& names, const Scene& scene, StatedTruth& truth) {
+  const std::string quantity = name_of(truth.quantity);
+  if (is_counted(truth.quantity)) {
+    in.must_have("index");
+    const double index = in["index"].number({1, 1e6, ""});
+    if (index != std::floor(index)) in["index"].expected("a whole number, counted from 1");
+    truth.index = static_cast<int>(index);
+  } else if (in.has("index")) {
+    in["index"].refuse("must be absent: there is one " + quantity + " at a time");
+  }
+  if (in.has("over")) {
+    if (is_counted(truth.quantity) || truth.quantity == Quantity::energy_rise)
+      in["over"].refuse("must be absent: " + quantity + " has no mean");
+    truth.over = in["over"].number({0, scene.duration, "s"});
+  }
+  if (in.has("with")) {
+    if (truth.quantity != Quantity::load) in["with"].refuse("must be absent: " + quantity + " is of one body");
+    truth.with = scene.bodies[names.find(in["with"])].name;
+  }
+  if (in.has("relation")) truth.relation = in["relation"].one_of<Relation>(relations);
+}
+
 StatedTruth read_truth(const JsonReader& in, const Scene& scene, const BodyNames& names) {
-  in.object({"quantity", "time", "value", "tolerance", "source"}, {"body"});
+  in.object({"quantity", "time", "value", "tolerance", "source"}, {"body", "relation", "over", "index", "with"});
   StatedTruth truth{.quantity = in["quantity"].one_of<Quantity>(quantities),
                     .value = in["value"].number(limits::reading),
                     .tolerance = in["tolerance"].number(limits::tolerance),
@@ -107,7 +145,8 @@ StatedTruth read_truth(const JsonReader& in, const Scene& scene, const BodyNames
     if (!time.value().is_number()) time.expected("a time in s, or \"end\"");
     truth.time = time.number({0, scene.duration, "s"});
   }
-  if (of_whole_scene(truth.quantity)) {
+  read_details(in, names, scene, truth);
+  if (has_no_body(truth.quantity)) {
     if (in.has("body"))
       in["body"].refuse("must be absent: " + std::string(name_of(truth.quantity)) +
                         " is a quantity of the whole scene");
@@ -158,6 +197,10 @@ OrderedJson truth_as_json(const StatedTruth& truth) {
   if (!truth.body.empty()) json["body"] = truth.body;
   json["quantity"] = name_of(truth.quantity);
   json["time"] = truth.time ? OrderedJson(*truth.time) : OrderedJson("end");
+  if (truth.over != 0) json["over"] = truth.over;
+  if (truth.index != 0) json["index"] = truth.index;
+  if (!truth.with.empty()) json["with"] = truth.with;
+  if (truth.relation != Relation::equal) json["relation"] = name_of(truth.relation);
   json["value"] = truth.value;
   json["tolerance"] = truth.tolerance;
   json["source"] = truth.source;
@@ -217,7 +260,8 @@ SceneFile read_scene(std::string_view text, std::string_view file) {
   const JsonReader in(json, file);
   check_format(in);
   in.object({"plumb", "name", "gravity", "duration", "bodies"},
-            {"about", "source", "mixing", "joints", "forces", "truth"});
+            {"$schema", "about", "source", "mixing", "joints", "forces", "truth"});
+  if (in.has("$schema")) in["$schema"].text(0, limits::text);  // for editors
   SceneFile read;
   Scene& scene = read.scene;
   scene.name = in["name"].text(1, limits::name);
@@ -229,6 +273,8 @@ SceneFile read_scene(std::string_view text, std::string_view file) {
 
   BodyNames names(scene);
   read_list(in, "bodies", scene.bodies, [&](const JsonReader& body) { return read_body(body, names); });
+  if (scene.bodies.size() > limits::bodies)
+    in["bodies"].expected("at most " + std::to_string(limits::bodies) + " bodies");
   if (scene.bodies.empty()) in["bodies"].refuse("expected a body, found none");
   read_list(in, "joints", scene.joints, [&](const JsonReader& joint) { return read_joint(joint, names); });
   read_list(in, "forces", scene.forces, [&](const JsonReader& force) { return read_force(force, names); });

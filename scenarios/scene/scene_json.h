@@ -20,6 +20,10 @@ struct StatedTruth {
   double value = 0;            // in the quantity's unit
   double tolerance = 0;        // absolute, in the same unit
   std::string source;          // in words: a formula, a measurement
+  Relation relation = Relation::equal;
+  double over = 0;        // s, averaging interval up to that time; 0: the value at that moment
+  int index = 0;          // apex, landing: which one, counted from 1
+  std::string with = "";  // load: of contacts with this body only; "": of all
   friend bool operator==(const StatedTruth&, const StatedTruth&) = default;
 };
 

@@ -14,6 +14,11 @@
 namespace plumb::catalog_test {
 namespace {
 
+TEST(Scenarios, AreInTheGroupOfTheirFolder) {
+  EXPECT_EQ(Catalog<Scenario>::find("slope")->group, "friction");
+  EXPECT_EQ(Catalog<Scenario>::find("stacking")->group, "stacks");
+}
+
 TEST(Scenarios, AreAllRegistered) {
   std::vector<std::string> names;
   for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);

@@ -16,6 +16,7 @@
 #include "reports/system/files.h"
 #include "reports/system/terminal.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb::commands::accept {
 namespace {
@@ -83,10 +84,10 @@ int accept(const Accept& options) {
   Baseline now = present(scope.plan);
   now.all = scope.all;
   now.scenarios = scope.scenarios;
-  if (!file.write(to_text(now))) throw std::runtime_error(path + ": the disk is full");
+  file.write_all(to_text(now));
   file.put_in_place();
   print_changes(before, now);
-  fmt::print("{}\n", path);
+  fmt::print("{}\n", printable(path, path.npos));
   return 0;
 }
 

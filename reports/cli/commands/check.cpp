@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -24,7 +25,12 @@ struct Check {
   GateOptions gate;
   std::vector<std::string> against;
   TimingOptions times;
-  std::map<std::string, std::string> files;  // by writer
+  std::map<std::string, std::string> files;  // by writer; "-": standard output
+  bool quiet = false;
+
+  bool on_standard_output() const {
+    return std::ranges::any_of(files, [](const auto& file) { return file.second == "-"; });
+  }
 };
 
 Baseline baseline_of_set(const std::string& file) {
@@ -60,10 +66,17 @@ std::optional<TimingReport> times_of(const Check& options) {
   return time_against(options.times, plan.cases, plan.dt);
 }
 
+void print(const Check& options, const GateResult& result, bool as_accepted, const std::optional<TimingReport>& times) {
+  fmt::print("{}", text_of(result, shown));
+  if (!as_accepted && options.against.empty())
+    fmt::print("If this is intended: plumb accept, with the same options.\n");
+  if (times) fmt::print("{}", timing_text(*times));
+}
+
 int check(const Check& options) {
   std::vector<std::pair<const GateWriter*, NewFile>> files;
   for (const auto& [name, path] : options.files) {
-    if (path.empty()) continue;
+    if (path.empty() || path == "-") continue;
     files.emplace_back(Catalog<GateWriter>::find(name), path);
     if (std::filesystem::is_directory(path) || !files.back().second.write("")) {
       throw std::invalid_argument("--" + name + ": \"" + path + "\" cannot be written");
@@ -74,13 +87,13 @@ int check(const Check& options) {
   const bool as_accepted = result.passed();
   if (times) add_times(result, *times, options.times.engine);
   for (auto& [writer, file] : files) {
-    if (!file.write(writer->text(result))) throw std::runtime_error("--" + writer->name + ": the disk is full");
+    file.write_all(writer->text(result));
     file.put_in_place();
   }
-  fmt::print("{}", text_of(result, shown));
-  if (!as_accepted && options.against.empty())
-    fmt::print("If this is intended: plumb accept, with the same options.\n");
-  if (times) fmt::print("{}", timing_text(*times));
+  for (const auto& [name, path] : options.files) {
+    if (path == "-") fmt::print("{}", Catalog<GateWriter>::find(name)->text(result));
+  }
+  if (!options.quiet && !options.on_standard_output()) print(options, result, as_accepted, times);
   return result.passed() ? 0 : 1;
 }
 
@@ -91,6 +104,7 @@ const Catalog<Command>::Entry entry{
                  "  plumb check --canonical                      the canonical scenarios, in seconds\n"
                  "  plumb check bounce --engine impulse          some of the baseline\n"
                  "  plumb check --junit check.xml --markdown check.md    for CI and pull requests\n"
+                 "  plumb check --json -                         the result as JSON, on standard output\n"
                  "  plumb check --against old/report.json        against the results of another build\n"
                  "  plumb check --against old/report.json new/report.json    two results; nothing runs\n"
                  "  plumb check --time-against old/plumb         also: steps take no longer than in another build\n",
@@ -103,8 +117,11 @@ const Catalog<Command>::Entry entry{
            ->type_name("FILE");
        options->times.attach_to(app);
        for (const GateWriter* writer : Catalog<GateWriter>::all()) {
-         app.add_option("--" + writer->name, options->files[writer->name], "Write " + writer->about)->type_name("FILE");
+         app.add_option("--" + writer->name, options->files[writer->name],
+                        "Write " + writer->about + "; -: print it instead")
+             ->type_name("FILE");
        }
+       app.add_flag("--quiet", options->quiet, "Print nothing: the exit code says it all");
        return [options] { return check(*options); };
      }}};
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
+#include "reports/cli/file_warnings.h"
 #include "reports/compare/divergence.h"
 #include "reports/run/run.h"
 #include "reports/run/scene_file.h"
@@ -130,8 +131,10 @@ int diff(const Options& options) {
   const double dt = parse_dt(options.dt);
   const std::optional<double> tolerance = tolerance_of(options.tolerance);
   const Case one = is_scene_file(options.scenario) ? case_of_file(options.scenario) : parse_case(options.scenario);
+  warn_about_files({&one, 1});
   std::optional<NewFile> file;
-  if (!options.json.empty()) {
+  const bool prints_json = options.json == "-";
+  if (!options.json.empty() && !prints_json) {
     file.emplace(options.json);
     if (std::filesystem::is_directory(options.json) || !file->write(""))
       throw std::invalid_argument("--json: \"" + options.json + "\" cannot be written");
@@ -139,16 +142,14 @@ int diff(const Options& options) {
   const Contestant a = run_of(options.a, one, dt);
   const Contestant b = run_of(options.b, one, dt);
   const TraceComparison compared = compare_traces(*one.scene, a.side, b.side, tolerance);
-  fmt::print("{}", text_of(options, compared));
+  fmt::print("{}", prints_json ? json_of(options, compared, dt).dump(1) + "\n" : text_of(options, compared));
   for (const Contestant* contestant : {&a, &b}) {
     if (contestant->outcome.status == Status::failed) {
-      fmt::print("{} failed: {}\n", contestant->side.name, contestant->outcome.reason);
+      fmt::print(prints_json ? stderr : stdout, "{} failed: {}\n", contestant->side.name, contestant->outcome.reason);
     }
   }
   if (file) {
-    if (!file->write(json_of(options, compared, dt).dump(1) + "\n")) {
-      throw std::invalid_argument("--json: \"" + options.json + "\" cannot be written");
-    }
+    file->write_all(json_of(options, compared, dt).dump(1) + "\n");
     file->put_in_place();
   }
   const bool failed = a.outcome.status == Status::failed || b.outcome.status == Status::failed;
@@ -178,7 +179,8 @@ const Catalog<Command>::Entry entry{
        app.add_option("--tolerance", options->tolerance,
                       "In m, rad, m/s and rad/s alike; default: what round-off explains")
            ->type_name("T");
-       app.add_option("--json", options->json, "Write the same to a file, as JSON")->type_name("FILE");
+       app.add_option("--json", options->json, "Write the same to a file, as JSON; -: print it instead")
+           ->type_name("FILE");
        return [options] { return diff(*options); };
      }}};
 

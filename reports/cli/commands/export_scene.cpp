@@ -3,12 +3,15 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "reports/cli/command.h"
 #include "reports/run/scene_file.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb::commands::export_scene {
 namespace {
@@ -19,6 +22,19 @@ struct Export {
   bool force = false;
 };
 
+struct Contents {
+  SceneFile file;
+  std::vector<std::string> left_out;
+};
+
+// A case of the tracker and a scene file are written as they are.
+Contents contents_of(const std::string& word) {
+  if (is_scene_file(word) || word.starts_with(std::string(tracker) + ":")) return {scene_file_of(word), {}};
+  const Case exported = parse_case(word);
+  StatedTruths stated = truths_of(exported);
+  return {{*exported.scene, std::move(stated.truth)}, std::move(stated.left_out)};
+}
+
 int execute(const Export& options) {
   const std::string place = "--out: \"" + options.out + "\" ";
   if (!options.out.ends_with(".json"))
@@ -26,14 +42,12 @@ int execute(const Export& options) {
   if (!options.force && std::filesystem::exists(options.out)) {
     throw std::invalid_argument(place + "exists already; --force replaces it");
   }
-  const Case exported = parse_case(options.scenario);
-  const StatedTruths stated = truths_of(exported);
+  const auto [contents, left_out] = contents_of(options.scenario);
   NewFile file(options.out);
-  if (!file.write(write_scene({*exported.scene, stated.truth})))
-    throw std::invalid_argument(place + "cannot be written");
+  file.write_all(write_scene(contents));
   file.put_in_place();
-  fmt::print("{}\n", options.out);
-  for (const std::string& reason : stated.left_out) fmt::print("Without {}.\n", reason);
+  fmt::print("{}\n", printable(options.out, options.out.npos));
+  for (const std::string& reason : left_out) fmt::print("Without {}.\n", reason);
   return 0;
 }
 
@@ -42,10 +56,11 @@ const Catalog<Command>::Entry entry{
      .about = "Write a scenario as a scene file, to edit and to give to `plumb run`",
      .examples = "  plumb export bounce --out bounce.json                        with the family's defaults\n"
                  "  plumb export bounce:e=0.5 --out half.json                    one of its variants\n"
-                 "  plumb export bounce:restitution=0.6,height=2 --out own.json  with parameters of your own\n",
+                 "  plumb export bounce:restitution=0.6,height=2 --out own.json  with parameters of your own\n"
+                 "  plumb export tracker:box2d-76-ball-rests --out rests.json    a reported case, with its source\n",
      .attach = [](CLI::App& app) {
        const auto options = std::make_shared<Export>();
-       app.add_option("scenario", options->scenario, "NAME, NAME:LABEL or NAME:parameter=value,...")
+       app.add_option("scenario", options->scenario, "NAME, NAME:LABEL, NAME:parameter=value,... or tracker:NAME")
            ->required()
            ->type_name("NAME");
        app.add_option("--out", options->out, "The file to write")->required()->type_name("FILE.json");

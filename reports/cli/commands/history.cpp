@@ -110,9 +110,9 @@ int trend(const Options& options) {
 int export_lines(const Options& options) {
   const History history = History::of(options.file);
   std::string lines;
-  for (const SnapshotHead& head : history.heads()) lines += to_line(history.snapshot(head.id)) + "\n";
+  for (const SnapshotHead& head : history.heads()) lines += to_sealed_line(history.snapshot(head.id)) + "\n";
   NewFile file(options.lines);
-  if (!file.write(lines)) throw std::invalid_argument(options.lines + ": cannot be written");
+  file.write_all(lines);
   fmt::print("{}\n", file.put_in_place().string());
   return 0;
 }

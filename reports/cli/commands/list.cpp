@@ -1,18 +1,24 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
+#include "reference/left_out.h"
 #include "reference/simulation.h"
 #include "reports/cli/command.h"
+#include "reports/cli/descriptions.h"
 #include "reports/find/kind.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
 #include "reports/judge/relation.h"
 #include "reports/run/scene_file.h"
+#include "reports/system/layout.h"
+#include "reports/system/terminal.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/nearest.h"
@@ -20,27 +26,41 @@
 namespace plumb::commands::list {
 namespace {
 
+// One line an entry: cut to the terminal's width, whole if standard output is none.
+void print_line(const std::string& name, std::size_t columns, const std::string& about) {
+  fmt::print("{}\n", cut(fmt::format("  {:<{}} {}", name, columns, about), terminal_width(std::string::npos)));
+}
+
+// A line a scenario, by group.
 void list_scenarios() {
+  std::map<std::string, std::vector<const Scenario*>> groups;
+  std::size_t longest = 0;
   for (const Scenario* scenario : Catalog<Scenario>::all()) {
-    fmt::print("  {:<16} {}\n", scenario->name, scenario->question);
-    for (const Parameter& parameter : scenario->parameters) {
-      fmt::print("    {} = {} {} ({} ... {}): {}\n", parameter.name, parameter.value, parameter.unit, parameter.min,
-                 parameter.max, parameter.about);
-    }
-    for (const Variant& variant : scenario->variants) fmt::print("    variant \"{}\"\n", variant.label);
+    groups[scenario->group].push_back(scenario);
+    longest = std::max(longest, scenario->name.size());
+  }
+  for (const auto& [group, scenarios] : groups) {
+    fmt::print("{}\n", group);
+    for (const Scenario* scenario : scenarios) print_line(scenario->name, longest, scenario->question);
   }
 }
 
 void list_engines() {
+  const std::size_t width = terminal_width(100);
+  for (const Engine* engine : Catalog<Engine>::all())
+    fmt::print("{}{}\n{}", engine->name, engine->exact ? " (closed form)" : "", description_of(*engine, width));
+}
+
+// What most users look for.
+void list_briefly() {
+  list_scenarios();
+  fmt::print("engines\n");
   for (const Engine* engine : Catalog<Engine>::all()) {
-    fmt::print("  {:<16} {}{}; {}\n", engine->name, engine->exact ? "closed form: " : "", engine->about,
-               engine->source);
-    for (const Option& option : engine->options) {
-      fmt::print("    {} = {}: {}\n", option.key, option.value, option.about);
-      for (const auto& [choice, about] : option.choices) fmt::print("      {:<14} {}\n", choice, about);
-      if (option.choices.empty()) fmt::print("      {} ... {}\n", option.min, option.max);
-    }
+    if (!engine->exact) print_line(engine->name, 16, engine->about);
   }
+  for (const LeftOutEngine& one : left_out_engines())
+    print_line(std::string(one.name), 16, "not built: " + std::string(one.why));
+  fmt::print("\nplumb show NAME has a scenario's parameters or an engine's options. plumb list WHAT: ");
 }
 
 void list_metrics() {
@@ -78,27 +98,28 @@ int list(const std::string& what) {
       {"invariants", list_invariants},      {"relations", list_relations}, {"kinds", list_kinds},
       {std::string(tracker), list_reported}};
   std::vector<std::string> names;
-  bool found = false;
-  for (const auto& [name, print] : lists) {
-    names.push_back(name);
-    if (!what.empty() && what != name) continue;
-    found = true;
-    fmt::print("{}\n", name);
-    print();
+  for (const auto& [name, print] : lists) names.push_back(name);
+  if (what.empty()) {
+    list_briefly();
+    fmt::print("{}.\n", fmt::join(names, ", "));
+    return 0;
   }
-  if (!found) throw std::invalid_argument(unknown("list", what, names));
+  const auto found = std::ranges::find(names, what);
+  if (found == names.end()) throw std::invalid_argument(unknown("list", what, names));
+  lists[static_cast<std::size_t>(found - names.begin())].second();
   return 0;
 }
 
 const Catalog<Command>::Entry entry{
     {.name = "list",
-     .about = "Show scenarios, engines, metrics, invariants, relations, kinds of random scenes and reported cases",
-     .examples = "  plumb list\n"
+     .about = "List scenarios and engines, or metrics, invariants, relations, kinds of random scenes, reported cases",
+     .examples = "  plumb list            scenarios and engines, a line each\n"
                  "  plumb list engines    with their options and where they come from\n",
      .attach = [](CLI::App& app) {
        const auto what = std::make_shared<std::string>();
-       app.add_option("what", *what,
-                      "scenarios, engines, metrics, invariants, relations, kinds or tracker; default: all")
+       app.add_option(
+              "what", *what,
+              "scenarios, engines, metrics, invariants, relations, kinds or tracker; default: scenarios and engines")
            ->type_name("WHAT");
        return [what] { return list(*what); };
      }}};

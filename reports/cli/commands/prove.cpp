@@ -64,19 +64,15 @@ class Output {
   explicit Output(const std::string& path) : path_(path) {
     if (path.empty()) return;
     file_.emplace(path);
-    if (std::filesystem::is_directory(path)) refuse();
-    write("");
+    if (std::filesystem::is_directory(path) || !file_->write("")) refuse();
   }
   void finish(const nlohmann::ordered_json& json) {
     if (!file_) return;
-    write(json.dump(1) + "\n");
+    file_->write_all(json.dump(1) + "\n");
     file_->put_in_place();
   }
 
  private:
-  void write(const std::string& text) {
-    if (!file_->write(text)) refuse();
-  }
   [[noreturn]] void refuse() const { throw std::invalid_argument("--out: \"" + path_ + "\" cannot be written"); }
   std::string path_;
   std::optional<NewFile> file_;

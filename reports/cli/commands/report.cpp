@@ -34,11 +34,12 @@ void add_study(Report& report, nlohmann::ordered_json document) {
   report.studies.push_back(std::make_shared<const nlohmann::ordered_json>(std::move(document)));
 }
 
-void add_studies(Report& report, int jobs) {
-  const ProgressLine line;
+void add_studies(Report& report, const Session& session) {
+  const ProgressLine line(session.quiet ? ProgressLine::Kind::quiet : ProgressLine::Kind::usual);
   for (const Study* study : Catalog<Study>::all()) {
     if (!study->summary) continue;
-    add_study(report, summary_document(*study, jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
+    add_study(report,
+              summary_document(*study, session.jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
                 line.show(fmt::format("study {} [{}/{}] {}", study->name, done, of, key));
               }));
   }
@@ -69,7 +70,7 @@ int report(const Options& options) {
     if (options.no_studies) {
       report.command.emplace_back("--no-studies");
     } else {
-      add_studies(report, options.session.jobs);
+      add_studies(report, options.session);
     }
     if (!history.is_null()) add_study(report, history);
   });
@@ -77,7 +78,7 @@ int report(const Options& options) {
   if (options.svg) take_pictures(out / "index.html", out / "svg");
   if (preview) {
     write_preview(*preview, out / "preview.gif");
-    fmt::print("{}\n", (out / "preview.gif").string());
+    if (options.session.prints_text()) fmt::print("{}\n", (out / "preview.gif").string());
   }
   return 0;
 }

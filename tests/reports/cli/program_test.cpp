@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "../saying.h"
+#include "reference/left_out.h"
 #include "reports/cli/command.h"
 #include "scenarios/catalog.h"
 
@@ -58,6 +60,19 @@ TEST_F(ProgramRun, KeepsWhatIsAskedInTheReportButNotTheFolder) {
   EXPECT_EQ(report()["runs"][0]["dt"], 1.0 / 120);
 }
 
+TEST_F(ProgramRun, PrintsTheReportAsJsonOrNothing) {
+  const std::vector<std::string> words{"run", "bounce", "--engine", "impulse", "--out", out_.string()};
+  auto with_json = words;
+  with_json.emplace_back("--json");
+  const Said said = say(with_json);
+  EXPECT_EQ(nlohmann::ordered_json::parse(said.out)["runs"], report()["runs"]);
+  auto quiet = words;
+  quiet.emplace_back("--quiet");
+  EXPECT_EQ(say(quiet).out, "");
+  quiet.emplace_back("--json");
+  EXPECT_EQ(say(quiet).code, 2);
+}
+
 TEST_F(ProgramRun, WantsEachCaseAndEngineOnce) {
   EXPECT_EQ(say({"run", "bounce", "bounce", "--out", out_.string()}).code, 2);
   EXPECT_EQ(say({"run", "--engine", "impulse", "--engine", "impulse", "--out", out_.string()}).code, 2);
@@ -70,15 +85,22 @@ TEST(Program, KnowsTheseCommands) {
                                               "prove", "report", "run", "study"}));
 }
 
-TEST(Program, ListsScenariosEnginesWithTheirOptionsAndMetrics) {
+TEST(Program, ListsALineForEachScenarioByGroupAndForEachEngine) {
   const Said said = say({"list"});
   EXPECT_EQ(said.code, 0);
-  for (const char* word : {"bounce", "restitution", "impulse", "integrator", "box2d", "energy_rise"}) {
-    EXPECT_THAT(said.out, HasSubstr(word));
-  }
+  EXPECT_THAT(said.out, HasSubstr("\nfriction\n"));
+  EXPECT_THAT(said.out, HasSubstr("\n  slope "));
+  EXPECT_THAT(said.out, HasSubstr("\n  box2d "));
+  EXPECT_THAT(said.out, ::testing::Not(HasSubstr("integrator=")));
+  EXPECT_LT(std::count(said.out.begin(), said.out.end(), '\n'), 120);
+}
+
+TEST(Program, ListsEnginesWithTheirOptionsMetricsAndInvariants) {
+  EXPECT_THAT(say({"list", "engines"}).out, HasSubstr("integrator="));
   EXPECT_THAT(say({"list", "invariants"}).out, HasSubstr("momentum_of_bodies"));
   EXPECT_THAT(say({"list", "relations"}).out, HasSubstr("galilei"));
   EXPECT_THAT(say({"list", "kinds"}).out, HasSubstr("painleve"));
+  EXPECT_THAT(say({"list", "metrics"}).out, HasSubstr("energy_rise"));
   EXPECT_THAT(say({"list", "metrics"}).out, ::testing::Not(HasSubstr("integrator")));
 }
 
@@ -92,6 +114,36 @@ TEST(Program, HelpsWithExamples) {
   const Said said = say({"--help"});
   EXPECT_EQ(said.code, 0);
   EXPECT_THAT(said.out, HasSubstr("Exit codes"));
+}
+
+TEST(Program, HasEveryExitCodeInItsHelpManualAndCompletion) {
+  const std::string help = say({"--help"}).out;
+  const std::string manual = say({"man"}).out;
+  for (const char* text : {"internal error", "interrupted", "bad usage"}) {
+    EXPECT_THAT(help, HasSubstr(text));
+    EXPECT_THAT(manual, HasSubstr(text));
+  }
+  for (const Command* command : Catalog<Command>::all()) {
+    if (command->name.starts_with("timing-worker") || command->name == "pace") continue;
+    EXPECT_THAT(manual, HasSubstr(".SS plumb " + command->name));
+    EXPECT_THAT(say({"completion", "bash"}).out, HasSubstr("'" + command->name + "') words="));
+  }
+  EXPECT_THAT(say({"completion", "zsh"}).out, HasSubstr("bashcompinit"));
+  EXPECT_EQ(say({"completion", "fish"}).code, 2);
+}
+
+TEST(Program, NeverPrintsControlCharactersOfANameOfAFile) {
+  const Said said = say({"run", "no\033[2Jsuch.json"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("no?[2Jsuch.json"));
+}
+
+TEST(Program, SaysThatAnEngineIsNotBuilt) {
+  for (const LeftOutEngine& one : left_out_engines()) {
+    const Said said = say({"run", "bounce", "--engine", std::string(one.name)});
+    EXPECT_EQ(said.code, 2);
+    EXPECT_THAT(said.err, HasSubstr("is not built: " + std::string(one.why)));
+  }
 }
 
 TEST(Program, TellsItsVersion) {

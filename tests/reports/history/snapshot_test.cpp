@@ -26,6 +26,15 @@ TEST(Snapshot, ReadsBackToTheSameLine) {
   EXPECT_THAT(line, HasSubstr("\"horizon\":[null,\"s\"]"));
 }
 
+TEST(Snapshot, NoticesAChangedDigitInASealedLine) {
+  const Snapshot snapshot = sample_snapshot(3);
+  std::string line = to_sealed_line(snapshot);
+  EXPECT_EQ(to_line(snapshot_of_line(line, "line")), to_line(snapshot));
+  const std::size_t digit = line.find("\"dt\":") + 7;
+  line[digit] = line[digit] == '5' ? '6' : '5';
+  EXPECT_THROW(snapshot_of_line(line, "line"), std::invalid_argument);
+}
+
 TEST(Snapshot, DoesNotDistinguishZeros) {
   Snapshot a = sample_snapshot(0), b = a;
   a.runs.begin()->second.metrics["drift"] = {0.0, "m"};

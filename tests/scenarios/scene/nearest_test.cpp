@@ -29,6 +29,13 @@ TEST(Nearest, SuggestsNothingWithoutNames) {
 
 TEST(Unknown, SuggestsTheNearestName) {
   EXPECT_EQ(unknown("parameter", "hieght", names), "unknown parameter \"hieght\", did you mean \"height\"?");
+  EXPECT_EQ(unknown("parameter", "rest", names), "unknown parameter \"rest\", did you mean \"restitution\"?");
+}
+
+TEST(Unknown, ListsAFewNamesWhereNoneResemblesTheWord) {
+  EXPECT_EQ(unknown("key", "lowerAngle", names),
+            "unknown key \"lowerAngle\", expected one of: height, radius, restitution");
+  EXPECT_EQ(unknown("key", "lowerAngle", std::vector<std::string>(13, "type")), "unknown key \"lowerAngle\"");
 }
 
 }  // namespace

@@ -42,6 +42,22 @@ TEST_F(CheckAndAccept, PassesWhatWasJustAccepted) {
   EXPECT_EQ(text(at("base.json")), before) << "the same bytes";
 }
 
+TEST_F(CheckAndAccept, PrintsJsonOrNothingIfAsked) {
+  accept(at("base.json"));
+  const std::string file = tampered(at("base.json"));
+  const Said said = say({"check", "--baseline", file, "--json", "-"});
+  EXPECT_EQ(said.code, 1);
+  EXPECT_FALSE(nlohmann::ordered_json::parse(said.out)["regressions"].empty());
+  EXPECT_EQ(say({"check", "--baseline", file, "--quiet"}).out, "");
+}
+
+TEST_F(CheckAndAccept, KeepsABaselineThatIsASymbolicLink) {
+  accept(at("base.json"));
+  fs::create_symlink("base.json", at("link.json"));
+  EXPECT_EQ(say({"accept", "--baseline", at("link.json")}).code, 0);
+  EXPECT_TRUE(fs::is_symlink(at("link.json")));
+}
+
 TEST_F(CheckAndAccept, ChecksSomeOfABaseline) {
   accept(at("base.json"));
   const Said some = say({"check", "slope:steep", "--engine", "impulse", "--baseline", at("base.json")});

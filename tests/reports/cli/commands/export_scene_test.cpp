@@ -23,8 +23,38 @@ TEST_F(Export, WritesTheFamilysDefaultsAVariantOrYourOwn) {
   EXPECT_EQ(restitution("bounce:restitution=1/4"), 0.25);
 }
 
-TEST_F(Export, SaysWhatIsLeftOut) {
-  EXPECT_THAT(say({"export", "bounce", "--out", at("f.json")}).out, HasSubstr("Without disc apex 1: "));
+TEST_F(Export, KeepsApexesLandingsBoundsAndMeans) {
+  say({"export", "bounce", "--out", at("f.json")});
+  const Json truth = json(at("f.json"))["truth"];
+  EXPECT_EQ(truth.size(), 7u) << truth;
+  EXPECT_EQ(truth[0]["quantity"], "apex");
+  EXPECT_EQ(truth[0]["index"], 1);
+}
+
+TEST_F(Export, WritesAReportedCaseAsItIs) {
+  const Said said = say({"export", "tracker:box2d-76-ball-rests", "--out", at("f.json")});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(json(at("f.json"))["source"], HasSubstr("box2d"));
+  EXPECT_FALSE(json(at("f.json"))["truth"].empty());
+}
+
+TEST_F(Export, KeepsASymbolicLink) {
+  put("target.json", "old");
+  fs::create_symlink("target.json", at("link.json"));
+  EXPECT_EQ(say({"export", "bounce", "--out", at("link.json"), "--force"}).code, 0);
+  EXPECT_TRUE(fs::is_symlink(at("link.json")));
+  EXPECT_GT(fs::file_size(at("target.json")), 3u);
+}
+
+TEST_F(Export, ExitsWith2ForACircleOfLinksAndAFullDisk) {
+  fs::create_symlink("b.json", at("a.json"));
+  fs::create_symlink("a.json", at("b.json"));
+  EXPECT_EQ(say({"export", "bounce", "--out", at("a.json"), "--force"}).code, 2);
+  EXPECT_EQ(say({"run", at("a.json")}).code, 2);
+  fs::create_symlink("/dev/full", at("full.json"));
+  const Said said = say({"export", "bounce", "--out", at("full.json"), "--force"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("No space left"));
 }
 
 TEST_F(Export, ReplacesAFileOnlyWhereTold) {

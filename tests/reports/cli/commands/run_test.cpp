@@ -34,6 +34,16 @@ TEST_F(RunFile, AgreesWithTheCatalogueOnWhatItExported) {
   EXPECT_EQ(answers(at("f.json"), "file").dump(1), answers("bounce:e=0.8", "built-in").dump(1));
 }
 
+TEST_F(RunFile, WarnsOfWhatIsRarelyMeant) {
+  say({"export", "stacking:ten", "--out", at("f.json")});
+  EXPECT_EQ(say({"run", at("f.json"), "--engine", "impulse", "--out", at("out")}).err, "");
+  Json scene = json(at("f.json"));
+  scene["bodies"][1]["angle"] = 90;
+  put("f.json", scene.dump());
+  EXPECT_THAT(say({"run", at("f.json"), "--engine", "impulse", "--out", at("out")}).err,
+              HasSubstr("f.json: bodies[1] (\"box 1\").angle: 90 is more than a full turn"));
+}
+
 TEST_F(RunFile, MixesFilesWithScenarios) {
   say({"export", "spring", "--out", at("f.json")});
   const Said said = say({"run", at("f.json"), "orbit:round", "--engine", "impulse", "--out", at("out")});
