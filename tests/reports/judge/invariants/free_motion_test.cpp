@@ -136,6 +136,39 @@ TEST(FreeMotionInvariant, FitsTheImpulsesOfJoints) {
   }
 }
 
+TEST(FreeMotionInvariant, LetsALimitPushOnlyWhereItIsReachedAndOnlyAway) {
+  const double far = 10;
+  const auto limited = [](AngleLimits limits) {
+    Scene scene = chain(1, 1);
+    scene.joints = {Revolute{.a = 0, .b = 1, .limits = limits}};
+    return scene;
+  };
+  // It swings down, and no limit is near but the upper one, where it starts.
+  for (const double high : {0.0, far}) {
+    const Scene scene = limited({-far, high});
+    EXPECT_EQ(status("free_motion", scene, pendulum(scene, 1, 1), exact), CheckStatus::held) << high;
+    for (const double factor : {0.0, 0.5, 0.98, 1.02}) {
+      EXPECT_EQ(status("free_motion", scene, pendulum(scene, 1, factor), exact), CheckStatus::broken) << factor;
+    }
+  }
+  // The lower limit, where it starts, carries it.
+  const Scene carried = limited({0, far});
+  EXPECT_EQ(status("free_motion", carried, pendulum(carried, 1, 0), exact), CheckStatus::held);
+  // It may stop it at any moment of a step.
+  const Scene stopped = limited({-0.0303, far});
+  Trace trace(2);
+  const Trace swings = pendulum(stopped, 1, 1);
+  std::size_t last = 0;
+  for (std::size_t i = 0; swings.states(i)[1].angle > 1 - 0.0303; last = i++) {
+    trace.record(swings.time(i), std::vector<BodyState>(swings.states(i).begin(), swings.states(i).end()), {});
+  }
+  std::vector<BodyState> at_rest = initial_states(stopped);
+  at_rest[1] = {.position = rotated({0, -0.5}, 1 - 0.0303), .angle = 1 - 0.0303};
+  for (std::size_t i = last + 1; i < last + 4; ++i) trace.record(dt * static_cast<double>(i), at_rest, {});
+  const InvariantCheck check = checked("free_motion", stopped, trace, exact).value();
+  EXPECT_EQ(check.status, CheckStatus::held) << check.value << " of " << check.tolerance << " at " << check.time;
+}
+
 Trace frozen(const Scene& scene) {
   Trace trace(scene.bodies.size());
   for (int i = 0; i <= 2; ++i) trace.record(i * dt, initial_states(scene), {});
