@@ -22,10 +22,10 @@
 // in the norm sum |p|^2/m + L^2/I, times the root of the group's mass: for one body that is |m dv - F dt|.
 //
 // A limit of a joint gives an impulse only in a step in which the joint may reach it, and only away from it. The joint
-// may turn by the larger of what it did turn and what its velocities before or after would give, by what the forces add,
-// (F/(m r) + T/I) dt^2 at the arms r, and by the stated slop. Where the fit lets one limit pull, the best fit without
-// that one is the best one that is allowed, as the square of what is left is convex in every impulse. If that lets
-// another one pull, the first fit stays, which leaves less.
+// may turn by the larger of what it did turn and what its velocities before or after would give, by what the forces
+// add, (F/(m r) + T/I) dt^2 at the arms r, and by the stated slop. Where the fit lets one limit pull, the best fit
+// without that one is the best one that is allowed, as the square of what is left is convex in every impulse. If that
+// lets another one pull, the first fit stays, which leaves less.
 //
 // The tolerance covers:
 // - the forces, known at both ends of the step (see AppliedForces::change_in);
