@@ -12,6 +12,7 @@
 #include "reports/judge/contacts.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/mechanics.h"
+#include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
 #include "reports/vec.h"
 #include "scenarios/catalog.h"
@@ -23,7 +24,7 @@
 // - within the step the body turns by w dt under the point, and the normal by delta (see normal_rotation):
 //   |p| (w dt + delta) |J|;
 // - a method may keep the points that it found when the two came to touch, on both bodies: they are as far apart as the
-//   bodies have slid since, at the relative velocity there. That path, times |J|.
+//   bodies have slid since, at the relative velocity there, and round ones have rolled, w r dt. That path, times |J|.
 // A method may report the points of the step's start, of its end, or, if it goes on from an impact within the step, of
 // any moment in between. So p is taken from the centre at the start, or at the end, or, with half of the longest path,
 // from the middle: whichever explains it best. The forces change within the step, and everything is rounded, as in
@@ -74,7 +75,7 @@ class Moments {
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);
     const std::vector<WrenchError> off = forces_.change_in(then, now, dt);
-    follow_slips(moment);
+    follow_paths(moment);
     std::vector<std::vector<const ContactState*>> of(known_.size());
     for (const ContactState& contact : trace.contacts(moment)) {
       for (const std::size_t body : {contact.a, contact.b}) of[body].push_back(&contact);
@@ -118,20 +119,31 @@ class Moments {
     }
   }
 
-  // The paths that touching bodies have slid on each other.
-  void follow_slips(std::size_t moment) {
+  // m/s, of a round body's surface about its own centre, or its caps'.
+  double rim_speed(std::size_t body, std::size_t moment) const {
+    double radius = 0;
+    for (const Shape& shape : context_.scene.bodies[body].shapes) {
+      radius = std::max(radius, outline_of(shape.geometry, {}).radius);
+    }
+    return radius * std::max(std::abs(context_.trace.states(moment - 1)[body].angular_velocity),
+                             std::abs(context_.trace.states(moment)[body].angular_velocity));
+  }
+
+  // The paths that touching bodies have slid and rolled on each other.
+  void follow_paths(std::size_t moment) {
     const auto& trace = context_.trace;
     const double dt = trace.time(moment) - trace.time(moment - 1);
-    std::map<BodyPair, double> slid;
+    std::map<BodyPair, double> passed;
     for (const ContactState& contact : trace.contacts(moment)) {
       const BodyPair pair = std::minmax(contact.a, contact.b);
       const double speed = std::max(length(relative_velocity(contact, trace.states(moment - 1))),
                                     length(relative_velocity(contact, trace.states(moment))));
-      const auto before = slid_.find(pair);
-      double& path = slid[pair];
-      path = std::max(path, dt * speed + (before != slid_.end() ? before->second : 0));
+      const auto before = passed_.find(pair);
+      double& path = passed[pair];
+      const double rolled = rim_speed(contact.a, moment) + rim_speed(contact.b, moment);
+      path = std::max(path, dt * (speed + rolled) + (before != passed_.end() ? before->second : 0));
     }
-    slid_ = std::move(slid);
+    passed_ = std::move(passed);
   }
 
   Turned turned_by(std::span<const ContactState* const> contacts, std::size_t body, std::size_t moment,
@@ -147,7 +159,7 @@ class Moments {
       const double normal =
           std::max(normal_rotation(scene, *contact, then, dt), normal_rotation(scene, *contact, now, dt));
       const double own = dt * std::max(std::abs(then[body].angular_velocity), std::abs(now[body].angular_velocity));
-      const double passed = slid_.at(std::minmax(contact->a, contact->b));
+      const double passed = passed_.at(std::minmax(contact->a, contact->b));
       const double gap = std::max(stepping.contact_gap(), std::abs(contact->separation));
       turned.moment += cross(arm, impulse);
       turned.uncertain += length(impulse) * (gap + passed + length(arm) * std::min(2.0, own + normal));
@@ -158,8 +170,8 @@ class Moments {
   const InvariantContext& context_;
   AppliedForces forces_;
   std::vector<bool> known_;
-  std::vector<double> largest_;      // kg m^2/s, so far
-  std::map<BodyPair, double> slid_;  // m, since the two came to touch
+  std::vector<double> largest_;        // kg m^2/s, so far
+  std::map<BodyPair, double> passed_;  // m, since the two came to touch
   WorstViolation worst_;
 };
 

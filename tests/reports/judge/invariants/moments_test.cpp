@@ -78,6 +78,23 @@ TEST(AngularMomentumOfBodiesInvariant, AllowsForTheWaySlidSinceTheContactBegan) 
   EXPECT_EQ(slid(0.001, 0.004), CheckStatus::broken);
 }
 
+// A disc that rolls leaves the points behind on both.
+TEST(AngularMomentumOfBodiesInvariant, AllowsForTheWayRolledSinceTheContactBegan) {
+  Scene scene = box_on_ground();
+  scene.bodies[1].shapes[0].geometry = Circle{.radius = 0.5};
+  const auto rolled = [&](double way, double behind) {
+    const double speed = way / dt;
+    const auto at = [&](double x) {
+      return std::vector<BodyState>{
+          {}, {.position = {x, 0.5}, .angle = -2 * x, .velocity = {speed, 0}, .angular_velocity = -2 * speed}};
+    };
+    return status(invariant, scene, forged(dt, {{at(0)}, {at(way), {pushing_at({way - behind, 0}, 0.1)}}}), exact);
+  };
+  EXPECT_EQ(rolled(0.01, 0.005), CheckStatus::held);
+  EXPECT_EQ(rolled(0.01, 0.1), CheckStatus::broken);
+  EXPECT_EQ(rolled(0, 0.005), CheckStatus::broken);
+}
+
 TEST(AngularMomentumOfBodiesInvariant, NeedsReportedContacts) {
   const Scene scene = box_on_ground();
   const Trace trace = forged(dt, {{box_at({0, 0.5}, {0, -1})}, {box_at({0, 0.5})}});
