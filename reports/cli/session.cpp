@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "reports/cli/file_warnings.h"
+#include "reports/run/converged_checks.h"
 #include "reports/run/experiment.h"
 #include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
@@ -44,6 +45,7 @@ Plan plan_of(const Session& session) {
   plan.dt = parse_dt(session.dt);
   plan.jobs = session.jobs;
   plan.refine = session.refinement();
+  plan.explain = true;
   plan.relations = session.relations;
   plan.ensemble = session.ensemble;
   return plan;
@@ -80,9 +82,8 @@ void Session::attach_to(CLI::App& app) {
 }
 
 std::size_t Session::refinement() const {
-  constexpr std::size_t usual = 200'000;  // less than a second a scene
   if (no_converged) return 0;
-  return converged ? 5 * usual : usual;
+  return converged ? 5 * usual_budget : usual_budget;
 }
 
 Report Session::conduct(const std::string& command, const std::function<void(Report&)>& complete) const {

@@ -39,15 +39,21 @@ JointGeometry::JointGeometry(const Scene& scene) {
   }
 }
 
-double JointGeometry::beyond_limits(const Ends& joint, const BodyState& a, const BodyState& b) {
-  if (!joint.limits) return 0;
+std::optional<LimitRoom> JointGeometry::room_of(const Ends& joint, const BodyState& a, const BodyState& b) {
+  if (!joint.limits) return std::nullopt;
   const double angle = b.angle - a.angle - joint.angle;
-  return std::max({0.0, joint.limits->low - angle, angle - joint.limits->high});
+  return LimitRoom{angle - joint.limits->low, joint.limits->high - angle};
+}
+
+double JointGeometry::beyond_limits(const Ends& joint, const BodyState& a, const BodyState& b) {
+  const auto room = room_of(joint, a, b);
+  return room ? std::max({0.0, -room->low, -room->high}) : 0;
 }
 
 std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) const {
   std::vector<JointRow> rows;
-  for (const Ends& joint : ends_) {
+  for (std::size_t index = 0; index < ends_.size(); ++index) {
+    const Ends& joint = ends_[index];
     const Vec point_a = states[joint.a].position + rotated(joint.at_a, states[joint.a].angle);
     const Vec point_b = states[joint.b].position + rotated(joint.at_b, states[joint.b].angle);
     const auto along = [&](Vec direction, Vec on_a) {
@@ -73,8 +79,9 @@ std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) con
         break;
       }
     }
-    const bool turns = joint.kind == Kind::line || joint.kind == Kind::fixed || joint.limits;
-    if (turns) rows.push_back({joint.a, joint.b, {}, -1, 1});
+    const bool turns = joint.kind == Kind::line || joint.kind == Kind::fixed;
+    if (turns || joint.limits) rows.push_back({joint.a, joint.b, {}, -1, 1});
+    if (!turns && joint.limits) rows.back().limits_of = index;
   }
   return rows;
 }
@@ -107,6 +114,15 @@ double JointGeometry::passes_limits(std::size_t index, std::span<const BodyState
   a.angle += dt * a.angular_velocity;
   b.angle += dt * b.angular_velocity;
   return beyond_limits(joint, a, b) * (length(joint.at_a) + length(joint.at_b));
+}
+
+std::optional<LimitRoom> JointGeometry::room(std::size_t index, std::span<const BodyState> states) const {
+  const Ends& joint = ends_[index];
+  return room_of(joint, states[joint.a], states[joint.b]);
+}
+
+std::pair<double, double> JointGeometry::arms(std::size_t index) const {
+  return {length(ends_[index].at_a), length(ends_[index].at_b)};
 }
 
 double JointGeometry::acceleration(std::span<const BodyState> states, double gravity) const {

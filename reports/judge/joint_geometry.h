@@ -17,14 +17,21 @@ struct JointRow {
   std::size_t a = 0, b = 0;
   Vec direction;                  // unit length, or zero
   double turn_a = 0, turn_b = 0;  // m or 1: the angular part on a and on b
+  /// The joint whose limits alone give it: the lower one a positive impulse, the upper one a negative.
+  std::optional<std::size_t> limits_of = {};
+};
+
+/// rad, how far a joint may still turn to its lower and to its upper limit; negative beyond it.
+struct LimitRoom {
+  double low = 0, high = 0;
 };
 
 class JointGeometry {
  public:
   explicit JointGeometry(const Scene&);
 
-  /// Every direction of every joint, in the same order for any states; turning too where there are limits, which may be
-  /// reached at any moment of a step.
+  /// Every direction of every joint, in the same order for any states; turning too where there are limits, reached or
+  /// not.
   std::vector<JointRow> rows(std::span<const BodyState>) const;
 
   std::size_t size() const { return ends_.size(); }
@@ -34,6 +41,10 @@ class JointGeometry {
   double error(std::size_t joint, std::span<const BodyState>) const;
   /// m, by how much a joint would violate its limits after dt s at these velocities.
   double passes_limits(std::size_t joint, std::span<const BodyState>, double dt) const;
+  /// nullopt without limits.
+  std::optional<LimitRoom> room(std::size_t joint, std::span<const BodyState>) const;
+  /// m, the distances of a joint's anchors from the centres of both bodies.
+  std::pair<double, double> arms(std::size_t joint) const;
   /// m/s^2, a bound of the acceleration by which joints hold any body: that of gravity, and w^2 r of every arm.
   double acceleration(std::span<const BodyState>, double gravity) const;
   /// rad/s, the fastest rotation of a body in a joint.
@@ -55,6 +66,7 @@ class JointGeometry {
     double rate = 0;                         // 1/s^2, of a spring: its stiffness per mass
     std::optional<AngleLimits> limits = {};  // of a point
   };
+  static std::optional<LimitRoom> room_of(const Ends&, const BodyState& a, const BodyState& b);
   // rad, by how much the angle is beyond the joint's limits.
   static double beyond_limits(const Ends&, const BodyState& a, const BodyState& b);
 

@@ -14,7 +14,8 @@ namespace plumb {
 
 /// What became of a control in a case.
 ///   truth, invariant  wrong, by a check that the right engine passes
-///   same              not told from the right engine, and it moves like that one
+///   same              not told from the right engine, and it moves like that one, as long as the motion is known: past
+///                     the end of a case's converged reference no pose is right or wrong
 ///   inconclusive      moves otherwise, and is neither wrong nor passes: coarse, no evidence, or wrong only by checks
 ///                     that the right engine fails too
 ///   passes            moves otherwise, and is right or plausible: the verdict means nothing here
@@ -50,13 +51,14 @@ struct ControlReport {
   std::size_t passes() const;
 };
 
-/// The largest difference of a pose, at any moment of `right`, relative to the scale that `right` gives it (see
-/// judge/scale.h). Infinite if the other run ends earlier, or if it reports no contacts where the case asks about loads
-/// and `right` reports some.
-double largest_difference(const Case&, const Trace& right, const Trace& other);
+/// The largest difference of a pose, at any moment of `right` until that time, s, relative to the scale that `right`
+/// gives it (see judge/scale.h). Infinite if the other run ends earlier, or if it reports no contacts where the case
+/// asks about loads and `right` reports some.
+double largest_difference(const Case&, const Trace& right, const Trace& other, double until);
 
-/// Runs every control on every case, and judges each run by the statement of each engine. One report for each
-/// statement. The result does not depend on `jobs`.
+/// Runs every control on every case, and judges each run by the statement of each engine; one that passes also by the
+/// case's converged reference, if it has one, as `plumb run` does. One report for each statement. The result does not
+/// depend on `jobs`.
 std::vector<ControlReport> prove_controls(const std::vector<Control>&, const std::vector<Case>&,
                                           const std::vector<EngineConfig>& stated, double dt, int jobs,
                                           const Progress&);

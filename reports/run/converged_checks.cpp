@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/converged/confirmed.h"
 #include "reports/judge/verdict.h"
 #include "reports/vec.h"
 
@@ -29,7 +30,37 @@ double energy_error_of(const Scene& scene, std::span<const BodyState> states, st
   return error;
 }
 
+// The largest error of a pose that a converged reference may have, as a share of the smallest body. Its errors are part
+// of the tolerances.
+constexpr double converged_share = 0.01;
+
+bool asks_for_places(const Case& one_case) {
+  const Scene& scene = *one_case.scene;
+  const auto expectations = one_case.scenario->expectations(one_case.parameters);
+  return std::any_of(expectations.begin(), expectations.end(), [&](const Expectation& one) {
+    const bool place = one.quantity == Quantity::x || one.quantity == Quantity::y || one.quantity == Quantity::angle ||
+                       one.quantity == Quantity::apex;
+    return place && one.relation == Relation::equal &&
+           (one.body.empty() || scene.bodies[index_of(scene, one.body)].type == BodyType::dynamic);
+  });
+}
+
+std::vector<double> moments_in(double duration, double dt) {
+  std::vector<double> moments(steps_in(duration, dt) + 1);
+  for (std::size_t i = 0; i < moments.size(); ++i) moments[i] = static_cast<double>(i) * dt;
+  return moments;
+}
+
 }  // namespace
+
+std::optional<ConvergedTruth> converged_reference(const Case& one_case, double dt, std::size_t budget) {
+  const Engine* closed_form = one_case.closed_form;
+  const Scene& scene = *one_case.scene;
+  const bool solved = closed_form != nullptr && closed_form->unsupported(scene, complete(*closed_form, {})).empty();
+  if (budget == 0 || solved || asks_for_places(one_case)) return std::nullopt;
+  return confirmed_truth(scene, moments_in(scene.duration, dt),
+                         {.dt = dt, .tolerance = converged_share, .budget = budget});
+}
 
 ConvergedChecks::ConvergedChecks(const Scene& scene, const ConvergedTruth& truth, double dt)
     : scene_(scene),

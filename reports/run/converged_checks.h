@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,9 +9,19 @@
 #include "reports/judge/observe.h"
 #include "reports/judge/scale.h"
 #include "reports/run/growth.h"
+#include "reports/run/run.h"
 
 /// Judges runs by a converged reference.
 namespace plumb {
+
+/// The reference that judges a case, of at most `budget` body-steps of each engine. nullopt if the budget is 0, where a
+/// closed form can be evaluated, and where the scenario says itself where a body that moves freely should be: it has
+/// tolerances derived for its own motion, which know of impacts, for example, what a general bound can't. That a body
+/// stays on one side of a place says nothing of the kind.
+std::optional<ConvergedTruth> converged_reference(const Case&, double dt, std::size_t budget);
+
+/// Body-steps that a case gets unless a user says otherwise: less than a second a scene.
+inline constexpr std::size_t usual_budget = 200'000;
 
 /// The checks of one scene: place and angle of up to `judged_bodies` bodies, spread evenly over the scene, and the
 /// energy. The tolerance is what the method states about itself, times how the scene amplifies it (see growth.h), plus

@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "reference/converged/confirmed.h"
 #include "reports/compare/comparator.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
@@ -17,6 +16,7 @@
 #include "reports/run/case_run.h"
 #include "reports/run/converged_checks.h"
 #include "reports/run/horizon.h"
+#include "reports/run/more_iterations.h"
 #include "reports/run/relations.h"
 #include "reports/run/timings.h"
 #include "reports/system/jobs.h"
@@ -29,16 +29,6 @@ struct TimeSpent {
   double wall = 0, stepping = 0;  // s
 };
 
-std::vector<double> moments_in(double duration, double dt) {
-  std::vector<double> moments(steps_in(duration, dt) + 1);
-  for (std::size_t i = 0; i < moments.size(); ++i) moments[i] = static_cast<double>(i) * dt;
-  return moments;
-}
-
-// The largest error of a pose that a converged reference may have, as a share of the smallest body. Its errors are part
-// of the tolerances.
-constexpr double converged_share = 0.01;
-
 std::string converged_words(const ConvergedTruth& truth, double duration) {
   const Converged& answer = *truth.answer;
   const std::string until = answer.reason().empty()
@@ -47,31 +37,16 @@ std::string converged_words(const ConvergedTruth& truth, double duration) {
   return fmt::format("converged to {:.1g} m, confirmed by {}, {}", answer.largest_error(), truth.confirmed_by, until);
 }
 
-// Whether a scenario says itself where bodies should be, with tolerances derived for its own motion: those know of
-// impacts, for example, what a general bound can't.
-bool asks_for_places(const Case& one_case) {
-  const auto expectations = one_case.scenario->expectations(one_case.parameters);
-  return std::any_of(expectations.begin(), expectations.end(), [](const Expectation& one) {
-    return one.quantity == Quantity::x || one.quantity == Quantity::y || one.quantity == Quantity::angle ||
-           one.quantity == Quantity::apex;
-  });
-}
-
 // All runs of one case: the reference first, if there is one.
 class CaseExperiment {
  public:
   CaseExperiment(const Case& test_case, double dt) : case_(test_case), dt_(dt), growth_(*test_case.scene, dt) {}
 
-  // With a converged reference of that many body-steps where no closed form can be evaluated and the scenario does not
-  // ask for places itself; 0: none.
+  // With a converged reference (see `converged_reference`) of that many body-steps; 0: none.
   void run_reference(std::size_t budget) {
     const Engine* engine = case_.closed_form;
-    const bool solved = engine != nullptr && engine->unsupported(*case_.scene, complete(*engine, {})).empty();
-    if (budget > 0 && !solved && !asks_for_places(case_)) {
-      refined_ = confirmed_truth(*case_.scene, moments_in(case_.scene->duration, dt_),
-                                 {.dt = dt_, .tolerance = converged_share, .budget = budget});
-      engine = &refined_->engine;
-    }
+    refined_ = converged_reference(case_, dt_, budget);
+    if (refined_) engine = &refined_->engine;
     if (engine == nullptr) return;
     const EngineConfig config{engine, complete(*engine, {})};
     RunRecord record = record_of(case_, config, dt_, run(*case_.scene, config, dt_));
@@ -92,13 +67,14 @@ class CaseExperiment {
     records_.push_back(std::move(record));
   }
 
-  void run_engine(const EngineConfig& config, bool relations) {
+  void run_engine(const EngineConfig& config, bool relations, bool explain) {
     const CaseRun runs = run_case(case_, config, dt_);
     add_time(runs.outcome);
     for (const Outcome& shifted : runs.shifted) add_time(shifted);
     RunRecord record = judged_record(case_, config, dt_, runs, reference_);
     if (record.status == Status::ok) runnable_.push_back(config);
     if (record.status == Status::ok && checks_) judge_by_converged(*checks_, config, record);
+    if (explain && record.verdict == Verdict::wrong) add_reason(record, cure_of(config));
     if (record.status == Status::ok && relations) judge_by_relations(config, record);
     records_.push_back(std::move(record));
   }
@@ -117,12 +93,28 @@ class CaseExperiment {
   const std::vector<EngineConfig>& runnable() const { return runnable_; }
 
  private:
+  static void add_reason(RunRecord& record, const std::string& reason) {
+    if (!reason.empty()) record.reason += (record.reason.empty() ? "" : "; ") + reason;
+  }
+
+  // Whether a wrong run is only one that its iterations left unsolved: the same method, judged by the same statement,
+  // passes with more of them. "" if not. Its time counts nowhere.
+  std::string cure_of(const EngineConfig& config) const {
+    const auto more = with_more_iterations(config, dt_);
+    if (!more) return "";
+    RunRecord cured = judged_record(case_, config, dt_, run_case(case_, more->config, dt_), reference_);
+    if (cured.status == Status::ok && checks_) judge_by_converged(*checks_, config, cured);
+    for (const Verdict passes : {Verdict::right, Verdict::coarse, Verdict::plausible}) {
+      if (cured.verdict == passes) {
+        return fmt::format("not converged at {}: {} with {} iterations", more->before, name_of(passes), more->after);
+      }
+    }
+    return "";
+  }
+
   static void judge_by_converged(const ConvergedChecks& converged, const EngineConfig& config, RunRecord& record) {
     auto checks = converged.of(config.engine->stepping(config.settings, record.dt), *record.trace);
-    if (checks.empty()) {
-      record.reason +=
-          fmt::format("{}no converged truth for a method of this order and step", record.reason.empty() ? "" : "; ");
-    }
+    if (checks.empty()) add_reason(record, "no converged truth for a method of this order and step");
     std::ranges::move(checks, std::back_inserter(record.truth));
     if (record.verdict != Verdict::wrong) record.verdict = verdict_of(record.truth, record.invariants);
   }
@@ -213,7 +205,7 @@ Report run_experiment(const Plan& plan, const Progress& progress) {
     cases[i].run_reference(plan.refine);
     for (const EngineConfig& config : plan.configs) {
       show(cases[i].test_case(), label_of(config.engine->name, config.method()));
-      cases[i].run_engine(config, plan.relations);
+      cases[i].run_engine(config, plan.relations, plan.explain);
     }
     cases[i].compare_engines(plan.ensemble, plan.refine);
   });

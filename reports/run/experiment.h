@@ -19,6 +19,7 @@ struct Plan {
   std::size_t refine = 0;  // body-steps of each engine of a converged reference where there is no closed form; 0: none
   bool timed = true;       // measure the cost of a step after everything else
   bool relations = false;  // check the metamorphic relations, which takes a run of every engine for each image
+  bool explain = false;    // run what is wrong again with more of the iterations that an engine states
   int ensemble = 0;        // runs of each engine to compare beyond a scene's horizon; 0: do not look for horizons
 };
 

@@ -25,6 +25,7 @@ std::string failure_of(const RunRecord& run) {
   for (const InvariantCheck& check : run.invariants) {
     if (check.status == CheckStatus::broken) add(check);
   }
+  if (!run.reason.empty()) all += (all.empty() ? "" : "; ") + run.reason;
   return all.empty() ? name_of(run.verdict) : all;
 }
 

@@ -21,6 +21,12 @@
 // impulses lambda along the joints' directions J. The check measures what is left of it after the best fit of lambda,
 // in the norm sum |p|^2/m + L^2/I, times the root of the group's mass: for one body that is |m dv - F dt|.
 //
+// A limit of a joint gives an impulse only in a step in which the joint may reach it, and only away from it. The joint
+// may turn by the larger of what it did turn and what its velocities before or after would give, by what the forces
+// add, (F/(m r) + T/I) dt^2 at the arms r, and by the stated slop. Where the fit lets one limit pull, the best fit
+// without that one is the best one that is allowed, as the square of what is left is convex in every impulse. If that
+// lets another one pull, the first fit stays, which leaves less.
+//
 // The tolerance covers:
 // - the forces, known at both ends of the step (see AppliedForces::change_in);
 // - the joints' directions, which turn within the step from J0 to J1. The fit takes their mean; whenever within the
@@ -31,7 +37,11 @@
 //   make;
 // - sleep, which stops a body of at most the stated speed;
 // - round-off, once for the body and once for each of its joints: of the largest momentum so far, as a small velocity
-//   may be the difference of larger ones.
+//   may be the difference of larger ones;
+// - the round-off of places. A joint puts its bodies where its anchors meet, known to u X, X the distances of both
+//   bodies and anchors. A method that keeps the energy of what joints hold takes the work of the forces from these
+//   places: E = sum |F| u X too much or too little in each of n sub-steps. With w the length of the momentum in the
+//   norm above, w^2/2 is off by n E: w by n E/w, and where it passes zero within the step by sqrt(2 n E).
 namespace plumb::invariants::free_motion {
 namespace {
 
@@ -201,11 +211,41 @@ class FreeMotion {
             joints_.rows(behind)};
   }
 
+  // The impulses that a row may have: of a limit only those that push away from it.
+  struct Signs {
+    bool positive = true, negative = true;
+    bool allow(double impulse) const { return impulse > 0 ? positive : impulse == 0 || negative; }
+  };
+
   // The directions of a group's joints, and by how much each may be off from their mean over the step.
   struct Directions {
     std::vector<Row> start, mean, end;
     std::vector<double> off;
+    std::vector<Signs> signs;
   };
+
+  // The limits that a joint may reach within a step.
+  Signs limits_in(const Step& step, std::size_t joint) const {
+    const auto& trace = context_.trace;
+    const double dt = trace.time(step.moment) - trace.time(step.moment - 1);
+    const auto then = trace.states(step.moment - 1);
+    const auto now = trace.states(step.moment);
+    const auto [a, b] = joints_.bodies(joint);
+    const auto [arm_a, arm_b] = joints_.arms(joint);
+    const double slop = context_.stepping.joint_slop;
+    double reach = slop > 0 ? slop / (arm_a + arm_b) : 0;
+    for (const auto& [body, arm] : {std::pair{a, arm_a}, std::pair{b, arm_b}}) {
+      const Mass& mass = forces_.masses()[body];
+      if (mass.mass > 0 && arm > 0) reach += dt * dt * length(step.start[body].force) / (mass.mass * arm);
+      if (mass.inertia > 0) reach += dt * dt * std::abs(step.start[body].torque) / mass.inertia;
+    }
+    const double turned = (now[b].angle - now[a].angle) - (then[b].angle - then[a].angle);
+    const double before = then[b].angular_velocity - then[a].angular_velocity;
+    const double after = now[b].angular_velocity - now[a].angular_velocity;
+    reach += std::max({std::abs(turned), dt * std::abs(before), dt * std::abs(after)});
+    const LimitRoom room = joints_.room(joint, then).value();
+    return {.positive = room.low <= reach, .negative = room.high <= reach};
+  }
 
   // What the stated slop between the anchors changes of the arms on both bodies.
   double apart(const JointRow& joint) const {
@@ -222,6 +262,9 @@ class FreeMotion {
     for (std::size_t r = 0; r < step.rows_start.size(); ++r) {
       const JointRow& joint = step.rows_start[r];
       if (std::find(group.begin(), group.end(), moves(joint.a) ? joint.a : joint.b) == group.end()) continue;
+      const Signs signs = joint.limits_of ? limits_in(step, *joint.limits_of) : Signs{};
+      if (!signs.positive && !signs.negative) continue;
+      directions.signs.push_back(signs);
       const Row start = row_of(joint);
       const Row end = row_of(step.rows_end[r]);
       directions.start.push_back(start);
@@ -235,11 +278,52 @@ class FreeMotion {
     return directions;
   }
 
+  // The best fit of impulses that may be.
+  static Fit allowed_fit(const Vector& missing, const std::vector<Row>& rows, const std::vector<Signs>& signs) {
+    Fit fit = fitted(missing, rows);
+    const auto pulls = [&](const Fit& of) {
+      std::vector<std::size_t> all;
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        if (!signs[r].allow(of.lambda[r])) all.push_back(r);
+      }
+      return all;
+    };
+    const std::vector<std::size_t> pulling = pulls(fit);
+    if (pulling.size() != 1) return fit;
+    const auto which = static_cast<std::ptrdiff_t>(pulling.front());
+    std::vector<Row> others = rows;
+    others.erase(others.begin() + which);
+    Fit without = fitted(missing, others);
+    without.lambda.insert(without.lambda.begin() + which, 0);
+    return pulls(without).empty() ? without : fit;
+  }
+
+  // In the norm of a group's momentum, by how much the round-off of places changes it in a step.
+  double round_off_of_places(const Step& step, const std::vector<std::size_t>& group, double slowest) const {
+    const auto& [scene, trace, stepping] = context_;
+    double energy = 0;  // J
+    for (const std::size_t i : group) {
+      double farthest = 0;  // m
+      for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+        const auto [a, b] = joints_.bodies(joint);
+        if (a != i && b != i) continue;
+        const auto [arm_a, arm_b] = joints_.arms(joint);
+        const auto states = trace.states(step.moment);
+        farthest = std::max(farthest, length(states[a].position) + arm_a + length(states[b].position) + arm_b);
+      }
+      energy += length(step.end[i].force) * stepping.epsilon * farthest;
+    }
+    const double dt = trace.time(step.moment) - trace.time(step.moment - 1);
+    energy *= stepping.h > 0 ? std::max(1.0, dt / stepping.h) : 1;
+    const double at_rest = std::sqrt(2 * energy);
+    return slowest > at_rest ? energy / slowest : at_rest;
+  }
+
   void add(const Step& step, const std::vector<std::size_t>& group) {
     const auto& [scene, trace, stepping] = context_;
     const double time = trace.time(step.moment);
     const double dt = time - trace.time(step.moment - 1);
-    Vector missing, force, force_change, momentum, damping;
+    Vector missing, force, force_change, momentum, damping, before, after;
     double total = 0;
     double most_damped = 0;  // c dt
     bool stopped = stepping.rest_speed > 0;
@@ -261,6 +345,8 @@ class FreeMotion {
       push(momentum, m * now.velocity + m * then.velocity, k * (now.angular_velocity + then.angular_velocity));
       push(damping, damped * m / 2 * (now.velocity + then.velocity),
            spin_damped * k / 2 * (now.angular_velocity + then.angular_velocity));
+      push(before, m * then.velocity, k * then.angular_velocity);
+      push(after, m * now.velocity, k * now.angular_velocity);
       push(missing, m * (now.velocity - then.velocity), k * (now.angular_velocity - then.angular_velocity));
       total += mass.mass;
       most_damped = std::max({most_damped, damped, spin_damped});
@@ -272,14 +358,16 @@ class FreeMotion {
     const double momentum_size = norm(momentum);
     double& largest = largest_[group.front()];
     largest = std::max(largest, momentum_size);
-    const double known = norm(force_change) + most_damped * (norm(damping) + force_size) +
+    const double slowest = product(before, after) > 0 ? std::min(norm(before), norm(after)) : 0;
+    const double known = round_off_of_places(step, group, slowest) + norm(force_change) +
+                         most_damped * (norm(damping) + force_size) +
                          (stopped ? std::min(momentum_size, 2 * scaled * stepping.rest_speed) : 0) +
                          solver_rounding(stepping) * (largest + force_size) + 2 * 0x1p-53 * time / dt * force_size;
     const Directions directions = directions_of(step, group);
     double rest = 0;
     double tolerance = 0;
     for (const std::vector<Row>* rows : {&directions.mean, &directions.start, &directions.end}) {
-      const Fit fit = fitted(missing, *rows);
+      const Fit fit = allowed_fit(missing, *rows, directions.signs);
       double joints = 0;
       for (std::size_t r = 0; r < rows->size(); ++r) {
         joints += std::abs(fit.lambda[r]) * (directions.off[r] + solver_rounding(stepping) * (*rows)[r].size());

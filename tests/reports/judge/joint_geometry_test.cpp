@@ -57,6 +57,10 @@ TEST(JointGeometry, HasLimitsThatAreMeasuredFromTheStart) {
   EXPECT_EQ(joints.rows(states).size(), 3u) << "two for the anchor, one for the limit";
   EXPECT_DOUBLE_EQ(joints.passes_limits(0, states, 0.01), 0);
   EXPECT_DOUBLE_EQ(joints.passes_limits(0, states, 0.05), 0.05 * 2);
+  states[1].angle = -0.05;
+  EXPECT_DOUBLE_EQ(joints.room(0, states)->low, 0.15);
+  EXPECT_DOUBLE_EQ(joints.room(0, states)->high, 0.15);
+  EXPECT_EQ(joints.rows(states).back().limits_of, 0u);
 }
 
 // A row's impulse does no work on motions that the joint allows: J v = 0.

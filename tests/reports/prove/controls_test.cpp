@@ -80,6 +80,24 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+// Nothing is asked about the fall itself, or about places.
+TEST(Controls, AreUnmaskedWithoutExpectationsOfTheirLaw) {
+  for (const char* control : {"half-gravity", "late"}) {
+    const ControlRun run = run_of(control, "joint-stop:60deg");
+    EXPECT_EQ(run.unmasking, Unmasking::invariant) << control;
+    EXPECT_EQ(run.detection->metric, "free_motion");
+  }
+  EXPECT_EQ(run_of("no-rotation", "smash").detection->metric, "angular_momentum_of_bodies");
+  EXPECT_EQ(run_of("no-restitution", "capsule-heap:six").unmasking, Unmasking::truth) << "by the converged reference";
+}
+
+// The boxes' reference ends within a step or two after the first hits the drum.
+TEST(Controls, AreComparedAsLongAsTheMotionIsKnown) {
+  const ControlRun run = run_of("no-restitution", "tumbler:boxes");
+  EXPECT_EQ(run.unmasking, Unmasking::same);
+  EXPECT_LT(run.difference, right_share);
+}
+
 TEST(Controls, MayBeRightWhereTheirLawDoesNotMatter) {
   EXPECT_EQ(run_of("frozen", "slope:sticks").unmasking, Unmasking::same);
   EXPECT_EQ(run_of("all-restitution", "bounce:e=1").unmasking, Unmasking::same);

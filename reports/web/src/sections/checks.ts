@@ -166,7 +166,8 @@ function reason(entry: Entry): string {
   const [most] = findings_of(entry).sort((a, b) => b.ratio - a.ratio);
   if (!most) return "There is no check for this case.";
   if (most.ratio === 0) return `No error in any check.${untested(entry)}`;
-  return `${farthest_off(entry)}Largest error / tolerance ${ratio_text(most.ratio)}: ${most.text}.${untested(entry)}`;
+  const cure = run.verdict === "wrong" && run.reason ? ` ${run.reason.slice(0, 1).toUpperCase()}${run.reason.slice(1)}.` : "";
+  return `${farthest_off(entry)}Largest error / tolerance ${ratio_text(most.ratio)}: ${most.text}.${untested(entry)}${cure}`;
 }
 
 /** The reason for each engine's verdict; cells of the overview link here. */
