@@ -15,7 +15,7 @@ if (process.env.PLUMB_REPORT) files["the real report"] = process.env.PLUMB_REPOR
 
 async function violations(page) {
   await page.evaluate(axe.source);
-  const found = await page.evaluate(() => window.axe.run({ resultTypes: ["violations"], selectors: false }));
+  const found = await page.evaluate(() => window.axe.run({ resultTypes: ["violations"] }));
   return found.violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(({ html, any }) => `${html.slice(0, 160)} ${any[0]?.message ?? ""}`).join("\n  ")}`);
 }
 
