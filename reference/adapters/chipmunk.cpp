@@ -27,6 +27,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdarg>
 #include <cstdio>
 #include <deque>
 #include <limits>
@@ -39,6 +40,20 @@
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
+
+// Chipmunk says here what its assertions find, and calls this function instead of its own. Its warnings ("High GJK
+// iterations") are for who writes the library: they change no run, and would stand between the lines of a report. An
+// error ends the process, so it is said. Weak, as a static library has its own, which then stays.
+extern "C" [[gnu::weak]] void cpMessage(const char* condition, const char* file, int line, int is_error, int /*hard*/,
+                                        const char* message, ...) {
+  if (is_error == 0) return;
+  std::fputs("Chipmunk: ", stderr);
+  va_list values;
+  va_start(values, message);
+  std::vfprintf(stderr, message, values);
+  va_end(values);
+  std::fprintf(stderr, " (%s, %s:%d)\n", condition, file, line);
+}
 
 namespace plumb {
 namespace {

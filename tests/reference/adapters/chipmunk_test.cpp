@@ -1,3 +1,4 @@
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,6 +25,18 @@ class Chipmunk : public testing::Test {
 
 BodyState last(const Scene& scene, const Settings& settings, int steps) {
   return last_state(*chipmunk(), scene, settings, steps);
+}
+
+TEST_F(Chipmunk, SaysWhyItEndsTheProcessAndNoWarning) {
+  using Say = void(const char* condition, const char* file, int line, int error, int hard, const char* message, ...);
+  auto* const say = reinterpret_cast<Say*>(dlsym(RTLD_DEFAULT, "cpMessage"));
+  if (say == nullptr) GTEST_SKIP() << "built with a static Chipmunk, which says what it wants";
+  testing::internal::CaptureStderr();
+  say("n < most", "cpCollision.c", 352, 0, 0, "High GJK iterations: %d", 31);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  testing::internal::CaptureStderr();
+  say("mass > 0", "cpBody.c", 7, 1, 1, "Mass must be positive: %d", -1);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "Chipmunk: Mass must be positive: -1 (mass > 0, cpBody.c:7)\n");
 }
 
 TEST_F(Chipmunk, NamesTheVersionItRunsWith) { EXPECT_EQ(chipmunk()->source.rfind("Chipmunk2D 7", 0), 0u); }

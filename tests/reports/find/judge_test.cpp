@@ -117,16 +117,18 @@ std::shared_ptr<Engine> misbehaving(void (*step)()) {
 TEST(JudgedApart, SurvivesAnEngineThatCrashesOrHangs) {
   Scene scene{.name = "one", .duration = 0.1};
   scene.bodies.push_back(disc("ball", {}, 0.5, {}));
-  const auto of = [&](void (*step)()) {
+  const auto of = [&](double seconds, void (*step)()) {
     const auto engine = misbehaving(step);
     const Suspect bad{.name = "bad", .config = {engine.get(), {}}};
-    return judged_apart(scene, Posed::ambiguous, {&bad, 1}, {}, {.seconds = 0.2, .mebibytes = 2048}).front();
+    return judged_apart(scene, Posed::ambiguous, {&bad, 1}, {}, {.seconds = seconds, .mebibytes = 2048}).front();
   };
-  const Opinion crashed = of([] { std::abort(); });
+  const Opinion crashed = of(600, [] { std::abort(); });
   EXPECT_NE(crashed.of("run crashed"), nullptr) << as_json(crashed).dump();
-  EXPECT_NE(of([] {
-              for (;;) usleep(1000);
-            }).of("run timed out"),
+  EXPECT_NE(of(0.2,
+               [] {
+                 for (;;) usleep(1000);
+               })
+                .of("run timed out"),
             nullptr);
 }
 

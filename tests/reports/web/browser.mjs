@@ -8,10 +8,11 @@ import { setTimeout as delay } from "node:timers/promises";
 import { pathToFileURL } from "node:url";
 import { inspect, isDeepStrictEqual } from "node:util";
 
-const patience = 20_000; // ms
+const patience = 300_000; // ms, to end tests that would wait forever: a busy machine takes a minute for what takes a second
 const template = new URL("../dist/page.html", import.meta.url);
 const folder = await mkdtemp(join(tmpdir(), "plumb-page-"));
 const browser = await chromium.launch({
+  timeout: patience,
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
 });
@@ -32,9 +33,34 @@ export async function write(data) {
   return file;
 }
 
-/** A blank page. `trouble` collects errors and warnings on the console, and requests other than for the page's file. */
-export async function open_blank({ width = 1280, height = 900, colorScheme = "light", deviceScaleFactor = 1 } = {}) {
-  const page = await browser.newPage({ viewport: { width, height }, colorScheme, deviceScaleFactor, reducedMotion: "reduce" });
+const watched = ["console", "pageerror", "request"];
+const idle = new Map(); // pages that tests have closed, by resolution
+
+/** A page that no file has been opened in, or, five times as quick, one that is blank again. */
+async function page_at(deviceScaleFactor, fresh) {
+  const pages = idle.get(deviceScaleFactor) ?? [];
+  idle.set(deviceScaleFactor, pages);
+  if (!fresh && pages.length) return pages.pop();
+  const page = await browser.newPage({ deviceScaleFactor });
+  page.setDefaultTimeout(patience);
+  if (fresh) return page;
+  page.close = async () => {
+    for (const event of watched) page.removeAllListeners(event);
+    await page.mouse.move(0, 0);
+    await page.goto("about:blank");
+    pages.push(page);
+  };
+  return page;
+}
+
+/**
+ * A blank page. `trouble` collects errors and warnings on the console, and requests other than for the page's file.
+ * `fresh`: nothing has been opened in it before, nor will be after it.
+ */
+export async function open_blank({ width = 1280, height = 900, colorScheme = "light", deviceScaleFactor = 1, fresh = false } = {}) {
+  const page = await page_at(deviceScaleFactor, fresh);
+  await page.setViewportSize({ width, height });
+  await page.emulateMedia({ media: null, colorScheme, reducedMotion: "reduce" });
   const trouble = [];
   let address = "about:blank";
   page.on("console", (message) => {
@@ -111,10 +137,20 @@ async function make_all(page) {
 /** Scrolls through the whole page, because charts and replays are drawn when they come near the screen. */
 export async function draw_all(page) {
   await make_all(page);
-  for (const [kind, made] of [[".canvas", (canvas) => canvas.style.minHeight === ""], [".stage", (stage) => "ready" in stage.dataset]]) {
-    for (const one of await page.locator(kind).elementHandles()) {
-      await one.scrollIntoViewIfNeeded();
-      await page.waitForFunction(made, one);
+  // In the page, as a message for each of its hundreds of charts takes longer than to draw it. It counts frames, not
+  // seconds: a slow machine draws fewer.
+  const missing = await page.evaluate(async () => {
+    const made = { canvas: (canvas) => canvas.style.minHeight === "", stage: (stage) => "ready" in stage.dataset };
+    for (const [kind, done] of Object.entries(made)) {
+      for (const one of document.getElementsByClassName(kind)) {
+        for (let frames = 0; !done(one); ++frames) {
+          if (frames === 2000) return `${kind}: ${one.parentElement.textContent.slice(0, 200)}`;
+          one.scrollIntoView({ block: "center", behavior: "instant" });
+          await new Promise(requestAnimationFrame);
+        }
+      }
     }
-  }
+    return "";
+  });
+  assert.equal(missing, "", "was not drawn within 2000 frames");
 }

@@ -8,7 +8,7 @@ import { stat } from "node:fs/promises";
 const times = 7;
 
 async function opening(file) {
-  const { page, go } = await open_blank();
+  const { page, go } = await open_blank({ fresh: true });
   const session = await page.context().newCDPSession(page);
   await session.send("Performance.enable", { timeDomain: "threadTicks" });
   const before = await processors();

@@ -104,7 +104,7 @@ test("a folded part is created when it is opened, for print, and for a link into
   const file = await write(data);
   // A browser that is never idle, so that nothing is created ahead of time.
   const open_busy = async (hash) => {
-    const { page, go } = await open_blank();
+    const { page, go } = await open_blank({ fresh: true });
     await page.addInitScript(() => (window.requestIdleCallback = () => 0));
     await go(file, hash);
     return page;

@@ -15,7 +15,7 @@ using ::testing::StartsWith;
 class CheckAndAccept : public SceneFiles {
  protected:
   Said accept(const std::string& file) const {
-    return say({"accept", "bounce:e=0.5", "slope:steep", "--engine", "impulse", "--baseline", file});
+    return say({"accept", "spinning-obb:free-fall", "slope:steep", "--engine", "impulse", "--baseline", file});
   }
   static std::string text(const std::string& path) {
     std::ostringstream all;
@@ -123,7 +123,7 @@ TEST_F(CheckAndAccept, ComparesTwoResultsWithoutARun) {
 }
 
 TEST_F(CheckAndAccept, ComparesWithAReport) {
-  say({"run", "bounce:e=0.5", "--engine", "impulse", "--ensemble", "0", "--out", at("out")});
+  say({"run", "spinning-obb:free-fall", "--engine", "impulse", "--ensemble", "0", "--out", at("out")});
   const Said same = say({"check", "--against", at("out/report.json")});
   EXPECT_EQ(same.code, 0) << same.out << same.err;
   EXPECT_EQ(say({"check", "--against", at("out/report.json"), at("out/report.json")}).code, 0);

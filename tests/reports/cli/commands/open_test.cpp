@@ -42,7 +42,8 @@ class Open : public SceneFiles {
   }
 
   std::string asked() const {
-    for (int tries = 0; tries < 500 && !fs::exists(at("xdg-open.asked")); ++tries) {
+    // At most for five minutes: a busy machine takes seconds to start a program.
+    for (int tries = 0; tries < 30'000 && !fs::exists(at("xdg-open.asked")); ++tries) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     std::ostringstream text;
