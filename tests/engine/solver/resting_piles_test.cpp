@@ -96,8 +96,8 @@ struct Twins {
 };
 
 // Normals and arms are constant while a pile rests, and wrong by up to tremor / size = .004 rad: .4 % of the load. What
-// rolls on a heap (a few discs do, by centimetres) is not at rest, so only bodies are asked that stay by themselves: all
-// but one in a hundred.
+// rolls on a heap (a few discs do, by centimetres) is not at rest, so only bodies are asked that stay by themselves:
+// all but one in a hundred.
 TEST(RestingPiles, StayWhereTheyAre) {
   for (const auto& make : {pyramid, heap}) {
     Twins twins(make);
