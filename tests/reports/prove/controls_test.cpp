@@ -87,7 +87,7 @@ TEST(Controls, AreUnmaskedWithoutExpectationsOfTheirLaw) {
     EXPECT_EQ(run.unmasking, Unmasking::invariant) << control;
     EXPECT_EQ(run.detection->metric, "free_motion");
   }
-  EXPECT_EQ(run_of("no-rotation", "smash").detection->metric, "angular_momentum_of_bodies");
+  EXPECT_EQ(run_of("no-rotation", "smash").unmasking, Unmasking::invariant);
   EXPECT_EQ(run_of("no-restitution", "capsule-heap:six").unmasking, Unmasking::truth) << "by the converged reference";
 }
 

@@ -157,10 +157,9 @@ TEST(ReportedCases, ShowWhatWasReported) {
     EXPECT_TRUE(box2d.contains(name)) << name;
 }
 
-// But for two: a body on one that is a thousand times lighter sinks by some millimetres until its load is found, and
-// bodies that start inside each other keep some of the speed with which they come apart.
+// But for one: bodies that start inside each other keep some of the speed with which they come apart.
 TEST(ReportedCases, ArePassedByOurEngine) {
-  EXPECT_THAT(missed_by("impulse"), ::testing::ElementsAre("godot-88410-heavy-on-light", "matter-651-overlap-gap"));
+  EXPECT_THAT(missed_by("impulse"), ::testing::ElementsAre("matter-651-overlap-gap"));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ TEST(Layout, NeverSeparatesANumberFromItsUnitAndTolerance) {
 }
 
 TEST(Layout, BreaksWordsThatAreLongerThanALine) {
-  EXPECT_EQ(wrapped("a234567890b234567890c234567890d2345", 0, 15), "a234567890b2345\n67890c234567890\nd2345\n");
+  EXPECT_EQ(wrapped("a234567890b234567890c234567890d2345", 0, 30), "a234567890b234567890c234567890\nd2345\n");
 }
 
 TEST(Layout, CountsLettersNotBytes) {
