@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <source_location>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,8 +18,9 @@ template <class T>
 class Catalog {
  public:
   struct Entry {
-    explicit Entry(T value, std::source_location place = std::source_location::current()) {
-      if constexpr (requires { value.group = std::string(); }) value.group = folder_of(place.file_name());
+    /// `file`: of the entry. GCC and clang; clang 14 has no std::source_location.
+    explicit Entry(T value, const char* file = __builtin_FILE()) {
+      if constexpr (requires { value.group = std::string(); }) value.group = folder_of(file);
       entries().push_back(std::move(value));
     }
     /// For an entry that depends on other entries: `make` is called when the catalog is first read, after main began.
