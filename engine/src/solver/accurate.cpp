@@ -292,6 +292,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   relax_through(data.bodies, island, space.search);
   if (island.two_frictions && ScalarContacts::stick_or_slip(island)) relax(data.bodies, island, island.sweeps);
   if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
+  ScalarContacts(data.bodies, motion_).turn_back(island);
   if (!joints_fit || island.ideal) {
     // Compliant joints must return their energy as height, not as speed.
     const Real gain = joints_fit && !island.joints.swept() ? ideal_gain : Real{0};

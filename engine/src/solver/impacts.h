@@ -50,6 +50,7 @@ struct ImpactRow : ContactRow {
   Real offset = 0;           // m, lasting correction of the separation (see OffsetRule)
   Real disc_distance = 0;    // m, sum of radii when both are discs about their centres: their normal turns as they move
   Vec2 between;              // of those centres at the start of the step
+  Vec2 led;                  // their normal before the sub-step's drift
   std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
   Vec2 acted;                // N s, impulse of the contact in this step, if its normal rotates
   int age = 0;               // steps since the contact began

@@ -37,6 +37,12 @@ void show(Vec2 normal, Contact& contact) {
   contact.found_a.p = contact.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
 }
 
+/// The change of an impulse, given along a normal and its tangent, when these turn.
+Vec2 redirected(Vec2 impulse, Vec2 from, Vec2 to) {
+  const Vec2 change = to - from;
+  return impulse.x * change + impulse.y * perpendicular(change);
+}
+
 /// Friction at all points: stops the sliding as far as the friction cone of the accumulated normal impulse allows.
 template <class Frame>
 [[gnu::always_inline]] inline void solve_friction_by_state(ImpactRow& row, Frame& frame) {
@@ -178,14 +184,32 @@ void ScalarContacts::count_halves(const Island& island) {
 /// the impulses that press applied and relax removes would have a tangential part that no contact reports.
 void ScalarContacts::turn_normal(ImpactRow& row) {
   RowPoint& p = row.points[0];
-  const Vec2 before = row.normal;
+  row.led = row.normal;
   row.normal = normalized(row.between + (motion_[row.b].d - motion_[row.a].d));
   // gap() measures along the normal from `between`: for discs that is their distance less the radii.
   p.separation = dot(row.normal, row.between) - row.disc_distance;
-  const Vec2 change = row.normal - before;
-  const Vec2 more = p.normal_impulse * change + p.tangent_impulse * perpendicular(change);
-  if (row.mass_a.m > 0) bodies_.velocity[row.a].v -= row.mass_a.m * more;
-  if (row.mass_b.m > 0) bodies_.velocity[row.b].v += row.mass_b.m * more;
+  push_centres(row, redirected({p.normal_impulse, p.tangent_impulse}, row.led, row.normal));
+}
+
+/// What a disc bore before it drifted acted along the normal of then: along the turned one it would do work, F v^2 / 2R
+/// on a disc that slides over a dome. So of the half that was given before the drift, what the contact bears in the end
+/// turns back.
+void ScalarContacts::turn_back(const Island& island) {
+  for (ImpactRow& row : island.rows) {
+    if (row.disc_distance == 0 || !row.active) continue;
+    const RowPoint& p = row.points[0];
+    const Vec2 half = row.half[0];
+    const Vec2 early{std::min(half.x, p.normal_impulse),
+                     clamp(half.y, std::min(p.tangent_impulse, Real{0}), std::max(p.tangent_impulse, Real{0}))};
+    const Vec2 more = redirected(early, row.normal, row.led);
+    push_centres(row, more);
+    row.acted += more;
+  }
+}
+
+void ScalarContacts::push_centres(const ImpactRow& row, Vec2 impulse) {
+  if (row.mass_a.m > 0) bodies_.velocity[row.a].v -= row.mass_a.m * impulse;
+  if (row.mass_b.m > 0) bodies_.velocity[row.b].v += row.mass_b.m * impulse;
 }
 
 void ScalarContacts::press(const Island& island) { press<false>(island); }

@@ -45,6 +45,8 @@ class ScalarContacts {
   /// and still need all of the dynamic one. Points share what a contact bears, so it slips only if none has any left.
   /// Returns whether one broke away, and friction must be solved again.
   static bool stick_or_slip(const Island& island);
+  /// After relax(): what two discs bore before they drifted acts along the normal of then.
+  void turn_back(const Island& island);
   /// m, the largest growth of a contact's penetration in a sub-step at these velocities. `held`: without the points
   /// that relax() skips.
   Real deepening(const Island& island, bool held) const;
@@ -60,6 +62,7 @@ class ScalarContacts {
   template <class Frame>
   Real gap(const ImpactRow& row, const RowPoint& p) const;
   void turn_normal(ImpactRow& row);
+  void push_centres(const ImpactRow& row, Vec2 impulse);
   template <bool rigidly>
   void press(const Island& island);
   template <bool rigidly, class Frame>
