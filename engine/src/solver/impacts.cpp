@@ -94,8 +94,30 @@ struct Encounter {
       q.cross_b = turned_cross(p.cross_b, p.turn_b, b);
       q.dot_a = turned_dot(p.dot_a, p.cross_a, p.turn_a, a);
       q.dot_b = turned_dot(p.dot_b, p.cross_b, p.turn_b, b);
+      join(q);
     }
     return now;
+  }
+
+ private:
+  /// Lets both arms end in one place: an impulse that acts on two bodies in two places would change their angular
+  /// momentum. The surfaces may have slid past each other since the contact was found: a point stays where it is on the
+  /// body that touches the other's face.
+  void join(RowPoint& q) const {
+    const bool pushed_a = row.mass_a.m + row.mass_a.i > 0;
+    const bool pushed_b = row.mass_b.m + row.mass_b.i > 0;
+    Real of_a = Real{1} / 2;  // the share of the way that the point goes on a
+    if (row.normal_of != NormalOf::between) {
+      of_a = row.normal_of == NormalOf::a ? Real{1} : Real{0};
+    } else if (!pushed_a || !pushed_b) {
+      return;
+    }
+    const Real slid = dot(perpendicular(normal), row.between + (b.d - a.d)) - q.cross_b + q.cross_a;
+    q.cross_a -= of_a * slid;
+    q.cross_b += (1 - of_a) * slid;
+    const Real gap = dot(normal, row.between + (b.d - a.d)) + q.dot_b - q.dot_a;
+    q.dot_a += gap / 2;
+    q.dot_b -= gap / 2;
   }
 };
 

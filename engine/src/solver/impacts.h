@@ -45,6 +45,9 @@ struct PointPair {
   }
 };
 
+/// The reference face that determines a contact's normal; `between`: the line between the nearest points.
+enum class NormalOf : std::uint8_t { between, a, b };
+
 /// A row with the additional data of the sub-step of `accurate`.
 struct ImpactRow : ContactRow {
   Real offset = 0;           // m, lasting correction of the separation (see OffsetRule)
@@ -57,7 +60,8 @@ struct ImpactRow : ContactRow {
   bool made = false;         // still valid if the contact's points are those below
   Pose found_a, found_b;
   std::array<Real, 2> found_separation{};
-  bool stirs_a = true;  // the body can move, see BodySet::stirs
+  NormalOf normal_of = NormalOf::between;  // set if it turns
+  bool stirs_a = true;                     // the body can move, see BodySet::stirs
   bool stirs_b = true;
   bool turns = false;     // its normal follows the bodies within a step
   bool collides = false;  // a body that it stops is stopped at the time at which they meet

@@ -111,6 +111,7 @@ void Turning::begin(const Island& island, const StepData& data) {
     const NormalOf normal_of = owner(contact, data.bodies);
     if (stands_still(contact, row, normal_of)) continue;
     row.turns = true;
+    row.normal_of = normal_of;
     row.made = false;  // must be made anew in the next step
     turned_.push_back({&row,
                        normal_of,
@@ -208,7 +209,7 @@ void Turning::find_again(StepData& data, const std::vector<Pose>& start, const s
     contact.found_a = pose_a;
     contact.found_b = pose_b;
     take_points(turned, contact, m);
-    turned.normal_of = owner(contact, data.bodies);
+    turned.normal_of = turned.row->normal_of = owner(contact, data.bodies);
     turned.again = true;
     turned.found = now;
   }

@@ -28,9 +28,6 @@ Stir stir_of(const Contact& contact, const BodySet& bodies);
 /// Whether, with normal and arms constant for a step, the surfaces would approach faster than a soft contact recovers.
 bool turns(const Contact& contact, const Stir& stir, const BodySet& bodies, Real dt);
 
-/// The reference face that determines a contact's normal; `between`: the line between the nearest points.
-enum class NormalOf : std::uint8_t { between, a, b };
-
 /// The rows of an island whose bodies rotate so fast that normal and arms must be updated in every sub-step (rotating
 /// contact frame).
 ///
