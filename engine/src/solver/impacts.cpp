@@ -49,12 +49,14 @@ struct Approach {
   Real speed = 0;  // d separation / dt
 };
 
-/// The two bodies of a row at a later time; for two discs with the normal at that time.
+/// The two bodies of a row at a later time, with the normal of that time: of two discs it follows their centres, and a
+/// face's turns with its body.
 struct Encounter {
   const ImpactRow& row;
   Motion a, b;
   Velocity va, vb;
   Vec2 normal;
+  Rotation turned;  // the normal's, since the start of the sub-step
   Real disc_separation = 0;
 
   Encounter(const ImpactRow& seen, const Flight& flight, Real t)
@@ -64,6 +66,13 @@ struct Encounter {
         va(flight.velocity_at(seen.a, t)),
         vb(flight.velocity_at(seen.b, t)),
         normal(seen.normal) {
+    if (row.normal_of != NormalOf::between) {
+      const bool of_a = row.normal_of == NormalOf::a;
+      const Motion& now = of_a ? a : b;
+      const Motion& then = flight.motion[of_a ? row.a : row.b];
+      turned = rotation(then).inverse() * rotation(now);
+      normal = turned * row.normal;
+    }
     if (row.disc_distance == 0) return;
     const Vec2 apart = row.between + (b.d - a.d);
     const Real distance = length(apart);
@@ -74,8 +83,10 @@ struct Encounter {
   Approach of(const RowPoint& p) const {
     const Real along = dot(normal, vb.v - va.v);
     if (row.disc_distance > 0) return {disc_separation, along + vb.w * p.cross_b - va.w * p.cross_a};
-    return {separation(row, p, a, b),
-            along + vb.w * turned_cross(p.cross_b, p.turn_b, b) - va.w * turned_cross(p.cross_a, p.turn_a, a)};
+    const RowPoint q = moved(p);
+    Real speed = along + vb.w * q.cross_b - va.w * q.cross_a;
+    if (row.normal_of != NormalOf::between) speed += (row.normal_of == NormalOf::a ? va.w : vb.w) * slid(q);
+    return {q.separation, speed};
   }
 
   /// The row at that time.
@@ -87,19 +98,40 @@ struct Encounter {
       return now;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      const RowPoint& p = row.points[i];
-      RowPoint& q = now.points[i];
-      q.separation = separation(row, p, a, b);
-      q.cross_a = turned_cross(p.cross_a, p.turn_a, a);
-      q.cross_b = turned_cross(p.cross_b, p.turn_b, b);
-      q.dot_a = turned_dot(p.dot_a, p.cross_a, p.turn_a, a);
-      q.dot_b = turned_dot(p.dot_b, p.cross_b, p.turn_b, b);
-      join(q);
+      now.points[i] = moved(row.points[i]);
+      join(now.points[i]);
     }
     return now;
   }
 
  private:
+  RowPoint moved(const RowPoint& p) const {
+    RowPoint q = p;
+    q.separation = separation(row, p, a, b);
+    q.cross_a = turned_cross(p.cross_a, p.turn_a, a);
+    q.cross_b = turned_cross(p.cross_b, p.turn_b, b);
+    q.dot_a = turned_dot(p.dot_a, p.cross_a, p.turn_a, a);
+    q.dot_b = turned_dot(p.dot_b, p.cross_b, p.turn_b, b);
+    if (row.normal_of == NormalOf::between) return q;
+    // In the frame of the turned normal, which a rim follows too.
+    const auto apart = [&](Vec2 along) { return dot(along, row.between + (b.d - a.d)) + q.dot_b - q.dot_a; };
+    const auto in_frame = [&](Real& cross, Real& dot, Real rim) {
+      const Vec2 arm = turned.inverse() * Vec2{dot - rim, -cross};
+      cross = -arm.y;
+      dot = arm.x + rim;
+    };
+    const Real straight = apart(row.normal);
+    in_frame(q.cross_a, q.dot_a, p.dot_a - p.turn_a);
+    in_frame(q.cross_b, q.dot_b, p.dot_b - p.turn_b);
+    q.separation += apart(normal) - straight;
+    return q;
+  }
+
+  /// m, from the point on a to that on b along the tangent.
+  Real slid(const RowPoint& q) const {
+    return dot(perpendicular(normal), row.between + (b.d - a.d)) - q.cross_b + q.cross_a;
+  }
+
   /// Lets both arms end in one place: an impulse that acts on two bodies in two places would change their angular
   /// momentum. The surfaces may have slid past each other since the contact was found: a point stays where it is on the
   /// body that touches the other's face.
@@ -112,9 +144,9 @@ struct Encounter {
     } else if (!pushed_a || !pushed_b) {
       return;
     }
-    const Real slid = dot(perpendicular(normal), row.between + (b.d - a.d)) - q.cross_b + q.cross_a;
-    q.cross_a -= of_a * slid;
-    q.cross_b += (1 - of_a) * slid;
+    const Real way = slid(q);
+    q.cross_a -= of_a * way;
+    q.cross_b += (1 - of_a) * way;
     const Real gap = dot(normal, row.between + (b.d - a.d)) + q.dot_b - q.dot_a;
     q.dot_a += gap / 2;
     q.dot_b -= gap / 2;
@@ -122,7 +154,7 @@ struct Encounter {
 };
 
 /// d2 separation / dt2: the accelerations along the normal, the centripetal terms of the arms, and for two discs
-/// |tangential velocity|^2 / distance.
+/// |tangential velocity|^2 / distance; what slides along a face that turns at w gains 2 w times its speed.
 Real curvature(const Encounter& now, const RowPoint& p, const Flight& flight) {
   const ImpactRow& row = now.row;
   const Velocity& a = flight.bodies.velocity[row.a];
@@ -132,6 +164,10 @@ Real curvature(const Encounter& now, const RowPoint& p, const Flight& flight) {
   if (row.disc_distance > 0) {
     const Real across = dot(perpendicular(now.normal), b.v - a.v);
     c += across * across / row.disc_distance;
+  } else if (row.normal_of != NormalOf::between) {
+    const Real w = row.normal_of == NormalOf::a ? a.w : b.w;
+    const Real along = dot(perpendicular(now.normal), b.v - a.v) + b.w * p.dot_b - a.w * p.dot_a;
+    c += w * (2 * along - w * separation(row, p, now.a, now.b));
   }
   return c;
 }

@@ -23,6 +23,8 @@ struct Motion {
   Pose from(const Pose& start) const { return {start.p + d, Rotation(1 + drop, sine) * start.q}; }
 };
 
+inline Rotation rotation(const Motion& by) { return {1 + by.drop, by.sine}; }
+
 /// The separation of a point after these motions of its bodies, exact for rigid motion with a fixed normal:
 /// n . (R(turn) r - r) = sine (r x n) + drop (r . n).
 inline Real separation(const ContactRow& row, const RowPoint& p, const Motion& a, const Motion& b) {

@@ -20,8 +20,6 @@ constexpr Real near = static_cast<Real>(0.05);
 // Vectors here are in the row's initial frame: x along its normal n, y along t = perpendicular(n); an arm r is
 // (r . n, -(r x n)).
 
-Rotation rotation(const Motion& by) { return {1 + by.drop, by.sine}; }
-
 /// The motion of a body from `then` to `now`.
 Motion moved_since(const Motion& then, const Motion& now) {
   Motion since;
