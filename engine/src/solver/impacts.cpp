@@ -49,15 +49,14 @@ struct Approach {
   Real speed = 0;  // d separation / dt
 };
 
-/// The two bodies of a row at a later time, with the normal of that time: of two discs it follows their centres, and a
-/// face's turns with its body.
+/// The two bodies of a row at a later time, with the normal of that time: a face's turns with its body, and that of
+/// rounded shapes follows their cores.
 struct Encounter {
   const ImpactRow& row;
   Motion a, b;
   Velocity va, vb;
   Vec2 normal;
   Rotation turned;  // the normal's, since the start of the sub-step
-  Real disc_separation = 0;
 
   Encounter(const ImpactRow& seen, const Flight& flight, Real t)
       : row(seen),
@@ -66,25 +65,28 @@ struct Encounter {
         va(flight.velocity_at(seen.a, t)),
         vb(flight.velocity_at(seen.b, t)),
         normal(seen.normal) {
-    if (row.normal_of != NormalOf::between) {
+    if (!row.turns) return;
+    if (row.normal_of == NormalOf::between) {
+      const RowPoint& p = row.points[0];
+      if (rim_a(p) + rim_b(p) == 0) return;  // corners that slide past each other have no normal of their own
+      const Vec2 cores =
+          in_frame(centres()) + rotation(b) * Vec2{p.turn_b, -p.cross_b} - rotation(a) * Vec2{p.turn_a, -p.cross_a};
+      const Real distance = length(cores);
+      if (cores.x > std::abs(cores.y)) turned = {cores.x / distance, cores.y / distance};
+    } else {
       const bool of_a = row.normal_of == NormalOf::a;
-      const Motion& now = of_a ? a : b;
-      const Motion& then = flight.motion[of_a ? row.a : row.b];
-      turned = rotation(then).inverse() * rotation(now);
-      normal = turned * row.normal;
+      turned = rotation(flight.motion[of_a ? row.a : row.b]).inverse() * rotation(of_a ? a : b);
     }
-    if (row.disc_distance == 0) return;
-    const Vec2 apart = row.between + (b.d - a.d);
-    const Real distance = length(apart);
-    if (distance > 0) normal = apart / distance;
-    disc_separation = distance - row.disc_distance;
+    normal = turned * row.normal;
   }
 
+  /// m, by which the shapes are rounded.
+  static Real rim_a(const RowPoint& p) { return p.dot_a - p.turn_a; }
+  static Real rim_b(const RowPoint& p) { return p.turn_b - p.dot_b; }
+
   Approach of(const RowPoint& p) const {
-    const Real along = dot(normal, vb.v - va.v);
-    if (row.disc_distance > 0) return {disc_separation, along + vb.w * p.cross_b - va.w * p.cross_a};
     const RowPoint q = moved(p);
-    Real speed = along + vb.w * q.cross_b - va.w * q.cross_a;
+    Real speed = dot(normal, vb.v - va.v) + vb.w * q.cross_b - va.w * q.cross_a;
     if (row.normal_of != NormalOf::between) speed += (row.normal_of == NormalOf::a ? va.w : vb.w) * slid(q);
     return {q.separation, speed};
   }
@@ -93,10 +95,6 @@ struct Encounter {
   ImpactRow moved() const {
     ImpactRow now = row;
     now.normal = normal;
-    if (row.disc_distance > 0) {
-      now.points[0].separation = disc_separation;
-      return now;
-    }
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       now.points[i] = moved(row.points[i]);
       join(now.points[i]);
@@ -105,6 +103,10 @@ struct Encounter {
   }
 
  private:
+  /// m, from a to b.
+  Vec2 centres() const { return row.between + (b.d - a.d); }
+  Vec2 in_frame(Vec2 v) const { return {dot(row.normal, v), dot(perpendicular(row.normal), v)}; }
+
   RowPoint moved(const RowPoint& p) const {
     RowPoint q = p;
     q.separation = separation(row, p, a, b);
@@ -112,25 +114,23 @@ struct Encounter {
     q.cross_b = turned_cross(p.cross_b, p.turn_b, b);
     q.dot_a = turned_dot(p.dot_a, p.cross_a, p.turn_a, a);
     q.dot_b = turned_dot(p.dot_b, p.cross_b, p.turn_b, b);
-    if (row.normal_of == NormalOf::between) return q;
+    if (!row.turns) return q;
     // In the frame of the turned normal, which a rim follows too.
-    const auto apart = [&](Vec2 along) { return dot(along, row.between + (b.d - a.d)) + q.dot_b - q.dot_a; };
-    const auto in_frame = [&](Real& cross, Real& dot, Real rim) {
+    const auto apart = [&](Vec2 along) { return dot(along, centres()) + q.dot_b - q.dot_a; };
+    const auto turn = [&](Real& cross, Real& dot, Real rim) {
       const Vec2 arm = turned.inverse() * Vec2{dot - rim, -cross};
       cross = -arm.y;
       dot = arm.x + rim;
     };
     const Real straight = apart(row.normal);
-    in_frame(q.cross_a, q.dot_a, p.dot_a - p.turn_a);
-    in_frame(q.cross_b, q.dot_b, p.dot_b - p.turn_b);
+    turn(q.cross_a, q.dot_a, rim_a(p));
+    turn(q.cross_b, q.dot_b, -rim_b(p));
     q.separation += apart(normal) - straight;
     return q;
   }
 
   /// m, from the point on a to that on b along the tangent.
-  Real slid(const RowPoint& q) const {
-    return dot(perpendicular(normal), row.between + (b.d - a.d)) - q.cross_b + q.cross_a;
-  }
+  Real slid(const RowPoint& q) const { return dot(perpendicular(normal), centres()) - q.cross_b + q.cross_a; }
 
   /// Lets both arms end in one place: an impulse that acts on two bodies in two places would change their angular
   /// momentum. The surfaces may have slid past each other since the contact was found: a point stays where it is on the
@@ -147,29 +147,31 @@ struct Encounter {
     const Real way = slid(q);
     q.cross_a -= of_a * way;
     q.cross_b += (1 - of_a) * way;
-    const Real gap = dot(normal, row.between + (b.d - a.d)) + q.dot_b - q.dot_a;
+    const Real gap = dot(normal, centres()) + q.dot_b - q.dot_a;
     q.dot_a += gap / 2;
     q.dot_b -= gap / 2;
   }
 };
 
-/// d2 separation / dt2: the accelerations along the normal, the centripetal terms of the arms, and for two discs
-/// |tangential velocity|^2 / distance; what slides along a face that turns at w gains 2 w times its speed.
+/// d2 separation / dt2: the accelerations along the normal, the centripetal terms of the arms, and if the normal turns
+/// at w, the tangential velocity times 2 w.
 Real curvature(const Encounter& now, const RowPoint& p, const Flight& flight) {
   const ImpactRow& row = now.row;
   const Velocity& a = flight.bodies.velocity[row.a];
   const Velocity& b = flight.bodies.velocity[row.b];
   Real c = dot(now.normal, flight.acceleration[row.b].v - flight.acceleration[row.a].v);
   c += a.w * a.w * p.turn_a - b.w * b.w * p.turn_b;
-  if (row.disc_distance > 0) {
-    const Real across = dot(perpendicular(now.normal), b.v - a.v);
-    c += across * across / row.disc_distance;
-  } else if (row.normal_of != NormalOf::between) {
-    const Real w = row.normal_of == NormalOf::a ? a.w : b.w;
-    const Real along = dot(perpendicular(now.normal), b.v - a.v) + b.w * p.dot_b - a.w * p.dot_a;
-    c += w * (2 * along - w * separation(row, p, now.a, now.b));
+  if (!row.turns) return c;
+  const Real s = separation(row, p, now.a, now.b);
+  const Vec2 t = perpendicular(now.normal);
+  if (row.normal_of == NormalOf::between) {
+    const Real cores = s + Encounter::rim_a(p) + Encounter::rim_b(p);
+    const Real across = dot(t, b.v - a.v) + b.w * p.turn_b - a.w * p.turn_a;
+    return cores > 0 ? c + across * across / cores : c;
   }
-  return c;
+  const Real w = row.normal_of == NormalOf::a ? a.w : b.w;
+  const Real along = dot(t, b.v - a.v) + b.w * p.dot_b - a.w * p.dot_a;
+  return c + w * (2 * along - w * s);
 }
 
 /// Time and speed at which a point hits.
