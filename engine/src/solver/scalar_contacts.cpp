@@ -43,26 +43,47 @@ Vec2 redirected(Vec2 impulse, Vec2 from, Vec2 to) {
   return impulse.x * change + impulse.y * perpendicular(change);
 }
 
-/// Friction at all points: stops the sliding as far as the friction cone of the accumulated normal impulse allows.
+/// Friction at all points: stops the sliding as far as the friction cone of the accumulated normal impulse allows. The
+/// point that bears more is first, whichever is listed first: it is the one that holds, and a mirrored scene has the
+/// points the other way round.
 template <class Frame>
 [[gnu::always_inline]] inline void solve_friction_by_state(ImpactRow& row, Frame& frame) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-    RowPoint& p = row.points[i];
+  const auto solve_at = [&](RowPoint& p) {
     const Real wanted = p.tangent_impulse - p.tangent_mass * frame.tangent_velocity(p);
     const Real most = row.friction() * p.normal_impulse;
     const Real held = clamp(wanted, -most, most);
     frame.push_tangent(row, p, held - p.tangent_impulse);
     p.tangent_impulse = held;
-  }
+  };
+  auto& [p, q] = row.points;
+  if (row.count < 2) return solve_at(p);
+  const bool swapped = q.normal_impulse > p.normal_impulse;
+  solve_at(swapped ? q : p);
+  solve_at(swapped ? p : q);
 }
 
-/// Solves both points together for these velocity changes; false if a point would pull.
+/// Solves both points together for these velocity changes, K d = change with K = `inverse_mass` and `coupling`: a point
+/// that would pull bears nothing, and the other is solved without it. False if the points are almost in one place.
 template <class Frame>
-[[gnu::always_inline]] inline bool push_both(const PairMatrix& masses, ImpactRow& row, Frame& frame, Vec2 change) {
+[[gnu::always_inline]] inline bool push_both(const PairMatrix& masses, const std::array<Real, 2>& inverse_mass,
+                                             Real coupling, ImpactRow& row, Frame& frame, Vec2 change) {
   if (!masses.usable) return false;
   auto& [p, q] = row.points;
-  const Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + masses * change;
-  if (total.x < 0 || total.y < 0) return false;
+  Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + masses * change;
+  if (total.x < 0 || total.y < 0) {
+    // What each would bear alone, and whether the other then parts.
+    const Real of_p = p.normal_impulse + (change.x + coupling * q.normal_impulse) / inverse_mass[0];
+    const Real of_q = q.normal_impulse + (change.y + coupling * p.normal_impulse) / inverse_mass[1];
+    const Real left_q = change.y + inverse_mass[1] * q.normal_impulse - coupling * (of_p - p.normal_impulse);
+    const Real left_p = change.x + inverse_mass[0] * p.normal_impulse - coupling * (of_q - q.normal_impulse);
+    if (of_p >= 0 && left_q <= 0) {
+      total = {of_p, 0};
+    } else if (of_q >= 0 && left_p <= 0) {
+      total = {0, of_q};
+    } else {
+      total = {};
+    }
+  }
   apply_accumulated(row, p, frame, total.x);
   apply_accumulated(row, q, frame, total.y);
   return true;
@@ -293,13 +314,14 @@ template <bool rigidly, class Frame>
     return -(frame.normal_velocity(point) + bias);
   };
   if constexpr (rigidly) {
-    return push_both(pair.rigid, row, frame, {change(p, s[0], 0), change(q, s[1], 0)});
-  }
-  if (!(s[0] > 0) && !(s[1] > 0)) {
-    return push_both(pair.soft, row, frame, {change(p, s[0], pair.give[0]), change(q, s[1], pair.give[1])});
+    return push_both(pair.rigid, pair.inverse_mass, pair.coupling, row, frame,
+                     {change(p, s[0], 0), change(q, s[1], 0)});
   }
   const std::array<Real, 2> give{s[0] > 0 ? 0 : pair.give[0], s[1] > 0 ? 0 : pair.give[1]};
-  return push_both(pair.matrix(give), row, frame, {change(p, s[0], give[0]), change(q, s[1], give[1])});
+  const std::array<Real, 2> inverse_mass{pair.inverse_mass[0] + give[0], pair.inverse_mass[1] + give[1]};
+  const bool soft = !(s[0] > 0) && !(s[1] > 0);
+  return push_both(soft ? pair.soft : pair.matrix(give), inverse_mass, pair.coupling, row, frame,
+                   {change(p, s[0], give[0]), change(q, s[1], give[1])});
 }
 
 template <class Frame>
@@ -308,7 +330,8 @@ template <class Frame>
   for (const RowPoint& point : row.points) {
     if (point.normal_impulse == 0 && gap<Frame>(row, point) > 0) return false;
   }
-  return push_both(row.pair.rigid, row, frame, {-frame.normal_velocity(p), -frame.normal_velocity(q)});
+  return push_both(row.pair.rigid, row.pair.inverse_mass, row.pair.coupling, row, frame,
+                   {-frame.normal_velocity(p), -frame.normal_velocity(q)});
 }
 
 /// A steady load causes penetration in soft contacts. The offset, one for both points of a contact (one each would
