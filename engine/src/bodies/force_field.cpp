@@ -44,14 +44,15 @@ struct SpringEnd {
   Vec2 point;           // world frame
   Vec2 velocity;        // of the point
 
-  SpringEnd(BodyId body, Vec2 anchor, const BodySet& bodies) : point(anchor) {
+  SpringEnd(BodyId body, Vec2 anchor, const BodySet& bodies, const std::vector<Velocity>& velocities) : point(anchor) {
     if (body == BodyId{}) return;
     row = body.index;
     on_body = true;
     present = bodies.detail[row].inserted;
     arm = bodies.pose[row].q * (anchor - bodies.detail[row].mass.center);
     point = bodies.pose[row].p + arm;
-    velocity = bodies.velocity[row].v + cross(bodies.velocity[row].w, arm);
+    const Velocity& of_body = bodies.pushable(row) ? velocities[row] : bodies.velocity[row];
+    velocity = of_body.v + cross(of_body.w, arm);
   }
 
   void pull(Vec2 force, const BodySet& bodies, std::vector<Velocity>& out) const {
@@ -78,9 +79,10 @@ void accelerate(const Attraction& attraction, std::size_t i, const BodySet& bodi
 }
 
 /// Adds the acceleration that the force gives to each body: v in m/s^2, w in rad/s^2.
-void accelerate(const Spring& spring, const BodySet& bodies, std::vector<Velocity>& out) {
-  const SpringEnd a(spring.a, spring.anchor_a, bodies);
-  const SpringEnd b(spring.b, spring.anchor_b, bodies);
+void accelerate(const Spring& spring, const BodySet& bodies, const std::vector<Velocity>& velocities,
+                std::vector<Velocity>& out) {
+  const SpringEnd a(spring.a, spring.anchor_a, bodies, velocities);
+  const SpringEnd b(spring.b, spring.anchor_b, bodies, velocities);
   if (!a.present || !b.present) return;
   const Vec2 line = b.point - a.point;
   const Real distance = length(line);
@@ -157,8 +159,9 @@ bool refers_to(const Spring& spring, BodyId body) { return spring.a == body || s
 bool refers_to(const ConstantForce& constant, BodyId body) { return constant.body == body; }
 
 /// Adds what acts on particular bodies.
-void pull(const Force& force, const BodySet& bodies, std::vector<Velocity>& out) {
-  if (const auto* spring = std::get_if<Spring>(&force)) accelerate(*spring, bodies, out);
+void pull(const Force& force, const BodySet& bodies, const std::vector<Velocity>& velocities,
+          std::vector<Velocity>& out) {
+  if (const auto* spring = std::get_if<Spring>(&force)) accelerate(*spring, bodies, velocities, out);
   if (const auto* constant = std::get_if<ConstantForce>(&force)) accelerate(*constant, bodies, out);
 }
 
@@ -194,16 +197,16 @@ void ForceField::accelerations(const BodySet& bodies, Real implicit, std::vector
   for (std::size_t i = 0; i < n; ++i) out[i] = thrust(gravity, bodies, i);
   for (std::size_t i = 0; i < n && !attractions_.empty(); ++i) attract(bodies, i, out);
   for (const Slot& slot : slots_) {
-    if (slot.force) pull(*slot.force, bodies, out);
+    if (slot.force) pull(*slot.force, bodies, bodies.velocity, out);
   }
   for (std::size_t i = 0; i < n; ++i) damp(bodies, i, implicit, reach, out);
 }
 
 void ForceField::accelerations(const BodySet& bodies, std::span<const std::uint32_t> rows, std::span<const Pull> pulls,
-                               Real implicit, std::vector<Velocity>& out) const {
+                               Real implicit, const std::vector<Velocity>& later, std::vector<Velocity>& out) const {
   for (const std::uint32_t i : rows) out[i] = thrust(gravity, bodies, i);
   for (const std::uint32_t i : rows) attract(bodies, i, out);
-  for (const Pull& one : pulls) pull(*slots_[one.slot].force, bodies, out);
+  for (const Pull& one : pulls) pull(*slots_[one.slot].force, bodies, later, out);
   for (const std::uint32_t i : rows) damp(bodies, i, implicit, 0, out);
 }
 

@@ -29,11 +29,12 @@ class ForceField {
   /// Damping is -d v at the velocity after `implicit` seconds: v' = v + h (a - d v') is v' = v + h (a - d v)/(1 + h d).
   /// That is stable for any damping, and the terminal velocity a/d is exact, but it is of first order in h. A method of
   /// higher order passes 0 and gets -d v at the current velocity; over the next `reach` seconds that at most stops the
-  /// body. Springs always use the current velocity for their damping.
+  /// body. Springs use the current velocity for their damping.
   void accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out, Real reach = 0) const;
-  /// The same, to the bit, of some rows alone, given all pulls on them.
+  /// The same of some rows alone, given all pulls on them. Springs damp the velocities `later`: a method of second
+  /// order passes those of the time at which the acceleration counts.
   void accelerations(const BodySet& bodies, std::span<const std::uint32_t> rows, std::span<const Pull> pulls,
-                     Real implicit, std::vector<Velocity>& out) const;
+                     Real implicit, const std::vector<Velocity>& later, std::vector<Velocity>& out) const;
 
   bool empty() const { return slots_.size() == free_slots_.size(); }
   /// Whether accelerations depend on positions or velocities.

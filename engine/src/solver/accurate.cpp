@@ -153,6 +153,7 @@ class Accurate : public Solver {
   std::vector<Velocity> acceleration_;               // of each body, by the force field
   std::vector<Velocity> flight_;                     // the same, but 0 for a body that rests on a contact
   std::vector<Velocity> kicks_;                      // of each body, see ScalarContacts::halve
+  std::vector<Velocity> later_;                      // of each body, half a sub-step later
   std::vector<Velocity> changes_;                    // of each body, see LineSearch
   std::vector<std::uint8_t> loaded_;                 // a contact pushed the body in the last sub-step
   std::vector<Workspace> spaces_;                    // of each worker
@@ -310,6 +311,7 @@ void Accurate::prepare(StepData& data) {
   start_ = bodies.pose;
   motion_.assign(bodies.size(), {});
   kicks_.resize(bodies.size());
+  later_.resize(bodies.size());
   changes_.resize(bodies.size());
   meets_.resize(bodies.size());
   loaded_.assign(bodies.size(), 0);
@@ -516,8 +518,11 @@ void Accurate::drift(StepData& data, const Island& island) {
   if (!island.varies) return;
   for (const std::uint32_t body : island.bodies) {
     bodies.pose[body] = motion_[body].from(start_[body]);
+    later_[body] = bodies.velocity[body];
+    later_[body].v += island.h / 2 * acceleration_[body].v;
+    later_[body].w += island.h / 2 * acceleration_[body].w;
   }
-  data.forces.accelerations(bodies, island.bodies, island.pulls, island.h / 2, acceleration_);
+  data.forces.accelerations(bodies, island.bodies, island.pulls, island.h / 2, later_, acceleration_);
 }
 
 void Accurate::note_loads(const Island& island) {
