@@ -119,7 +119,7 @@ class Accurate : public Solver {
   void fly_all(StepData& data);
   void substep(StepData& data, Island& island, Workspace& space);
   void find_collisions(const StepData&, Island&);
-  void find_impacts(StepData& data, Island& island, Impacts& impacts);
+  void find_impacts(StepData& data, Island& island, Workspace& space);
   /// m/s^2, the largest acceleration of a body by forces.
   Real pressing(const Island& island) const;
   void kick(BodySet& bodies, Island& island);
@@ -273,7 +273,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   space.turning.find_again(data, start_, motion_);
   if (island.bounces) {
     space.turning.follow(island, motion_);
-    find_impacts(data, island, space.impacts);
+    find_impacts(data, island, space);
   }
   space.turning.lead(island, data.bodies, motion_);
   if (!island.joints.empty()) island.joints.halve();
@@ -423,12 +423,15 @@ Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
   return island;
 }
 
-void Accurate::find_impacts(StepData& data, Island& island, Impacts& impacts) {
+void Accurate::find_impacts(StepData& data, Island& island, Workspace& space) {
   for (const std::uint32_t body : island.bodies) {
     flight_[body] = loaded_[body] != 0 ? Velocity{} : acceleration_[body];
   }
-  impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h,
-                  slow_impact(pressing(island), island.h));
+  const auto find_at = [&](const ImpactRow& row, const Motion& a, const Motion& b) {
+    return space.turning.find_at(data, island, start_, motion_, row, {a, b});
+  };
+  space.impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h,
+                        slow_impact(pressing(island), island.h), std::ref(find_at));
 }
 
 Real Accurate::pressing(const Island& island) const {

@@ -299,6 +299,22 @@ struct Struck {
   }
 };
 
+/// Whether the contact solve must hold the row's points: they touch at the end of the sub-step, or they are not on
+/// their way to an impact.
+bool stops(const ImpactRow& row, const Flight& flight, Real h) {
+  const Encounter start(row, flight, 0);
+  const Encounter end(row, flight, h);
+  bool under_way = false;
+  bool touches = false;  // and must be held whatever the other point does
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const RowPoint& p = row.points[i];
+    const Approach there = end.of(p);
+    touches |= there.separation <= row.offset;
+    under_way |= there.separation > 0 && std::min(start.of(p).speed, there.speed) < -flight.slow;
+  }
+  return touches || !under_way;
+}
+
 }  // namespace
 
 /// Resolves the impact of a row at tau: velocities change there, and the start of the sub-step's path shifts so that
@@ -424,7 +440,7 @@ void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count)
 
 void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members,
                       BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h,
-                      Real slow) {
+                      Real slow, const FindAt& find_at) {
   slow_ = slow;
   list_candidates(rows, bodies.size());
   const auto aim_at = [&](std::uint32_t candidate, Real now) {
@@ -441,6 +457,12 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     if (next.aims != candidates_[next.candidate].aims) continue;
     ++count;
     ImpactRow& hit = rows[candidates_[next.candidate].row];
+    const Flight flight{bodies, motion, acceleration, slow_};
+    // The plane of a face is reached no later than the face: from there on it goes to what is nearest then.
+    if (find_at(hit, flight.motion_at(hit.a, next.time), flight.motion_at(hit.b, next.time))) {
+      aim_at(next.candidate, next.time);
+      continue;
+    }
     const std::array<std::uint32_t, 2> pair{hit.a, hit.b};
     const auto struck = joints.empty() ? std::span<const std::uint32_t>(pair) : members;
     strike(hit, joints, struck, bodies, motion, acceleration, next.time);
@@ -460,17 +482,10 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
   const Flight flight{bodies, motion, acceleration, slow_};
   for (const Candidate& c : candidates_) {
     ImpactRow& row = rows[c.row];
-    const Encounter start(row, flight, 0);
-    const Encounter end(row, flight, h);
-    bool under_way = false;
-    bool touches = false;  // and must be held whatever the other point does
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      const RowPoint& p = row.points[i];
-      const Approach there = end.of(p);
-      touches |= there.separation <= row.offset;
-      under_way |= there.separation > 0 && std::min(start.of(p).speed, there.speed) < -slow_;
+    row.active = stops(row, flight, h);
+    if (row.active && find_at(row, flight.motion_at(row.a, h), flight.motion_at(row.b, h))) {
+      row.active = stops(row, flight, h);
     }
-    row.active = touches || !under_way;
   }
 }
 

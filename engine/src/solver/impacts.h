@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -115,9 +116,13 @@ inline Real slow_impact(Real acceleration, Real h) { return static_cast<Real>(2.
 /// shifted.
 class Impacts {
  public:
+  /// Finds the contact of a row again where its bodies will be; returns whether its points may be others now.
+  using FindAt = std::function<bool(const ImpactRow& row, const Motion& a, const Motion& b)>;
+
   /// `members` are the bodies that the rows and joints act on; `slow` is the approach (m/s) that is no impact yet.
   void resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members, BodySet& bodies,
-               std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h, Real slow);
+               std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h, Real slow,
+               const FindAt& find_at);
 
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};

@@ -188,29 +188,48 @@ void Turning::turn(const Island& island, const Turned& turned, const Pair& at, c
 
 // Where a body meets several shapes of the ground, their contacts keep their points: only the search removes ghost
 // collisions at joins.
+bool Turning::is_far(const Turned& turned, const Pair& now, const BodySet& bodies) {
+  return !turned.may_join && way(turned, now, bodies) >= far;
+}
+
 void Turning::find_again(StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion) {
   for (Turned& turned : turned_) {
-    const ImpactRow& row = *turned.row;
-    const Pair now{motion[row.a], motion[row.b]};
-    if (turned.may_join || way(turned, now, data.bodies) < far) continue;
-    Contact& contact = data.contacts[row.contact];
-    const Pose pose_a = now.a.from(start[row.a]);
-    const Pose pose_b = now.b.from(start[row.b]);
-    const Shape& shape_a = data.bodies.detail[row.a].parts[contact.part_a].shape;
-    const Shape& shape_b = data.bodies.detail[row.b].parts[contact.part_b].shape;
-    Manifold m = collide(shape_a, pose_a, shape_b, pose_b, near);
-    if (m.count == 0) {
-      const Real gap = speculative_gap(data.bodies, row.a, row.b, {near, data.settings.dt});
-      m = collide(shape_a, pose_a, shape_b, pose_b, gap);
-    }
-    if (m.count == 0) continue;
-    contact.found_a = pose_a;
-    contact.found_b = pose_b;
-    take_points(turned, contact, m);
-    turned.normal_of = turned.row->normal_of = owner(contact, data.bodies);
-    turned.again = true;
-    turned.found = now;
+    const Pair now{motion[turned.row->a], motion[turned.row->b]};
+    if (is_far(turned, now, data.bodies)) find(data, turned, now, start);
   }
+}
+
+bool Turning::find_at(StepData& data, const Island& island, const std::vector<Pose>& start,
+                      const std::vector<Motion>& motion, const ImpactRow& row, const Pair& then) {
+  const auto turned =
+      std::find_if(turned_.begin(), turned_.end(), [&row](const Turned& one) { return one.row == &row; });
+  if (turned == turned_.end() || !is_far(*turned, then, data.bodies)) return false;
+  if (!find(data, *turned, then, start)) return false;
+  const Pair now{motion[row.a], motion[row.b]};
+  turn(island, *turned, now, now, true);
+  return true;
+}
+
+bool Turning::find(StepData& data, Turned& turned, const Pair& now, const std::vector<Pose>& start) {
+  const ImpactRow& row = *turned.row;
+  Contact& contact = data.contacts[row.contact];
+  const Pose pose_a = now.a.from(start[row.a]);
+  const Pose pose_b = now.b.from(start[row.b]);
+  const Shape& shape_a = data.bodies.detail[row.a].parts[contact.part_a].shape;
+  const Shape& shape_b = data.bodies.detail[row.b].parts[contact.part_b].shape;
+  Manifold m = collide(shape_a, pose_a, shape_b, pose_b, near);
+  if (m.count == 0) {
+    const Real gap = speculative_gap(data.bodies, row.a, row.b, {near, data.settings.dt});
+    m = collide(shape_a, pose_a, shape_b, pose_b, gap);
+  }
+  if (m.count == 0) return false;
+  contact.found_a = pose_a;
+  contact.found_b = pose_b;
+  take_points(turned, contact, m);
+  turned.normal_of = turned.row->normal_of = owner(contact, data.bodies);
+  turned.again = true;
+  turned.found = now;
+  return true;
 }
 
 /// New points inherit the impulses of the points with the same feature, and their totals of the step; those of a point

@@ -43,6 +43,15 @@ class Turning {
   /// other corners may be near.
   void find_again(StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion);
 
+  /// The motions of two bodies since the start of the step.
+  struct Pair {
+    Motion a, b;
+  };
+  /// Finds the contact of one row again where its bodies will be within the sub-step, before they collide there, unless
+  /// they are about where it was found last. Returns whether it did.
+  bool find_at(StepData& data, const Island& island, const std::vector<Pose>& start, const std::vector<Motion>& motion,
+               const ImpactRow& row, const Pair& then);
+
   /// Whether the number of points of a contact has changed since the last call.
   bool counts_changed() { return std::exchange(counts_changed_, false); }
 
@@ -52,9 +61,6 @@ class Turning {
   void lead(const Island& island, const BodySet& bodies, const std::vector<Motion>& motion);
 
  private:
-  struct Pair {
-    Motion a, b;
-  };
   /// A row as it was when its contact was found.
   struct Turned {
     ImpactRow* row;
@@ -70,6 +76,8 @@ class Turning {
     Pair since(const Pair& now) const;
   };
   void take_points(Turned& turned, Contact& contact, const Manifold& found);
+  static bool is_far(const Turned& turned, const Pair& now, const BodySet& bodies);
+  bool find(StepData& data, Turned& turned, const Pair& now, const std::vector<Pose>& start);
   static Real way(const Turned& turned, const Pair& now, const BodySet& bodies);
   static Vec2 between(const Turned& turned, const PointArms& p, const Pair& by);
   static Vec2 direction(const Turned& turned, const Pair& by);
