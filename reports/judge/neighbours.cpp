@@ -43,7 +43,28 @@ std::vector<BodyGap> Neighbours::in_step(std::size_t moment) const {
                               path(dt * length(then[i].velocity), dt * std::abs(then[i].angular_velocity), radii_[i]),
                               path(dt * length(now[i].velocity), dt * std::abs(now[i].angular_velocity), radii_[i])}));
   }
-  return overlap_.near(then, reach);
+  const std::vector<BodyGap> met = overlap_.near(then, reach);
+  return after_blows(met, then, now, dt, reach) ? overlap_.near(then, reach) : met;
+}
+
+bool Neighbours::after_blows(std::span<const BodyGap> met, std::span<const BodyState> then,
+                             std::span<const BodyState> now, double dt, std::vector<double>& reach) const {
+  std::vector<double> blow(reach.size());
+  for (const BodyGap& pair : met) {
+    const double speed = std::max(length(then[pair.a].velocity - then[pair.b].velocity),
+                                  length(now[pair.a].velocity - now[pair.b].velocity));
+    for (const std::size_t i : {pair.a, pair.b}) blow[i] = std::max(blow[i], 2 * speed);
+  }
+  bool farther = false;
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    const Mass& mass = forces_.masses()[i];
+    if (!(mass.mass > 0) || blow[i] == 0) continue;
+    const bool turned = then[i].angular_velocity != now[i].angular_velocity && mass.inertia > 0;
+    const double spin = turned ? mass.mass * radii_[i] / mass.inertia * blow[i] : 0;
+    reach[i] += path(dt * blow[i], dt * spin, radii_[i]);
+    farther = true;
+  }
+  return farther;
 }
 
 }  // namespace plumb

@@ -72,7 +72,7 @@ struct Encounter {
       const Vec2 cores =
           in_frame(centres()) + rotation(b) * Vec2{p.turn_b, -p.cross_b} - rotation(a) * Vec2{p.turn_a, -p.cross_a};
       const Real distance = length(cores);
-      if (cores.x > std::abs(cores.y)) turned = {cores.x / distance, cores.y / distance};
+      if (distance > 0) turned = {cores.x / distance, cores.y / distance};
     } else {
       const bool of_a = row.normal_of == NormalOf::a;
       turned = rotation(flight.motion[of_a ? row.a : row.b]).inverse() * rotation(of_a ? a : b);

@@ -33,6 +33,24 @@ TEST(Neighbours, MayFallAndTurnTogether) {
   EXPECT_FALSE(near_ground(0.0082, 0, 0, 1));
 }
 
+// A disc that comes at 2 m/s throws one at rest against the ground .03 m below and is hit again: before and after, both
+// are slow.
+TEST(Neighbours, MayBeThrownFromOneToTheNext) {
+  Scene scene = box_on_ground();
+  scene.bodies.push_back(scene.bodies[1]);
+  scene.bodies[2].name = "above";
+  const auto found = [&](double speed) {
+    std::vector<BodyState> then = box_at({0, 0.53}, {});
+    then.push_back({{0, 1.531}, 0, {0, -speed}, 0});
+    std::vector<BodyState> now = then;
+    now[2].velocity = {0, speed};
+    const Trace trace = forged(dt, {{then}, {now}});
+    return Neighbours(scene, trace, with_skin).in_step(1).size();
+  };
+  EXPECT_EQ(found(2), 2u);
+  EXPECT_EQ(found(1), 1u);
+}
+
 TEST(Neighbours, CountsWhatABodyDidMove) {
   const Trace jump = forged(dt, {{box_at({0, 0.6})}, {box_at({0, 0.5})}});
   EXPECT_FALSE(Neighbours(box_on_ground(), jump, with_skin).in_step(1).empty());
