@@ -86,9 +86,7 @@ struct Encounter {
 
   Approach of(const RowPoint& p) const {
     const RowPoint q = moved(p);
-    Real speed = dot(normal, vb.v - va.v) + vb.w * q.cross_b - va.w * q.cross_a;
-    if (row.normal_of != NormalOf::between) speed += (row.normal_of == NormalOf::a ? va.w : vb.w) * slid(q);
-    return {q.separation, speed};
+    return {q.separation, dot(normal, vb.v - va.v) + vb.w * q.cross_b - va.w * q.cross_a};
   }
 
   /// The row at that time.
@@ -97,7 +95,6 @@ struct Encounter {
     now.normal = normal;
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       now.points[i] = moved(row.points[i]);
-      join(now.points[i]);
     }
     return now;
   }
@@ -126,27 +123,18 @@ struct Encounter {
     turn(q.cross_a, q.dot_a, rim_a(p));
     turn(q.cross_b, q.dot_b, -rim_b(p));
     q.separation += apart(normal) - straight;
+    join(q);
     return q;
   }
 
-  /// m, from the point on a to that on b along the tangent.
-  Real slid(const RowPoint& q) const { return dot(perpendicular(normal), centres()) - q.cross_b + q.cross_a; }
-
   /// Lets both arms end in one place: an impulse that acts on two bodies in two places would change their angular
   /// momentum. The surfaces may have slid past each other since the contact was found: a point stays where it is on the
-  /// body that touches the other's face.
+  /// body that touches the other's face, and two corners meet midway.
   void join(RowPoint& q) const {
-    const bool pushed_a = row.mass_a.m + row.mass_a.i > 0;
-    const bool pushed_b = row.mass_b.m + row.mass_b.i > 0;
-    Real of_a = Real{1} / 2;  // the share of the way that the point goes on a
-    if (row.normal_of != NormalOf::between) {
-      of_a = row.normal_of == NormalOf::a ? Real{1} : Real{0};
-    } else if (!pushed_a || !pushed_b) {
-      return;
-    }
-    const Real way = slid(q);
-    q.cross_a -= of_a * way;
-    q.cross_b += (1 - of_a) * way;
+    const Real of_a = row.normal_of == NormalOf::a ? Real{1} : row.normal_of == NormalOf::b ? Real{0} : Real{1} / 2;
+    const Real slid = dot(perpendicular(normal), centres()) - q.cross_b + q.cross_a;
+    q.cross_a -= of_a * slid;
+    q.cross_b += (1 - of_a) * slid;
     const Real gap = dot(normal, centres()) + q.dot_b - q.dot_a;
     q.dot_a += gap / 2;
     q.dot_b -= gap / 2;
