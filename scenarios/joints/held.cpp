@@ -1,8 +1,7 @@
 #include <cmath>
-#include <numbers>
 #include <string>
 
-#include "scenarios/allowance.h"
+#include "scenarios/joints/swing.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
@@ -143,21 +142,7 @@ constexpr double period = 2;    // s, whatever the amplitude: the rod's length f
 
 double amplitude(const Parameters& p) { return p.at("angle") * degree; }
 
-// The arithmetic-geometric mean, which converges quadratically.
-double mean(double a, double b) {
-  for (int i = 0; i < 8; ++i) {
-    const double geometric = std::sqrt(a * b);
-    a = (a + b) / 2;
-    b = geometric;
-  }
-  return a;
-}
-
-// T = 2 pi sqrt(L/g)/agm(1, cos(a/2)) (Gauss), solved for L.
-double length(const Parameters& p) {
-  const double w = 2 * std::numbers::pi / (period * mean(1, std::cos(amplitude(p) / 2)));
-  return gravity / (w * w);
-}
+double length(const Parameters& p) { return simple_pendulum(period, amplitude(p), gravity); }
 
 Vec release(const Parameters& p) { return {length(p) * std::sin(amplitude(p)), -length(p) * std::cos(amplitude(p))}; }
 

@@ -22,4 +22,11 @@ std::array<double, N> runge_kutta(const std::array<double, N>& y, double h, cons
   return next;
 }
 
+/// y after that time, in as many steps.
+template <std::size_t N, class Derivative>
+std::array<double, N> integrated(std::array<double, N> y, double time, int steps, const Derivative& f) {
+  for (int i = 0; i < steps; ++i) y = runge_kutta(y, time / steps, f);
+  return y;
+}
+
 }  // namespace plumb
