@@ -41,6 +41,30 @@ TEST(BouncingInvariant, LetsASlowImpactBeInelastic) {
   EXPECT_EQ(status("bouncing", scene, bounced(scene, 0.31), slow), CheckStatus::broken);
 }
 
+// A disc hits the ground at 2.4 m/s, some time after a step of 1/60 s has begun and gravity has added up to .16 m/s to
+// that; what is left of the step takes as much from the bounce.
+TEST(BouncingInvariant, SeesASmallCoefficientUnderGravity) {
+  Scene scene = disc_on_ground(0.1);
+  scene.gravity = {0, -9.8};
+  const double step = 1.0 / 60;
+  Stepping stepping = exact;
+  stepping.dt = stepping.h = step;
+  const auto hit = [&](double restitution, double time) {
+    const double approach = 2.4 + 9.8 * time;
+    const double separation = restitution * approach - 9.8 * (step - time);
+    const double impulse = mass_of(scene.bodies[1]).mass * (1 + restitution) * approach;
+    const Trace trace =
+        forged(step, {{box_at({0, 0.5}, {0, -2.4})}, {box_at({0, 0.5}, {0, separation}), {pushing(impulse)}}});
+    return status("bouncing", scene, trace, stepping);
+  };
+  for (const double time : {0.0, 0.3 * step, step}) EXPECT_EQ(hit(0.1, time), CheckStatus::held) << time;
+  EXPECT_EQ(hit(0.17, 0), CheckStatus::held);  // looks like .1 at the end of the step
+  EXPECT_EQ(hit(0.12, step), CheckStatus::broken);
+  EXPECT_EQ(hit(0.25, 0.3 * step), CheckStatus::broken);
+  EXPECT_EQ(hit(0.09, 0), CheckStatus::broken);
+  EXPECT_EQ(hit(0, 0), CheckStatus::broken);
+}
+
 // A contact beside the centre by x and below it by y couples friction to the normal velocity: with I = 1/6, x = y = 1/2
 // and m = 1 it is B_nn = 5/2, B_nt = 3/2, so k = .6 mu.
 TEST(BouncingInvariant, AllowsWhatHypothesesDisagreeAbout) {
