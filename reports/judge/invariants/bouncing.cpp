@@ -35,6 +35,9 @@
 //   e (v + a t) (1 - k)/(1 + k) - a (dt - t) <= v' <= e (v + a t) (1 + k)/(1 - k) - a (dt - t)
 // for some t, linear in t, so the limits are at its ends; of several impacts in the step each is slower than the one
 // before and leaves v' within the same limits. A group of contacts that support each other gets either sign of a dt.
+// A method with exact flight that solves for the time of impact also shows t: while the contact comes nearer by
+// v t + a t^2/2 and leaves by w (dt - t) - a (dt - t)^2/2, w = v' + a (dt - t), it moves by d = (v' + a dt/2) dt -
+// (v + v' + a dt) t, where d is off by the stated gap and the tolerance below times dt. One impact: 2 e v > a dt.
 //
 // The tolerance covers
 // - how much the forces change in the step, and the acceleration of the point about both centres, w^2 r dt;
@@ -76,16 +79,21 @@ class Bouncing {
     double approach = 0, separation = 0;  // m/s, at the start and at the end of the step
     double closed = 0;                    // m/s, by which the forces change the approach in the step, a dt
     double off = 0;                       // m/s, either
+    double corrected = 0;                 // m/s, by which the separation may be off besides
     double turned = 0;                    // rad, of the normal
   };
 
+  // Where the point of a body that touches at the end of a step is at its start.
+  Vec point_before(const ContactState& contact, std::size_t body, std::size_t moment) const {
+    const BodyState& then = context_.trace.states(moment - 1)[body];
+    const BodyState& now = context_.trace.states(moment)[body];
+    return then.position + rotated(contact.point - now.position, then.angle - now.angle);
+  }
+
   // The velocity of b relative to a at the start of a step, at the points of both that touch at its end.
   Vec velocity_before(const ContactState& contact, std::size_t moment) const {
-    const auto then = context_.trace.states(moment - 1);
-    const auto now = context_.trace.states(moment);
     const auto of = [&](std::size_t body) {
-      const Vec arm = rotated(contact.point - now[body].position, then[body].angle - now[body].angle);
-      return velocity_at(then[body], then[body].position + arm);
+      return velocity_at(context_.trace.states(moment - 1)[body], point_before(contact, body, moment));
     };
     return of(contact.b) - of(contact.a);
   }
@@ -117,8 +125,9 @@ class Bouncing {
       off += w * (w * arm * dt + stepping.contact_gap() + fastest * dt) + dt * acceleration_change(body);
       speeds += length(then[body].velocity) + length(now[body].velocity) + w * arm;
     }
-    off += solver_rounding(stepping) * speeds + (stepping.h > 0 ? stepping.contact_gap() / stepping.h : 0);
-    return {&contact, -dot(contact.normal, before), dot(contact.normal, after), closed, off, turned};
+    off += solver_rounding(stepping) * speeds;
+    const double corrected = stepping.h > 0 ? stepping.contact_gap() / stepping.h : 0;
+    return {&contact, -dot(contact.normal, before), dot(contact.normal, after), closed, off, corrected, turned};
   }
 
   // What a group of touching bodies shows in a step.
@@ -148,7 +157,8 @@ class Bouncing {
       for (const std::size_t body : {contact.a, contact.b}) {
         group.known = group.known && explained[body] && !jointed_[body];
       }
-      group.struck = group.struck || (contact.normal_impulse > 0 && hit.approach > std::abs(hit.closed) + hit.off);
+      group.struck =
+          group.struck || (contact.normal_impulse > 0 && hit.approach > std::abs(hit.closed) + hit.off + hit.corrected);
     }
     for (const auto& [first, group] : found) {
       if (!group.known || !group.struck) continue;
@@ -162,7 +172,7 @@ class Bouncing {
 
   void add_last_hit(const Group& group, std::size_t moment) {
     const double left = unsolved_share(context_.stepping) * group.approach;
-    const auto tolerance = [&](const Hit& hit) { return std::abs(hit.closed) + hit.off + left; };
+    const auto tolerance = [&](const Hit& hit) { return std::abs(hit.closed) + hit.off + hit.corrected + left; };
     const Hit* last = nullptr;
     double ratio = 0;
     for (const Hit& hit : group.hits) {
@@ -228,6 +238,20 @@ class Bouncing {
     return along > 0 ? friction_.largest_static(hit.contact->a, hit.contact->b) * coupling / along : 1;
   }
 
+  // The smallest and largest part of the step that may have been before its only impact.
+  std::pair<double, double> part_before(const Hit& hit, std::size_t moment) const {
+    const auto& [scene, trace, stepping] = context_;
+    const double speed = hit.approach + hit.separation + hit.closed;
+    if (stepping.impact_lag > 0 || stepping.drift != 0 || !(speed > 0)) return {0, 1};
+    const double dt = trace.time(moment) - trace.time(moment - 1);
+    const ContactState& contact = *hit.contact;
+    const double moved =
+        dot(contact.normal, point_before(contact, contact.a, moment) - point_before(contact, contact.b, moment));
+    const double part = (hit.separation + hit.closed / 2 - moved / dt) / speed;
+    const double off = (hit.off + stepping.contact_gap() / dt) / speed;
+    return {std::clamp(part - off, 0.0, 1.0), std::clamp(part + off, 0.0, 1.0)};
+  }
+
   void add_pair(const Hit& hit, std::size_t moment) {
     const auto& [scene, trace, stepping] = context_;
     const ContactState& contact = *hit.contact;
@@ -236,18 +260,20 @@ class Bouncing {
     if (k >= 1) return;
     const double wider = (1 + k) / (1 - k);
     const bool bounces = hit.approach + std::min(0.0, hit.closed) - hit.off > stepping.restitution_threshold;
-    // What the separation is at the end of the step if the impact is at its start, and at its end.
+    // What the separation is at the end of the step.
     const auto limits = [&](double closed_before) {
       const double approach = hit.approach + closed_before;
       const double closed_after = hit.closed - closed_before;
       const double least = bounces ? e.smallest * (approach - hit.off) / wider : 0;
       return std::pair{least - closed_after, e.largest * (approach + hit.off) * wider - closed_after};
     };
-    const auto at_start = limits(0), at_end = limits(hit.closed);
+    const bool once = bounces && 2 * e.smallest * (hit.approach - hit.off) / wider > hit.closed;
+    const auto [first, last] = once ? part_before(hit, moment) : std::pair{0.0, 1.0};
+    const auto at_start = limits(first * hit.closed), at_end = limits(last * hit.closed);
     const double least = std::min(at_start.first, at_end.first);
     const double most = std::max(at_start.second, at_end.second);
-    worst_.add(std::abs(hit.separation - (most + least) / 2), (most - least) / 2 + hit.off, hit.approach,
-               trace.time(moment), [&] { return pair_name(scene, contact.a, contact.b); });
+    worst_.add(std::abs(hit.separation - (most + least) / 2), (most - least) / 2 + hit.off + hit.corrected,
+               hit.approach, trace.time(moment), [&] { return pair_name(scene, contact.a, contact.b); });
   }
 
   static constexpr double explained_share = 1e-3;  // by which another push would change a bound less than the rest does
