@@ -38,9 +38,11 @@ OBJECTS = "impulse_double_objects"  # scenarios run in double precision
 MEMORY = 4 << 30  # bytes that a mutant may take
 PATIENCE = 8  # times the sound engine's time, then a mutant hangs
 LONG = ["gas", "rain", "tumbler"]  # scenarios that take half of the time of all
-# Neither a scene nor the interface of a simulation can ask for these; and another method than the default.
+# Neither a scene nor the interface of a simulation can ask for these (chains, events, what a game does to a body and when
+# it draws); and another method than the default.
 OUT_OF_REACH = ["src/world/debug_draw.cpp", "src/world/queries.cpp", "src/shapes/ray_cast.cpp", "src/core/stages.cpp",
-                "src/core/stages.h", "src/solver/soft_step.cpp"]
+                "src/core/stages.h", "src/narrow_phase/chains.cpp", "src/contacts/touch_log.cpp", "src/world/body.cpp",
+                "src/world/clock.cpp", "src/solver/soft_step.cpp"]
 
 
 def fail(text):
@@ -54,15 +56,16 @@ def digest(paths):
     return whole.hexdigest()[:16]
 
 
-def widest_kernels():
-    """The instruction set that the engine chooses on this processor; see engine/src/core/instruction_set.cpp."""
+def kernels_here():
+    """The instruction sets that the engine chooses on this processor: the widest, and AVX2 for what gathers more than it
+    computes. See engine/src/core/instruction_set.cpp and engine/src/contacts/contact_kernels.cpp."""
     try:
         flags = set(re.search(r"^flags\s*:(.*)$", Path("/proc/cpuinfo").read_text(), re.M).group(1).split())
     except AttributeError:
-        return "baseline"
+        return {"baseline"}
     if {"avx512f", "avx512dq", "avx512vl", "avx512bw"} <= flags:
-        return "avx512"
-    return "avx2" if "avx2" in flags else "baseline"
+        return {"avx512", "avx2"}
+    return {"avx2"} if "avx2" in flags else {"baseline"}
 
 
 class Build:
@@ -138,7 +141,7 @@ class Build:
 
     def users_of(self, file):
         """The objects made from a file. Of the kernels only those that run here: the others are the same source."""
-        skipped = {f"kernels_{name}" for name in self.kernels} - {f"kernels_{widest_kernels()}"}
+        skipped = {f"kernels_{name}" for name in self.kernels if name not in kernels_here()}
         path = str(self.engine / file)
         return [name for name in self.units() if name not in skipped
                 and path in (self.work / "objects" / f"{name}.o.d").read_text().split()]
@@ -160,7 +163,7 @@ def stages(plumb):
     listed = listed[:listed.index("\nengines\n")]
     quick = [name for name in re.findall(r"^  ([a-z][\w-]*) ", listed, re.M) if name not in LONG]
     return [("impulse", [*quick, "--no-converged"]), ("impulse", ["--all"]),
-            ("impulse:sleeping=on,workers=2", ["--all", "--no-converged"])]
+            ("impulse:sleeping=on,workers=2,broad-phase=tree", ["--all", "--no-converged"])]
 
 
 def run_stage(program, stage, folder, seconds, words):
@@ -208,8 +211,8 @@ def entered_lines(build, words):
     folder = build.work / "counting"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
-    shown = [f"kernels_{name}" for name in build.kernels if name != widest_kernels()]
-    counted = [name for name in build.units() if name not in shown]
+    unused = [f"kernels_{name}" for name in build.kernels if name not in kernels_here()]
+    counted = [name for name in build.units() if name not in unused]
     for name in counted:
         passed, said = build.compile(name, [*build.units()[name], "-O1", "--coverage"], folder)
         if not passed:
