@@ -22,18 +22,17 @@ TEST(Scenarios, AreInTheGroupOfTheirFolder) {
 TEST(Scenarios, AreAllRegistered) {
   std::vector<std::string> names;
   for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);
-  EXPECT_THAT(
-      names,
-      testing::ElementsAre(
-          "arch", "beam", "billiard", "bounce", "breakaway", "cantilever", "capsule-heap", "capsules", "card-house",
-          "conveyor", "corner-impact", "cradle", "crowd", "disc-pile", "dominoes", "disc-on-wedge", "double-pendulum",
-          "flush-tiles", "free-bodies", "gas", "hanging-chain", "head-on", "heavy-object", "joined-pair", "joint-grid",
-          "joint-stop", "ladder", "late-blow", "layers", "limiting-friction", "lone-bodies", "lost-support",
-          "many-pyramids", "mass-ratio", "materials", "mixing-rules", "oblique-disc", "off-center", "orbit", "overhang",
-          "painleve-rod", "pendulum", "pi-billiard", "pushed-plank", "pyramid", "rain", "restitution-rules",
-          "rod-pendulum", "rod-toppling", "rope-bridge", "slider", "sliding-ladder", "sliding-pyramid", "slip-to-roll",
-          "slope", "slope-disc", "smash", "spinning-obb", "spring", "stacking", "stopping-distance", "struck-wall",
-          "tautochrone", "teams", "thin-wall", "tipping", "tumbler", "two-frictions"));
+  EXPECT_THAT(names, testing::ElementsAre(
+                         "arch", "beam", "billiard", "bounce", "breakaway", "cantilever", "capsule-heap", "capsules",
+                         "card-house", "conveyor", "corner-impact", "cradle", "crowd", "disc-on-wedge", "disc-pile",
+                         "dominoes", "double-pendulum", "flush-tiles", "free-bodies", "gas", "hanging-chain", "head-on",
+                         "heavy-object", "joined-pair", "joint-grid", "joint-stop", "ladder", "late-blow", "layers",
+                         "limiting-friction", "lone-bodies", "lost-support", "many-pyramids", "mass-ratio", "materials",
+                         "mixing-rules", "oblique-disc", "off-center", "orbit", "overhang", "painleve-rod", "pendulum",
+                         "pi-billiard", "pushed-plank", "pyramid", "rain", "restitution-rules", "rod-pendulum",
+                         "rod-toppling", "rope-bridge", "slider", "sliding-ladder", "sliding-pyramid", "slip-to-roll",
+                         "slope", "slope-disc", "smash", "spinning-obb", "spring", "stacking", "stopping-distance",
+                         "struck-wall", "tautochrone", "teams", "thin-wall", "tipping", "tumbler", "two-frictions"));
 }
 
 TEST(Scenarios, InTheShortReportAreTheFourCanonicalOnes) {
