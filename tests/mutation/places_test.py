@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
+import json
 import unittest
+from pathlib import Path
 
 from places import changes_of, places_in
 
@@ -54,6 +56,17 @@ class Places(unittest.TestCase):
         (places,) = places_in("a.cpp", "void f() {\n  x = a + b;\n}")
         self.assertEqual({("a.cpp", 2)}, {(place.file, place.line) for place in places})
         self.assertTrue(all(place.before == "  x = a + b;" != place.after for place in places))
+
+
+class Equivalents(unittest.TestCase):
+    def test_are_mistakes_that_can_still_be_drawn(self):
+        here = Path(__file__).parent
+        for one in json.loads((here / "equivalent.json").read_text()):
+            text = (here.parents[1] / "engine" / one["file"]).read_text()
+            drawn = {(place.before.strip(), place.after.strip())
+                     for places in places_in(one["file"], text) for place in places}
+            self.assertIn((one["before"], one["after"]), drawn, one["file"])
+            self.assertTrue(one["why"])
 
 
 if __name__ == "__main__":

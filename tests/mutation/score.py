@@ -4,8 +4,10 @@
 Draws places from a seed, makes one mistake at a time in a copy of the engine, builds that, runs every scenario with the
 default settings and then with sleeping and two workers, and says whether a truth or an invariant finds it: a verdict
 becomes wrong or failed, or coarse where the sound engine is right, or the program crashes, refuses or hangs. There is no
-baseline. What does not compile is drawn anew. A mistake that changes no number of any run is listed by its place: it is a
-scene to write, or dead code to delete.
+baseline. What does not compile is drawn anew. Survivors come in four classes: a mistake in a line that no run enters (by a
+build that counts) is a scene to write, or dead code to delete; one in a line that runs enter but that changes no number needs
+a scene in which that line decides; one that changes runs but no verdict needs a truth or an invariant; and one that provably
+can't change anything (equivalent.json says why) is not counted.
 
 Not a test: a mutant takes a quarter of a minute. Results go to a file and are continued after an interruption.
 
@@ -35,10 +37,12 @@ ROOT = Path(__file__).resolve().parents[2]
 OBJECTS = "impulse_double_objects"  # scenarios run in double precision
 MEMORY = 4 << 30  # bytes that a mutant may take
 PATIENCE = 8  # times the sound engine's time, then a mutant hangs
-ENGINES = ["impulse", "impulse:sleeping=on,workers=2"]  # those that survive the first are tried with the second
-# Neither a scene nor the interface of a simulation can ask for these; and another method than the default.
+LONG = ["gas", "rain", "tumbler"]  # scenarios that take half of the time of all
+# Neither a scene nor the interface of a simulation can ask for these (chains, events, what a game does to a body and when
+# it draws); and another method than the default.
 OUT_OF_REACH = ["src/world/debug_draw.cpp", "src/world/queries.cpp", "src/shapes/ray_cast.cpp", "src/core/stages.cpp",
-                "src/core/stages.h", "src/solver/soft_step.cpp"]
+                "src/core/stages.h", "src/narrow_phase/chains.cpp", "src/contacts/touch_log.cpp", "src/world/body.cpp",
+                "src/world/clock.cpp", "src/solver/soft_step.cpp"]
 
 
 def fail(text):
@@ -52,15 +56,16 @@ def digest(paths):
     return whole.hexdigest()[:16]
 
 
-def widest_kernels():
-    """The instruction set that the engine chooses on this processor; see engine/src/core/instruction_set.cpp."""
+def kernels_here():
+    """The instruction sets that the engine chooses on this processor: the widest, and AVX2 for what gathers more than it
+    computes. See engine/src/core/instruction_set.cpp and engine/src/contacts/contact_kernels.cpp."""
     try:
         flags = set(re.search(r"^flags\s*:(.*)$", Path("/proc/cpuinfo").read_text(), re.M).group(1).split())
     except AttributeError:
-        return "baseline"
+        return {"baseline"}
     if {"avx512f", "avx512dq", "avx512vl", "avx512bw"} <= flags:
-        return "avx512"
-    return "avx2" if "avx2" in flags else "baseline"
+        return {"avx512", "avx2"}
+    return {"avx2"} if "avx2" in flags else {"baseline"}
 
 
 class Build:
@@ -77,6 +82,7 @@ class Build:
         self.link_command = next(line for line in reversed(commands) if re.search(r" -o \S*reports/plumb ", line))
         self.kernels = {re.search(r"kernels_(\w+)\.cpp$", line).group(1): line for line in ours if "kernels_" in line}
         self.plain = next(line for line in ours if "kernels_" not in line)
+        self.stages = stages(built / "reports/plumb")
         self.update_copy()
 
     def update_copy(self):
@@ -135,28 +141,38 @@ class Build:
 
     def users_of(self, file):
         """The objects made from a file. Of the kernels only those that run here: the others are the same source."""
-        skipped = {f"kernels_{name}" for name in self.kernels} - {f"kernels_{widest_kernels()}"}
+        skipped = {f"kernels_{name}" for name in self.kernels if name not in kernels_here()}
         path = str(self.engine / file)
         return [name for name in self.units() if name not in skipped
                 and path in (self.work / "objects" / f"{name}.o.d").read_text().split()]
 
-    def link(self, program, changed):
-        """`changed`: names of objects in work/mutant that replace those of the sound engine."""
-        ours = [str((self.work / ("mutant" if name in changed else "objects")) / f"{name}.o") for name in self.units()]
+    def link(self, program, changed, folder=None, options=()):
+        """`changed`: names of objects in the folder that replace those of the sound engine."""
+        ours = [str((folder if name in changed else self.work / "objects") / f"{name}.o") for name in self.units()]
         words = [word for word in shlex.split(self.link_command) if f"/{OBJECTS}.dir/" not in word]
         words = words[words.index("&&") + 1:]
         words = words[:words.index("&&")]
         words[words.index("-o") + 1] = str(program)
         # First, since inline functions of other objects that include the engine's headers are the sound ones.
-        subprocess.run([words[0], *ours, *words[1:]], cwd=self.built, check=True)
+        subprocess.run([words[0], *options, *ours, *words[1:]], cwd=self.built, check=True)
 
 
-def run_all(program, engine, folder, seconds, words):
+def stages(plumb):
+    """What a mutant is tried with: engine and options of plumb run. The next only if it survives the last."""
+    listed = subprocess.run([plumb, "list"], check=True, text=True, stdout=subprocess.PIPE).stdout
+    listed = listed[:listed.index("\nengines\n")]
+    quick = [name for name in re.findall(r"^  ([a-z][\w-]*) ", listed, re.M) if name not in LONG]
+    return [("impulse", [*quick, "--no-converged"]), ("impulse", ["--all"]),
+            ("impulse:sleeping=on,workers=2,broad-phase=tree", ["--all", "--no-converged"])]
+
+
+def run_stage(program, stage, folder, seconds, words):
     """(report, reason): the runs of report.json by case, or why there is none."""
     shutil.rmtree(folder, ignore_errors=True)
+    engine, of_stage = stage
     try:
-        ended = subprocess.run([program, "run", "--all", "--engine", engine, "--ensemble", "0", *words, "--out", folder],
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds,
+        ended = subprocess.run([program, "run", *of_stage, "--engine", engine, "--ensemble", "0", *words,
+                                "--out", folder], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds,
                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
     except subprocess.TimeoutExpired:
         return None, "hangs"
@@ -185,6 +201,54 @@ def kills(sound, mutant):
         if worse:
             found.append(f"{case} {after}: {why(run)}" if after != "coarse" else f"{case} coarse")
     return found
+
+
+def entered_lines(build, words):
+    """By file: the lines that any of the runs enters; remembered as long as the sound runs are."""
+    file, sound = build.work / "entered.json", build.work / "sound.json"
+    if file.exists() and file.stat().st_mtime > sound.stat().st_mtime:
+        return json.loads(file.read_text())
+    folder = build.work / "counting"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    unused = [f"kernels_{name}" for name in build.kernels if name not in kernels_here()]
+    counted = [name for name in build.units() if name not in unused]
+    for name in counted:
+        passed, said = build.compile(name, [*build.units()[name], "-O1", "--coverage"], folder)
+        if not passed:
+            fail(f"the sound engine does not compile with --coverage:\n{said}")
+    program = build.work / "plumb-counting"
+    build.link(program, counted, folder, ["--coverage"])
+    for stage in build.stages[1:]:  # the first is a part of the second
+        runs, reason = run_stage(program, stage, build.work / "out", None, words)
+        if runs is None:
+            fail(f"the engine that counts {reason}")
+    entered = collections.defaultdict(dict)
+    for name in counted:
+        counts = subprocess.run(["gcov", "--json-format", "--stdout", f"{name}.gcda"], cwd=folder, check=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+        for source in json.loads(counts)["files"]:
+            path = Path(os.path.normpath(build.built / source["file"]))
+            if path.is_relative_to(build.engine):
+                of_file = entered[str(path.relative_to(build.engine))]
+                for line in source["lines"]:
+                    at = str(line["line_number"])
+                    of_file[at] = of_file.get(at, 0) + line["count"]
+    file.write_text(json.dumps(entered))
+    return entered
+
+
+def is_entered(entered, place):
+    """A statement of several lines is counted at its first."""
+    counts = entered.get(place["file"], {})
+    counted = [int(line) for line in counts if int(line) <= place["line"]]
+    return bool(counted) and counts[str(max(counted))] > 0
+
+
+def equivalents():
+    """What was shown by hand to change nothing, by file, line of source and change."""
+    listed = json.loads((Path(__file__).parent / "equivalent.json").read_text())
+    return {(one["file"], one["before"].strip(), one["after"].strip()) for one in listed}
 
 
 class Draw:
@@ -222,10 +286,10 @@ def try_place(build, place, sound, options):
     finally:
         path.write_text(text)
     program = build.work / "plumb-mutant"
-    build.link(program, users)
+    build.link(program, users, folder)
     changed = set()
-    for engine, right in sound.items():
-        runs, reason = run_all(program, engine, build.work / "out", PATIENCE * right["seconds"], options.words)
+    for stage, right in zip(build.stages, sound):
+        runs, reason = run_stage(program, stage, build.work / "out", PATIENCE * right["seconds"], options.words)
         found = kills(right["runs"], runs) if runs else [reason]
         if found:
             return {"killed": True, "by": found, "changed": []}
@@ -238,32 +302,41 @@ def place_of(record):
 
 
 def sound_runs(build, words):
-    """Of the sound engine, by engine; remembered until the program it is linked from changes."""
+    """Of the sound engine, by stage; remembered until the program it is linked from changes."""
     file = build.work / "sound.json"
     if file.exists() and file.stat().st_mtime > (build.built / "reports/plumb").stat().st_mtime:
         return json.loads(file.read_text())
     program = build.work / "plumb-sound"
     build.link(program, [])
-    sound = {}
-    for engine in ENGINES:
+    sound = []
+    for stage in build.stages:
         begun = time.monotonic()
-        runs, reason = run_all(program, engine, build.work / "out", None, words)
+        runs, reason = run_stage(program, stage, build.work / "out", None, words)
         if runs is None:
             fail(f"the sound engine {reason}")
-        sound[engine] = {"seconds": max(10, time.monotonic() - begun), "runs": runs}
+        sound.append({"seconds": max(10, time.monotonic() - begun), "runs": runs})
     file.write_text(json.dumps(sound))
     return sound
 
 
-def summary(records):
-    killed = [one for one in records if one["killed"]]
-    silent = [one for one in records if not one["killed"] and not one["changed"]]
-    print(f"\nMutation score: {len(killed)} of {len(records)} killed, {100 * len(killed) / max(1, len(records)):.0f} %.")
-    kinds = collections.Counter(one["kind"] for one in records)
+def summary(records, entered):
+    same = equivalents()
+    alike = [one for one in records if (one["file"], one["before"].strip(), one["after"].strip()) in same]
+    judged = [one for one in records if one not in alike]
+    killed = [one for one in judged if one["killed"]]
+    print(f"\nMutation score: {len(killed)} of {len(judged)} killed, {100 * len(killed) / max(1, len(judged)):.0f} %.")
+    kinds = collections.Counter(one["kind"] for one in judged)
     for kind, count in sorted(kinds.items()):
         print(f"  {kind:<20}{sum(one['kind'] == kind for one in killed):>4} of {count}")
-    for title, those in (("Changes no number of any run: a scene to write, or dead code to delete", silent),
-                         ("Changes runs, but no verdict", [one for one in records if not one["killed"] and one["changed"]])):
+    silent = [one for one in judged if not one["killed"] and not one["changed"]]
+    unseen = [one for one in silent if not is_entered(entered, one)]
+    for title, those in (
+            ("No run enters it: a scene to write, or dead code to delete", unseen),
+            ("Runs enter it, but no number changes: a scene to write in which it decides",
+             [one for one in silent if one not in unseen]),
+            ("Changes runs, but no verdict: a truth or an invariant to write",
+             [one for one in judged if not one["killed"] and one["changed"]]),
+            ("Can change nothing, not counted (equivalent.json)", alike)):
         print(f"\n{title}: {len(those)}")
         for one in those:
             print(f"  {one['index']}: engine/{one['file']}:{one['line']} ({one['kind']})\n    - {one['before'].strip()}\n"
@@ -312,7 +385,7 @@ def main():
             file.write(json.dumps(record) + "\n")
         print(f"{index}: {'killed' if record['killed'] else 'SURVIVES'} engine/{place.file}:{place.line} ({place.kind})"
               f" {record['by'][:1]}", file=sys.stderr)
-    summary([records[index] for index in sorted(records)])
+    summary([records[index] for index in sorted(records)], entered_lines(build, options.words))
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -28,13 +29,22 @@
 // (2) A pair that touches nothing else, and in one point, keeps the two bounds.
 // That the reported impulses explain how the momenta of a group change shows that nothing else pushed.
 //
-// The states of both ends of a step give v and v' at the reported point of the bodies, but the impact was in between.
-// So the tolerance covers
-// - the relative acceleration by the forces, a dt, and that of the point about both centres, w^2 r dt;
+// The states of both ends of a step give v and v' at the reported point of the bodies, but the impact was in between:
+// after a time t of the step, 0 <= t <= dt, unknown. Forces that close the gap with an acceleration a add a t to the
+// approach and take a (dt - t) from the separation, whenever and in however many parts a method applies them. So (2) is
+//   e (v + a t) (1 - k)/(1 + k) - a (dt - t) <= v' <= e (v + a t) (1 + k)/(1 - k) - a (dt - t)
+// for some t, linear in t, so the limits are at its ends; of several impacts in the step each is slower than the one
+// before and leaves v' within the same limits. A group of contacts that support each other gets either sign of a dt.
+// A method with exact flight that solves for the time of impact also shows t: while the contact comes nearer by
+// v t + a t^2/2 and leaves by w (dt - t) - a (dt - t)^2/2, w = v' + a (dt - t), it moves by d = (v' + a dt/2) dt -
+// (v + v' + a dt) t, where d is off by the stated gap and the tolerance below times dt. One impact: 2 e v > a dt.
+//
+// The tolerance covers
+// - how much the forces change in the step, and the acceleration of the point about both centres, w^2 r dt;
 // - the normal, which turns by delta (see normal_rotation), times the relative velocity;
 // - the place of the contact, which may be off by the gap and by the slip in a step, times both w;
 // - what a method adds to close the gap that it states within one of its sub-steps, gap/h;
-// - what the iterations leave of the fastest approach of the group, and round-off.
+// - what the iterations leave of the fastest approach of a group, and round-off.
 // A body that joints hold gets impulses that no contact reports: no test. Nor is a contact that is not approached by
 // more than the tolerance: where friction and rigidity contradict each other, bodies get impulses without a collision
 // (Painleve), and no hypothesis of restitution speaks of those.
@@ -67,23 +77,34 @@ class Bouncing {
   struct Hit {
     const ContactState* contact;
     double approach = 0, separation = 0;  // m/s, at the start and at the end of the step
+    double closed = 0;                    // m/s, by which the forces change the approach in the step, a dt
     double off = 0;                       // m/s, either
+    double corrected = 0;                 // m/s, by which the separation may be off besides
     double turned = 0;                    // rad, of the normal
   };
 
+  // Where the point of a body that touches at the end of a step is at its start.
+  Vec point_before(const ContactState& contact, std::size_t body, std::size_t moment) const {
+    const BodyState& then = context_.trace.states(moment - 1)[body];
+    const BodyState& now = context_.trace.states(moment)[body];
+    return then.position + rotated(contact.point - now.position, then.angle - now.angle);
+  }
+
   // The velocity of b relative to a at the start of a step, at the points of both that touch at its end.
   Vec velocity_before(const ContactState& contact, std::size_t moment) const {
-    const auto then = context_.trace.states(moment - 1);
-    const auto now = context_.trace.states(moment);
     const auto of = [&](std::size_t body) {
-      const Vec arm = rotated(contact.point - now[body].position, then[body].angle - now[body].angle);
-      return velocity_at(then[body], then[body].position + arm);
+      return velocity_at(context_.trace.states(moment - 1)[body], point_before(contact, body, moment));
     };
     return of(contact.b) - of(contact.a);
   }
 
   Vec acceleration(std::size_t body) const {
     return moves(body) ? 0.5 / forces_.masses()[body].mass * (before_[body].force + after_[body].force) : Vec{};
+  }
+
+  // m/s^2, by which it may differ from that at either end of the step.
+  double acceleration_change(std::size_t body) const {
+    return moves(body) ? 0.5 / forces_.masses()[body].mass * length(after_[body].force - before_[body].force) : 0;
   }
 
   Hit hit_of(const ContactState& contact, std::size_t moment) const {
@@ -95,17 +116,18 @@ class Bouncing {
     const Vec after = relative_velocity(contact, now);
     const double turned = std::max(normal_rotation(scene, contact, then, dt), normal_rotation(scene, contact, now, dt));
     const double fastest = std::max(length(before), length(after));
-    double off = dt * std::abs(dot(contact.normal, acceleration(contact.b) - acceleration(contact.a)));
-    off += std::min(2.0, turned) * fastest;
+    const double closed = -dt * dot(contact.normal, acceleration(contact.b) - acceleration(contact.a));
+    double off = std::min(2.0, turned) * fastest;
     double speeds = 0;
     for (const std::size_t body : {contact.a, contact.b}) {
       const double w = std::max(std::abs(then[body].angular_velocity), std::abs(now[body].angular_velocity));
       const double arm = length(contact.point - now[body].position);
-      off += w * (w * arm * dt + stepping.contact_gap() + fastest * dt);
+      off += w * (w * arm * dt + stepping.contact_gap() + fastest * dt) + dt * acceleration_change(body);
       speeds += length(then[body].velocity) + length(now[body].velocity) + w * arm;
     }
-    off += solver_rounding(stepping) * speeds + (stepping.h > 0 ? stepping.contact_gap() / stepping.h : 0);
-    return {&contact, -dot(contact.normal, before), dot(contact.normal, after), off, turned};
+    off += solver_rounding(stepping) * speeds;
+    const double corrected = stepping.h > 0 ? stepping.contact_gap() / stepping.h : 0;
+    return {&contact, -dot(contact.normal, before), dot(contact.normal, after), closed, off, corrected, turned};
   }
 
   // What a group of touching bodies shows in a step.
@@ -135,29 +157,31 @@ class Bouncing {
       for (const std::size_t body : {contact.a, contact.b}) {
         group.known = group.known && explained[body] && !jointed_[body];
       }
-      group.struck = group.struck || (contact.normal_impulse > 0 && hit.approach > hit.off);
+      group.struck =
+          group.struck || (contact.normal_impulse > 0 && hit.approach > std::abs(hit.closed) + hit.off + hit.corrected);
     }
     for (const auto& [first, group] : found) {
       if (!group.known || !group.struck) continue;
-      if (group.restitution == 0) {
+      if (group.hits.size() == 1) {
+        add_pair(group.hits.front(), moment);
+      } else if (group.restitution == 0) {
         add_last_hit(group, moment);
-      } else if (group.hits.size() == 1) {
-        add_pair(group, moment);
       }
     }
   }
 
   void add_last_hit(const Group& group, std::size_t moment) {
     const double left = unsolved_share(context_.stepping) * group.approach;
+    const auto tolerance = [&](const Hit& hit) { return std::abs(hit.closed) + hit.off + hit.corrected + left; };
     const Hit* last = nullptr;
     double ratio = 0;
     for (const Hit& hit : group.hits) {
-      const double of_hit = error_ratio(hit.separation, hit.off + left);
+      const double of_hit = error_ratio(hit.separation, tolerance(hit));
       if (last != nullptr && !(of_hit < ratio)) continue;
       last = &hit;
       ratio = of_hit;
     }
-    worst_.add(last->separation, last->off + left, last->approach, context_.trace.time(moment),
+    worst_.add(last->separation, tolerance(*last), last->approach, context_.trace.time(moment),
                [&] { return pair_name(context_.scene, last->contact->a, last->contact->b); });
   }
 
@@ -205,26 +229,51 @@ class Bouncing {
     return sum;
   }
 
-  void add_pair(const Group& group, std::size_t moment) {
-    const auto& [scene, trace, stepping] = context_;
-    const Hit& hit = group.hits.front();
-    const ContactState& contact = *hit.contact;
-    const InverseInertia b = inverse_inertia(contact, moment);
+  // The k of the hypotheses.
+  double disagreement(const Hit& hit, std::size_t moment) const {
+    const InverseInertia b = inverse_inertia(*hit.contact, moment);
     // The normal may be off by the angle that it turns in the step.
     const double along = b.along - 2 * hit.turned * std::abs(b.coupling);
     const double coupling = std::abs(b.coupling) + hit.turned * std::abs(b.along - b.across);
-    const double mu = friction_.largest_static(contact.a, contact.b);
-    const double k = along > 0 ? mu * coupling / along : 1;
-    if (k >= 1) return;
+    return along > 0 ? friction_.largest_static(hit.contact->a, hit.contact->b) * coupling / along : 1;
+  }
+
+  // The smallest and largest part of the step that may have been before its only impact.
+  std::pair<double, double> part_before(const Hit& hit, std::size_t moment) const {
+    const auto& [scene, trace, stepping] = context_;
+    const double speed = hit.approach + hit.separation + hit.closed;
+    if (stepping.impact_lag > 0 || stepping.drift != 0 || !(speed > 0)) return {0, 1};
+    const double dt = trace.time(moment) - trace.time(moment - 1);
+    const ContactState& contact = *hit.contact;
+    const double moved =
+        dot(contact.normal, point_before(contact, contact.a, moment) - point_before(contact, contact.b, moment));
+    const double part = (hit.separation + hit.closed / 2 - moved / dt) / speed;
+    const double off = (hit.off + stepping.contact_gap() / dt) / speed;
+    return {std::clamp(part - off, 0.0, 1.0), std::clamp(part + off, 0.0, 1.0)};
+  }
+
+  void add_pair(const Hit& hit, std::size_t moment) {
+    const auto& [scene, trace, stepping] = context_;
+    const ContactState& contact = *hit.contact;
     const RestitutionBounds e = restitution_between(scene, contact.a, contact.b);
-    const double slower = hit.approach - hit.off;
-    const double faster = hit.approach + hit.off;
-    const double most = e.largest * faster * (1 + k) / (1 - k);
-    const bool bounces = slower > stepping.restitution_threshold;
-    const double least = bounces ? e.smallest * slower * (1 - k) / (1 + k) : 0;
-    const double middle = (most + least) / 2;
-    worst_.add(std::abs(hit.separation - middle), (most - least) / 2 + hit.off, hit.approach, trace.time(moment),
-               [&] { return pair_name(context_.scene, contact.a, contact.b); });
+    const double k = e.largest > 0 ? disagreement(hit, moment) : 0;
+    if (k >= 1) return;
+    const double wider = (1 + k) / (1 - k);
+    const bool bounces = hit.approach + std::min(0.0, hit.closed) - hit.off > stepping.restitution_threshold;
+    // What the separation is at the end of the step.
+    const auto limits = [&](double closed_before) {
+      const double approach = hit.approach + closed_before;
+      const double closed_after = hit.closed - closed_before;
+      const double least = bounces ? e.smallest * (approach - hit.off) / wider : 0;
+      return std::pair{least - closed_after, e.largest * (approach + hit.off) * wider - closed_after};
+    };
+    const bool once = bounces && 2 * e.smallest * (hit.approach - hit.off) / wider > hit.closed;
+    const auto [first, last] = once ? part_before(hit, moment) : std::pair{0.0, 1.0};
+    const auto at_start = limits(first * hit.closed), at_end = limits(last * hit.closed);
+    const double least = std::min(at_start.first, at_end.first);
+    const double most = std::max(at_start.second, at_end.second);
+    worst_.add(std::abs(hit.separation - (most + least) / 2), (most - least) / 2 + hit.off + hit.corrected,
+               hit.approach, trace.time(moment), [&] { return pair_name(scene, contact.a, contact.b); });
   }
 
   static constexpr double explained_share = 1e-3;  // by which another push would change a bound less than the rest does

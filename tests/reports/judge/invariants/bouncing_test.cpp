@@ -41,6 +41,47 @@ TEST(BouncingInvariant, LetsASlowImpactBeInelastic) {
   EXPECT_EQ(status("bouncing", scene, bounced(scene, 0.31), slow), CheckStatus::broken);
 }
 
+// A disc comes at 2.4 m/s and hits the ground some time after a step of 1/60 s has begun; gravity has then added up to
+// .16 m/s, and what is left of the step takes as much from the bounce.
+CheckStatus bounced_under_gravity(double restitution, double time, const Stepping& stepping) {
+  Scene scene = disc_on_ground(0.1);
+  scene.gravity = {0, -9.8};
+  const double left = stepping.dt - time;
+  const double approach = 2.4 + 9.8 * time;
+  const double start = 0.5 + 2.4 * time + 4.9 * time * time;
+  const double end = 0.5 + restitution * approach * left - 4.9 * left * left;
+  const double separation = restitution * approach - 9.8 * left;
+  const double impulse = mass_of(scene.bodies[1]).mass * (1 + restitution) * approach;
+  ContactState contact = pushing(impulse);
+  contact.point = {0, 0};
+  return status("bouncing", scene,
+                forged(stepping.dt, {{box_at({0, start}, {0, -2.4})}, {box_at({0, end}, {0, separation}), {contact}}}),
+                stepping);
+}
+
+TEST(BouncingInvariant, SeesASmallCoefficientUnderGravity) {
+  constexpr double step = 1.0 / 60;
+  Stepping stepping{.dt = step, .h = step, .drift = 0.5, .impact_lag = 1, .epsilon = 1e-16};
+  for (const double time : {0.0, 0.3 * step, step}) {
+    EXPECT_EQ(bounced_under_gravity(0.1, time, stepping), CheckStatus::held) << time;
+  }
+  EXPECT_EQ(bounced_under_gravity(0.17, 0, stepping), CheckStatus::held);  // looks like .1 at the end of the step
+  EXPECT_EQ(bounced_under_gravity(0.12, step, stepping), CheckStatus::broken);
+  EXPECT_EQ(bounced_under_gravity(0.25, 0.3 * step, stepping), CheckStatus::broken);
+  EXPECT_EQ(bounced_under_gravity(0.09, 0, stepping), CheckStatus::broken);
+  EXPECT_EQ(bounced_under_gravity(0, 0, stepping), CheckStatus::broken);
+}
+
+TEST(BouncingInvariant, FindsTheTimeOfAnImpactWhereAMethodSolvesForIt) {
+  constexpr double step = 1.0 / 60;
+  Stepping stepping{.dt = step, .h = step, .drift = 0, .impact_lag = 0, .epsilon = 1e-16};
+  for (const double time : {0.0, 0.3 * step, step}) {
+    EXPECT_EQ(bounced_under_gravity(0.1, time, stepping), CheckStatus::held) << time;
+    EXPECT_EQ(bounced_under_gravity(0.1001, time, stepping), CheckStatus::broken) << time;
+    EXPECT_EQ(bounced_under_gravity(0.0999, time, stepping), CheckStatus::broken) << time;
+  }
+}
+
 // A contact beside the centre by x and below it by y couples friction to the normal velocity: with I = 1/6, x = y = 1/2
 // and m = 1 it is B_nn = 5/2, B_nt = 3/2, so k = .6 mu.
 TEST(BouncingInvariant, AllowsWhatHypothesesDisagreeAbout) {
