@@ -71,3 +71,14 @@ test("a method that reaches no case has no factor", () => {
   assert.deepEqual(factors_over(cases(null, null))[1], { engine: impulse, median: null, low: null, high: null, cases: 2, reached: 0 });
   assert.deepEqual(factors_over([]), []);
 });
+
+test("an engine looks the same in every report, and engines of one report differ", async () => {
+  const { looks } = await load("looks.ts");
+  const names = ["box2d", "impulse", "chipmunk", "exec:./mine", "impulse:iterations=4"];
+  const all = looks(names);
+  for (const name of names) assert.deepEqual(looks([name])(name), all(name));
+  assert.equal(all("impulse").color, "var(--engine-1)");
+  const many = Array.from({ length: 20 }, (_, index) => `exec:./engine-${index}`);
+  const look_of = looks([...many, ...names]);
+  assert.equal(new Set([...many, ...names].map((name) => JSON.stringify(look_of(name)))).size, many.length + names.length);
+});
