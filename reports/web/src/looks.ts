@@ -56,7 +56,10 @@ export function looks(labels: string[]): (label: string) => Look {
     let place = known.indexOf(label);
     if (place < 0) {
       place = known.length + (hash(label) % free);
+      // The next free place, at last one of a known engine that is not here.
+      const here = (one: number): boolean => taken.has(one) || labels.includes(known[one] ?? "");
       for (let tries = 0; taken.has(place) && tries < free; ++tries) place = place + 1 < places ? place + 1 : known.length;
+      for (let tries = 0; here(place) && tries < places; ++tries) place = (place + 1) % places;
     }
     taken.add(place);
     found.set(label, look(place));

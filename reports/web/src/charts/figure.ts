@@ -67,7 +67,7 @@ function fill(canvas: HTMLElement, charts: Element[], name: string): void {
 /** Switches between a linear and a logarithmic axis. */
 function scale_button(title: string, log: boolean, change: (log: boolean) => void): HTMLElement {
   let now = log;
-  const button = h("button", { type: "button", class: "scale", "aria-pressed": String(now), "aria-label": `Logarithmic axis: ${title}` }, "log");
+  const button = h("button", { type: "button", class: "scale", "aria-pressed": String(now), "aria-label": `log axis: ${title}` }, "log");
   button.addEventListener("click", () => {
     now = !now;
     button.setAttribute("aria-pressed", String(now));

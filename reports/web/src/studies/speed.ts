@@ -81,7 +81,7 @@ function readings(caption: string, item: SpeedCase, columns: Column[], unit: (va
       }),
     ),
   );
-  return table(caption, ["", ...shown.map(({ head }) => head)], rows, "numbers");
+  return table(caption, ["method", ...shown.map(({ head }) => head)], rows, "numbers");
 }
 
 /** "impulse is the fastest to 1 mm: 27 µs for a simulated second; next is soft-step, 45 times that. Never that accurate: box2d." */
@@ -195,7 +195,7 @@ function overall(model: SpeedModel): HTMLElement {
     h("h2", {}, `To ${name}`),
     h("p", { class: "lede" }, rule),
     equal_error_chart(name, factors_over(model.cases, target), "all cases"),
-    table(`Time / that of the fastest: the median over the cases, of ${model.cases.length}, in which a method gets there`, ["", ...every.map(({ head }) => head)], rows, "numbers"),
+    table(`Time / that of the fastest: the median over the cases, of ${model.cases.length}, in which a method gets there`, ["method", ...every.map(({ head }) => head)], rows, "numbers"),
   );
 }
 
