@@ -206,7 +206,8 @@ Json cheapest_within(const CaseResults& results, double tolerance, const Json& f
   Json best = nullptr;
   for (const JobResult* drop : results.drops) {
     const Json& values = drop->output.values;
-    if (!values.at("change").is_number() || values.at("change").get<double>() > tolerance) continue;
+    if (!values.contains("change") || !values.at("change").is_number() || values.at("change").get<double>() > tolerance)
+      continue;
     const Json ratio = ratio_or_null(full, median_of(drop->output.times));
     if (!ratio.is_number() || (best.is_object() && best.at("cheaper") >= ratio)) continue;
     best = {{"tolerance", tolerance}, {"line", values.at("line")}, {"cheaper", ratio}, {"change", values.at("change")}};

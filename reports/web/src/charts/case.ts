@@ -124,7 +124,8 @@ function pose({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
 /** Empty if bodies never overlap. */
 function overlap({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
   const engines = entries.filter(({ engine, series }) => !engine.exact && series);
-  const most = engines.map(({ engine, series }) => ({ engine, depth: largest(series?.overlap ?? []) }));
+  // The metric of the run, from every step; the chart may have fewer.
+  const most = engines.map(({ engine, series, run }) => ({ engine, depth: run.metrics["penetration_max"]?.value ?? largest(series?.overlap ?? []) }));
   if (!most.some(({ depth }) => depth > 0)) return [];
   const chart: OverTime = { quantity: "overlap", unit: "m", entries, column: "overlap", horizon, cursor };
   const sizes = most.map(({ engine, depth }) => `${engine.label} ${number(depth, "m", 2)}`);
