@@ -169,6 +169,13 @@ struct ScenarioNote {
   std::string question;
   std::string closed_form;  // "" if there is none
   std::vector<Parameter> parameters;
+  std::string group = {};  // "friction"; "" for a scene file
+};
+
+/// What an engine says about how it steps, in words: tolerances rest on it.
+struct SteppingNote {
+  std::string method;
+  std::string text;
 };
 
 struct EngineNote {
@@ -176,6 +183,7 @@ struct EngineNote {
   std::string about;
   std::string source;
   bool exact = false;
+  std::vector<SteppingNote> states = {};  // one a method
 };
 
 struct MetricNote {

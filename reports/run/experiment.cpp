@@ -18,6 +18,7 @@
 #include "reports/run/horizon.h"
 #include "reports/run/more_iterations.h"
 #include "reports/run/relations.h"
+#include "reports/run/statement.h"
 #include "reports/run/timings.h"
 #include "reports/system/jobs.h"
 
@@ -158,11 +159,17 @@ void add_note(const Engine& one, Report& report) {
 }
 
 void add_notes(const Plan& plan, Report& report) {
-  for (const EngineConfig& config : plan.configs) add_note(*config.engine, report);
+  for (const EngineConfig& config : plan.configs) {
+    add_note(*config.engine, report);
+    const auto note = std::find_if(report.engines.begin(), report.engines.end(),
+                                   [&](const EngineNote& one) { return one.name == config.engine->name; });
+    if (!note->exact)
+      note->states.push_back({config.method(), statement(config.engine->stepping(config.settings, plan.dt))});
+  }
   for (const Case& one : plan.cases) {
     const Scenario& scenario = *one.scenario;
-    add_once<ScenarioNote>(report.scenarios,
-                           {scenario.name, scenario.question, scenario.closed_form, scenario.parameters});
+    add_once<ScenarioNote>(report.scenarios, {scenario.name, scenario.question, scenario.closed_form,
+                                              scenario.parameters, scenario.group});
     if (one.closed_form != nullptr) add_note(*one.closed_form, report);
   }
   for (const Metric* metric : Catalog<Metric>::all()) {

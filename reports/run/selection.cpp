@@ -215,7 +215,8 @@ EngineConfig parse_engine(std::string_view word) {
   const auto [name, rest] = split(word, ':');
   const Engine* closed_form = Catalog<Engine>::find(name);
   if (closed_form != nullptr && closed_form->exact) {
-    throw std::invalid_argument("\"" + name + "\" is a closed form, not an engine; its scenarios always include it");
+    throw std::invalid_argument("\"" + name +
+                                "\" is a closed form, not an engine; `plumb run` compares every engine with it");
   }
   if (const auto command = command_of_packaged(name)) return configured(engine_of_program(*command), rest);
   if (name == in_process) {

@@ -19,6 +19,7 @@
 #include "reports/system/environment.h"
 #include "reports/system/terminal.h"
 #include "reports/writers/output.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {
@@ -199,8 +200,8 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
     return interrupted_exit;
   }
   if (!head.shard.whole()) {
-    fmt::print("{}\nShard {} is complete. When all shards are: plumb merge FILE ...\n", path.string(),
-               head.shard.name());
+    fmt::print("{}\nShard {} is complete. When all shards are: plumb merge FILE ...\n",
+               printable(path.string(), std::string::npos), head.shard.name());
     return 0;
   }
   write_study(study, head, plan, results, folder);

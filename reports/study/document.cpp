@@ -13,6 +13,7 @@
 #include "reports/system/jobs.h"
 #include "reports/writers/html.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/json_reader.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb {
@@ -184,8 +185,10 @@ void write_study(const Study& study, const ResultsHead& head, const StudyPlan& p
   files.insert(files.end(), found.files.begin(), found.files.end());
   const auto paths = folder.put(files);
   fmt::print("{}", found.text);
-  for (const auto& path : std::span(paths).first(std::min(own, paths.size()))) fmt::print("{}\n", path.string());
-  if (paths.size() > own) fmt::print("{} and {} more\n", paths[own].string(), paths.size() - own - 1);
+  for (const auto& path : std::span(paths).first(std::min(own, paths.size())))
+    fmt::print("{}\n", printable(path.string(), std::string::npos));
+  if (paths.size() > own)
+    fmt::print("{} and {} more\n", printable(paths[own].string(), std::string::npos), paths.size() - own - 1);
   if (!why_not.empty()) fmt::print("No {}.html: {}.\n", stem, why_not);
 }
 

@@ -32,6 +32,8 @@ struct Job {
   /// Called in the parent before the child is forked: the child inherits what it leaves in memory. May be called more
   /// than once.
   std::function<void()> prepare = nullptr;
+  /// Called in the child before `run`, with the seconds that this may take: for work that fits itself to them.
+  std::function<void(double seconds)> within = nullptr;
 };
 
 enum class Ending { done, failed, crashed, timed_out, out_of_memory };

@@ -1,14 +1,34 @@
 #include "reports/study/reference_solution.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/metric.h"
 #include "reports/vec.h"
 #include "scenarios/allowance.h"
 
 namespace plumb {
+namespace {
+
+// m, the RMS distance of dynamic bodies from where they start, over the moments up to `until`.
+double displacement(const Scene& scene, const Trace& trace, double until) {
+  double squares = 0;
+  double count = 0;
+  for (std::size_t moment = 0; moment < trace.size() && trace.time(moment) <= until; ++moment) {
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+      if (scene.bodies[body].type != BodyType::dynamic) continue;
+      const double moved = length(trace.states(moment)[body].position - trace.states(0)[body].position);
+      squares += moved * moved;
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+}  // namespace
 
 void ReferenceSolution::find() {
   if (std::exchange(searched_, true)) return;
@@ -31,6 +51,7 @@ void ReferenceSolution::find() {
     return;
   }
   until_ = engine_->build(scene, complete(*engine_, {}))->valid_until();
+  scale_ = std::max(displacement(scene, *outcome.trace, until_), smallest_body(scene));
   for (std::size_t moment = 0; moment < outcome.trace->size(); ++moment) {
     for (const BodyState& state : outcome.trace->states(moment)) {
       extent_ = std::max(extent_, length(state.position) + length(state.velocity) * scene.duration);

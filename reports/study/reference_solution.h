@@ -28,6 +28,10 @@ class ReferenceSolution {
   /// m, its own largest error; 0 for a closed form.
   double error() const { return error_; }
 
+  /// m, how far the solution takes the bodies from where they start, RMS over time and bodies (RMS as errors are, so
+  /// that they compare); at least the smallest body's size, which is what counts where nothing moves.
+  double scale() const { return scale_; }
+
   /// m, the error of a run: RMS over time and bodies (the metric truth_error_rms). Throws std::runtime_error if it
   /// cannot be measured.
   double error_of(const Trace&, double dt, double first_step) const;
@@ -44,6 +48,7 @@ class ReferenceSolution {
   std::string reason_;
   double until_ = 0;
   double error_ = 0;
+  double scale_ = 0;   // m
   double extent_ = 0;  // m, the largest of a body's distance from the origin plus its speed times the duration
 };
 

@@ -60,9 +60,10 @@ void isolate_child(pid_t parent, int in, int out) {
   if (getppid() != parent) _exit(1);
 }
 
-void run_job(const Job& job) {
+void run_job(const Job& job, double seconds) {
   JobResult result{.key = job.key};
   try {
+    if (job.within) job.within(seconds);
     result.output = job.run();
   } catch (const std::bad_alloc&) {
     result.ending = Ending::out_of_memory;
@@ -77,9 +78,9 @@ void run_job(const Job& job) {
   }
 }
 
-[[noreturn]] void run_child(const Job& job) {
+[[noreturn]] void run_child(const Job& job, double seconds) {
   try {
-    run_job(job);
+    run_job(job, seconds);
   } catch (...) {
     std::abort();  // a repetition threw although the run did not
   }
@@ -121,7 +122,7 @@ class Runner {
       if (execution_.enough()) next = jobs.size();
       while (next < jobs.size() && working.size() < static_cast<std::size_t>(std::max(parallel, 1))) {
         if (jobs[next]->prepare) jobs[next]->prepare();
-        working.push_back(std::make_unique<JobProcess>(*jobs[next++]));
+        working.push_back(std::make_unique<JobProcess>(*jobs[next++], execution_.limits));
       }
       attend(working);
       const auto idle =
@@ -161,7 +162,8 @@ bool needs_machine(std::span<const Job> unit) {
 
 }  // namespace
 
-JobProcess::JobProcess(const Job& job) : job_(job), result_{.key = job.key}, repetitions_(repetition_rule) {
+JobProcess::JobProcess(const Job& job, const JobLimits& limits)
+    : job_(job), result_{.key = job.key}, repetitions_(repetition_rule) {
   std::array<int, 2> results{};
   std::array<int, 2> requests{};
   if (pipe2(results.data(), O_CLOEXEC) != 0) fail("a pipe for a job");
@@ -175,7 +177,7 @@ JobProcess::JobProcess(const Job& job) : job_(job), result_{.key = job.key}, rep
   process_ = fork();
   if (process_ == 0) {
     isolate_child(parent, requests[0], results[1]);
-    run_child(job);
+    run_child(job, limits.seconds);
   }
   from_ = results[0];
   to_ = requests[1];

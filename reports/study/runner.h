@@ -26,7 +26,7 @@ class JobProcess {
  public:
   /// Starts the job at once. The job must outlive this object. Throws std::system_error if there is no process or pipe
   /// for it.
-  explicit JobProcess(const Job&);
+  JobProcess(const Job&, const JobLimits&);
   JobProcess(const JobProcess&) = delete;
   JobProcess& operator=(const JobProcess&) = delete;
   ~JobProcess();

@@ -138,16 +138,25 @@ Json of(const Timing& timing) {
 }
 
 Json of(const ScenarioNote& note) {
-  return {{"name", note.name},
-          {"question", note.question},
-          {"closed_form", note.closed_form},
-          {"parameters", list(note.parameters, [](const Parameter& parameter) {
-             return Json{{"name", parameter.name}, {"unit", parameter.unit}, {"about", parameter.about}};
-           })}};
+  return {
+      {"name", note.name},
+      {"question", note.question},
+      {"closed_form", note.closed_form},
+      {"parameters", list(note.parameters,
+                          [](const Parameter& parameter) {
+                            return Json{{"name", parameter.name}, {"unit", parameter.unit}, {"about", parameter.about}};
+                          })},
+      {"group", note.group}};
 }
 
+Json of(const SteppingNote& one) { return {{"method", one.method}, {"text", one.text}}; }
+
 Json of(const EngineNote& note) {
-  return {{"name", note.name}, {"about", note.about}, {"source", note.source}, {"exact", note.exact}};
+  return {{"name", note.name},
+          {"about", note.about},
+          {"source", note.source},
+          {"exact", note.exact},
+          {"states", list(note.states, [](const SteppingNote& one) { return of(one); })}};
 }
 
 Json of(const MetricNote& note) {

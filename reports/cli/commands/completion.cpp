@@ -56,11 +56,12 @@ std::string words_after(const CLI::App& command, const CommandLine& line) {
   if (takes("scenario") || command.get_name() == "show") names = scenarios();
   if (takes("first") || command.get_name() == "show") std::ranges::move(engines(), std::back_inserter(names));
   if (command.get_name() == "help") names = help_words(line);
+  if (command.get_name() == "completion") names = {"bash", "zsh"};
   std::ranges::move(names, std::back_inserter(words));
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-// A branch of `case "$path" in` for a command and for each of its own.
+// A branch of `case $at in` for a command and for each of its own.
 std::string branches_of(const CLI::App& command, const std::string& path, const CommandLine& line) {
   std::string text = fmt::format("    '{}') words='{}' ;;\n", path, words_after(command, line));
   for (const CLI::App* one : commands_of(command)) text += branches_of(*one, path + " " + one->get_name(), line);
@@ -76,12 +77,12 @@ std::string script() {
     if (!commands_of(*one).empty()) with_subcommands.push_back(one->get_name());
   }
   return fmt::format(R"(_plumb() {{
-  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} path=${{COMP_WORDS[1]}} words=
-  if [ "$COMP_CWORD" = 1 ]; then path=; fi
-  case $path in
-    {}) if [ "$COMP_CWORD" -gt 2 ]; then path="$path ${{COMP_WORDS[2]}}"; fi ;;
+  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} at=${{COMP_WORDS[1]}} words=
+  if [ "$COMP_CWORD" = 1 ]; then at=; fi
+  case $at in
+    {}) if [ "$COMP_CWORD" -gt 2 ]; then at="$at ${{COMP_WORDS[2]}}"; fi ;;
   esac
-  case $path in
+  case $at in
     '') words='{}' ;;
 {}  esac
   case $before in

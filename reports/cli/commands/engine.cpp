@@ -12,6 +12,7 @@
 #include "reports/engines/conformance.h"
 #include "reports/engines/installed.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb::commands::engine {
 namespace {
@@ -24,7 +25,7 @@ struct Options {
 
 int list(const Options& options) {
   const auto folder = engines_folder(options.prefix);
-  fmt::print("engines of npm, in {}\n", folder.string());
+  fmt::print("engines of npm, in {}\n", printable(folder.string(), std::string::npos));
   for (const PackagedEngine& engine : packaged_engines()) {
     const bool there = std::filesystem::exists(folder / engine.name);
     const bool current = there && command_of_installed(engine.name, folder);
@@ -41,7 +42,8 @@ int add(const Options& options) {
   const auto folder = engines_folder(options.prefix);
   for (const std::string& name : options.names) {
     const bool added = install_engine(name, folder);
-    fmt::print("{} {} in {}\n", name, added ? "is installed" : "was already installed", (folder / name).string());
+    fmt::print("{} {} in {}\n", name, added ? "is installed" : "was already installed",
+               printable((folder / name).string(), std::string::npos));
   }
   return 0;
 }

@@ -16,6 +16,7 @@
 #include "reports/writers/html.h"
 #include "reports/writers/output.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/json_reader.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb::commands::history {
@@ -113,7 +114,7 @@ int export_lines(const Options& options) {
   for (const SnapshotHead& head : history.heads()) lines += to_sealed_line(history.snapshot(head.id)) + "\n";
   NewFile file(options.lines);
   file.write_all(lines);
-  fmt::print("{}\n", file.put_in_place().string());
+  fmt::print("{}\n", printable(file.put_in_place().string(), std::string::npos));
   return 0;
 }
 
@@ -139,7 +140,8 @@ int page(const Options& options) {
   std::string why_not;
   const auto text = fill_page(page_template(), nlohmann::ordered_json{{"study", history_document(history)}}, why_not);
   if (!text) throw std::invalid_argument("no history.html: " + why_not);
-  for (const auto& place : folder.put({{"history.html", *text}})) fmt::print("{}\n", place.string());
+  for (const auto& place : folder.put({{"history.html", *text}}))
+    fmt::print("{}\n", printable(place.string(), std::string::npos));
   return 0;
 }
 

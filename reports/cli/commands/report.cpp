@@ -18,6 +18,7 @@
 #include "reports/system/terminal.h"
 #include "reports/writers/pictures.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb::commands::report {
 namespace {
@@ -78,7 +79,7 @@ int report(const Options& options) {
   if (options.svg) take_pictures(out / "index.html", out / "svg");
   if (preview) {
     write_preview(*preview, out / "preview.gif");
-    if (options.session.prints_text()) fmt::print("{}\n", (out / "preview.gif").string());
+    if (options.session.prints_text()) fmt::print("{}\n", printable((out / "preview.gif").string(), std::string::npos));
   }
   return 0;
 }

@@ -1,6 +1,7 @@
 #include "reports/study/model/least_model.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "reports/report.h"
 #include "reports/run/timings.h"
@@ -24,13 +25,15 @@ FeatureLevels with(FeatureLevels levels, const FeatureDrop& drop) {
   return levels;
 }
 
-// Keeps the drops that are sufficient by themselves: no other drop is known to make up for one that is not.
 std::vector<DropCandidate> by_saving(const std::vector<FeatureDrop>& drops, const FeatureLevels& full,
                                      const ModelTrials& trials) {
   std::vector<DropCandidate> candidates;
   for (const FeatureDrop& drop : drops) {
+    if (trials.out_of_time()) break;
     const FeatureLevels alone = with(full, drop);
-    if (trials.sufficient(alone)) candidates.push_back({drop, trials.cost_ratio(alone, full)});
+    if (!trials.slow_to_judge && !trials.sufficient(alone)) continue;
+    const double ratio = trials.cost_ratio(alone, full);
+    if (!trials.slow_to_judge || ratio < 1) candidates.push_back({drop, ratio});
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& a, const auto& b) { return a.ratio < b.ratio; });
@@ -48,9 +51,8 @@ double undisturbed_cost(const ModelError& errors, const EngineConfig& model) {
 }
 
 // Quartiles of a's cost over b's. The two alternate in who runs first; repetitions end once `decided` says so.
-Quartiles cost_ratio(const ModelError& errors, const EngineConfig& a, const EngineConfig& b,
+Quartiles cost_ratio(const ModelError& errors, const EngineConfig& a, const EngineConfig& b, std::size_t fewest,
                      const std::function<bool(const Quartiles&)>& decided) {
-  constexpr std::size_t fewest = 4;
   constexpr std::size_t most = 15;
   return time_ratio([&] { return undisturbed_cost(errors, a); }, [&] { return undisturbed_cost(errors, b); }, fewest,
                     most, decided);
@@ -60,6 +62,22 @@ Quartiles cost_ratio(const ModelError& errors, const EngineConfig& a, const Engi
 constexpr double worth = 0.03;
 
 bool clearly_above_or_below(const Quartiles& ratio) { return ratio.high < 1 - worth || ratio.low > 1 - worth; }
+// Of the time of a job, for the search; the rest is for what it cannot interrupt, and for measuring what it has found.
+constexpr double search_share = 0.4;
+
+class Budget {
+ public:
+  explicit Budget(double seconds) : seconds_(seconds) {}
+  bool past(double share) const {
+    return std::chrono::duration<double>(Clock::now() - start_).count() > share * seconds_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+  double seconds_;
+};
+
 bool steady(const Quartiles& ratio) { return ratio.high - ratio.low < worth * ratio.median; }
 
 Json json_of(const Quartiles& of) { return {{"median", of.median}, {"low", of.low}, {"high", of.high}}; }
@@ -131,11 +149,16 @@ FeatureLevels least_model(const std::vector<FeatureDrop>& drops, std::size_t fea
   FeatureLevels least(features, 0);
   const std::vector<DropCandidate> candidates = by_saving(drops, least, trials);
   for (const DropCandidate& candidate : candidates) {
+    if (trials.out_of_time()) return least;
     if (least[candidate.drop.feature] != 0) continue;
+    // Only drops that are sufficient by themselves: no other drop is known to make up for one that is not.
+    const FeatureLevels alone = with(FeatureLevels(features, 0), candidate.drop);
     const FeatureLevels lower = with(least, candidate.drop);
+    if (trials.slow_to_judge && lower != alone && !trials.sufficient(alone)) continue;
     if (trials.sufficient(lower) && trials.cheaper(lower, least)) least = lower;
   }
   for (std::size_t f = 0; f < features; ++f) {
+    if (trials.out_of_time()) return least;
     if (least[f] == 0) continue;
     FeatureLevels restored = least;
     restored[f] = 0;
@@ -144,7 +167,8 @@ FeatureLevels least_model(const std::vector<FeatureDrop>& drops, std::size_t fea
   return least;
 }
 
-JobOutput search_least_model(const ModelError& errors) {
+JobOutput search_least_model(const ModelError& errors, double seconds) {
+  const Budget budget(seconds);
   const EngineConfig& full = errors.full();
   const Case& problem = errors.problem();
   JobOutput output;
@@ -153,22 +177,35 @@ JobOutput search_least_model(const ModelError& errors) {
     output.values["why"] = "the full model itself does not run to the end";
     return output;
   }
-  const auto ratio = [&](const FeatureLevels& a, const FeatureLevels& b) {
-    return cost_ratio(errors, model_at(full, a), model_at(full, b), clearly_above_or_below);
+  const auto enough = [&](const auto& decided) {
+    return [&budget, decided](const Quartiles& ratio) { return decided(ratio) || budget.past(search_share); };
   };
+  const auto compare = [&](const FeatureLevels& a, const FeatureLevels& b, std::size_t fewest) {
+    return cost_ratio(errors, model_at(full, a), model_at(full, b), fewest, enough(clearly_above_or_below));
+  };
+  constexpr std::size_t fewest = 4;
+  bool complete = true;
   const ModelTrials trials{
       .sufficient =
           [&](const FeatureLevels& levels) { return errors.within_tolerance(errors.of(model_at(full, levels))); },
-      .cost_ratio = [&](const FeatureLevels& a, const FeatureLevels& b) { return ratio(a, b).median; },
-      .cheaper = [&](const FeatureLevels& a, const FeatureLevels& b) { return ratio(a, b).high < 1 - worth; }};
+      .cost_ratio = [&](const FeatureLevels& a, const FeatureLevels& b) { return compare(a, b, 1).median; },
+      .cheaper = [&](const FeatureLevels& a, const FeatureLevels& b) { return compare(a, b, fewest).high < 1 - worth; },
+      .slow_to_judge = errors.chaotic(),
+      .out_of_time =
+          [&] {
+            if (budget.past(search_share)) complete = false;
+            return !complete;
+          }};
   const FeatureLevels least = least_model(single_drops(full), model_features().size(), trials);
   const EngineConfig model = model_at(full, least);
   const ModelError::Result result = errors.of(model);
+  const std::size_t last = complete ? fewest : 2;
+  output.values["complete"] = complete;
   output.times = {{"line", label_of(model.engine->name, model.method())},
                   {"error", finite_or_null(result.error)},
                   {"change", finite_or_null(result.change)},
-                  {"cheaper", json_of(cost_ratio(errors, full, model, steady))},
-                  {"auto_cheaper", json_of(cost_ratio(errors, full, automatic_model(full), steady))}};
+                  {"cheaper", json_of(cost_ratio(errors, full, model, last, enough(steady)))},
+                  {"auto_cheaper", json_of(cost_ratio(errors, full, automatic_model(full), last, enough(steady)))}};
   Json dropped = Json::array();
   for (std::size_t f = 0; f < least.size(); ++f) {
     if (least[f] == 0) continue;

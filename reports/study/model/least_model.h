@@ -52,6 +52,10 @@ struct ModelTrials {
   std::function<double(const FeatureLevels& a, const FeatureLevels& b)> cost_ratio;  // of a to b, estimated
   /// Whether a is cheaper than b, by more than noise and by enough to matter.
   std::function<bool(const FeatureLevels& a, const FeatureLevels& b)> cheaper;
+  /// Whether `sufficient` takes longer than `cost_ratio`: then drops that save nothing are not tried.
+  bool slow_to_judge = false;
+  /// Whether the search must end; what it has found until then stands.
+  std::function<bool()> out_of_time = [] { return false; };
 };
 
 /// The cheapest sufficient model that dropping features one after another leads to. The drops that save most by
@@ -61,6 +65,7 @@ FeatureLevels least_model(const std::vector<FeatureDrop>&, std::size_t features,
 
 /// Searches the least model of a case by measuring models. Everything found depends on the clock, because costs do. The
 /// full model must have been run (ModelError::find).
-JobOutput search_least_model(const ModelError&);
+/// The search ends in time to return what it has found within `seconds`; "complete" says whether it came to its end.
+JobOutput search_least_model(const ModelError&, double seconds);
 
 }  // namespace plumb

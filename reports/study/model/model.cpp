@@ -17,6 +17,7 @@
 #include "reports/study/job.h"
 #include "reports/study/model/least_model.h"
 #include "reports/study/model/model_error.h"
+#include "reports/study/runner.h"
 #include "reports/study/selection.h"
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
@@ -76,6 +77,8 @@ class ModelRun {
                           {"why", result.reason},
                           {"error", finite_or_null(result.error)},
                           {"change", finite_or_null(result.change)},
+                          {"different", result.different},
+                          {"chaotic", errors_->chaotic()},
                           {"within", errors_->within_tolerance(result)},
                           {"duration", problem.scene->duration},
                           {"truth", errors_->truth()},
@@ -132,10 +135,12 @@ std::vector<Job> jobs_of(const Json& configuration) {
            {"setting", drop.setting}});
     }
     add("auto", automatic_model(full), {{"role", "auto"}});
+    const auto seconds = std::make_shared<double>(JobLimits{}.seconds);
     jobs.push_back({.key = fmt::format("model|{}|least", case_name),
-                    .run = [errors] { return search_least_model(*errors); },
+                    .run = [errors, seconds] { return search_least_model(*errors, *seconds); },
                     .alone = true,
-                    .prepare = [errors] { errors->find(); }});
+                    .prepare = [errors] { errors->find(); },
+                    .within = [seconds](double limit) { *seconds = limit; }});
   }
   return jobs;
 }
@@ -156,6 +161,7 @@ struct CaseResults {
   const JobResult* automatic = nullptr;
   const JobResult* least = nullptr;
   std::vector<const JobResult*> drops;
+  std::string why_no_least;
 };
 
 // The jobs of a case follow each other. A job that did not finish has no values, but its key names the case:
@@ -167,7 +173,11 @@ std::vector<CaseResults> by_case(const std::vector<JobResult>& results) {
     const std::string name = result.key.substr(begin, result.key.rfind('|') - begin);
     if (cases.empty() || cases.back().name != name) cases.push_back({.name = name});
     CaseResults& found = cases.back();
-    if (result.ending != Ending::done) continue;
+    if (result.ending != Ending::done) {
+      if (result.key.ends_with("|least"))
+        found.why_no_least = std::string(name_of(result.ending)) + ", " + result.reason;
+      continue;
+    }
     const std::string role = result.output.values.value("role", "");
     if (role == "full") found.full = &result;
     if (role == "auto") found.automatic = &result;
@@ -191,6 +201,20 @@ Json promise_of(const CaseResults& results) {
   return {{"case", results.name}, {"kept", values.at("within")}, {"change", values.at("change")}};
 }
 
+// The cheapest single drop of those that are wrong by at most `tolerance`, in m: what a coarser question would allow.
+Json cheapest_within(const CaseResults& results, double tolerance, const Json& full) {
+  Json best = nullptr;
+  for (const JobResult* drop : results.drops) {
+    const Json& values = drop->output.values;
+    if (!values.contains("change") || !values.at("change").is_number() || values.at("change").get<double>() > tolerance)
+      continue;
+    const Json ratio = ratio_or_null(full, median_of(drop->output.times));
+    if (!ratio.is_number() || (best.is_object() && best.at("cheaper") >= ratio)) continue;
+    best = {{"tolerance", tolerance}, {"line", values.at("line")}, {"cheaper", ratio}, {"change", values.at("change")}};
+  }
+  return best;
+}
+
 Json costs_of(const CaseResults& results) {
   const Json full = median_of(results.full->output.times);
   Json drops = Json::array();
@@ -198,31 +222,63 @@ Json costs_of(const CaseResults& results) {
     drops.push_back({{"setting", drop->output.values.at("setting")},
                      {"ratio", ratio_or_null(median_of(drop->output.times), full)}});
   }
-  Json costs{{"case", results.name}, {"full", full}, {"drops", std::move(drops)}, {"least", nullptr}};
-  if (results.least == nullptr || !results.least->output.times.contains("line")) return costs;
-  costs["least"] = results.least->output.times;
+  const bool chaotic = results.full->output.values.value("chaotic", false);
+  Json coarser = Json::array();
+  for (const double tolerance : {1e-3, 1e-2, 1e-1}) {
+    Json found = chaotic ? Json(nullptr) : cheapest_within(results, tolerance, full);
+    if (!found.is_object() || found.at("cheaper") <= 1.0) continue;
+    if (coarser.empty() || coarser.back().at("line") != found.at("line")) coarser.push_back(std::move(found));
+  }
+  Json costs{{"case", results.name}, {"full", full},      {"drops", std::move(drops)},  {"coarser", std::move(coarser)},
+             {"least", nullptr},     {"complete", false}, {"why", results.why_no_least}};
+  if (results.least == nullptr) return costs;
+  const Json& values = results.least->output.values;
+  costs["complete"] = values.value("complete", true);
+  costs["why"] = values.value("why", "");
+  if (results.least->output.times.contains("line")) costs["least"] = results.least->output.times;
   return costs;
 }
 
+// "heap/steep: impulse:sleeping=on is 5.7 times cheaper than the full model", and what is not known.
+std::string finding_of(const Json& cost, bool auto_kept) {
+  const Json& least = cost.at("least");
+  std::string text = cost.at("case").get<std::string>() + ": ";
+  if (!least.is_object()) {
+    const std::string why = cost.at("why");
+    return text + "no least model: " + (why.empty() ? "the search did not end" : why) +
+           (why.find("timed out") == std::string::npos ? "" : "; give it more with --time-limit") + "\n";
+  }
+  const double cheaper = least.at("cheaper").at("median");
+  const bool any = !least.at("dropped").empty();
+  text += any ? fmt::format("{:.2g} times cheaper than the full model: --engine {}", cheaper,
+                            least.at("line").get<std::string>())
+              : "the full model is the least";
+  if (!cost.at("complete").get<bool>()) text += " (out of time: maybe not the least; --time-limit)";
+  text += "\n";
+  if (least.at("auto_cheaper").at("median").is_number()) {
+    text +=
+        fmt::format("  impulse:auto: {:.2g} times cheaper, {}\n", least.at("auto_cheaper").at("median").get<double>(),
+                    auto_kept ? "as accurate" : "LESS ACCURATE");
+  }
+  return text;
+}
+
 std::string text_of(const Json& promises, const Json& costs) {
-  std::string text = fmt::format("{:<28}{:>10}{:>10}{:>12}  {}\n", "times cheaper than full", "least", "auto",
-                                 "auto worse", "least model");
-  for (const Json& cost : costs) {
-    const std::string name = cost.at("case");
-    const auto promise =
-        std::find_if(promises.begin(), promises.end(), [&](const Json& one) { return one.at("case") == name; });
-    const Json& least = cost.at("least");
-    const auto factor = [&](const char* key) {
-      if (!least.is_object() || !least.at(key).at("median").is_number()) return std::string("-");
-      return fmt::format("{:.2f}", least.at(key).at("median").get<double>());
-    };
-    text += fmt::format("{:<28}{:>10}{:>10}{:>12}  {}\n", name, factor("cheaper"), factor("auto_cheaper"),
-                        promise->at("kept").get<bool>() ? "no" : "YES",
-                        least.is_object() ? least.at("line").get<std::string>() : "none found");
+  std::string text;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    text += finding_of(costs[i], promises[i].at("kept"));
+    for (const Json& one : costs[i].at("coarser")) {
+      const Json& least = costs[i].at("least");
+      if (least.is_object() && one.at("cheaper") <= least.at("cheaper").at("median")) continue;
+      text += fmt::format("  if {:g} mm may be lost: {:.2g} times cheaper: --engine {}\n",
+                          one.at("tolerance").get<double>() * 1000, one.at("cheaper").get<double>(),
+                          one.at("line").get<std::string>());
+    }
   }
   const auto kept =
       std::count_if(promises.begin(), promises.end(), [](const Json& one) { return one.at("kept").get<bool>(); });
-  return text + fmt::format("\nimpulse:auto is within the tolerance in {} of {} cases.\n", kept, promises.size());
+  return text +
+         fmt::format("impulse:auto is as accurate as the full model in {} of {} cases.\n", kept, promises.size());
 }
 
 Findings conclude(const std::vector<JobResult>& results) {

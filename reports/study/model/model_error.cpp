@@ -1,11 +1,14 @@
 #include "reports/study/model/model_error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "reference/scene_facts.h"
+#include "reports/judge/mechanics.h"
 #include "reports/judge/states.h"
 #include "reports/run/case_run.h"
 #include "reports/run/horizon.h"
@@ -34,7 +37,17 @@ void ModelError::find() {
   const bool reaches_end = reference_.engine() != nullptr && reference_.until() >= end * (1 - 1e-9);
   if (!reaches_end || reference_.error() > tolerance_)
     compared_until_ = std::min(end, horizon_of(*problem_.scene, dt_).value_or(end));
+  chaotic_ = compared_until_ > 0 && compared_until_ < end * (1 - 1e-9);
+  if (chaotic_) full_runs_ = ensemble_of(full_);
   full_error_ = of(full_).error;
+}
+
+// Eight against eight: the rank test finds every quantity in which all of one kind exceed all of the other.
+std::vector<EnsembleSample> ModelError::ensemble_of(const EngineConfig& model) const {
+  constexpr int members = 8;
+  const Scene& scene = *problem_.scene;
+  const double size = smallest_difference(scene, full_.engine->stepping(full_.settings, dt_));
+  return run_ensemble(scene, model, dt_, size, members, 1);
 }
 
 std::string ModelError::truth() const { return reference_.engine() == nullptr ? "" : reference_.engine()->name; }
@@ -64,11 +77,33 @@ ModelError::Result ModelError::of(const EngineConfig& model) const {
   result.error = truths_.empty() ? std::numeric_limits<double>::quiet_NaN()
                                  : std::sqrt(squares / static_cast<double>(phases_.size()));
   result.change = std::max(largest_difference, truths_.empty() ? 0.0 : result.error - full_error_);
+  if (chaotic_ && model.settings != full_.settings) result.different = difference_in_statistics(model);
   return result;
 }
 
+// Runs of one method hardly scatter, so a rank test finds differences that do not matter: only those of more than a
+// twentieth of scale count, which is also where a tolerance ceases to be a test.
+std::string ModelError::difference_in_statistics(const EngineConfig& model) const {
+  constexpr double matters = 0.05;
+  const Scene& scene = *problem_.scene;
+  const std::vector<EnsembleSample> runs = ensemble_of(model);
+  const int members = static_cast<int>(runs.front().values.size());
+  if (runs.front().values.size() != full_runs_.front().values.size())
+    return fmt::format("different: only {} runs reach their end", members);
+  const double start = Conserved(scene).energy(fulls_.front()->states(0)).total();
+  std::vector<EnsembleDifference> differences = compare_ensembles(full_runs_, runs);
+  for (EnsembleDifference& one : differences) {
+    const double scale = one.quantity == "energy" ? std::abs(start - one.a.median)
+                         : one.quantity == "rest" ? scene.duration
+                                                  : one.a.median;
+    one.different = one.different && std::abs(one.b.median - one.a.median) > matters * scale;
+  }
+  return differences_in_words(differences, members);
+}
+
 bool ModelError::within_tolerance(const Result& result) const {
-  return result.status == Status::ok && result.change <= tolerance_;
+  if (result.status != Status::ok) return false;
+  return chaotic_ ? result.different.empty() : result.change <= tolerance_;
 }
 
 // RMS over time and bodies of the displacement of points at the radius of gyration.

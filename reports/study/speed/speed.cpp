@@ -20,6 +20,7 @@
 #include "reports/study/reference_solution.h"
 #include "reports/study/selection.h"
 #include "reports/study/speed/convergence_order.h"
+#include "reports/study/speed/times_text.h"
 #include "reports/study/speed/work_precision.h"
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
@@ -120,7 +121,8 @@ class SpeedRun {
               {"order", stated_order(*problem_, stepping)},
               {"truth", reference_->engine() == nullptr ? "" : reference_->engine()->name},
               {"truth_until", 0.0},
-              {"truth_error", 0.0}};
+              {"truth_error", 0.0},
+              {"scale", 0.0}};
     if (reference_->engine() == nullptr) {
       values["status"] = "no truth";
       values["why"] = reference_->reason();
@@ -128,6 +130,7 @@ class SpeedRun {
     }
     values["truth_until"] = std::min(reference_->until(), problem_->scene->duration);
     values["truth_error"] = reference_->error();
+    values["scale"] = reference_->scale();
     measure_error(values, stepping);
     able_ = values.contains("error");
     return output;
@@ -231,21 +234,6 @@ std::string orders_text(const Json& orders) {
   return text;
 }
 
-std::string factors_text(const Json& timings) {
-  std::string text = fmt::format("\nTime at equal error, {} = 1\n  {:<56}{:>10}{:>20}{:>10}\n",
-                                 timings.at("standard").get<std::string>(), "", "median", "quartiles", "cases");
-  for (const Json& factor : timings.at("factors")) {
-    const bool any = factor.at("median").is_number();
-    text += fmt::format(
-        "  {:<56}{:>10}{:>20}{:>10}\n", factor.at("engine").get<std::string>(),
-        any ? fmt::format("{:.2g}", factor.at("median").get<double>()) : "-",
-        any ? fmt::format("{:.2g} ... {:.2g}", factor.at("low").get<double>(), factor.at("high").get<double>())
-            : "not reached",
-        fmt::format("{}/{}", factor.at("reached").get<std::size_t>(), factor.at("cases").get<int>()));
-  }
-  return text;
-}
-
 Findings conclude(const std::vector<JobResult>& results) {
   Findings found;
   const Json orders = orders_of(results);
@@ -256,7 +244,7 @@ Findings conclude(const std::vector<JobResult>& results) {
   const auto wide = std::count_if(results.begin(), results.end(), [](const JobResult& one) {
     return one.output.times.contains("wide") && one.output.times.at("wide").get<bool>();
   });
-  found.text = orders_text(orders) + factors_text(found.timings) +
+  found.text = times_text(found.timings) + "\n" + orders_text(orders) +
                fmt::format("\n{} jobs; {} crashed or exceeded their limits; {} were timed with a wide spread.\n",
                            results.size(), unfinished, wide);
   return found;

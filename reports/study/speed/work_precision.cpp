@@ -18,10 +18,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double least_error = 1e-12;      // m; smaller errors are round-off of doubles and count as this
-constexpr const char* standard = "box2d";  // the engine whose time is 1
-constexpr double error_targets[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};  // m
-constexpr double time_targets[] = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1};         // s per simulated second
+constexpr double least_error = 1e-12;  // m; smaller errors are round-off of doubles and count as this
+// Every method is read off at the same errors, which no method's own runs decide.
+constexpr double error_targets[] = {1e-2, 1e-3, 1e-4};             // m
+constexpr double scale_targets[] = {1e-1, 1e-2, 1e-3};             // of the case's scale
+constexpr double time_targets[] = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1};  // s per simulated second
 
 double power_law(double x, double x0, double y0, double x1, double y1) {
   return y0 * std::pow(y1 / y0, std::log(x / x0) / std::log(x1 / x0));
@@ -43,6 +44,7 @@ struct MethodRuns {
 
 struct CaseRuns {
   std::string scenario, variant;
+  double scale = 0;  // m
   std::vector<MethodRuns> methods;
 };
 
@@ -73,7 +75,7 @@ std::vector<CaseRuns> by_case(const std::vector<JobResult>& results) {
     const Json& values = result.output.values;
     const std::string scenario = values.at("scenario");
     const std::string variant = values.at("variant");
-    CaseRuns& of_case = find_or_add(cases, {scenario, variant, {}}, [&](const CaseRuns& one) {
+    CaseRuns& of_case = find_or_add(cases, {scenario, variant, values.at("scale"), {}}, [&](const CaseRuns& one) {
       return one.scenario == scenario && one.variant == variant;
     });
     const std::string engine = engine_label(values);
@@ -94,80 +96,95 @@ Json json_of(const std::optional<FrontReading>& reading) {
   return {{"value", reading->value}, {"bound", reading->bound}};
 }
 
-// A method's time over the standard's, at equal error.
-struct TimeFactor {
-  std::optional<double> median;  // nullopt if the method reaches none of the errors
-  double reached = 0;            // fraction of the errors on the standard's front that the method reaches, too
-};
-
-// Takes errors evenly on a logarithmic scale along the standard's own front. Only errors that the method itself was
-// measured to reach count.
-TimeFactor factor_of(const MethodRuns& method, const MethodRuns& base) {
-  constexpr int samples = 9;
-  const double low = std::log(base.front.back().error);
-  const double high = std::log(base.front.front().error);
-  std::vector<double> factors;
-  for (int i = 0; i < samples; ++i) {
-    const double error = i + 1 == samples ? base.front.front().error : std::exp(low + (high - low) * i / (samples - 1));
-    const auto own = time_to_reach(method.front, error);
-    const auto others = time_to_reach(base.front, error);
-    if (own && others) factors.push_back(own->value / others->value);
-  }
-  if (factors.empty()) return {};
-  return {quartiles(factors).median, static_cast<double>(factors.size()) / samples};
-}
-
-const MethodRuns* standard_of(const CaseRuns& runs) {
-  const auto found = std::find_if(runs.methods.begin(), runs.methods.end(),
-                                  [](const MethodRuns& one) { return one.engine == standard; });
-  return found == runs.methods.end() ? nullptr : &*found;
+Json readings_of(const std::vector<WorkPoint>& front, std::span<const double> targets, double unit) {
+  Json readings = Json::array();
+  for (const double target : targets) readings.push_back(json_of(time_to_reach(front, target * unit)));
+  return readings;
 }
 
 Json case_json(const CaseRuns& runs) {
   Json engines = Json::array();
   std::vector<TimedRun> all;
-  const MethodRuns* base = standard_of(runs);
   for (const MethodRuns& method : runs.methods) {
-    Json times = Json::array();
-    for (const double target : error_targets) times.push_back(json_of(time_to_reach(method.front, target)));
     Json errors = Json::array();
     for (const double target : time_targets) errors.push_back(json_of(error_within(method.front, target)));
-    const TimeFactor factor = base == nullptr ? TimeFactor{} : factor_of(method, *base);
+    const auto least = std::min_element(method.runs.begin(), method.runs.end(),
+                                        [](const auto& a, const auto& b) { return a.point.error < b.point.error; });
     engines.push_back({{"engine", method.engine},
                        {"front", method.front_keys},
-                       {"time_for_error", times},
+                       {"time_for_error", readings_of(method.front, error_targets, 1)},
+                       {"time_for_scale", readings_of(method.front, scale_targets, runs.scale)},
                        {"error_for_time", errors},
-                       {"factor", factor.median ? Json(*factor.median) : Json(nullptr)},
-                       {"reached", factor.reached}});
+                       {"least_error", least->point.error}});
     all.insert(all.end(), method.runs.begin(), method.runs.end());
   }
   std::vector<std::string> keys;
   front_of(all, keys);
-  return {{"scenario", runs.scenario}, {"variant", runs.variant}, {"front", keys}, {"engines", engines}};
+  return {{"scenario", runs.scenario},
+          {"variant", runs.variant},
+          {"scale", runs.scale},
+          {"front", keys},
+          {"engines", engines}};
 }
 
-// Each method's factors over all cases.
-Json factors_json(const Json& cases) {
-  std::vector<std::pair<std::string, std::vector<double>>> found;
-  std::map<std::string, int> cases_with;
+// s per simulated second for one target; nullopt if the engine does not run the case or is never that accurate.
+std::optional<double> time_of(const Json& one, const std::string& engine, const char* kind, std::size_t target) {
+  for (const Json& method : one.at("engines")) {
+    if (method.at("engine") != engine) continue;
+    const Json& reading = method.at(kind)[target];
+    if (reading.is_object()) return reading.at("value").get<double>();
+  }
+  return std::nullopt;
+}
+
+// What each method does for one target over all cases, those that it does not run or reach included.
+Json target_json(const Json& cases, const std::vector<std::string>& engines, const char* kind, std::size_t target) {
+  std::map<std::string, std::vector<double>> factors;  // time over the fastest method's, by method
+  std::map<std::string, int> fastest;
+  int reached_by_any = 0;
+  for (const Json& one : cases) {
+    std::vector<std::pair<double, std::string>> times;
+    for (const std::string& engine : engines) {
+      if (const auto time = time_of(one, engine, kind, target)) times.emplace_back(*time, engine);
+    }
+    if (times.empty()) continue;
+    ++reached_by_any;
+    const auto& [least, best] = *std::min_element(times.begin(), times.end());
+    ++fastest[best];
+    for (const auto& [time, engine] : times) factors[engine].push_back(time / least);
+  }
+  Json rows = Json::array();
+  for (const std::string& engine : engines) {
+    const Quartiles of = quartiles(factors[engine]);
+    const bool any = !factors[engine].empty();
+    rows.push_back({{"engine", engine},
+                    {"reached", factors[engine].size()},
+                    {"fastest", fastest[engine]},
+                    {"median", any ? Json(of.median) : Json(nullptr)},
+                    {"low", any ? Json(of.low) : Json(nullptr)},
+                    {"high", any ? Json(of.high) : Json(nullptr)}});
+  }
+  return {{"cases", cases.size()}, {"reached_by_any", reached_by_any}, {"engines", rows}};
+}
+
+Json targets_json(const Json& cases) {
+  std::vector<std::string> engines;
   for (const Json& one : cases) {
     for (const Json& method : one.at("engines")) {
       const std::string engine = method.at("engine");
-      auto& entry = find_or_add(found, {engine, {}}, [&](const auto& other) { return other.first == engine; });
-      ++cases_with[engine];
-      if (method.at("factor").is_number()) entry.second.push_back(method.at("factor"));
+      if (std::find(engines.begin(), engines.end(), engine) == engines.end()) engines.push_back(engine);
     }
   }
   Json all = Json::array();
-  for (const auto& [engine, factors] : found) {
-    const Quartiles of = quartiles(factors);
-    const bool any = !factors.empty();
-    all.push_back({{"engine", engine},
-                   {"median", any ? Json(of.median) : Json(nullptr)},
-                   {"low", any ? Json(of.low) : Json(nullptr)},
-                   {"high", any ? Json(of.high) : Json(nullptr)},
-                   {"cases", cases_with.at(engine)},
-                   {"reached", factors.size()}});
+  for (std::size_t i = 0; i < std::size(error_targets); ++i) {
+    Json target = target_json(cases, engines, "time_for_error", i);
+    target.update({{"error", error_targets[i]}, {"unit", "m"}});
+    all.push_back(std::move(target));
+  }
+  for (std::size_t i = 0; i < std::size(scale_targets); ++i) {
+    Json target = target_json(cases, engines, "time_for_scale", i);
+    target.update({{"error", scale_targets[i]}, {"unit", "scale"}});
+    all.push_back(std::move(target));
   }
   return all;
 }
@@ -209,12 +226,12 @@ std::optional<FrontReading> error_within(std::span<const WorkPoint> front, doubl
 Json work_precision_of(const std::vector<JobResult>& results) {
   Json cases = Json::array();
   for (const CaseRuns& one : by_case(results)) cases.push_back(case_json(one));
-  Json factors = factors_json(cases);
-  return {{"standard", standard},
-          {"error_targets", error_targets},
+  Json targets = targets_json(cases);
+  return {{"error_targets", error_targets},
+          {"scale_targets", scale_targets},
           {"time_targets", time_targets},
           {"cases", std::move(cases)},
-          {"factors", std::move(factors)}};
+          {"targets", std::move(targets)}};
 }
 
 }  // namespace plumb

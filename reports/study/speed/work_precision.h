@@ -35,8 +35,9 @@ std::optional<FrontReading> time_to_reach(std::span<const WorkPoint> front, doub
 /// The error that `time` buys; nullopt if no run was that fast. Same interpolation.
 std::optional<FrontReading> error_within(std::span<const WorkPoint> front, double time);
 
-/// What the timed runs of the speed study show: fronts, times at equal error and errors at equal time in each case, and
-/// each method's factor of time against Box2D over all cases ("factors").
+/// What the timed runs of the speed study show: fronts, the times to fixed errors (1 cm, 1 mm, 0.1 mm, and 10, 1, 0.1 %
+/// of the case's scale) and errors at equal time in each case; and over all cases, for each of these errors, how often
+/// each method gets there, how often it is the fastest, and its time over the fastest method's ("targets").
 nlohmann::ordered_json work_precision_of(const std::vector<JobResult>&);
 
 }  // namespace plumb

@@ -1,6 +1,6 @@
 // The page's address: the id of an element and, after a "?", the view of the overview. "#bounce--e%3D0.8?engine=box2d"
 // goes to a case, with an overview that shows box2d only. Links share both, and the browser's history restores them.
-import { make_within, unfold_around } from "./folded";
+import { make_for, make_within, unfold_around } from "./folded";
 
 /** Filters and order of the overview; empty: everything, in the listed order. */
 export type View = URLSearchParams;
@@ -36,13 +36,21 @@ export function show(view: View, replace = false): void {
   for (const changed of watchers) changed(view);
 }
 
+export const current_view = (): View => current().view;
+
+/** Changes the view and stays where the reader is. */
+export function show_here(view: View): void {
+  set({ ...current(), view }, "replaceState");
+  for (const changed of watchers) changed(view);
+}
+
 const find = (id: string): HTMLElement | null => document.getElementById(id) ?? document.getElementById(decodeURIComponent(id));
 
 /** Folded parts may not exist yet: creates them if the id is not found. */
 function element_of(id: string): HTMLElement | null {
   const found = find(id);
   if (found || !id) return found;
-  make_within(document.documentElement);
+  make_for(id);
   return find(id);
 }
 
@@ -66,6 +74,11 @@ function arrive(): void {
   for (const old of document.querySelectorAll(".linked")) old.classList.remove("linked");
   if (!element) return;
   unfold_around(element);
+  const own = element.querySelector<HTMLDetailsElement>(":scope > details.whole");
+  if (own) {
+    make_within(own);
+    own.open = true;
+  }
   const engine = element.dataset["marks"];
   if (engine !== undefined) {
     const article = element.closest("article");

@@ -107,6 +107,7 @@ export interface Timing {
 export interface ScenarioNote {
   name: string;
   question: string;
+  group?: string;
   parameters: { name: string; unit: string; about: string }[];
 }
 
@@ -114,6 +115,7 @@ export interface EngineNote {
   name: string;
   about: string;
   source: string;
+  states?: { method: string; text: string }[]; // how it steps, by its own word
   exact: boolean;
 }
 
@@ -221,8 +223,8 @@ const report_rule = record({
   title: text,
   command: list(text),
   environment: map(text),
-  scenarios: list(record({ name: text, question: text, parameters: list(record({ name: text, unit: text, about: text })) })),
-  engines: list(record({ name: text, about: text, source: text, exact: yes_no })),
+  scenarios: list(record({ name: text, question: text, group: optional(text), parameters: list(record({ name: text, unit: text, about: text })) })),
+  engines: list(record({ name: text, about: text, source: text, exact: yes_no, states: optional(list(record({ method: text, text }))) })),
   metrics: list(record({ name: text, unit: text, definition: text })),
   invariants: list(record({ name: text, unit: text, definition: text })),
   runs: list(

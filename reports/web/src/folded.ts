@@ -3,6 +3,7 @@
 import { h, type Child } from "./dom";
 
 const unmade = new Map<HTMLDetailsElement, () => void>();
+const holding = new Map<HTMLDetailsElement, string>(); // those that are made on demand only, and the id around their parts
 
 // A MutationObserver runs before the next paint and before other scripts; the event "toggle" comes too late.
 const opened = new MutationObserver((changes) => {
@@ -18,10 +19,13 @@ function make(details: HTMLDetailsElement): void {
 interface Options {
   kind?: "checks" | "more";
   open?: boolean;
+  /** The id of the element around it, with which the ids inside begin. A large report has too much of it to be made while the browser is idle. */
+  holds?: string;
 }
 
-export function folded(title: string, parts: () => Child[], { kind = "more", open = false }: Options = {}): HTMLDetailsElement {
-  const details = h("details", { class: kind, ...(open ? { open: "" } : {}) }, h("summary", {}, title));
+export function folded(title: Child | Child[], parts: () => Child[], { kind = "more", open = false, holds }: Options = {}): HTMLDetailsElement {
+  const details = h("details", { class: kind, ...(open ? { open: "" } : {}) }, h("summary", {}, ...(Array.isArray(title) ? title : [title])));
+  if (holds !== undefined) holding.set(details, holds);
   unmade.set(details, () => {
     for (const part of parts()) if (part) details.append(part);
   });
@@ -39,6 +43,16 @@ export function make_within(element: Element): void {
   }
 }
 
+/** Creates the parts that may contain an id. */
+export function make_for(id: string): void {
+  const on_the_way = (holds: string): boolean => id === holds || id.startsWith(`${holds}--`);
+  for (;;) {
+    const inside = [...unmade.keys()].filter((details) => on_the_way(holding.get(details) ?? id));
+    if (!inside.length) return;
+    inside.forEach(make);
+  }
+}
+
 /** Opens all folds around an element. */
 export function unfold_around(element: Element): void {
   for (let around = element.closest("details"); around; around = around.parentElement?.closest("details") ?? null) around.open = true;
@@ -48,6 +62,7 @@ export function unfold_around(element: Element): void {
 export function make_when_idle(): void {
   globalThis.requestIdleCallback?.((idle) => {
     for (const details of unmade.keys()) {
+      if (holding.has(details)) continue;
       if (idle.timeRemaining() <= 0) return make_when_idle();
       make(details);
     }

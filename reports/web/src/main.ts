@@ -1,8 +1,11 @@
 // Builds the page from the data element, and prepares it for printing.
-import { follow_address } from "./address";
-import { draw_all } from "./charts/figure";
+import { current_view, follow_address, watch } from "./address";
+import { draw_all, redraw } from "./charts/figure";
+import { update_legends } from "./charts/look";
+import { choice_of } from "./chosen";
 import { read } from "./data";
 import { h, slug } from "./dom";
+import { finder } from "./finder";
 import { make_when_idle, unfold_all } from "./folded";
 import { model_of } from "./model";
 import { overview } from "./overview/overview";
@@ -11,6 +14,12 @@ import { chapter_section } from "./sections/chapter";
 import { method } from "./sections/method";
 import { opening, sentence } from "./sections/opening";
 import { study_id, study_page, study_section, view_of } from "./studies/page";
+
+/** With more scenarios, a search field takes the place of their links. */
+const most_links = 8;
+
+/** The cases of a longer report are made when they are opened. */
+const most_open = 16;
 
 const page = document.getElementById("page");
 const outcome = read(document.getElementById("plumb-data")?.textContent);
@@ -24,20 +33,29 @@ if ("problems" in outcome) {
 } else {
   const model = model_of(outcome.page);
   const { studies } = outcome.page;
-  const sections = [
-    ["overview", "Overview"],
-    ...model.chapters.map(({ name }) => [slug(name), name]),
-    ...studies.map((study) => [study_id(study), `Study: ${study.study}`] as const),
-    ["method", "Method"],
-  ] as const;
-  const links = sections.map(([id, name]) => h("a", { href: `#${id ?? ""}` }, name ?? ""));
+  const link = (id: string, name: string) => h("a", { href: `#${id}` }, name);
+  const many = model.chapters.length > most_links;
+  const fold = model.chapters.reduce((sum, { cases }) => sum + cases.length, 0) > most_open;
+  const links = [
+    link("overview", "Overview"),
+    ...(many ? [finder(model)] : model.chapters.map(({ name }) => link(slug(name), name))),
+    ...studies.map((study) => link(study_id(study), `Study: ${study.study}`)),
+    link("method", "Method"),
+  ];
   document.title = `${outcome.page.report.title || "Plumb report"}: ${sentence(model)}`;
   page?.replaceChildren(
     opening(model),
-    h("nav", { "aria-label": "Sections" }, ...links),
-    h("main", {}, overview(model), ...model.chapters.map((chapter) => chapter_section(chapter, model)), ...studies.map(study_section), method(model)),
+    h("nav", { "aria-label": "Sections", ...(many ? { class: "wide" } : {}) }, ...links),
+    h("main", {}, overview(model), ...model.chapters.map((chapter) => chapter_section(chapter, model, fold)), ...studies.map(study_section), method(model)),
   );
 }
+let choice = choice_of(current_view());
+watch((view) => {
+  if (choice === choice_of(view)) return;
+  choice = choice_of(view);
+  update_legends(view);
+  redraw();
+});
 follow_address();
 make_when_idle();
 

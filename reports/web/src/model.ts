@@ -1,6 +1,7 @@
 // The report as the page shows it: engines with their colours and shapes, and cases (one variant of a scenario) with
 // their runs, comparisons, timings and replays.
 import type { Comparison, InvariantCheck, KeyDifferences, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
+import { looks } from "./looks";
 import type { Replay } from "./replay/data";
 
 export interface Engine {
@@ -46,25 +47,10 @@ export interface Model {
 
 export const label_of = (of: { engine: string; method: string }): string => (of.method ? `${of.engine}:${of.method}` : of.engine);
 
-// Engines differ in colour (a palette that is safe for colour-blind readers), shape and dash.
-const symbols = ["circle", "square", "triangle", "diamond", "wye", "star"];
-const dashes = ["", "7 3", "2 3", "9 3 2 3", "12 4", "4 2"];
-const colors = 6;
-
-/** The look of the index-th engine; the first 36 are different. */
-export function look(index: number): Pick<Engine, "color" | "symbol" | "dash"> {
-  const offset = index + Math.floor(index / colors);
-  return {
-    color: `var(--engine-${(index % colors) + 1})`,
-    symbol: symbols[offset % symbols.length] ?? "circle",
-    dash: dashes[offset % dashes.length] ?? "",
-  };
-}
-
 function engines_of(runs: Run[]): Engine[] {
   const found = new Map<string, Engine>();
   const ours_first = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
-  let index = 0;
+  const look_of = looks(runs.filter(({ exact }) => !exact).map(label_of));
   for (const run of ours_first) {
     const label = run.exact ? "truth" : label_of(run);
     if (found.has(label)) continue;
@@ -73,7 +59,7 @@ function engines_of(runs: Run[]): Engine[] {
       engine: run.engine,
       method: run.method,
       exact: run.exact,
-      ...(run.exact ? { color: "var(--truth)", symbol: "times", dash: "1 4" } : look(index++)),
+      ...(run.exact ? { color: "var(--truth)", symbol: "times", dash: "1 4" } : look_of(label)),
     });
   }
   return [...found.values()].sort((a, b) => Number(a.exact) - Number(b.exact));

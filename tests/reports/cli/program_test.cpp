@@ -129,6 +129,8 @@ TEST(Program, HasEveryExitCodeInItsHelpManualAndCompletion) {
     EXPECT_THAT(say({"completion", "bash"}).out, HasSubstr("'" + command->name + "') words="));
   }
   EXPECT_THAT(say({"completion", "zsh"}).out, HasSubstr("bashcompinit"));
+  EXPECT_THAT(say({"completion", "zsh"}).out, HasSubstr("bash zsh'")) << "the shells";
+  EXPECT_THAT(say({"completion", "zsh"}).out, ::testing::Not(HasSubstr(" path="))) << "the search path in zsh";
   EXPECT_EQ(say({"completion", "fish"}).code, 2);
 }
 

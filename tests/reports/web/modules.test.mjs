@@ -57,17 +57,29 @@ const { factors_over } = await source("studies/speed_model.ts");
 
 const box2d = { label: "box2d" };
 const impulse = { label: "impulse" };
-const cases = (...factors) => factors.map((factor) => ({ curves: [{ engine: box2d, factor: 1 }, { engine: impulse, factor }] }));
+/** Cases in which box2d takes 10 us to a target and impulse that many. */
+const cases = (...times) =>
+  times.map((time) => ({ curves: [{ engine: box2d, time_for_error: [{ value: 10 }] }, { engine: impulse, time_for_error: [time === null ? null : { value: time }] }] }));
 
-test("a method's factor is the median over the cases that it reaches, with the middle half", () => {
-  assert.deepEqual(factors_over(cases(0.4, null, 0.1, 0.2)), [
-    { engine: box2d, median: 1, low: 1, high: 1, cases: 4, reached: 4 },
-    { engine: impulse, median: 0.2, low: 0.15000000000000002, high: 0.30000000000000004, cases: 4, reached: 3 },
+test("a method's time over the fastest is the median over the cases that it reaches, with the middle half", () => {
+  assert.deepEqual(factors_over(cases(20, null, 40, 5), 0), [
+    { engine: box2d, median: 1, low: 1, high: 1.25, cases: 4, reached: 4, fastest: 3 },
+    { engine: impulse, median: 2, low: 1.5, high: 3, cases: 4, reached: 3, fastest: 1 },
   ]);
-  assert.equal(factors_over(cases(0.1, 0.3))[1].median, 0.2);
 });
 
-test("a method that reaches no case has no factor", () => {
-  assert.deepEqual(factors_over(cases(null, null))[1], { engine: impulse, median: null, low: null, high: null, cases: 2, reached: 0 });
-  assert.deepEqual(factors_over([]), []);
+test("a method that gets there in no case says so, and all cases count", () => {
+  assert.deepEqual(factors_over(cases(null, null), 0)[1], { engine: impulse, median: null, low: null, high: null, cases: 2, reached: 0, fastest: 0 });
+  assert.deepEqual(factors_over([], 0), []);
+});
+
+test("an engine looks the same in every report, and engines of one report differ", async () => {
+  const { looks } = await source("looks.ts");
+  const names = ["box2d", "impulse", "chipmunk", "exec:./mine", "impulse:iterations=4"];
+  const all = looks(names);
+  for (const name of names) assert.deepEqual(looks([name])(name), all(name));
+  assert.equal(all("impulse").color, "var(--engine-1)");
+  const many = Array.from({ length: 20 }, (_, index) => `exec:./engine-${index}`);
+  const look_of = looks([...many, ...names]);
+  assert.equal(new Set([...many, ...names].map((name) => JSON.stringify(look_of(name)))).size, many.length + names.length);
 });

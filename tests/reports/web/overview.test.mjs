@@ -229,6 +229,8 @@ test("command lines are copied as shown, with the options of the report", async 
 
 test("the method lists what is not supported, and why", async () => {
   const { page } = await open(file);
+  await page.locator("#method summary", { hasText: "Not supported" }).click();
+  await until(() => page.locator("#method").innerText(), /Checks that need something/);
   const said = await page.locator("#method").innerText();
   assert.match(said, /box2d: has one friction coefficient only\s+stacking \(tilted\)/);
   assert.match(said, /impulse does not report what the invariant push needs/);

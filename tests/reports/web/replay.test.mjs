@@ -150,6 +150,7 @@ test("a jump goes to the worst moment of the shown runs, and is disabled if ther
 test("contacts are shown while they last, with an arrow for the impulse", async () => {
   const { page } = await open(file);
   const stage = await replay(page, 1);
+  await stage.getByLabel("Side by side").setChecked(false);
   const width = async (time) => {
     await scrub(page, stage, time);
     const { left, right } = await extent(stage);

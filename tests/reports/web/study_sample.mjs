@@ -21,14 +21,15 @@ export function study_sample() {
     return {
       scenario,
       variant: "plain",
+      scale: 2,
       front: fronts[1],
       engines: ["box2d", "impulse", "never"].map((engine, index) => ({
         engine,
         front: fronts[index] ?? [],
-        time_for_error: index < 2 ? [{ value: 3e-4, bound: true }, { value: 4e-4 * (index + 1), bound: false }, null] : [null, null, null],
+        time_for_error: index < 2 ? [{ value: 3e-4, bound: true }, { value: 4e-4 * (2 - index), bound: false }, null] : [null, null, null],
+        time_for_scale: index < 2 ? [{ value: 3e-4, bound: true }, null, null] : [null, null, null],
+        least_error: 2e-4,
         error_for_time: [null, index < 2 ? { value: 2e-2, bound: false } : null],
-        factor: [1, scenario === "fall" ? 0.1 : 0.3, null][index],
-        reached: index < 2 ? 1 : 0,
       })),
     };
   });
@@ -52,8 +53,8 @@ export function study_sample() {
       },
       timings: {
         results: times,
-        standard: "box2d",
-        error_targets: [1e-1, 1e-2, 1e-3],
+        error_targets: [1e-2, 1e-3, 1e-4],
+        scale_targets: [1e-1, 1e-2, 1e-3],
         time_targets: [1e-5, 1e-3],
         cases,
       },

@@ -44,7 +44,8 @@ function energy({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
     title: "Energy of the whole scene",
     note: ends(entries, "energy", "J"),
     height: 220,
-    draw: (width) => [over_time(width, chart)],
+    log: false,
+    draw: (width, log) => [over_time(width, { ...chart, log })],
   });
 }
 
@@ -97,13 +98,12 @@ function rest(item: Case, cursor: Cursor): HTMLElement {
     unit: "m/s",
     entries: item.entries,
     column: "fastest",
-    log: true,
     floor: least_speed,
     limit: { value: still_speed, name: "at rest below" },
     horizon: item.horizon,
     cursor,
   };
-  return figure({ title: "Speed of the fastest body", note: rests(item), height: 220, draw: (width) => [over_time(width, chart)] });
+  return figure({ title: "Speed of the fastest body", note: rests(item), height: 220, log: true, draw: (width, log) => [over_time(width, { ...chart, log })] });
 }
 
 function pose({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
@@ -115,15 +115,17 @@ function pose({ entries, horizon }: Case, cursor: Cursor): HTMLElement {
     title: `Pose difference ${against}`,
     note: differ ? `Largest: ${enumerate(sizes)}.` : "None at any time.",
     height: 220,
-    draw: (width) =>
-      differ ? [over_time(width, { quantity: "pose difference", unit: "m", entries, column: "pose_difference", log: true, horizon, cursor })] : [],
+    ...(differ ? { log: true } : {}),
+    draw: (width, log) =>
+      differ ? [over_time(width, { quantity: "pose difference", unit: "m", entries, column: "pose_difference", log, horizon, cursor })] : [],
   });
 }
 
 /** Empty if bodies never overlap. */
 function overlap({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
   const engines = entries.filter(({ engine, series }) => !engine.exact && series);
-  const most = engines.map(({ engine, series }) => ({ engine, depth: largest(series?.overlap ?? []) }));
+  // The metric of the run, from every step; the chart may have fewer.
+  const most = engines.map(({ engine, series, run }) => ({ engine, depth: run.metrics["penetration_max"]?.value ?? largest(series?.overlap ?? []) }));
   if (!most.some(({ depth }) => depth > 0)) return [];
   const chart: OverTime = { quantity: "overlap", unit: "m", entries, column: "overlap", horizon, cursor };
   const sizes = most.map(({ engine, depth }) => `${engine.label} ${number(depth, "m", 2)}`);
@@ -132,7 +134,8 @@ function overlap({ entries, horizon }: Case, cursor: Cursor): HTMLElement[] {
       title: "Deepest overlap of two bodies",
       note: `Largest: ${enumerate(sizes)}.`,
       height: 220,
-      draw: (width) => [over_time(width, chart)],
+      log: false,
+      draw: (width, log) => [over_time(width, { ...chart, log })],
     }),
   ];
 }

@@ -47,7 +47,7 @@ const described = ({ entry, name, cost, error }: Mark): string =>
   ].join("\n");
 
 export function cost_chart(model: Model): HTMLElement | null {
-  const marks = marks_of(model);
+  const marks = marks_of(model); // of the engines that the view chooses
   if (!marks.length) return null;
   const { x, y, floor } = error_axes(
     marks.map(({ error }) => error),

@@ -6,12 +6,13 @@ export interface Figure {
   title: string;
   note?: string | undefined;
   height: number; // px, approximately; reserved until the chart is drawn
-  draw: (width: number) => Element[];
+  log?: boolean; // whether the chart starts with a logarithmic axis; left out if readers cannot choose
+  draw: (width: number, log: boolean) => Element[];
 }
 
 const paper_width = 640; // px
 
-const pending = new Map<Element, (width: number) => void>();
+const pending = new Map<Element, (width: number, anew?: boolean) => void>();
 
 const waiting = new Map<Element, () => void>();
 
@@ -39,6 +40,14 @@ const resized = new ResizeObserver((entries) => {
   }
 });
 
+/** Draws all charts again, those far from the screen later: other engines are chosen. */
+export function redraw(): void {
+  for (const [canvas, draw] of pending) {
+    if (!canvas.isConnected) pending.delete(canvas);
+    else if (canvas.childElementCount) when_near(canvas, () => draw(Math.floor(canvas.clientWidth), true));
+  }
+}
+
 /** Draws all charts at the width of a printed page. */
 export function draw_all(): void {
   for (const [canvas, draw] of pending) {
@@ -55,15 +64,32 @@ function fill(canvas: HTMLElement, charts: Element[], name: string): void {
   canvas.replaceChildren(...charts);
 }
 
-export function figure({ title, note, height, draw }: Figure): HTMLElement {
+/** Switches between a linear and a logarithmic axis. */
+function scale_button(title: string, log: boolean, change: (log: boolean) => void): HTMLElement {
+  let now = log;
+  const button = h("button", { type: "button", class: "scale", "aria-pressed": String(now), "aria-label": `log axis: ${title}` }, "log");
+  button.addEventListener("click", () => {
+    now = !now;
+    button.setAttribute("aria-pressed", String(now));
+    change(now);
+  });
+  return button;
+}
+
+export function figure({ title, note, height, log, draw }: Figure): HTMLElement {
   const canvas = h("div", { class: "canvas", style: `min-height: ${height}px` });
   let drawn = 0;
-  pending.set(canvas, (width) => {
-    if (width === drawn) return;
+  let logarithmic = log ?? false;
+  pending.set(canvas, (width, anew = false) => {
+    if (width === drawn && !anew) return;
     drawn = width;
     canvas.style.minHeight = "";
-    fill(canvas, draw(width), [title, note].filter(Boolean).join(". "));
+    fill(canvas, draw(width, logarithmic), [title, note].filter(Boolean).join(". "));
   });
+  const change = (to: boolean): void => {
+    logarithmic = to;
+    if (drawn) pending.get(canvas)?.(drawn, true);
+  };
   when_near(canvas, () => resized.observe(canvas));
-  return h("figure", {}, h("figcaption", {}, h("strong", {}, title), note ? h("span", {}, note) : null), canvas);
+  return h("figure", {}, h("figcaption", {}, log === undefined ? null : scale_button(title, log, change), h("strong", {}, title), note ? h("span", {}, note) : null), canvas);
 }

@@ -1,5 +1,7 @@
 // The look of engines in charts and legends, and the axes that charts share.
 import * as Plot from "@observablehq/plot";
+import { current_view, type View } from "../address";
+import { choose_all, shows_engine, toggle, type Few } from "../chosen";
 import { h } from "../dom";
 import { number } from "../format";
 import type { Engine } from "../model";
@@ -75,9 +77,31 @@ function name_of({ label }: Engine): HTMLElement {
   return h("span", {}, ...parts);
 }
 
-/** Line, shape and name of each engine. */
-export function legend(engines: Engine[]): HTMLElement {
-  return h("ul", { class: "legend" }, ...engines.map((engine) => h("li", {}, legend_mark(engine), name_of(engine))));
+const chooser = new WeakMap<Element, { engine: Engine; few: Few }>();
+
+/** Shows which engines are chosen, in all legends. */
+export function update_legends(view: View): void {
+  for (const button of document.querySelectorAll(".legend button")) {
+    const of = chooser.get(button);
+    if (of) button.setAttribute("aria-pressed", String(shows_engine(view, of.engine, of.few)));
+  }
+}
+
+function entry(engine: Engine, few: Few): HTMLElement {
+  if (engine.exact) return h("li", {}, legend_mark(engine), name_of(engine));
+  const pressed = String(shows_engine(current_view(), engine, few));
+  const button = h("button", { type: "button", title: "Show it alone in all charts; then others beside it", "aria-pressed": pressed }, legend_mark(engine), name_of(engine));
+  chooser.set(button, { engine, few });
+  button.addEventListener("click", () => toggle(engine.label));
+  return h("li", {}, button);
+}
+
+/** Line, shape and name of each engine. A click isolates its curves in all charts. */
+export function legend(engines: Engine[], few?: Few): HTMLElement {
+  const all = h("button", { type: "button", class: "quiet" }, "All");
+  all.addEventListener("click", choose_all);
+  const several = engines.filter(({ exact }) => !exact).length > 1;
+  return h("ul", { class: "legend" }, ...engines.map((engine) => entry(engine, few)), several ? h("li", {}, all) : null);
 }
 
 /** A logarithmic axis: a domain of at least a decade around the values, and round numbers as ticks. */

@@ -1,5 +1,6 @@
 // One quantity over time: a line for each engine, with a few marks of its shape.
 import * as Plot from "@observablehq/plot";
+import { chosen } from "../chosen";
 import { given, number, pretty_unit } from "../format";
 import type { Engine, Entry } from "../model";
 import { playhead, type Cursor } from "./cursor";
@@ -77,10 +78,13 @@ function linear_domain(points: Point[]): [number, number] {
 }
 
 export function over_time(width: number, chart_of: OverTime): Element {
-  const { quantity, unit, entries, column, log = false, floor, limit, horizon, cursor } = chart_of;
-  const lines = entries
+  const { quantity, unit, entries, column, floor, limit, horizon, cursor } = chart_of;
+  const found = chosen(entries);
+  // Without a value above 0 there is nothing to show on a logarithmic axis.
+  const log = (chart_of.log ?? false) && found.some((entry) => points_of(entry, chart_of).length > 0);
+  const lines = found
     .filter((entry) => column !== "pose_difference" || !entry.engine.exact)
-    .map((entry) => ({ engine: entry.engine, points: points_of(entry, chart_of) }))
+    .map((entry) => ({ engine: entry.engine, points: points_of(entry, { ...chart_of, log }) }))
     .filter((line) => line.points.length > 0);
   const all = lines.flatMap((line) => line.points);
   const moments = moments_of(all);

@@ -1,8 +1,9 @@
 // The overview's filters: the controls, and the part of the report that they select. The controls hold no state: they
 // show the view in the address and change it.
 import { show, type View } from "../address";
+import { shows_engine } from "../chosen";
 import { h } from "../dom";
-import type { Case, Chapter, Engine, Model } from "../model";
+import type { Case, Chapter, Model } from "../model";
 import { keys, measures, sorting } from "./matrix";
 
 /** Filters of cases by the verdicts of their engines. */
@@ -14,11 +15,6 @@ const verdict_filters: Record<string, (item: Case) => boolean> = {
   "engines differ": ({ entries }) => new Set(entries.filter(({ engine }) => !engine.exact).map(({ run }) => run.verdict)).size > 1,
   "something is not supported": ({ entries }) => entries.some(({ run }) => run.verdict === "not supported"),
 };
-
-export function shows_engine(view: View, { engine, method, exact }: Engine): boolean {
-  const among = (key: string, value: string): boolean => !view.has(key) || view.getAll(key).includes(value);
-  return exact || (among("engine", engine) && among("method", method));
-}
 
 export function shows_case(view: View, { scenario, variant }: { scenario: string; variant: string }): boolean {
   const words = view.get("scenario") ?? "";

@@ -156,7 +156,7 @@ export function matrix(model: Model, engines: Engine[], view: View, measure: Mea
   const heads = [scenario, variant, ...engines.map(key_of)].map((key) => head(key, view));
   return h(
     "div",
-    { class: "table", tabindex: "0", role: "group", "aria-label": caption },
+    { class: "table verdicts-by-case", tabindex: "0", role: "group", "aria-label": caption },
     h("table", { class: "matrix grouped" }, h("caption", {}, caption), h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows)),
   );
 }

@@ -3,6 +3,7 @@
 import { watch, type View } from "../address";
 import { cost_chart } from "../charts/cost";
 import { legend } from "../charts/look";
+import { shows_engine } from "../chosen";
 import { h } from "../dom";
 import { count } from "../format";
 import type { Model } from "../model";
@@ -10,8 +11,8 @@ import { verdict_legend } from "../pieces";
 import { sentence } from "../studies/baseline";
 import { study_id } from "../studies/page";
 import { equal_error_chart } from "../studies/speed_charts";
-import { factors_over, speed_model } from "../studies/speed_model";
-import { filtered, filters, shows_case, shows_engine } from "./filters";
+import { factors_over, headline_target, speed_model, target_name } from "../studies/speed_model";
+import { filtered, filters, shows_case } from "./filters";
 import { key_differences } from "./key_differences";
 import { league } from "./league";
 import { matrix, measures } from "./matrix";
@@ -21,14 +22,15 @@ import { relations } from "./relations";
 function equal_error(model: Model): { element: HTMLElement; update: (view: View) => void } | null {
   const study = model.page.studies.find(({ study }) => study === "speed");
   if (!study) return null;
-  const { cases, standard } = speed_model(study);
+  const { cases, error_targets } = speed_model(study);
+  const target = headline_target(cases);
   const holder = h("div", {});
   const update = (view: View): void => {
     const shown = cases.filter((item) => shows_case(view, item));
-    const factors = factors_over(shown).filter(({ engine }) => shows_engine(view, engine));
+    const factors = factors_over(shown, target).filter(({ engine }) => shows_engine(view, engine));
     const over = shown.length === cases.length ? "all cases" : count(shown.length, "case");
     holder.replaceChildren(
-      factors.length ? equal_error_chart(standard, factors, over) : h("p", { class: "absence" }, "No case of the speed study matches."),
+      factors.length ? equal_error_chart(target_name(error_targets[target] ?? 0), factors, over) : h("p", { class: "absence" }, "No case of the speed study matches."),
     );
   };
   const element = h("div", {}, holder, h("p", { class: "basis" }, h("a", { href: `#${study_id(study)}` }, "The speed study")));
@@ -65,7 +67,7 @@ export function overview(model: Model): HTMLElement {
     ranking.replaceChildren(...(cases ? [league(part, engines)] : []));
     symmetries.replaceChildren(...[relations(part, engines)].filter((one) => one !== null));
     const verdicts = part.chapters.flatMap((chapter) => chapter.cases.flatMap(({ entries }) => entries.map(({ run }) => run.verdict)));
-    table.replaceChildren(...(cases ? [matrix(part, engines, view, measure), legend(engines), verdict_legend(verdicts)] : []));
+    table.replaceChildren(...(cases ? [matrix(part, engines, view, measure), legend(model.engines.filter(({ exact }) => !exact)), verdict_legend(verdicts)] : []));
     cost.replaceChildren(...[cost_chart(part)].filter((chart) => chart !== null));
     speed?.update(view);
   });

@@ -13,8 +13,11 @@ import { Figures } from "./outline";
 import { Player, jumps_of, speeds, type Found, type Jump } from "./playback";
 import { Stage, bounds_of, type Showing } from "./stage";
 
-/** Larger scenes start side by side. */
-const most_overlaid = 40; // bodies
+/** In larger scenes the signs of contacts cover the bodies. */
+const most_with_contacts = 40; // bodies
+
+/** On a narrower screen a few engines beside each other would be too small. */
+const least_side_by_side = 600; // px
 
 async function scene_of(replay: Replay): Promise<Scene> {
   const scene: unknown = JSON.parse(new TextDecoder().decode(await unpack(replay.scene)));
@@ -72,7 +75,7 @@ class Replayer {
     const reference = films.find(({ engine }) => engine.exact) ?? films[0];
     if (!reference) throw new Error("there is no run to show");
     this.shown = new Set(films);
-    this.view = { side_by_side: scene.bodies.length > most_overlaid, contacts: scene.bodies.length <= most_overlaid, velocities: false, ring: undefined };
+    this.view = { side_by_side: innerWidth >= least_side_by_side || scene.bodies.length > most_with_contacts, contacts: scene.bodies.length <= most_with_contacts, velocities: false, ring: undefined };
     this.stage = new Stage(figures, films, bounds_of(reference, figures), () => ({ ...this.view, films: this.films_shown }));
     this.stage.canvas.setAttribute("aria-label", `Replay of ${item.scenario}, ${item.variant}`);
     this.bars = new Bars(films);

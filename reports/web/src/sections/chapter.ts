@@ -2,12 +2,12 @@
 import { case_charts } from "../charts/case";
 import { Cursor } from "../charts/cursor";
 import { legend } from "../charts/look";
-import type { Measured, Report } from "../data";
+import type { Measured, Report, Verdict } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
-import { given, number, words } from "../format";
+import { count, given, number, words } from "../format";
 import type { Case, Chapter, Model } from "../model";
-import { case_command, command } from "../pieces";
+import { badge, case_command, command } from "../pieces";
 import { replay_figure } from "../replay/view";
 import { checks, invariants, verdict_list } from "./checks";
 
@@ -79,16 +79,14 @@ function parameters(item: Case, chapter: Chapter): HTMLElement {
   return h("dl", { class: "parameters" }, ...items);
 }
 
-function section(item: Case, chapter: Chapter, { page }: Model): HTMLElement {
+/** All of a case but its name and verdicts. */
+function details(item: Case, chapter: Chapter, { page }: Model): (HTMLElement | null)[] {
   const ends = item.entries.flatMap(({ series }) => series?.t[series.t.length - 1] ?? []);
   const cursor = new Cursor(Math.max(0, ...ends));
   const drawn = item.entries.filter(({ series }) => series).map(({ engine }) => engine);
-  return h(
-    "article",
-    { id: slug(item.scenario, item.variant), class: "case" },
-    h("h3", {}, item.variant),
+  return [
     parameters(item, chapter),
-    verdict_list(item),
+    verdict_list(item, page.report.engines),
     horizon(item),
     drawn.length ? legend(drawn) : null,
     replay_figure(item, cursor),
@@ -96,15 +94,34 @@ function section(item: Case, chapter: Chapter, { page }: Model): HTMLElement {
     checks(item),
     invariants(item),
     numbers(item, page.report),
-  );
+  ];
 }
 
-export function chapter_section(chapter: Chapter, model: Model): HTMLElement {
-  return h(
-    "section",
-    { id: slug(chapter.name), class: "chapter" },
-    h("h2", {}, chapter.name),
-    chapter.note ? h("p", { class: "lede" }, chapter.note.question) : null,
-    ...chapter.cases.map((item) => section(item, chapter, model)),
-  );
+/** The verdicts of the engines, each once, with how many have it. */
+function verdicts_of(cases: Case[]): HTMLElement {
+  const counts = new Map<Verdict, number>();
+  for (const { engine, run } of cases.flatMap(({ entries }) => entries)) if (!engine.exact) counts.set(run.verdict, 1 + (counts.get(run.verdict) ?? 0));
+  return h("span", { class: "tally" }, ...[...counts].map(([verdict, many]) => h("span", {}, badge(verdict), ` ${many}`)));
+}
+
+/** A case; with `fold`, only its name and verdicts until it is opened. */
+function section(item: Case, chapter: Chapter, model: Model, fold: boolean): HTMLElement {
+  const id = slug(item.scenario, item.variant);
+  if (!fold) return h("article", { id, class: "case" }, h("h3", {}, item.variant), ...details(item, chapter, model));
+  const title = [h("h3", {}, item.variant), verdicts_of([item])];
+  const whole = folded(title, () => details(item, chapter, model), { holds: id });
+  whole.classList.add("whole");
+  return h("article", { id, class: "case" }, whole);
+}
+
+/** A scenario; with `fold`, its cases are made when they are opened: a long report opens at once and stays short. */
+export function chapter_section(chapter: Chapter, model: Model, fold: boolean): HTMLElement {
+  const id = slug(chapter.name);
+  const question = chapter.note ? h("p", { class: "lede" }, chapter.note.question) : null;
+  const cases = () => chapter.cases.map((item) => section(item, chapter, model, fold));
+  if (!fold) return h("section", { id, class: "chapter" }, h("h2", {}, chapter.name), question, ...cases());
+  const title = [h("h2", {}, chapter.name), h("span", { class: "basis" }, `${count(chapter.cases.length, "case")}; runs:`), verdicts_of(chapter.cases)];
+  const whole = folded(title, () => [question, ...cases()], { holds: id });
+  whole.classList.add("whole");
+  return h("section", { id, class: "chapter short" }, whole);
 }

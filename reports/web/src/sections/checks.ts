@@ -1,6 +1,6 @@
 // The checks of a case: the reason for each engine's verdict in one line, the table of readings against the truth, and
 // the table of invariants.
-import type { InvariantCheck, TruthCheck, Verdict } from "../data";
+import type { EngineNote, InvariantCheck, TruthCheck, Verdict } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, given, number, percent, ratio_text, to_within, words } from "../format";
@@ -171,13 +171,15 @@ function reason(entry: Entry): string {
 }
 
 /** The reason for each engine's verdict; cells of the overview link here. */
-export function verdict_list(item: Case): HTMLElement | null {
+export function verdict_list(item: Case, notes: EngineNote[]): HTMLElement | null {
   const engines = item.entries.filter(({ engine }) => !engine.exact);
   if (!engines.length) return null;
   const items = engines.map((entry) => {
     const { label } = entry.engine;
     const id = slug(item.scenario, item.variant, label);
-    return h("li", { id, "data-marks": label }, badge(entry.run.verdict), h("span", {}, h("strong", {}, label), ` ${reason(entry)}`));
+    const stated = notes.find(({ name }) => name === entry.engine.engine)?.states?.find(({ method }) => method === entry.engine.method)?.text;
+    const words = [h("strong", {}, label), ` ${reason(entry)}`, stated ? h("span", { class: "stated" }, ` It states: ${stated}.`) : null];
+    return h("li", { id, "data-marks": label }, badge(entry.run.verdict), h("span", {}, ...words));
   });
   return h("ul", { class: "verdicts" }, ...items);
 }

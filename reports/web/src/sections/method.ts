@@ -65,7 +65,7 @@ function not_supported(model: Model): HTMLElement[] {
   if (!found.size) return [];
   const about = "Checks that need something an engine does not support or report count neither for nor against it.";
   const cases = [...found].map(([reason, items]): [string, string] => [reason, items.join(", ")]);
-  return [h("h3", {}, "Not supported, or not reported"), h("p", { class: "lede" }, about), entries(cases, "definitions")];
+  return [folded("Not supported, or not reported", () => [h("p", { class: "lede" }, about), entries(cases, "definitions")])];
 }
 
 /** The commands of the whole report, of each study and of each case. */
@@ -91,20 +91,21 @@ export function method(model: Model): HTMLElement {
     h("h3", {}, "Words"),
     entries(definitions, "definitions"),
     h("p", { class: "basis" }, "All other words are defined in ", h("code", {}, "reports/glossary.md"), " in the Plumb repository."),
-    h("h3", {}, "Metrics"),
-    entries(
-      report.metrics.map(({ name, unit, definition }) => [`${words(name)}${unit ? ` (${pretty_unit(unit)})` : ""}`, definition]),
-      "definitions",
-    ),
-    h("h3", {}, "Invariants"),
-    entries(
-      report.invariants.map(({ name, unit, definition }) => [`${words(name)} (${pretty_unit(unit)})`, definition]),
-      "definitions",
-    ),
+    folded("Metrics", () => [
+      entries(
+        report.metrics.map(({ name, unit, definition }) => [`${words(name)}${unit ? ` (${pretty_unit(unit)})` : ""}`, definition]),
+        "definitions",
+      ),
+    ]),
+    folded("Invariants", () => [
+      entries(
+        report.invariants.map(({ name, unit, definition }) => [`${words(name)} (${pretty_unit(unit)})`, definition]),
+        "definitions",
+      ),
+    ]),
     h("h3", {}, "Engines"),
     entries(described(report.engines.filter(({ exact }) => !exact)), "definitions"),
-    h("h3", {}, "Closed forms"),
-    entries(described(report.engines.filter(({ exact }) => exact)), "definitions"),
+    folded("Closed forms", () => [entries(described(report.engines.filter(({ exact }) => exact)), "definitions")]),
     ...not_supported(model),
     h("h3", {}, "Repeat it"),
     ...commands(model),

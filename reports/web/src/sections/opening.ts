@@ -24,23 +24,36 @@ function tally(engine: Engine, entries: Entry[]): Tally {
   };
 }
 
+/** "64 to 80", or "64" if all are the same */
+function range(values: number[], shown: (value: number) => string): string {
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  return low === high ? shown(low) : `${shown(low)} to ${shown(high)}`;
+}
+
+const near_share = ({ near, checks }: Tally): number => near / checks;
+
 /**
- * "Within 1 % of scale: impulse in 97 % of its checks, box2d in 72 %. Wrong beyond what their methods explain: impulse in 1
- * of 99 cases, box2d in 16."
+ * "impulse is the closest to the truth: within 1 % of scale in 99 % of its checks, wrong in 2 of 136 cases. The other 3 are
+ * within it in 64 to 80 %, wrong in 18 to 27 cases."
  */
 export function sentence(model: Model): string {
   const entries = model.chapters.flatMap((chapter) => chapter.cases.flatMap((item) => item.entries));
   const tallies = model.engines
     .filter((engine) => !engine.exact)
     .map((engine) => tally(engine, entries))
-    .filter(({ checks }) => checks > 0);
-  if (!tallies.length) return "No case here has a truth to compare with.";
-  const near = tallies.map(({ engine, near, checks }, index) => `${engine.label} in ${share(near, checks)}${index ? "" : " of its checks"}`);
-  const wrong = tallies.map(({ engine, wrong, cases }, index) => `${engine.label} in ${wrong}${index ? "" : ` of ${count(cases, "case")}`}`);
-  const verdict = tallies.every((one) => one.wrong === 0)
-    ? "None is wrong beyond what its method explains."
-    : `Wrong beyond what the method explains: ${enumerate(wrong)}.`;
-  return `Within 1 % of scale: ${enumerate(near)}. ${verdict}`;
+    .filter(({ checks }) => checks > 0)
+    .sort((a, b) => near_share(b) - near_share(a));
+  const [best, ...others] = tallies;
+  if (!best) return "No case here has a truth to compare with.";
+  const wrong = best.wrong ? `wrong in ${best.wrong} of ${count(best.cases, "case")}` : `wrong in none of ${count(best.cases, "case")}`;
+  const close = `within 1 % of scale in ${share(best.near, best.checks)} of its checks, ${wrong}`;
+  const [other] = others;
+  if (!other) return `${best.engine.label} is ${close}.`;
+  const who = others.length === 1 ? `${other.engine.label} is` : `The other ${others.length} are`;
+  const shares = range(others.map(({ near, checks }) => Math.floor((100 * near) / checks)), String);
+  const wrongs = range(others.map((one) => one.wrong), String);
+  const lead = near_share(best) > near_share(other) ? `${best.engine.label} is the closest to the truth: ` : `${best.engine.label} is `;
+  return `${lead}${close}. ${who} within it in ${shares}\u202f%, wrong in ${wrongs}.`;
 }
 
 export function opening(model: Model): HTMLElement {

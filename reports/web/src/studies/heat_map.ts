@@ -18,10 +18,10 @@ const looks: Record<string, Look> = {
   h: { fill: "var(--right-wash)", ink: "var(--right)" },
   d: { fill: "#56b4e9", ink: dark },
   j: { fill: "#f0e442", ink: dark },
-  s: { fill: "#3f8fc9", ink: dark },
+  s: { fill: "#009e73", ink: dark },
   t: { fill: "#cc79a7", ink: dark },
   o: { fill: "#e69f00", ink: dark },
-  g: { fill: "#e2703a", ink: dark },
+  g: { fill: "#b3261e", ink: "#ffffff" },
   x: { fill: "var(--ink)", ink: "var(--paper)" },
   e: { fill: "var(--soft)", ink: "var(--paper)" },
 };
@@ -100,10 +100,21 @@ export function heat_map(map: StabilityMap, panel: Panel, note: string): HTMLEle
   const rects = spans.flatMap(({ row, y1, y2 }) =>
     row.cells.map((cell, index): Rect => ({ cell, row, x1: across[index] ?? 0, x2: across[index + 1] ?? 1, y1, y2 })),
   );
+  const x_middle = (low: number, high: number): number => (x.logarithmic ? Math.sqrt(low * high) : (low + high) / 2);
   const inside = (value: number): boolean => value >= Math.min(...across) && value <= Math.max(...across);
   const measured = spans.flatMap(({ row, y1, y2 }) =>
     row.brackets.flatMap(({ low, high }) => (low !== null && high !== null ? { x1: low, x2: high, y1, y2 } : [])),
   );
+  // One line through the brackets of rows above each other; null where a row has none.
+  const steps = map.boundaries.flatMap((_, index) => [
+    ...spans.flatMap(({ row, y1, y2 }) => {
+      const { low = null, high = null } = row.brackets[index] ?? {};
+      if (low === null || high === null) return [{ x: NaN, y: y1 }];
+      const x = x_middle(low, high);
+      return [{ x, y: y1 }, { x, y: y2 }];
+    }),
+    { x: NaN, y: 0 },
+  ]);
   // Through the middles of the rows, extended to the edges of the map.
   const theory = map.boundaries.map((_, index) => {
     const at = spans.flatMap(({ row, y1, y2 }) => {
@@ -161,6 +172,7 @@ export function heat_map(map: StabilityMap, panel: Panel, note: string): HTMLEle
               ariaHidden: "true",
             })
           : null,
+        Plot.line(steps, { x: "x", y: "y", stroke: "var(--ink)", strokeWidth: 2.5, strokeLinejoin: "round", className: "steps" }),
         Plot.rect(measured, { x1: "x1", x2: "x2", y1: "y1", y2: "y2", fill: "var(--ink)", stroke: "var(--ink)", strokeWidth: 2, className: "boundary" }),
         ...theory.flatMap((line) => [
           Plot.line(line, { x: "x", y: "y", stroke: "var(--card)", strokeWidth: 3.5, className: "halo" }),

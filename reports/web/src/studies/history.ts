@@ -5,7 +5,8 @@ import type { Study } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, number, time_step } from "../format";
-import { look, type Engine, type StudyView } from "../model";
+import { looks } from "../looks";
+import type { Engine, StudyView } from "../model";
 import { day, history_of, metric_name, panels_of, short_commit, step_time, type HistoryModel, type Panel } from "./history_model";
 import { certainty, trend_chart } from "./trend";
 
@@ -128,8 +129,9 @@ export function history(study: Study): StudyView {
   const model = history_of(study);
   const rows = rows_of(model);
   const labels = [...new Set(model.trends.map(({ engine }) => engine))];
-  const engines = new Map(labels.map((label, index): [string, Engine] => [label, { label, engine: label, method: "", exact: false, ...look(index) }]));
-  const engine_of = (label: string): Engine => engines.get(label) ?? { label, engine: label, method: "", exact: false, ...look(0) };
+  const look_of = looks(labels);
+  const engines = new Map(labels.map((label): [string, Engine] => [label, { label, engine: label, method: "", exact: false, ...look_of(label) }]));
+  const engine_of = (label: string): Engine => engines.get(label) ?? { label, engine: label, method: "", exact: false, ...look_of(label) };
   const panels = panels_of(model.trends);
   const scenarios = [...new Set(panels.map(({ scenario }) => scenario))];
   return {

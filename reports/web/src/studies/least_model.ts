@@ -14,6 +14,7 @@ export interface Drop {
   setting: string;
   within: boolean; // within the tolerance
   change: number | null; // m, error added to the full model's; null if it did not run
+  different?: string; // chaotic scenes: the statistics in which it differs from the full model
   why: string; // why it did not run
   ratio: number | null; // of its cost to the full model's
 }
@@ -44,9 +45,21 @@ export interface ModelCase {
   truth: string; // "" if there is none
   truth_until: number; // s
   compared_until: number; // s, of the comparison with the full model; 0 if the truth is enough
+  chaotic?: boolean; // judged by statistics
   drops: Drop[];
   least: Least | null;
+  complete: boolean; // the search for the least model came to its end
+  why: string; // why there is no least model, or ""
+  coarser: Coarser[];
   chosen: Chosen | null;
+}
+
+/** The cheapest model without one feature, if that much may be lost. */
+export interface Coarser {
+  tolerance: number; // m
+  line: string;
+  cheaper: number;
+  change: number; // m
 }
 
 export interface LeastModels {
@@ -55,7 +68,7 @@ export interface LeastModels {
   cases: ModelCase[];
 }
 
-interface Values extends Omit<ModelCase, "cost" | "drops" | "least" | "chosen">, Omit<Drop, "ratio"> {
+interface Values extends Omit<ModelCase, "cost" | "drops" | "least" | "complete" | "why" | "coarser" | "chosen">, Omit<Drop, "ratio"> {
   role: "full" | "drop" | "auto" | "least";
   choices?: Chosen["choices"];
 }
@@ -65,20 +78,26 @@ interface Costs {
   full: number | null;
   drops: { setting: string; ratio: number | null }[];
   least: Least | null;
+  complete?: boolean;
+  why?: string;
+  coarser?: Coarser[];
 }
 
 export function least_models(study: Study): LeastModels {
   const all = study.results.filter(({ ending }) => ending === "done").map(({ values }) => values as unknown as Values);
   const costs = study.timings.cases as unknown as Costs[];
-  const cases = costs.flatMap(({ case: item, full: cost, drops, least }): ModelCase[] => {
+  const cases = costs.flatMap(({ case: item, full: cost, drops, least, complete, why, coarser }): ModelCase[] => {
     const here = all.filter(({ scenario, variant }) => `${scenario}/${variant}` === item);
     const full = here.find(({ role }) => role === "full");
     if (!full) return [];
     const ratios = new Map(drops.map(({ setting, ratio }) => [setting, ratio]));
-    const { scenario, variant, line, error, duration, truth, truth_until, compared_until } = full;
+    const { scenario, variant, line, error, duration, truth, truth_until, compared_until, chaotic } = full;
     return [
       {
-        ...{ scenario, variant, line, error, duration, truth, truth_until, compared_until },
+        ...{ scenario, variant, line, error, duration, truth, truth_until, compared_until, chaotic: chaotic ?? false },
+        complete: complete ?? true,
+        why: why ?? "",
+        coarser: coarser ?? [],
         cost,
         drops: here.filter(({ role }) => role === "drop").map((drop) => ({ ...drop, ratio: ratios.get(drop.setting) ?? null })),
         least,

@@ -15,14 +15,16 @@ const row_height = 20;
 const least_change = 1e-9; // m; smaller changes are drawn there
 
 const label = ({ setting }: Drop): string => setting.replaceAll(/(integrator|solver)=/g, "").replaceAll(",", ", ");
-const colour = ({ within }: Drop): string => (within ? "var(--right)" : "var(--wrong)");
+const tolerable = 0.01; // m; what adds less is coarse, not useless
+const colour = ({ within, change, different }: Drop): string =>
+  within ? "var(--right)" : !different && change !== null && change <= tolerable ? "var(--coarse)" : "var(--wrong)";
 const change_of = ({ change }: Drop): number => Math.max(least_change, change ?? Infinity);
 
 const described = (drop: Drop): string =>
   [
     `${drop.feature}: without ${drop.without}`,
     drop.setting,
-    drop.change === null ? drop.why || "does not run to the end" : `adds an error of ${number(drop.change, "m", 2)}`,
+    drop.change === null ? drop.why || "does not run to the end" : drop.different || `adds an error of ${number(drop.change, "m", 2)}`,
     drop.ratio === null ? "" : `${number(drop.ratio, "", 2)} of the cost`,
   ]
     .filter(Boolean)
@@ -63,10 +65,13 @@ function error_panel(drops: Drop[], width: number, tolerance: number): Element {
   ]);
 }
 
-function ablation_chart({ drops }: ModelCase, tolerance: number): HTMLElement {
+function ablation_chart({ drops, chaotic }: ModelCase, tolerance: number): HTMLElement {
+  const judged = chaotic
+    ? "Green: redundant, the statistics stay the same, whatever single motions do. Red: they differ."
+    : "Green: redundant, the error stays within the tolerance (dashed). Amber: it adds up to 1 cm. Red: more.";
   return figure({
     title: "Without one feature",
-    note: "The error that its absence adds, and the remaining cost. Green: redundant, the error stays within the tolerance (dashed). Red: needed.",
+    note: "The error that its absence adds, and the remaining cost. " + judged,
     height: 120 + 2 * row_height * drops.length,
     draw: (width) => {
       const each = width > 900 ? Math.floor(width / 2) - 8 : width;
@@ -109,6 +114,9 @@ function overview(model: LeastModels): HTMLElement {
 function comparison(item: ModelCase): string {
   const until = `the first ${given(item.compared_until, "s", 3)}`;
   const full = `with the full model over ${item.compared_until < item.duration ? `${until}, after which runs that started 1 nm apart have diverged` : "the whole scene"}`;
+  if (item.chaotic) {
+    return `Chaotic: after ${given(item.compared_until, "s", 3)}, runs that started 1 nm apart have diverged, so no two methods move alike. Judged by statistics: a model is as good if eight runs of it and of the full model, from starts 1 nm apart, differ neither in energy nor in spread nor in rest time, by more than 5\u202f% of the energy lost, the spread and the duration.`;
+  }
   if (!item.truth) return `There is no truth for this case: compared ${full}.`;
   const truth = item.truth === "converged" ? "a converged reference" : `the closed form \u201c${item.truth}\u201d`;
   if (item.compared_until === 0) return `Compared with ${truth}.`;
@@ -131,15 +139,31 @@ function drops_table(drops: Drop[]): HTMLElement {
   return table("Without one feature", ["feature", "without", "setting", "added error", "cost, full = 1", "redundant"], rows);
 }
 
+/** What a coarser question would allow, each with its command. */
+function coarser_of(item: ModelCase, dt: string): HTMLElement | null {
+  if (!item.coarser.length) return null;
+  const lines = item.coarser.flatMap(({ tolerance, line, cheaper, change }) => [
+    h("p", {}, `If ${number(tolerance * 1000, "mm", 1)} may be lost: ${number(cheaper, "", 2)} times cheaper, adds ${metres(change)}`),
+    command(run_command({ scenario: item.scenario, variant: item.variant, engine: line, setting: "", dt })),
+  ]);
+  return h("div", {}, ...lines);
+}
+
+function no_least({ why }: ModelCase): string {
+  const cure = why.includes("timed out") ? " Give it more with --time-limit." : "";
+  return `No least model was found: ${why || "the search did not end"}.${cure}`;
+}
+
 function least_of(item: ModelCase, dt: string): HTMLElement {
-  if (!item.least) return h("p", { class: "absence" }, "No least model was found: the full model does not run to the end.");
+  if (!item.least) return h("p", { class: "absence" }, no_least(item));
   const { line, dropped, cheaper, change } = item.least;
-  if (!dropped.length) return h("p", {}, "No feature that costs time is redundant: the full model is the least.");
+  const cut = item.complete ? "" : " The search ran out of time: it may not be the least; --time-limit gives it more.";
+  if (!dropped.length) return h("p", {}, `No feature that costs time is redundant: the full model is the least.${cut}`);
   const removed = dropped.map(({ feature, without }) => h("li", {}, h("strong", {}, feature), `: without ${without}`));
   return h(
     "div",
     { class: "least" },
-    h("p", {}, `The least model costs ${number(1 / cheaper.median, "", 2)} of the full model and adds an error of ${metres(change)}. It leaves out`),
+    h("p", {}, `The least model costs ${number(1 / cheaper.median, "", 2)} of the full model and ${item.chaotic ? "has the same statistics" : `adds an error of ${metres(change)}`}.${cut} It leaves out`),
     h("ul", {}, ...removed),
     command(run_command({ scenario: item.scenario, variant: item.variant, engine: line, setting: "", dt })),
   );
@@ -159,20 +183,35 @@ function case_section(model: LeastModels, item: ModelCase): HTMLElement {
     h("h3", {}, name_of(item)),
     h("p", {}, `${comparison(item)}${item.error === null ? "" : ` The error of the full model is ${metres(item.error)}.`}`),
     least_of(item, model.dt),
+    coarser_of(item, model.dt),
     item.drops.length ? ablation_chart(item, Number(model.tolerance)) : null,
     choice_of(item),
     item.drops.length ? folded("Each feature in numbers", () => [drops_table(item.drops)]) : null,
   );
 }
 
+/** "rain, count=50: impulse:solver=soft-step is 15 times cheaper than the full model", or a range over several cases. */
 function sentence(model: LeastModels): string {
-  const found = model.cases.flatMap(({ least }) => least ?? []);
-  const factors = found.map(({ cheaper }) => cheaper.median).sort((a, b) => a - b);
+  const [only, ...others] = model.cases;
+  if (!only) return "No case was measured.";
+  const found = model.cases.flatMap((item) => (item.least?.dropped.length ? [{ item, least: item.least }] : []));
   const kept = model.cases.filter(({ chosen }) => chosen?.within).length;
-  const range = factors.length
-    ? `The least model within the tolerance is ${number(factors[0], "", 2)} to ${number(factors[factors.length - 1], "", 2)} times cheaper than the full model`
-    : "No least model was found";
-  return `${range}, over ${count(model.cases.length, "case")}; impulse:auto is as accurate as the full model in ${kept === model.cases.length ? "all of them" : `${kept} of them`}.`;
+  const cut = model.cases.filter(({ complete, least }) => !complete || !least).length;
+  const unknown = cut ? `; ${others.length ? `in ${count(cut, "case")} ` : ""}the search ran out of time` : "";
+  const accurate = `impulse:auto is as accurate as the full model in ${kept} of ${count(model.cases.length, "case")}`;
+  const [first] = found;
+  if (!others.length) {
+    if (!only.least) return `${name_of(only)}: ${no_least(only)}`;
+    if (!first) return `${name_of(only)}: the full model is the least${unknown}.`;
+    return `${name_of(only)}: ${first.least.line} is ${number(first.least.cheaper.median, "", 2)} times cheaper than the full model and as good${unknown}.`;
+  }
+  const factors = found.map(({ least }) => least.cheaper.median).sort((a, b) => a - b);
+  const none = model.cases.length - cut - found.length;
+  const range = factors.length > 1 ? `${number(factors[0], "", 2)} to ${number(factors[factors.length - 1], "", 2)}` : number(factors[0], "", 2);
+  const result = factors.length
+    ? `A smaller model, as good as the full one, is ${range} times cheaper in ${count(found.length, "case")}${none > 0 ? `; in ${none} the full one is the least` : ""}`
+    : "No smaller model is as good as the full one";
+  return `${result}${unknown}; ${accurate}.`;
 }
 
 export function model(study: Study): StudyView {

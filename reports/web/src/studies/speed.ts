@@ -8,7 +8,7 @@ import { folded } from "../folded";
 import { count, enumerate, given, number, step_word, time_step } from "../format";
 import { command, copy, copy_button, run_command } from "../pieces";
 import { equal_error_chart, work_precision } from "./speed_charts";
-import { factors_over, speed_model, type OrderRow, type Reading, type SpeedCase, type SpeedMark, type SpeedModel } from "./speed_model";
+import { factors_over, few_of, headline_target, ranking, speed_model, target_name, type OrderRow, type Reading, type SpeedCase, type SpeedMark, type SpeedModel } from "./speed_model";
 
 function line_of(item: SpeedCase, { engine, setting, dt }: SpeedMark): string {
   const { scenario, variant, truth } = item;
@@ -55,7 +55,7 @@ function all_runs(item: SpeedCase): HTMLElement {
 const duration = (value: number): string => (value < 1e-3 ? number(value * 1e6, "\u00b5s") : value < 1 ? number(value * 1e3, "ms") : number(value, "s"));
 
 function reading(found: Reading | null, unit: (value: number) => string, best: boolean, head: string): HTMLElement {
-  if (!found) return h("td", { class: "none", "data-label": head }, "not reached");
+  if (!found) return h("td", { class: "none", "data-label": head }, "never");
   const text = (found.bound ? "\u2264 " : "") + unit(found.value);
   return h("td", { "data-label": head }, best ? h("strong", {}, text) : text);
 }
@@ -65,7 +65,7 @@ interface Column {
   readings: (Reading | null)[];
 }
 
-/** Leaves out columns that no method reaches. */
+/** Leaves out columns that no method reaches. The least value of a column is bold. */
 function readings(caption: string, item: SpeedCase, columns: Column[], unit: (value: number) => string): HTMLElement | null {
   const shown = columns.filter((column) => column.readings.some((one) => one !== null));
   if (!shown.length) return null;
@@ -81,30 +81,50 @@ function readings(caption: string, item: SpeedCase, columns: Column[], unit: (va
       }),
     ),
   );
-  return table(caption, ["", ...shown.map(({ head }) => head)], rows, "numbers");
+  return table(caption, ["method", ...shown.map(({ head }) => head)], rows, "numbers");
 }
 
-function case_section(model: SpeedModel, item: SpeedCase): HTMLElement {
-  const times = model.error_targets.map((target, index) => ({
-    head: `to ${number(target, "m", 1)}`,
+/** "impulse is the fastest to 1 mm: 27 µs for a simulated second; next is soft-step, 45 times that. Never that accurate: box2d." */
+function winner(item: SpeedCase, target: number, error: number): string {
+  const [best, next] = ranking(item, target);
+  if (!best) return `Nothing gets within ${target_name(error)}.`;
+  const never = item.curves.filter(({ engine, time_for_error }) => !time_for_error[target] && !engine.label.includes(":")).map(({ engine }) => engine.label);
+  const second = next ? `; next is ${next.engine.label}, ${number(next.time / best.time, "", 2)} times that` : "";
+  return `${best.engine.label} is the fastest to ${target_name(error)}: ${duration(best.time)} for a simulated second${second}.${never.length ? ` Never that accurate: ${enumerate(never)}.` : ""}`;
+}
+
+/** The time of each method to each error target, of one case. */
+function target_columns(model: SpeedModel, item: SpeedCase): Column[] {
+  const of_error = model.error_targets.map((target, index) => ({
+    head: `to ${target_name(target)}`,
     readings: item.curves.map(({ time_for_error }) => time_for_error[index] ?? null),
   }));
+  const of_scale = model.scale_targets.map((target, index) => ({
+    head: `to ${given(100 * target, "%")}`,
+    readings: item.curves.map(({ time_for_scale }) => time_for_scale[index] ?? null),
+  }));
+  return [...of_error, ...of_scale];
+}
+
+function case_section(model: SpeedModel, few: ReadonlySet<string>, item: SpeedCase): HTMLElement {
   const errors = model.time_targets.map((target, index) => ({
     head: `in ${duration(target)}`,
     readings: item.curves.map(({ error_for_time }) => error_for_time[index] ?? null),
   }));
   const truth = item.truth === "converged" ? `a converged reference with an error of ${number(item.truth_error, "m", 2)}` : `the closed form \u201c${item.truth}\u201d`;
-  const chosen = chosen_run(item);
+  const run = chosen_run(item);
+  const target = headline_target([item]);
   return h(
     "article",
     { id: slug(item.scenario, item.variant), class: "case" },
     h("h3", {}, item.variant ? `${item.scenario}, ${item.variant}` : item.scenario),
-    h("p", {}, `Compared with ${truth}${item.phases > 1 ? `; each error is the RMS over ${item.phases} phases, because impacts fall anywhere in a step` : ""}. Timed: the first ${given(item.timed, "s", 3)}.`),
-    legend(item.curves.map(({ engine }) => engine)),
-    work_precision(item, chosen.choose),
-    chosen.element,
-    folded("Time for a given error, and error for a given time", () => [
-      readings("Time per simulated second, to be this close to the truth", item, times, duration),
+    model.cases.length > 1 ? h("p", {}, h("strong", {}, winner(item, target, model.error_targets[target] ?? 0))) : null,
+    h("p", { class: "basis" }, `Compared with ${truth}${item.phases > 1 ? `; each error is the RMS over ${item.phases} phases, because impacts fall anywhere in a step` : ""}. 100 % of scale is ${number(item.scale, "m", 2)}, how far the bodies move. Timed: the first ${given(item.timed, "s", 3)}.`),
+    legend(item.curves.map(({ engine }) => engine), few),
+    work_precision(item, few, model.error_targets, run.choose),
+    run.element,
+    readings("Time for a simulated second, to be this close to the truth", item, target_columns(model, item), duration),
+    folded("Error for a given time", () => [
       readings("Distance from the truth, RMS, with this time per simulated second", item, errors, (value) => number(value, "m", 2)),
     ]),
     all_runs(item),
@@ -151,32 +171,50 @@ function orders(model: SpeedModel): HTMLElement {
   );
 }
 
+const rule = "Times are read off the best runs of each method, by a power law between two of them, and never beyond them: the errors are the same for all methods and no method\u2019s own. \u2264: its cheapest run is already closer.";
+
 function overall(model: SpeedModel): HTMLElement {
+  const target = headline_target(model.cases);
+  const name = target_name(model.error_targets[target] ?? 0);
+  const every = model.error_targets.map((error, index) => ({ head: `to ${target_name(error)}`, factors: factors_over(model.cases, index) }));
+  const rows = (every[0]?.factors ?? []).map(({ engine }, row) =>
+    h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, engine.label),
+      ...every.map(({ head, factors }) => {
+        const { median, reached = 0, fastest = 0 } = factors[row] ?? {};
+        const text = typeof median === "number" ? `${number(median, "", 2)}\u00d7 in ${reached}${fastest ? `, fastest in ${fastest}` : ""}` : "never";
+        return h("td", { "data-label": head, ...(typeof median === "number" ? {} : { class: "none" }) }, text);
+      }),
+    ),
+  );
   return h(
     "section",
     { id: "overall" },
-    h("h2", {}, "At equal error"),
-    h(
-      "p",
-      { class: "lede" },
-      `The time of each method / that of ${model.standard}, at the errors of ${model.standard}. Values are interpolated along the front and never extrapolated; a case counts only if the method gets as accurate.`,
-    ),
-    equal_error_chart(model.standard, factors_over(model.cases), "all cases"),
+    h("h2", {}, `To ${name}`),
+    h("p", { class: "lede" }, rule),
+    equal_error_chart(name, factors_over(model.cases, target), "all cases"),
+    table(`Time / that of the fastest: the median over the cases, of ${model.cases.length}, in which a method gets there`, ["method", ...every.map(({ head }) => head)], rows, "numbers"),
   );
 }
 
 function sentence(model: SpeedModel): string {
-  const ranked = factors_over(model.cases).filter(({ median, engine }) => median !== null && engine.label !== model.standard);
-  const best = [...ranked].sort((a, b) => b.reached - a.reached || (a.median ?? 0) - (b.median ?? 0))[0];
-  const steps = [...new Set(model.cases.flatMap(({ marks }) => marks.map(({ dt }) => dt)))];
-  const range = steps.length ? `, steps from ${time_step(Math.max(...steps))} to ${time_step(Math.min(...steps))}` : "";
-  if (!best || best.median === null) return `${count(model.cases.length, "case")} measured${range}.`;
-  const factor = best.median <= 1 ? `${number(1 / best.median, "", 2)} times as fast as` : `${number(best.median, "", 2)} times as slow as`;
-  return `At equal error ${best.engine.label} is ${factor} ${model.standard} (median of the ${best.reached} of ${best.cases} cases where it gets as accurate)${range}.`;
+  const [first, ...rest] = model.cases;
+  if (!first) return "Nothing was measured.";
+  const target = headline_target(model.cases);
+  const error = model.error_targets[target] ?? 0;
+  if (!rest.length) return `${first.scenario}, ${first.variant}: ${winner(first, target, error)}`;
+  const factors = factors_over(model.cases, target);
+  const [best] = [...factors].sort((a, b) => b.fastest - a.fastest);
+  if (!best?.fastest) return `No method gets within ${target_name(error)} in any of ${count(model.cases.length, "case")}.`;
+  const there = factors.filter(({ engine }) => !engine.label.includes(":")).map(({ engine, reached }) => `${engine.label} in ${reached}`);
+  return `To ${target_name(error)}, ${best.engine.label} is the fastest in ${best.fastest} of ${count(model.cases.length, "case")}. Cases in which an engine gets there: ${enumerate(there)}.`;
 }
 
 export function speed(study: Study): StudyView {
   const model = speed_model(study);
+  const few = few_of(model.cases);
   const scenarios = [...new Set(model.cases.map(({ scenario }) => scenario))];
   const absent = model.without_truth.length
     ? h("p", { class: "absence" }, `No truth for ${enumerate(model.without_truth)}.`)
@@ -184,8 +222,7 @@ export function speed(study: Study): StudyView {
   return {
     sentence: sentence(model),
     sections: [
-      { id: "overall", name: "At equal error", content: () => overall(model) },
-      { id: "orders", name: "Orders", content: () => orders(model) },
+      ...(model.cases.length > 1 ? [{ id: "overall", name: "All cases", content: () => overall(model) }] : []),
       ...scenarios.map((name) => ({
         id: slug(name),
         name,
@@ -193,9 +230,10 @@ export function speed(study: Study): StudyView {
           "section",
           { id: slug(name), class: "chapter" },
           h("h2", {}, name),
-          ...model.cases.filter(({ scenario }) => scenario === name).map((item) => case_section(model, item)),
+          ...model.cases.filter(({ scenario }) => scenario === name).map((item) => case_section(model, few, item)),
         ),
       })),
+      { id: "orders", name: "Orders", content: () => orders(model) },
       ...(absent ? [{ id: "absent", name: "Without truth", content: () => h("section", { id: "absent" }, h("h2", {}, "Without a truth"), absent) }] : []),
     ],
   };

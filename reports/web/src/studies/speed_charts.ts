@@ -3,8 +3,9 @@
 import * as Plot from "@observablehq/plot";
 import { figure } from "../charts/figure";
 import { decades, dot_look, error_axes, line_look, name_axis, plot_look, tip_look } from "../charts/look";
+import { chosen, type Few } from "../chosen";
 import { number, time_step } from "../format";
-import type { Factor, SpeedCase, SpeedMark } from "./speed_model";
+import { target_name, type Factor, type SpeedCase, type SpeedMark } from "./speed_model";
 
 const height = 460;
 
@@ -17,27 +18,33 @@ const run_text = ({ engine, setting, dt, time, error, wide }: SpeedMark): string
   ].join("\n");
 
 /** Error against time per simulated second; a click on a point calls `choose`. */
-export function work_precision(item: SpeedCase, choose: (mark: SpeedMark) => void): HTMLElement {
-  const { marks, curves, front, truth_error } = item;
-  const { x, y, floor } = error_axes(
-    marks.map(({ error }) => error),
-    marks.map(({ time }) => time * 1e6),
-    "time per simulated second (\u00b5s), median",
-    [truth_error],
-  );
-  const at = { x: ({ time }: SpeedMark) => time * 1e6, y: ({ error }: SpeedMark) => Math.max(error, floor) };
+export function work_precision(item: SpeedCase, few: Few, targets: number[], choose: (mark: SpeedMark) => void): HTMLElement {
+  const { front, truth_error } = item;
   const draw = (width: number) => {
+    const [marks, curves] = [chosen(item.marks, few), chosen(item.curves, few)];
+    const { x, y, floor } = error_axes(
+      marks.map(({ error }) => error),
+      marks.map(({ time }) => time * 1e6),
+      "time per simulated second (\u00b5s), median",
+      [truth_error],
+    );
+    const at = { x: ({ time }: SpeedMark) => time * 1e6, y: ({ error }: SpeedMark) => Math.max(error, floor) };
+    const errors = marks.map(({ error }) => error);
+    const crossed = targets.filter((target) => target >= Math.min(...errors) && target <= Math.max(...errors));
+    const in_view = front.filter(({ error, time }) => marks.some((mark) => mark.error <= error || mark.time >= time));
     const chart = Plot.plot({
       ...plot_look(width, height),
       ariaLabel: "Error against time per simulated second",
       x,
       y,
       marks: [
-        Plot.line(front, { ...at, stroke: "var(--truth)", strokeWidth: 9, strokeLinecap: "round", strokeLinejoin: "round", className: "front" }),
+        Plot.line(in_view, { ...at, clip: true, stroke: "var(--truth)", strokeWidth: 9, strokeLinecap: "round", strokeLinejoin: "round", className: "front" }),
+        Plot.ruleY(crossed, { stroke: "var(--soft)", strokeOpacity: 0.6 }),
+        Plot.text(crossed, { y: (target: number) => target, text: target_name, frameAnchor: "right", dy: -6, fill: "var(--soft)" }),
         truth_error > floor
           ? [
               Plot.ruleY([truth_error], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
-              Plot.text([truth_error], { y: (error: number) => error, text: () => "error of the reference", frameAnchor: "right", dy: -6, fill: "var(--faint)" }),
+              Plot.text([truth_error], { y: (error: number) => error, text: () => "error of the reference", frameAnchor: "left", dx: 4, dy: -6, fill: "var(--faint)" }),
             ]
           : null,
         Plot.dot(
@@ -61,7 +68,7 @@ export function work_precision(item: SpeedCase, choose: (mark: SpeedMark) => voi
     });
     return chart;
   };
-  const unsteady = marks.filter(({ wide }) => wide).length;
+  const unsteady = item.marks.filter(({ wide }) => wide).length;
   return figure({
     title: "Error against time",
     note: `Lower is more accurate, further left is faster. A curve connects a method\u2019s best runs; small dots are its other runs. The broad band is the front of all methods.${unsteady ? " A dashed ring: the repetitions scatter." : ""}`,
@@ -72,16 +79,16 @@ export function work_precision(item: SpeedCase, choose: (mark: SpeedMark) => voi
 
 const row_height = 26;
 
-const factor_text = ({ engine, median, low, high, reached, cases }: Factor): string =>
+const factor_text = ({ engine, median, low, high, reached, cases, fastest }: Factor): string =>
   [
     engine.label,
-    `${number(median, "", 2)} times, middle half ${number(low, "", 2)} to ${number(high, "", 2)}`,
-    `as accurate in ${reached} of ${cases} cases`,
+    `${number(median, "", 2)} times the fastest, middle half ${number(low, "", 2)} to ${number(high, "", 2)}`,
+    `gets there in ${reached} of ${cases} cases, the fastest in ${fastest}`,
   ].join("\n");
 
-/** The factor of each method: median and middle half over cases; `over` names them, as "all cases". */
-export function equal_error_chart(standard: string, factors: Factor[], over: string): HTMLElement {
-  const found = factors.filter(({ median }) => median !== null).sort((a, b) => (a.median ?? 0) - (b.median ?? 0));
+/** The time of each method over the fastest one's, to an error (`target`, as "1 mm"): median and middle half over cases; `over` names them, as "all cases". */
+export function equal_error_chart(target: string, factors: Factor[], over: string): HTMLElement {
+  const found = factors.filter(({ median }) => median !== null).sort((a, b) => b.reached - a.reached || (a.median ?? 0) - (b.median ?? 0));
   const never = factors.filter(({ median }) => median === null).map(({ engine }) => engine.label);
   const height = 70 + row_height * found.length;
   const name = ({ engine, reached, cases }: Factor) => `${engine.label}  ${reached}/${cases}`;
@@ -92,8 +99,8 @@ export function equal_error_chart(standard: string, factors: Factor[], over: str
     return Plot.plot({
       ...plot_look(width, height),
       marginLeft,
-      ariaLabel: `Time at equal error, ${standard} = 1`,
-      x: { type: "log", domain, ticks, label: `time at equal error, ${standard} = 1`, labelAnchor: "right", grid: true, tickFormat: (value: number) => number(value, "", 1) },
+      ariaLabel: `Time to ${target}, the fastest = 1`,
+      x: { type: "log", domain, ticks, label: `time to ${target}, the fastest = 1`, labelAnchor: "right", grid: true, tickFormat: (value: number) => number(value, "", 1) },
       y: { domain: found.map(name) },
       marks: [
         axis,
@@ -107,8 +114,8 @@ export function equal_error_chart(standard: string, factors: Factor[], over: str
     });
   };
   return figure({
-    title: `Time at equal error, over ${over}`,
-    note: `Left of 1 is faster. Marks are medians over the cases, bars the middle half; the numbers after the names say in how many cases the method gets as accurate.${never.length ? ` In no case: ${never.join(", ")}.` : ""}`,
+    title: `Time to be within ${target} of the truth, over ${over}`,
+    note: `Those that get there in most cases first (the numbers after the names). Marks are medians over the cases that a method reaches, bars the middle half.${never.length ? ` In no case: ${never.join(", ")}.` : ""}`,
     height,
     draw: (width) => (found.length ? [draw(width)] : []),
   });

@@ -1,6 +1,8 @@
 // The findings of the speed study, as its view uses them.
 import type { Study } from "../data";
-import { label_of, look, type Engine } from "../model";
+import { number } from "../format";
+import { looks } from "../looks";
+import { label_of, type Engine } from "../model";
 
 export interface Reading {
   value: number;
@@ -24,8 +26,9 @@ export interface SpeedCurve {
   engine: Engine;
   front: SpeedMark[];
   time_for_error: (Reading | null)[];
+  time_for_scale: (Reading | null)[];
   error_for_time: (Reading | null)[];
-  factor: number | null; // its time / the standard's at equal error; null if it does not get as accurate
+  least_error: number; // m
 }
 
 export interface SpeedCase {
@@ -33,6 +36,7 @@ export interface SpeedCase {
   variant: string;
   truth: string;
   truth_error: number; // m
+  scale: number; // m, how far the bodies move
   phases: number;
   timed: number; // s of the scene
   marks: SpeedMark[];
@@ -55,9 +59,9 @@ export interface OrderRow {
 }
 
 export interface SpeedModel {
-  standard: string;
   order_tolerance: number;
-  error_targets: number[];
+  error_targets: number[]; // m
+  scale_targets: number[]; // of the case's scale
   time_targets: number[];
   cases: SpeedCase[];
   orders: OrderRow[];
@@ -81,14 +85,15 @@ interface Values {
 }
 
 interface Timings {
-  standard: string;
   error_targets: number[];
+  scale_targets: number[];
   time_targets: number[];
   cases: {
     scenario: string;
     variant: string;
     front: string[];
-    engines: { engine: string; front: string[]; time_for_error: (Reading | null)[]; error_for_time: (Reading | null)[]; factor: number | null }[];
+    scale: number;
+    engines: { engine: string; front: string[]; time_for_error: (Reading | null)[]; time_for_scale: (Reading | null)[]; error_for_time: (Reading | null)[]; least_error: number }[];
   }[];
 }
 
@@ -103,18 +108,14 @@ export function speed_model(study: Study): SpeedModel {
   const timings = study.timings as unknown as Timings;
   const findings = study.findings as unknown as { order_tolerance: number; orders: OrderRow[] };
   const engines = new Map<string, Engine>();
+  const look_of = looks(timings.cases.flatMap((one) => one.engines.map(({ engine }) => engine)));
   const engine_of = (label: string, engine: string, method: string): Engine => {
     const known = engines.get(label);
     if (known) return known;
-    const made = { label, engine, method, exact: false, ...look(engines.size) };
+    const made = { label, engine, method, exact: false, ...look_of(label) };
     engines.set(label, made);
     return made;
   };
-  // Default engines get the first looks, which differ the most.
-  for (const { values } of study.results) {
-    const { engine, method } = values as unknown as Values;
-    if (engine && !method) engine_of(engine, engine, "");
-  }
   const all = new Map<string, { values: Values; mark: SpeedMark }>();
   const without_truth = new Set<string>();
   for (const { key, values: raw } of study.results) {
@@ -137,7 +138,7 @@ export function speed_model(study: Study): SpeedModel {
     all.set(key, { values, mark });
   }
   const marks_at = (keys: string[]): SpeedMark[] => keys.flatMap((key) => all.get(key)?.mark ?? []);
-  const cases = timings.cases.map(({ scenario, variant, front, engines: curves }): SpeedCase => {
+  const cases = timings.cases.map(({ scenario, variant, scale, front, engines: curves }): SpeedCase => {
     const here = [...all.values()].filter(({ values }) => values.scenario === scenario && values.variant === variant);
     const first = here[0]?.values;
     const made = curves.map(({ engine, front: own, ...readings }): SpeedCurve => {
@@ -150,6 +151,7 @@ export function speed_model(study: Study): SpeedModel {
       variant,
       truth: first?.truth ?? "",
       truth_error: first?.truth_error ?? 0,
+      scale,
       phases: first?.phases ?? 1,
       timed: first?.timed ?? 0,
       marks: here.map(({ mark }) => mark),
@@ -158,14 +160,37 @@ export function speed_model(study: Study): SpeedModel {
     };
   });
   return {
-    standard: timings.standard,
     order_tolerance: findings.order_tolerance,
     error_targets: timings.error_targets,
+    scale_targets: timings.scale_targets,
     time_targets: timings.time_targets,
     cases,
     orders: findings.orders,
     without_truth: [...without_truth],
   };
+}
+
+/** "1 cm", "1 mm", "0.1 mm" */
+export const target_name = (error: number): string => (error >= 0.01 ? number(error * 100, "cm", 1) : number(error * 1000, "mm", 1));
+
+/** The index of 1 mm among the error targets; that of a coarser one if nothing gets there. */
+export function headline_target(cases: SpeedCase[]): number {
+  const reached = (target: number): boolean => cases.some(({ curves }) => curves.some(({ time_for_error }) => time_for_error[target]));
+  return [1, 0].find(reached) ?? 0;
+}
+
+/** Who gets to an error target in a case, the fastest first. */
+export function ranking({ curves }: SpeedCase, target: number): { engine: Engine; time: number }[] {
+  return curves
+    .flatMap(({ engine, time_for_error }) => (time_for_error[target] ? [{ engine, time: time_for_error[target].value }] : []))
+    .sort((a, b) => a.time - b.time);
+}
+
+/** Methods beside the engines themselves make charts crowded: at first only the fastest to some target are shown. */
+export function few_of(cases: SpeedCase[]): Set<string> {
+  const engines = cases.flatMap(({ curves }) => curves.map(({ engine }) => engine));
+  const fastest = cases.flatMap((item) => [0, 1, 2].flatMap((target) => ranking(item, target).slice(0, 1)));
+  return new Set([...engines.filter(({ label }) => !label.includes(":")), ...fastest.map(({ engine }) => engine)].map(({ label }) => label));
 }
 
 export interface Factor {
@@ -174,7 +199,8 @@ export interface Factor {
   low: number | null;
   high: number | null;
   cases: number;
-  reached: number; // in which it gets as accurate as the standard
+  reached: number; // in which it gets as accurate
+  fastest: number;
 }
 
 /** With linear interpolation, as in reports/statistics.cpp. */
@@ -185,15 +211,20 @@ function quantile(sorted: number[], share: number): number | null {
   return below === undefined || above === undefined ? null : below + (position % 1) * (above - below);
 }
 
-/** The time of each engine / the standard's at equal error, over cases. */
-export function factors_over(cases: SpeedCase[]): Factor[] {
-  const found = new Map<Engine, (number | null)[]>();
-  for (const { curves } of cases) {
-    for (const { engine, factor } of curves) found.set(engine, [...(found.get(engine) ?? []), factor]);
+/** The time of each engine / that of the fastest, to an error target, over cases: those it does not run or reach count, too. */
+export function factors_over(cases: SpeedCase[], target: number): Factor[] {
+  const found = new Map<Engine, number[]>();
+  const fastest = new Map<Engine, number>();
+  for (const item of cases) {
+    for (const { engine } of item.curves) found.set(engine, found.get(engine) ?? []);
+    const [best, ...rest] = ranking(item, target);
+    if (!best) continue;
+    fastest.set(best.engine, 1 + (fastest.get(best.engine) ?? 0));
+    for (const { engine, time } of [best, ...rest]) found.get(engine)?.push(time / best.time);
   }
   return [...found].map(([engine, factors]) => {
-    const sorted = factors.filter((factor) => factor !== null).sort((a, b) => a - b);
+    const sorted = [...factors].sort((a, b) => a - b);
     const at = (share: number): number | null => quantile(sorted, share);
-    return { engine, median: at(0.5), low: at(0.25), high: at(0.75), cases: factors.length, reached: sorted.length };
+    return { engine, median: at(0.5), low: at(0.25), high: at(0.75), cases: cases.length, reached: sorted.length, fastest: fastest.get(engine) ?? 0 };
   });
 }

@@ -118,15 +118,28 @@ function overall(model: StabilityModel): HTMLElement {
   );
 }
 
+/** "in arch no method is as theory says, in mass ratio box2d holds farther": the maps in which a method is not among the best. */
+function shortfalls(maps: { name: string; natural: boolean; best: Set<string> }[], label: string): string {
+  const others = maps.filter(({ best }) => !best.has(label));
+  const parts = others.map(({ name, natural, best }) => {
+    const [better] = best;
+    if (!better) return `in ${words(name)} no method is as theory says`;
+    return `in ${words(name)} ${better} ${natural ? "is as theory says" : "holds farther"}`;
+  });
+  return parts.length ? `, but ${enumerate(parts)}` : "";
+}
+
 function sentence(model: StabilityModel): string {
   const labels = compared(model);
-  const best = model.maps.map((map) => best_of(map, labels));
-  const [most] = labels.map((label) => ({ label, wins: best.filter((of) => of.has(label)).length })).sort((a, b) => b.wins - a.wins);
-  const first = most?.wins ? `${most.label} is the best or among the best in ${most.wins} of ${count(model.maps.length, "map")}.` : `${count(model.maps.length, "map")}.`;
+  const maps = model.maps.map((map) => ({ name: map.name, natural: map.boundaries[0]?.natural ?? false, best: best_of(map, labels) }));
+  const [most] = labels.map((label) => ({ label, wins: maps.filter(({ best }) => best.has(label)).length })).sort((a, b) => b.wins - a.wins);
+  const first = most?.wins
+    ? `${most.label} is the best or among the best in ${most.wins} of ${count(model.maps.length, "map")}${shortfalls(maps, most.label)}.`
+    : `${count(model.maps.length, "map")}.`;
   const rows = model.maps.flatMap(({ agreements }) => agreements);
   const total = rows.reduce((sum, one) => sum + one.rows, 0);
   const agree = rows.reduce((sum, one) => sum + one.agree, 0);
-  return total ? `${first} ${agree} of the ${total} boundaries with a theory agree with it.` : first;
+  return total ? `${first} Of all methods\u2019 boundaries with a theory, ${agree} of ${total} agree with it.` : first;
 }
 
 export function stability(study: Study): StudyView {

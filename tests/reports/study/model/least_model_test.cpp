@@ -76,6 +76,27 @@ TEST(LeastModel, MeasuresNoCostOfInsufficientModels) {
   EXPECT_EQ(models.costs_measured, 0);
 }
 
+TEST(LeastModel, KeepsWhatItHasFoundWhenTimeIsOut) {
+  int trials = 0;
+  const auto ratio = [](const FeatureLevels& a, const FeatureLevels&) { return a[0] > 0 ? 0.5 : 0.7; };
+  const ModelTrials limited{.sufficient = [&](const FeatureLevels&) { return ++trials > 0; },
+                            .cost_ratio = ratio,
+                            .cheaper = [](const FeatureLevels&, const FeatureLevels&) { return true; },
+                            .out_of_time = [&] { return trials >= 3; }};
+  EXPECT_EQ(least_model({{0, 1, ""}, {1, 1, ""}}, 2, limited), (FeatureLevels{1, 0}));
+}
+
+TEST(LeastModel, TriesNoDropThatSavesNothingIfJudgingIsSlow) {
+  std::vector<FeatureLevels> judged;
+  const ModelTrials trials{
+      .sufficient = [&](const FeatureLevels& levels) { return judged.push_back(levels), true; },
+      .cost_ratio = [](const FeatureLevels& a, const FeatureLevels&) { return a[0] > 0 ? 0.5 : 1.2; },
+      .cheaper = [](const FeatureLevels& a, const FeatureLevels& b) { return a[0] > b[0]; },
+      .slow_to_judge = true};
+  EXPECT_EQ(least_model({{0, 1, ""}, {1, 1, ""}}, 2, trials), (FeatureLevels{1, 0}));
+  for (const FeatureLevels& levels : judged) EXPECT_EQ(levels[1], 0u);
+}
+
 FeatureLevels none() { return FeatureLevels(model_features().size(), 0); }
 
 TEST(ModelFeatures, KeepTheFullModelAtLevelZero) {

@@ -55,6 +55,19 @@ TEST(ModelError, ComparesWithTheFullModelIfTheReferenceSolutionEnds) {
   EXPECT_FALSE(errors.within_tolerance(passing));
 }
 
+// No two methods move alike in a heap: what counts is how high it is, what energy it has and when it rests.
+TEST(ModelError, JudgesChaoticScenesByStatistics) {
+  const ModelError errors = errors_in("rain:count=50");
+  ASSERT_TRUE(errors.chaotic());
+  const ModelError::Result other = errors.of(parse_engine("impulse:solver=soft-step"));
+  EXPECT_GT(other.change, 1e-4) << "single motions differ";
+  EXPECT_TRUE(errors.within_tolerance(other)) << other.different;
+  const ModelError::Result falling = errors.of(parse_engine("impulse:contacts=off"));
+  EXPECT_NE(falling.different, "");
+  EXPECT_FALSE(errors.within_tolerance(falling));
+  EXPECT_FALSE(errors_in("spring:w=4").chaotic());
+}
+
 TEST(ModelError, SaysWhyAModelDidNotRun) {
   const ModelError errors = errors_in("hanging-chain:still");
   const ModelError::Result result = errors.of(parse_engine("impulse:solver=exact"));

@@ -88,7 +88,7 @@ TEST(ModelFindings, GiveCostsRelativeToTheFullModelAndBrokenPromises) {
   EXPECT_FALSE(found.findings.at("promises")[0].at("kept"));
   EXPECT_EQ(found.timings.at("cases")[0].at("drops")[0].at("ratio"), 0.5);
   EXPECT_TRUE(found.timings.at("cases")[0].at("least").is_null());
-  EXPECT_THAT(found.text, ::testing::HasSubstr("within the tolerance in 0 of 1 cases"));
+  EXPECT_THAT(found.text, ::testing::HasSubstr("as accurate as the full model in 0 of 1 cases"));
 }
 
 // A crashed job has a key but no values.

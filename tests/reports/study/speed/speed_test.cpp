@@ -131,30 +131,57 @@ JobResult fake(const std::string& engine, double dt, double time, double error) 
                       {"dt", dt},
                       {"order", 0},
                       {"truth_error", 0.0},
+                      {"scale", 2.0},
                       {"round_off", 0.0},
                       {"error", error}},
                      {{"median", time}, {"wide", false}}}};
 }
 
-TEST(SpeedFindings, CompareAtEqualErrorAlongTheStandardsFront) {
+Json row_of(const Json& target, const std::string& engine) {
+  for (const Json& row : target.at("engines")) {
+    if (row.at("engine") == engine) return row;
+  }
+  return nullptr;
+}
+
+// Time doubles where the error halves: on such a front every rule of interpolation reads the same.
+Findings three_engines() {
   std::vector<JobResult> results;
-  for (const double n : {1.0, 10.0, 100.0}) {
+  for (const double n : {10.0, 100.0, 1000.0, 10000.0}) {
     results.push_back(fake("box2d", 1 / n, 1e-3 * n, 1 / n));
     results.push_back(fake("half", 1 / n, 0.5e-3 * n, 1 / n));
-    results.push_back(fake("coarse", 1 / n, 1e-3 * n, 1e3 / n));
+    results.push_back(fake("coarse", 1 / n, 1e-5 * n, 1e2 / n));
   }
-  const Json timings =
-      Catalog<Study>::find("speed")->plan(configuration({"spring"}, {"box2d"})).conclude(results).timings;
-  std::map<std::string, Json> factors;
-  for (const Json& row : timings.at("factors")) factors[row.at("engine")] = row;
-  EXPECT_NEAR(factors["half"]["median"].get<double>(), 0.5, 1e-12);
-  EXPECT_NEAR(factors["box2d"]["median"].get<double>(), 1, 1e-12);
-  EXPECT_TRUE(factors["coarse"]["median"].is_null()) << "it never reaches these errors";
-  EXPECT_EQ(factors["coarse"]["reached"], 0);
+  return Catalog<Study>::find("speed")->plan(configuration({"spring"}, {"box2d"})).conclude(results);
+}
+
+TEST(SpeedFindings, CompareTimesToFixedErrors) {
+  const Json timings = three_engines().timings;
+  const Json& targets = timings.at("targets");
+  ASSERT_EQ(targets.size(), 6u);
+  EXPECT_EQ(targets[1].at("error"), 1e-3);
+  EXPECT_NEAR(row_of(targets[1], "half").at("median").get<double>(), 1, 1e-12);
+  EXPECT_NEAR(row_of(targets[1], "box2d").at("median").get<double>(), 2, 1e-12);
+  EXPECT_EQ(row_of(targets[1], "half").at("fastest"), 1);
   const Json& first = timings.at("cases").front();
-  EXPECT_EQ(first.at("front").size(), 3u) << "all of the faster engine";
-  EXPECT_TRUE(first.at("engines")[0].at("time_for_error")[2].is_null()) << "1e-3 m was not reached";
-  EXPECT_NEAR(first.at("engines")[0].at("time_for_error")[0].at("value").get<double>(), 1e-2, 1e-12);
+  EXPECT_EQ(first.at("front").size(), 6u) << "two of the coarse engine, then all of the faster one";
+  EXPECT_NEAR(first.at("engines")[0].at("time_for_error")[1].at("value").get<double>(), 1, 1e-12);
+  EXPECT_NEAR(first.at("engines")[0].at("time_for_scale")[1].at("value").get<double>(), 0.1 / 2, 1e-12)
+      << "1 % of a scale of 2 m is 2 cm";
+}
+
+TEST(SpeedFindings, SayThatAMethodNeverGetsThereInsteadOfCountingWhatItReaches) {
+  const Json timings = three_engines().timings;
+  EXPECT_TRUE(row_of(timings.at("targets")[1], "coarse").at("median").is_null()) << "its best run is at 1 cm";
+  EXPECT_EQ(row_of(timings.at("targets")[1], "coarse").at("reached"), 0);
+  EXPECT_EQ(row_of(timings.at("targets")[0], "coarse").at("reached"), 1);
+}
+
+TEST(SpeedFindings, NameTheFastestToAMillimetreFirst) {
+  EXPECT_THAT(
+      three_engines().text,
+      ::testing::StartsWith("s, v: half is the fastest to 1 mm: 500 ms for a simulated second; next is box2d, 2 "
+                            "times that.\nNever that accurate: coarse.\n"));
 }
 
 }  // namespace

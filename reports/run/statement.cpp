@@ -1,0 +1,33 @@
+#include "reports/run/statement.h"
+
+#include <fmt/format.h>
+
+#include "scenarios/scenario.h"
+
+namespace plumb {
+
+std::string statement(const Stepping& stepping) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  constexpr double mm = 1000;
+  if (stepping.order > 0)
+    add(fmt::format("order {} in free motion, in sub-steps of {:.3g} ms", stepping.order, stepping.h * mm));
+  if (stepping.impact_lag > 0)
+    add(fmt::format("finds impacts up to {:.3g} ms late", stepping.impact_lag * stepping.h * mm));
+  if (stepping.skin > 0) add(fmt::format("bodies may rest {:.3g} mm apart", stepping.skin * mm));
+  if (stepping.slop > 0) add(fmt::format("leaves overlaps of up to {:.3g} mm alone", stepping.slop * mm));
+  if (stepping.joint_slop > 0) add(fmt::format("joints may be open by {:.3g} mm", stepping.joint_slop * mm));
+  if (stepping.creep > 0) add(fmt::format("what sticks may creep at {:.3g} mm/s", stepping.creep * mm));
+  if (stepping.rest_speed > 0) add(fmt::format("puts to sleep below {:.3g} m/s", stepping.rest_speed));
+  if (stepping.restitution_threshold > 0)
+    add(fmt::format("nothing bounces below {:.3g} m/s", stepping.restitution_threshold));
+  if (stepping.position_iterations > 0) {
+    add(fmt::format("{} iterations of velocities, {} of positions", stepping.iterations, stepping.position_iterations));
+  } else if (stepping.iterations > 0) {
+    add(fmt::format("{} iterations", stepping.iterations));
+  }
+  if (stepping.epsilon > 0) add(stepping.epsilon > 1e-9 ? "single precision" : "double precision");
+  return text;
+}
+
+}  // namespace plumb
