@@ -43,23 +43,26 @@ Vec2 redirected(Vec2 impulse, Vec2 from, Vec2 to) {
   return impulse.x * change + impulse.y * perpendicular(change);
 }
 
-/// Friction at all points: stops the sliding as far as the friction cone of the accumulated normal impulse allows. The
-/// point that bears more is first, whichever is listed first: it is the one that holds, and a mirrored scene has the
-/// points the other way round.
+/// Friction at all points: stops the sliding as far as the friction cone of the accumulated normal impulse allows. Two
+/// points of a contact slide together, so each stops its part, in proportion to what it bears: whichever is listed
+/// first, and however little one bears more than the other.
 template <class Frame>
 [[gnu::always_inline]] inline void solve_friction_by_state(ImpactRow& row, Frame& frame) {
-  const auto solve_at = [&](RowPoint& p) {
-    const Real wanted = p.tangent_impulse - p.tangent_mass * frame.tangent_velocity(p);
+  const auto stop = [&](RowPoint& p, Real sliding) {
+    const Real wanted = p.tangent_impulse - p.tangent_mass * sliding;
     const Real most = row.friction() * p.normal_impulse;
     const Real held = clamp(wanted, -most, most);
     frame.push_tangent(row, p, held - p.tangent_impulse);
     p.tangent_impulse = held;
   };
   auto& [p, q] = row.points;
-  if (row.count < 2) return solve_at(p);
-  const bool swapped = q.normal_impulse > p.normal_impulse;
-  solve_at(swapped ? q : p);
-  solve_at(swapped ? p : q);
+  if (row.count < 2) return stop(p, frame.tangent_velocity(p));
+  const Real load = p.normal_impulse + q.normal_impulse;
+  const Real share = load > 0 ? p.normal_impulse / load : Real{1} / 2;
+  const Real of_p = share * frame.tangent_velocity(p);
+  const Real of_q = (1 - share) * frame.tangent_velocity(q);
+  stop(p, of_p);
+  stop(q, of_q);
 }
 
 /// Solves both points together for these velocity changes, K d = change with K = `inverse_mass` and `coupling`: a point

@@ -4,16 +4,6 @@ namespace impulse::inline IMPULSE_PRECISION::IMPULSE_LANES {
 
 namespace {
 
-/// The friction impulse that stops the sliding at a point, as far as the friction cone allows.
-template <class Contacts>
-[[gnu::always_inline]] inline Lanes solve_friction(const Contacts& contacts, const PointLanes& p,
-                                                   const LanesFrame& frame, const Lanes& normal_impulse,
-                                                   const Lanes& tangent_impulse) {
-  const Lanes wanted = tangent_impulse - load(p.tangent_mass) * frame.tangent_velocity(p);
-  const Lanes most = load(contacts.friction) * normal_impulse;
-  return max(-most, min(most, wanted));
-}
-
 /// A parameter of SoftRule for each lane.
 Lanes by_lane(const SoftRule::Choice& choice, const Lanes::Mask& web, const Lanes::Mask& fixed) {
   return select(web, select(fixed, Lanes::all(choice[1][1]), Lanes::all(choice[1][0])),
@@ -48,8 +38,8 @@ template <class Contacts>
   }
 }
 
-/// Solves two points together, (K + G) d = -(v + bias + G lambda), see ScalarContacts::press_pair. Lanes where `holds`
-/// is not set must be solved point by point.
+/// Solves two points together, (K + G) d = -(v + bias + G lambda), see push_both() of ScalarContacts: a point that
+/// would pull bears nothing. Lanes where `holds` is not set must be solved point by point.
 struct SolvedPair {
   Lanes impulse[2];
   Lanes::Mask holds;
@@ -59,6 +49,7 @@ struct SolvedPair {
   const PointLanes& p = contacts.point[0];
   const PointLanes& q = contacts.point[1];
   const Lanes one = Lanes::all(1);
+  const Lanes nothing = Lanes::all(0);
   const Lanes k11 = one / load(p.normal_mass) + give[0];
   const Lanes k22 = one / load(q.normal_mass) + give[1];
   const Lanes k12 = frame.mass + frame.inertia_a * load(p.cross_a) * load(q.cross_a) +
@@ -66,14 +57,22 @@ struct SolvedPair {
   const Lanes determinant = k11 * k22 - k12 * k12;
   const Lanes wanted_p = -(frame.normal_velocity(p) + bias[0] + give[0] * impulse[0]);
   const Lanes wanted_q = -(frame.normal_velocity(q) + bias[1] + give[1] * impulse[1]);
+  const Lanes both_p = impulse[0] + (wanted_p * k22 - k12 * wanted_q) / determinant;
+  const Lanes both_q = impulse[1] + (k11 * wanted_q - wanted_p * k12) / determinant;
+  const Lanes::Mask push = (nothing <= both_p) & (nothing <= both_q);
+  // What each would bear alone, and whether the other then parts.
+  const Lanes of_p = impulse[0] + (wanted_p + k12 * impulse[1]) / k11;
+  const Lanes of_q = impulse[1] + (wanted_q + k12 * impulse[0]) / k22;
+  const Lanes left_q = wanted_q + k22 * impulse[1] - k12 * (of_p - impulse[0]);
+  const Lanes left_p = wanted_p + k11 * impulse[0] - k12 * (of_q - impulse[1]);
+  const Lanes::Mask only_p = (nothing <= of_p) & (left_q <= nothing);
+  const Lanes::Mask only_q = (nothing <= of_q) & (left_p <= nothing);
   SolvedPair pair;
-  pair.impulse[0] = impulse[0] + (wanted_p * k22 - k12 * wanted_q) / determinant;
-  pair.impulse[1] = impulse[1] + (k11 * wanted_q - wanted_p * k12) / determinant;
+  pair.impulse[0] = select(push, both_p, select(only_p, of_p, nothing));
+  pair.impulse[1] = select(push, both_q, select(only_p, nothing, select(only_q, of_q, nothing)));
   // The matrix of two points almost in one place does not determine the difference of their loads.
   const Lanes worst_condition = Lanes::all(1000);
-  const Lanes nothing = Lanes::all(0);
-  pair.holds =
-      (k11 * k22 <= worst_condition * determinant) & (nothing <= pair.impulse[0]) & (nothing <= pair.impulse[1]);
+  pair.holds = k11 * k22 <= worst_condition * determinant;
   return pair;
 }
 
@@ -88,18 +87,47 @@ template <class Each>
   }
 }
 
+/// Friction at all points, from the tangential impulses `now` on and into them, in the lanes of `where` only; see
+/// solve_friction_by_state() of ScalarContacts.
+template <class Contacts>
+[[gnu::always_inline]] inline void solve_friction_together(const Contacts& contacts, LanesFrame& frame,
+                                                           const Lanes impulse[2], const Lanes::Mask& where,
+                                                           Lanes now[2]) {
+  const Lanes mu = load(contacts.friction);
+  const auto stop = [&](const PointLanes& p, const Lanes& sliding, const Lanes& normal, Lanes& rubbed) {
+    const Lanes wanted = rubbed - load(p.tangent_mass) * sliding;
+    const Lanes most = mu * normal;
+    const Lanes held = select(where, max(-most, min(most, wanted)), rubbed);
+    frame.push_tangent(p, held - rubbed);
+    rubbed = held;
+  };
+  const auto& first = contacts.point[0];
+  if constexpr (std::extent_v<decltype(contacts.point)> == 1) {
+    stop(first, frame.tangent_velocity(first), impulse[0], now[0]);
+  } else {
+    const auto& second = contacts.point[1];
+    const Lanes one = Lanes::all(1);
+    const Lanes load = impulse[0] + impulse[1];
+    const Lanes share = select(Lanes::all(0) < load, impulse[0] / load, one / Lanes::all(2));
+    const Lanes of_first = share * frame.tangent_velocity(first);
+    const Lanes of_second = (one - share) * frame.tangent_velocity(second);
+    stop(first, of_first, impulse[0], now[0]);
+    stop(second, of_second, impulse[1], now[1]);
+  }
+}
+
 /// Friction before the drift for contacts in their first step.
 template <class Contacts>
 [[gnu::always_inline]] inline void solve_new_friction(Contacts& contacts, LanesFrame& frame, const Lanes impulse[2]) {
-  const auto fresh = Lanes::Mask::of(contacts.fresh);
-  for (std::uint32_t i = 0; i < count_points(contacts); ++i) {
-    PointLanes& p = contacts.point[i];
-    const Lanes half_tangent = Lanes::all(Real{1} / 2) * load(p.tangent_impulse);
-    const Lanes held = solve_friction(contacts, p, frame, impulse[i], half_tangent);
-    const Lanes next = select(fresh, held, half_tangent);
-    frame.push_tangent(p, next - half_tangent);
-    store(next + half_tangent, p.tangent_impulse);
+  const std::uint32_t points = count_points(contacts);
+  Lanes half[2];
+  Lanes now[2];
+  for (std::uint32_t i = 0; i < points; ++i) {
+    half[i] = Lanes::all(Real{1} / 2) * load(contacts.point[i].tangent_impulse);
+    now[i] = half[i];
   }
+  solve_friction_together(contacts, frame, impulse, Lanes::Mask::of(contacts.fresh), now);
+  for (std::uint32_t i = 0; i < points; ++i) store(now[i] + half[i], contacts.point[i].tangent_impulse);
 }
 
 template <bool block, class Contacts>
@@ -184,12 +212,16 @@ void relax(Contacts& contacts, FrameOf<Contacts>& frame) {
     auto& p = contacts.point[i];
     store(impulse[i], p.normal_impulse);
     store(load(p.total_normal) + (impulse[i] - before[i]), p.total_normal);
-    if constexpr (rubs<Contacts>) {
-      const Lanes tangent_before = load(p.tangent_impulse);
-      const Lanes tangent_impulse = solve_friction(contacts, p, frame, impulse[i], tangent_before);
-      frame.push_tangent(p, tangent_impulse - tangent_before);
-      store(tangent_impulse, p.tangent_impulse);
-      store(load(p.total_tangent) + (again ? tangent_impulse - tangent_before : tangent_impulse), p.total_tangent);
+  }
+  if constexpr (rubs<Contacts>) {
+    Lanes rubbed[2];
+    Lanes last[2];
+    for (std::uint32_t i = 0; i < points; ++i) last[i] = rubbed[i] = load(contacts.point[i].tangent_impulse);
+    solve_friction_together(contacts, frame, impulse, Lanes::Mask::of(all_lanes), rubbed);
+    for (std::uint32_t i = 0; i < points; ++i) {
+      auto& p = contacts.point[i];
+      store(rubbed[i], p.tangent_impulse);
+      store(load(p.total_tangent) + (again ? rubbed[i] - last[i] : rubbed[i]), p.total_tangent);
     }
   }
 }
