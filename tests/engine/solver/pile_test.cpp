@@ -142,11 +142,13 @@ INSTANTIATE_TEST_SUITE_P(All, Piles,
 // Discs that roll over each other turn their normal within a sub-step, here at the first impacts by 1 m/s / .54 m / 240
 // or .0077 of the 1 m/s. One contact at a time, half of the last impulse is given again along the new normal to all
 // before any contact is solved; in lanes what lacks of that is given when the contact is solved, so that others see it
-// late.
+// late. And in lanes the half that was given before the drift turns too (ScalarContacts::turn_back has no twin there):
+// in each sub-step .0077 of half of what ten layers bear, 10 x 10 m/s^2 / 240 = .4 m/s.
 TEST(Piles, OfDiscsAgreeWithTheScalarSolverUpToTheRotationOfNormalsInASubStep) {
-  const Real apart = difference(drum_of_discs(with("accurate")), drum_of_discs(with("accurate-scalar")), 7);
+  constexpr int steps = 7;
+  const Real apart = difference(drum_of_discs(with("accurate")), drum_of_discs(with("accurate-scalar")), steps);
   EXPECT_GT(apart, 0);
-  EXPECT_LT(apart, real(.0077));
+  EXPECT_LT(apart, real(.0077) + 4 * steps * real(.0077) * real(.4) / 2);
 }
 
 // The same of discs that part at up to .1 m/s and bear ten layers, 10 m/s^2 / 240 each: (.1 m/s / 1 m / 240) .4 m/s.
