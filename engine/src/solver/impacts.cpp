@@ -353,7 +353,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
     for (std::size_t i = 0; i < 2; ++i) {
       if (hit[i] == nullptr) continue;
       RowPoint& p = *hit[i];
-      const Real more = p.normal_mass * (target[i] - again.normal_velocity(p));
+      const Real more = effective_mass(now, p.cross_a, p.cross_b) * (target[i] - again.normal_velocity(p));
       const Real total = std::max(p.total_normal + more, Real{0});
       again.push_normal(now, p, total - p.total_normal);
       p.total_normal = total;
