@@ -9,12 +9,18 @@ namespace {
 
 constexpr int most_substeps = 32;
 
-constexpr std::size_t most_more_sweeps = 60;
-
 constexpr Real fast = static_cast<Real>(0.1);  // m/s
 
 /// Budget of one island and step: large piles keep the base numbers of sub-steps and iterations.
 constexpr std::size_t most_body_substeps = 4000;
+
+/// The same for a blow that is solved through a whole island: in four sub-steps these sweeps over its bodies take 3 ms.
+constexpr std::size_t most_body_sweeps = 10000;
+
+/// Sweeps that pass a blow through a whole island: one for each body, as in a column, and some more.
+std::size_t sweeps_through(std::size_t bodies) { return std::max(std::size_t{60}, bodies * 5 / 4); }
+
+bool few(std::size_t bodies) { return bodies * sweeps_through(bodies) <= most_body_sweeps; }
 
 }  // namespace
 
@@ -140,10 +146,10 @@ int settling_sweeps_for(std::size_t bodies) {
 
 int more_sweeps_for(std::size_t bodies) {
   if (bodies == 0) return 0;
-  return static_cast<int>(std::min(most_body_substeps / bodies, most_more_sweeps));
+  return static_cast<int>(few(bodies) ? sweeps_through(bodies) : most_body_substeps / bodies);
 }
 
-bool few(const Island& island) { return island.bodies.size() * most_more_sweeps <= most_body_substeps; }
+bool few(const Island& island) { return few(island.bodies.size()); }
 
 bool plain(const Island& island) {
   return island.joints.empty() && !island.bounces && !island.two_frictions && !island.settling && !island.turning &&

@@ -157,10 +157,7 @@ TEST(ReportedCases, ShowWhatWasReported) {
     EXPECT_TRUE(box2d.contains(name)) << name;
 }
 
-// But for one: bodies that start inside each other keep some of the speed with which they come apart.
-TEST(ReportedCases, ArePassedByOurEngine) {
-  EXPECT_THAT(missed_by("impulse"), ::testing::ElementsAre("matter-651-overlap-gap"));
-}
+TEST(ReportedCases, ArePassedByOurEngine) { EXPECT_THAT(missed_by("impulse"), ::testing::IsEmpty()); }
 
 }  // namespace
 }  // namespace plumb::scene_file_test
