@@ -43,6 +43,33 @@ TEST(Accurate, DampsToSecondOrder) {
   }
 }
 
+// x'' = -w^2 x - 2 g x': half the step, a quarter of the error.
+TEST(Accurate, DampsASpringToSecondOrder) {
+  constexpr double g = 3;
+  constexpr double w = 5;
+  const auto error = [&](double dt) {
+    Settings settings = accurate();
+    settings.dt = real(dt);
+    settings.gravity = {};
+    World world(settings);
+    const BodyId id = world.create_body(at(2, 0), Shape::circle(real(.25)));
+    const Real mass = world.body(id).mass().mass;
+    world.add_force(Spring{.a = {},
+                              .b = id,
+                              .anchor_a = {},
+                              .anchor_b = {},
+                              .stiffness = real(w * w) * mass,
+                              .length = 1,
+                              .damping = real(2 * g) * mass});
+    run(world, static_cast<int>(std::lround(.5 / dt)));
+    const double swing = std::sqrt(w * w - g * g);
+    const double x = std::exp(-g * .5) * (std::cos(swing * .5) + g / swing * std::sin(swing * .5));
+    return std::abs(static_cast<double>(world.body(id).position().x) - 1 - x);
+  };
+  EXPECT_LT(error(1.0 / 60), 1e-4);
+  if (sizeof(Real) == sizeof(double)) EXPECT_NEAR(error(1.0 / 30) / error(1.0 / 60), 4, .3);
+}
+
 TEST(Accurate, StopsUnderAnyDampingAndNeverTurnsBack) {
   World world(accurate());
   BodyDef def = at(0, 0, 100, 0);
