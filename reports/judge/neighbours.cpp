@@ -43,8 +43,18 @@ std::vector<BodyGap> Neighbours::in_step(std::size_t moment) const {
                               path(dt * length(then[i].velocity), dt * std::abs(then[i].angular_velocity), radii_[i]),
                               path(dt * length(now[i].velocity), dt * std::abs(now[i].angular_velocity), radii_[i])}));
   }
-  const std::vector<BodyGap> met = overlap_.near(then, reach);
-  return after_blows(met, then, now, dt, reach) ? overlap_.near(then, reach) : met;
+  std::vector<BodyGap> met = overlap_.near(then, reach);
+  if (!after_blows(met, then, now, dt, reach)) return met;
+  std::vector<BodyGap> farther = overlap_.near(then, reach);
+  // Those that meet anyway do so where they come without a blow.
+  for (BodyGap& pair : farther) {
+    const auto same = [&pair](const BodyGap& one) {
+      return one.a == pair.a && one.b == pair.b && one.shape_a == pair.shape_a && one.shape_b == pair.shape_b;
+    };
+    const auto known = std::find_if(met.begin(), met.end(), same);
+    if (known != met.end()) pair = *known;
+  }
+  return farther;
 }
 
 bool Neighbours::after_blows(std::span<const BodyGap> met, std::span<const BodyState> then,

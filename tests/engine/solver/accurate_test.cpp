@@ -67,7 +67,9 @@ TEST(Accurate, DampsASpringToSecondOrder) {
     return std::abs(static_cast<double>(world.body(id).position().x) - 1 - x);
   };
   EXPECT_LT(error(1.0 / 60), 1e-4);
-  if (sizeof(Real) == sizeof(double)) EXPECT_NEAR(error(1.0 / 30) / error(1.0 / 60), 4, .3);
+  if (sizeof(Real) == sizeof(double)) {
+    EXPECT_NEAR(error(1.0 / 30) / error(1.0 / 60), 4, .3);
+  }
 }
 
 TEST(Accurate, StopsUnderAnyDampingAndNeverTurnsBack) {
