@@ -55,12 +55,12 @@ TEST(Accurate, DampsASpringToSecondOrder) {
     const BodyId id = world.create_body(at(2, 0), Shape::circle(real(.25)));
     const Real mass = world.body(id).mass().mass;
     world.add_force(Spring{.a = {},
-                              .b = id,
-                              .anchor_a = {},
-                              .anchor_b = {},
-                              .stiffness = real(w * w) * mass,
-                              .length = 1,
-                              .damping = real(2 * g) * mass});
+                           .b = id,
+                           .anchor_a = {},
+                           .anchor_b = {},
+                           .stiffness = real(w * w) * mass,
+                           .length = 1,
+                           .damping = real(2 * g) * mass});
     run(world, static_cast<int>(std::lround(.5 / dt)));
     const double swing = std::sqrt(w * w - g * g);
     const double x = std::exp(-g * .5) * (std::cos(swing * .5) + g / swing * std::sin(swing * .5));
