@@ -273,7 +273,7 @@ class Bouncing {
     const double least = std::min(at_start.first, at_end.first);
     const double most = std::max(at_start.second, at_end.second);
     worst_.add(std::abs(hit.separation - (most + least) / 2), (most - least) / 2 + hit.off + hit.corrected,
-               hit.approach, trace.time(moment), [&] { return pair_name(scene, contact.a, contact.b); });
+               hit.approach, trace.time(moment), [&] { return pair_name(context_.scene, contact.a, contact.b); });
   }
 
   static constexpr double explained_share = 1e-3;  // by which another push would change a bound less than the rest does
