@@ -63,9 +63,8 @@ bool stands_still(const Contact& contact, const ImpactRow& row, NormalOf normal_
 Stir stir_of(const Contact& contact, const BodySet& bodies) {
   const Velocity& a = bodies.velocity[contact.body_a];
   const Velocity& b = bodies.velocity[contact.body_b];
-  const Vec2 apart = b.v - a.v;
   Stir stir;
-  stir.speed = std::abs(apart.x) + std::abs(apart.y);
+  stir.speed = length(b.v - a.v);
   if (!contact.disc_a) {
     stir.speed += rim_speed(bodies, contact.body_a);
     stir.turning += std::abs(a.w);

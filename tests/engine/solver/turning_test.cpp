@@ -59,6 +59,14 @@ TEST(Stir, IgnoresTheRotationOfADisc) {
   EXPECT_EQ(stir_of(contact, bodies).speed, 1);
 }
 
+// A sum of components would follow a scene more closely when it is turned by an eighth.
+TEST(Stir, IsTheSameInATurnedScene) {
+  Graph graph(3);
+  graph.touch(1, 2, 1);
+  graph.bodies().velocity[2].v = {3, 4};
+  EXPECT_EQ(stir_of(graph.contacts()[0], graph.bodies()).speed, 5);
+}
+
 // Each leans on the next with a corner that slides along a face while that turns, and in the end they lie on each
 // other: 11 mm deep when normals stood still.
 TEST(Turning, DominoesDoNotOverlap) {
