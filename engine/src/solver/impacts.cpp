@@ -5,14 +5,15 @@
 #include <limits>
 #include <utility>
 
+#include "solver/collision.h"
+
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
 constexpr Real never = std::numeric_limits<Real>::infinity();
 
-/// Points closer than this (m) at an impact are solved together: a box that lands flat must not start to spin.
-constexpr Real together = static_cast<Real>(0.0005);
+bool immovable(const InverseMass& mass) { return mass.m + mass.i == 0; }
 
 /// The ballistic motion of the bodies.
 struct Flight {
@@ -195,98 +196,6 @@ Hit first_hit(const Encounter& here, const RowPoint& p, const Flight& flight, Re
   return {now + x, -Encounter(here.row, flight, now + x).of(p).speed};
 }
 
-/// The coefficient up to which friction stops the tangential velocity vt, m/s. A point that slips when it hits slips
-/// until friction has stopped it, and meanwhile friction is the dynamic one; only where nothing slips the static
-/// coefficient counts.
-Real grip_at(const ContactRow& row, Real vt) {
-  return std::abs(vt) > no_speed ? row.dynamic_friction : row.static_friction;
-}
-
-/// Normal and tangential impulse at one point, satisfying both laws: the normal velocity is reversed and multiplied by
-/// e, and the tangential one is stopped if Coulomb's cone allows, otherwise opposed by mu J. K is the 2x2 matrix of
-/// inverse effective masses in (n, t).
-void strike_one(const ContactRow& row, RowPoint& p, ContactFrame& frame) {
-  const Real vn = frame.normal_velocity(p);
-  const Real vt = frame.tangent_velocity(p);
-  const Real kn = 1 / effective_mass(row, p.cross_a, p.cross_b);
-  const Real kt = 1 / effective_mass(row, p.dot_a, p.dot_b);
-  const Real knt = row.mass_a.i * p.cross_a * p.dot_a + row.mass_b.i * p.cross_b * p.dot_b;
-  const Real wanted = -(1 + row.restitution) * vn;
-  if (wanted <= 0) return;  // by rounding: a point that hits approaches
-
-  const Real grip = grip_at(row, vt);
-  Vec2 j = Mat22({kn, knt}, {knt, kt}).solve({wanted, -vt});  // sticks
-  if (std::abs(j.y) > grip * j.x) {
-    const Real mu = j.y < 0 ? -row.dynamic_friction : row.dynamic_friction;
-    j.x = wanted / (kn + mu * knt);
-    j.y = mu * j.x;
-  }
-  // Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985) and fails if kn + mu knt
-  // <= 0 (Painleve); then the normal impulse is computed without friction, and friction only removes energy.
-  const Real work = j.x * vn + j.y * vt + (kn * j.x * j.x + 2 * knt * j.x * j.y + kt * j.y * j.y) / 2;
-  if (!(j.x > 0) || work > 0) {
-    j.x = wanted / kn;
-    j.y = -(vt + knt * j.x) / kt;
-    if (std::abs(j.y) > grip * j.x) j.y = std::copysign(row.dynamic_friction * j.x, j.y);
-  }
-  frame.push_normal(row, p, j.x);
-  frame.push_tangent(row, p, j.y);
-  p.total_normal += j.x;
-  p.total_tangent += j.y;
-}
-
-/// Two points hit together: the normal impulses solve the 2x2 complementarity problem K J + (1+e) v >= 0, J >= 0;
-/// then friction at each.
-void strike_two(const ContactRow& row, RowPoint& p, RowPoint& q, ContactFrame& frame) {
-  const Real k11 = 1 / effective_mass(row, p.cross_a, p.cross_b);
-  const Real k22 = 1 / effective_mass(row, q.cross_a, q.cross_b);
-  const Real k12 =
-      row.mass_a.m + row.mass_b.m + row.mass_a.i * p.cross_a * q.cross_a + row.mass_b.i * p.cross_b * q.cross_b;
-  const Real b1 = -(1 + row.restitution) * frame.normal_velocity(p);
-  const Real b2 = -(1 + row.restitution) * frame.normal_velocity(q);
-  Vec2 j = Mat22({k11, k12}, {k12, k22}).solve({b1, b2});
-  if (!(j.x >= 0 && j.y >= 0)) j = k12 * b1 >= b2 * k11 ? Vec2{b1 / k11, 0} : Vec2{0, b2 / k22};
-
-  const auto push = [&](RowPoint& point, Real normal_impulse) {
-    frame.push_normal(row, point, normal_impulse);
-    point.total_normal += normal_impulse;
-  };
-  // Returns whether friction stopped the point.
-  const auto solve_friction_at = [&](RowPoint& point, Real most) {
-    const Real mass = effective_mass(row, point.dot_a, point.dot_b);
-    const Real wanted = point.total_tangent - mass * frame.tangent_velocity(point);
-    const Real held = clamp(wanted, -most, most);
-    frame.push_tangent(row, point, held - point.total_tangent);
-    point.total_tangent = held;
-    return held == wanted;
-  };
-  push(p, j.x);
-  push(q, j.y);
-  const Real slip = std::max(std::abs(frame.tangent_velocity(p)), std::abs(frame.tangent_velocity(q)));
-  const auto stops = [&](Real mu) {
-    const bool stops_p = solve_friction_at(p, mu * j.x);
-    return solve_friction_at(q, mu * j.y) || stops_p;  // what one cannot bear, the other may
-  };
-  const Real grip = grip_at(row, slip);
-  if (!stops(grip) && grip != row.dynamic_friction) stops(row.dynamic_friction);
-}
-
-/// The points that hit: the lower of those that approach, and the other one too if it also almost touches.
-struct Struck {
-  RowPoint* first;
-  RowPoint* second = nullptr;
-
-  Struck(ImpactRow& now, const ContactFrame& frame) : first(&now.points[0]) {
-    if (now.count < 2) return;
-    second = &now.points[1];
-    const auto approaches = [&](const RowPoint& p) { return frame.normal_velocity(p) < 0; };
-    if (!approaches(*first) || (approaches(*second) && second->separation < first->separation)) {
-      std::swap(first, second);
-    }
-    if (second->separation >= together || !approaches(*second)) second = nullptr;
-  }
-};
-
 /// Whether the contact solve must hold the row's points: they touch at the end of the sub-step, or they are not on
 /// their way to an impact.
 bool stops(const ImpactRow& row, const Flight& flight, Real h) {
@@ -305,16 +214,44 @@ bool stops(const ImpactRow& row, const Flight& flight, Real h) {
 
 }  // namespace
 
+/// Solves an impact, with what joints pass on of it: their response to an impulse is linear.
+void Impacts::collide(ImpactRow& now, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies) {
+  Velocity& a = bodies.velocity[now.a];
+  Velocity& b = bodies.velocity[now.b];
+  if (!joints.empty()) joints.absorb_impact();
+  Collision collision(now, a, b);
+  if (joints.empty()) {
+    collision.couple();
+  } else {
+    joined_.clear();
+    for (const std::uint32_t body : struck) joined_.push_back(bodies.velocity[body]);
+    const auto restore = [&] {
+      for (std::size_t i = 0; i < struck.size(); ++i) {
+        if (!immovable(bodies.inverse_mass[struck[i]])) bodies.velocity[struck[i]] = joined_[i];
+      }
+    };
+    collision.couple([&](const auto& push) {
+      restore();
+      push(a, b);
+      joints.absorb_impact();
+      return std::pair(a, b);
+    });
+    restore();
+  }
+  collision.solve();
+  collision.apply(a, b);
+  if (!joints.empty()) joints.absorb_impact();
+}
+
 /// Resolves the impact of a row at tau: velocities change there, and the start of the sub-step's path shifts so that
 /// the path still passes through the bodies' positions at tau.
 void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
                      std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau) {
   const Flight flight{bodies, motion, acceleration, slow_};
   ImpactRow now = Encounter(row, flight, tau).moved();
-  for (RowPoint& p : now.points) p.total_normal = p.total_tangent = 0;
   before_.clear();
   for (const std::uint32_t body : struck) {
-    if (bodies.inverse_mass[body].m + bodies.inverse_mass[body].i == 0) {
+    if (immovable(bodies.inverse_mass[body])) {
       before_.push_back(bodies.velocity[body]);
       continue;
     }
@@ -322,55 +259,15 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
     before_.push_back(bodies.velocity[body]);
   }
 
-  Velocity& a = bodies.velocity[row.a];
-  Velocity& b = bodies.velocity[row.b];
-  ContactFrame frame(now, a, b);
-  const Struck points(now, frame);
-  std::array<Real, 2> target{};
-  const std::array<RowPoint*, 2> hit{points.first, points.second};
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (hit[i] != nullptr) target[i] = -row.restitution * frame.normal_velocity(*hit[i]);
-  }
-  if (points.second != nullptr) {
-    strike_two(now, *points.first, *points.second, frame);
-  } else {
-    strike_one(now, *points.first, frame);
-  }
-  frame.write_back(now, a, b);
-
-  std::array<Real, 2> grip{};  // that friction has used, or may
-  for (std::size_t i = 0; i < 2; ++i) {
-    const RowPoint* p = hit[i];
-    if (p == nullptr) continue;
-    grip[i] =
-        std::max(row.dynamic_friction, p->total_normal > 0 ? std::abs(p->total_tangent) / p->total_normal : Real{0});
-  }
-  // For a cradle on strings, five and sixty iterations gave equal results.
-  constexpr int rounds = 5;
-  for (int round = 0; round < rounds && !joints.empty(); ++round) {
-    joints.absorb_impact();
-    ContactFrame again(now, a, b);
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (hit[i] == nullptr) continue;
-      RowPoint& p = *hit[i];
-      const Real more = effective_mass(now, p.cross_a, p.cross_b) * (target[i] - again.normal_velocity(p));
-      const Real total = std::max(p.total_normal + more, Real{0});
-      again.push_normal(now, p, total - p.total_normal);
-      p.total_normal = total;
-      const Real rubs = clamp(p.total_tangent, -grip[i] * total, grip[i] * total);
-      again.push_tangent(now, p, rubs - p.total_tangent);
-      p.total_tangent = rubs;
-    }
-    again.write_back(now, a, b);
-  }
-
+  for (RowPoint& p : now.points) p.total_normal = p.total_tangent = 0;
+  collide(now, joints, struck, bodies);
   for (std::size_t i = 0; i < 2; ++i) {
     const RowPoint& given = now.points[i];
     row.note(row.points[i], {given.total_normal, given.total_tangent}, now.normal);
   }
   for (std::size_t i = 0; i < struck.size(); ++i) {
     const std::uint32_t body = struck[i];
-    if (bodies.inverse_mass[body].m + bodies.inverse_mass[body].i == 0) continue;
+    if (immovable(bodies.inverse_mass[body])) continue;
     Velocity& velocity = bodies.velocity[body];
     motion[body].d -= tau * (velocity.v - before_[i].v);
     motion[body].turn_by(-tau * (velocity.w - before_[i].w));
@@ -410,8 +307,8 @@ void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count)
   events_.clear();
   first_of_.resize(body_count);
   const auto each_movable = [](const ImpactRow& row, const auto& visit) {
-    if (row.mass_a.m + row.mass_a.i > 0) visit(std::size_t{0}, row.a);
-    if (row.mass_b.m + row.mass_b.i > 0) visit(std::size_t{1}, row.b);
+    if (!immovable(row.mass_a)) visit(std::size_t{0}, row.a);
+    if (!immovable(row.mass_b)) visit(std::size_t{1}, row.b);
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].active = true;
@@ -457,7 +354,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     aim_at(next.candidate, next.time);
     for (const bool b : {false, true}) {
       const InverseMass& mass = b ? hit.mass_b : hit.mass_a;
-      if (mass.m + mass.i == 0) continue;
+      if (immovable(mass)) continue;
       const std::uint32_t body = b ? hit.b : hit.a;
       for (std::uint32_t c = first_of_[body]; c != none;) {
         if (c != next.candidate) aim_at(c, next.time);

@@ -112,8 +112,8 @@ inline Real slow_impact(Real acceleration, Real h) { return static_cast<Real>(2.
 /// of time until no contact with restitution hits before h. Rows that still approach afterwards hit in a later sub-step
 /// and are inactive in this one.
 ///
-/// Joints transmit an impact at once: impulse and joints are solved in turn until both laws hold, before the paths are
-/// shifted.
+/// Joints transmit an impact at once: the law is solved with the inverse masses of all that they connect, before the
+/// paths are shifted.
 class Impacts {
  public:
   /// Finds the contact of a row again where its bodies will be; returns whether its points may be others now.
@@ -145,12 +145,14 @@ class Impacts {
            const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real now, Real h);
   void strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
               std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau);
+  void collide(ImpactRow& now, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies);
 
   Real slow_ = 0;
   std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> first_of_;  // of each body's candidates; set only for bodies that have some
   std::vector<Event> events_;            // a heap
   std::vector<Velocity> before_;         // of the bodies that are hit
+  std::vector<Velocity> joined_;         // the same, as their joints demand
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -18,8 +18,10 @@ Scene scene(Draw& draw) {
   scene.joints.push_back(Prismatic{.a = 0, .b = 1, .anchor = cart.position, .axis = axis});
   if (draw.chance(0.7)) {
     // Soft enough to be resolved: w dt = sqrt(k/m) / 60 well below 1 for the lightest cart, of a few hundred grams.
+    // Hooked beside the rail: the force of a spring with a length jumps where the cart passes its end.
+    const double beside = (draw.chance(0.5) ? 1 : -1) * draw.between(0.3, 0.6);
     scene.forces.push_back(Spring{.b = 1,
-                                  .anchor_a = draw.between(-1, 1) * axis,
+                                  .anchor_a = draw.between(-1, 1) * axis + beside * Vec{-axis.y, axis.x},
                                   .stiffness = draw.over_magnitudes(1, 50),
                                   .length = draw.between(0, 1),
                                   .damping = draw.chance(0.5) ? 0 : draw.between(0, 1)});

@@ -56,6 +56,45 @@ TEST(Impacts, SlipWithTheDynamicCoefficient) {
   EXPECT_NEAR(static_cast<double>(world.body(ball).angular_velocity() * real(.25)), -.2 * (1 + e) * 2, 1e-5);
 }
 
+// Two welded discs are one rigid body, whose impact has a closed form: K J = (-(1 + e) vn, -vt) at the point that hits,
+// if friction stops the sliding. The joint passes the impact on, and friction acts on what comes back.
+TEST(Impacts, StopTheSlidingOfWeldedDiscsAsThatOfOneBody) {
+  constexpr double radius = 0.2;
+  constexpr double e = 0.5;
+  const Vec2 half{real(.4), real(.3)};  // from the centre to the upper disc
+  const Vec2 start{real(.7), -2};       // m/s
+  Settings weightless;
+  weightless.gravity = {};
+  World world(weightless);
+  const Material rough{1, real(.9), real(.9), real(e)};
+  add_floor(world, rough);
+  const auto disc = [&](Vec2 from) {
+    return world.create_body(at(static_cast<double>(from.x), 1 + static_cast<double>(from.y),
+                                static_cast<double>(start.x), static_cast<double>(start.y)),
+                             Shape::circle(real(radius)), rough);
+  };
+  const BodyId lower = disc({-half.x, -half.y});
+  const BodyId upper = disc(half);
+  world.create_joint(WeldJoint{lower, upper, {0, 1}});
+  const double mass = 2 * static_cast<double>(world.body(lower).mass().mass);
+  const double inertia = mass * radius * radius / 2 + mass * static_cast<double>(dot(half, half));
+  const double x = -static_cast<double>(half.x);
+  const double y = -static_cast<double>(half.y) - radius;  // from the centre to the point that hits
+  const double knn = 1 / mass + x * x / inertia;
+  const double ktt = 1 / mass + y * y / inertia;
+  const double knt = -x * y / inertia;
+  const double n = -(1 + e) * static_cast<double>(start.y);
+  const double t = -static_cast<double>(start.x);
+  const double along = (ktt * n - knt * t) / (knn * ktt - knt * knt);
+  const double across = (knn * t - knt * n) / (knn * ktt - knt * knt);
+  ASSERT_LT(std::abs(across), 0.9 * along);
+  run(world, 16);  // hits after 15
+  const Vec2 mean = (world.body(lower).velocity() + world.body(upper).velocity()) * real(.5);
+  EXPECT_NEAR(static_cast<double>(mean.x), static_cast<double>(start.x) + across / mass, 1e-5);
+  EXPECT_NEAR(static_cast<double>(mean.y), static_cast<double>(start.y) + along / mass, 1e-5);
+  EXPECT_NEAR(static_cast<double>(world.body(lower).angular_velocity()), (x * along - y * across) / inertia, 1e-5);
+}
+
 // At e = 0 as at any other: the discs touch where they meet, whatever the sub-step, so the angular momentum about the
 // origin stays and the impulse along the normal is the whole one.
 TEST(Impacts, StopInelasticDiscsWhereTheyMeet) {
