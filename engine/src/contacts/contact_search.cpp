@@ -43,10 +43,12 @@ void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bo
   list_touching(all);
   end_stage("list touching");
   hit_piles_.clear();
-  // Only once: what impacts pass on to a third body within the same step is small.
   const bool impacts = input.margin.time > 0 && predict_impacts(input);
   end_stage("predict impacts");
-  if (impacts) search_farther(input);
+  if (impacts) {
+    pass_impacts_on(input);
+    search_farther(input);
+  }
   std::sort(hit_piles_.begin(), hit_piles_.end());
   hit_piles_.erase(std::unique(hit_piles_.begin(), hit_piles_.end()), hit_piles_.end());
   found_the_same_ = touching_are_last();
@@ -208,13 +210,8 @@ bool ContactSearch::predict_impacts(const SearchInput& input) {
   const auto too_slow = [&](Real speed) { return margin.time * speed <= allowed * (Real{63} / 64); };
   if (too_slow(2 * shapes_.fastest())) return false;
   impact_changes_.assign(bodies.size(), 0);
+  hit_by_.assign(bodies.size(), none);
   bool farther = false;
-  const auto change_velocity = [&](std::size_t i, Real change) {
-    if (margin.time * change <= allowed) return;
-    impact_changes_[i] = std::max(impact_changes_[i], change);
-    farther = true;
-    if (bodies.pile[i] != 0) hit_piles_.push_back(bodies.pile[i]);
-  };
   const auto count = static_cast<std::uint32_t>(touching_.size());
   const PairBatch all{shapes_.records().data(), pairs_.data(), touching_.data(), count, allowed, margin.time};
   fast_.resize(count);
@@ -242,22 +239,69 @@ bool ContactSearch::predict_impacts(const SearchInput& input) {
     const Real restitution = mix(input.settings.restitution_mixing, shapes_.restitution(pairs_[pair].first),
                                  shapes_.restitution(pairs_[pair].second));
     const Real change = (1 + restitution) * speed / (inv_mass_a + inv_mass_b);
-    change_velocity(a, change * inv_mass_a);
-    change_velocity(b, change * inv_mass_b);
+    farther |= change_velocity(input, a, b, change * inv_mass_a);
+    farther |= change_velocity(input, b, a, change * inv_mass_b);
   }
   return farther;
+}
+
+/// Notes that a hit may change the velocity of a body by so much; returns whether that moves it farther than the margin
+/// allows for, and than what was noted.
+bool ContactSearch::change_velocity(const SearchInput& input, std::size_t body, std::size_t by, Real change) {
+  if (input.margin.time * change <= input.margin.distance / 2 || change <= impact_changes_[body]) return false;
+  impact_changes_[body] = change;
+  hit_by_[body] = static_cast<std::uint32_t>(by);
+  if (input.bodies.pile[body] != 0) hit_piles_.push_back(input.bodies.pile[body]);
+  return true;
+}
+
+/// What is hit hits others within the same step: the balls of a cradle one after the other, and what lies on a body
+/// that lands. A body whose velocity changes by c changes that of another by at most (1 + e) c mA / (mA + mB), but for
+/// the one that hit it. Ends with the pairs that all these changes bring near each other.
+void ContactSearch::pass_impacts_on(const SearchInput& input) {
+  const std::span<const Proxy> proxies = shapes_.proxies();
+  hit_.resize(proxies.size());
+  for (std::size_t i = 0; i < proxies.size(); ++i) hit_[i] = impact_changes_[proxies[i].body] > 0 ? 1 : 0;
+  farther_pairs_.clear();
+  constexpr int most = 16;  // bodies in a row; each round searches around those that the last one added
+  int round = 0;
+  for (bool farther = true; farther && round < most; ++round) {
+    shapes_.grow(input.bodies, input.margin, impact_changes_);
+    end_stage("farther: grow");
+    input.broad_phase.find_pairs_of(proxies, hit_, near_hit_);
+    end_stage("farther: find pairs");
+    farther_pairs_.insert(farther_pairs_.end(), near_hit_.begin(), near_hit_.end());
+    passed_on_.clear();
+    for (const Pair& pair : near_hit_) {
+      const std::size_t a = proxies[pair.first].body;
+      const std::size_t b = proxies[pair.second].body;
+      const Real inv_mass_a = input.bodies.inverse_mass[a].m;
+      const Real inv_mass_b = input.bodies.inverse_mass[b].m;
+      if (inv_mass_a == 0 || inv_mass_b == 0) continue;
+      const Real bounce =
+          1 + mix(input.settings.restitution_mixing, shapes_.restitution(pair.first), shapes_.restitution(pair.second));
+      const Real shared = bounce / (inv_mass_a + inv_mass_b);
+      if (hit_by_[a] != b) passed_on_.push_back({b, a, shared * inv_mass_b * impact_changes_[a]});
+      if (hit_by_[b] != a) passed_on_.push_back({a, b, shared * inv_mass_a * impact_changes_[b]});
+    }
+    farther = false;
+    changed_.assign(input.bodies.size(), 0);
+    for (const Passed& one : passed_on_) {
+      if (!change_velocity(input, one.body, one.by, one.change)) continue;
+      changed_[one.body] = 1;
+      farther = true;
+    }
+    for (std::size_t i = 0; i < proxies.size(); ++i) hit_[i] = changed_[proxies[i].body];
+    end_stage("farther: pass on");
+  }
+  if (round == 1) return;
+  std::sort(farther_pairs_.begin(), farther_pairs_.end());
+  farther_pairs_.erase(std::unique(farther_pairs_.begin(), farther_pairs_.end()), farther_pairs_.end());
 }
 
 /// The second speculative query, only around bodies that are hit: with their bounds grown there are more pairs, and
 /// points count from farther away.
 void ContactSearch::search_farther(const SearchInput& input) {
-  shapes_.grow(input.bodies, input.margin, impact_changes_);
-  const std::span<const Proxy> proxies = shapes_.proxies();
-  hit_.resize(proxies.size());
-  for (std::size_t i = 0; i < proxies.size(); ++i) hit_[i] = impact_changes_[proxies[i].body] > 0 ? 1 : 0;
-  end_stage("farther: grow");
-  input.broad_phase.find_pairs_of(proxies, hit_, farther_pairs_);
-  end_stage("farther: find pairs");
   put_in_order(input, farther_pairs_);
 
   const auto end = static_cast<std::uint32_t>(pairs_.size());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "../support.h"
 #include "worlds.h"
@@ -56,6 +57,42 @@ TEST(Impacts, SlipWithTheDynamicCoefficient) {
   EXPECT_NEAR(static_cast<double>(world.body(ball).angular_velocity() * real(.25)), -.2 * (1 + e) * 2, 1e-5);
 }
 
+// A light block between a heavy one and a wall: 314 impacts for a mass ratio of 10^4 (Galperin 2003), nearly all within
+// one sub-step. With 96 at most, the heavy block lost its energy.
+TEST(Impacts, CountTheDigitsOfPiWithinASubStep) {
+  Settings weightless;
+  weightless.gravity = {};
+  World world(weightless);
+  const Material elastic{1, 0, 0, 1};
+  BodyDef wall;
+  wall.type = BodyType::fixed;
+  world.create_body(wall, Shape::half_space({1, 0}, 0), elastic);
+  const BodyId light = world.create_body(at(1, 0), Shape::box({real(.05), real(.05)}), elastic);
+  Material dense = elastic;
+  dense.density = 10000;
+  const BodyId heavy = world.create_body(at(2, 0, -10), Shape::box({real(.05), real(.05)}), dense);
+  run(world, 60);
+  EXPECT_NEAR(static_cast<double>(world.body(heavy).velocity().x), 10, 0.01);
+  EXPECT_LT(std::abs(static_cast<double>(world.body(light).velocity().x)), 10 * 100.0);
+}
+
+// The wave of a cradle passes gaps of a tenth of a metre within one step: no ball is missed by the one that is hit
+// before it.
+TEST(Impacts, PassOnThroughBallsThatAreFarApart) {
+  Settings weightless;
+  weightless.gravity = {};
+  World world(weightless);
+  const Material elastic{1, 0, 0, 1};
+  std::vector<BodyId> balls;
+  for (int i = 0; i < 6; ++i) {
+    balls.push_back(world.create_body(at(1.07 * i, 0, i == 0 ? 30 : 0), Shape::circle(real(.5)), elastic));
+  }
+  run(world, 12);
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    EXPECT_NEAR(static_cast<double>(world.body(balls[i]).velocity().x), i == 5 ? 30 : 0, 1e-4) << i;
+  }
+}
+
 // Two welded discs are one rigid body, whose impact has a closed form: K J = (-(1 + e) vn, -vt) at the point that hits,
 // if friction stops the sliding. The joint passes the impact on, and friction acts on what comes back.
 TEST(Impacts, StopTheSlidingOfWeldedDiscsAsThatOfOneBody) {
@@ -90,9 +127,9 @@ TEST(Impacts, StopTheSlidingOfWeldedDiscsAsThatOfOneBody) {
   ASSERT_LT(std::abs(across), 0.9 * along);
   run(world, 16);  // hits after 15
   const Vec2 mean = (world.body(lower).velocity() + world.body(upper).velocity()) * real(.5);
-  EXPECT_NEAR(static_cast<double>(mean.x), static_cast<double>(start.x) + across / mass, 1e-5);
-  EXPECT_NEAR(static_cast<double>(mean.y), static_cast<double>(start.y) + along / mass, 1e-5);
-  EXPECT_NEAR(static_cast<double>(world.body(lower).angular_velocity()), (x * along - y * across) / inertia, 1e-5);
+  EXPECT_NEAR(static_cast<double>(mean.x), static_cast<double>(start.x) + across / mass, 3e-5);
+  EXPECT_NEAR(static_cast<double>(mean.y), static_cast<double>(start.y) + along / mass, 3e-5);
+  EXPECT_NEAR(static_cast<double>(world.body(lower).angular_velocity()), (x * along - y * across) / inertia, 3e-5);
 }
 
 // At e = 0 as at any other: the discs touch where they meet, whatever the sub-step, so the angular momentum about the
