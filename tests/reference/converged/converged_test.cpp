@@ -10,7 +10,7 @@
 #include "reports/run/run.h"
 #include "reports/vec.h"
 #include "scenarios/scenario.h"
-#include "tests/reference/exact/integrate.h"
+#include "scenarios/integrate.h"
 
 namespace plumb::converged_test {
 namespace {

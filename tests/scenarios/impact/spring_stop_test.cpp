@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scenarios/scene/mass.h"
-#include "tests/reference/exact/integrate.h"
+#include "scenarios/integrate.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::spring_stop_test {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scenarios/scene/mass.h"
-#include "tests/reference/exact/integrate.h"
+#include "scenarios/integrate.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::kater_test {
