@@ -9,8 +9,8 @@
 #include "reports/judge/observe.h"
 #include "reports/run/run.h"
 #include "reports/vec.h"
-#include "scenarios/scenario.h"
 #include "scenarios/integrate.h"
+#include "scenarios/scenario.h"
 
 namespace plumb::converged_test {
 namespace {

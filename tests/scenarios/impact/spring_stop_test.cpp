@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "scenarios/scene/mass.h"
 #include "scenarios/integrate.h"
+#include "scenarios/scene/mass.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::spring_stop_test {

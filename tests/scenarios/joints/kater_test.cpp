@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "scenarios/scene/mass.h"
 #include "scenarios/integrate.h"
+#include "scenarios/scene/mass.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::kater_test {

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "scenarios/scene/mass.h"
 #include "scenarios/integrate.h"
+#include "scenarios/scene/mass.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::spring_test {
