@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -37,6 +39,13 @@ TEST(Scenarios, AreAllRegistered) {
           "slip-to-roll", "slope", "slope-disc", "smash", "spin-up", "spinning-obb", "spring", "spring-ellipse",
           "spring-stop", "stacking", "stopping-distance", "struck-wall", "tautochrone", "teams", "thin-wall", "tipping",
           "tumbler", "turning-rail", "two-frictions"));
+}
+
+TEST(Scenarios, AreAsManyAsTheReadmeSays) {
+  std::ifstream readme(PLUMB_SOURCE_DIR "/README.md");
+  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  const std::string families = std::to_string(Catalog<Scenario>::all().size()) + " families of scenes";
+  EXPECT_THAT(text, testing::HasSubstr(families));
 }
 
 TEST(Scenarios, InTheShortReportAreTheFourCanonicalOnes) {
