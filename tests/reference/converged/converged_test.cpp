@@ -9,8 +9,8 @@
 #include "reports/judge/observe.h"
 #include "reports/run/run.h"
 #include "reports/vec.h"
+#include "scenarios/integrate.h"
 #include "scenarios/scenario.h"
-#include "tests/reference/exact/integrate.h"
 
 namespace plumb::converged_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "integrate.h"
+#include "scenarios/integrate.h"
 
 namespace plumb::bounce_test {
 namespace {

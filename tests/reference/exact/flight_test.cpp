@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "integrate.h"
 #include "reference/plane.h"
+#include "scenarios/integrate.h"
 #include "scenarios/parts.h"
 
 namespace plumb::flight_test {

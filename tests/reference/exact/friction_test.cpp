@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "integrate.h"
 #include "reference/simulation.h"
+#include "scenarios/integrate.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
 

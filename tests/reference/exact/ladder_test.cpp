@@ -9,10 +9,10 @@
 #include <numbers>
 #include <vector>
 
-#include "integrate.h"
 #include "reference/exact/oscillation.h"
 #include "reference/plane.h"
 #include "reference/simulation.h"
+#include "scenarios/integrate.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "integrate.h"
 #include "reference/plane.h"
+#include "scenarios/integrate.h"
 
 namespace plumb::orbit_test {
 namespace {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "integrate.h"
 #include "reference/plane.h"
 #include "reference/simulation.h"
+#include "scenarios/integrate.h"
 #include "scenarios/scenario.h"
 
 namespace plumb::oscillation_test {

@@ -8,9 +8,9 @@
 #include <limits>
 #include <numbers>
 
-#include "integrate.h"
 #include "reference/plane.h"
 #include "reference/simulation.h"
+#include "scenarios/integrate.h"
 #include "scenarios/scenario.h"
 
 namespace plumb::topple_test {

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "tests/reference/exact/integrate.h"
+#include "scenarios/integrate.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::flyby_test {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "scenarios/integrate.h"
 #include "scenarios/scene/mass.h"
-#include "tests/reference/exact/integrate.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::spring_stop_test {

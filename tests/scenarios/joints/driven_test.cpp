@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "tests/reference/exact/integrate.h"
+#include "scenarios/integrate.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::driven_test {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "tests/reference/exact/integrate.h"
+#include "scenarios/integrate.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::dumbbells_test {

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "scenarios/integrate.h"
 #include "scenarios/scene/mass.h"
-#include "tests/reference/exact/integrate.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::spring_test {

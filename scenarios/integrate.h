@@ -5,7 +5,8 @@
 
 namespace plumb {
 
-/// One step of y' = f(y) by the classical fourth-order Runge-Kutta method: an independent check of closed forms.
+/// One step of y' = f(y) by the classical fourth-order Runge-Kutta method: what truths without a closed form are
+/// integrated by, and an independent check of closed forms.
 template <std::size_t N, class Derivative>
 std::array<double, N> runge_kutta(const std::array<double, N>& y, double h, const Derivative& f) {
   const auto plus = [&y](const std::array<double, N>& k, double s) {

@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/prove/detection.h"
+#include "reports/run/selection.h"
+#include "scenarios/random.h"
+
+// The catalogue's variants were chosen; parameters that nobody chose are drawn from one seed, over all families.
+namespace plumb::random_parameters_test {
+namespace {
+
+constexpr std::uint64_t seed = 20261123;
+constexpr int draws = 3;           // of each family, at least 200 in all
+constexpr double dt = 1.0 / 60;    // s
+constexpr double largest = 6'000;  // steps of a shape in a case, all phases together
+
+// Uniform, or uniform in the logarithm where the range spans more than a factor of 20.
+double drawn(const Parameter& of, Random& random) {
+  const bool wide = of.min > 0 && of.max > 20 * of.min;
+  const double value = wide ? of.min * std::exp(random.between(0, std::log(of.max / of.min)))
+                            : random.between(of.min, of.max + (of.whole ? 1 : 0));
+  return of.whole ? std::min(std::floor(value), of.max) : value;
+}
+
+double cost(const Case& one) {
+  std::size_t shapes = 0;
+  for (const Body& body : one.scene->bodies) shapes += body.shapes.size();
+  const double phases = one.scenario->phased ? judged_phases : 1;
+  return static_cast<double>(shapes * steps_in(one.scene->duration, dt)) * phases;
+}
+
+// "NAME:parameter=value,...", as `plumb run` takes it: the first of fifty draws that is cheap enough, or the cheapest.
+std::string drawn_case(const Scenario& family, Random& random) {
+  std::string cheapest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int attempt = 0; attempt < 50 && least > largest; ++attempt) {
+    std::string word = family.name;
+    for (const Parameter& parameter : family.parameters) {
+      word += fmt::format("{}{}={}", word == family.name ? ':' : ',', parameter.name, drawn(parameter, random));
+    }
+    if (const double its = cost(parse_case(word)); its < least) {
+      least = its;
+      cheapest = word;
+    }
+  }
+  return cheapest;
+}
+
+// Each family has numbers of its own, so that a new family leaves the others' cases as they are. FNV-1a of the name.
+std::uint64_t seed_of(const std::string& name) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return seed ^ hash;
+}
+
+std::vector<std::string> drawn_cases() {
+  std::vector<std::string> words;
+  for (const Scenario* family : Catalog<Scenario>::all()) {
+    Random random(seed_of(family->name));
+    for (int i = 0; i < draws; ++i) words.push_back(drawn_case(*family, random));
+  }
+  return words;
+}
+
+std::vector<std::string> wrong_by(const std::string& engine) {
+  const EngineConfig config = parse_engine(engine);
+  std::vector<std::string> wrong;
+  for (const std::string& word : drawn_cases()) {
+    const Case one = parse_case(word);
+    const JudgedRun run = judge_run(one, config, dt, run_case(one, config, dt));
+    if (run.status == Status::failed || (run.status == Status::ok && run.judgement.verdict == Verdict::wrong)) {
+      wrong.push_back(word);
+    }
+  }
+  return wrong;
+}
+
+// Families in which a draw is wrong, and what is known of it. `plumb run` takes the words that a failure prints.
+const std::map<std::string, std::string> open_families{
+    {"arch", "near the least thickness, in float: a bounce, 1.4 times what is allowed; an overlap, 1.3 times"},
+    {"capsule-heap",
+     "some twenty capsules: a spin without its impulses, 3 times what is allowed; an overlap, 1.2 times"},
+    {"capsules", "velocities after a hit far off the middle differ from the truth by up to 80 %: not looked into"},
+    {"conveyor", "a box at the belt's speed is off by up to 2e-7 m/s where round-off is allowed"},
+    {"corner-impact", "a flat tilt or a fast box lands again, where the closed form has ended: expected nan"},
+    {"cradle", "in some phases a middle ball is off by up to 9 cm: impacts within one step in another order"},
+    {"hanging-chain", "a load of 4000 links, from the side: links move without the impulses for it"},
+    {"hinged-hit", "the rod's spin is off by .09 %, 33 times what is allowed"},
+    {"joint-stop", "momentum at the stop without an impulse for it, 35 times what is allowed"},
+    {"lone-bodies", "a damped body at 80 m is off by 1e-7 m, 1.6 times round-off"},
+    {"mass-ratio", "ten boxes, each 56 times as heavy as the one below: the tower bursts"},
+    {"pi-billiard", "three digits: a mass ratio of a million loses all its energy at the wall"},
+    {"rain", "a disc's momentum without its impulses, 1.7 times what is allowed"},
+    {"slope", "a steep slope ends before the last reading, and the closed form with it: expected nan"},
+    {"smash", "a contact that sticks moves, 5 times what is allowed"},
+    {"spinning-obb", "lands again where the closed form has ended: expected nan; a long flight is off by .15 mm"},
+    {"spring-stop", "energy in one phase, 1.03 times the tolerance"},
+    {"struck-wall", "a wall of one column: angular momentum, 1.2 times what is allowed"},
+    {"tautochrone", "20 facets a radian: a bead overlaps a corner, 1.3 times what is allowed"},
+    {"tipping", "the box has landed or slips at the last reading, where the closed form has ended: expected nan"}};
+
+std::set<std::string> families_of(const std::vector<std::string>& words) {
+  std::set<std::string> names;
+  for (const std::string& word : words) names.insert(word.substr(0, word.find(':')));
+  return names;
+}
+
+std::vector<std::string> outside_of_open_families(const std::vector<std::string>& words) {
+  std::vector<std::string> others;
+  for (const std::string& word : words) {
+    if (open_families.count(word.substr(0, word.find(':'))) == 0) others.push_back(word);
+  }
+  return others;
+}
+
+TEST(RandomParameters, AreDrawnFromEveryFamily) {
+  EXPECT_EQ(families_of(drawn_cases()).size(), Catalog<Scenario>::all().size());
+  EXPECT_GE(drawn_cases().size(), 200u);
+}
+
+TEST(RandomParameters, FindNothingWrongOutsideOfTheFamiliesThatAreStillOpen) {
+  std::set<std::string> found;
+  for (const char* engine : {"impulse", "impulse:precision=float"}) {
+    const std::vector<std::string> wrong = wrong_by(engine);
+    EXPECT_THAT(outside_of_open_families(wrong), testing::IsEmpty()) << engine;
+    found.merge(families_of(wrong));
+  }
+  for (const auto& [family, reason] : open_families)
+    EXPECT_TRUE(found.count(family)) << family << " is mended: take it out";
+}
+
+// A control: without gravity, most of what falls, slides or rolls is wrong.
+TEST(RandomParameters, FindAnEngineWithoutGravityWrong) {
+  int wrong = 0;
+  for (const std::string& word : drawn_cases()) {
+    const Case one = parse_case(word);
+    if (one.scene->duration > 2 || cost(one) > largest) continue;
+    Case altered = one;
+    Scene scene = *one.scene;
+    scene.gravity = {};
+    altered.scene = std::make_shared<const Scene>(scene);
+    const EngineConfig config = parse_engine("impulse");
+    const CaseRun run = run_case(altered, config, dt);
+    if (judge_run(one, config, dt, run).judgement.verdict == Verdict::wrong) ++wrong;
+  }
+  EXPECT_GT(wrong, 30);
+}
+
+}  // namespace
+}  // namespace plumb::random_parameters_test
