@@ -22,20 +22,21 @@ TEST(Scenarios, AreInTheGroupOfTheirFolder) {
 TEST(Scenarios, AreAllRegistered) {
   std::vector<std::string> names;
   for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);
-  EXPECT_THAT(names, testing::ElementsAre(
-                         "arch", "beam", "beats", "billiard", "bounce", "breakaway", "cantilever", "capsule-heap",
-                         "capsules", "card-house", "closing-walls", "conveyor", "corner-impact", "corner-spin",
-                         "cradle", "crowd", "disc-on-wedge", "disc-pair", "disc-pile", "dominoes", "double-pendulum",
-                         "dry-oscillator", "dumbbells", "flush-tiles", "flyby", "free-bodies", "free-wedge", "gas",
-                         "hanging-chain", "head-on", "heavy-object", "hinged-hit", "joined-pair", "joint-grid",
-                         "joint-stop", "kater", "ladder", "late-blow", "layers", "limiting-friction", "lone-bodies",
-                         "lost-support", "many-pyramids", "mass-ratio", "materials", "mixing-rules", "oblique-disc",
-                         "off-center", "orbit", "overhang", "paddle", "painleve-rod", "pendulum", "pi-billiard",
-                         "pressed-box", "pushed-plank", "pyramid", "rain", "restitution-rules", "rod-hit",
-                         "rod-pendulum", "rod-toppling", "rope-bridge", "slider", "slider-crank", "sliding-ladder",
-                         "sliding-pyramid", "slip-to-roll", "slope", "slope-disc", "smash", "spin-up", "spinning-obb",
-                         "spring", "spring-ellipse", "spring-stop", "stacking", "stopping-distance", "struck-wall",
-                         "tautochrone", "teams", "thin-wall", "tipping", "tumbler", "turning-rail", "two-frictions"));
+  EXPECT_THAT(
+      names,
+      testing::ElementsAre(
+          "arch", "beam", "beats", "billiard", "bounce", "breakaway", "cantilever", "capsule-heap", "capsules",
+          "card-house", "closing-walls", "conveyor", "corner-impact", "corner-spin", "cradle", "crowd", "disc-on-wedge",
+          "disc-pair", "disc-pile", "dominoes", "double-pendulum", "dry-oscillator", "dumbbells", "flush-tiles",
+          "flyby", "free-bodies", "free-wedge", "gas", "hanging-chain", "head-on", "heavy-object", "hinged-hit",
+          "joined-pair", "joint-grid", "joint-stop", "kater", "ladder", "late-blow", "layers", "limiting-friction",
+          "lone-bodies", "lost-support", "many-pyramids", "mass-ratio", "materials", "mixing-rules", "motor",
+          "motor-arm", "oblique-disc", "off-center", "orbit", "overhang", "paddle", "painleve-rod", "pendulum",
+          "pi-billiard", "pressed-box", "pushed-plank", "pyramid", "rain", "restitution-rules", "rod-hit",
+          "rod-pendulum", "rod-toppling", "rope-bridge", "slider", "slider-crank", "sliding-ladder", "sliding-pyramid",
+          "slip-to-roll", "slope", "slope-disc", "smash", "spin-up", "spinning-obb", "spring", "spring-ellipse",
+          "spring-stop", "stacking", "stopping-distance", "struck-wall", "tautochrone", "teams", "thin-wall", "tipping",
+          "tumbler", "turning-rail", "two-frictions"));
 }
 
 TEST(Scenarios, InTheShortReportAreTheFourCanonicalOnes) {
