@@ -27,8 +27,8 @@ Scene scene(const Parameters& p) {
 // w = (tau/I) t until the motor's speed. Of a constant torque every method has the speed at a step's end; between two
 // of them its reading is on their chord, which cuts the corner where the speed is reached by a h/4 at most. The angle:
 //   drift     a t h while the wheel gains speed;
-//   corner    within the step that reaches the speed, s of h late, a method's mean speed is off by a s (h - s)/(2 h):
-//             at most a h^2/8.
+//   chord     a reading between two steps is off by the arc's height, a dt^2/8 at most; the step of h that reaches the
+//             speed, s late, by a s (h - s)/2, no more than that.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double speed = p.at("speed");
   const double a = p.at("torque") / mass_of(scene(p).bodies[1]).inertia;
