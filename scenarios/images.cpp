@@ -39,6 +39,7 @@ struct MapJoint {
   void operator()(Revolute& joint) const {
     joint.anchor = map.of_point(joint.anchor);
     if (map.mirrored && joint.limits) joint.limits = AngleLimits{-joint.limits->high, -joint.limits->low};
+    if (joint.motor) joint.motor->speed = map.of_spin(joint.motor->speed);
   }
   void operator()(Distance& joint) const {
     joint.anchor_a = map.of_point(joint.anchor_a);
@@ -84,8 +85,11 @@ struct StrongerForce {
 };
 
 struct StrongerJoint {
-  double length, stiffness, damping;
-  void operator()(Revolute& joint) const { joint.anchor = scaled(joint.anchor, length); }
+  double force, length, time, stiffness, damping;
+  void operator()(Revolute& joint) const {
+    joint.anchor = scaled(joint.anchor, length);
+    if (joint.motor) joint.motor = Motor{joint.motor->speed / time, joint.motor->strength * force * length};
+  }
   void operator()(Distance& joint) const {
     joint.anchor_a = scaled(joint.anchor_a, length);
     joint.anchor_b = scaled(joint.anchor_b, length);
@@ -93,7 +97,10 @@ struct StrongerJoint {
     joint.stiffness *= stiffness;
     joint.damping *= damping;
   }
-  void operator()(Prismatic& joint) const { joint.anchor = scaled(joint.anchor, length); }
+  void operator()(Prismatic& joint) const {
+    joint.anchor = scaled(joint.anchor, length);
+    if (joint.motor) joint.motor = Motor{joint.motor->speed * length / time, joint.motor->strength * force};
+  }
   void operator()(Weld& joint) const { joint.anchor = scaled(joint.anchor, length); }
 };
 
@@ -166,7 +173,7 @@ Scene with_masses(const Scene& scene, double factor) {
   for (Body& body : image.bodies) {
     for (Shape& shape : body.shapes) shape.surface.density *= factor;
   }
-  for (Joint& joint : image.joints) std::visit(StrongerJoint{1, factor, factor}, joint);
+  for (Joint& joint : image.joints) std::visit(StrongerJoint{factor, 1, 1, factor, factor}, joint);
   for (Force& force : image.forces) std::visit(StrongerForce{factor, 1, factor, factor}, force);
   return image;
 }
@@ -188,7 +195,7 @@ Scene in_units(const Scene& scene, double length, double mass) {
   }
   const double stiffness = mass / (time * time);
   const double damping = mass / time;
-  for (Joint& joint : image.joints) std::visit(StrongerJoint{length, stiffness, damping}, joint);
+  for (Joint& joint : image.joints) std::visit(StrongerJoint{mass, length, time, stiffness, damping}, joint);
   for (Force& force : image.forces) std::visit(StrongerForce{mass, length, stiffness, damping}, force);
   return image;
 }

@@ -29,6 +29,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -288,6 +289,14 @@ class Box2d : public Simulation {
     return world_.CreateBody(&def);
   }
 
+  template <class Def>
+  static void drive(Def& def, float& most, const std::optional<Motor>& motor) {
+    if (!motor) return;
+    def.enableMotor = true;
+    def.motorSpeed = static_cast<float>(motor->speed);
+    most = static_cast<float>(motor->strength);
+  }
+
   void add(const Revolute& joint) {
     b2RevoluteJointDef def;
     def.Initialize(bodies_[joint.a], bodies_[joint.b], to_b2(joint.anchor));
@@ -296,6 +305,7 @@ class Box2d : public Simulation {
       def.lowerAngle = static_cast<float>(joint.limits->low);
       def.upperAngle = static_cast<float>(joint.limits->high);
     }
+    drive(def, def.maxMotorTorque, joint.motor);
     world_.CreateJoint(&def);
   }
 
@@ -314,6 +324,7 @@ class Box2d : public Simulation {
   void add(const Prismatic& joint) {
     b2PrismaticJointDef def;
     def.Initialize(bodies_[joint.a], bodies_[joint.b], to_b2(joint.anchor), to_b2(joint.axis));
+    drive(def, def.maxMotorForce, joint.motor);
     world_.CreateJoint(&def);
   }
 

@@ -212,7 +212,13 @@ class Chipmunk : public Simulation {
     cpBody* a = bodies_[joint.a].get();
     cpBody* b = bodies_[joint.b].get();
     hold(cpPivotJointNew(a, b, to_cp(joint.anchor)));
-    if (!joint.limits || !may_turn(a, b)) return;
+    if (!may_turn(a, b)) return;
+    if (joint.motor) {
+      cpConstraint* motor = cpSimpleMotorNew(a, b, -joint.motor->speed);  // its rate is of a relative to b
+      cpConstraintSetMaxForce(motor, joint.motor->strength);
+      hold(motor);
+    }
+    if (!joint.limits) return;
     const double start = cpBodyGetAngle(b) - cpBodyGetAngle(a);
     hold(cpRotaryLimitJointNew(a, b, start + joint.limits->low, start + joint.limits->high));
   }
@@ -302,7 +308,13 @@ class Chipmunk : public Simulation {
   Owned<cpSpace> space_;  // destroyed first: it touches its bodies
 };
 
-std::string unsupported(const Scene& scene, const Settings&) { return common_refusal(scene); }
+std::string unsupported(const Scene& scene, const Settings&) {
+  for (const Joint& joint : scene.joints) {
+    const auto* slider = std::get_if<Prismatic>(&joint);
+    if (slider != nullptr && slider->motor) return "has motors that turn, and none that slide";
+  }
+  return common_refusal(scene);
+}
 
 const Engine& self() { return *Catalog<Engine>::find("chipmunk"); }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -18,6 +19,11 @@ using impulse::Real;
 
 impulse::Vec2 to_engine(Vec v) { return {static_cast<Real>(v.x), static_cast<Real>(v.y)}; }
 Vec from_engine(impulse::Vec2 v) { return {v.x, v.y}; }
+
+std::optional<impulse::Motor> engine_motor(const std::optional<Motor>& motor) {
+  if (!motor) return std::nullopt;
+  return impulse::Motor{static_cast<Real>(motor->speed), static_cast<Real>(motor->strength)};
+}
 
 struct ShapeOf {
   impulse::Shape operator()(const Circle& circle) const {
@@ -142,6 +148,7 @@ class Impulse : public Simulation {
     impulse::RevoluteJoint made{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor)};
     if (joint.limits)
       made.limits = impulse::Limits{static_cast<Real>(joint.limits->low), static_cast<Real>(joint.limits->high)};
+    made.motor = engine_motor(joint.motor);
     return made;
   }
 
@@ -156,7 +163,9 @@ class Impulse : public Simulation {
   }
 
   impulse::Joint joint_of(const Prismatic& joint) const {
-    return impulse::PrismaticJoint{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor), to_engine(joint.axis)};
+    impulse::PrismaticJoint made{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor), to_engine(joint.axis)};
+    made.motor = engine_motor(joint.motor);
+    return made;
   }
 
   impulse::Joint joint_of(const Weld& joint) const {

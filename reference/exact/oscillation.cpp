@@ -158,7 +158,8 @@ Recognised<Hinged> recognise_pendulum(const Scene& scene) {
   const std::optional<BodyOnGround> pair = single_body_on_ground(scene);
   if (!scene.forces.empty() || !pair || scene.joints.size() != 1) return "handles only one body hinged to a fixed one";
   const Revolute* hinge = std::get_if<Revolute>(&scene.joints.front());
-  if (hinge == nullptr || hinge->limits) return "handles only one body hinged to a fixed one, without limits";
+  if (hinge == nullptr || hinge->limits || hinge->motor)
+    return "handles only one body hinged to a fixed one, without limits or a motor";
   const Body& body = scene.bodies[pair->body];
   if ((body.layers & scene.bodies[pair->ground].layers) != 0) return "handles only bodies that share no layer";
   if (body.linear_damping != 0 || body.angular_damping != 0) return "does not support damping";

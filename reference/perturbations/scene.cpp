@@ -1,6 +1,8 @@
 // Errors in what a scene says: our engine runs a scene that is slightly off the given one.
 
+#include <optional>
 #include <utility>
+#include <variant>
 
 #include "reference/faults/fault.h"
 #include "reference/perturbations/perturbation.h"
@@ -139,6 +141,25 @@ const Catalog<Perturbation>::Entry limits{
       }
       return any;
     })};
+
+// Of the motors of hinges and sliders.
+bool each_motor(Scene& scene, double Motor::*value, double error) {
+  bool any = false;
+  const auto change = [&](std::optional<Motor>& motor) { any = (motor && scale((*motor).*value, error)) || any; };
+  for (Joint& joint : scene.joints) {
+    if (auto* hinge = std::get_if<Revolute>(&joint)) change(hinge->motor);
+    if (auto* slider = std::get_if<Prismatic>(&joint)) change(slider->motor);
+  }
+  return any;
+}
+
+const Catalog<Perturbation>::Entry motor_strength{
+    of_scene("motor strength", "the largest torques and forces of motors",
+             [](Scene& scene, double error) { return each_motor(scene, &Motor::strength, error); })};
+
+const Catalog<Perturbation>::Entry motor_speed{
+    of_scene("motor speed", "the speeds of motors",
+             [](Scene& scene, double error) { return each_motor(scene, &Motor::speed, error); })};
 
 const Catalog<Perturbation>::Entry stiffness{
     of_scene("spring stiffness", "the stiffness of springs and of soft joints", [](Scene& scene, double error) {

@@ -88,8 +88,10 @@ std::vector<std::pair<std::string, Scene>> features() {
   };
   joint("revolute joints", Revolute{.a = 0, .b = 1, .anchor = {1, 5}});
   joint("limits of revolute joints", Revolute{.a = 0, .b = 1, .anchor = {1, 5}, .limits = AngleLimits{-1, 1}});
+  joint("motors of revolute joints", Revolute{.a = 0, .b = 1, .anchor = {1, 5}, .motor = Motor{1, 1}});
   joint("distance joints", Distance{.a = 0, .b = 1, .anchor_a = {0, 5}, .anchor_b = {2, 5}, .length = 2});
   joint("prismatic joints", Prismatic{.a = 0, .b = 1, .anchor = {1, 5}});
+  joint("motors of prismatic joints", Prismatic{.a = 0, .b = 1, .anchor = {1, 5}, .motor = Motor{1, 1}});
   joint("weld joints", Weld{.a = 0, .b = 1, .anchor = {1, 5}});
   const auto force = [&](const char* name, const Force& one) {
     Scene scene = scene_of({disc("a", {0, 5}), disc("b", {2, 5})});

@@ -22,12 +22,15 @@ JointGeometry::JointGeometry(const Scene& scene) {
   };
   for (const Joint& joint : scene.joints) {
     if (const auto* revolute = std::get_if<Revolute>(&joint)) {
-      add(Kind::point, revolute->a, revolute->b, revolute->anchor, revolute->anchor).limits = revolute->limits;
+      Ends& ends = add(Kind::point, revolute->a, revolute->b, revolute->anchor, revolute->anchor);
+      ends.limits = revolute->limits;
+      ends.driven = revolute->motor.has_value();
     } else if (const auto* weld = std::get_if<Weld>(&joint)) {
       add(Kind::fixed, weld->a, weld->b, weld->anchor, weld->anchor);
     } else if (const auto* line = std::get_if<Prismatic>(&joint)) {
-      add(Kind::line, line->a, line->b, line->anchor, line->anchor).axis =
-          rotated(1 / length(line->axis) * line->axis, -start[line->a].angle);
+      Ends& ends = add(Kind::line, line->a, line->b, line->anchor, line->anchor);
+      ends.axis = rotated(1 / length(line->axis) * line->axis, -start[line->a].angle);
+      ends.driven = line->motor.has_value();
     } else if (const auto* rod = std::get_if<Distance>(&joint)) {
       Ends& ends = add(rod->stiffness > 0 ? Kind::spring : Kind::rod, rod->a, rod->b, rod->anchor_a, rod->anchor_b);
       ends.length = rod->length;
@@ -69,6 +72,7 @@ std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) con
       case Kind::line: {
         const Vec axis = rotated(joint.axis, states[joint.a].angle);
         along({-axis.y, axis.x}, point_b);
+        if (joint.driven) along(axis, point_b);
         break;
       }
       case Kind::rod:
@@ -80,8 +84,9 @@ std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) con
       }
     }
     const bool turns = joint.kind == Kind::line || joint.kind == Kind::fixed;
-    if (turns || joint.limits) rows.push_back({joint.a, joint.b, {}, -1, 1});
-    if (!turns && joint.limits) rows.back().limits_of = index;
+    const bool turned = joint.driven && joint.kind == Kind::point;
+    if (turns || turned || joint.limits) rows.push_back({joint.a, joint.b, {}, -1, 1});
+    if (!turns && !turned && joint.limits) rows.back().limits_of = index;
   }
   return rows;
 }

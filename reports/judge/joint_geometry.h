@@ -31,7 +31,7 @@ class JointGeometry {
   explicit JointGeometry(const Scene&);
 
   /// Every direction of every joint, in the same order for any states; turning too where there are limits, reached or
-  /// not.
+  /// not, and the way that a motor drives.
   std::vector<JointRow> rows(std::span<const BodyState>) const;
 
   std::size_t size() const { return ends_.size(); }
@@ -65,6 +65,7 @@ class JointGeometry {
     double angle = 0;                        // rad, of b less a at the start
     double rate = 0;                         // 1/s^2, of a spring: its stiffness per mass
     std::optional<AngleLimits> limits = {};  // of a point
+    bool driven = false;                     // by a motor
   };
   static std::optional<LimitRoom> room_of(const Ends&, const BodyState& a, const BodyState& b);
   // rad, by how much the angle is beyond the joint's limits.

@@ -15,8 +15,8 @@ struct Feature {
 const std::vector<Feature>& features() {
   static const std::vector<Feature> all{
       {{"motor", "enablemotor", "motorspeed", "maxmotortorque", "maxmotorforce", "simplemotor", "motorjoint"},
-       "joints have no motors in the format; a body with \"fixedRotation\" and an \"angularVelocity\" turns at that "
-       "rate"},
+       "write \"motor\": { \"speed\": .., \"strength\": .. } in a revolute joint, in rad/s and N m, or in a prismatic "
+       "one, in m/s and N"},
       {{"lowerangle", "upperangle", "enablelimit", "rotarylimit", "rotarylimitjoint"},
        "write \"limits\": [lower, upper] in a revolute joint, in rad"},
       {{"lowertranslation", "uppertranslation", "minlength", "maxlength", "groovejoint", "slidejoint", "rope",

@@ -13,16 +13,29 @@ OrderedJson joined_names(const Kind& joint, const Scene& scene) {
   return {scene.bodies.at(joint.a).name, scene.bodies.at(joint.b).name};
 }
 
-template <class OneAnchor>
-Joint scaled_kind(OneAnchor joint, double factor) {
-  joint.anchor = scaled(joint.anchor, factor);
-  return joint;
+// What a motor exerts is a force in N; that of a hinge a torque in N m.
+std::optional<Motor> read_motor(const JsonReader& in, const NumberRange& speed, const NumberRange& strength) {
+  if (!in.has("motor")) return std::nullopt;
+  const JsonReader motor = in["motor"];
+  motor.object({"speed", "strength"});
+  return Motor{motor["speed"].number(speed), motor["strength"].number(strength)};
+}
+
+void write_motor(OrderedJson& into, const std::optional<Motor>& motor) {
+  if (motor) into["motor"] = {{"speed", motor->speed}, {"strength", motor->strength}};
 }
 
 // Revolute
 
+// A torque is a force at an arm, and a force is a mass times a length: masses and times stay.
+Joint scaled_kind(Revolute joint, double factor) {
+  joint.anchor = scaled(joint.anchor, factor);
+  if (joint.motor) joint.motor->strength *= factor * factor;
+  return joint;
+}
+
 Joint read_revolute(const JsonReader& in, const BodyNames& names) {
-  in.object({"type", "bodies", "anchor"}, {"limits"});
+  in.object({"type", "bodies", "anchor"}, {"limits", "motor"});
   const auto [a, b] = names.find_two(in["bodies"]);
   Revolute joint{a, b, in["anchor"].vector(limits::coordinate)};
   if (in.has("limits")) {
@@ -30,12 +43,14 @@ Joint read_revolute(const JsonReader& in, const BodyNames& names) {
     if (range.x > range.y) in["limits"].refuse("must be two angles, the lower one first");
     joint.limits = AngleLimits{range.x, range.y};
   }
+  joint.motor = read_motor(in, limits::spin, limits::motor_torque);
   return joint;
 }
 
 OrderedJson kind_as_json(const Revolute& joint, const Scene& scene) {
   OrderedJson json{{"type", "revolute"}, {"bodies", joined_names(joint, scene)}, {"anchor", as_json(joint.anchor)}};
   if (joint.limits) json["limits"] = {joint.limits->low, joint.limits->high};
+  write_motor(json, joint.motor);
   return json;
 }
 
@@ -73,22 +88,36 @@ OrderedJson kind_as_json(const Distance& joint, const Scene& scene) {
 
 // Prismatic
 
+Joint scaled_kind(Prismatic joint, double factor) {
+  joint.anchor = scaled(joint.anchor, factor);
+  if (joint.motor) joint.motor = Motor{joint.motor->speed * factor, joint.motor->strength * factor};
+  return joint;
+}
+
 Joint read_prismatic(const JsonReader& in, const BodyNames& names) {
-  in.object({"type", "bodies", "anchor", "axis"});
+  in.object({"type", "bodies", "anchor", "axis"}, {"motor"});
   const auto [a, b] = names.find_two(in["bodies"]);
-  const Prismatic joint{a, b, in["anchor"].vector(limits::coordinate), in["axis"].vector(limits::factor)};
+  const Prismatic joint{a, b, in["anchor"].vector(limits::coordinate), in["axis"].vector(limits::factor),
+                        read_motor(in, limits::speed, limits::motor_force)};
   if (std::hypot(joint.axis.x, joint.axis.y) < limits::size.least) in["axis"].refuse("has no length");
   return joint;
 }
 
 OrderedJson kind_as_json(const Prismatic& joint, const Scene& scene) {
-  return {{"type", "prismatic"},
-          {"bodies", joined_names(joint, scene)},
-          {"anchor", as_json(joint.anchor)},
-          {"axis", as_json(joint.axis)}};
+  OrderedJson json{{"type", "prismatic"},
+                   {"bodies", joined_names(joint, scene)},
+                   {"anchor", as_json(joint.anchor)},
+                   {"axis", as_json(joint.axis)}};
+  write_motor(json, joint.motor);
+  return json;
 }
 
 // Weld
+
+Joint scaled_kind(Weld joint, double factor) {
+  joint.anchor = scaled(joint.anchor, factor);
+  return joint;
+}
 
 Joint read_weld(const JsonReader& in, const BodyNames& names) {
   in.object({"type", "bodies", "anchor"});
@@ -108,6 +137,13 @@ constexpr Word<ReadJoint> joint_kinds[] = {
 
 Joint scaled(const Joint& joint, double factor) {
   return std::visit([factor](const auto& kind) { return scaled_kind(kind, factor); }, joint);
+}
+
+const Motor* motor_of(const Joint& joint) {
+  const auto pointer = [](const std::optional<Motor>& motor) { return motor ? &*motor : nullptr; };
+  if (const auto* hinge = std::get_if<Revolute>(&joint)) return pointer(hinge->motor);
+  if (const auto* slider = std::get_if<Prismatic>(&joint)) return pointer(slider->motor);
+  return nullptr;
 }
 
 Joint read_joint(const JsonReader& in, const BodyNames& names) { return in.kind<ReadJoint>(joint_kinds)(in, names); }

@@ -13,6 +13,9 @@ class JsonReader;
 /// The joint with every length multiplied by `factor`.
 Joint scaled(const Joint&, double factor);
 
+/// The joint's motor; null where it has none.
+const Motor* motor_of(const Joint&);
+
 /// Throws std::invalid_argument if it is not a valid joint.
 Joint read_joint(const JsonReader&, const BodyNames&);
 /// The scene gives the bodies their names.

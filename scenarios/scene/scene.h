@@ -82,10 +82,17 @@ struct AngleLimits {
   double low = 0, high = 0;  // rad, of b relative to a, 0 at the start; low <= high
 };
 
+/// Drives a joint to a speed as fast as its strength allows, and holds it there while its strength suffices.
+struct Motor {
+  double speed = 0;     // of b relative to a: rad/s of a revolute joint, m/s along the axis of a prismatic one
+  double strength = 0;  // the most it exerts: N m or N
+};
+
 struct Revolute {
   std::size_t a = 0, b = 0;
   Vec anchor;  // world frame, at the start
   std::optional<AngleLimits> limits = std::nullopt;
+  std::optional<Motor> motor = std::nullopt;
 };
 
 struct Distance {
@@ -100,6 +107,7 @@ struct Prismatic {
   std::size_t a = 0, b = 0;
   Vec anchor;  // world frame, at the start
   Vec axis{1, 0};
+  std::optional<Motor> motor = std::nullopt;
 };
 
 struct Weld {

@@ -36,6 +36,8 @@ constexpr NumberRange stiffness{0, 1e12, "N/m"};
 constexpr NumberRange resistance{0, 1e12, "N s/m"};
 constexpr NumberRange force{-1e12, 1e12, "N"};
 constexpr NumberRange torque{-1e12, 1e12, "N m"};
+constexpr NumberRange motor_force{0, 1e12, "N"};
+constexpr NumberRange motor_torque{0, 1e12, "N m"};
 constexpr NumberRange strength{-1e12, 1e12, ""};
 constexpr NumberRange exponent{-10, 10, ""};
 constexpr NumberRange duration{1e-6, 3600, "s"};

@@ -33,12 +33,12 @@ TEST(Scenarios, AreAllRegistered) {
           "dumbbells", "flush-tiles", "flyby", "free-bodies", "free-wedge", "gas", "hanging-chain", "head-on",
           "heavy-object", "hinged-hit", "joined-pair", "joint-grid", "joint-stop", "kater", "ladder", "late-blow",
           "layers", "limiting-friction", "lone-bodies", "lost-support", "many-pyramids", "mass-ratio", "materials",
-          "mixing-rules", "oblique-disc", "off-center", "orbit", "overhang", "paddle", "painleve-rod", "pendulum",
-          "pi-billiard", "pressed-box", "pushed-plank", "pyramid", "rain", "restitution-rules", "rod-hit",
-          "rod-pendulum", "rod-toppling", "rope-bridge", "slider", "slider-crank", "sliding-ladder", "sliding-pyramid",
-          "slip-to-roll", "slope", "slope-disc", "smash", "spin-up", "spinning-obb", "spring", "spring-ellipse",
-          "spring-stop", "stacking", "stopping-distance", "struck-wall", "tautochrone", "teams", "thin-wall", "tipping",
-          "tumbler", "turning-rail", "two-frictions"));
+          "mixing-rules", "motor", "motor-arm", "oblique-disc", "off-center", "orbit", "overhang", "paddle",
+          "painleve-rod", "pendulum", "pi-billiard", "pressed-box", "pushed-plank", "pyramid", "rain",
+          "restitution-rules", "rod-hit", "rod-pendulum", "rod-toppling", "rope-bridge", "slider", "slider-crank",
+          "sliding-ladder", "sliding-pyramid", "slip-to-roll", "slope", "slope-disc", "smash", "spin-up",
+          "spinning-obb", "spring", "spring-ellipse", "spring-stop", "stacking", "stopping-distance", "struck-wall",
+          "tautochrone", "teams", "thin-wall", "tipping", "tumbler", "turning-rail", "two-frictions"));
 }
 
 TEST(Scenarios, AreAsManyAsTheReadmeSays) {

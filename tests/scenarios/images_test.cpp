@@ -15,27 +15,27 @@ namespace {
 // Of every kind of shape, joint and force.
 Scene of_everything() {
   const Surface material = surface(0.3, 0.2, 2);
-  Scene scene{
-      .name = "everything",
-      .bodies = {{.name = "ground",
-                  .type = BodyType::fixed,
-                  .shapes = {{HalfSpace{{0, 1}, 0.25}, material}, {Segment{{1, 2}, {3, 4}}, material}}},
-                 {.name = "a",
-                  .position = {1, 2},
-                  .angle = 0.25,
-                  .velocity = {3, 4},
-                  .angular_velocity = 2,
-                  .shapes = {{Box{{1, 2}, {0.5, 0.25}, 0.5}, material}, {Circle{0.5, {0.5, 0}}, material}}},
-                 {.name = "b",
-                  .position = {4, 2},
-                  .velocity = {-1, 0.5},
-                  .linear_damping = 0.5,
-                  .shapes = {{Polygon{{{0, 0}, {1, 0}, {0, 1}}}, material},
-                             {Capsule{{0, 0}, {1, 0.5}, 0.25}, material}}}},
-      .joints = {Revolute{1, 2, {2, 3}, AngleLimits{-0.5, 1}}, Prismatic{0, 1, {1, 1}, {1, 0.5}}, Weld{1, 2, {3, 3}},
-                 Distance{.a = 0, .b = 2, .anchor_a = {0, 1}, .anchor_b = {1, 1}, .length = 2, .stiffness = 8}},
-      .forces = {Spring{.a = {}, .b = 1, .anchor_a = {1, 5}, .anchor_b = {0.5, 0}, .stiffness = 4, .length = 1},
-                 Constant{2, {1, 2}, 3}, Attraction{.from = 1, .strength = 2, .exponent = 2}}};
+  Scene scene{.name = "everything",
+              .bodies = {{.name = "ground",
+                          .type = BodyType::fixed,
+                          .shapes = {{HalfSpace{{0, 1}, 0.25}, material}, {Segment{{1, 2}, {3, 4}}, material}}},
+                         {.name = "a",
+                          .position = {1, 2},
+                          .angle = 0.25,
+                          .velocity = {3, 4},
+                          .angular_velocity = 2,
+                          .shapes = {{Box{{1, 2}, {0.5, 0.25}, 0.5}, material}, {Circle{0.5, {0.5, 0}}, material}}},
+                         {.name = "b",
+                          .position = {4, 2},
+                          .velocity = {-1, 0.5},
+                          .linear_damping = 0.5,
+                          .shapes = {{Polygon{{{0, 0}, {1, 0}, {0, 1}}}, material},
+                                     {Capsule{{0, 0}, {1, 0.5}, 0.25}, material}}}},
+              .joints = {Revolute{1, 2, {2, 3}, AngleLimits{-0.5, 1}, Motor{2, 3}},
+                         Prismatic{0, 1, {1, 1}, {1, 0.5}, Motor{4, 5}}, Weld{1, 2, {3, 3}},
+                         Distance{.a = 0, .b = 2, .anchor_a = {0, 1}, .anchor_b = {1, 1}, .length = 2, .stiffness = 8}},
+              .forces = {Spring{.a = {}, .b = 1, .anchor_a = {1, 5}, .anchor_b = {0.5, 0}, .stiffness = 4, .length = 1},
+                         Constant{2, {1, 2}, 3}, Attraction{.from = 1, .strength = 2, .exponent = 2}}};
   return scene;
 }
 

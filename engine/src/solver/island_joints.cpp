@@ -103,7 +103,7 @@ Real IslandJoints::miss(Real h) {
 
 void IslandJoints::press(Real h) {
   if (swept_) return press_by_sweep(h);
-  drive_motors(h);
+  drive_motors(h / 2);  // before the drift half of an impulse acts, as of forces
   const Real most = most_energy();
   if (fit_) {
     remember();

@@ -1,5 +1,6 @@
 #include "reports/find/shrink.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/joints.h"
 
 namespace plumb::cuts::ties {
 namespace {
@@ -13,7 +14,7 @@ void add_without_each(const Scene& scene, std::vector<Item> Scene::*list, std::v
   }
 }
 
-// Without any joint or force, without one, without a limit or a damper.
+// Without any joint or force, without one, without a limit, a motor or a damper.
 std::vector<Scene> fewer_ties(const Scene& scene, const Complaint&) {
   std::vector<Scene> all;
   if (scene.joints.size() > 1 || scene.forces.size() > 1) {
@@ -24,6 +25,15 @@ std::vector<Scene> fewer_ties(const Scene& scene, const Complaint&) {
   }
   add_without_each(scene, &Scene::joints, all);
   add_without_each(scene, &Scene::forces, all);
+  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+    if (motor_of(scene.joints[i]) == nullptr) continue;
+    all.push_back(scene);
+    std::visit(
+        [](auto& joint) {
+          if constexpr (requires { joint.motor; }) joint.motor.reset();
+        },
+        all.back().joints[i]);
+  }
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
     const auto* hinge = std::get_if<Revolute>(&scene.joints[i]);
     if (hinge == nullptr || !hinge->limits) continue;

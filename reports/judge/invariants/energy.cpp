@@ -10,6 +10,7 @@
 #include "reports/judge/rounding.h"
 #include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/joints.h"
 
 // The check does not apply to E itself. With h the sub-step, d the drift that a method states (+1/2 if the forces act
 // before the move, -1/2 if after it, 0 if half before and half after) and F the forces, its motion conserves
@@ -222,7 +223,7 @@ std::optional<InvariantCheck> check(const InvariantContext& context) {
   if (!context.scene.forces.empty() && std::any_of(bodies.begin(), bodies.end(), spins)) return not_reported();
   for (const Joint& joint : context.scene.joints) {
     const auto [a, b] = std::visit([](const auto& of) { return std::pair{of.a, of.b}; }, joint);
-    if (is_driven(bodies[a]) || is_driven(bodies[b])) return not_reported();
+    if (is_driven(bodies[a]) || is_driven(bodies[b]) || motor_of(joint) != nullptr) return not_reported();
   }
   const InvariantCheck as_stated = rise(context, context.stepping.drift);
   const InvariantCheck better = rise(context, 0);

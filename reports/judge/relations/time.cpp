@@ -7,6 +7,7 @@
 #include "reports/judge/poses.h"
 #include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/joints.h"
 #include "scenarios/scene/mass.h"
 
 namespace plumb::relations::time {
@@ -65,6 +66,7 @@ std::string excludes(const Scene& scene, const Stepping&) {
   for (const Joint& joint : scene.joints) {
     const auto* revolute = std::get_if<Revolute>(&joint);
     const auto* distance = std::get_if<Distance>(&joint);
+    if (motor_of(joint) != nullptr) return "a motor whose strength is limited brakes as it drives";
     if (revolute != nullptr && revolute->limits) return "a joint's limits stop bodies inelastically";
     if (distance != nullptr && distance->damping > 0) return "damping has an arrow of time";
   }

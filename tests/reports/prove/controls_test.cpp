@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -36,9 +37,9 @@ ControlRun run_of(const std::string& control, const std::string& scenario, const
 Control right_engine() { return {.name = "right", .about = "the engine as it is", .build = build_ours}; }
 
 TEST(Controls, IncludeEveryLawThatAnEngineMayLack) {
-  for (const char* name :
-       {"frozen", "stopped", "coasting", "weightless", "half-gravity", "frictionless", "no-restitution",
-        "all-restitution", "no-rotation", "hoop-for-disc", "late", "teleporting", "no-contacts", "forgetful"}) {
+  for (const char* name : {"frozen", "stopped", "coasting", "weightless", "half-gravity", "frictionless",
+                           "no-restitution", "all-restitution", "no-rotation", "hoop-for-disc", "late", "teleporting",
+                           "no-contacts", "forgetful", "unpowered"}) {
     ASSERT_THAT(Catalog<Control>::find(name), NotNull()) << name;
     EXPECT_NE(Catalog<Control>::find(name)->about, "") << name;
   }
@@ -73,10 +74,11 @@ INSTANTIATE_TEST_SUITE_P(
                       Unmasked{"frictionless", "stopping-distance"}, Unmasked{"no-restitution", "bounce:e=0.8"},
                       Unmasked{"all-restitution", "bounce:e=0.5"}, Unmasked{"no-rotation", "slope-disc:rolls"},
                       Unmasked{"hoop-for-disc", "slope-disc:rolls"}, Unmasked{"late", "spinning-obb:free-fall"},
-                      Unmasked{"teleporting", "bounce:e=0.8"}, Unmasked{"forgetful", "bounce:e=0.8"}),
+                      Unmasked{"teleporting", "bounce:e=0.8"}, Unmasked{"forgetful", "bounce:e=0.8"},
+                      Unmasked{"unpowered", "motor:slow"}, Unmasked{"unpowered", "motor-arm:holds"}),
     [](const auto& of) {
-      std::string name = of.param.control;
-      std::erase(name, '-');
+      std::string name = std::string(of.param.control) + '_' + of.param.scenario;
+      std::erase_if(name, [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) == 0; });
       return name;
     });
 

@@ -119,14 +119,20 @@ class RandomScene {
     return {low, low + positive()};
   }
 
+  std::optional<Motor> motor() {
+    if (below(2) == 0) return std::nullopt;
+    const double speed = number();
+    return Motor{speed, positive()};
+  }
+
   Joint joint(std::size_t with) {
     switch (below(4)) {
       case 0:
-        return Revolute{0, with, point(), below(2) == 0 ? std::nullopt : std::optional(limits())};
+        return Revolute{0, with, point(), below(2) == 0 ? std::nullopt : std::optional(limits()), motor()};
       case 1:
         return Distance{with, 0, point(), point(), positive(), sometimes(0, positive()), sometimes(0, positive())};
       case 2:
-        return Prismatic{0, with, point(), {positive(), number()}};
+        return Prismatic{0, with, point(), {positive(), number()}, motor()};
       default:
         return Weld{with, 0, point()};
     }
@@ -179,6 +185,11 @@ class SceneBits {
   requires std::is_integral_v<Whole> || std::is_enum_v<Whole>
   void one(Whole number) { out_ << std::dec << static_cast<std::int64_t>(number) << ' '; }
 
+  void add_motor(const std::optional<Motor>& motor) {
+    const Motor given = motor.value_or(Motor{});
+    add(motor.has_value(), given.speed, given.strength);
+  }
+
   void all(const Scene& scene) {
     add(scene.name, scene.about, scene.gravity, scene.duration, scene.mixing.friction, scene.mixing.restitution);
     for (const Body& body : scene.bodies) {
@@ -211,11 +222,15 @@ class SceneBits {
   void operator()(const Revolute& j) {
     const AngleLimits limits = j.limits.value_or(AngleLimits{});
     add("revolute", j.a, j.b, j.anchor, j.limits.has_value(), limits.low, limits.high);
+    add_motor(j.motor);
   }
   void operator()(const Distance& j) {
     add("distance", j.a, j.b, j.anchor_a, j.anchor_b, j.length, j.stiffness, j.damping);
   }
-  void operator()(const Prismatic& j) { add("prismatic", j.a, j.b, j.anchor, j.axis); }
+  void operator()(const Prismatic& j) {
+    add("prismatic", j.a, j.b, j.anchor, j.axis);
+    add_motor(j.motor);
+  }
   void operator()(const Weld& j) { add("weld", j.a, j.b, j.anchor); }
   void operator()(const Attraction& f) { add("attraction", f.from, f.strength, f.exponent, f.mutual); }
   void operator()(const Spring& f) {

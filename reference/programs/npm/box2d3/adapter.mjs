@@ -124,6 +124,11 @@ class World {
       });
       const [lowerAngle, upperAngle] = joint.limits ?? [];
       if (joint.limits) Object.assign(def, { enableLimit: true, lowerAngle, upperAngle });
+      if (joint.motor) {
+        const { speed: motorSpeed, strength } = joint.motor;
+        Object.assign(def, { enableMotor: true, motorSpeed,
+                             [joint.type === 'revolute' ? 'maxMotorTorque' : 'maxMotorForce']: strength });
+      }
       if (joint.length) def.length = joint.length;
       if (joint.stiffness) {
         const { hertz, ratio } = tuned(joint, ends);

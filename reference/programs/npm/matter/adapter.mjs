@@ -87,6 +87,7 @@ class World {
 
   join(joint) {
     if (joint.limits) throw new NotSupported('has no limits of hinges');
+    if (joint.motor) throw new NotSupported('has no motors');
     if (joint.stiffness) throw new NotSupported('has a stiffness without unit, and so no springs in N/m');
     if (joint.type === 'prismatic') throw new NotSupported('has no sliding joints');
     if (joint.type === 'weld') throw new NotSupported('has no welds');

@@ -63,11 +63,13 @@ class World {
     const ends = joint.bodies.map((i) => bodies[i]);
     const [a, b] = joint.bodies.map((i) => this.bodies[i]);
     const [lowerAngle, upperAngle] = joint.limits ?? [0, 0];
+    const { speed: motorSpeed = 0, strength = 0 } = joint.motor ?? {};
+    const motor = { enableMotor: !!joint.motor, motorSpeed, maxMotorTorque: strength, maxMotorForce: strength };
     const limits = { enableLimit: !!joint.limits, lowerAngle, upperAngle };
     const kinds = {
-      revolute: () => new RevoluteJoint(limits, a, b, at(joint.anchor)),
+      revolute: () => new RevoluteJoint({ ...limits, ...motor }, a, b, at(joint.anchor)),
       weld: () => new WeldJoint({}, a, b, at(joint.anchor)),
-      prismatic: () => new PrismaticJoint({}, a, b, at(joint.anchor), at(joint.axis)),
+      prismatic: () => new PrismaticJoint(motor, a, b, at(joint.anchor), at(joint.axis)),
       distance: () => {
         const { hertz, ratio } = joint.stiffness ? tuned(joint, ends) : { hertz: 0, ratio: 0 };
         const made = new DistanceJoint({ frequencyHz: hertz, dampingRatio: ratio }, a, b, ...joint.anchors.map(at));

@@ -77,6 +77,7 @@ class World {
       prismatic: () => JointData.prismatic(...anchors, at(turned(joint.axis, -pair[0].angle))),
       distance: () => JointData.spring(joint.length, joint.stiffness, joint.damping ?? 0, ...anchors),
     };
+    if (joint.motor) throw new NotSupported('drives motors by a gain, without a largest torque or force');
     if (joint.type === 'distance' && !joint.stiffness) throw new NotSupported('has ropes, but no rigid rods');
     if (joint.type === 'prismatic' && start) throw new NotSupported('has one sliding axis for two bodies turned apart');
     const [a, b] = joint.bodies.map((i) => this.bodies[i]);

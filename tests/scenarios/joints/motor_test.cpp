@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scenarios/integrate.h"
+#include "tests/scenarios/statement_of.h"
+
+namespace plumb::motor_test {
+namespace {
+
+using statement_of::Of;
+
+// A disc of 0.5 m and 1 kg/m^2 in small steps, in which the torque is cut where it would pass the speed.
+TEST(Motor, AgreesWithAnIntegrationInSmallSteps) {
+  constexpr double inertia = std::numbers::pi * 0.0625 / 2;
+  for (const auto& [speed, torque] : {std::pair{2.0, 0.1}, std::pair{-6.0, 1.0}, std::pair{8.0, 0.1}}) {
+    const Parameters changes{{"speed", speed}, {"torque", torque}};
+    for (const Quantity quantity : {Quantity::angle, Quantity::angular_velocity}) {
+      for (const Expectation& one : (Of{"motor", changes, "wheel", quantity}.expectations())) {
+        constexpr int steps = 100000;
+        const double h = *one.time / steps;
+        double angle = 0;
+        double w = 0;
+        for (int i = 0; i < steps; ++i) {
+          const double before = w;
+          w += std::clamp(speed - w, -torque / inertia * h, torque / inertia * h);
+          angle += h * (before + w) / 2;
+        }
+        EXPECT_NEAR(*one.expected, quantity == Quantity::angle ? angle : w, 1e-6) << speed << ' ' << *one.time;
+      }
+    }
+  }
+}
+
+// A wheel that rests, or one that has the motor's speed from the start.
+TEST(Motor, StopsAMotorThatDoesNothingOrHasNoLimit) {
+  const Of early{
+      .scenario = "motor", .changes = {}, .body = "wheel", .quantity = Quantity::angular_velocity, .before = 2};
+  EXPECT_LT(early.allows_at_most(), 1.0 / 10);
+}
+
+// The brake's torque is constant until the arm stops for the first time.
+TEST(MotorArm, StopsWhereAnIntegrationStops) {
+  for (const double share : {0.5, 0.6, 0.9}) {
+    constexpr double weight = 7.5;  // any: where it stops does not depend on it
+    std::array<double, 2> state{1e-9, 0};
+    const auto rate = [&](const std::array<double, 2>& y) {
+      return std::array<double, 2>{y[1], weight * (std::cos(y[0]) - share)};
+    };
+    double t = 0;
+    do {
+      state = integrated(state, 1e-3, 1, rate);
+      t += 1e-3;
+    } while (state[1] > 0);
+    EXPECT_LT(t, 5) << "the arm of half a metre is faster yet";
+    EXPECT_LT(std::cos(state[0]), share);
+    EXPECT_GT(std::cos(state[0]), -share) << "the motor can hold it there";
+    EXPECT_NEAR(*(Of{"motor-arm", {{"share", share}}, "arm", Quantity::angle}.expectations().front().expected),
+                -state[0], 1e-5);
+  }
+}
+
+TEST(MotorArm, HoldsAnArmThatItsTorqueBears) {
+  EXPECT_EQ(*(Of{"motor-arm", {{"share", 1.02}}, "arm", Quantity::angle}.expectations().front().expected), 0);
+}
+
+// Without a motor the arm swings between level and level; with one of no limit it stays.
+TEST(MotorArm, StopsAMotorThatDoesNothingOrHasNoLimit) {
+  EXPECT_LT((Of{"motor-arm", {}, "arm", Quantity::angle}.allows_at_most()), 1.0 / 3);
+  EXPECT_LT((Of{"motor-arm", {{"share", 1.02}}, "arm", Quantity::angle}.allows_at_most()), 0.05);
+}
+
+}  // namespace
+}  // namespace plumb::motor_test
