@@ -144,13 +144,13 @@ class World {
   /// the ray's start are skipped. Throws std::invalid_argument for points that are not finite.
   using RayCallback = std::function<bool(const BodyHit&)>;
   void ray_cast(Vec2 from, Vec2 to, const RayCallback& callback);
-  /// The nearest hit on bodies that share a layer with `layers`.
+  /// The nearest hit on bodies whose category shares a bit with `layers`.
   std::optional<BodyHit> ray_cast(Vec2 from, Vec2 to, std::uint32_t layers = ~std::uint32_t{0}) const;
 
-  /// The first part, on bodies that share a layer with `layers`, that the shape at `start` touches when it moves by
-  /// `by` without rotating. One that it overlaps at the start is a hit with fraction 0, normal 0 and the start as its
-  /// point. Short of contact by rounding only. Throws std::invalid_argument for a half-space and for values that are
-  /// not finite.
+  /// The first part, on bodies whose category shares a bit with `layers`, that the shape at `start` touches when it
+  /// moves by `by` without rotating. One that it overlaps at the start is a hit with fraction 0, normal 0 and the start
+  /// as its point. Short of contact by rounding only. Throws std::invalid_argument for a half-space and for values that
+  /// are not finite.
   std::optional<BodyHit> shape_cast(const Shape& shape, const Pose& start, Vec2 by,
                                     std::uint32_t layers = ~std::uint32_t{0}) const;
 

@@ -28,7 +28,7 @@ std::vector<BodyHit> find_hits(const BodySet& bodies, Vec2 from, Vec2 to, std::u
   std::vector<BodyHit> found;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDetail& body = bodies.detail[i];
-    if (!body.inserted || (body.def.layers & layers) == 0) continue;
+    if (!body.inserted || (body.def.layers.category & layers) == 0) continue;
     const Pose& pose = bodies.pose[i];
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       RayHit hit;
@@ -84,7 +84,7 @@ std::optional<BodyHit> World::shape_cast(const Shape& shape, const Pose& start, 
   std::optional<BodyHit> first;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDetail& body = bodies.detail[i];
-    if (!body.inserted || (body.def.layers & layers) == 0) continue;
+    if (!body.inserted || (body.def.layers.category & layers) == 0) continue;
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       const Shape& other = body.parts[p].shape;
       if (!overlap(path, other.bounds(bodies.pose[i]))) continue;
