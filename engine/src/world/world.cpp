@@ -33,9 +33,9 @@ void mark_held(BodySet& bodies, std::span<const Contact> contacts, std::span<con
 }  // namespace
 
 World::World(const Settings& settings) : state_(std::make_unique<State>(settings)) {}
-World::World(const World& other) : state_(std::make_unique<State>(*other.state_)) {}
+World::World(const World& other) : state_(other.state_->copy()) {}
 World& World::operator=(const World& other) {
-  if (this != &other) state_ = std::make_unique<State>(*other.state_);
+  if (this != &other) state_ = other.state_->copy();
   return *this;
 }
 World::~World() = default;
@@ -195,17 +195,22 @@ void World::State::adopt(const Settings& chosen) {
   settings = chosen;
 }
 
-World::State::State(State& other)
-    : settings((other.restart_solver(), other.settings)),
+std::unique_ptr<World::State> World::State::copy() {
+  restart_solver();
+  return std::make_unique<State>(*this);
+}
+
+World::State::State(const State& other)
+    : settings(other.settings),
+      solver(MethodList<Solver>::make(settings.solver)),
+      integrator(MethodList<Integrator>::make(settings.integrator)),
+      broad_phase(MethodList<BroadPhase>::make(settings.broad_phase)),
+      workers(std::make_unique<Workers>(settings.workers)),
       bodies(other.bodies),
       contacts(other.contacts),
       touches(other.touches),
       forces(other.forces),
       joints(other.joints) {
-  solver = MethodList<Solver>::make(settings.solver);
-  integrator = MethodList<Integrator>::make(settings.integrator);
-  broad_phase = MethodList<BroadPhase>::make(settings.broad_phase);
-  workers = std::make_unique<Workers>(settings.workers);
   sleep.copy(other.sleep);
 }
 

@@ -43,8 +43,9 @@ struct World::State {
   std::vector<std::pair<Change, BodyId>> deferred;
 
   explicit State(const Settings& chosen) { adopt(chosen); }
-  /// Copies a world and restarts the solver of both, so that they go on with the same bits.
-  explicit State(State& other);
+  State(const State& other);  // for copy(), with a solver of its own
+  /// A copy; restarts the solver of both, so that they go on with the same bits.
+  std::unique_ptr<State> copy();
 
   /// Changes the settings, or throws and changes nothing.
   void adopt(const Settings& chosen);
