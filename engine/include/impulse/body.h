@@ -22,6 +22,21 @@ struct BodyId {
   friend bool operator==(const BodyId&, const BodyId&) = default;
 };
 
+/// What a body is and what it collides with: two bodies collide if the category of each shares a bit with the other's
+/// mask. A single number of layers is both.
+struct Layers {
+  std::uint32_t category = ~std::uint32_t{0};
+  std::uint32_t mask = ~std::uint32_t{0};
+
+  constexpr Layers() = default;
+  constexpr Layers(std::uint32_t layers) : category(layers), mask(layers) {}
+  constexpr Layers(std::uint32_t is, std::uint32_t meets) : category(is), mask(meets) {}
+  friend constexpr bool operator==(const Layers&, const Layers&) = default;
+};
+constexpr bool collide(const Layers& a, const Layers& b) {
+  return ((a.category & b.mask) != 0) & ((b.category & a.mask) != 0);
+}
+
 /// One shape of a body and its material.
 struct Part {
   Shape shape;
@@ -41,7 +56,7 @@ struct BodyDef {
   Real angular_damping = 0;  // 1/s
   bool fixed_rotation = false;
   bool bullet = false;  // continuous collision against dynamic bodies too
-  std::uint32_t layers = ~std::uint32_t{0};
+  Layers layers;
   void* user_data = nullptr;
 };
 
@@ -59,7 +74,7 @@ class Body {
   Real angular_velocity() const;        // rad/s
   MassData mass() const;                // of all parts, body frame; 0 for fixed and kinematic bodies
   std::span<const Part> parts() const;  // shapes relative to the centre of mass
-  std::uint32_t layers() const;
+  Layers layers() const;
   bool awake() const;  // in the world and not asleep
   void* user_data() const;
 
@@ -73,7 +88,7 @@ class Body {
   void set_pose(Vec2 position, Real angle);
   void set_velocity(Vec2 velocity, Real angular_velocity);
   void set_gravity_scale(Real scale);
-  void set_layers(std::uint32_t mask);
+  void set_layers(Layers layers);
 
   /// Forces accumulate until the next step, which applies and clears them. N; force and point in the world frame.
   void apply_force(Vec2 force);

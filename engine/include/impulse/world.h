@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "impulse/body.h"
 #include "impulse/debug_draw.h"
@@ -44,11 +43,11 @@ struct ContactEvents {
   std::span<const TouchingParts> ended;
 };
 
-/// Where a ray enters a body's part.
+/// Where a ray enters a body's part, or a moved shape first touches it.
 struct BodyHit {
   BodyId body;
   std::size_t part = 0;  // index into Body::parts()
-  Real fraction = 1;     // of the ray from its start to its end
+  Real fraction = 1;     // of the way from start to end
   Vec2 point;            // world frame
   Vec2 normal;           // unit, out of the part, world frame
 };
@@ -77,6 +76,12 @@ class World {
  public:
   explicit World(const Settings& settings = {});
   ~World();
+  /// A copy has the same bodies, joints and forces with the same handles, and both go on with the same bits: keep a
+  /// copy to roll back to, `World saved = world; ... world = saved;`. Both solvers start anew from the contacts, so
+  /// that copying may change the bits of what follows where piles rest with sleeping and contact events off. user_data
+  /// is shared. Throws std::logic_error in a callback of `other`.
+  World(const World& other);
+  World& operator=(const World& other);
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
@@ -101,8 +106,8 @@ class World {
   bool contains(BodyId id) const;  // not destroyed; inserted or not
   /// Throws std::out_of_range for a stale handle.
   Body body(BodyId id);
-  /// All inserted bodies, sorted by index.
-  std::vector<BodyId> bodies() const;
+  /// All inserted bodies, sorted by index. The span is valid until the next call.
+  std::span<const BodyId> bodies() const;
   std::size_t body_count() const;
   /// The number of dynamic bodies that the next step will move.
   std::size_t awake_count() const;
@@ -119,6 +124,10 @@ class World {
   JointId create_joint(const Joint& joint);
   void destroy_joint(JointId id);
   bool contains(JointId id) const;
+  /// Change the motor or the limits of a revolute or prismatic joint, or remove them, and wake its bodies. Throw
+  /// std::invalid_argument for invalid values and other joints, std::out_of_range for a stale id.
+  void set_motor(JointId id, const std::optional<Motor>& motor);
+  void set_limits(JointId id, const std::optional<Limits>& limits);
   /// The impulse (N s, world frame) on body b in the last sub-step; body a received the opposite.
   Vec2 joint_impulse(JointId id) const;
 
@@ -135,10 +144,18 @@ class World {
   /// the ray's start are skipped. Throws std::invalid_argument for points that are not finite.
   using RayCallback = std::function<bool(const BodyHit&)>;
   void ray_cast(Vec2 from, Vec2 to, const RayCallback& callback);
-  /// The nearest hit on bodies that share a layer with `layers`.
+  /// The nearest hit on bodies whose category shares a bit with `layers`.
   std::optional<BodyHit> ray_cast(Vec2 from, Vec2 to, std::uint32_t layers = ~std::uint32_t{0}) const;
 
-  std::vector<ContactInfo> contacts() const;
+  /// The first part, on bodies whose category shares a bit with `layers`, that the shape at `start` touches when it
+  /// moves by `by` without rotating. One that it overlaps at the start is a hit with fraction 0, normal 0 and the start
+  /// as its point. Short of contact by rounding only. Throws std::invalid_argument for a half-space and for values that
+  /// are not finite.
+  std::optional<BodyHit> shape_cast(const Shape& shape, const Pose& start, Vec2 by,
+                                    std::uint32_t layers = ~std::uint32_t{0}) const;
+
+  /// The contact points of the last step, sorted by bodies and parts. The span is valid until the next step or call.
+  std::span<const ContactInfo> contacts() const;
   /// The events of the last step. Throws std::logic_error unless Settings::contact_events is on.
   ContactEvents contact_events() const;
 

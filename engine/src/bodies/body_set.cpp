@@ -182,8 +182,8 @@ void BodySet::destroy(std::size_t i) {
   free_rows.push_back(static_cast<std::uint32_t>(i));
 }
 
-void BodySet::set_layers(std::size_t i, std::uint32_t mask) {
-  detail[i].def.layers = mask;
+void BodySet::set_layers(std::size_t i, Layers layers) {
+  detail[i].def.layers = layers;
   ++part_changes;
 }
 

@@ -73,7 +73,7 @@ struct BodySet {
   /// Requires a sleeping body. A body must be awake when it is removed.
   void wake(std::size_t i);
 
-  void set_layers(std::size_t i, std::uint32_t mask);
+  void set_layers(std::size_t i, Layers layers);
 
   bool contains(BodyId id) const {
     return id.index < size() && detail[id.index].alive && generation[id.index] == id.generation;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "impulse/body.h"
 #include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -23,8 +24,8 @@ struct Proxy {
   Displacement displacement;  // how far it may move within the margin's time
   std::uint32_t body = 0;
   std::uint16_t part = 0;
-  bool moves = false;        // fixed and kinematic bodies don't collide with each other
-  std::uint32_t layers = 0;  // two proxies can collide only if they share a bit
+  bool moves = false;  // fixed and kinematic bodies don't collide with each other
+  Layers layers;
 };
 
 /// Indices of two proxies, first < second.
@@ -49,7 +50,7 @@ inline bool within_reach(const Proxy& a, const Proxy& b) {
 /// Whether two proxies may collide at all if their bounds overlap. Takes any type with these fields of Proxy.
 template <class One>
 constexpr bool may_collide(const One& a, const One& b) {
-  return (a.layers & b.layers) != 0 && (a.moves || b.moves) && a.body != b.body;
+  return collide(a.layers, b.layers) && (a.moves || b.moves) && a.body != b.body;
 }
 
 /// Whether `inner` lies in `outer`, edges included; false if any bound is NaN.
@@ -58,8 +59,8 @@ constexpr bool within(const Aabb& inner, const Aabb& outer) {
          inner.high.y <= outer.high.y;
 }
 
-/// Finds the pairs that may touch: within reach of each other, sharing a layer, at least one moving, and of different
-/// bodies. Each pair appears once, and pairs are sorted. Proxies must be sorted by (body, part).
+/// Finds the pairs that may touch: within reach of each other, with layers that collide, at least one moving, and of
+/// different bodies. Each pair appears once, and pairs are sorted. Proxies must be sorted by (body, part).
 class BroadPhase {
  public:
   BroadPhase() = default;

@@ -267,7 +267,8 @@ class Grid : public BroadPhase {
 
   /// The fields of a proxy that are needed when its bounds overlap another's.
   struct Item {
-    std::uint32_t proxy, body, layers;
+    std::uint32_t proxy, body;
+    Layers layers;
     Place place;
     bool moves;
   };

@@ -240,8 +240,8 @@ void ContactSet::stretch_rest(Real times) {
   }
 }
 
-std::vector<const Contact*> ContactSet::all(std::span<const Contact> more) const {
-  std::vector<const Contact*> merged;
+void ContactSet::all(std::span<const Contact> more, std::vector<const Contact*>& merged) const {
+  merged.clear();
   merged.reserve(rows_.size() + resting_.size() + more.size());
   for (const std::span<const Contact> some :
        {std::span<const Contact>(rows_), std::span<const Contact>(resting_), more}) {
@@ -249,7 +249,6 @@ std::vector<const Contact*> ContactSet::all(std::span<const Contact> more) const
   }
   std::sort(merged.begin(), merged.end(),
             [](const Contact* left, const Contact* right) { return comes_before(*left, *right); });
-  return merged;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -16,6 +16,12 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// The contacts of a world from step to step.
 class ContactSet {
  public:
+  ContactSet() = default;
+  /// Copies the contacts, not the search: it begins anew, and finds the same.
+  ContactSet(const ContactSet& other)
+      : rows_(other.rows_), mixed_by_(other.mixed_by_), changes_(other.changes_), resting_(other.resting_) {}
+  ContactSet& operator=(const ContactSet&) = delete;
+
   /// Finds the contacts of shapes that touch or are within the margin; known contacts keep their impulses and age.
   ///
   /// With `persistence`, a contact whose bodies hardly moved since its points were found keeps its normal and arms, and
@@ -53,8 +59,8 @@ class ContactSet {
   /// Adds contacts that piles at rest have kept, so that the next search knows them.
   void put_in(std::span<const Contact> contacts);
 
-  /// The contacts of rows(), of resting() and these, sorted.
-  std::vector<const Contact*> all(std::span<const Contact> more) const;
+  /// Lists the contacts of rows(), of resting() and these, sorted.
+  void all(std::span<const Contact> more, std::vector<const Contact*>& merged) const;
 
  private:
   void disturb() {

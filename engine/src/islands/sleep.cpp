@@ -41,7 +41,7 @@ bool Sleep::within_reach(std::size_t a, std::size_t b, Vec2 normal, Real separat
 bool Sleep::may_meet(std::size_t mover, std::size_t sleeper, const Margin& margin) const {
   const BodyDetail& a = bodies_.detail[mover];
   const BodyDetail& b = bodies_.detail[sleeper];
-  if ((a.def.layers & b.def.layers) == 0) return false;
+  if (!collide(a.def.layers, b.def.layers)) return false;
   if (joints_.connects(static_cast<std::uint32_t>(mover), static_cast<std::uint32_t>(sleeper))) return false;
   const Real gap = speculative_gap(bodies_, mover, sleeper, margin);
   for (const Part& part : a.parts) {

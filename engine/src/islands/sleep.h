@@ -24,6 +24,12 @@ class Sleep {
  public:
   Sleep(BodySet& bodies, ContactSet& contacts, const JointSet& joints, const ForceField& forces)
       : bodies_(bodies), contacts_(contacts), joints_(joints), forces_(forces) {}
+  /// Takes over which bodies sleep and for how long others have been at rest, in a copy of the world.
+  void copy(const Sleep& from) {
+    rest_ = from.rest_;
+    tree_ = from.tree_;
+    woken_ = from.woken_;
+  }
 
   /// Call before a step: wakes the islands that are connected to something that moves, and restores the contacts of all
   /// that woke. Returns false if every body is asleep or immovable, so that the step has nothing to do.

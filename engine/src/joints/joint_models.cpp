@@ -77,12 +77,42 @@ void check_limits_and_motor(const std::optional<Limits>& limits, const std::opti
   }
 }
 
-class Revolute : public JointModel {
+/// A joint with one free coordinate, which limits and a motor act on.
+template <class Derived>
+class DrivenJoint : public JointModel {
  public:
-  Revolute(const RevoluteJoint& joint, const BodySet& bodies)
-      : anchors_(joint.a, joint.b, joint.anchor, joint.anchor, bodies), limits_(joint.limits), motor_(joint.motor) {
+  std::unique_ptr<const JointModel> with_motor(const std::optional<Motor>& motor) const override {
+    check_limits_and_motor({}, motor);
+    auto changed = std::make_unique<Derived>(static_cast<const Derived&>(*this));
+    changed->motor_ = motor;
+    return changed;
+  }
+  std::unique_ptr<const JointModel> with_limits(const std::optional<Limits>& limits) const override {
+    check_limits_and_motor(limits, {});
+    auto changed = std::make_unique<Derived>(static_cast<const Derived&>(*this));
+    changed->limits_ = limits;
+    return changed;
+  }
+
+ protected:
+  DrivenJoint(const std::optional<Limits>& limits, const std::optional<Motor>& motor) : limits_(limits), motor_(motor) {
     check_limits_and_motor(limits_, motor_);
   }
+  /// Writes stops and motor, given the row that measures the coordinate.
+  void add_limits_and_motor(const JointRow& measured, JointBlock& block) const {
+    add_stops(measured, limits_, block);
+    add_motor(measured, motor_, block);
+  }
+
+ private:
+  std::optional<Limits> limits_;
+  std::optional<Motor> motor_;
+};
+
+class Revolute : public DrivenJoint<Revolute> {
+ public:
+  Revolute(const RevoluteJoint& joint, const BodySet& bodies)
+      : DrivenJoint(joint.limits, joint.motor), anchors_(joint.a, joint.b, joint.anchor, joint.anchor, bodies) {}
 
   void write(const JointPose& a, const JointPose& b, JointBlock& block) const override {
     const AnchorArms arms(anchors_, a, b);
@@ -91,14 +121,11 @@ class Revolute : public JointModel {
     arms.measure({0, 1}, block.equation[1]);
     JointRow angle;
     measure_angle(anchors_, a, b, angle);
-    add_stops(angle, limits_, block);
-    add_motor(angle, motor_, block);
+    add_limits_and_motor(angle, block);
   }
 
  private:
   Anchors anchors_;
-  std::optional<Limits> limits_;
-  std::optional<Motor> motor_;
 };
 
 class RigidDistance : public JointModel {
@@ -126,14 +153,12 @@ class SoftDistance : public JointModel {
   void write(const JointPose&, const JointPose&, JointBlock& block) const override { block.equations = 0; }
 };
 
-class Prismatic : public JointModel {
+class Prismatic : public DrivenJoint<Prismatic> {
  public:
   Prismatic(const PrismaticJoint& joint, const BodySet& bodies)
-      : anchors_(joint.a, joint.b, joint.anchor, joint.anchor, bodies),
-        axis_(normalized(bodies.pose[joint.a.index].q.inverse() * joint.axis)),
-        limits_(joint.limits),
-        motor_(joint.motor) {
-    check_limits_and_motor(limits_, motor_);
+      : DrivenJoint(joint.limits, joint.motor),
+        anchors_(joint.a, joint.b, joint.anchor, joint.anchor, bodies),
+        axis_(normalized(bodies.pose[joint.a.index].q.inverse() * joint.axis)) {
     if (!is_finite(joint.axis) || axis_ == Vec2{}) {
       throw std::invalid_argument("PrismaticJoint: axis must be finite and not zero");
     }
@@ -147,15 +172,12 @@ class Prismatic : public JointModel {
     measure_angle(anchors_, a, b, block.equation[1]);
     JointRow position;
     arms.measure_in_a(along, position);
-    add_stops(position, limits_, block);
-    add_motor(position, motor_, block);
+    add_limits_and_motor(position, block);
   }
 
  private:
   Anchors anchors_;
   Vec2 axis_;  // frame of a
-  std::optional<Limits> limits_;
-  std::optional<Motor> motor_;
 };
 
 class Weld : public JointModel {
@@ -176,6 +198,14 @@ class Weld : public JointModel {
 };
 
 }  // namespace
+
+std::unique_ptr<const JointModel> JointModel::with_motor(const std::optional<Motor>&) const {
+  throw std::invalid_argument("Joint: only revolute and prismatic joints have motors");
+}
+
+std::unique_ptr<const JointModel> JointModel::with_limits(const std::optional<Limits>&) const {
+  throw std::invalid_argument("Joint: only revolute and prismatic joints have limits");
+}
 
 std::unique_ptr<const JointModel> model_of(const RevoluteJoint& joint, const BodySet& bodies) {
   return std::make_unique<Revolute>(joint, bodies);

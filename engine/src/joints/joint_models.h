@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "bodies/body_set.h"
 #include "impulse/joint.h"
@@ -18,12 +19,19 @@ struct JointPose {
 class JointModel {
  public:
   JointModel() = default;
-  JointModel(const JointModel&) = delete;
   JointModel& operator=(const JointModel&) = delete;
   virtual ~JointModel() = default;
 
   /// Sets the number of rows and the axis, arms and error of each; keeps the impulses.
   virtual void write(const JointPose& a, const JointPose& b, JointBlock& block) const = 0;
+
+  /// The same joint with another motor or other limits, or none. Throw std::invalid_argument for invalid values, and
+  /// for a joint that cannot have them.
+  virtual std::unique_ptr<const JointModel> with_motor(const std::optional<Motor>& motor) const;
+  virtual std::unique_ptr<const JointModel> with_limits(const std::optional<Limits>& limits) const;
+
+ protected:
+  JointModel(const JointModel&) = default;
 };
 
 /// Requires that both bodies exist. Throws std::invalid_argument for invalid values.

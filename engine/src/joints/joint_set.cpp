@@ -67,6 +67,23 @@ void JointSet::remove(JointId id, ForceField& forces) {
   free_slot(id.index);
 }
 
+void JointSet::set_motor(JointId id, const std::optional<Motor>& motor) {
+  require(id);
+  Slot& slot = slots_[id.index];
+  slot.model = slot.model->with_motor(motor);
+  if (motor) return;
+  slot.block.driven = false;
+  slot.block.motor = {};
+}
+
+void JointSet::set_limits(JointId id, const std::optional<Limits>& limits) {
+  require(id);
+  Slot& slot = slots_[id.index];
+  slot.model = slot.model->with_limits(limits);
+  slot.block.stops = 0;
+  slot.block.stop = {};
+}
+
 void JointSet::forget(BodyId body) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (slots_[i].model && (slots_[i].a == body || slots_[i].b == body)) free_slot(i);

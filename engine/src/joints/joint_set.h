@@ -32,6 +32,12 @@ class JointSet {
   /// Removes every joint of the body; its springs must be removed with ForceField::forget.
   void forget(BodyId body);
 
+  /// Change or remove the motor or the limits of a joint. A motor keeps its impulse for the next step, limits don't.
+  /// Throw std::out_of_range for a stale id, std::invalid_argument for invalid values or a joint that has none of
+  /// these.
+  void set_motor(JointId id, const std::optional<Motor>& motor);
+  void set_limits(JointId id, const std::optional<Limits>& limits);
+
   /// The rows of the joint's two bodies. Throws std::out_of_range for a stale id.
   std::pair<std::uint32_t, std::uint32_t> bodies_of(JointId id) const;
 
@@ -55,7 +61,7 @@ class JointSet {
   struct Slot {
     std::uint32_t generation = 0;
     BodyId a, b;
-    std::unique_ptr<const JointModel> model;  // null if the slot is free
+    std::shared_ptr<const JointModel> model;  // null if the slot is free; copies of a world share it
     JointBlock block;
     std::optional<ForceId> spring;
   };

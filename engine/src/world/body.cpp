@@ -33,7 +33,7 @@ Vec2 Body::velocity() const { return bodies().velocity_of(row()).v; }
 Real Body::angular_velocity() const { return bodies().velocity_of(row()).w; }
 MassData Body::mass() const { return bodies().detail[row()].mass; }
 std::span<const Part> Body::parts() const { return bodies().detail[row()].parts; }
-std::uint32_t Body::layers() const { return bodies().detail[row()].def.layers; }
+Layers Body::layers() const { return bodies().detail[row()].def.layers; }
 bool Body::awake() const {
   const std::size_t i = row();
   return bodies().detail[i].inserted && bodies().asleep[i] == 0;
@@ -78,9 +78,9 @@ void Body::set_gravity_scale(Real scale) {
   bodies().response[row()].gravity_scale = scale;
 }
 
-void Body::set_layers(std::uint32_t mask) {
+void Body::set_layers(Layers layers) {
   disturb();
-  bodies().set_layers(row(), mask);
+  bodies().set_layers(row(), layers);
 }
 
 void Body::apply_force(Vec2 force) {

@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "shapes/shape_cast.h"
 #include "world/world_state.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -27,7 +28,7 @@ std::vector<BodyHit> find_hits(const BodySet& bodies, Vec2 from, Vec2 to, std::u
   std::vector<BodyHit> found;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDetail& body = bodies.detail[i];
-    if (!body.inserted || (body.def.layers & layers) == 0) continue;
+    if (!body.inserted || (body.def.layers.category & layers) == 0) continue;
     const Pose& pose = bodies.pose[i];
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       RayHit hit;
@@ -73,12 +74,37 @@ void World::query_point(Vec2 point, const QueryCallback& callback) {
               [point](const Shape& shape, const Pose& pose) { return shape.contains(to_local(pose, point)); });
 }
 
-std::vector<ContactInfo> World::contacts() const {
+std::optional<BodyHit> World::shape_cast(const Shape& shape, const Pose& start, Vec2 by, std::uint32_t layers) const {
+  if (shape.type() == ShapeType::half_space) throw std::invalid_argument("World::shape_cast: a half-space cannot move");
+  if (!is_finite(start.p) || !is_finite(by)) {
+    throw std::invalid_argument("World::shape_cast: start and displacement must be finite");
+  }
+  const Aabb path = merged(shape.bounds(start), shape.bounds({start.p + by, start.q}));
   const BodySet& bodies = state_->bodies;
-  std::vector<ContactInfo> infos;
-  std::vector<Contact> of_piles;
+  std::optional<BodyHit> first;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyDetail& body = bodies.detail[i];
+    if (!body.inserted || (body.def.layers.category & layers) == 0) continue;
+    for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      const Shape& other = body.parts[p].shape;
+      if (!overlap(path, other.bounds(bodies.pose[i]))) continue;
+      const std::optional<RayHit> hit = impulse::shape_cast(shape, start, by, other, bodies.pose[i]);
+      if (!hit || (first && first->fraction <= hit->fraction)) continue;
+      first = BodyHit{bodies.id(i), p, hit->fraction, hit->point, hit->normal};
+    }
+  }
+  return first;
+}
+
+std::span<const ContactInfo> World::contacts() const {
+  const BodySet& bodies = state_->bodies;
+  std::vector<ContactInfo>& infos = state_->listed_contacts;
+  infos.clear();
+  std::vector<Contact>& of_piles = state_->contacts_of_piles;
+  of_piles.clear();
   if (const RestingPiles* resting = state_->solver->resting()) resting->append(bodies, of_piles);
-  for (const Contact* contact : state_->contacts.all(of_piles)) {
+  state_->contacts.all(of_piles, state_->sorted_contacts);
+  for (const Contact* contact : state_->sorted_contacts) {
     for (std::size_t p = 0; p < static_cast<std::size_t>(contact->count); ++p) {
       const ContactPoint& point = contact->points[p];
       if (point.separation > 0 && point.total_normal_impulse == 0) continue;

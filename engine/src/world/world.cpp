@@ -33,6 +33,11 @@ void mark_held(BodySet& bodies, std::span<const Contact> contacts, std::span<con
 }  // namespace
 
 World::World(const Settings& settings) : state_(std::make_unique<State>(settings)) {}
+World::World(const World& other) : state_(other.state_->copy()) {}
+World& World::operator=(const World& other) {
+  if (this != &other) state_ = other.state_->copy();
+  return *this;
+}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -126,6 +131,17 @@ void World::destroy_joint(JointId id) {
 }
 
 bool World::contains(JointId id) const { return state_->joints.contains(id); }
+
+void World::set_motor(JointId id, const std::optional<Motor>& motor) {
+  state_->joints.set_motor(id, motor);
+  state_->wake_ends(id);
+}
+
+void World::set_limits(JointId id, const std::optional<Limits>& limits) {
+  state_->joints.set_limits(id, limits);
+  state_->wake_ends(id);
+}
+
 Vec2 World::joint_impulse(JointId id) const { return state_->joints.impulse(id); }
 
 bool World::contains(BodyId id) const { return state_->bodies.contains(id); }
@@ -135,8 +151,9 @@ Body World::body(BodyId id) {
   return {*this, id};
 }
 
-std::vector<BodyId> World::bodies() const {
-  std::vector<BodyId> ids;
+std::span<const BodyId> World::bodies() const {
+  std::vector<BodyId>& ids = state_->listed_bodies;
+  ids.clear();
   for (std::size_t i = 0; i < state_->bodies.size(); ++i) {
     if (state_->bodies.detail[i].inserted) ids.push_back(state_->bodies.id(i));
   }
@@ -176,6 +193,31 @@ void World::State::adopt(const Settings& chosen) {
   if (!chosen.contact_events) touches = {};
   if (first || chosen.workers != settings.workers) workers = std::make_unique<Workers>(chosen.workers);
   settings = chosen;
+}
+
+std::unique_ptr<World::State> World::State::copy() {
+  restart_solver();
+  return std::make_unique<State>(*this);
+}
+
+World::State::State(const State& other)
+    : settings(other.settings),
+      solver(MethodList<Solver>::make(settings.solver)),
+      integrator(MethodList<Integrator>::make(settings.integrator)),
+      broad_phase(MethodList<BroadPhase>::make(settings.broad_phase)),
+      workers(std::make_unique<Workers>(settings.workers)),
+      bodies(other.bodies),
+      contacts(other.contacts),
+      touches(other.touches),
+      forces(other.forces),
+      joints(other.joints) {
+  sleep.copy(other.sleep);
+}
+
+void World::State::restart_solver() {
+  if (callbacks_running > 0) throw std::logic_error("World: copied in a callback of the same world");
+  let_go();
+  solver = MethodList<Solver>::make(settings.solver);
 }
 
 void World::State::wake_ends(JointId id) {

@@ -35,10 +35,17 @@ struct World::State {
   ForceField forces;
   JointSet joints;
   Sleep sleep{bodies, contacts, joints, forces};
+  std::vector<BodyId> listed_bodies;         // storage of World::bodies()
+  std::vector<ContactInfo> listed_contacts;  // storage of World::contacts()
+  std::vector<Contact> contacts_of_piles;
+  std::vector<const Contact*> sorted_contacts;
   int callbacks_running = 0;
   std::vector<std::pair<Change, BodyId>> deferred;
 
   explicit State(const Settings& chosen) { adopt(chosen); }
+  State(const State& other);  // for copy(), with a solver of its own
+  /// A copy; restarts the solver of both, so that they go on with the same bits.
+  std::unique_ptr<State> copy();
 
   /// Changes the settings, or throws and changes nothing.
   void adopt(const Settings& chosen);
@@ -50,6 +57,8 @@ struct World::State {
   /// Like Sleep::wake and Sleep::disturb; they invalidate resting piles too.
   void wake(std::size_t i);
   void disturb(std::size_t i);
+  /// Makes the chosen solver anew. Its contacts are kept, but not what it has cached.
+  void restart_solver();
   /// Invalidates all resting piles, or that of a body, and takes over their contacts.
   void let_go();
   void let_go(std::size_t i);

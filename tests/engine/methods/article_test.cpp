@@ -103,7 +103,7 @@ Oblique hit_floor(double static_friction, double dynamic_friction, double restit
   add_floor(world, rough);
   const BodyId disc = world.create_body(at(0, .5, vx, -3), Shape::circle(Real{0.5}), rough);
   world.step();
-  const std::vector<ContactInfo> contacts = world.contacts();
+  const std::span<const ContactInfo> contacts = world.contacts();
   if (contacts.size() != 1) return {};
   return {world.body(disc).velocity(), world.body(disc).angular_velocity(), contacts[0].normal_impulse,
           contacts[0].tangent_impulse};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "../random_shapes.h"
@@ -36,7 +37,7 @@ double deepest(World& world, int steps) {
   double deepest = 0;
   for (int step = 0; step < steps; ++step) {
     world.step();
-    const std::vector<BodyId> all = world.bodies();
+    const std::span<const BodyId> all = world.bodies();
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (std::size_t j = i + 1; j < all.size(); ++j) deepest = std::max(deepest, depth(world, all[i], all[j]));
     }
@@ -181,7 +182,7 @@ TEST(Turning, ReportsTheNormalAlongWhichContactsActed) {
     std::vector<Vec2> expected;
     for (const BodyId id : world.bodies()) expected.push_back(world.body(id).velocity());
     world.step();
-    const std::vector<BodyId> all = world.bodies();
+    const std::span<const BodyId> all = world.bodies();
     const auto index = [&](BodyId id) {
       return static_cast<std::size_t>(std::find(all.begin(), all.end(), id) - all.begin());
     };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -55,7 +56,7 @@ class RandomScene {
 
   bool is_finite() {
     const auto bounded = [](Real x) { return std::abs(x) < Shape::unbounded; };  // false for NaN
-    const std::vector<BodyId> ids = world_.bodies();
+    const std::span<const BodyId> ids = world_.bodies();
     return std::all_of(ids.begin(), ids.end(), [&](BodyId id) {
       const Body body = world_.body(id);
       return bounded(body.position().x) && bounded(body.position().y) && bounded(body.angle()) &&

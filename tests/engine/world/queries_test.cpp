@@ -1,9 +1,12 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "../support.h"
 
@@ -215,7 +218,7 @@ TEST(Contacts, GiveThePointsAndImpulsesOfTouchingBodies) {
   const BodyId disc = world.create_body(at(3, .5), Shape::circle(Real{0.5}));
   const Real mass = world.body(disc).mass().mass;
   run(world, 60);
-  const std::vector<ContactInfo> contacts = world.contacts();
+  const std::span<const ContactInfo> contacts = world.contacts();
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_EQ(contacts[0].a, floor);
   EXPECT_EQ(contacts[0].b, disc);
@@ -225,6 +228,87 @@ TEST(Contacts, GiveThePointsAndImpulsesOfTouchingBodies) {
   // The contact carries the weight, m g dt, up to the rounding of ten iterations.
   EXPECT_NEAR(contacts[0].normal_impulse, mass * 10 * world.dt(), 32 * round_off);
   EXPECT_NEAR(contacts[0].tangent_impulse, 0, 32 * round_off);
+}
+
+TEST(Contacts, AndBodiesAreListedWithoutAllocatingAgain) {
+  World world;
+  add_floor(world);
+  for (int i = 0; i < 5; ++i) world.create_body(at(2 * i, .5), Shape::circle(Real{0.5}));
+  run(world, 60);
+  const ContactInfo* contacts = world.contacts().data();
+  const BodyId* bodies = world.bodies().data();
+  for (int i = 0; i < 100; ++i) {
+    world.step();
+    EXPECT_EQ(world.contacts().data(), contacts);
+    EXPECT_EQ(world.bodies().data(), bodies);
+  }
+}
+
+// A disc of radius r that passes a disc of radius R at a height y touches it where the centres are r + R apart.
+TEST(ShapeCast, OfADiscTouchesADiscWhereTheRadiiAddUp) {
+  World world;
+  const BodyId target = world.create_body(at(5, 0), Shape::circle(1));
+  for (const double y : {0., .5, 1., 1.4, 1.499}) {
+    const auto hit = world.shape_cast(Shape::circle(real(.5)), {{0, real(y)}, {}}, {10, 0});
+    ASSERT_TRUE(hit) << y;
+    const double x = 5 - std::sqrt(1.5 * 1.5 - y * y);
+    EXPECT_EQ(hit->body, target);
+    // The gap left is 32 round-offs of 15.5 m, and a grazing shape closes it at the rate (5 - x) / 1.5.
+    const double gap = 64 * 15.5 * static_cast<double>(round_off) * 1.5 / (5 - x);
+    EXPECT_NEAR(hit->fraction * 10, x, 2 * gap) << y;
+    EXPECT_NEAR(hit->normal.x, (x - 5) / 1.5, 4 * gap) << y;
+    EXPECT_NEAR(hit->normal.y, y / 1.5, 4 * gap) << y;
+  }
+  EXPECT_FALSE(world.shape_cast(Shape::circle(real(.5)), {{0, real(1.501)}, {}}, {10, 0}));
+  EXPECT_FALSE(world.shape_cast(Shape::circle(real(.5)), {{0, 0}, {}}, {3, 0})) << "stops short";
+  EXPECT_FALSE(world.shape_cast(Shape::circle(real(.5)), {{0, 0}, {}}, {-10, 0})) << "moves away";
+}
+
+TEST(ShapeCast, FindsTheFirstPartOfAllAndRespectsLayers) {
+  World world;
+  add_floor(world);
+  BodyDef def = at(0, 2);
+  def.layers = 2;
+  const BodyId shelf = world.create_body(def, Shape::box({1, real(.5)}));
+  const Shape box = Shape::box({real(.5), real(.5)});
+  const auto first = world.shape_cast(box, {{0, 10}, {}}, {0, -20});
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->body, shelf);
+  EXPECT_NEAR(first->fraction, 7. / 20, 64 * round_off);
+  EXPECT_NEAR(first->normal.y, 1, 8 * round_off);
+  EXPECT_NEAR(first->point.y, 2.5, 64 * round_off);
+  const auto below = world.shape_cast(box, {{0, 10}, {}}, {0, -20}, 1);
+  ASSERT_TRUE(below);
+  EXPECT_NE(below->body, shelf);
+  EXPECT_NEAR(below->fraction, 9.5 / 20, 128 * round_off);
+}
+
+TEST(ShapeCast, HitsAtOnceWhatItOverlapsAtTheStart) {
+  World world;
+  world.create_body(at(0, 0), Shape::circle(1));
+  const auto hit = world.shape_cast(Shape::circle(1), {{1, 0}, {}}, {5, 0});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->fraction, 0);
+  EXPECT_EQ(hit->normal, (Vec2{}));
+}
+
+TEST(ShapeCast, PassesAChainFromItsSolidSide) {
+  World world;
+  BodyDef def;
+  def.type = BodyType::fixed;
+  const std::vector<Vec2> points{{5, 0}, {0, 0}, {-5, 0}};
+  std::vector<Part> parts;
+  for (const Shape& shape : Shape::chain(points, false)) parts.push_back({shape, {}});
+  world.create_body(def, parts);
+  EXPECT_TRUE(world.shape_cast(Shape::circle(real(.5)), {{1, 3}, {}}, {0, -6}));
+  EXPECT_FALSE(world.shape_cast(Shape::circle(real(.5)), {{1, -3}, {}}, {0, 6}));
+}
+
+TEST(ShapeCast, RefusesHalfSpacesAndWhatIsNotFinite) {
+  const World world;
+  EXPECT_THROW(world.shape_cast(Shape::half_space({0, 1}, 0), {}, {1, 0}), std::invalid_argument);
+  const Real infinite = std::numeric_limits<Real>::infinity();
+  EXPECT_THROW(world.shape_cast(Shape::circle(1), {}, {infinite, 0}), std::invalid_argument);
 }
 
 }  // namespace

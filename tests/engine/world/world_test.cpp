@@ -171,6 +171,31 @@ TEST(World, BodiesWithoutACommonLayerPassThroughEachOther) {
   EXPECT_GT(world.body(a).position().x, 0);
 }
 
+// Each row: category and mask of a disc, and whether it lands on the floor of category 1 that meets 6.
+TEST(World, BodiesCollideIfEachIsInTheOthersMask) {
+  struct Row {
+    Layers layers;
+    bool lands;
+  };
+  for (const Row& row : {Row{{2, 1}, true}, Row{{4, 1}, true}, Row{{8, 1}, false}, Row{{2, 2}, false},
+                         Row{{2, 0}, false}, Row{{6, ~0U}, true}, Row{{8, ~0U}, false}}) {
+    for (const bool sleeping : {false, true}) {
+      Settings settings;
+      settings.sleeping = sleeping;
+      World world(settings);
+      BodyDef ground;
+      ground.type = BodyType::fixed;
+      ground.layers = {1, 6};
+      world.create_body(ground, Shape::half_space({0, 1}, 0));
+      BodyDef def = at(0, 1);
+      def.layers = row.layers;
+      const BodyId disc = world.create_body(def, Shape::circle(Real{0.5}));
+      run(world, 60);
+      EXPECT_EQ(world.body(disc).position().y > 0, row.lands) << row.layers.category << " " << row.layers.mask;
+    }
+  }
+}
+
 TEST(World, FixedRotationKeepsTheAngle) {
   World world(weightless());
   BodyDef def;
