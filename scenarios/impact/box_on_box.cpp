@@ -101,6 +101,7 @@ const Catalog<Scenario>::Entry entry{
                   {"heavy", {{"ratio", 5}, {"restitution", 1}}},
                   {"half", {{"offset", 0.5}}},
                   {"half heavy", {{"offset", 0.5}, {"ratio", 4}, {"restitution", 0.8}}}},
+     .closed_form = "line",
      .scene = scene,
      .expectations = expectations,
      .phased = true}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -92,7 +93,8 @@ void Collision::solve_one() {
   // Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985) and fails if kn + mu knt
   // <= 0 (Painleve); then the normal impulse is computed without friction, and friction only removes energy.
   const Real work = dot(j, v) + dot(j, k * j) / 2;
-  if (!(j.x > 0) || work > 0) {
+  const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * std::abs(j.x * v.x);
+  if (!(j.x > 0) || work > rounding) {
     j.x = wanted / k.x.x;
     j.y = -(v.y + k.x.y * j.x) / k.y.y;
     if (std::abs(j.y) > grip * j.x) j.y = std::copysign(row_.dynamic_friction * j.x, j.y);

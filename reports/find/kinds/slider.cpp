@@ -27,7 +27,7 @@ Scene scene(Draw& draw) {
                                   .damping = draw.chance(0.5) ? 0 : draw.between(0, 1)});
   }
   if (draw.chance(0.5)) {
-    const Vec at = cart.position + draw.within(0.3, 0.3) + Vec{0, -1.2};
+    const Vec at = cart.position + draw.within(0.3, 0.3) + Vec{0, axis.y > 0 ? 1.2 : -1.2};  // away from the post
     scene.bodies.push_back(draw.body("second", at, draw.between(0.1, 0.4)));
     scene.bodies.back().velocity = cart.velocity;  // what is joined moves together
     if (draw.chance(0.4)) {

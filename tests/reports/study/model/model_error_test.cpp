@@ -48,7 +48,7 @@ TEST(ModelError, ConvertsAnglesToDisplacements) {
 }
 
 TEST(ModelError, ComparesWithTheFullModelIfTheReferenceSolutionEnds) {
-  const ModelError errors = errors_in("billiard:open");
+  const ModelError errors = errors_in("smash");
   EXPECT_GT(errors.compared_until(), errors.truth_until());
   const ModelError::Result passing = errors.of(parse_engine("impulse:contacts=off"));
   EXPECT_GT(passing.change, 1e-2);
