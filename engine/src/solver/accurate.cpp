@@ -120,6 +120,7 @@ class Accurate : public Solver {
   void substep(StepData& data, Island& island, Workspace& space);
   void find_collisions(const StepData&, Island&);
   void find_impacts(StepData& data, Island& island, Workspace& space);
+  bool hold_those_that_meet(StepData& data, Island& island, Workspace& space);
   /// m/s^2, the largest acceleration of a body by forces.
   Real pressing(const Island& island) const;
   void kick(BodySet& bodies, Island& island);
@@ -283,6 +284,7 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
   kick(data.bodies, island);
   press(data.bodies, island, false);
+  if (island.bounces && hold_those_that_meet(data, island, space)) press(data.bodies, island, false);
   const int pressed = press_through(data.bodies, island, space.search);
   drift(data, island);
   const bool joints_fit = island.joints.fit();
@@ -432,6 +434,14 @@ void Accurate::find_impacts(StepData& data, Island& island, Workspace& space) {
   };
   space.impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h,
                         slow_impact(pressing(island), island.h), std::ref(find_at));
+}
+
+bool Accurate::hold_those_that_meet(StepData& data, Island& island, Workspace& space) {
+  const auto find_at = [&](const ImpactRow& row, const Motion& a, const Motion& b) {
+    return space.turning.find_at(data, island, start_, motion_, row, {a, b});
+  };
+  return space.impacts.hold_those_that_meet(island.rows, data.bodies, motion_, island.h,
+                                            not_felt / static_cast<Real>(island.substeps), std::ref(find_at));
 }
 
 Real Accurate::pressing(const Island& island) const {

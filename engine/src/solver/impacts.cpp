@@ -19,12 +19,15 @@ bool immovable(const InverseMass& mass) { return mass.m + mass.i == 0; }
 struct Flight {
   const BodySet& bodies;
   const std::vector<Motion>& motion;
-  const std::vector<Velocity>& acceleration;
-  Real slow;  // m/s, approaches below are left to the contact solve
+  const std::vector<Velocity>* acceleration;  // none if null
+  Real slow;                                  // m/s, approaches below are left to the contact solve
 
+  Velocity acceleration_of(std::uint32_t body) const {
+    return acceleration == nullptr ? Velocity{} : (*acceleration)[body];
+  }
   Motion motion_at(std::uint32_t body, Real t) const {
     const Velocity& v = bodies.velocity[body];
-    const Velocity& a = acceleration[body];
+    const Velocity a = acceleration_of(body);
     Motion at = motion[body];
     if (t == 0) return at;
     at.d += t * v.v + (t * t / 2) * a.v;
@@ -33,7 +36,7 @@ struct Flight {
   }
   Velocity velocity_at(std::uint32_t body, Real t) const {
     const Velocity& v = bodies.velocity[body];
-    const Velocity& a = acceleration[body];
+    const Velocity a = acceleration_of(body);
     return {v.v + t * a.v, v.w + t * a.w};
   }
 };
@@ -148,7 +151,7 @@ Real curvature(const Encounter& now, const RowPoint& p, const Flight& flight) {
   const ImpactRow& row = now.row;
   const Velocity& a = flight.bodies.velocity[row.a];
   const Velocity& b = flight.bodies.velocity[row.b];
-  Real c = dot(now.normal, flight.acceleration[row.b].v - flight.acceleration[row.a].v);
+  Real c = dot(now.normal, flight.acceleration_of(row.b).v - flight.acceleration_of(row.a).v);
   c += a.w * a.w * p.turn_a - b.w * b.w * p.turn_b;
   if (!row.turns) return c;
   const Real s = separation(row, p, now.a, now.b);
@@ -247,7 +250,7 @@ void Impacts::collide(ImpactRow& now, IslandJoints& joints, std::span<const std:
 /// the path still passes through the bodies' positions at tau.
 void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
                      std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau) {
-  const Flight flight{bodies, motion, acceleration, slow_};
+  const Flight flight{bodies, motion, &acceleration, slow_};
   ImpactRow now = Encounter(row, flight, tau).moved();
   before_.clear();
   for (const std::uint32_t body : struck) {
@@ -289,7 +292,7 @@ void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, cons
   Candidate& aimed = candidates_[candidate];
   ++aimed.aims;
   const ImpactRow& row = rows[aimed.row];
-  const Flight flight{bodies, motion, acceleration, slow_};
+  const Flight flight{bodies, motion, &acceleration, slow_};
   const Encounter here(row, flight, now);
   Hit first;
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
@@ -346,7 +349,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     if (next.aims != candidates_[next.candidate].aims) continue;
     ImpactRow& hit = rows[candidates_[next.candidate].row];
     ++(hit.restitution < 1 ? count : elastic);
-    const Flight flight{bodies, motion, acceleration, slow_};
+    const Flight flight{bodies, motion, &acceleration, slow_};
     // The plane of a face is reached no later than the face: from there on it goes to what is nearest then.
     if (find_at(hit, flight.motion_at(hit.a, next.time), flight.motion_at(hit.b, next.time))) {
       aim_at(next.candidate, next.time);
@@ -368,7 +371,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
   }
 
   // The contact solve assumes straight approaches, and would brake bodies that have not arrived at the end or pass by.
-  const Flight flight{bodies, motion, acceleration, slow_};
+  const Flight flight{bodies, motion, &acceleration, slow_};
   for (const Candidate& c : candidates_) {
     ImpactRow& row = rows[c.row];
     row.active = stops(row, flight, h);
@@ -376,6 +379,28 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
       row.active = stops(row, flight, h);
     }
   }
+}
+
+bool Impacts::hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bodies, const std::vector<Motion>& motion,
+                                   Real h, Real most, const FindAt& find_at) const {
+  const Flight drift{bodies, motion, nullptr, slow_};
+  const auto meet = [&](const ImpactRow& row) {
+    const Encounter start(row, drift, 0);
+    const Encounter end(row, drift, h);
+    const auto deepens = [&](const RowPoint& p) {
+      return end.of(p).separation < std::min(start.of(p).separation, Real{0}) - most;
+    };
+    return std::any_of(row.points.begin(), row.points.begin() + row.count, deepens);
+  };
+  bool any = false;
+  for (ImpactRow& row : rows) {
+    if (row.active) continue;
+    row.active = meet(row);
+    // The plane of a face is reached no later than the face.
+    if (row.active && find_at(row, drift.motion_at(row.a, h), drift.motion_at(row.b, h))) row.active = meet(row);
+    any |= row.active;
+  }
+  return any;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

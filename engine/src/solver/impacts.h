@@ -123,6 +123,11 @@ class Impacts {
   void resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members, BodySet& bodies,
                std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h, Real slow,
                const FindAt& find_at);
+  /// Contacts that were on their way to a later impact, but whose bodies the contact solve of others has turned towards
+  /// each other: activates those that the drift of h seconds would make deeper by more than `most`, m. Returns whether
+  /// there are any.
+  bool hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bodies, const std::vector<Motion>& motion, Real h,
+                            Real most, const FindAt& find_at) const;
 
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
