@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "impulse/material.h"
@@ -22,7 +23,7 @@ struct BodyId {
   friend bool operator==(const BodyId&, const BodyId&) = default;
 };
 
-/// What a body is and what it collides with: two bodies collide if the category of each shares a bit with the other's
+/// What a part is and what it collides with: two parts collide if the category of each shares a bit with the other's
 /// mask. A single number of layers is both.
 struct Layers {
   std::uint32_t category = ~std::uint32_t{0};
@@ -41,6 +42,10 @@ constexpr bool collide(const Layers& a, const Layers& b) {
 struct Part {
   Shape shape;
   Material material;
+  std::optional<Layers> layers = {};  // in place of those of the body
+  /// A sensor collides with nothing and has no mass. World::sensor_events() reports the parts of other bodies that
+  /// overlap it and whose layers collide with its own.
+  bool sensor = false;
 };
 
 /// The initial state of a body. Position and angle are those of the body's frame, the velocity is that of the centre of
@@ -56,7 +61,7 @@ struct BodyDef {
   Real angular_damping = 0;  // 1/s
   bool fixed_rotation = false;
   bool bullet = false;  // continuous collision against dynamic bodies too
-  Layers layers;
+  Layers layers;        // of the parts that have none of their own
   void* user_data = nullptr;
 };
 
@@ -75,6 +80,8 @@ class Body {
   MassData mass() const;                // of all parts, body frame; 0 for fixed and kinematic bodies
   std::span<const Part> parts() const;  // shapes relative to the centre of mass
   Layers layers() const;
+  /// Of one part: its own, or those of the body. Throws std::out_of_range for an index of no part.
+  Layers layers(std::size_t part) const;
   bool awake() const;  // in the world and not asleep
   void* user_data() const;
 
@@ -89,6 +96,8 @@ class Body {
   void set_velocity(Vec2 velocity, Real angular_velocity);
   void set_gravity_scale(Real scale);
   void set_layers(Layers layers);
+  /// Gives a part layers of its own, or those of the body. Throws std::out_of_range for an index of no part.
+  void set_part_layers(std::size_t part, const std::optional<Layers>& layers);
 
   /// Forces accumulate until the next step, which applies and clears them. N; force and point in the world frame.
   void apply_force(Vec2 force);

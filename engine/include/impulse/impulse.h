@@ -3,6 +3,7 @@
 /// The whole engine API.
 #include "impulse/body.h"
 #include "impulse/clock.h"
+#include "impulse/contact.h"
 #include "impulse/debug_draw.h"
 #include "impulse/force.h"
 #include "impulse/joint.h"

@@ -17,11 +17,16 @@ enum class Continuous : std::uint8_t {
   on          // all bodies are bullets
 };
 
+/// The solvers of the library for games. Others have only names: see solvers().
+enum class SolverType : std::uint8_t { accurate, soft_step };
+/// The name for Settings::solver: `settings.solver = name_of(SolverType::soft_step)`.
+const char* name_of(SolverType solver);
+
 /// How a world steps. World rejects invalid settings (std::invalid_argument names the field) and keeps its old ones.
 struct Settings {
   Vec2 gravity{0, -10};                         // m/s^2
   Real dt = static_cast<Real>(1.0 / 60.0);      // s, one step
-  std::string solver = "accurate";              // one of solvers()
+  std::string solver = "accurate";              // one of solvers(), see name_of()
   std::string integrator = "symplectic-euler";  // one of integrators(); ignored by solvers with their own
   std::string broad_phase = "auto";             // one of broad_phases()
   int iterations = 10;                          // of the velocity solver
@@ -30,7 +35,7 @@ struct Settings {
   int workers = 1;                              // threads that share islands; the bits are the same for any number
   bool contacts = true;                         // if off, bodies pass through each other and the broad phase is skipped
   Continuous continuous = Continuous::automatic;
-  bool contact_events = false;  // whether to keep World::contact_events(); free if off
+  bool contact_events = false;  // whether to keep World::contact_events(); free if off, and changes no bit
   /// Whether resting islands fall asleep (see World). The bits then differ from those of a world that stays awake.
   bool sleeping = false;
   /// A body is at rest once it has been no faster than these for sleep_time and has stayed where it was, to within a

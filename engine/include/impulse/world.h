@@ -7,41 +7,13 @@
 #include <span>
 
 #include "impulse/body.h"
+#include "impulse/contact.h"
 #include "impulse/debug_draw.h"
 #include "impulse/force.h"
 #include "impulse/joint.h"
 #include "impulse/settings.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
-
-/// One point of a touching pair after the last step.
-struct ContactInfo {
-  BodyId a, b;
-  Vec2 point;                // world frame
-  Vec2 normal;               // unit, from a to b
-  Real separation = 0;       // m, negative when they overlap
-  Real normal_impulse = 0;   // N s on b along the normal, summed over the last step
-  Real tangent_impulse = 0;  // N s on b along perpendicular(normal), summed over the last step
-};
-
-/// Two parts that touched during a step: they overlapped at its start or exchanged an impulse.
-struct TouchingParts {
-  BodyId a, b;
-  std::uint16_t part_a = 0, part_b = 0;  // indices into Body::parts()
-  Vec2 point;                            // world frame, mean of the contact points
-  Vec2 normal;                           // unit, from a to b
-  Real normal_impulse = 0;               // N s on b along the normal, summed over all points and the step
-  Real tangent_impulse = 0;              // N s on b along perpendicular(normal), likewise
-};
-
-/// Contacts that began or ended in the last step, sorted by bodies and parts. The spans are valid until the next step.
-struct ContactEvents {
-  std::span<const TouchingParts> begun;     // did not touch in the step before
-  std::span<const TouchingParts> touching;  // all, including those that begun
-  /// No longer touching; holds their last contact. The contacts of a destroyed or removed body end in the next step:
-  /// check contains() before using its handle.
-  std::span<const TouchingParts> ended;
-};
 
 /// Where a ray enters a body's part, or a moved shape first touches it.
 struct BodyHit {
@@ -71,15 +43,16 @@ struct BodyHit {
 /// Persistent forces (see force.h) don't keep a body awake: a load hanging on a spring may sleep.
 ///
 /// Bodies may be created, inserted, removed and destroyed at any time; inside a callback the change takes effect when
-/// the call that runs the callback returns. The same calls give the same bits on every machine.
+/// the call that runs the callback returns. The filter and the pre-solve callback may read the world but not change it:
+/// that throws std::logic_error. Both are called on the thread that calls step(), in the order of bodies and parts. The
+/// same calls give the same bits on every machine and with any number of workers, and reading the world changes none.
 class World {
  public:
   explicit World(const Settings& settings = {});
   ~World();
   /// A copy has the same bodies, joints and forces with the same handles, and both go on with the same bits: keep a
-  /// copy to roll back to, `World saved = world; ... world = saved;`. Both solvers start anew from the contacts, so
-  /// that copying may change the bits of what follows where piles rest with sleeping and contact events off. user_data
-  /// is shared. Throws std::logic_error in a callback of `other`.
+  /// copy to roll back to, `World saved = world; ... world = saved;`. Callbacks are copied, user_data is shared. Throws
+  /// std::logic_error in a callback of `other`.
   World(const World& other);
   World& operator=(const World& other);
   World(World&&) noexcept;
@@ -135,19 +108,20 @@ class World {
   /// ever does).
   void step();
 
-  /// Calls back for every part whose bounds overlap the box, or that contains the point. Return false to stop.
+  /// Calls back for every part whose bounds overlap the box, or that contains the point, sensors included. Return false
+  /// to stop.
   using QueryCallback = std::function<bool(BodyId, const Part&)>;
   void query_aabb(const Aabb& box, const QueryCallback& callback);
   void query_point(Vec2 point, const QueryCallback& callback);
 
-  /// Calls back for every part that the ray from -> to enters, nearest first. Return false to stop. Parts that contain
-  /// the ray's start are skipped. Throws std::invalid_argument for points that are not finite.
+  /// Calls back for every part that the ray from -> to enters, nearest first. Return false to stop. Sensors and
+  /// parts that contain the ray's start are skipped. Throws std::invalid_argument for points that are not finite.
   using RayCallback = std::function<bool(const BodyHit&)>;
   void ray_cast(Vec2 from, Vec2 to, const RayCallback& callback);
-  /// The nearest hit on bodies whose category shares a bit with `layers`.
+  /// The nearest hit on parts whose category shares a bit with `layers`.
   std::optional<BodyHit> ray_cast(Vec2 from, Vec2 to, std::uint32_t layers = ~std::uint32_t{0}) const;
 
-  /// The first part, on bodies whose category shares a bit with `layers`, that the shape at `start` touches when it
+  /// The first part whose category shares a bit with `layers`, sensors apart, that the shape at `start` touches when it
   /// moves by `by` without rotating. One that it overlaps at the start is a hit with fraction 0, normal 0 and the start
   /// as its point. Short of contact by rounding only. Throws std::invalid_argument for a half-space and for values that
   /// are not finite.
@@ -158,6 +132,16 @@ class World {
   std::span<const ContactInfo> contacts() const;
   /// The events of the last step. Throws std::logic_error unless Settings::contact_events is on.
   ContactEvents contact_events() const;
+  /// What sensors saw at the end of the last step.
+  SensorEvents sensor_events() const;
+
+  /// step() asks the filter whether two parts whose layers collide do so. It wakes all bodies; an empty function lets
+  /// all collide. A filter that lets all collide changes no bit.
+  void set_filter(PartFilter filter);
+  /// step() calls this for each contact of bodies that are awake, before it solves them: all that touch or may touch
+  /// within the step. Throws std::invalid_argument, and moves nothing, if it sets coefficients out of their ranges. An
+  /// empty function ends it. Large piles at rest cost more with one.
+  void set_pre_solve(PreSolve pre_solve);
 
   /// Draws the parts whose bounds overlap `view` (world frame), the contacts, and for each joint a line between the
   /// centres of mass of its two bodies.

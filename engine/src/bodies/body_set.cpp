@@ -67,6 +67,7 @@ MassData total_mass(std::span<const Part> parts) {
   MassData total;
   Vec2 moment;
   for (const Part& part : parts) {
+    if (part.sensor) continue;
     const MassData mass = part.shape.mass(part.material.density);
     total.mass += mass.mass;
     moment += mass.mass * mass.center;
@@ -74,6 +75,7 @@ MassData total_mass(std::span<const Part> parts) {
   if (!(total.mass > 0)) return {};
   total.center = moment / total.mass;
   for (const Part& part : parts) {
+    if (part.sensor) continue;
     const MassData mass = part.shape.mass(part.material.density);
     total.inertia += mass.inertia + mass.mass * length_squared(mass.center - total.center);
   }
@@ -93,14 +95,17 @@ BodyId BodySet::add(const BodyDef& def, std::span<const Part> parts) {
   if (def.type == BodyType::dynamic) {
     made.mass = total_mass(parts);
     if (!is_finite(made.mass.mass) || !is_finite(made.mass.inertia) || made.mass.mass <= 0 || made.mass.inertia <= 0) {
-      refuse_def("parts", "of finite mass and inertia above 0 for a dynamic body: give a shape with area and density");
+      refuse_def("parts",
+                 "of finite mass and inertia above 0 for a dynamic body: give a shape with area and density that is no "
+                 "sensor");
     }
     if (def.fixed_rotation) made.mass.inertia = 0;
   }
   Real thinnest = Shape::unbounded;
   Real farthest = 0;
   for (const Part& part : parts) {
-    made.parts.push_back({part.shape.moved(-made.mass.center), part.material});
+    made.parts.push_back({part.shape.moved(-made.mass.center), part.material, part.layers, part.sensor});
+    if (part.sensor) continue;
     thinnest = std::min(thinnest, thickness_of(part.shape));
     if (part.shape.type() == ShapeType::half_space) continue;
     const Real extent = made.parts.back().shape.extent();
@@ -184,6 +189,11 @@ void BodySet::destroy(std::size_t i) {
 
 void BodySet::set_layers(std::size_t i, Layers layers) {
   detail[i].def.layers = layers;
+  ++part_changes;
+}
+
+void BodySet::set_part_layers(std::size_t i, std::size_t part, const std::optional<Layers>& layers) {
+  detail[i].parts[part].layers = layers;
   ++part_changes;
 }
 

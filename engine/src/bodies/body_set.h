@@ -34,6 +34,8 @@ struct BodyDetail {
   MassData mass;             // body frame; 0 for fixed and kinematic bodies
   Velocity stored_velocity;  // of a removed body, for when it is inserted again
   std::vector<Part> parts;   // shapes relative to the centre of mass
+
+  Layers layers_of(const Part& part) const { return part.layers.value_or(def.layers); }
 };
 
 /// The bodies as a structure of arrays: row i of each array belongs to one body. Rows of destroyed, removed or sleeping
@@ -48,8 +50,8 @@ struct BodySet {
   std::vector<Response> response;
   std::vector<Vec2> force;            // N, accumulated until the next step
   std::vector<Real> torque;           // N m
-  std::vector<Real> bounding_radius;  // m, about the centre of mass; ignores half-spaces
-  std::vector<Real> thickness;        // m, of its thinnest part: the least distance between two parallel tangents
+  std::vector<Real> bounding_radius;  // m, about the centre of mass; ignores half-spaces and sensors
+  std::vector<Real> thickness;        // m, of its thinnest solid part: the least distance between two parallel tangents
   std::vector<std::uint8_t> held;  // 1 if a contact or joint acted on it in the last step, see Integrator::needs_held
   std::vector<std::uint8_t> asleep;
   std::vector<std::uint32_t> pile;        // number of the resting pile that keeps its contacts, or 0: resting_piles.h
@@ -74,6 +76,7 @@ struct BodySet {
   void wake(std::size_t i);
 
   void set_layers(std::size_t i, Layers layers);
+  void set_part_layers(std::size_t i, std::size_t part, const std::optional<Layers>& layers);
 
   bool contains(BodyId id) const {
     return id.index < size() && detail[id.index].alive && generation[id.index] == id.generation;
@@ -98,7 +101,7 @@ struct BodySet {
   void clear_forces();
 };
 
-/// Mass, centre and inertia of several shapes as one body.
+/// Mass, centre and inertia of several shapes as one body. Sensors have none.
 MassData total_mass(std::span<const Part> parts);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

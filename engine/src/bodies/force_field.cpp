@@ -175,10 +175,10 @@ Velocity thrust(Vec2 gravity, const BodySet& bodies, std::size_t i) {
 bool damped(const Response& response) { return response.linear_damping > 0 || response.angular_damping > 0; }
 
 /// See ForceField::accelerations().
-void damp(const BodySet& bodies, std::size_t i, Real implicit, Real reach, std::vector<Velocity>& out) {
+void damp(const BodySet& bodies, std::size_t i, const Velocity& velocity, Real implicit, Real reach,
+          std::vector<Velocity>& out) {
   if (bodies.inverse_mass[i].m == 0) return;
   const auto slowed = [&](Real damping) { return std::max(1 + implicit * damping, reach * damping); };
-  const Velocity& velocity = bodies.velocity[i];
   const Real linear = bodies.response[i].linear_damping;
   const Real angular = bodies.response[i].angular_damping;
   if (linear > 0) out[i].v = (out[i].v - linear * velocity.v) / slowed(linear);
@@ -199,15 +199,16 @@ void ForceField::accelerations(const BodySet& bodies, Real implicit, std::vector
   for (const Slot& slot : slots_) {
     if (slot.force) pull(*slot.force, bodies, bodies.velocity, out);
   }
-  for (std::size_t i = 0; i < n; ++i) damp(bodies, i, implicit, reach, out);
+  for (std::size_t i = 0; i < n; ++i) damp(bodies, i, bodies.velocity[i], implicit, reach, out);
 }
 
 void ForceField::accelerations(const BodySet& bodies, std::span<const std::uint32_t> rows, std::span<const Pull> pulls,
-                               Real implicit, const std::vector<Velocity>& later, std::vector<Velocity>& out) const {
+                               Real implicit, const std::vector<Velocity>& held, const std::vector<Velocity>& later,
+                               std::vector<Velocity>& out) const {
   for (const std::uint32_t i : rows) out[i] = thrust(gravity, bodies, i);
   for (const std::uint32_t i : rows) attract(bodies, i, out);
   for (const Pull& one : pulls) pull(*slots_[one.slot].force, bodies, later, out);
-  for (const std::uint32_t i : rows) damp(bodies, i, implicit, 0, out);
+  for (const std::uint32_t i : rows) damp(bodies, i, held[i], implicit, 0, out);
 }
 
 bool ForceField::vary(const BodySet& bodies) const {

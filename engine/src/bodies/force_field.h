@@ -32,9 +32,11 @@ class ForceField {
   /// body. Springs use the current velocity for their damping.
   void accelerations(const BodySet& bodies, Real implicit, std::vector<Velocity>& out, Real reach = 0) const;
   /// The same of some rows alone, given all pulls on them. Springs damp the velocities `later`: a method of second
-  /// order passes those of the time at which the acceleration counts.
+  /// order passes those of the time at which the acceleration counts. Damping is of `held`, the velocities then by all
+  /// but forces.
   void accelerations(const BodySet& bodies, std::span<const std::uint32_t> rows, std::span<const Pull> pulls,
-                     Real implicit, const std::vector<Velocity>& later, std::vector<Velocity>& out) const;
+                     Real implicit, const std::vector<Velocity>& held, const std::vector<Velocity>& later,
+                     std::vector<Velocity>& out) const;
 
   bool empty() const { return slots_.size() == free_slots_.size(); }
   /// Whether accelerations depend on positions or velocities.

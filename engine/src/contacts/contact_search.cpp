@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contacts/lanes/persistence.h"
+#include "contacts/part_filter.h"
 #include "core/stages.h"
 #include "impulse/material.h"
 
@@ -15,10 +16,12 @@ namespace {
 constexpr Real most_persistent_motion = static_cast<Real>(0.01);
 constexpr Real most_persistent_gap = static_cast<Real>(0.005);
 
-bool close_enough(const Contact& contact) {
+/// Whether the points may persist. The normal of rounded shapes turns as they roll over a corner, by a tenth for a disc
+/// of a decimetre.
+bool lasting(const Contact& contact) {
   const bool first = contact.points[0].separation > most_persistent_gap;
   const bool second = (contact.count > 1) & (contact.points[1].separation > most_persistent_gap);
-  return !(contact.discs() | first | second);
+  return !((contact.radius_a + contact.radius_b > 0) | first | second);
 }
 
 }  // namespace
@@ -54,16 +57,18 @@ void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bo
   found_the_same_ = touching_are_last();
 }
 
-/// Removes pairs that are apart or joined, and sorts the others in the order of contacts.
+/// Removes pairs that are apart, joined or refused by the filter, and sorts the others in the order of contacts.
 void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pairs) {
   const std::span<const Proxy> proxies = shapes_.proxies();
   const JointSet& joints = input.joints;
   const bool joined = !joints.connected_pairs().empty();
-  if (joined || shapes_.some_slanted()) {
+  if (joined || input.filter || shapes_.some_slanted()) {
     std::size_t left = 0;
     for (const Pair& pair : pairs) {
-      const bool apart = shapes_.apart(pair.first, pair.second) ||
-                         (joined && joints.connects(proxies[pair.first].body, proxies[pair.second].body));
+      const Proxy& a = proxies[pair.first];
+      const Proxy& b = proxies[pair.second];
+      const bool apart = shapes_.apart(pair.first, pair.second) || (joined && joints.connects(a.body, b.body)) ||
+                         !accepts(input.filter, input.bodies, a.body, a.part, b.body, b.part);
       pairs[left] = pair;
       left += apart ? 0 : 1;
     }
@@ -137,7 +142,7 @@ void ContactSearch::persist_points(const SearchInput& input, std::span<const std
     const bool still = moved_[pairs_[pair].first] + moved_[pairs_[pair].second] < most_persistent_motion;
     // Points found by the last search cannot persist if the bodies have moved since: no need to visit the contact.
     const std::size_t may =
-        input.persistence && last != none && (still || collided_[last] == 0) && close_enough(last_[last]) ? 1 : 0;
+        input.persistence && last != none && (still || collided_[last] == 0) && lasting(last_[last]) ? 1 : 0;
     to_collide_[collided] = pair;
     may_persist_[candidates] = pair;
     candidate_contacts_[candidates] = last;

@@ -9,6 +9,7 @@
 #include "broad_phase/neighbours.h"
 #include "broad_phase/pair_order.h"
 #include "contacts/contact.h"
+#include "impulse/contact.h"
 #include "impulse/settings.h"
 #include "joints/joint_set.h"
 #include "narrow_phase/narrow_phase.h"
@@ -40,6 +41,7 @@ struct SearchInput {
   const Margin& margin;
   bool persistence;
   const JointSet& joints;
+  const PartFilter& filter;
 };
 
 /// Finds the pairs of parts that touch or are within the speculative margin, and their contact points.

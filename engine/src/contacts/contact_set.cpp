@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <tuple>
 
 #include "contacts/ghosts.h"
@@ -78,6 +79,32 @@ void update(Contact& contact, const BodySet& bodies, const PairPoints& found) {
   match_impulses(contact, std::span(last).first(static_cast<std::size_t>(last_count)));
 }
 
+PreSolveContact shown(const Contact& contact, const BodySet& bodies) {
+  PreSolveContact to;
+  to.a = bodies.id(contact.body_a);
+  to.b = bodies.id(contact.body_b);
+  to.part_a = contact.part_a;
+  to.part_b = contact.part_b;
+  to.normal = contact.normal;
+  to.separation = contact.points[0].separation;
+  Vec2 arms;
+  for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
+    to.separation = std::min(to.separation, contact.points[p].separation);
+    arms += contact.points[p].arm_a + contact.points[p].arm_b;
+  }
+  const Vec2 centers = bodies.pose[contact.body_a].p + bodies.pose[contact.body_b].p;
+  to.point = Real{0.5} * (centers + arms / static_cast<Real>(contact.count));
+  to.static_friction = contact.static_friction;
+  to.dynamic_friction = contact.dynamic_friction;
+  to.restitution = contact.restitution;
+  return to;
+}
+
+bool in_range(const PreSolveContact& contact) {
+  return is_finite(contact.static_friction) && contact.dynamic_friction >= 0 &&
+         contact.dynamic_friction <= contact.static_friction && contact.restitution >= 0 && contact.restitution <= 1;
+}
+
 }  // namespace
 
 void ContactSet::find(const SearchInput& input) {
@@ -127,6 +154,38 @@ void ContactSet::write_rows(const SearchInput& input) {
     mix_materials(row, part_a.material, part_b.material, input.settings);
     take_points(row, input.bodies, search_.points(pair));
   }
+}
+
+void ContactSet::pre_solve(const BodySet& bodies, const PreSolve& callback) {
+  disabled_.clear();
+  if (!callback) return;
+  mixed_by_.reset();  // the next search begins with the bodies' own materials
+  bool valid = true;
+  for (Contact& contact : rows_) {
+    PreSolveContact seen = shown(contact, bodies);
+    callback(seen);
+    valid &= in_range(seen);
+    contact.static_friction = seen.static_friction;
+    contact.dynamic_friction = seen.dynamic_friction;
+    contact.restitution = seen.restitution;
+    if (seen.enabled) continue;
+    contact.count = 0;
+    disabled_.emplace_back(contact);
+  }
+  ++changes_;
+  if (!disabled_.empty()) {
+    std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; });
+    disturb();
+  }
+  if (!valid) {
+    throw std::invalid_argument(
+        "World: the pre-solve callback must set frictions of at least 0, the dynamic one at most the static one, and a "
+        "restitution from 0 to 1");
+  }
+}
+
+bool ContactSet::disabled(const Proxy& a, const Proxy& b) const {
+  return std::binary_search(disabled_.begin(), disabled_.end(), ContactOrder(a, b));
 }
 
 void ContactSet::mix_again(const BodySet& bodies, const Settings& settings) {

@@ -29,6 +29,12 @@ class ContactSet {
   /// stiffness of a stack would depend on how it leans, and a tall one would buckle.
   void find(const SearchInput& input);
 
+  /// Shows each contact to the callback, after find(); those that it disables are removed, until the next search. What
+  /// it sets holds until then, too. Throws std::invalid_argument for coefficients out of their ranges.
+  void pre_solve(const BodySet& bodies, const PreSolve& callback);
+  /// Whether the callback disabled the contact of two parts in this step.
+  bool disabled(const Proxy& a, const Proxy& b) const;
+
   /// Removes the contacts that the last search added, so that another search before the step adds them again.
   void forget_new();
   /// See ContactSearch.
@@ -93,7 +99,8 @@ class ContactSet {
   std::vector<Contact> last_rows_;
   std::optional<Mixing> mixed_by_;
   std::uint64_t changes_ = 1;
-  bool disturbed_ = true;  // whether contacts were removed or added since the last search
+  std::vector<ContactOrder> disabled_;  // by the last pre_solve(), in order
+  bool disturbed_ = true;               // whether contacts were removed or added since the last search
   std::vector<OnGround> on_ground_;
   std::vector<OnGround> supports_;
   std::vector<Contact> resting_;

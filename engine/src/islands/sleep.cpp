@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "contacts/part_filter.h"
 #include "narrow_phase/collide.h"
 #include "narrow_phase/margin.h"
 
@@ -17,10 +19,14 @@ namespace {
 constexpr Real low_motion_tolerance = static_cast<Real>(0.01);
 
 Aabb body_bounds(const BodySet& bodies, std::size_t i) {
-  const std::vector<Part>& parts = bodies.detail[i].parts;
-  Aabb box = parts[0].shape.bounds(bodies.pose[i]);
-  for (const Part& part : parts) box = merged(box, part.shape.bounds(bodies.pose[i]));
-  return box;
+  const Pose& pose = bodies.pose[i];
+  std::optional<Aabb> box;
+  for (const Part& part : bodies.detail[i].parts) {
+    if (part.sensor) continue;
+    const Aabb bounds = part.shape.bounds(pose);
+    box = box ? merged(*box, bounds) : bounds;
+  }
+  return box.value_or(Aabb{pose.p, pose.p});
 }
 
 Real least_separation(const auto& points, int count) {
@@ -41,13 +47,18 @@ bool Sleep::within_reach(std::size_t a, std::size_t b, Vec2 normal, Real separat
 bool Sleep::may_meet(std::size_t mover, std::size_t sleeper, const Margin& margin) const {
   const BodyDetail& a = bodies_.detail[mover];
   const BodyDetail& b = bodies_.detail[sleeper];
-  if (!collide(a.def.layers, b.def.layers)) return false;
   if (joints_.connects(static_cast<std::uint32_t>(mover), static_cast<std::uint32_t>(sleeper))) return false;
   const Real gap = speculative_gap(bodies_, mover, sleeper, margin);
-  for (const Part& part : a.parts) {
+  const auto collide_at_all = [&](const Part& part, const Part& other) {
+    return !part.sensor && !other.sensor && collide(a.layers_of(part), b.layers_of(other));
+  };
+  for (std::size_t p = 0; p < a.parts.size(); ++p) {
+    const Part& part = a.parts[p];
     const Aabb around = grown(part.shape.bounds(bodies_.pose[mover]), gap);
-    for (const Part& other : b.parts) {
-      if (!overlap(around, other.shape.bounds(bodies_.pose[sleeper]))) continue;
+    for (std::size_t q = 0; q < b.parts.size(); ++q) {
+      const Part& other = b.parts[q];
+      if (!collide_at_all(part, other) || !overlap(around, other.shape.bounds(bodies_.pose[sleeper]))) continue;
+      if (!accepts(filter_, bodies_, mover, p, sleeper, q)) continue;
       const Manifold manifold = collide(part.shape, bodies_.pose[mover], other.shape, bodies_.pose[sleeper], gap);
       const Real separation = least_separation(manifold.points, manifold.count);
       if (within_reach(mover, sleeper, manifold.normal, separation, margin)) return true;

@@ -22,8 +22,9 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// wake_before_step wakes the bodies that could.
 class Sleep {
  public:
-  Sleep(BodySet& bodies, ContactSet& contacts, const JointSet& joints, const ForceField& forces)
-      : bodies_(bodies), contacts_(contacts), joints_(joints), forces_(forces) {}
+  Sleep(BodySet& bodies, ContactSet& contacts, const JointSet& joints, const ForceField& forces,
+        const PartFilter& filter)
+      : bodies_(bodies), contacts_(contacts), joints_(joints), forces_(forces), filter_(filter) {}
   /// Takes over which bodies sleep and for how long others have been at rest, in a copy of the world.
   void copy(const Sleep& from) {
     rest_ = from.rest_;
@@ -61,6 +62,7 @@ class Sleep {
   ContactSet& contacts_;
   const JointSet& joints_;
   const ForceField& forces_;
+  const PartFilter& filter_;
 
   /// The sleep state of a body.
   struct Rest {

@@ -117,6 +117,7 @@ void ShapeTable::list(const BodySet& bodies) {
     if (!body.inserted || bodies.asleep[i] != 0) continue;
     several_parts_ |= body.parts.size() > 1;
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      if (body.parts[p].sensor) continue;
       const Shape& shape = body.parts[p].shape;
       const ShapeKind kind = kind_of(shape);
       const Vec2 x = shape.normal(1);  // of a box, along its x axis
@@ -128,7 +129,7 @@ void ShapeTable::list(const BodySet& bodies) {
                           static_cast<std::uint32_t>(i),
                           static_cast<std::uint16_t>(p),
                           body.def.type == BodyType::dynamic && bodies.pile[i] == 0,
-                          body.def.layers});
+                          body.layers_of(body.parts[p])});
     }
   }
   records_.resize(proxies_.size());

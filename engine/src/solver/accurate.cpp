@@ -14,9 +14,9 @@
 #include "solver/energy_bound.h"
 #include "solver/impacts.h"
 #include "solver/island.h"
-#include "solver/line_search.h"
 #include "solver/partition.h"
 #include "solver/pile.h"
+#include "solver/press_and_relax.h"
 #include "solver/resting_piles.h"
 #include "solver/scalar_contacts.h"
 #include "solver/solver.h"
@@ -36,7 +36,7 @@ struct Workspace {
   Colouring colouring;
   Turning turning;
   Unpushed unpushed;
-  LineSearch search;
+  PressAndRelax::Storage solves;
   std::vector<Island> alike;  // waiting to be stepped as one
 };
 
@@ -44,8 +44,8 @@ struct Workspace {
 /// about the true one: 1e-5 for a pendulum, 1e-2 and more for chains too fast for the sub-step.
 constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
-/// m, penetration that an impact may add within a step: less than loads at rest may cause.
-constexpr Real not_felt = static_cast<Real>(0.4) * tolerated_sink;
+/// Most contacts of an island that is solved as one system in a blow: its cost grows with their third power.
+constexpr std::size_t most_solved = 12;
 
 /// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
 constexpr std::size_t most_together = 64;
@@ -119,18 +119,12 @@ class Accurate : public Solver {
   void fly_all(StepData& data);
   void substep(StepData& data, Island& island, Workspace& space);
   void find_collisions(const StepData&, Island&);
-  void find_impacts(StepData& data, Island& island, Workspace& space);
+  Real find_impacts(StepData& data, Island& island, Workspace& space);
   bool hold_those_that_meet(StepData& data, Island& island, Workspace& space);
   /// m/s^2, the largest acceleration of a body by forces.
   Real pressing(const Island& island) const;
   void kick(BodySet& bodies, Island& island);
-  void press(BodySet& bodies, Island& island, bool rigidly);
-  bool deepens(BodySet& bodies, const Island& island, bool held) const;
-  int press_through(BodySet& bodies, Island& island, LineSearch& search);
   void drift(StepData& data, const Island& island);
-  void relax(BodySet& bodies, Island& island, int sweeps);
-  void relax_through(BodySet& bodies, Island& island, LineSearch& search);
-  void relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound);
   void note_loads(const Island& island);
   /// Marks only bodies that can be pushed: the others are shared among islands.
   void note_load(const ImpactRow& row) {
@@ -154,6 +148,7 @@ class Accurate : public Solver {
   std::vector<Velocity> acceleration_;               // of each body, by the force field
   std::vector<Velocity> flight_;                     // the same, but 0 for a body that rests on a contact
   std::vector<Velocity> kicks_;                      // of each body, see ScalarContacts::halve
+  std::vector<Velocity> held_;                       // of each body, half a sub-step later but for forces
   std::vector<Velocity> later_;                      // of each body, half a sub-step later
   std::vector<Velocity> changes_;                    // of each body, see LineSearch
   std::vector<std::uint8_t> loaded_;                 // a contact pushed the body in the last sub-step
@@ -196,7 +191,8 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
     return;
   }
   if (now.contacts.empty() && now.joints.empty() && !now.varies) return fly(data, now);
-  if (!now.varies && is_pile(data, now)) {
+  now.pile = !now.varies && is_pile(data, now);
+  if (now.pile) {
     if (lanes_) return step_pile(data, number, now, space);
     space.colouring.assign(parts_, now, 1);
     now.contacts = space.colouring.order();
@@ -272,9 +268,10 @@ void Accurate::fly_all(StepData& data) {
 
 void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   space.turning.find_again(data, start_, motion_);
+  Real hit_at = 0;
   if (island.bounces) {
     space.turning.follow(island, motion_);
-    find_impacts(data, island, space);
+    hit_at = find_impacts(data, island, space);
   }
   space.turning.lead(island, data.bodies, motion_);
   if (!island.joints.empty()) island.joints.halve();
@@ -283,18 +280,21 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   if (!island.joints.empty() || island.more_sweeps > 0) space.bound.note(island.bodies, data.bodies, motion_);
   if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
   kick(data.bodies, island);
-  press(data.bodies, island, false);
-  if (island.bounces && hold_those_that_meet(data, island, space)) press(data.bodies, island, false);
-  const int pressed = press_through(data.bodies, island, space.search);
+  PressAndRelax solve(data.bodies, island, motion_, changes_, space.solves);
+  solve.press(false);
+  if (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);
+  const int pressed = solve.press_through();
   drift(data, island);
   const bool joints_fit = island.joints.fit();
   if (!island.joints.empty()) island.joints.write();
   kick(data.bodies, island);
-  relax(data.bodies, island,
-        island.settling ? std::max(settling_sweeps_for(island.bodies.size()), island.sweeps) : island.sweeps + pressed);
-  relax_through(data.bodies, island, space.search);
-  if (island.two_frictions && ScalarContacts::stick_or_slip(island)) relax(data.bodies, island, island.sweeps);
-  if (island.more_sweeps > 0) relax_until_bounded(data, island, space.bound);
+  const bool borne = island.single && hit_at > 0;
+  if (borne) ScalarContacts(data.bodies, motion_).keep_borne(island, hit_at / island.h);
+  solve.relax(island.settling ? std::max(settling_sweeps_for(island.bodies.size()), island.sweeps)
+                              : island.sweeps + pressed);
+  solve.relax_through();
+  if (island.two_frictions && ScalarContacts::stick_or_slip(island)) solve.relax(island.sweeps);
+  if (island.more_sweeps > 0) solve.relax_until_bounded(space.bound, acceleration_);
   ScalarContacts(data.bodies, motion_).turn_back(island);
   if (!joints_fit || island.ideal) {
     // Compliant joints must return their energy as height, not as speed.
@@ -304,8 +304,8 @@ void Accurate::substep(StepData& data, Island& island, Workspace& space) {
   }
   if (island.settling) ScalarContacts(data.bodies, motion_).settle_offsets(island);
   note_loads(island);
-  if (island.press_sweeps > 0 && !island.varies) space.unpushed.restore(island, loaded_, data.bodies);
-  if (island.press_sweeps > 0) space.search.temper(island, data.bodies, acceleration_, kicks_, changes_);
+  if (island.press_sweeps > 0 && !island.varies && !borne) space.unpushed.restore(island, loaded_, data.bodies);
+  if (island.press_sweeps > 0) space.solves.search.temper(island, data.bodies, acceleration_, kicks_, changes_);
 }
 
 void Accurate::prepare(StepData& data) {
@@ -313,7 +313,8 @@ void Accurate::prepare(StepData& data) {
   start_ = bodies.pose;
   motion_.assign(bodies.size(), {});
   kicks_.resize(bodies.size());
-  later_.resize(bodies.size());
+  held_.resize(bodies.size());
+  later_ = bodies.velocity;  // of those that no island moves
   changes_.resize(bodies.size());
   meets_.resize(bodies.size());
   loaded_.assign(bodies.size(), 0);
@@ -353,15 +354,19 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     if (is_few && row.age >= OffsetRule::from_age) bearing.add_load(row, contact.offset, data.settings);
     const Stir stir = stir_of(contact, data.bodies);
     if (!stir.moves(data.settings.dt)) continue;
+    island.struck = island.struck || (new_or_deep(contact) && at_speed(row, data.bodies));
+    if (island.pile) continue;  // lanes keep normals and arms within a step
+    island.struck = island.struck || closes(row, data.bodies, acceleration_, data.settings.dt);
+    island.turning = island.turning || turns(contact, stir, data.bodies, data.settings.dt);
     may_turn = may_turn || !rolls(contact, row);
-    island.turning = island.turning || (is_few && turns(contact, stir, data.bodies, data.settings.dt));
-    island.struck = island.struck || (new_or_deep(contact) && at_speed(row, data.bodies)) ||
-                    (is_few && closes(row, data.bodies, data.settings.dt));
   }
   for (const ActiveJoint* joint : island.joints.all()) {
     note_load(joint->block);
     island.held = island.held || !pushable(joint->block.inv_mass_a) || !pushable(joint->block.inv_mass_b);
   }
+  const auto pushed = [&](std::uint32_t body) { return data.bodies.pushable(body); };
+  const bool single = std::count_if(island.bodies.begin(), island.bodies.end(), pushed) == 1;
+  island.single = single && island.joints.empty();
   find_collisions(data, island);
 
   island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
@@ -376,24 +381,22 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
       !island.joints.empty() && !island.joints.swept() && (!island.rows.empty() || has_stops(island.joints));
   // For a body that slides from one shape of the ground to the next, its load moves over at once, not in several
   // sub-steps.
-  const auto pushed = [&](std::uint32_t body) { return data.bodies.pushable(body); };
-  const bool on_several =
-      island.rows.size() > 1 && std::count_if(island.bodies.begin(), island.bodies.end(), pushed) == 1;
-  if (takes_turns || on_several) island.sweeps = data.settings.iterations;
+  if (takes_turns || (island.rows.size() > 1 && single)) island.sweeps = data.settings.iterations;
   island.settling = settles(data, island);
   const bool is_closed = !island.varies && closed(data.bodies, island.bodies);
   island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
   // Small islands in motion are solved more closely.
   const int more_sweeps = more_sweeps_for(island.bodies.size());
   const bool follows = island.turning || island.struck;
-  island.turning = is_few && follows;
-  if (is_few && (follows || may_turn)) island.press_sweeps = more_sweeps;
+  island.turning = follows && !island.pile;
+  if (island.turning || may_turn) island.press_sweeps = press_sweeps_for(island.bodies.size());
   if (is_closed && follows) island.more_sweeps = more_sweeps;
+  island.direct = island.press_sweeps > 0 && island.joints.empty() && island.rows.size() <= most_solved;
 }
 
-/// Impacts with restitution are events. So is an inelastic one between bodies that meet nothing else: it happens when
-/// they touch. Where bodies meet several others its impulse passes on, and the contact solve finds all impulses
-/// together.
+/// Impacts with restitution are events. So is an inelastic one between bodies that meet nothing else, or of one body
+/// with several shapes that it can't push: it happens when they touch. Where bodies meet several others its impulse
+/// passes on, and the contact solve finds all impulses together.
 void Accurate::find_collisions(const StepData& data, Island& island) {
   for (const std::uint32_t body : island.bodies) meets_[body] = 0;
   const auto count = [&](const auto& mass_a, std::uint32_t a, const auto& mass_b, std::uint32_t b) {
@@ -405,9 +408,12 @@ void Accurate::find_collisions(const StepData& data, Island& island) {
     count(joint->block.inv_mass_a, joint->block.a, joint->block.inv_mass_b, joint->block.b);
   }
   for (ImpactRow& row : island.rows) {
-    const bool alone = (!pushable(row.mass_a) || meets_[row.a] == 1) && (!pushable(row.mass_b) || meets_[row.b] == 1);
+    const auto meets_one = [&](const InverseMass& mass, std::uint32_t body) {
+      return !pushable(mass) || meets_[body] == 1;
+    };
+    const bool alone = island.single || (meets_one(row.mass_a, row.a) && meets_one(row.mass_b, row.b));
     row.collides = row.restitution > 0 || alone;
-    island.bounces |= row.restitution > 0 || (alone && closes(row, data.bodies, data.settings.dt));
+    island.bounces |= row.restitution > 0 || (alone && closes(row, data.bodies, acceleration_, data.settings.dt));
   }
 }
 
@@ -425,15 +431,15 @@ Island Accurate::island(StepData& data, std::size_t number, Workspace& space) {
   return island;
 }
 
-void Accurate::find_impacts(StepData& data, Island& island, Workspace& space) {
+Real Accurate::find_impacts(StepData& data, Island& island, Workspace& space) {
   for (const std::uint32_t body : island.bodies) {
     flight_[body] = loaded_[body] != 0 ? Velocity{} : acceleration_[body];
   }
   const auto find_at = [&](const ImpactRow& row, const Motion& a, const Motion& b) {
     return space.turning.find_at(data, island, start_, motion_, row, {a, b});
   };
-  space.impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h,
-                        slow_impact(pressing(island), island.h), std::ref(find_at));
+  return space.impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h,
+                               slow_impact(pressing(island), island.h), std::ref(find_at));
 }
 
 bool Accurate::hold_those_that_meet(StepData& data, Island& island, Workspace& space) {
@@ -461,66 +467,6 @@ void Accurate::kick(BodySet& bodies, Island& island) {
   if (!island.joints.empty()) island.joints.kick();
 }
 
-void Accurate::press(BodySet& bodies, Island& island, bool rigidly) {
-  for (int sweep = 0; sweep < island.sweeps; ++sweep) {
-    if (!island.joints.empty()) island.joints.press(island.h);
-    ScalarContacts contacts(bodies, motion_);
-    if (rigidly) {
-      contacts.press_rigidly(island);
-    } else {
-      contacts.press(island);
-    }
-  }
-}
-
-/// Whether a contact penetrates deeper in this sub-step than its share of what is not felt. `held`: without the points
-/// that relax skips.
-bool Accurate::deepens(BodySet& bodies, const Island& island, bool held) const {
-  return ScalarContacts(bodies, motion_).deepening(island, held) * static_cast<Real>(island.substeps) > not_felt;
-}
-
-/// Extra rigid iterations. In an impact, a soft contact penetrates by 1 - strength of the displacement in a sub-step,
-/// and by what one iteration has not propagated: at 10 m/s that is centimetres. So contacts are solved rigidly until
-/// none penetrates deeper in this sub-step. Returns the number of iterations.
-int Accurate::press_through(BodySet& bodies, Island& island, LineSearch& search) {
-  int sweeps = 0;
-  while (sweeps < island.press_sweeps && deepens(bodies, island, false)) {
-    if (sweeps == 0) {
-      search.begin(island);
-    } else {
-      search.go_on(island, bodies, motion_, changes_, true);
-    }
-    press(bodies, island, true);
-    sweeps += island.sweeps;
-  }
-  return sweeps;
-}
-
-void Accurate::relax(BodySet& bodies, Island& island, int sweeps) {
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    if (!island.joints.empty()) island.joints.relax(island.h);
-    ScalarContacts(bodies, motion_).relax(island);
-  }
-}
-
-/// The same for relax: after one iteration, bodies that friction rotates into the ground still approach it.
-void Accurate::relax_through(BodySet& bodies, Island& island, LineSearch& search) {
-  for (int sweep = 0; sweep < island.press_sweeps && deepens(bodies, island, true); ++sweep) {
-    if (sweep == 0) {
-      search.begin(island);
-    } else {
-      search.go_on(island, bodies, motion_, changes_, false);
-    }
-    relax(bodies, island, 1);
-  }
-}
-
-void Accurate::relax_until_bounded(StepData& data, Island& island, const EnergyBound& bound) {
-  const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-  const auto excess = [&] { return bound.excess(island.bodies, data.bodies, motion_, acceleration_, rounding); };
-  for (Descent descent(island.more_sweeps); descent.goes_on(excess());) relax(data.bodies, island, 1);
-}
-
 void Accurate::drift(StepData& data, const Island& island) {
   BodySet& bodies = data.bodies;
   for (const std::uint32_t body : island.bodies) {
@@ -531,11 +477,16 @@ void Accurate::drift(StepData& data, const Island& island) {
   if (!island.varies) return;
   for (const std::uint32_t body : island.bodies) {
     bodies.pose[body] = motion_[body].from(start_[body]);
-    later_[body] = bodies.velocity[body];
-    later_[body].v += island.h / 2 * acceleration_[body].v;
-    later_[body].w += island.h / 2 * acceleration_[body].w;
+    held_[body] = bodies.velocity[body];
+    held_[body].v += kicks_[body].v;
+    held_[body].w += kicks_[body].w;
   }
-  data.forces.accelerations(bodies, island.bodies, island.pulls, island.h / 2, later_, acceleration_);
+  island.joints.push_halves(held_);
+  for (const std::uint32_t body : island.bodies) {
+    later_[body].v = held_[body].v + island.h / 2 * acceleration_[body].v;
+    later_[body].w = held_[body].w + island.h / 2 * acceleration_[body].w;
+  }
+  data.forces.accelerations(bodies, island.bodies, island.pulls, island.h / 2, held_, later_, acceleration_);
 }
 
 void Accurate::note_loads(const Island& island) {

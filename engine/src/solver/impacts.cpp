@@ -326,7 +326,7 @@ void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count)
   }
 }
 
-void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members,
+Real Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members,
                       BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h,
                       Real slow, const FindAt& find_at) {
   slow_ = slow;
@@ -342,6 +342,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
   constexpr std::size_t most_elastic = 5000;
   std::size_t count = 0;
   std::size_t elastic = 0;
+  Real last = 0;
   while (count < most && elastic < most_elastic && !events_.empty()) {
     std::pop_heap(events_.begin(), events_.end(), later);
     const Event next = events_.back();
@@ -358,6 +359,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     const std::array<std::uint32_t, 2> pair{hit.a, hit.b};
     const auto struck = joints.empty() ? std::span<const std::uint32_t>(pair) : members;
     strike(hit, joints, struck, bodies, motion, acceleration, next.time);
+    last = next.time;
     aim_at(next.candidate, next.time);
     for (const bool b : {false, true}) {
       const InverseMass& mass = b ? hit.mass_b : hit.mass_a;
@@ -379,6 +381,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
       row.active = stops(row, flight, h);
     }
   }
+  return last;
 }
 
 bool Impacts::hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bodies, const std::vector<Motion>& motion,

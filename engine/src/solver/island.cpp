@@ -149,6 +149,11 @@ int more_sweeps_for(std::size_t bodies) {
   return static_cast<int>(few(bodies) ? sweeps_through(bodies) : most_body_substeps / bodies);
 }
 
+int press_sweeps_for(std::size_t bodies) {
+  if (bodies == 0) return 0;
+  return static_cast<int>(std::min(sweeps_through(bodies), most_body_sweeps / bodies));
+}
+
 bool few(const Island& island) { return few(island.bodies.size()); }
 
 bool plain(const Island& island) {
@@ -157,8 +162,7 @@ bool plain(const Island& island) {
 }
 
 bool new_or_deep(const Contact& contact) {
-  constexpr Real deep = static_cast<Real>(0.005);  // m
-  return contact.age == 0 || std::min(contact.points[0].separation, contact.points[1].separation) <= -deep;
+  return contact.age == 0 || std::min(contact.points[0].separation, contact.points[1].separation) <= -deep_overlap;
 }
 
 bool at_speed(const ContactRow& row, const BodySet& bodies) {
@@ -167,11 +171,12 @@ bool at_speed(const ContactRow& row, const BodySet& bodies) {
   return std::max(std::abs(frame.normal_velocity(p)), std::abs(frame.normal_velocity(q))) > fast;
 }
 
-bool closes(const ContactRow& row, const BodySet& bodies, Real dt) {
+bool closes(const ContactRow& row, const BodySet& bodies, const std::vector<Velocity>& acceleration, Real dt) {
   const ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
+  const Real falls = std::min(dot(row.normal, acceleration[row.b].v - acceleration[row.a].v), Real{0}) * (dt * dt / 2);
   return std::any_of(row.points.begin(), row.points.begin() + row.count, [&](const RowPoint& p) {
     const Real v = frame.normal_velocity(p);
-    return v < -fast && p.separation + v * dt < 0;
+    return v < -fast && p.separation + v * dt + falls < 0;
   });
 }
 

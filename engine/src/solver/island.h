@@ -78,6 +78,9 @@ class OffsetRule {
 /// m; sub-steps are short enough that an island would penetrate by at most this before its offsets take up the load.
 constexpr Real tolerated_sink = static_cast<Real>(0.0005);
 
+/// m; bodies that overlap by more were not pressed into each other by loads.
+constexpr Real deep_overlap = static_cast<Real>(0.005);
+
 /// One island of `accurate` during a step.
 struct Island {
   std::span<const std::uint32_t> bodies;
@@ -101,6 +104,8 @@ struct Island {
       1;                // of contacts' offsets: depths under a load go with h^2, and what is kept is of the settings' h
   bool webbed = false;  // some contact is in a web, see Partition::in_web
   bool heap = false;    // see is_heap()
+  bool pile = false;    // see is_pile()
+  bool single = false;  // of one body that can be pushed, without joints
   bool held = false;    // a body that cannot be pushed holds it; not set for a pile
   bool ideal = false;   // only its joints could add energy, and they must not
   bool bounces = false;        // some contact has restitution
@@ -108,6 +113,7 @@ struct Island {
   Real pressing = 0;           // m/s^2, the largest acceleration of a body by forces; set if contacts ask for it
   bool struck = false;         // an impact that may set any body rotating
   bool turning = false;        // normals and arms follow the bodies within a step, see turning.h
+  bool direct = false;         // its contacts are solved as one system, see ContactSystem
   bool settling = false;       // starts at rest: solve its initial load at once
 
   const Softness& softness(bool in_web, const InverseMass& a, const InverseMass& b) const {
@@ -166,6 +172,9 @@ int settling_sweeps_for(std::size_t bodies);
 /// The extra iterations of relax after an impact for an island of this many bodies; 0 if that would be expensive.
 int more_sweeps_for(std::size_t bodies);
 
+/// The extra rigid iterations of a blow: those that pass it through the whole island, or as many as the budget allows.
+int press_sweeps_for(std::size_t bodies);
+
 /// Small enough that an impact may be solved through the whole island.
 bool few(const Island& island);
 /// Whether a sub-step is only one pass over its contacts.
@@ -176,7 +185,7 @@ bool new_or_deep(const Contact& contact);
 /// Whether the points move along the normal faster than without an impact.
 bool at_speed(const ContactRow& row, const BodySet& bodies);
 /// Whether a contact closes within a step of dt faster than without an impact.
-bool closes(const ContactRow& row, const BodySet& bodies, Real dt);
+bool closes(const ContactRow& row, const BodySet& bodies, const std::vector<Velocity>& acceleration, Real dt);
 
 /// Ballistic restore: a body that got impulses within a sub-step but carries no load at its end continues as in free
 /// flight, without the rounding of impulses applied and taken back, which no contact would report.

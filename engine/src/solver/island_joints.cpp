@@ -77,6 +77,14 @@ void IslandJoints::kick() {
   }
 }
 
+void IslandJoints::push_halves(std::vector<Velocity>& velocities) const {
+  for (const ActiveJoint* joint : joints_) {
+    const JointBlock& block = joint->block;
+    for_each_row(block,
+                 [&](const JointRow& row) { apply(block, row, row.half, velocities[block.a], velocities[block.b]); });
+  }
+}
+
 JointBlock IslandJoints::ahead(const ActiveJoint& joint, Real h) const {
   JointBlock block = joint.block;
   joint.model->write(pose(block.a, h), pose(block.b, h), block);
@@ -278,6 +286,7 @@ void IslandJoints::relax(Real h) {
     JointBlock& block = joint->block;
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
       JointRow& stop = block.stop[i];
+      if (stop.error > 0 && stop.impulse == 0) continue;  // would be braked a sub-step before it arrives
       drive(block, stop, -std::max(stop.error / h, Real{0}), 0, std::numeric_limits<Real>::infinity());
     }
   }

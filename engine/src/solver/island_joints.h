@@ -47,6 +47,8 @@ class IslandJoints {
   /// Splits the impulses of the last sub-step in halves, which kick() applies again.
   void halve();
   void kick();
+  /// Adds to these velocities of all bodies what kick() would change.
+  void push_halves(std::vector<Velocity>& velocities) const;
   /// Solves error(x + h v) = 0.
   void press(Real h);
   /// Whether every press since the last drift satisfied them. That is not always possible: a chain pulled straight

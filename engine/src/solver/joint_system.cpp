@@ -14,6 +14,8 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// loop): it gets no impulse.
 constexpr Real redundant = 64 * std::numeric_limits<Real>::epsilon();
 
+bool is_angle(const JointRow& row) { return row.axis == Vec2{}; }
+
 /// The change of the rate of p for a unit impulse along q, through the bodies that both act on.
 Real coupling(const JointBlock& of_p, const JointRow& p, const JointBlock& of_q, const JointRow& q) {
   const auto through = [&](const InverseMass& mass, Real arm_p, Real arm_q) {
@@ -25,6 +27,20 @@ Real coupling(const JointBlock& of_p, const JointRow& p, const JointBlock& of_q,
   if (of_p.a == of_q.b) sum -= through(of_p.inv_mass_a, p.arm_a, q.arm_b);
   if (of_p.b == of_q.a) sum -= through(of_p.inv_mass_b, p.arm_b, q.arm_a);
   return sum;
+}
+
+/// 1/kg or 1/(kg m^2), the inverse effective mass that the compliance of an equation is measured by: its own, but of
+/// the two along the axes of the world their mean, so that a joint gives way alike however the scene is turned.
+Real own_inverse_mass(const JointBlock& block, const JointRow& row) {
+  Real sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.equations); ++i) {
+    const JointRow& other = block.equation[i];
+    if (is_angle(other) != is_angle(row)) continue;
+    sum += coupling(block, other, block, other);
+    ++count;
+  }
+  return sum / static_cast<Real>(count);
 }
 
 }  // namespace
@@ -79,7 +95,7 @@ void JointSystem::factor(std::span<ActiveJoint* const> joints, std::size_t bodie
       for (std::size_t j = first_[rows.size() - 1]; j < rows.size(); ++j) {
         values_.push_back(coupling(block, block.equation[i], *rows[j].first, *rows[j].second));
       }
-      give_.push_back(give * values_.back());
+      give_.push_back(give * own_inverse_mass(block, block.equation[i]));
       values_.back() += give_.back();
     }
   }

@@ -53,6 +53,13 @@ class PileLanesOf : public PileLanes {
  public:
   explicit PileLanesOf(const ContactPasses<width>& passes) : passes_(passes) {}
 
+  std::unique_ptr<PileLanes> copy(std::span<Contact> contacts, const Colouring& colouring) const override {
+    auto made = std::make_unique<PileLanesOf>(*this);
+    made->input_.contacts = contacts.data();
+    made->refer_to(colouring);
+    return made;
+  }
+
   std::uint32_t at_a_time() const override { return width; }
 
   void lay_out(std::span<Contact> contacts, const BodySet& bodies, const Island& island, const Colouring& colouring,
@@ -65,9 +72,7 @@ class PileLanesOf : public PileLanes {
     make_room(colouring, LanesKind::block, block_);
     make_room(colouring, LanesKind::smooth, smooth_);
     make_room(colouring, LanesKind::smooth_discs, smooth_discs_);
-    const std::span<const LanesRun> runs = colouring.runs();
-    table_ = {one_.data(),    discs_.data(),        two_.data(), block_.data(),
-              smooth_.data(), smooth_discs_.data(), runs.data(), runs.data() + runs.size()};
+    refer_to(colouring);
     passes_.lay_out(table_, input_);
   }
 
@@ -82,12 +87,19 @@ class PileLanesOf : public PileLanes {
 
  private:
   template <class Lanes>
-  void make_room(const Colouring& colouring, LanesKind kind, std::vector<Lanes>& all) {
-    const std::span<const Slot> slots = colouring.lanes(kind);
-    const auto number = static_cast<std::size_t>(kind);
-    all.resize(slots.size() / width);
-    input_.slots[number] = slots.data();
-    input_.groups[number] = static_cast<std::uint32_t>(all.size());
+  static void make_room(const Colouring& colouring, LanesKind kind, std::vector<Lanes>& all) {
+    all.resize(colouring.lanes(kind).size() / width);
+  }
+
+  void refer_to(const Colouring& colouring) {
+    for (std::size_t number = 0; number < lanes_kinds; ++number) {
+      const std::span<const Slot> slots = colouring.lanes(static_cast<LanesKind>(number));
+      input_.slots[number] = slots.data();
+      input_.groups[number] = static_cast<std::uint32_t>(slots.size() / width);
+    }
+    const std::span<const LanesRun> runs = colouring.runs();
+    table_ = {one_.data(),    discs_.data(),        two_.data(), block_.data(),
+              smooth_.data(), smooth_discs_.data(), runs.data(), runs.data() + runs.size()};
   }
 
   const ContactPasses<width>& passes_;
@@ -120,6 +132,17 @@ std::size_t rounded_up(std::size_t count) { return (count + block - 1) / block *
 std::unique_ptr<PileLanes> PileLanes::make(const SolverKernels& kernels) {
   if (kernels.contacts_by_sixteen != nullptr) return std::make_unique<PileLanesOf<16>>(*kernels.contacts_by_sixteen);
   return std::make_unique<PileLanesOf<8>>(*kernels.contacts_by_eight);
+}
+
+Pile::Pile(const Pile& other, std::span<Contact> contacts)
+    : kernels_(other.kernels_),
+      lanes_(PileLanes::make(*kernels_)),
+      kept_colouring_(other.kept_colouring_),
+      kept_rows_(other.kept_rows_),
+      present_(other.present_),
+      motion_(other.motion_),
+      turn_(other.turn_) {
+  if (other.kept_ != nullptr) kept_ = other.kept_->copy(contacts, kept_colouring_);
 }
 
 void Pile::keep(std::span<Contact> contacts, const BodySet& bodies, const Partition& parts, const Island& island,

@@ -19,9 +19,11 @@ class PileLanes {
  public:
   static std::unique_ptr<PileLanes> make(const SolverKernels& kernels);
   PileLanes() = default;
-  PileLanes(const PileLanes&) = delete;
   PileLanes& operator=(const PileLanes&) = delete;
   virtual ~PileLanes() = default;
+
+  /// A copy for a copy of the contacts that were laid out, and of their colouring.
+  virtual std::unique_ptr<PileLanes> copy(std::span<Contact> contacts, const Colouring& colouring) const = 0;
 
   /// Contacts in a batch; the colouring must have been made for this width.
   virtual std::uint32_t at_a_time() const = 0;
@@ -38,6 +40,9 @@ class PileLanes {
   virtual void settle(bool settling) = 0;
   /// Writes impulses and offsets back to the contacts that were laid out.
   virtual void store() = 0;
+
+ protected:
+  PileLanes(const PileLanes&) = default;
 };
 
 /// A large island of `accurate` without joints and restitution, solved eight or sixteen contacts at a time: the same
@@ -51,6 +56,8 @@ class Pile {
   using RowOf = std::vector<std::uint32_t>;
 
   explicit Pile(const SolverKernels& by) : kernels_(&by), lanes_(PileLanes::make(by)) {}
+  /// Copies what was kept, for a copy of the contacts passed to keep().
+  Pile(const Pile& other, std::span<Contact> contacts);
 
   /// Lays contacts out once for many steps, those of `island.contacts`. Later steps must not include them, but all of
   /// the bodies `island.bodies`. `contacts` must stay valid and in place as long.

@@ -82,11 +82,31 @@ RestingPile::RestingPile(const StepData& data, const Partition& parts, const Isl
     contacts_.back().offset *= offset_scale_;
     tie.contact = static_cast<std::uint32_t>(contacts_.size() - 1);
   }
+  numbers_.resize(contacts_.size());
+  std::iota(numbers_.begin(), numbers_.end(), 0U);
+  persistent_.resize(contacts_.size());
   Island own = island;
   own.bodies = members_;
   own.contacts = ties_;
   pile_.keep(contacts_, data.bodies, parts, own, row_of);
 }
+
+RestingPile::RestingPile(const RestingPile& other)
+    : members_(other.members_),
+      contacts_(other.contacts_),
+      ties_(other.ties_),
+      others_(other.others_),
+      numbers_(other.numbers_),
+      persistent_(other.persistent_),
+      last_(other.last_),
+      pile_(other.pile_, contacts_),
+      substeps_(other.substeps_),
+      offset_scale_(other.offset_scale_),
+      webbed_(other.webbed_),
+      heap_(other.heap_),
+      two_frictions_(other.two_frictions_),
+      steps_(other.steps_),
+      rests_(other.rests_) {}
 
 void RestingPile::step(StepData& data, const Partition& parts, Island island, const std::vector<Velocity>& acceleration,
                        std::vector<Motion>& motion, Pile::RowOf& row_of) {
@@ -112,20 +132,31 @@ void RestingPile::step(StepData& data, const Partition& parts, Island island, co
   }
 }
 
-std::vector<Contact> RestingPile::contacts(const BodySet& bodies) {
+void RestingPile::append(const BodySet& bodies, std::vector<Contact>& to) {
   pile_.store_kept();
-  std::vector<Contact> now = contacts_;
-  std::vector<std::uint32_t> all(now.size());
-  std::iota(all.begin(), all.end(), 0U);
-  std::vector<std::uint8_t> kept(now.size());
-  contact_kernels().persist_points(now.data(), all.data(), static_cast<std::uint32_t>(now.size()), bodies.pose.data(),
-                                   bodies.bounding_radius.data(), std::numeric_limits<Real>::infinity(), kept.data());
+  const std::size_t before = to.size();
+  to.insert(to.end(), contacts_.begin(), contacts_.end());
+  const std::span<Contact> now = std::span(to).subspan(before);
+  contact_kernels().persist_points(now.data(), numbers_.data(), static_cast<std::uint32_t>(now.size()),
+                                   bodies.pose.data(), bodies.bounding_radius.data(),
+                                   std::numeric_limits<Real>::infinity(), persistent_.data());
   for (Contact& contact : now) {
     contact.offset /= offset_scale_;
     contact.age += steps_ - 1;  // one was counted when they were measured
     if (contact.discs()) meet_again(contact, bodies);
   }
-  return now;
+}
+
+void RestingPiles::copy(const RestingPiles& from) {
+  piles_.clear();
+  for (const std::unique_ptr<RestingPile>& pile : from.piles_) {
+    piles_.push_back(pile == nullptr ? nullptr : std::make_unique<RestingPile>(*pile));
+  }
+  count_ = from.count_;
+  steps_ = from.steps_;
+  due_ = from.due_;
+  seen_ = from.seen_;
+  calm_ = from.calm_;
 }
 
 // A body that moves without being pushable may hit bodies that the search treats as fixed: no pile may rest then.
@@ -140,8 +171,7 @@ void RestingPiles::rouse(BodySet& bodies, std::vector<Contact>& to) {
 void RestingPiles::let_go(std::uint32_t pile, BodySet& bodies, std::vector<Contact>& to) {
   std::unique_ptr<RestingPile>& gone = piles_[pile - 1];
   if (gone == nullptr) return;
-  const std::vector<Contact> contacts = gone->contacts(bodies);
-  to.insert(to.end(), contacts.begin(), contacts.end());
+  gone->append(bodies, to);
   for (const std::uint32_t body : gone->members()) bodies.pile[body] = 0;
   ++bodies.pile_changes;
   gone = nullptr;
@@ -154,9 +184,7 @@ void RestingPiles::let_go(BodySet& bodies, std::vector<Contact>& to) {
 
 void RestingPiles::append(const BodySet& bodies, std::vector<Contact>& to) const {
   for (const std::unique_ptr<RestingPile>& pile : piles_) {
-    if (pile == nullptr) continue;
-    const std::vector<Contact> contacts = pile->contacts(bodies);
-    to.insert(to.end(), contacts.begin(), contacts.end());
+    if (pile != nullptr) pile->append(bodies, to);
   }
 }
 

@@ -30,6 +30,9 @@ class RestingPile {
   RestingPile(const StepData& data, const Partition& parts, const Island& island, std::vector<Tie> kept,
               std::vector<Tie> others, Pile::RowOf& row_of);
 
+  RestingPile(const RestingPile& other);
+  RestingPile& operator=(const RestingPile&) = delete;
+
   /// Steps the island that it belongs to, with the contacts of that island that it does not keep.
   void step(StepData& data, const Partition& parts, Island island, const std::vector<Velocity>& acceleration,
             std::vector<Motion>& motion, Pile::RowOf& row_of);
@@ -41,15 +44,17 @@ class RestingPile {
   void begin_anew() { rests_ = false; }
   std::size_t size() const { return contacts_.size(); }
   std::span<const std::uint32_t> members() const { return members_; }
-  /// The contacts that it keeps, as they are now.
-  std::vector<Contact> contacts(const BodySet& bodies);
+  /// Appends the contacts that it keeps, as they are now.
+  void append(const BodySet& bodies, std::vector<Contact>& to);
 
  private:
   std::vector<std::uint32_t> members_;
   std::vector<Contact> contacts_;
   std::vector<Tie> ties_;
   std::vector<Tie> others_;
-  std::vector<Motion> last_;  // of the members, since all began
+  std::vector<std::uint32_t> numbers_;    // 0, 1, 2, ... of all contacts
+  std::vector<std::uint8_t> persistent_;  // of each contact, written by the kernel
+  std::vector<Motion> last_;              // of the members, since all began
   Pile pile_;
   int substeps_;
   Real offset_scale_;
@@ -62,6 +67,8 @@ class RestingPile {
 class RestingPiles {
  public:
   bool empty() const { return count_ == 0; }
+  /// Takes over the piles of the world that a copy was made of.
+  void copy(const RestingPiles& from);
 
   /// Before the contact search of a step: invalidates the piles that are no longer at rest, and appends their contacts.
   void rouse(BodySet& bodies, std::vector<Contact>& to);

@@ -204,6 +204,21 @@ void ScalarContacts::count_halves(const Island& island) {
   }
 }
 
+void ScalarContacts::keep_borne(const Island& island, Real share) {
+  for (ImpactRow& row : island.rows) {
+    if (!row.active) continue;
+    in_frame(row, bodies_.velocity, [share](ImpactRow& borne, auto& frame) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(borne.count); ++i) {
+        RowPoint& p = borne.points[i];
+        const Vec2 impulse = 2 * share * borne.half[i];
+        frame.push_normal(borne, p, impulse.x);
+        frame.push_tangent(borne, p, impulse.y);
+        borne.note(p, impulse, borne.normal);
+      }
+    });
+  }
+}
+
 /// Rotates the normal of two discs with them, and with it the impulses of this sub-step. Otherwise the difference of
 /// the impulses that press applied and relax removes would have a tangential part that no contact reports.
 void ScalarContacts::turn_normal(ImpactRow& row) {

@@ -14,7 +14,8 @@ namespace {
 // m, sliding before a contact is found again; a corner that appears meanwhile penetrates by at most a fraction of this.
 constexpr Real far = static_cast<Real>(0.002);
 
-// m, gap of the mid-step re-collision; farther points are sought only where none is nearer.
+// m, gap of the mid-step re-collision, beyond what the bodies move in a sub-step; farther points are sought only where
+// none is nearer.
 constexpr Real near = static_cast<Real>(0.05);
 
 // Vectors here are in the row's initial frame: x along its normal n, y along t = perpendicular(n); an arm r is
@@ -216,11 +217,11 @@ bool Turning::find(StepData& data, Turned& turned, const Pair& now, const std::v
   const Pose pose_b = now.b.from(start[row.b]);
   const Shape& shape_a = data.bodies.detail[row.a].parts[contact.part_a].shape;
   const Shape& shape_b = data.bodies.detail[row.b].parts[contact.part_b].shape;
-  Manifold m = collide(shape_a, pose_a, shape_b, pose_b, near);
-  if (m.count == 0) {
-    const Real gap = speculative_gap(data.bodies, row.a, row.b, {near, data.settings.dt});
-    m = collide(shape_a, pose_a, shape_b, pose_b, gap);
-  }
+  const auto found_within = [&](Real t) {
+    return collide(shape_a, pose_a, shape_b, pose_b, speculative_gap(data.bodies, row.a, row.b, {near, t}));
+  };
+  Manifold m = found_within(data.settings.dt / static_cast<Real>(data.settings.substeps));
+  if (m.count == 0) m = found_within(data.settings.dt);
   if (m.count == 0) return false;
   contact.found_a = pose_a;
   contact.found_b = pose_b;

@@ -14,6 +14,11 @@ void require_finite_values(const char* what, Value... values) {
   if (!(is_finite(values) && ...)) throw std::invalid_argument(std::string(what) + " must be finite");
 }
 
+void require_part(std::size_t part, std::size_t count) {
+  if (part < count) return;
+  throw std::out_of_range("Body: no part " + std::to_string(part) + "; it has " + std::to_string(count));
+}
+
 }  // namespace
 
 BodySet& Body::bodies() const { return world_->state_->bodies; }
@@ -34,6 +39,11 @@ Real Body::angular_velocity() const { return bodies().velocity_of(row()).w; }
 MassData Body::mass() const { return bodies().detail[row()].mass; }
 std::span<const Part> Body::parts() const { return bodies().detail[row()].parts; }
 Layers Body::layers() const { return bodies().detail[row()].def.layers; }
+Layers Body::layers(std::size_t part) const {
+  const BodyDetail& detail = bodies().detail[row()];
+  require_part(part, detail.parts.size());
+  return detail.layers_of(detail.parts[part]);
+}
 bool Body::awake() const {
   const std::size_t i = row();
   return bodies().detail[i].inserted && bodies().asleep[i] == 0;
@@ -81,6 +91,12 @@ void Body::set_gravity_scale(Real scale) {
 void Body::set_layers(Layers layers) {
   disturb();
   bodies().set_layers(row(), layers);
+}
+
+void Body::set_part_layers(std::size_t part, const std::optional<Layers>& layers) {
+  require_part(part, parts().size());
+  disturb();
+  bodies().set_part_layers(row(), part, layers);
 }
 
 void Body::apply_force(Vec2 force) {

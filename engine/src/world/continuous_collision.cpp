@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "contacts/part_filter.h"
 #include "core/method_list.h"
 #include "shapes/distance.h"
 
@@ -117,7 +118,7 @@ ContinuousCollision::Path ContinuousCollision::path(const BodySet& bodies, std::
   return {start_[i], bodies.pose[i].p - start_[i].p, start_angle_[i], bodies.angle[i] - start_angle_[i], stops_[i]};
 }
 
-void ContinuousCollision::clamp_to_impacts(BodySet& bodies, const JointSet& joints, Continuous mode) {
+void ContinuousCollision::clamp_to_impacts(BodySet& bodies, const Passing& passing, Continuous mode) {
   if (!classify_motion(bodies, mode)) return;
   if (hits_dynamic_) {
     candidates_.resize(bodies.size());
@@ -125,9 +126,9 @@ void ContinuousCollision::clamp_to_impacts(BodySet& bodies, const JointSet& join
   }
   stops_.resize(bodies.size());
   for (const std::uint32_t i : candidates_) stops_[i] = {};
-  find_pairs(bodies);
-  stop_at_immovable(bodies, joints);
-  if (hits_dynamic_) stop_at_each_other(bodies, joints);
+  find_pairs(bodies, passing);
+  stop_at_immovable(bodies);
+  if (hits_dynamic_) stop_at_each_other(bodies);
   for (const std::uint32_t i : candidates_) {
     if (stops_[i].time < 1) clamp_body(bodies, i);
   }
@@ -175,6 +176,7 @@ void ContinuousCollision::list_immovable(const BodySet& bodies) {
     if (!body.inserted || body.def.type == BodyType::dynamic) continue;
     const Path path = this->path(bodies, i);
     for (const Part& part : body.parts) {
+      if (part.sensor) continue;
       immovable_.push_back({path.bounds(part.shape, bodies.bounding_radius[i]), &part.shape, path.start,
                             path.moves() ? path.displacement(hull_radius(part.shape)) : Real{0}});
     }
@@ -200,7 +202,7 @@ bool ContinuousCollision::may_meet_immovable(const BodySet& bodies, std::size_t 
   });
 }
 
-void ContinuousCollision::find_pairs(const BodySet& bodies) {
+void ContinuousCollision::find_pairs(const BodySet& bodies, const Passing& passing) {
   proxies_.clear();
   if (!hits_dynamic_) list_immovable(bodies);
   for (const std::uint32_t i : candidates_) {
@@ -210,25 +212,32 @@ void ContinuousCollision::find_pairs(const BodySet& bodies) {
     if (!hits_dynamic_ && body.def.type == BodyType::dynamic && !(fast && may_meet_immovable(bodies, i))) continue;
     const Path path = this->path(bodies, i);
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      if (body.parts[p].sensor) continue;
       proxies_.push_back({path.bounds(body.parts[p].shape, bodies.bounding_radius[i]),
                           {},
                           i,
                           static_cast<std::uint16_t>(p),
                           fast,
-                          body.def.layers});
+                          body.layers_of(body.parts[p])});
     }
   }
   broad_phase_->find_pairs(proxies_, pairs_);
+  std::erase_if(pairs_, [&](const Pair& pair) {
+    const Proxy& a = proxies_[pair.first];
+    const Proxy& b = proxies_[pair.second];
+    return passing.joints.connects(a.body, b.body) || passing.contacts.disabled(a, b) ||
+           !accepts(passing.filter, bodies, a.body, a.part, b.body, b.part);
+  });
 }
 
 /// Fixed and kinematic bodies are never clamped, so these stops are final: later ones only shorten a path.
-void ContinuousCollision::stop_at_immovable(const BodySet& bodies, const JointSet& joints) {
+void ContinuousCollision::stop_at_immovable(const BodySet& bodies) {
   for (const Pair& pair : pairs_) {
     const Proxy* other = &proxies_[pair.first];
     const Proxy* moving = &proxies_[pair.second];
     const auto movable = [&](const Proxy* proxy) { return bodies.detail[proxy->body].def.type == BodyType::dynamic; };
     if (movable(other)) std::swap(other, moving);
-    if (movable(other) || !movable(moving) || joints.connects(other->body, moving->body)) continue;
+    if (movable(other) || !movable(moving)) continue;
     Stop stop = find_stop(bodies, *other, *moving);
     if (stop.time >= stops_[moving->body].time) continue;
     stop.with = other->body;
@@ -238,14 +247,13 @@ void ContinuousCollision::stop_at_immovable(const BodySet& bodies, const JointSe
 
 /// Stops bullets at the dynamic bodies that they meet, on paths shortened by the stops so far. The other body is
 /// clamped too if it is fast; a slow one keeps the rest of its motion, which is less than half its thickness.
-void ContinuousCollision::stop_at_each_other(const BodySet& bodies, const JointSet& joints) {
+void ContinuousCollision::stop_at_each_other(const BodySet& bodies) {
   for (const Pair& pair : pairs_) {
     const Proxy* other = &proxies_[pair.first];
     const Proxy* moving = &proxies_[pair.second];
     if (motion_class_[moving->body] != MotionClass::bullet) std::swap(other, moving);
     if (motion_class_[moving->body] != MotionClass::bullet) continue;
     if (bodies.detail[other->body].def.type != BodyType::dynamic) continue;
-    if (joints.connects(other->body, moving->body)) continue;
     const Stop stop = find_stop(bodies, *other, *moving);
     if (stop.time < stops_[moving->body].time) stops_[moving->body] = stop;
     const bool other_is_fast = motion_class_[other->body] != MotionClass::slow;

@@ -7,6 +7,7 @@
 #include "bodies/body_set.h"
 #include "broad_phase/bounds_table.h"
 #include "broad_phase/broad_phase.h"
+#include "contacts/contact_set.h"
 #include "impulse/settings.h"
 #include "joints/joint_set.h"
 
@@ -24,8 +25,14 @@ class ContinuousCollision {
   ContinuousCollision();
   /// Call before the step: stores the poses.
   void store_start(const BodySet& bodies);
+  /// What passes through each other: joined bodies, parts that the filter refuses, and disabled contacts.
+  struct Passing {
+    const JointSet& joints;
+    const PartFilter& filter;
+    const ContactSet& contacts;
+  };
   /// Call after the step: clamps the motion of fast bodies to their times of impact.
-  void clamp_to_impacts(BodySet& bodies, const JointSet& joints, Continuous mode);
+  void clamp_to_impacts(BodySet& bodies, const Passing& passing, Continuous mode);
 
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -52,9 +59,9 @@ class ContinuousCollision {
   void list_candidates(const BodySet& bodies);
   void list_immovable(const BodySet& bodies);
   bool may_meet_immovable(const BodySet& bodies, std::size_t i);
-  void find_pairs(const BodySet& bodies);
-  void stop_at_immovable(const BodySet& bodies, const JointSet& joints);
-  void stop_at_each_other(const BodySet& bodies, const JointSet& joints);
+  void find_pairs(const BodySet& bodies, const Passing& passing);
+  void stop_at_immovable(const BodySet& bodies);
+  void stop_at_each_other(const BodySet& bodies);
   Stop find_stop(const BodySet& bodies, const Proxy& obstacle, const Proxy& moving) const;
   void clamp_body(BodySet& bodies, std::size_t i) const;
 

@@ -22,15 +22,20 @@ void visit_parts(const BodySet& bodies, const World::QueryCallback& callback, co
   }
 }
 
+bool meets_query(const BodyDetail& body, std::size_t part, std::uint32_t layers) {
+  return !body.parts[part].sensor && (body.layers_of(body.parts[part]).category & layers) != 0;
+}
+
 /// All parts that the ray enters, sorted by bodies and parts.
 std::vector<BodyHit> find_hits(const BodySet& bodies, Vec2 from, Vec2 to, std::uint32_t layers) {
   if (!is_finite(from) || !is_finite(to)) throw std::invalid_argument("World::ray_cast: both points must be finite");
   std::vector<BodyHit> found;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDetail& body = bodies.detail[i];
-    if (!body.inserted || (body.def.layers.category & layers) == 0) continue;
+    if (!body.inserted) continue;
     const Pose& pose = bodies.pose[i];
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      if (!meets_query(body, p, layers)) continue;
       RayHit hit;
       if (!ray_cast(body.parts[p].shape, to_local(pose, from), to_local(pose, to), hit)) continue;
       found.push_back({bodies.id(i), p, hit.fraction, to_world(pose, hit.point), pose.q * hit.normal});
@@ -84,8 +89,9 @@ std::optional<BodyHit> World::shape_cast(const Shape& shape, const Pose& start, 
   std::optional<BodyHit> first;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDetail& body = bodies.detail[i];
-    if (!body.inserted || (body.def.layers.category & layers) == 0) continue;
+    if (!body.inserted) continue;
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      if (!meets_query(body, p, layers)) continue;
       const Shape& other = body.parts[p].shape;
       if (!overlap(path, other.bounds(bodies.pose[i]))) continue;
       const std::optional<RayHit> hit = impulse::shape_cast(shape, start, by, other, bodies.pose[i]);
@@ -116,6 +122,8 @@ std::span<const ContactInfo> World::contacts() const {
   }
   return infos;
 }
+
+SensorEvents World::sensor_events() const { return state_->sensors.events(); }
 
 ContactEvents World::contact_events() const {
   if (!state_->settings.contact_events) {

@@ -68,6 +68,8 @@ void validate(const Settings& settings) {
   check_name<BroadPhase>("broad_phase", settings.broad_phase);
 }
 
+const char* name_of(SolverType solver) { return solver == SolverType::accurate ? "accurate" : "soft-step"; }
+
 std::vector<MethodInfo> solvers() { return MethodList<Solver>::infos(); }
 std::vector<MethodInfo> integrators() { return MethodList<Integrator>::infos(); }
 std::vector<MethodInfo> broad_phases() { return MethodList<BroadPhase>::infos(); }

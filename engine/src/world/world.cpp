@@ -1,6 +1,7 @@
 #include "impulse/world.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -30,6 +31,18 @@ void mark_held(BodySet& bodies, std::span<const Contact> contacts, std::span<con
   }
 }
 
+/// While one exists, callbacks of a step may be running.
+class SteppingScope {
+ public:
+  explicit SteppingScope(bool& stepping) : stepping_(stepping) { stepping_ = true; }
+  SteppingScope(const SteppingScope&) = delete;
+  SteppingScope& operator=(const SteppingScope&) = delete;
+  ~SteppingScope() { stepping_ = false; }
+
+ private:
+  bool& stepping_;
+};
+
 }  // namespace
 
 World::World(const Settings& settings) : state_(std::make_unique<State>(settings)) {}
@@ -43,36 +56,57 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
 void World::step() {
-  State& s = *state_;
-  if (s.callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
+  state_->refuse_in_step();
+  if (state_->callbacks_running > 0) throw std::logic_error("World::step called from a callback of the same world");
+  const SteppingScope scope(state_->stepping);
+  state_->step();
+  state_->sensors.update(state_->bodies);
+}
+
+void World::State::step() {
   start_stages();
-  s.forces.gravity = s.settings.gravity;
-  const bool continuous = s.settings.contacts && s.settings.continuous != Continuous::off;
-  if (continuous) s.continuous.store_start(s.bodies);
-  const Margin margin = s.solver->margin(s.settings);
-  if (s.settings.sleeping && !s.sleep.wake_before_step(margin)) {
-    if (s.settings.contact_events) s.touches.note(s.bodies, {});
-    s.bodies.clear_forces();
+  forces.gravity = settings.gravity;
+  const bool stops = settings.contacts && settings.continuous != Continuous::off;
+  if (stops) continuous.store_start(bodies);
+  const Margin margin = solver->margin(settings);
+  if (settings.sleeping && !sleep.wake_before_step(margin)) {
+    if (settings.contact_events) touches.note(bodies, {});
+    bodies.clear_forces();
     return;
   }
   end_stage("begin");
-  if (s.settings.contacts) s.find_contacts(margin);
-  const bool contacts_needed = s.settings.sleeping || s.settings.contact_events || s.integrator->needs_held();
-  StepData data{s.bodies,   s.contacts.rows(), s.joints.activate(s.bodies), s.forces,        *s.integrator,
-                s.settings, *s.workers,        s.contacts.changes(),        !contacts_needed};
+  if (settings.contacts) {
+    find_contacts(margin);
+    contacts.pre_solve(bodies, pre_solve);
+  }
+  const bool contacts_needed = settings.sleeping || pre_solve || integrator->needs_held();
+  StepData data{bodies,   contacts.rows(), joints.activate(bodies), forces,          *integrator,
+                settings, *workers,        contacts.changes(),      !contacts_needed};
   end_stage("activate joints");
-  const std::uint64_t pile_changes = s.bodies.pile_changes;
-  s.solver->step(data);
-  if (pile_changes != s.bodies.pile_changes) s.contacts.leave_to_piles(s.bodies);
-  if (continuous) s.continuous.clamp_to_impacts(s.bodies, s.joints, s.settings.continuous);
+  const std::uint64_t pile_changes = bodies.pile_changes;
+  solver->step(data);
+  if (pile_changes != bodies.pile_changes) contacts.leave_to_piles(bodies);
+  if (stops) continuous.clamp_to_impacts(bodies, {joints, filter, contacts}, settings.continuous);
   end_stage("continuous");
-  s.joints.store();
-  if (s.integrator->needs_held()) mark_held(s.bodies, s.contacts.rows(), data.joints);
-  if (s.settings.contact_events) s.touches.note(s.bodies, s.contacts.rows());
+  joints.store();
+  if (integrator->needs_held()) mark_held(bodies, contacts.rows(), data.joints);
+  if (settings.contact_events) touches.note(bodies, awake_contacts());
   end_stage("note touches");
-  s.bodies.clear_forces();
-  if (s.settings.sleeping) s.sleep.update_after_step(s.settings, margin);
+  bodies.clear_forces();
+  if (settings.sleeping) sleep.update_after_step(settings, margin);
   end_stage("sleep");
+}
+
+std::span<const Contact> World::State::awake_contacts() {
+  const RestingPiles* resting = solver->resting();
+  if (resting == nullptr || resting->empty()) return contacts.rows();
+  contacts_of_piles.clear();
+  resting->append(bodies, contacts_of_piles);
+  std::sort(contacts_of_piles.begin(), contacts_of_piles.end(), comes_before);
+  all_contacts.clear();
+  std::merge(contacts.rows().begin(), contacts.rows().end(), contacts_of_piles.begin(), contacts_of_piles.end(),
+             std::back_inserter(all_contacts), comes_before);
+  return all_contacts;
 }
 
 const Settings& World::settings() const { return state_->settings; }
@@ -92,6 +126,7 @@ void World::set_dt(Real dt) {
 }
 
 BodyId World::create_body(const BodyDef& def, std::span<const Part> parts) {
+  state_->refuse_in_step();
   const BodyId id = state_->bodies.add(def, parts);
   insert_body(id);
   return id;
@@ -107,12 +142,14 @@ void World::insert_body(BodyId id) { state_->change(State::Change::insert, id); 
 void World::destroy_body(BodyId id) { state_->change(State::Change::destroy, id); }
 
 ForceId World::add_force(const Force& force) {
+  state_->refuse_in_step();
   const ForceId id = state_->forces.add(force, state_->bodies);
   for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->wake(i);
   return id;
 }
 
 void World::remove_force(ForceId id) {
+  state_->refuse_in_step();
   for (const std::uint32_t i : state_->forces.bodies_of(id, state_->bodies)) state_->wake(i);
   state_->forces.remove(id);
 }
@@ -120,6 +157,7 @@ void World::remove_force(ForceId id) {
 bool World::contains(ForceId id) const { return state_->forces.contains(id); }
 
 JointId World::create_joint(const Joint& joint) {
+  state_->refuse_in_step();
   const JointId id = state_->joints.add(joint, state_->bodies, state_->forces);
   state_->wake_ends(id);
   return id;
@@ -133,13 +171,28 @@ void World::destroy_joint(JointId id) {
 bool World::contains(JointId id) const { return state_->joints.contains(id); }
 
 void World::set_motor(JointId id, const std::optional<Motor>& motor) {
+  state_->refuse_in_step();
   state_->joints.set_motor(id, motor);
   state_->wake_ends(id);
 }
 
 void World::set_limits(JointId id, const std::optional<Limits>& limits) {
+  state_->refuse_in_step();
   state_->joints.set_limits(id, limits);
   state_->wake_ends(id);
+}
+
+void World::set_filter(PartFilter filter) {
+  state_->refuse_in_step();
+  state_->let_go();
+  state_->sleep.wake_all();
+  state_->filter = std::move(filter);
+}
+
+void World::set_pre_solve(PreSolve pre_solve) {
+  state_->refuse_in_step();
+  state_->let_go();
+  state_->pre_solve = std::move(pre_solve);
 }
 
 Vec2 World::joint_impulse(JointId id) const { return state_->joints.impulse(id); }
@@ -171,7 +224,14 @@ std::size_t World::awake_count() const {
   return static_cast<std::size_t>(std::count_if(masses.begin(), masses.end(), [](InverseMass m) { return m.m > 0; }));
 }
 
+void World::State::refuse_in_step() const {
+  if (stepping) {
+    throw std::logic_error("World: the filter and the pre-solve callback may read the world, not change or copy it");
+  }
+}
+
 void World::State::adopt(const Settings& chosen) {
+  refuse_in_step();
   validate(chosen);
   const bool first = solver == nullptr;
   if (!first) let_go();
@@ -195,8 +255,9 @@ void World::State::adopt(const Settings& chosen) {
   settings = chosen;
 }
 
-std::unique_ptr<World::State> World::State::copy() {
-  restart_solver();
+std::unique_ptr<World::State> World::State::copy() const {
+  refuse_in_step();
+  if (callbacks_running > 0) throw std::logic_error("World: copied in a callback of the same world");
   return std::make_unique<State>(*this);
 }
 
@@ -209,15 +270,13 @@ World::State::State(const State& other)
       bodies(other.bodies),
       contacts(other.contacts),
       touches(other.touches),
+      sensors(other.sensors),
       forces(other.forces),
-      joints(other.joints) {
+      joints(other.joints),
+      filter(other.filter),
+      pre_solve(other.pre_solve) {
   sleep.copy(other.sleep);
-}
-
-void World::State::restart_solver() {
-  if (callbacks_running > 0) throw std::logic_error("World: copied in a callback of the same world");
-  let_go();
-  solver = MethodList<Solver>::make(settings.solver);
+  if (RestingPiles* resting = solver->resting()) resting->copy(*other.solver->resting());
 }
 
 void World::State::wake_ends(JointId id) {
@@ -227,7 +286,7 @@ void World::State::wake_ends(JointId id) {
 }
 
 void World::State::find_contacts(const Margin& margin) {
-  const SearchInput input{bodies, *broad_phase, settings, margin, solver->contact_persistence(), joints};
+  const SearchInput input{bodies, *broad_phase, settings, margin, solver->contact_persistence(), joints, filter};
   RestingPiles* resting = solver->resting();
   if (resting == nullptr) return contacts.find(input);
   std::vector<Contact> returned;
@@ -259,12 +318,14 @@ void World::State::let_go(std::size_t i) {
 }
 
 void World::State::wake(std::size_t i) {
+  refuse_in_step();
   let_go(i);
   sleep.wake(i);
 }
 
 // The bodies that rest on a fixed or kinematic body may be of any pile.
 void World::State::disturb(std::size_t i) {
+  refuse_in_step();
   bodies.dynamic(i) ? let_go(i) : let_go();
   sleep.disturb(i);
 }
@@ -278,6 +339,7 @@ std::size_t World::State::row(BodyId id) const {
 }
 
 void World::State::change(Change what, BodyId id) {
+  refuse_in_step();
   row(id);
   if (callbacks_running > 0) {
     deferred.emplace_back(what, id);

@@ -17,6 +17,7 @@
 #include "solver/resting_piles.h"
 #include "solver/solver.h"
 #include "world/continuous_collision.h"
+#include "world/sensors.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -31,21 +32,26 @@ struct World::State {
   BodySet bodies;
   ContactSet contacts;
   TouchLog touches;
+  Sensors sensors;
   ContinuousCollision continuous;
   ForceField forces;
   JointSet joints;
-  Sleep sleep{bodies, contacts, joints, forces};
+  PartFilter filter;
+  PreSolve pre_solve;
+  Sleep sleep{bodies, contacts, joints, forces, filter};
   std::vector<BodyId> listed_bodies;         // storage of World::bodies()
   std::vector<ContactInfo> listed_contacts;  // storage of World::contacts()
   std::vector<Contact> contacts_of_piles;
+  std::vector<Contact> all_contacts;  // of bodies that are awake, if piles at rest keep some of them
   std::vector<const Contact*> sorted_contacts;
+  bool stepping = false;
   int callbacks_running = 0;
   std::vector<std::pair<Change, BodyId>> deferred;
 
   explicit State(const Settings& chosen) { adopt(chosen); }
-  State(const State& other);  // for copy(), with a solver of its own
-  /// A copy; restarts the solver of both, so that they go on with the same bits.
-  std::unique_ptr<State> copy();
+  State(const State& other);
+  /// A copy with a solver of its own, which goes on with the same bits. Throws std::logic_error in a callback.
+  std::unique_ptr<State> copy() const;
 
   /// Changes the settings, or throws and changes nothing.
   void adopt(const Settings& chosen);
@@ -57,13 +63,17 @@ struct World::State {
   /// Like Sleep::wake and Sleep::disturb; they invalidate resting piles too.
   void wake(std::size_t i);
   void disturb(std::size_t i);
-  /// Makes the chosen solver anew. Its contacts are kept, but not what it has cached.
-  void restart_solver();
   /// Invalidates all resting piles, or that of a body, and takes over their contacts.
   void let_go();
   void let_go(std::size_t i);
 
+  void step();
   void find_contacts(const Margin& margin);
+  /// The contacts of bodies that are awake after a step.
+  std::span<const Contact> awake_contacts();
+
+  /// Throws std::logic_error while the filter or the pre-solve callback may be running.
+  void refuse_in_step() const;
 
   /// Makes the change now, or when the running callback has returned.
   void change(Change what, BodyId id);

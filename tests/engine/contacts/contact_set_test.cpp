@@ -21,6 +21,7 @@ struct Heap {
   Settings settings;
   Margin margin;
   JointSet joints;
+  PartFilter filter;
   bool persistence = false;
 
   std::size_t add(const BodyDef& def, std::span<const Part> parts) {
@@ -33,7 +34,7 @@ struct Heap {
     return add(def, std::span(&part, 1));
   }
   std::vector<Contact>& find() {
-    contacts.find({bodies, *broad_phase, settings, margin, persistence, joints});
+    contacts.find({bodies, *broad_phase, settings, margin, persistence, joints, filter});
     return contacts.rows();
   }
 };

@@ -20,6 +20,10 @@ Settings accurate(Vec2 gravity = {0, -10}) {
   return settings;
 }
 
+Real real(double x) { return static_cast<Real>(x); }
+Vec2 vec(double x, double y) { return {real(x), real(y)}; }
+Vec2 rotated(Vec2 v, double angle) { return Rotation(real(angle)) * v; }
+
 BodyId anchor(World& world, Vec2 at = {}) {
   BodyDef def;
   def.type = BodyType::fixed;
@@ -178,6 +182,81 @@ TEST(Joints, HingeLosesAllSpeedInTheStepThatReachesItsLimit) {
   }
 }
 
+// A stop acts when it is reached: until then an arm without forces keeps its speed, in every step that ends before.
+TEST(Joints, HingeKeepsItsSpeedUntilItReachesItsLimit) {
+  for (const double limit : {.2, .5236, 1.0, 1.2}) {
+    World world(accurate({}));
+    const BodyId post = anchor(world);
+    BodyDef def;
+    def.position = vec(1, 0);
+    def.velocity = vec(0, -2);
+    def.angular_velocity = -2;
+    const BodyId arm = world.create_body(def, Shape::box(vec(1, .05)));
+    world.create_joint(RevoluteJoint{post, arm, {}, Limits{-static_cast<Real>(limit), 0.5_r}});
+    for (int step = 0; step < 60; ++step) {
+      world.step();
+      if (world.body(arm).angle() <= -limit + 1e-4) break;
+      EXPECT_NEAR(world.body(arm).angular_velocity(), -2, bound(1e-6, 1e-4)) << limit << " at step " << step;
+    }
+  }
+}
+
+// A cart on a rail with a damped spring from beside it: what the spring damps is the velocity that the rail leaves.
+// Half the step, a quarter of the error.
+TEST(Joints, SpringOfACartOnARailIsDampedToSecondOrder) {
+  if (!is_double) GTEST_SKIP() << "rounding is larger";
+  const auto place = [](double dt) {
+    Settings settings = accurate();
+    settings.dt = real(dt);
+    World world(settings);
+    const BodyId post = anchor(world);
+    BodyDef def;
+    def.position = vec(1.2, 0);
+    def.velocity = vec(1, 0);
+    const BodyId cart = world.create_body(def, Shape::box(vec(.25, .25)));
+    world.create_joint(PrismaticJoint{post, cart, vec(1.2, 0), vec(1, 0)});
+    world.add_force(Spring{.a = {},
+                           .b = cart,
+                           .anchor_a = vec(.4, -.5),
+                           .anchor_b = {},
+                           .stiffness = 9,
+                           .length = real(.5),
+                           .damping = real(.5)});
+    for (int step = 0; step < std::lround(.6 / dt); ++step) world.step();
+    return static_cast<double>(world.body(cart).position().x);
+  };
+  const double coarse = place(.6 / 18);
+  const double middle = place(.6 / 36);
+  const double fine = place(.6 / 72);
+  EXPECT_NEAR((coarse - middle) / (middle - fine), 4, .4);
+}
+
+// Compliance is the same along every direction: a door that a torque spins up to 200 rad/s, where the joint cannot
+// quite be kept, moves as the same door turned.
+TEST(Joints, FastDoorMovesAlikeHoweverTheSceneIsTurned) {
+  if (!is_double) GTEST_SKIP() << "rounding is larger";
+  const auto door = [](double turned) {
+    World world(accurate(rotated(vec(0, -10), turned)));
+    const BodyId post = anchor(world);
+    BodyDef def;
+    def.position = rotated(vec(.33, 0), turned);
+    def.velocity = rotated(vec(0, 1.5), turned);
+    def.angle = real(turned);
+    def.angular_velocity = real(4.5);
+    const BodyId arm = world.create_body(def, Shape::box(vec(.33, .09)));
+    world.create_joint(RevoluteJoint{post, arm, {}});
+    for (int step = 0; step < 60; ++step) {
+      world.body(arm).apply_torque(30);
+      world.step();
+    }
+    return rotated(world.body(arm).position(), -turned);
+  };
+  const Vec2 straight = door(0);
+  for (const double turned : {.3, .8, 2.0}) {
+    EXPECT_NEAR(length(door(turned) - straight), 0, 1e-6) << turned;
+  }
+}
+
 TEST(Joints, MotorAcceleratesWithItsStrengthAndHoldsItsSpeed) {
   World world(accurate({}));
   const BodyId post = anchor(world);
@@ -202,6 +281,22 @@ TEST(Joints, SliderMovesOnlyAlongItsAxisAndStops) {
   EXPECT_NEAR(length(p), .5 * 8 * .25, bound(1e-3, 1e-3));
   run(world, 2);
   EXPECT_NEAR(length(world.body(slider).position()), 2, 1e-3);
+}
+
+// What is still on its way to a stop falls on freely: 8 m/s^2.
+TEST(Joints, SliderKeepsItsSpeedUntilTheStepThatReachesItsStop) {
+  for (const double limit : {.9, 1.0, 1.7}) {
+    World world(accurate());
+    const BodyId post = anchor(world);
+    const BodyId slider = box(world, {0, 0});
+    world.create_joint(PrismaticJoint{post, slider, {}, {0.6_r, 0.8_r}, Limits{-static_cast<Real>(limit), 2}});
+    for (int step = 1; step <= 60; ++step) {
+      world.step();
+      const double t = step / 60.0;
+      const double speed = length(world.body(slider).velocity());
+      EXPECT_NEAR(speed, 4 * t * t < limit ? 8 * t : 0, bound(1e-6, 1e-3)) << limit << " at step " << step;
+    }
+  }
 }
 
 TEST(Joints, SoftDistanceIsASpring) {

@@ -121,13 +121,11 @@ TEST(Copy, IsWhatAWorldRollsBackTo) {
   }
 }
 
-// Piles keep their contacts to themselves only if nothing else reads these.
-TEST(Copy, ChangesNothingInAWorldWithSleepingOrContactEvents) {
+TEST(Copy, ChangesNothingInTheWorld) {
   for (const Scene& scene : scenes()) {
     for (const bool sleeping : {false, true}) {
       Settings settings;
       settings.sleeping = sleeping;
-      settings.contact_events = !sleeping;
       World copied(settings);
       World left_alone(settings);
       scene.build(copied);
