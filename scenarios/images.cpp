@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/path.h"
 #include "scenarios/scene/shapes.h"
 
 namespace plumb {
@@ -38,7 +39,7 @@ struct MapJoint {
   const Congruence& map;
   void operator()(Revolute& joint) const {
     joint.anchor = map.of_point(joint.anchor);
-    if (map.mirrored && joint.limits) joint.limits = AngleLimits{-joint.limits->high, -joint.limits->low};
+    if (map.mirrored && joint.limits) joint.limits = Limits{-joint.limits->high, -joint.limits->low};
     if (joint.motor) joint.motor->speed = map.of_spin(joint.motor->speed);
   }
   void operator()(Distance& joint) const {
@@ -99,6 +100,7 @@ struct StrongerJoint {
   }
   void operator()(Prismatic& joint) const {
     joint.anchor = scaled(joint.anchor, length);
+    if (joint.limits) joint.limits = Limits{joint.limits->low * length, joint.limits->high * length};
     if (joint.motor) joint.motor = Motor{joint.motor->speed * length / time, joint.motor->strength * force};
   }
   void operator()(Weld& joint) const { joint.anchor = scaled(joint.anchor, length); }
@@ -160,6 +162,7 @@ Scene mapped(const Scene& scene, const Congruence& map) {
     body.angle = map.of_angle(body.angle);
     body.velocity = map.of_vector(body.velocity);
     body.angular_velocity = map.of_spin(body.angular_velocity);
+    if (body.path) body.path->amplitude = map.of_vector(body.path->amplitude);
     if (!map.mirrored) continue;
     for (Shape& shape : body.shapes) std::visit(MirrorGeometry{}, shape.geometry);
   }
@@ -188,6 +191,10 @@ Scene in_units(const Scene& scene, double length, double mass) {
     body.angular_velocity /= time;
     body.linear_damping /= time;
     body.angular_damping /= time;
+    if (body.path) {
+      body.path = scaled(*body.path, length);
+      body.path->frequency /= time;
+    }
     for (Shape& shape : body.shapes) {
       shape.geometry = scaled(shape.geometry, length);
       shape.surface.density *= mass / (length * length);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -38,6 +39,9 @@ inline Body pit(double width, Surface of) {
   made.shapes.push_back({.geometry = HalfSpace{.normal = {-1, 0}, .offset = -width / 2}, .surface = of});
   return made;
 }
+
+/// s, no shorter, and a whole number of steps at 60 a second.
+inline double whole_steps(double time) { return std::ceil(60 * time) / 60; }
 
 constexpr double degree = std::numbers::pi / 180;  // rad
 

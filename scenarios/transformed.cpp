@@ -3,6 +3,7 @@
 #include "scenarios/random.h"
 #include "scenarios/scene/forces.h"
 #include "scenarios/scene/joints.h"
+#include "scenarios/scene/path.h"
 #include "scenarios/scene/shapes.h"
 
 namespace plumb {
@@ -13,6 +14,7 @@ Scene scaled(const Scene& scene, double factor) {
   for (Body& body : larger.bodies) {
     body.position = scaled(body.position, factor);
     body.velocity = scaled(body.velocity, factor);
+    if (body.path) body.path = scaled(*body.path, factor);
     for (Shape& shape : body.shapes) {
       shape.geometry = scaled(shape.geometry, factor);
       shape.surface.density /= factor * factor;

@@ -61,7 +61,7 @@ double start_of(const Parameters& p) { return p.at("angle") * degree; }
 
 Left leaves(const Parameters& p) { return slid(start_of(p), p.at("friction"), 100); }
 
-double duration(const Parameters& p) { return std::ceil(60 * (leaves(p).time + flies)) / 60; }
+double duration(const Parameters& p) { return whole_steps(leaves(p).time + flies); }
 
 Scene scene(const Parameters& p) {
   const double angle = start_of(p);

@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "scenarios/allowance.h"
 #include "scenarios/parts.h"
@@ -36,6 +39,20 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
+// s after the impact during which the two surely stay apart; 0 if for less than `shortest`. The struck one leaves the
+// other's cap at e v and turns at w, at a distance c from where it was hit. With the relative velocity V of the
+// centres, the cap is (2 r + V t) cos(w t) + c sin(w t) from its axis, 2 r if they touch, and the rest of the other is
+// farther up until it has turned by a right angle.
+double clear_for(double v, double w, double c) {
+  constexpr double shortest = 0.1;  // s, some steps, whenever the impact is noticed
+  constexpr double grid = 1e-3;     // s
+  const double quarter = w > 0 ? std::numbers::pi / 2 / w : duration;
+  const auto apart_at = [=](double t) { return (2 * radius + v * t) * std::cos(w * t) + c * std::sin(w * t); };
+  double t = 0;
+  while (t + grid < quarter && apart_at(t + grid) > 2 * radius) t += grid;
+  return t < shortest ? 0 : t;
+}
+
 // The push is vertical, through the upper centre and at the arm c from the lower one: J = (1+e) v/(1/m_a + 1/m_b +
 // c^2/I_b). Velocities do not depend on when the impact is noticed, as nothing turns before. Positions are off by the
 // velocity jump times the lag, and by the penetration, v lag, and the skin, that may be corrected: the struck one's
@@ -48,8 +65,12 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double e = p.at("restitution");
   const double c = p.at("offset");
   const double push = (1 + e) * v / (1 / struck.mass + 1 / falling.mass + c * c / struck.inertia);
-  const double after = duration - apart / v;  // s
   const double spin = -c * push / struck.inertia;
+  const double leaves = e * v + c * spin;  // m/s, upper centre from the lower one
+  const double clear = clear_for(leaves, std::abs(spin), std::abs(c));
+  if (clear == 0) return {};  // they meet again, and where the first impact would lead nobody sees
+  const double after = std::min(duration - apart / v, 0.9 * clear);  // s
+  const double time = apart / v + after;
   const double gyration = std::sqrt(struck.inertia / struck.mass);
   const double reach = 2 + v + std::abs(spin);
   const auto exact = [=](const Stepping& s) { return round_off(s, duration, reach); };
@@ -57,7 +78,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const auto turn = [=](const Stepping& s) {
     return std::abs(spin) * lag(s) + (v * lag(s) + s.contact_gap()) / gyration + exact(s);
   };
-  return {
+  std::vector<Expectation> all{
       {.body = "falling",
        .quantity = Quantity::vy,
        .expected = push / falling.mass - v,
@@ -80,6 +101,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
        .expected = spin * after,
        .allowed = turn,
        .source = "the velocity jump times the lag, and the penetration"}};
+  for (Expectation& one : all) one.time = time;
+  return all;
 }
 
 const Catalog<Scenario>::Entry entry{

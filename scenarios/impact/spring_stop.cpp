@@ -36,7 +36,8 @@ Scene scene(const Parameters& p) {
 //   impacts   found u late or early, the disc turns round by v u inside the wall, or outside, and takes u/e to come
 //   out:
 //             u (1 + 1/e) later, and a share of (w u)^2 (1 + 1/e^2) of the energy stays in the spring;
-//             The step of an impact may take its force, at most w^2 v f, from anywhere within it: v is off by k^2;
+//             The step of an impact may take its force, at most w^2 v f, from anywhere within it: the force of before
+//             the impact, k^2 v, may act after it, on e v;
 //   energy    first-order methods keep E + drift k w x v, and turn v round where x is at most v u.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double w = p.at("frequency");
@@ -62,7 +63,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   };
   const auto share = [=](const Stepping& s) {  // of the amplitude, by which a state is off
     const double k = w * force_interval(s);
-    return std::abs(s.drift) * k + k * k / 24 * phase + k * k / 8 + impacts * k * k + late(s) + grown(s) +
+    return std::abs(s.drift) * k + k * k / 24 * phase + k * k / 8 + impacts * k * k / e + late(s) + grown(s) +
            (slow(s) ? 1 : 0);
   };
   const auto energy = [=](const Stepping& s) {
@@ -70,7 +71,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
     double all = std::abs(s.drift) * k + k * k / 4 + grown(s) * (2 + grown(s)) + (slow(s) ? 1 : 0);
     for (int n = 0; n < impacts; ++n) {
       const double u = w * found_off(s, speed_of(n));
-      all += 2 * k * k + u * u * (1 + 1 / (e * e)) + 2 * std::abs(s.drift) * k * u * (1 + e) / (e * e);
+      all += 2 * k * k / e + u * u * (1 + 1 / (e * e)) + 2 * std::abs(s.drift) * k * u * (1 + e) / (e * e);
     }
     return all;
   };

@@ -22,7 +22,7 @@ Scene scene(const Parameters& p) {
   Body rod = box("rod", {half_length, 0}, {2 * half_length, thickness}, {});
   rod.layers = 2;
   scene.bodies = {pivot, rod};
-  scene.joints.push_back(Revolute{.a = 0, .b = 1, .limits = AngleLimits{-p.at("limit") * degree, 0}});
+  scene.joints.push_back(Revolute{.a = 0, .b = 1, .limits = Limits{-p.at("limit") * degree, 0}});
   return scene;
 }
 

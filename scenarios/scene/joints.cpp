@@ -25,6 +25,17 @@ void write_motor(OrderedJson& into, const std::optional<Motor>& motor) {
   if (motor) into["motor"] = {{"speed", motor->speed}, {"strength", motor->strength}};
 }
 
+std::optional<Limits> read_limits(const JsonReader& in, const NumberRange& within, const char* of_what) {
+  if (!in.has("limits")) return std::nullopt;
+  const Vec range = in["limits"].vector(within);
+  if (range.x > range.y) in["limits"].refuse("must be two " + std::string(of_what) + ", the lower one first");
+  return Limits{range.x, range.y};
+}
+
+void write_limits(OrderedJson& into, const std::optional<Limits>& limits) {
+  if (limits) into["limits"] = {limits->low, limits->high};
+}
+
 // Revolute
 
 // A torque is a force at an arm, and a force is a mass times a length: masses and times stay.
@@ -38,18 +49,14 @@ Joint read_revolute(const JsonReader& in, const BodyNames& names) {
   in.object({"type", "bodies", "anchor"}, {"limits", "motor"});
   const auto [a, b] = names.find_two(in["bodies"]);
   Revolute joint{a, b, in["anchor"].vector(limits::coordinate)};
-  if (in.has("limits")) {
-    const Vec range = in["limits"].vector(limits::angle);
-    if (range.x > range.y) in["limits"].refuse("must be two angles, the lower one first");
-    joint.limits = AngleLimits{range.x, range.y};
-  }
+  joint.limits = read_limits(in, limits::angle, "angles");
   joint.motor = read_motor(in, limits::spin, limits::motor_torque);
   return joint;
 }
 
 OrderedJson kind_as_json(const Revolute& joint, const Scene& scene) {
   OrderedJson json{{"type", "revolute"}, {"bodies", joined_names(joint, scene)}, {"anchor", as_json(joint.anchor)}};
-  if (joint.limits) json["limits"] = {joint.limits->low, joint.limits->high};
+  write_limits(json, joint.limits);
   write_motor(json, joint.motor);
   return json;
 }
@@ -90,14 +97,19 @@ OrderedJson kind_as_json(const Distance& joint, const Scene& scene) {
 
 Joint scaled_kind(Prismatic joint, double factor) {
   joint.anchor = scaled(joint.anchor, factor);
+  if (joint.limits) joint.limits = Limits{joint.limits->low * factor, joint.limits->high * factor};
   if (joint.motor) joint.motor = Motor{joint.motor->speed * factor, joint.motor->strength * factor};
   return joint;
 }
 
 Joint read_prismatic(const JsonReader& in, const BodyNames& names) {
-  in.object({"type", "bodies", "anchor", "axis"}, {"motor"});
+  in.object({"type", "bodies", "anchor", "axis"}, {"limits", "motor"});
   const auto [a, b] = names.find_two(in["bodies"]);
-  const Prismatic joint{a, b, in["anchor"].vector(limits::coordinate), in["axis"].vector(limits::factor),
+  const Prismatic joint{a,
+                        b,
+                        in["anchor"].vector(limits::coordinate),
+                        in["axis"].vector(limits::factor),
+                        read_limits(in, limits::coordinate, "lengths"),
                         read_motor(in, limits::speed, limits::motor_force)};
   if (std::hypot(joint.axis.x, joint.axis.y) < limits::size.least) in["axis"].refuse("has no length");
   return joint;
@@ -108,6 +120,7 @@ OrderedJson kind_as_json(const Prismatic& joint, const Scene& scene) {
                    {"bodies", joined_names(joint, scene)},
                    {"anchor", as_json(joint.anchor)},
                    {"axis", as_json(joint.axis)}};
+  write_limits(json, joint.limits);
   write_motor(json, joint.motor);
   return json;
 }
@@ -137,6 +150,13 @@ constexpr Word<ReadJoint> joint_kinds[] = {
 
 Joint scaled(const Joint& joint, double factor) {
   return std::visit([factor](const auto& kind) { return scaled_kind(kind, factor); }, joint);
+}
+
+const Limits* limits_of(const Joint& joint) {
+  const auto pointer = [](const std::optional<Limits>& limits) { return limits ? &*limits : nullptr; };
+  if (const auto* hinge = std::get_if<Revolute>(&joint)) return pointer(hinge->limits);
+  if (const auto* slider = std::get_if<Prismatic>(&joint)) return pointer(slider->limits);
+  return nullptr;
 }
 
 const Motor* motor_of(const Joint& joint) {

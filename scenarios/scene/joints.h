@@ -13,7 +13,8 @@ class JsonReader;
 /// The joint with every length multiplied by `factor`.
 Joint scaled(const Joint&, double factor);
 
-/// The joint's motor; null where it has none.
+/// The joint's limits and motor; null where it has none.
+const Limits* limits_of(const Joint&);
 const Motor* motor_of(const Joint&);
 
 /// Throws std::invalid_argument if it is not a valid joint.

@@ -61,6 +61,15 @@ struct Shape {
 
 enum class BodyType { fixed, kinematic, dynamic };
 
+/// Of a kinematic body: at the time t it is amplitude (sin(2 pi frequency t + phase) - sin(phase)) beside where its
+/// velocity alone would take it.
+struct Path {
+  Vec amplitude;         // m
+  double frequency = 1;  // Hz
+  double phase = 0;      // rad, at the start
+  friend bool operator==(const Path&, const Path&) = default;
+};
+
 struct Body {
   std::string name;
   BodyType type = BodyType::dynamic;
@@ -74,12 +83,14 @@ struct Body {
   std::uint32_t layers = ~std::uint32_t{0};  // bit mask; two bodies collide only if their masks share a bit
   double linear_damping = 0;                 // 1/s
   double angular_damping = 0;                // 1/s
+  std::optional<Path> path = std::nullopt;   // of a kinematic body
   std::vector<Shape> shapes;
 };
 
 /// Joints and forces refer to bodies by their index in Scene::bodies.
-struct AngleLimits {
-  double low = 0, high = 0;  // rad, of b relative to a, 0 at the start; low <= high
+/// Of b relative to a, 0 at the start; low <= high. An impact on them has no restitution.
+struct Limits {
+  double low = 0, high = 0;  // rad of a revolute joint, m along the axis of a prismatic one
 };
 
 /// Drives a joint to a speed as fast as its strength allows, and holds it there while its strength suffices.
@@ -91,7 +102,7 @@ struct Motor {
 struct Revolute {
   std::size_t a = 0, b = 0;
   Vec anchor;  // world frame, at the start
-  std::optional<AngleLimits> limits = std::nullopt;
+  std::optional<Limits> limits = std::nullopt;
   std::optional<Motor> motor = std::nullopt;
 };
 
@@ -107,6 +118,7 @@ struct Prismatic {
   std::size_t a = 0, b = 0;
   Vec anchor;  // world frame, at the start
   Vec axis{1, 0};
+  std::optional<Limits> limits = std::nullopt;
   std::optional<Motor> motor = std::nullopt;
 };
 

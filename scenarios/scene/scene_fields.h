@@ -30,6 +30,8 @@ constexpr NumberRange acceleration{-1e6, 1e6, "m/s^2"};
 constexpr NumberRange density{0, 1e9, "kg/m^2"};
 constexpr NumberRange friction{0, 1e6, ""};
 constexpr NumberRange restitution{0, 1, ""};
+constexpr NumberRange amplitude{-1000, 1000, "m"};
+constexpr NumberRange frequency{0, 1000, "Hz"};
 constexpr NumberRange damping{0, 1e6, "1/s"};
 constexpr NumberRange factor{-1e6, 1e6, ""};
 constexpr NumberRange stiffness{0, 1e12, "N/m"};

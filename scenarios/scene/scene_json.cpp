@@ -74,9 +74,18 @@ void check_mass(const JsonReader& in, const Body& body) {
   in.refuse("a dynamic body needs mass: a circle, box, polygon or capsule with a density above 0");
 }
 
+Path read_path(const JsonReader& in, BodyType type) {
+  if (type != BodyType::kinematic) in.refuse("must be absent: only kinematic bodies have paths");
+  in.object({"type", "amplitude", "frequency"}, {"phase"});
+  if (in["type"].value() != "sinusoidal") in["type"].expected("\"sinusoidal\"");
+  return {in["amplitude"].vector(limits::amplitude), in["frequency"].number(limits::frequency),
+          in.number("phase", 0, limits::angle)};
+}
+
 Body read_body(const JsonReader& in, BodyNames& names) {
-  in.object({"name", "type", "shapes"}, {"position", "angle", "velocity", "angularVelocity", "gravityScale",
-                                         "fixedRotation", "bullet", "layers", "linearDamping", "angularDamping"});
+  in.object({"name", "type", "shapes"},
+            {"position", "angle", "velocity", "angularVelocity", "gravityScale", "fixedRotation", "bullet", "layers",
+             "linearDamping", "angularDamping", "path"});
   Body body{.name = in["name"].text(1, limits::name),
             .type = in["type"].one_of<BodyType>(body_types),
             .position = in.vector("position", {}, limits::coordinate),
@@ -89,6 +98,7 @@ Body read_body(const JsonReader& in, BodyNames& names) {
             .linear_damping = in.number("linearDamping", 0, limits::damping),
             .angular_damping = in.number("angularDamping", 0, limits::damping)};
   names.add(in["name"], body.name);
+  if (in.has("path")) body.path = read_path(in["path"], body.type);
   if (in.has("layers")) {
     const double mask = in["layers"].number(limits::layers);
     if (mask != std::floor(mask)) in["layers"].expected("a whole number, one bit per layer");
@@ -186,6 +196,12 @@ OrderedJson body_as_json(const Body& body) {
   if (body.layers != defaults.layers) json["layers"] = body.layers;
   write_unless(json, "linearDamping", body.linear_damping, defaults.linear_damping);
   write_unless(json, "angularDamping", body.angular_damping, defaults.angular_damping);
+  if (body.path) {
+    json["path"] = {{"type", "sinusoidal"},
+                    {"amplitude", as_json(body.path->amplitude)},
+                    {"frequency", body.path->frequency},
+                    {"phase", body.path->phase}};
+  }
   OrderedJson shapes = OrderedJson::array();
   for (const Shape& shape : body.shapes) shapes.push_back(as_json(shape));
   json["shapes"] = std::move(shapes);

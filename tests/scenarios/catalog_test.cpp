@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/group.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
@@ -27,18 +28,19 @@ TEST(Scenarios, AreAllRegistered) {
   EXPECT_THAT(
       names,
       testing::ElementsAre(
-          "arch", "beam", "beats", "billiard", "bounce", "box-on-box", "breakaway", "cantilever", "capsule-heap",
-          "capsules", "card-house", "closing-walls", "conveyor", "corner-impact", "corner-spin", "cradle", "crowd",
-          "disc-on-wedge", "disc-pair", "disc-pile", "dome", "dominoes", "double-pendulum", "dry-oscillator",
-          "dumbbells", "flush-tiles", "flyby", "free-bodies", "free-wedge", "gas", "hanging-chain", "head-on",
-          "heavy-object", "hinged-hit", "joined-pair", "joint-grid", "joint-stop", "kater", "ladder", "late-blow",
-          "layers", "limiting-friction", "lone-bodies", "lost-support", "many-pyramids", "mass-ratio", "materials",
-          "mixing-rules", "motor", "motor-arm", "oblique-disc", "off-center", "orbit", "overhang", "paddle",
-          "painleve-rod", "pendulum", "pi-billiard", "pressed-box", "pushed-plank", "pyramid", "rain",
-          "restitution-rules", "rod-hit", "rod-pendulum", "rod-toppling", "rope-bridge", "slider", "slider-crank",
-          "sliding-ladder", "sliding-pyramid", "slip-to-roll", "slope", "slope-disc", "smash", "spin-up",
-          "spinning-obb", "spring", "spring-ellipse", "spring-stop", "stacking", "stopping-distance", "struck-wall",
-          "tautochrone", "teams", "thin-wall", "tipping", "tumbler", "turning-rail", "two-frictions"));
+          "arch", "beam", "beats", "billiard", "bounce", "bowl", "box-on-box", "breakaway", "cantilever",
+          "capsule-heap", "capsules", "card-house", "catenary", "closing-walls", "conveyor", "corner-impact",
+          "corner-spin", "cradle", "crowd", "disc-on-wedge", "disc-pair", "disc-pile", "dome", "dominoes",
+          "double-pendulum", "dry-oscillator", "dumbbells", "flush-tiles", "flyby", "four-bar", "free-bodies",
+          "free-four-bar", "free-wedge", "gas", "hanging-chain", "head-on", "heavy-object", "hinged-hit", "joined-pair",
+          "joint-grid", "joint-stop", "juggler", "kater", "ladder", "late-blow", "layers", "limiting-friction",
+          "lone-bodies", "lost-support", "many-pyramids", "mass-ratio", "materials", "mixing-rules", "motor",
+          "motor-arm", "oblique-disc", "off-center", "orbit", "overhang", "paddle", "painleve-rod", "pendulum",
+          "pi-billiard", "pressed-box", "pushed-plank", "pyramid", "rail-stop", "rain", "restitution-rules", "rod-hit",
+          "rod-pendulum", "rod-toppling", "rope-bridge", "slider", "slider-crank", "sliding-ladder", "sliding-pyramid",
+          "slip-to-roll", "slope", "slope-disc", "smash", "spin-up", "spinning-obb", "spring", "spring-ellipse",
+          "spring-stop", "stacking", "step-climb", "stick-slip", "stopping-distance", "struck-wall", "tautochrone",
+          "teams", "thin-wall", "tipping", "tumbler", "turning-rail", "two-frictions"));
 }
 
 TEST(Scenarios, AreAsManyAsTheReadmeSays) {
@@ -46,6 +48,20 @@ TEST(Scenarios, AreAsManyAsTheReadmeSays) {
   const std::string text{std::istreambuf_iterator<char>(readme), {}};
   const std::string families = std::to_string(Catalog<Scenario>::all().size()) + " families of scenes";
   EXPECT_THAT(text, testing::HasSubstr(families));
+}
+
+TEST(Scenarios, BelongToGroupsThatSayWhatIsAtStakeAsTheReadmeDoes) {
+  std::ifstream readme(PLUMB_SOURCE_DIR "/scenarios/README.md");
+  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  std::set<std::string> used;
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    EXPECT_NE(Catalog<ScenarioGroup>::find(scenario->group), nullptr) << scenario->name;
+    used.insert(scenario->group);
+  }
+  for (const ScenarioGroup* group : Catalog<ScenarioGroup>::all()) {
+    EXPECT_TRUE(used.contains(group->name)) << group->name << " has no family";
+    EXPECT_THAT(text, testing::HasSubstr("| " + group->title + " | " + group->stake + " |"));
+  }
 }
 
 TEST(Scenarios, InTheShortReportAreTheFourCanonicalOnes) {

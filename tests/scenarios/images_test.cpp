@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "reports/judge/mechanics.h"
+#include "scenarios/scene/path.h"
 #include "scenarios/scene/scene_json.h"
+#include "scenarios/transformed.h"
 
 namespace plumb::images_test {
 namespace {
@@ -31,8 +33,8 @@ Scene of_everything() {
                           .linear_damping = 0.5,
                           .shapes = {{Polygon{{{0, 0}, {1, 0}, {0, 1}}}, material},
                                      {Capsule{{0, 0}, {1, 0.5}, 0.25}, material}}}},
-              .joints = {Revolute{1, 2, {2, 3}, AngleLimits{-0.5, 1}, Motor{2, 3}},
-                         Prismatic{0, 1, {1, 1}, {1, 0.5}, Motor{4, 5}}, Weld{1, 2, {3, 3}},
+              .joints = {Revolute{1, 2, {2, 3}, Limits{-0.5, 1}, Motor{2, 3}},
+                         Prismatic{0, 1, {1, 1}, {1, 0.5}, Limits{-1, 2}, Motor{4, 5}}, Weld{1, 2, {3, 3}},
                          Distance{.a = 0, .b = 2, .anchor_a = {0, 1}, .anchor_b = {1, 1}, .length = 2, .stiffness = 8}},
               .forces = {Spring{.a = {}, .b = 1, .anchor_a = {1, 5}, .anchor_b = {0.5, 0}, .stiffness = 4, .length = 1},
                          Constant{2, {1, 2}, 3}, Attraction{.from = 1, .strength = 2, .exponent = 2}}};
@@ -125,6 +127,30 @@ TEST(Images, BoostedMoveAllAlike) {
     EXPECT_EQ(image.bodies[i].velocity.x, scene.bodies[i].velocity.x + 5);
     EXPECT_EQ(image.bodies[i].velocity.y, scene.bodies[i].velocity.y - 1);
   }
+}
+
+TEST(Images, TakeBodiesAlongTheImagesOfTheirPaths) {
+  const Scene scene{.bodies = {{.name = "lift",
+                                .type = BodyType::kinematic,
+                                .position = {1, 2},
+                                .velocity = {0.5, 0},
+                                .path = Path{.amplitude = {0.1, 0.3}, .frequency = 0.8, .phase = 0.4}}}};
+  const auto place = [](const Scene& of, double t) {
+    const Body& body = of.bodies[0];
+    const Vec offset = path_offset(*body.path, t);
+    return Vec{body.position.x + t * body.velocity.x + offset.x, body.position.y + t * body.velocity.y + offset.y};
+  };
+  constexpr double t = 0.7;
+  const Vec there = place(scene, t);
+  const auto expect_at = [&](Vec expected, const Scene& image, double time) {
+    EXPECT_NEAR(place(image, time).x, expected.x, 1e-14);
+    EXPECT_NEAR(place(image, time).y, expected.y, 1e-14);
+  };
+  const Congruence map{.mirrored = true, .angle = 0.7, .shift = {9, 1}};
+  expect_at(map.of_point(there), mapped(scene, map), t);
+  expect_at({4 * there.x, 4 * there.y}, in_units(scene, 4, 10), 2 * t);
+  expect_at({3 * there.x, 3 * there.y}, scaled(scene, 3), t);
+  expect_at({there.x + 5 * t, there.y - t}, boosted(scene, {5, -1}), t);
 }
 
 TEST(Images, OfTwoWorldsShareNoLayer) {

@@ -99,7 +99,7 @@ TEST(ReadScene, SaysLineAndColumnIfTheTextIsNotJson) {
       {"{\"plumb\": 01}", "line 1, column 12: "},
       {"{\"name\": \"\xff\"}", "line 1, column 11: "},
       {"{\"name\": \"\xed\xa0\x80\"}", "line 1, column 12: "},
-      {file("every_feature.json") + "}", "line 41, column 1: "},
+      {file("every_feature.json") + "}", "line 42, column 1: "},
       {"{\"plumb\": 1", "line 1, column 12: "},
   };
   for (const auto& [text, place] : broken) EXPECT_THAT(refusal(text), StartsWith("scene.json: " + std::string(place)));

@@ -107,6 +107,7 @@ class RandomScene {
     if (below(2) == 0) body.layers = static_cast<std::uint32_t>(draw_());
     body.linear_damping = sometimes(0, std::abs(number()));
     body.angular_damping = sometimes(0, std::abs(number()));
+    if (body.type == BodyType::kinematic && below(2) == 0) body.path = path();
     body.shapes.push_back(shape(Circle{positive(), {}}));
     for (std::size_t i = below(3); i > 0; --i) body.shapes.push_back(shape(geometry()));
     return body;
@@ -114,9 +115,15 @@ class RandomScene {
 
   std::size_t other(const Scene& scene) { return 1 + below(scene.bodies.size() - 1); }
 
-  AngleLimits limits() {
+  Path path() {
+    const Vec amplitude{between(-9, 9), between(-9, 9)};
+    return {amplitude, between(0, 9), sometimes(0, number())};
+  }
+
+  std::optional<Limits> limits() {
+    if (below(2) == 0) return std::nullopt;
     const double low = -positive();
-    return {low, low + positive()};
+    return Limits{low, low + positive()};
   }
 
   std::optional<Motor> motor() {
@@ -128,11 +135,11 @@ class RandomScene {
   Joint joint(std::size_t with) {
     switch (below(4)) {
       case 0:
-        return Revolute{0, with, point(), below(2) == 0 ? std::nullopt : std::optional(limits()), motor()};
+        return Revolute{0, with, point(), limits(), motor()};
       case 1:
         return Distance{with, 0, point(), point(), positive(), sometimes(0, positive()), sometimes(0, positive())};
       case 2:
-        return Prismatic{0, with, point(), {positive(), number()}, motor()};
+        return Prismatic{0, with, point(), {positive(), number()}, limits(), motor()};
       default:
         return Weld{with, 0, point()};
     }
@@ -190,11 +197,18 @@ class SceneBits {
     add(motor.has_value(), given.speed, given.strength);
   }
 
+  void add_limits(const std::optional<Limits>& limits) {
+    const Limits given = limits.value_or(Limits{});
+    add(limits.has_value(), given.low, given.high);
+  }
+
   void all(const Scene& scene) {
     add(scene.name, scene.about, scene.gravity, scene.duration, scene.mixing.friction, scene.mixing.restitution);
     for (const Body& body : scene.bodies) {
       add(body.name, body.type, body.position, body.angle, body.velocity, body.angular_velocity, body.gravity_scale,
           body.fixed_rotation, body.bullet, body.layers, body.linear_damping, body.angular_damping);
+      const Path path = body.path.value_or(Path{});
+      add(body.path.has_value(), path.amplitude, path.frequency, path.phase);
       for (const Shape& shape : body.shapes) {
         const Surface& surface = shape.surface;
         std::visit(*this, shape.geometry);
@@ -220,8 +234,8 @@ class SceneBits {
     for (const Vec& vertex : p.vertices) add(vertex);
   }
   void operator()(const Revolute& j) {
-    const AngleLimits limits = j.limits.value_or(AngleLimits{});
-    add("revolute", j.a, j.b, j.anchor, j.limits.has_value(), limits.low, limits.high);
+    add("revolute", j.a, j.b, j.anchor);
+    add_limits(j.limits);
     add_motor(j.motor);
   }
   void operator()(const Distance& j) {
@@ -229,6 +243,7 @@ class SceneBits {
   }
   void operator()(const Prismatic& j) {
     add("prismatic", j.a, j.b, j.anchor, j.axis);
+    add_limits(j.limits);
     add_motor(j.motor);
   }
   void operator()(const Weld& j) { add("weld", j.a, j.b, j.anchor); }

@@ -40,7 +40,8 @@ Scene scene(const Parameters& p) {
 }
 
 // Friction accelerates the box with mu s g, s its gravity scale, until it is as fast as the belt, V.
-//   Contact   may be detected a lag late, until when mu s g lag of the speed is missing, and the box falls.
+//   Contact   may be detected a lag late, until when mu s g lag of the speed is missing, and the box falls. While it
+//             slips and sinks in, mu times the speed at which it sinks is missing as well.
 //   Carried   it may creep.
 //   Position  that speed and the creep times the time, the drift, mu times the gap while the box sinks in, and its
 //             lean, gap (height/length).
@@ -55,7 +56,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   for (const double t : {duration / 4, duration}) {
     const bool carried = t >= slipping;
     const auto speed_error = [=](const Stepping& s) {
-      return (carried ? s.creep : missing(s)) + round_off(s, t, reach);
+      return (carried ? s.creep : missing(s) + still_sinking(s, friction, t)) + round_off(s, t, reach);
     };
     const auto place = [=](const Stepping& s) {
       return missing(s) * t + drifted(s, a, t) + (friction + size.y / size.x) * s.contact_gap() + s.creep * t +

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scenarios/allowance.h"
+#include "scenarios/integrate.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
@@ -101,6 +103,23 @@ double stop_of(double share) {
   return low;
 }
 
+constexpr double falling = 0.25;  // s, while the arm still falls
+
+// rad/s^2: m g l/I, of the hinge.
+double weight_of(const Scene& scene) {
+  const Mass arm = mass_of(scene.bodies[1]);
+  return arm.mass * gravity * half / (arm.inertia + arm.mass * half * half);
+}
+
+// rad, x'' = m g l/I (cos x - share).
+double fallen(double weight, double share) {
+  constexpr int steps = 1000;
+  const auto rate = [=](const std::array<double, 2>& y) {
+    return std::array<double, 2>{y[1], weight * (std::cos(y[0]) - share)};
+  };
+  return integrated(std::array<double, 2>{0, 0}, falling, steps, rate)[0];
+}
+
 // With tau = share m g l the arm stays if share >= 1. Else it falls by x, until the motor has taken all the work of the
 // weight, tau x = m g l sin x, and stays there: the weight's torque m g l cos x is less than tau for share > 0.442,
 // where tan x = -x. With k = W h, W the fastest turning, a method is off by
@@ -108,6 +127,9 @@ double stop_of(double share) {
 //            the arm, tau - m g l cos x, in the angle;
 //   stop     h of the deceleration a: a h^2/2, as the arm stops within a step;
 //   slop     of the hinge, which moves the centre: slop/l.
+// While it falls, what a step adds to its speed is not amplified (d x''/dx = -m g l/I sin x < 0), so that it is off by
+//   order    drift a t h (first order), or the sum of x h^2/6 over the steps, x <= w (W^2 + w) with w = m g l/I;
+//   chord    the arc's height between two steps, w dt^2/8.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double share = p.at("share");
   const bool holds = share >= 1;
@@ -130,6 +152,20 @@ std::vector<Expectation> expectations(const Parameters& p) {
                    .allowed = turn,
                    .source = "held, or stopped where sin x = tau x/(m g l); the method's order, slop of the hinge"});
   }
+  if (holds) return all;
+  const double fourth = weight * (fastest * fastest + weight);
+  all.push_back({.body = "arm",
+                 .quantity = Quantity::angle,
+                 .time = falling,
+                 .expected = -fallen(weight_of(scene(p)), share),
+                 .allowed =
+                     [=](const Stepping& s) {
+                       const double order =
+                           drifted(s, weight * (1 - share), falling) + fourth * s.h * s.h / 12 * falling * falling;
+                       return order + weight * s.dt * s.dt / 8 + s.joint_slop / half +
+                              round_off(s, falling, 1 + 4 * half + fastest * falling);
+                     },
+                 .source = "x'' = (m g l cos x - tau)/I, integrated; the method's order, slop of the hinge"});
   return all;
 }
 
