@@ -70,6 +70,7 @@ Flight flight_of(const Scene& scene, std::size_t i) {
   for (const Shape& shape : around.shapes) {
     flight.radius = std::max(flight.radius, std::visit(Extent{}, shape.geometry));
   }
+  if (body.path) flight.radius += 2 * length(body.path->amplitude);
   for (const Force& force : scene.forces) {
     const auto* constant = std::get_if<Constant>(&force);
     if (constant != nullptr && constant->body == i) {

@@ -6,6 +6,7 @@
 
 #include "reference/plane.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/path.h"
 
 namespace plumb {
 namespace {
@@ -35,7 +36,7 @@ struct ShiftGeometry {
 BodyState start_of(const Body& body) {
   return {.position = body.position + rotated(mass_of(body).center, body.angle),
           .angle = body.angle,
-          .velocity = body.velocity,
+          .velocity = start_velocity(body),
           .angular_velocity = body.angular_velocity};
 }
 

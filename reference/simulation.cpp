@@ -37,6 +37,8 @@ void check_number(const Engine& engine, const Option& option, std::string_view v
 
 }  // namespace
 
+void Simulation::drive(std::size_t, Vec) { throw std::logic_error("this engine can't drive kinematic bodies"); }
+
 double Simulation::valid_until() const { return std::numeric_limits<double>::infinity(); }
 
 Settings complete(const Engine& engine, const Settings& given) {

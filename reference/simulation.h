@@ -47,6 +47,10 @@ class Simulation {
   /// turns out to be beyond the engine: that is reported as *not supported*, not as a failure.
   virtual void step(double dt) = 0;
 
+  /// Gives a kinematic body another velocity, m/s, for the steps to come. Throws std::logic_error if the engine has not
+  /// implemented it: then its `unsupported` refuses scenes with paths.
+  virtual void drive(std::size_t body, Vec velocity);
+
   /// Writes the state of every body, in Scene order. `out` is as long as Scene::bodies.
   virtual void read(std::span<BodyState> out) const = 0;
 

@@ -29,12 +29,13 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "reference/adapter.h"
+#include "reference/adapters/box2d_joints.h"
+#include "reference/paths.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
@@ -243,6 +244,8 @@ class Box2d : public Simulation {
     contacts_.end_step();
   }
 
+  void drive(std::size_t body, Vec velocity) override { bodies_[body]->SetLinearVelocity(to_b2(velocity)); }
+
   void read(std::span<BodyState> out) const override {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const b2Body& body = *bodies_[i];
@@ -289,23 +292,11 @@ class Box2d : public Simulation {
     return world_.CreateBody(&def);
   }
 
-  template <class Def>
-  static void drive(Def& def, float& most, const std::optional<Motor>& motor) {
-    if (!motor) return;
-    def.enableMotor = true;
-    def.motorSpeed = static_cast<float>(motor->speed);
-    most = static_cast<float>(motor->strength);
-  }
-
   void add(const Revolute& joint) {
     b2RevoluteJointDef def;
     def.Initialize(bodies_[joint.a], bodies_[joint.b], to_b2(joint.anchor));
-    if (joint.limits) {
-      def.enableLimit = true;
-      def.lowerAngle = static_cast<float>(joint.limits->low);
-      def.upperAngle = static_cast<float>(joint.limits->high);
-    }
-    drive(def, def.maxMotorTorque, joint.motor);
+    set_limits(def, def.lowerAngle, def.upperAngle, joint.limits);
+    set_motor(def, def.maxMotorTorque, joint.motor);
     world_.CreateJoint(&def);
   }
 
@@ -324,7 +315,8 @@ class Box2d : public Simulation {
   void add(const Prismatic& joint) {
     b2PrismaticJointDef def;
     def.Initialize(bodies_[joint.a], bodies_[joint.b], to_b2(joint.anchor), to_b2(joint.axis));
-    drive(def, def.maxMotorForce, joint.motor);
+    set_limits(def, def.lowerTranslation, def.upperTranslation, joint.limits);
+    set_motor(def, def.maxMotorForce, joint.motor);
     world_.CreateJoint(&def);
   }
 
@@ -440,7 +432,7 @@ const Catalog<Engine>::Entry entry{{
     .stepping = stepping,
     .unsupported = unsupported,
     .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
-      return std::make_unique<Box2d>(scene, complete(self(), settings));
+      return on_paths(scene, std::make_unique<Box2d>(scene, complete(self(), settings)));
     },
     .in_process = true,
 }};

@@ -37,6 +37,7 @@
 
 #include "reference/adapter.h"
 #include "reference/adapters/box2d_v3/joints.h"
+#include "reference/paths.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
@@ -191,6 +192,8 @@ class Box2dV3 : public Simulation {
     b2World_Step(world_.id(), static_cast<float>(dt), substeps_);
     since_reading_ += dt;
   }
+
+  void drive(std::size_t body, Vec velocity) override { b2Body_SetLinearVelocity(bodies_[body], to_b2(velocity)); }
 
   void read(std::span<BodyState> out) const override {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -382,7 +385,7 @@ const Catalog<Engine>::Entry entry{{
     .stepping = stepping,
     .unsupported = unsupported,
     .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
-      return std::make_unique<Box2dV3>(scene, complete(self(), settings));
+      return on_paths(scene, std::make_unique<Box2dV3>(scene, complete(self(), settings)));
     },
     .in_process = true,
 }};

@@ -37,6 +37,7 @@
 #include <vector>
 
 #include "reference/adapter.h"
+#include "reference/paths.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
@@ -131,6 +132,8 @@ class Chipmunk : public Simulation {
     step_loads_ = {};
     cpSpaceStep(space_.get(), dt);
   }
+
+  void drive(std::size_t body, Vec velocity) override { cpBodySetVelocity(bodies_[body].get(), to_cp(velocity)); }
 
   void read(std::span<BodyState> out) const override {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -240,10 +243,12 @@ class Chipmunk : public Simulation {
   void add(const Prismatic& joint) {
     cpBody* a = bodies_[joint.a].get();
     cpBody* b = bodies_[joint.b].get();
-    const double far = 2 * extent_ / std::hypot(joint.axis.x, joint.axis.y);
-    const Vec from{joint.anchor.x - far * joint.axis.x, joint.anchor.y - far * joint.axis.y};
-    const Vec to{joint.anchor.x + far * joint.axis.x, joint.anchor.y + far * joint.axis.y};
-    hold(cpGrooveJointNew(a, b, local(joint.a, from), local(joint.a, to), local(joint.b, joint.anchor)));
+    const Limits ends = joint.limits.value_or(Limits{-2 * extent_, 2 * extent_});
+    const auto along = [&](double way) {
+      const double share = way / std::hypot(joint.axis.x, joint.axis.y);
+      return local(joint.a, {joint.anchor.x + share * joint.axis.x, joint.anchor.y + share * joint.axis.y});
+    };
+    hold(cpGrooveJointNew(a, b, along(ends.low), along(ends.high), local(joint.b, joint.anchor)));
     gear(a, b);
   }
 
@@ -311,7 +316,9 @@ class Chipmunk : public Simulation {
 std::string unsupported(const Scene& scene, const Settings&) {
   for (const Joint& joint : scene.joints) {
     const auto* slider = std::get_if<Prismatic>(&joint);
-    if (slider != nullptr && slider->motor) return "has motors that turn, and none that slide";
+    if (slider == nullptr) continue;
+    if (slider->motor) return "has motors that turn, and none that slide";
+    if (slider->limits && slider->limits->low == slider->limits->high) return "has no grooves without length";
   }
   return common_refusal(scene);
 }
@@ -381,7 +388,7 @@ Engine chipmunk() {
       .stepping = stepping,
       .unsupported = unsupported,
       .build = [](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
-        return std::make_unique<Chipmunk>(scene, complete(self(), settings));
+        return on_paths(scene, std::make_unique<Chipmunk>(scene, complete(self(), settings)));
       },
       .in_process = true,
   };

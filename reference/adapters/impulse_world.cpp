@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "reference/adapter.h"
+#include "reference/paths.h"
 
 namespace plumb::IMPULSE_PRECISION {
 namespace {
@@ -23,6 +24,11 @@ Vec from_engine(impulse::Vec2 v) { return {v.x, v.y}; }
 std::optional<impulse::Motor> engine_motor(const std::optional<Motor>& motor) {
   if (!motor) return std::nullopt;
   return impulse::Motor{static_cast<Real>(motor->speed), static_cast<Real>(motor->strength)};
+}
+
+std::optional<impulse::Limits> engine_limits(const std::optional<Limits>& limits) {
+  if (!limits) return std::nullopt;
+  return impulse::Limits{static_cast<Real>(limits->low), static_cast<Real>(limits->high)};
 }
 
 struct ShapeOf {
@@ -129,6 +135,11 @@ class Impulse : public Simulation {
     world_.step();
   }
 
+  void drive(std::size_t body, Vec velocity) override {
+    impulse::Body driven = world_.body(bodies_[body]);
+    driven.set_velocity(to_engine(velocity), driven.angular_velocity());
+  }
+
   void read(std::span<BodyState> out) const override {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const impulse::Body body = world_.body(bodies_[i]);
@@ -146,8 +157,7 @@ class Impulse : public Simulation {
  private:
   impulse::Joint joint_of(const Revolute& joint) const {
     impulse::RevoluteJoint made{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor)};
-    if (joint.limits)
-      made.limits = impulse::Limits{static_cast<Real>(joint.limits->low), static_cast<Real>(joint.limits->high)};
+    made.limits = engine_limits(joint.limits);
     made.motor = engine_motor(joint.motor);
     return made;
   }
@@ -164,6 +174,7 @@ class Impulse : public Simulation {
 
   impulse::Joint joint_of(const Prismatic& joint) const {
     impulse::PrismaticJoint made{bodies_[joint.a], bodies_[joint.b], to_engine(joint.anchor), to_engine(joint.axis)};
+    made.limits = engine_limits(joint.limits);
     made.motor = engine_motor(joint.motor);
     return made;
   }
@@ -317,7 +328,7 @@ std::string unsupported(const Scene& scene, const Settings& settings) {
 }
 
 std::unique_ptr<Simulation> build(const Scene& scene, const Settings& settings) {
-  return std::make_unique<Impulse>(scene, settings);
+  return on_paths(scene, std::make_unique<Impulse>(scene, settings));
 }
 
 }  // namespace

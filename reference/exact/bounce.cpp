@@ -78,7 +78,7 @@ Recognised<BouncingDisc> recognise_bounce(const Scene& scene) {
   if (!pair) return "handles only one disc over fixed ground";
   const Body& body = scene.bodies[pair->body];
   const Vec gravity = gravity_of(scene, body);
-  const std::optional<Floor> floor = floor_of(scene.bodies[pair->ground], gravity);
+  const std::optional<Floor> floor = floor_of(scene.bodies[pair->ground], gravity, body.position);
   if (!floor) return "handles only a floor made of one half-space or one box";
   const Circle* circle = only_shape<Circle>(body);
   if (circle == nullptr || circle->center != Vec{}) return "handles only a single disc";

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "reference/simulation.h"
+#include "scenarios/scene/path.h"
 
 /// How every closed form becomes an engine: recognise a scene, then evaluate a formula.
 namespace plumb {
@@ -100,13 +101,17 @@ Engine closed_form(ClosedFormText text, Recognised<Motion> (*recognise)(const Sc
   engine.stepping = [](const Settings&, double dt) {
     return Stepping{.dt = dt, .h = 0, .impact_lag = 0, .epsilon = 0x1p-53};
   };
-  engine.unsupported = [recognise](const Scene& scene, const Settings&) -> std::string {
-    const Recognised<Motion> answer = recognise(scene);
+  const auto checked = [recognise](const Scene& scene) -> Recognised<Motion> {
+    if (has_paths(scene)) return "handles no bodies on paths";
+    return recognise(scene);
+  };
+  engine.unsupported = [checked](const Scene& scene, const Settings&) -> std::string {
+    const Recognised<Motion> answer = checked(scene);
     const std::string* reason = std::get_if<std::string>(&answer);
     return reason ? *reason : "";
   };
-  engine.build = [recognise, name = engine.name](const Scene& scene, const Settings&) -> std::unique_ptr<Simulation> {
-    Recognised<Motion> answer = recognise(scene);
+  engine.build = [checked, name = engine.name](const Scene& scene, const Settings&) -> std::unique_ptr<Simulation> {
+    Recognised<Motion> answer = checked(scene);
     if (const std::string* reason = std::get_if<std::string>(&answer)) {
       throw std::invalid_argument(name + " cannot run " + scene.name + ": " + *reason);
     }

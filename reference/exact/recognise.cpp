@@ -16,6 +16,11 @@ Floor world_floor(Vec normal, double offset, const Body& body, double from, doub
   return {n, here.offset, from + shift, to + shift};
 }
 
+bool stands_over(const Floor& floor, Vec point) {
+  const double here = dot(floor.along(), point);
+  return dot(floor.normal, point) > floor.offset && floor.from <= here && here <= floor.to;
+}
+
 }  // namespace
 
 std::string textbook_refusal(const Scene& scene) {
@@ -37,7 +42,7 @@ std::string contact_refusal(const Scene& scene) {
   return textbook_refusal(scene);
 }
 
-std::optional<Floor> floor_of(const Body& body, Vec gravity) {
+std::optional<Floor> floor_of(const Body& body, Vec gravity, std::optional<Vec> above) {
   if (body.type != BodyType::fixed) return std::nullopt;
   if (const HalfSpace* half = only_shape<HalfSpace>(body)) {
     constexpr double far = std::numeric_limits<double>::infinity();
@@ -54,6 +59,7 @@ std::optional<Floor> floor_of(const Body& body, Vec gravity) {
     const double middle = dot({normal.y, -normal.x}, box->center);
     const double offset = extents[side % 2] + dot(normal, box->center);
     const Floor face = world_floor(normal, offset, body, middle - reach, middle + reach);
+    if (above && stands_over(face, *above)) return face;
     if (!best || dot(face.normal, gravity) < dot(best->normal, gravity)) best = face;
   }
   return best;
@@ -85,7 +91,7 @@ std::optional<BodyOnFloor> single_body_on_floor(const Scene& scene) {
   std::vector<Floor> tiles;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (i == found.body) continue;
-    const std::optional<Floor> tile = floor_of(scene.bodies[i], gravity_of(scene, body));
+    const std::optional<Floor> tile = floor_of(scene.bodies[i], gravity_of(scene, body), body.position);
     if (!tile || mixed_coefficients(scene, scene.bodies[i], body) != mixed) return std::nullopt;
     tiles.push_back(*tile);
   }

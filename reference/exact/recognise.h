@@ -25,9 +25,9 @@ struct Floor {
   Vec along() const { return {normal.y, -normal.x}; }
 };
 
-/// The surface of a fixed body made of one half-space, or the face of its only box that is most opposed to gravity;
-/// nullopt for other bodies.
-std::optional<Floor> floor_of(const Body&, Vec gravity);
+/// The surface of a fixed body made of one half-space, or the face of its only box that `above` is over, or, if none
+/// is, the face that is most opposed to gravity; nullopt for other bodies.
+std::optional<Floor> floor_of(const Body&, Vec gravity, std::optional<Vec> above = std::nullopt);
 
 /// Two bodies, one fixed and one dynamic, in either order.
 struct BodyOnGround {

@@ -89,7 +89,7 @@ Recognised<TopplingBox> recognise_topple(const Scene& scene) {
   if (!pair) return "handles only one box on fixed ground";
   const Body& body = scene.bodies[pair->body];
   const Vec gravity = gravity_of(scene, body);
-  const std::optional<Floor> floor = floor_of(scene.bodies[pair->ground], gravity);
+  const std::optional<Floor> floor = floor_of(scene.bodies[pair->ground], gravity, body.position);
   const Box* box = only_shape<Box>(body);
   if (!floor || box == nullptr) return "handles only one box on a floor made of one half-space or one box";
   const BodyState start = start_of(body);

@@ -114,6 +114,7 @@ const Catalog<Fault>::Entry kinematic{
         if (body.type != BodyType::kinematic) return;
         body.velocity = {};
         body.angular_velocity = 0;
+        body.path.reset();
       });
     })};
 

@@ -130,17 +130,21 @@ const Catalog<Perturbation>::Entry anchors{
              })};
 
 const Catalog<Perturbation>::Entry limits{
-    of_scene("joint limits", "the angles at which hinges stop, from their start", [](Scene& scene, double error) {
-      bool any = false;
-      for (Joint& joint : scene.joints) {
-        auto* hinge = std::get_if<Revolute>(&joint);
-        if (hinge == nullptr || !hinge->limits) continue;
-        const bool low = scale(hinge->limits->low, error);
-        const bool high = scale(hinge->limits->high, error);
-        any = any || low || high;
-      }
-      return any;
-    })};
+    of_scene("joint limits", "the angles and ways at which hinges and sliders stop, from their start",
+             [](Scene& scene, double error) {
+               bool any = false;
+               const auto change = [&](std::optional<Limits>& of) {
+                 if (!of) return;
+                 const bool low = scale(of->low, error);
+                 const bool high = scale(of->high, error);
+                 any = any || low || high;
+               };
+               for (Joint& joint : scene.joints) {
+                 if (auto* hinge = std::get_if<Revolute>(&joint)) change(hinge->limits);
+                 if (auto* slider = std::get_if<Prismatic>(&joint)) change(slider->limits);
+               }
+               return any;
+             })};
 
 // Of the motors of hinges and sliders.
 bool each_motor(Scene& scene, double Motor::*value, double error) {
@@ -160,6 +164,24 @@ const Catalog<Perturbation>::Entry motor_strength{
 const Catalog<Perturbation>::Entry motor_speed{
     of_scene("motor speed", "the speeds of motors",
              [](Scene& scene, double error) { return each_motor(scene, &Motor::speed, error); })};
+
+const Catalog<Perturbation>::Entry path_frequency{
+    of_scene("path frequency", "the frequency of kinematic bodies on paths", [](Scene& scene, double error) {
+      bool any = false;
+      for (Body& body : scene.bodies) any = (body.path && scale(body.path->frequency, error)) || any;
+      return any;
+    })};
+
+const Catalog<Perturbation>::Entry path_amplitude{
+    of_scene("path amplitude", "how far kinematic bodies are taken by their paths", [](Scene& scene, double error) {
+      bool any = false;
+      for (Body& body : scene.bodies) {
+        if (!body.path) continue;
+        body.path->amplitude = (1 + error) * body.path->amplitude;
+        any = any || body.path->amplitude != Vec{};
+      }
+      return any;
+    })};
 
 const Catalog<Perturbation>::Entry stiffness{
     of_scene("spring stiffness", "the stiffness of springs and of soft joints", [](Scene& scene, double error) {

@@ -1,6 +1,5 @@
 #include "reference/programs/base64.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -27,13 +26,16 @@ constexpr std::array<std::uint8_t, 256> values = [] {
 std::string base64(std::string_view bytes) {
   std::string text((bytes.size() + 2) / 3 * 4, '=');
   char* out = text.data();
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t known = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < known ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k <= known; ++k) out[k] = letters[bits >> (18 - 6 * k) & 63];
-    out += 4;
+  const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<unsigned char>(bytes[i])}; };
+  std::size_t i = 0;
+  for (; i + 3 <= bytes.size(); i += 3, out += 4) {
+    const std::uint32_t bits = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+    for (std::size_t k = 0; k < 4; ++k) out[k] = letters[bits >> (18 - 6 * k) & 63];
   }
+  const std::size_t left = bytes.size() - i;
+  if (left == 0) return text;
+  const std::uint32_t bits = byte(i) << 16 | (left == 2 ? byte(i + 1) << 8 : 0);
+  for (std::size_t k = 0; k <= left; ++k) out[k] = letters[bits >> (18 - 6 * k) & 63];
   return text;
 }
 
@@ -48,18 +50,27 @@ std::optional<std::vector<double>> numbers_of_base64(std::string_view text) {
   if (size % sizeof(double) != 0) return std::nullopt;
   std::vector<double> numbers(size / sizeof(double));
   auto* bytes = reinterpret_cast<unsigned char*>(numbers.data());
-  for (std::size_t i = 0, at = 0; i < text.size(); i += 4) {
-    std::uint32_t bits = 0;
-    std::uint8_t all = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const bool padded = i + k >= text.size() - padding;
-      const std::uint8_t value = padded ? 0 : values[static_cast<unsigned char>(text[i + k])];
-      all |= value;
-      bits = bits << 6 | value;
-    }
-    if ((all & no_letter) != 0) return std::nullopt;
-    for (std::size_t k = 0; k < 3 && at < size; ++k) bytes[at++] = static_cast<unsigned char>(bits >> (16 - 8 * k));
+  std::uint8_t all = 0;
+  const auto value = [&](std::size_t i) {
+    const std::uint8_t of_letter = values[static_cast<unsigned char>(text[i])];
+    all |= of_letter;
+    return std::uint32_t{of_letter};
+  };
+  // Four letters are three bytes; the last four may be padded.
+  const std::size_t whole = text.size() - (padding > 0 ? 4 : 0);
+  std::size_t i = 0;
+  for (; i < whole; i += 4, bytes += 3) {
+    const std::uint32_t bits = value(i) << 18 | value(i + 1) << 12 | value(i + 2) << 6 | value(i + 3);
+    bytes[0] = static_cast<unsigned char>(bits >> 16);
+    bytes[1] = static_cast<unsigned char>(bits >> 8);
+    bytes[2] = static_cast<unsigned char>(bits);
   }
+  if (padding > 0) {
+    const std::uint32_t bits = value(i) << 18 | value(i + 1) << 12 | (padding == 1 ? value(i + 2) << 6 : 0);
+    bytes[0] = static_cast<unsigned char>(bits >> 16);
+    if (padding == 1) bytes[1] = static_cast<unsigned char>(bits >> 8);
+  }
+  if ((all & no_letter) != 0) return std::nullopt;
   return numbers;
 }
 

@@ -40,8 +40,9 @@ class LineProcess {
   /// Sends one line, while reading what the program writes. Throws ProgramFailure if it ended or is beyond its limits.
   void send(std::string_view line, const ProgramLimits&);
 
-  /// The next line of answer, without its end. Throws ProgramFailure if the program ended or is beyond its limits.
-  std::string receive(const ProgramLimits&);
+  /// The next line of answer, without its end, until the next call. Throws ProgramFailure if the program ended or is
+  /// beyond its limits.
+  std::string_view receive(const ProgramLimits&);
 
   /// A failure with this reason and the last lines of the program's log.
   ProgramFailure failure(const std::string& reason) const;
@@ -57,9 +58,10 @@ class LineProcess {
 
   pid_t process_ = 0;
   int in_ = -1, out_ = -1, log_ = -1;  // the program's standard input, output and error
-  std::string answers_;                // read; the first `taken_` bytes were returned
-  std::size_t taken_ = 0;
-  std::size_t searched_ = 0;  // of `answers_`, beyond which an end of a line may be
+  std::string answers_;                // room for what is read
+  std::size_t filled_ = 0;             // bytes of it that were read
+  std::size_t taken_ = 0;              // of them, returned
+  std::size_t searched_ = 0;           // of them, beyond which an end of a line may be
   std::string last_log_;
 };
 

@@ -14,10 +14,12 @@ process.stdout.write = process.stderr.write.bind(process.stderr); // what the en
  *                  step(dt)    advances by dt seconds; the only call that is timed
  *                  states()    [x, y, angle, vx, vy, angular velocity] for each body, of its centre of mass
  *                  contacts()  optional, after states(): [a, b, x, y, normal x, normal y, normal impulse, tangent impulse, separation]
+ *                  drive(body, [vx, vy])  optional: gives a kinematic body another velocity; without it there are no paths
  *                  free()      optional: gives back what the world holds
  */
 export function serve(hello, stepping, build) {
   let world;
+  let carry; // takes bodies along their paths, before a step
   let steps = 0; // since the build
   let text = '';
   let flushed = Date.now();
@@ -29,6 +31,7 @@ export function serve(hello, stepping, build) {
   };
   const step = (dt) => {
     const began = performance.now();
+    carry(dt);
     world.step(dt);
     const ns = Math.round((performance.now() - began) * 1e6);
     const states = packed(world.states(), 6);
@@ -43,7 +46,9 @@ export function serve(hello, stepping, build) {
       world = undefined;
       steps = 0;
       try {
-        answer({ states: (world = build(scene, masses, options)).states() });
+        world = build(scene, masses, options);
+        carry = carriage(scene, world);
+        answer({ states: world.states() });
       } catch (error) {
         if (!(error instanceof NotSupported)) throw error;
         answer({ notSupported: error.message });
@@ -69,6 +74,23 @@ export function serve(hello, stepping, build) {
     }
     flush();
   }).on('end', () => process.exit(0)); // or threads of an engine would outlive Plumb
+}
+
+/** Drives kinematic bodies along their paths: before a step of dt they get the velocity that takes them where they should
+ *  be after it. */
+function carriage({ bodies }, world) {
+  const carried = bodies.map((body, index) => ({ ...body, index })).filter(({ path }) => path);
+  if (carried.length && !world.drive) throw new NotSupported('has no paths of kinematic bodies');
+  const turn = ({ frequency, phase = 0 }, t) => 2 * Math.PI * frequency * t + phase;
+  const drive = ({ index, velocity = [0, 0], path }, rate) => world.drive(index, plus(velocity, path.amplitude, rate));
+  carried.forEach((body) => drive(body, 2 * Math.PI * body.path.frequency * Math.cos(turn(body.path, 0))));
+  let time = 0;
+  return (dt) => {
+    for (const body of carried) {
+      drive(body, (Math.sin(turn(body.path, time + dt)) - Math.sin(turn(body.path, time))) / dt);
+    }
+    time += dt;
+  };
 }
 
 let numbers = new Float64Array(1024);

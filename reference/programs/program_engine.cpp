@@ -17,14 +17,13 @@
 
 #include "reference/programs/line_process.h"
 #include "reference/programs/protocol.h"
+#include "reference/programs/steps_ahead.h"
 
 namespace plumb {
 namespace {
 
 using protocol::Answer;
 using protocol::Identity;
-
-constexpr std::size_t most_ahead = 64;  // steps that are asked for at once, so that neither side waits for the other
 
 std::vector<Option> with_limits(std::vector<Option> options) {
   const ProgramLimits usual;
@@ -56,7 +55,7 @@ Settings without_limits(Settings settings) {
 template <class Read>
 auto ask(LineProcess& process, const std::string& line, const ProgramLimits& limits, const Read& read) {
   process.send(line, limits);
-  const std::string answer = process.receive(limits);
+  const std::string_view answer = process.receive(limits);
   try {
     return read(answer);
   } catch (const std::invalid_argument& error) {
@@ -93,7 +92,7 @@ class Program {
     try {
       if (idle_.empty()) idle_.push_back(std::make_unique<LineProcess>(command_));
       place->second = ask(*idle_.back(), protocol::ask_stepping(without_limits(settings), dt), limits_of(settings),
-                          [&](const std::string& answer) { return protocol::read_stepping(answer, dt); });
+                          [&](std::string_view answer) { return protocol::read_stepping(answer, dt); });
     } catch (const std::exception& error) {
       stated_.erase(place);
       idle_.clear();
@@ -122,7 +121,7 @@ class ProgramSimulation : public Simulation {
   ProgramSimulation(Program& program, const Scene& scene, const Settings& settings, const ProgramLimits& limits)
       : program_(program), process_(program.take()), limits_(limits), bodies_(scene.bodies.size()) {
     now_ = ask(*process_, protocol::ask_build(scene, settings), limits_,
-               [&](const std::string& answer) { return protocol::read_build(answer, bodies_); });
+               [&](std::string_view answer) { return protocol::read_build(answer, bodies_); });
     if (!now_.refusal.empty()) {
       program_.give_back(std::move(process_));
       throw std::domain_error(now_.refusal);
@@ -141,7 +140,7 @@ class ProgramSimulation : public Simulation {
     if (asked_ == 0) ask_for_steps(dt);
     if (dt != asked_dt_) throw std::logic_error("a simulation was announced steps of another length");
     failed_ = true;
-    const std::string answer = process_->receive(limits_);
+    const std::string_view answer = process_->receive(limits_);
     try {
       now_ = protocol::read_step(answer, bodies_, ++steps_);
     } catch (const std::invalid_argument& error) {
@@ -149,7 +148,9 @@ class ProgramSimulation : public Simulation {
     }
     --asked_;
     stepped_ += now_.seconds;
-    check_clock();
+    const double passed = std::chrono::duration<double>(Clock::now() - asked_at_).count();
+    check_clock(passed);
+    if (asked_ == 0) at_once_.took(asked_for_, passed);
     failed_ = false;
   }
 
@@ -163,7 +164,8 @@ class ProgramSimulation : public Simulation {
   using Clock = std::chrono::steady_clock;
 
   void ask_for_steps(double dt) {
-    asked_ = dt == announced_ ? std::clamp<std::size_t>(ahead_, 1, most_ahead) : 1;
+    asked_ = dt == announced_ ? std::clamp<std::size_t>(ahead_, 1, at_once_.count()) : 1;
+    asked_for_ = asked_;
     ahead_ -= std::min(ahead_, asked_);
     asked_dt_ = dt;
     asked_at_ = Clock::now();
@@ -172,8 +174,7 @@ class ProgramSimulation : public Simulation {
   }
 
   // A program is believed how long it took, up to the time that went by.
-  void check_clock() const {
-    const double passed = std::chrono::duration<double>(Clock::now() - asked_at_).count();
+  void check_clock(double passed) const {
     if (stepped_ - stepped_before_ <= passed) return;
     throw process_->failure(fmt::format("it says that its steps took {:.3g} s, but only {:.3g} s went by",
                                         stepped_ - stepped_before_, passed));
@@ -187,7 +188,9 @@ class ProgramSimulation : public Simulation {
   Answer now_;
   double announced_ = 0;   // s, the length of steps to come
   std::size_t ahead_ = 0;  // of them, not yet asked for
-  std::size_t asked_ = 0;  // steps asked for, but not answered
+  StepsAhead at_once_;
+  std::size_t asked_for_ = 0;
+  std::size_t asked_ = 0;  // of them, not yet answered
   double asked_dt_ = 0;
   Clock::time_point asked_at_;
   double stepped_ = 0, stepped_before_ = 0;  // s, by the program's clock: all, and before the last ask
@@ -262,7 +265,7 @@ class Programs {
     try {
       auto process = program.take();
       identity = ask(*process, protocol::ask_hello(), {},
-                     [](const std::string& answer) { return protocol::read_hello(answer); });
+                     [](std::string_view answer) { return protocol::read_hello(answer); });
       program.give_back(std::move(process));
     } catch (const std::exception& error) {
       throw std::invalid_argument(

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "reference/programs/base64.h"
+#include "reference/programs/step_line.h"
 #include "scenarios/scene/json_reader.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/scene_json.h"
@@ -29,33 +29,6 @@ constexpr NumberRange not_negative{0, largest};
 constexpr std::string_view place = "its answer";
 
 nlohmann::json parsed(std::string_view answer) { return parse_json(answer, place); }
-
-// What write_step writes, read in a tenth of the time that a parser takes; null if it is anything else.
-nlohmann::json scanned_step(std::string_view answer) {
-  const auto skip = [&](std::string_view text) {
-    const bool there = answer.starts_with(text);
-    if (there) answer.remove_prefix(text.size());
-    return there;
-  };
-  const auto whole = [&](nlohmann::json& into) {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(answer.data(), answer.data() + answer.size(), value);
-    answer.remove_prefix(static_cast<std::size_t>(end - answer.data()));
-    into = value;
-    return error == std::errc{};
-  };
-  const auto packed = [&](nlohmann::json& into) {
-    const std::size_t end = std::min(answer.find_first_of("\"\\"), answer.size());
-    into = std::string(answer.substr(0, end));
-    answer.remove_prefix(end);
-    return skip("\"");
-  };
-  nlohmann::json json;
-  const bool found = skip("{\"step\":") && whole(json["step"]) && skip(",\"ns\":") && whole(json["ns"]) &&
-                     skip(",\"states\":\"") && packed(json["states"]) &&
-                     (!skip(",\"contacts\":\"") || packed(json["contacts"])) && answer == "}";
-  return found ? json : nlohmann::json();
-}
 
 // A program may answer any ask with {"error": "why"}.
 void check_error(const JsonReader& in) {
@@ -107,41 +80,62 @@ std::vector<double> read_rows(const JsonReader& in, std::size_t width, const cha
   return numbers;
 }
 
-std::vector<BodyState> read_states(const JsonReader& in, std::size_t bodies) {
-  constexpr std::size_t width = 6;
-  const auto numbers = read_rows(in, width, "6 numbers: x, y, angle, vx, vy, angular velocity");
-  if (numbers.size() != width * bodies) in.expected("the states of " + std::to_string(bodies) + " bodies");
-  std::vector<BodyState> states(bodies);
-  for (std::size_t i = 0; i < bodies; ++i) {
-    const double* at = &numbers[i * width];
+constexpr std::size_t state_width = 6;
+constexpr std::size_t contact_width = 9;
+
+std::vector<BodyState> states_of(std::span<const double> numbers) {
+  std::vector<BodyState> states(numbers.size() / state_width);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const double* at = &numbers[i * state_width];
     states[i] = {{at[0], at[1]}, at[2], {at[3], at[4]}, at[5]};
   }
   return states;
 }
 
+// `wrong` becomes what is wrong with them, if anything is.
+std::vector<ContactState> contacts_of(std::span<const double> numbers, std::size_t bodies, std::string& wrong) {
+  std::vector<ContactState> contacts(numbers.size() / contact_width);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const double* at = &numbers[i * contact_width];
+    for (const double index : {at[0], at[1]}) {
+      if (index >= 0 && index < static_cast<double>(bodies) && index == std::floor(index)) continue;
+      wrong = fmt::format("contact {} is of body {}, but there are {}", i, index, bodies);
+      return {};
+    }
+    contacts[i] = {static_cast<std::size_t>(at[0]),
+                   static_cast<std::size_t>(at[1]),
+                   {at[2], at[3]},
+                   {at[4], at[5]},
+                   at[6],
+                   at[7],
+                   at[8]};
+    if (std::abs(std::hypot(at[4], at[5]) - 1) > 1e-3) {
+      wrong = fmt::format("contact {} needs a normal of length 1", i);
+      return {};
+    }
+  }
+  return contacts;
+}
+
+std::vector<BodyState> read_states(const JsonReader& in, std::size_t bodies) {
+  const auto numbers = read_rows(in, state_width, "6 numbers: x, y, angle, vx, vy, angular velocity");
+  if (numbers.size() != state_width * bodies) in.expected("the states of " + std::to_string(bodies) + " bodies");
+  return states_of(numbers);
+}
+
 std::vector<ContactState> read_contacts(const JsonReader& in, std::size_t bodies) {
-  constexpr std::size_t width = 9;
-  const auto numbers = read_rows(in, width,
+  const auto numbers = read_rows(in, contact_width,
                                  "9 numbers: bodies a and b, point x and y, normal x and y, normal impulse, tangent "
                                  "impulse, separation");
-  std::vector<ContactState> contacts(numbers.size() / width);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const double* at = &numbers[i * width];
-    const auto body = [&](double index) {
-      if (index >= 0 && index < static_cast<double>(bodies) && index == std::floor(index)) {
-        return static_cast<std::size_t>(index);
-      }
-      in.refuse(fmt::format("contact {} is of body {}, but there are {}", i, index, bodies));
-    };
-    contacts[i] = {body(at[0]), body(at[1]), {at[2], at[3]}, {at[4], at[5]}, at[6], at[7], at[8]};
-    if (std::abs(std::hypot(at[4], at[5]) - 1) > 1e-3)
-      in.refuse(fmt::format("contact {} needs a normal of length 1", i));
-  }
+  std::string wrong;
+  auto contacts = contacts_of(numbers, bodies, wrong);
+  if (!wrong.empty()) in.refuse(wrong);
   return contacts;
 }
 
 std::string packed(std::span<const BodyState> states) {
   std::vector<double> numbers;
+  numbers.reserve(state_width * states.size());
   for (const BodyState& it : states) {
     numbers.insert(numbers.end(),
                    {it.position.x, it.position.y, it.angle, it.velocity.x, it.velocity.y, it.angular_velocity});
@@ -243,8 +237,15 @@ Answer read_build(std::string_view answer, std::size_t bodies) {
 std::string ask_steps(std::size_t count, double dt) { return Json{{"step", {{"count", count}, {"dt", dt}}}}.dump(); }
 
 Answer read_step(std::string_view answer, std::size_t bodies, std::size_t number) {
-  nlohmann::json json = scanned_step(answer);
-  if (json.is_null()) json = parsed(answer);
+  // The way of every step that nothing is wrong with.
+  StepLine line;
+  if (scan_step_line(answer, line) && line.step == number && line.states.size() == state_width * bodies) {
+    std::string wrong;
+    Answer read{.refusal = "", .states = states_of(line.states), .contacts = contacts_of(line.contacts, bodies, wrong)};
+    read.seconds = line.nanoseconds * 1e-9;
+    if (wrong.empty()) return read;
+  }
+  const nlohmann::json json = parsed(answer);
   const JsonReader in(json, place);
   check_error(in);
   in.object({"step", "states", "ns"}, {"contacts"});
@@ -258,6 +259,7 @@ Answer read_step(std::string_view answer, std::size_t bodies, std::size_t number
 std::string write_step(std::size_t number, std::int64_t nanoseconds, std::span<const BodyState> states,
                        std::span<const ContactState> contacts) {
   std::vector<double> numbers;
+  numbers.reserve(contact_width * contacts.size());
   for (const ContactState& it : contacts) {
     numbers.insert(numbers.end(), {static_cast<double>(it.a), static_cast<double>(it.b), it.point.x, it.point.y,
                                    it.normal.x, it.normal.y, it.normal_impulse, it.tangent_impulse, it.separation});

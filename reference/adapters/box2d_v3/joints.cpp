@@ -5,9 +5,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <variant>
 
+#include "reference/adapters/box2d_joints.h"
 #include "reference/scene_facts.h"
 #include "scenarios/scene/mass.h"
 
@@ -26,12 +26,8 @@ class Joiner {
 
   void operator()(const Revolute& joint) const {
     auto def = between(b2DefaultRevoluteJointDef(), joint.a, joint.b, joint.anchor, joint.anchor);
-    if (joint.limits) {
-      def.enableLimit = true;
-      def.lowerAngle = static_cast<float>(joint.limits->low);
-      def.upperAngle = static_cast<float>(joint.limits->high);
-    }
-    drive(def, def.maxMotorTorque, joint.motor);
+    set_limits(def, def.lowerAngle, def.upperAngle, joint.limits);
+    set_motor(def, def.maxMotorTorque, joint.motor);
     b2CreateRevoluteJoint(world_, &def);
   }
 
@@ -52,7 +48,8 @@ class Joiner {
   void operator()(const Prismatic& joint) const {
     auto def = between(b2DefaultPrismaticJointDef(), joint.a, joint.b, joint.anchor, joint.anchor,
                        std::atan2(joint.axis.y, joint.axis.x));
-    drive(def, def.maxMotorForce, joint.motor);
+    set_limits(def, def.lowerTranslation, def.upperTranslation, joint.limits);
+    set_motor(def, def.maxMotorForce, joint.motor);
     b2CreatePrismaticJoint(world_, &def);
   }
 
@@ -62,14 +59,6 @@ class Joiner {
   }
 
  private:
-  template <class Def>
-  static void drive(Def& def, float& most, const std::optional<Motor>& motor) {
-    if (!motor) return;
-    def.enableMotor = true;
-    def.motorSpeed = static_cast<float>(motor->speed);
-    most = static_cast<float>(motor->strength);
-  }
-
   // Fills in the two bodies of a joint, its anchors and the angle of its axis (rad, world frame).
   template <class Def>
   Def between(Def def, std::size_t index_a, std::size_t index_b, Vec anchor_a, Vec anchor_b, double axis = 0) const {

@@ -104,7 +104,7 @@ TEST_F(Chipmunk, JoinsBodiesThatMayNotTurn) {
   EXPECT_NEAR(height(Prismatic{.a = 0, .b = 1, .anchor = {0, -1}, .axis = {1, 0}}), -1, 0.01);
   EXPECT_NEAR(height(Prismatic{.a = 0, .b = 1, .anchor = {0, -1}, .axis = {0, 1}}), -1 - standard_gravity / 2, 0.1);
   EXPECT_NEAR(height(Weld{.a = 0, .b = 1, .anchor = {0, -1}}), -1, 0.01);
-  EXPECT_NEAR(height(Revolute{.a = 0, .b = 1, .anchor = {0, -1}, .limits = AngleLimits{-1, 1}}), -1, 0.01);
+  EXPECT_NEAR(height(Revolute{.a = 0, .b = 1, .anchor = {0, -1}, .limits = Limits{-1, 1}}), -1, 0.01);
 }
 
 }  // namespace

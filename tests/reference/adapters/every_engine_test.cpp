@@ -419,6 +419,31 @@ TEST_P(EveryEngine, SlidesOnARailAndKeepsAWeld) {
   EXPECT_NEAR(std::hypot(pair[1].position.x - pair[0].position.x, pair[1].position.y - pair[0].position.y), 1, .01);
 }
 
+TEST_P(EveryEngine, StopsASliderAtBothOfItsLimits) {
+  for (const double way : {1.0, -1.0}) {
+    Scene rail = scene_of({body("rail", BodyType::fixed, {0, 0}, Circle{.1}), box({3, 4})});
+    rail.joints.push_back(Prismatic{0, 1, {3, 4}, {0, way * 2}, Limits{-.5, .75}});
+    if (!refusal(rail).empty()) GTEST_SKIP() << refusal(rail);
+    EXPECT_NEAR(run(rail, 120).at(1).position.y, way > 0 ? 3.5 : 3.25, .01);
+  }
+}
+
+TEST_P(EveryEngine, TakesKinematicBodiesAlongTheirPaths) {
+  Body lift = body("lift", BodyType::kinematic, {1, 2}, Circle{.1});
+  lift.velocity = {.5, 0};
+  lift.path = Path{.amplitude = {.1, .3}, .frequency = .8, .phase = .4};
+  const Scene scene = scene_of({lift});
+  if (!refusal(scene).empty()) GTEST_SKIP() << refusal(scene);
+  constexpr int n = 100;
+  const BodyState start = run(scene, 0).at(0);
+  const BodyState end = run(scene, n).at(0);
+  const double t = n * dt;
+  const double moved = std::sin(2 * std::numbers::pi * .8 * t + .4) - std::sin(.4);
+  EXPECT_NEAR(start.velocity.y, .3 * 2 * std::numbers::pi * .8 * std::cos(.4), rounding(1, 2));
+  EXPECT_NEAR(end.position.x, 1 + .5 * t + .1 * moved, rounding(n, 4));
+  EXPECT_NEAR(end.position.y, 2 + .3 * moved, rounding(n, 4));
+}
+
 TEST_P(EveryEngine, RefusesBodiesWithoutMass) {
   Body ghost = box({0, 1});
   ghost.shapes[0].surface.density = 0;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/parts.h"
 #include "scenarios/scenario.h"
 
 namespace plumb::closed_form_test {
@@ -77,6 +78,18 @@ TEST(ClosedForms, StartWhereTheirSceneDoesAndHoldUntilTheLastExpectation) {
 
 TEST(ClosedForm, RefusesToBuildWhatItDoesNotSupport) {
   EXPECT_THROW(Catalog<Engine>::find("bounce")->build(Scene{.name = "empty"}, {}), std::invalid_argument);
+}
+
+TEST(ClosedForm, RefusesBodiesOnPaths) {
+  Scene scene{.name = "drop", .bodies = {disc("ball", {0, 0}, 0.5, {}), disc("lift", {9, 0}, 0.5, {})}};
+  scene.bodies[0].layers = 1;
+  scene.bodies[1].layers = 2;
+  scene.bodies[1].type = BodyType::kinematic;
+  const Engine& fall = *Catalog<Engine>::find("ballistic");
+  EXPECT_EQ(fall.unsupported(scene, {}), "");
+  scene.bodies[1].path = Path{.amplitude = {0, 1}};
+  EXPECT_NE(fall.unsupported(scene, {}), "");
+  EXPECT_THROW(fall.build(scene, {}), std::invalid_argument);
 }
 
 TEST(ElapsedTime, DoesNotDriftOverAMillionSteps) {

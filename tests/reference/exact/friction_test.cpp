@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "reference/simulation.h"
@@ -107,6 +108,25 @@ Scene tiled(int tiles) {
   scene.bodies.push_back(box("box", {1, 0.25}, {1, 0.5}, surface(0.1, 0)));
   scene.bodies.back().velocity = {3, 0};
   return scene;
+}
+
+// Steeper than 45 degrees, gravity is more opposed to the end of a slab than to its top.
+TEST(SlideScene, KnowsTheFaceUnderABoxOnASteepSlope) {
+  const double angle = 67 * std::numbers::pi / 180;
+  const Vec up{-std::sin(angle), std::cos(angle)};
+  Scene scene{.name = "steep"};
+  scene.bodies.push_back(box("slope", {0, 0}, {60, 1}, surface(0.2, 0)));
+  scene.bodies.push_back(box("box", 1.0 * up, {1, 1}, surface(0.2, 0)));
+  scene.bodies[0].type = BodyType::fixed;
+  for (Body& body : scene.bodies) body.angle = angle;
+  const Engine& slide = *Catalog<Engine>::find("slide");
+  ASSERT_EQ(slide.unsupported(scene, {}), "");
+  const auto simulation = slide.build(scene, {});
+  simulation->step(1);
+  std::vector<BodyState> states(2);
+  simulation->read(states);
+  EXPECT_NEAR(std::hypot(states[1].velocity.x, states[1].velocity.y),
+              -scene.gravity.y * (std::sin(angle) - 0.2 * std::cos(angle)), 1e-12);
 }
 
 TEST(SlideScene, TreatsFlushTilesAsOneFloor) {

@@ -122,8 +122,11 @@ class World {
         turn(frame.q, along - ends[k].angle);
         def.base[`bodyId${side}`] = this.bodies[joint.bodies[k]];
       });
-      const [lowerAngle, upperAngle] = joint.limits ?? [];
-      if (joint.limits) Object.assign(def, { enableLimit: true, lowerAngle, upperAngle });
+      const unit = joint.type === 'revolute' ? 'Angle' : 'Translation';
+      if (joint.limits) {
+        const [low, high] = joint.limits;
+        Object.assign(def, { enableLimit: true, [`lower${unit}`]: low, [`upper${unit}`]: high });
+      }
       if (joint.motor) {
         const { speed: motorSpeed, strength } = joint.motor;
         Object.assign(def, { enableMotor: true, motorSpeed,
@@ -136,6 +139,10 @@ class World {
       }
       b2[`b2Create${kind}Joint`](this.world, def);
     });
+  }
+
+  drive(body, velocity) {
+    using(vector(velocity), (now) => b2.b2Body_SetLinearVelocity(this.bodies[body], now));
   }
 
   step(dt) {

@@ -86,7 +86,7 @@ class World {
   }
 
   join(joint) {
-    if (joint.limits) throw new NotSupported('has no limits of hinges');
+    if (joint.limits) throw new NotSupported('has no limits of joints');
     if (joint.motor) throw new NotSupported('has no motors');
     if (joint.stiffness) throw new NotSupported('has a stiffness without unit, and so no springs in N/m');
     if (joint.type === 'prismatic') throw new NotSupported('has no sliding joints');
@@ -103,6 +103,10 @@ class World {
     Composite.add(this.engine.world, Constraint.create({
       bodyA: this.bodies[a], bodyB: this.bodies[b], pointA: arm(a, 0), pointB: arm(b, 1), stiffness: 1,
       length: (joint.length ?? 0) * this.scale }));
+  }
+
+  drive(body, velocity) {
+    this.scene.bodies[body].velocity = velocity;
   }
 
   step(dt) {

@@ -15,7 +15,7 @@
 // - A soft distance joint is an implicit spring, tuned by frequency.
 // - Bodies never sleep.
 import { BoxShape, CircleShape, DistanceJoint, EdgeShape, PolygonShape, PrismaticJoint, RevoluteJoint, Settings,
-         WeldJoint, World as PlanckWorld } from 'planck';
+         WeldJoint, World as PlanckWorld, WorldManifold } from 'planck';
 import { NotSupported, centered, corners, mixed, onOff, plus, serve, tuned, turned } from './plumb_engine.mjs';
 
 const SKIN = Settings.polygonRadius;
@@ -62,14 +62,15 @@ class World {
   join(joint, bodies) {
     const ends = joint.bodies.map((i) => bodies[i]);
     const [a, b] = joint.bodies.map((i) => this.bodies[i]);
-    const [lowerAngle, upperAngle] = joint.limits ?? [0, 0];
+    const [low, high] = joint.limits ?? [0, 0];
     const { speed: motorSpeed = 0, strength = 0 } = joint.motor ?? {};
     const motor = { enableMotor: !!joint.motor, motorSpeed, maxMotorTorque: strength, maxMotorForce: strength };
-    const limits = { enableLimit: !!joint.limits, lowerAngle, upperAngle };
+    const limits = { enableLimit: !!joint.limits, lowerAngle: low, upperAngle: high, lowerTranslation: low,
+                     upperTranslation: high };
     const kinds = {
       revolute: () => new RevoluteJoint({ ...limits, ...motor }, a, b, at(joint.anchor)),
       weld: () => new WeldJoint({}, a, b, at(joint.anchor)),
-      prismatic: () => new PrismaticJoint(motor, a, b, at(joint.anchor), at(joint.axis)),
+      prismatic: () => new PrismaticJoint({ ...limits, ...motor }, a, b, at(joint.anchor), at(joint.axis)),
       distance: () => {
         const { hertz, ratio } = joint.stiffness ? tuned(joint, ends) : { hertz: 0, ratio: 0 };
         const made = new DistanceJoint({ frequencyHz: hertz, dampingRatio: ratio }, a, b, ...joint.anchors.map(at));
@@ -78,6 +79,10 @@ class World {
       },
     };
     this.world.createJoint(kinds[joint.type]());
+  }
+
+  drive(body, velocity) {
+    this.bodies[body].setLinearVelocity(at(velocity));
   }
 
   step(dt) {
@@ -100,13 +105,21 @@ class World {
   }
 
   contacts() {
-    return this.solved.flatMap(({ contact, owners, met, normals, tangents }) => {
-      const left = placed(contact) ?? met; // nothing if the bodies have come apart within the step
-      return normals.map((normal, i) => // its tangent is the normal turned by -90 degrees
-        [...owners, ...met.points[i], ...met.normal, normal, -tangents[i], left.gaps[i] ?? met.gaps[i]]);
-    });
+    const all = [];
+    for (const { contact, owners, met, normals, tangents } of this.solved) {
+      left.pointCount = 0; // and it stays so if the bodies have come apart within the step
+      contact.getWorldManifold(left);
+      for (let i = 0; i < normals.length; ++i) { // its tangent is the normal turned by -90 degrees
+        const gap = i < left.pointCount ? left.separations[i] : met.gaps[i];
+        all.push([owners[0], owners[1], met.points[i][0], met.points[i][1], met.normal[0], met.normal[1], normals[i],
+                  -tangents[i], gap]);
+      }
+    }
+    return all;
   }
 }
+
+const left = new WorldManifold(); // that the engine writes to
 
 function placed(contact) {
   const manifold = contact.getWorldManifold(null);

@@ -15,20 +15,28 @@
 // - One axis serves both bodies of a sliding joint, which must have the same angle.
 // - Contact impulses are sums over the step. A half-space is one.
 // - Sleeping is off by default.
-import RAPIER from '@dimforge/rapier2d-compat';
 import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, turned, unwound } from './plumb_engine.mjs';
+
+// Where there is a registry of handles, the engine enters each. That takes longer than to read a contact, and we give
+// back what we take.
+const { FinalizationRegistry } = globalThis;
+delete globalThis.FinalizationRegistry;
+const { default: RAPIER } = await import('@dimforge/rapier2d-compat');
+Object.assign(globalThis, { FinalizationRegistry });
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
 const { RigidBodyDesc, ColliderDesc, JointData, CoefficientCombineRule: Rule } = RAPIER;
 const at = ([x, y]) => ({ x, y });
 const place = at([0, 0]); // that the engine writes vectors to
 
-function onCollider(collider, { x, y }) {
+// Where a collider is: cosine, sine, x and y.
+function placeOf(collider) {
   const angle = collider.rotation();
-  const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  const origin = collider.translation(place);
-  return [origin.x + c * x - s * y, origin.y + s * x + c * y];
+  const { x, y } = collider.translation(place);
+  return [Math.cos(angle), Math.sin(angle), x, y];
 }
+
+const from = ([c, s, x, y], local) => [x + c * local.x - s * local.y, y + s * local.x + c * local.y];
 
 class World {
   constructor(scene, options) {
@@ -69,8 +77,11 @@ class World {
     const local = (k, point) => at(turned(plus(point, pair[k].position, -1), -pair[k].angle));
     const anchors = [0, 1].map((k) => local(k, joint.anchors?.[k] ?? joint.anchor));
     const start = pair[1].angle - pair[0].angle;
-    const limits = joint.limits?.map((angle) => angle + start);
-    if (limits?.some((angle) => Math.abs(angle) >= Math.PI)) throw new NotSupported('limits hinges to half a turn');
+    const turns = joint.type === 'revolute';
+    const limits = joint.limits?.map((limit) => limit + (turns ? start : 0));
+    if (turns && limits?.some((angle) => Math.abs(angle) >= Math.PI)) {
+      throw new NotSupported('limits hinges to half a turn');
+    }
     const kinds = {
       revolute: () => JointData.revolute(...anchors),
       weld: () => JointData.fixed(anchors[0], -pair[0].angle, anchors[1], -pair[1].angle),
@@ -84,6 +95,10 @@ class World {
     const made = this.world.createImpulseJoint(kinds[joint.type](), a, b, true);
     made.setContactsEnabled(false);
     if (limits) made.setLimits(...limits);
+  }
+
+  drive(body, velocity) {
+    this.bodies[body].setLinvel(at(velocity), true);
   }
 
   step(dt) {
@@ -116,6 +131,7 @@ class World {
   }
 
   contacts() {
+    this.places = new Map(); // of colliders, by handle
     const all = [];
     this.world.forEachCollider((one) => this.world.contactPairsWith(one, (other) => {
       if (one.handle > other.handle) return; // both list the pair
@@ -125,14 +141,20 @@ class World {
     return all;
   }
 
+  placeOf(collider) {
+    let found = this.places.get(collider.handle);
+    if (!found) this.places.set(collider.handle, (found = placeOf(collider)));
+    return found;
+  }
+
   tell(manifold, one, other, all) {
+    const [a, b] = [this.owners.get(one.handle), this.owners.get(other.handle)];
     const { x, y } = manifold.normal(place);
     for (let i = 0; i < manifold.numContacts(); ++i) {
-      const a = onCollider(one, manifold.localContactPoint1(i, place));
-      const b = onCollider(other, manifold.localContactPoint2(i, place));
-      const gap = (b[0] - a[0]) * x + (b[1] - a[1]) * y;
-      all.push([this.owners.get(one.handle), this.owners.get(other.handle), (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, x, y,
-                manifold.contactImpulse(i), manifold.contactTangentImpulse(i), gap]);
+      const [ax, ay] = from(this.placeOf(one), manifold.localContactPoint1(i, place));
+      const [bx, by] = from(this.placeOf(other), manifold.localContactPoint2(i, place));
+      all.push([a, b, (ax + bx) / 2, (ay + by) / 2, x, y, manifold.contactImpulse(i),
+                manifold.contactTangentImpulse(i), (bx - ax) * x + (by - ay) * y]);
     }
   }
 
