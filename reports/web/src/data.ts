@@ -1,5 +1,6 @@
 // The data that the C++ side writes into the page (the report, its series, replays and studies), and their validation.
 // Data that does not fit is refused as a whole, with the path of every problem.
+import { unpack_json } from "./packed";
 import { replay_rule, type Replay } from "./replay/data";
 import { finite, is_object, list, map, number, one_of, optional, or_null, record, text, yes_no, type Rule } from "./rules";
 
@@ -111,6 +112,13 @@ export interface ScenarioNote {
   parameters: { name: string; unit: string; about: string }[];
 }
 
+/** What the scenarios of a group ask about, and what is at stake if an engine fails there. */
+export interface GroupNote {
+  name: string;
+  title: string;
+  stake: string;
+}
+
 export interface EngineNote {
   name: string;
   about: string;
@@ -137,6 +145,7 @@ export interface Report {
   command: string[];
   environment: Record<string, string>;
   scenarios: ScenarioNote[];
+  groups?: GroupNote[];
   engines: EngineNote[];
   metrics: MetricNote[];
   invariants: InvariantNote[];
@@ -159,6 +168,13 @@ export interface Series {
   fastest: (number | null)[]; // m/s, the speed of the fastest body
   pose_difference: (number | null)[];
   overlap: (number | null)[]; // m, the deepest of the moment
+}
+
+/** The series of a case, packed: only an opened case needs them. */
+export interface Curves {
+  scenario: string;
+  variant: string;
+  series: string;
 }
 
 /** A study as study-NAME.json has it; the view of each study knows its findings. */
@@ -195,7 +211,7 @@ const study_rule = record({
 
 export interface Page {
   report: Report;
-  series: Series[];
+  curves: Curves[];
   replays: Replay[];
   studies: Study[]; // short forms
 }
@@ -224,6 +240,7 @@ const report_rule = record({
   command: list(text),
   environment: map(text),
   scenarios: list(record({ name: text, question: text, group: optional(text), parameters: list(record({ name: text, unit: text, about: text })) })),
+  groups: optional(list(record({ name: text, title: text, stake: text }))),
   engines: list(record({ name: text, about: text, source: text, exact: yes_no, states: optional(list(record({ method: text, text }))) })),
   metrics: list(record({ name: text, unit: text, definition: text })),
   invariants: list(record({ name: text, unit: text, definition: text })),
@@ -316,14 +333,23 @@ const series_rule: Rule = (value, problems) => {
 
 const page_rule = record({
   report: report_rule,
-  series: list(series_rule),
+  curves: list(record({ scenario: text, variant: text, series: text })),
   replays: list(replay_rule),
   studies: list(study_rule),
 });
 
+/** The series of a case; throws if they are damaged. */
+export function series_of({ series }: Curves): Series[] {
+  const found = unpack_json(series);
+  const problems: string[] = [];
+  list(series_rule)(found, problems);
+  if (problems.length) throw new Error(`series${problems[0] ?? ""}`);
+  return found as Series[];
+}
+
 export type ReadResult = { page: Page } | { study: Study } | { problems: string[] };
 
-/** The two kinds of page; "plumb" inside the named member is the version of its format. */
+/** The two kinds of page; "plumb" inside the named member is the version of its format. The member may be packed. */
 const kinds = [
   { name: "report", rule: page_rule, format },
   { name: "study", rule: record({ study: study_rule }), format: 2 },
@@ -339,6 +365,13 @@ export function read(json: string | null | undefined): ReadResult {
     return { problems: [`the report is not JSON: ${(error as Error).message}`] };
   }
   const kind = kinds.find(({ name }) => is_object(value) && name in value) ?? kinds[0];
+  if (is_object(value) && typeof value[kind.name] === "string") {
+    try {
+      value[kind.name] = unpack_json(value[kind.name] as string);
+    } catch (error) {
+      return { problems: [`${kind.name}: ${(error as Error).message}`] };
+    }
+  }
   const inner = is_object(value) ? value[kind.name] : undefined;
   const version = is_object(inner) ? inner["plumb"] : undefined;
   if (version !== undefined && version !== kind.format) {

@@ -18,11 +18,17 @@ function by_group(chapters: Chapter[]): [string, Chapter[]][] {
 
 const link = (id: string, name: string): HTMLElement => h("li", {}, h("a", { href: `#${id}` }, name));
 
+/** "joints: Ropes stretch ..." */
+function group_head(model: Model, name: string): HTMLElement {
+  const note = (model.page.report.groups ?? []).find((one) => one.name === name);
+  return h("p", {}, h("strong", {}, note?.title ?? name), note ? `: ${note.stake}` : "");
+}
+
 /** What fits the words: the scenarios by group, then single cases. */
 function found(model: Model, text: string): HTMLElement[] {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
   const chapters = model.chapters.filter(({ name, note }) => has_all(words, `${name} ${note?.group ?? ""} ${note?.question ?? ""}`));
-  const groups = by_group(chapters).map(([group, own]) => h("div", {}, h("strong", {}, group), h("ul", {}, ...own.map(({ name }) => link(slug(name), name)))));
+  const groups = by_group(chapters).map(([group, own]) => h("div", {}, group_head(model, group), h("ul", {}, ...own.map(({ name }) => link(slug(name), name)))));
   const cases = words.length ? model.chapters.flatMap((chapter) => chapter.cases).filter(({ scenario, variant }) => has_all(words, `${scenario} ${variant}`)) : [];
   const shown = cases.slice(0, most_cases).map(({ scenario, variant }) => link(slug(scenario, variant), `${scenario}, ${variant}`));
   if (shown.length) groups.push(h("div", {}, h("strong", {}, cases.length > most_cases ? `cases, ${most_cases} of ${cases.length}` : "cases"), h("ul", {}, ...shown)));

@@ -1,6 +1,6 @@
 // The report as the page shows it: engines with their colours and shapes, and cases (one variant of a scenario) with
 // their runs, comparisons, timings and replays.
-import type { Comparison, InvariantCheck, KeyDifferences, Page, Run, ScenarioNote, Series, Timing, TruthCheck } from "./data";
+import { series_of, type Comparison, type Curves, type InvariantCheck, type KeyDifferences, type Page, type Run, type ScenarioNote, type Series, type Timing, type TruthCheck } from "./data";
 import { looks } from "./looks";
 import type { Replay } from "./replay/data";
 
@@ -17,7 +17,7 @@ export interface Engine {
 export interface Entry {
   engine: Engine;
   run: Run;
-  series: Series | undefined;
+  series: Series | undefined; // once they are loaded
   timing: Timing | undefined;
   worst: number; // largest error / tolerance of the truth checks and invariants; NaN if nothing is judged
   farthest: number; // largest error / scale of the truth checks; NaN if there is none
@@ -29,6 +29,7 @@ export interface Case {
   parameters: Record<string, number>;
   entries: Entry[]; // the truth comes last
   comparisons: Comparison[];
+  curves: Curves | undefined;
   replay: Replay | undefined;
   horizon: number | undefined; // s, up to which single runs are compared; undefined: to the end
 }
@@ -93,7 +94,6 @@ export function model_of(page: Page): Model {
   const { report } = page;
   const engines = engines_of(report.runs);
   const by_label = new Map(engines.map((engine) => [engine.label, engine]));
-  const series = new Map(page.series.map((item) => [run_key(item), item]));
   const timings = new Map(report.timings.steps.map((item) => [run_key(item), item]));
 
   const chapters = new Map<string, Chapter>();
@@ -117,20 +117,26 @@ export function model_of(page: Page): Model {
         parameters: run.parameters,
         entries: [],
         comparisons,
+        curves: page.curves.find(({ scenario, variant }) => scenario === run.scenario && variant === run.variant),
         replay: page.replays.find((replay) => replay.scenario === run.scenario && replay.variant === run.variant),
         horizon: horizons.find((value) => typeof value === "number"),
       };
       cases.set(case_key, item);
       chapter.cases.push(item);
     }
-    const found = { series: series.get(run_key(run)), timing: timings.get(run_key(run)) };
-    item.entries.push({ engine, run, worst: worst(run), farthest: farthest(run), ...found });
+    item.entries.push({ engine, run, series: undefined, timing: timings.get(run_key(run)), worst: worst(run), farthest: farthest(run) });
   }
   const order = new Map(engines.map((engine, index) => [engine, index]));
   for (const item of cases.values()) {
     item.entries.sort((a, b) => (order.get(a.engine) ?? 0) - (order.get(b.engine) ?? 0));
   }
   return { page, engines, chapters: [...chapters.values()] };
+}
+
+/** Unpacks the series of a case; throws if they are damaged. */
+export function load_series({ curves, entries }: Case): void {
+  const series = new Map((curves ? series_of(curves) : []).map((item) => [run_key(item), item]));
+  for (const entry of entries) entry.series = series.get(run_key(entry.run));
 }
 
 /** How far apart the runs of two engines are in a case, and when each came to rest. */

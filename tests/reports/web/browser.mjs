@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { setTimeout as delay } from "node:timers/promises";
 import { pathToFileURL } from "node:url";
 import { inspect, isDeepStrictEqual } from "node:util";
+import { pack } from "./pack.mjs";
 
 const patience = 300_000; // ms, to end tests that would wait forever: a busy machine takes a minute for what takes a second
 const template = new URL("../dist/page.html", import.meta.url);
@@ -24,9 +25,19 @@ export async function close() {
 
 let pages = 0;
 
+/** A report's data as the C++ side packs it: the report, and the series by case. */
+function packed({ report, series, ...others }) {
+  const of = (item) => JSON.stringify([item.scenario, item.variant]);
+  const curves = [...new Set(series.map(of))].map((key) => {
+    const [scenario, variant] = JSON.parse(key);
+    return { scenario, variant, series: pack(JSON.stringify(series.filter((item) => of(item) === key))) };
+  });
+  return { report: pack(JSON.stringify(report)), curves, ...others };
+}
+
 /** Writes data (an object, or text) into the template, as the C++ side does; returns the file. */
 export async function write(data) {
-  const json = (typeof data === "string" ? data : JSON.stringify(data)).replaceAll("<", "\\u003c");
+  const json = (typeof data === "string" ? data : JSON.stringify(data.series ? packed(data) : data)).replaceAll("<", "\\u003c");
   const element = `<script type="application/json" id="plumb-data">${json}</script>`;
   const file = join(folder, `${++pages}.html`);
   await writeFile(file, (await readFile(template, "utf8")).replace("<!--plumb-data-->", () => element));

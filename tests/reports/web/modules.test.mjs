@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { build } from "esbuild";
 import { fileURLToPath } from "node:url";
+import { constants, deflateSync } from "node:zlib";
 
 /** A source of the page as a module. */
 async function source(name) {
@@ -12,6 +13,7 @@ async function source(name) {
 }
 
 const format = await source("format.ts");
+const { unpack } = await source("packed.ts");
 
 const plain = (text) => text.replaceAll("\u202f", " ");
 
@@ -83,3 +85,36 @@ test("an engine looks the same in every report, and engines of one report differ
   const look_of = looks([...many, ...names]);
   assert.equal(new Set([...many, ...names].map((name) => JSON.stringify(look_of(name)))).size, many.length + names.length);
 });
+
+/** Reproducible bytes: random letters of an alphabet, with runs and repetitions. */
+function bytes_of(size, alphabet) {
+  let state = size + alphabet;
+  const next = () => (state = (1103515245 * state + 12345) % 2 ** 31) >> 16;
+  const bytes = new Uint8Array(size);
+  for (let i = 0; i < size; ++i) bytes[i] = i > 300 && next() % 3 ? bytes[i - 1 - (next() % 300)] : next() % alphabet;
+  return bytes;
+}
+
+const inputs = [0, 1, 2, 257, 5000, 200_000].flatMap((size) => [1, 2, 20, 256].map((alphabet) => bytes_of(size, alphabet)));
+const packings = { "stored": { level: 0 }, "of fixed codes": { strategy: constants.Z_FIXED }, "without repetitions": { strategy: constants.Z_HUFFMAN_ONLY }, "fast": { level: 1 }, "best": { level: 9 } };
+
+for (const [name, options] of Object.entries(packings)) {
+  test(`what zlib packed unpacks to what it was: ${name}`, () => {
+    for (const bytes of inputs) assert.ok(Buffer.from(unpack(deflateSync(bytes, options).toString("base64"))).equals(Buffer.from(bytes)));
+  });
+
+  test(`damaged data never unpacks to something else: ${name}`, () => {
+    const bytes = Buffer.from(bytes_of(500, 20));
+    const whole = deflateSync(bytes, options);
+    for (let bit = 16; bit < 8 * whole.length; ++bit) {
+      const broken = Buffer.from(whole);
+      broken[bit >> 3] ^= 1 << (bit & 7);
+      let found = bytes; // some bits mean nothing, such as those that fill the last byte
+      try {
+        found = Buffer.from(unpack(broken.toString("base64")));
+      } catch {}
+      assert.ok(found.equals(bytes), `bit ${bit}`);
+    }
+    for (let size = 0; size < whole.length; ++size) assert.throws(() => unpack(whole.subarray(0, size).toString("base64")), undefined, `${size} bytes`);
+  });
+}

@@ -254,3 +254,21 @@ test("changes since the baseline are shown, with a link", async () => {
   assert.deepEqual(trouble, []);
   await page.close();
 });
+
+test("the overview says what is at stake in each group, and how often each engine is wrong there", async () => {
+  const data = sample();
+  const { report } = data;
+  const names = [...new Set(report.runs.map(({ scenario }) => scenario))];
+  assert.ok(names.length > 1);
+  report.groups = [
+    { name: "first", title: "first things", stake: "<b>All</b> falls." },
+    { name: "rest", title: "the rest", stake: "Some of it." },
+    { name: "empty", title: "nothing", stake: "None." },
+  ];
+  report.scenarios = names.map((name, index) => ({ ...report.scenarios[0], name, group: index ? "rest" : "first" }));
+  const { page } = await open(await write(data));
+  const said = await page.locator(".groups tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+  assert.deepEqual(said.map((row) => row.slice(0, 3)), [["first things", "<b>All</b> falls.", "1"], ["the rest", "Some of it.", String(names.length - 1)]]);
+  for (const cell of said.flatMap((row) => row.slice(3))) assert.match(cell, /^(\d+ of \d+|\u2013)$/);
+  await page.close();
+});

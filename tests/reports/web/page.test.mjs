@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, test } from "node:test";
 import { close, draw_all, open, open_blank, until, write } from "./browser.mjs";
+import { pack } from "./pack.mjs";
 import { sample } from "./sample.mjs";
 import { study_sample } from "./study_sample.mjs";
 
@@ -198,8 +199,17 @@ const damages = {
   "a run whose step is text": [damaged((page) => (page.report.runs[1].dt = "1/60")), /report\.runs\[1\]\.dt: expected a number, found a string/],
   "an unknown verdict": [damaged((page) => (page.report.runs[0].verdict = "fine")), /report\.runs\[0\]\.verdict: expected one of right/],
   "a replay whose run has no step": [damaged((page) => delete page.replays[0].runs[1].length), /replays\[0\]\.runs\[1\]\.length: expected a number, found nothing/],
-  "a column that is too short": [damaged((page) => page.series[2].energy.pop()), /series\[2\]\.energy: 120 values for 121 times/],
+  "a report whose packed text is damaged": [{ report: pack("{}").replace(/.{6}$/, "AAAAA="), curves: [], replays: [], studies: [] }, /report: packed data is damaged/],
 };
+
+test("damaged curves say so, and the rest of the page works", async () => {
+  const data = damaged((page) => page.series[2].energy.pop());
+  const { page, trouble } = await open(await write(data));
+  assert.match(await page.locator("article [role=alert]").textContent(), /The charts of this case cannot be shown: series\[2\]\.energy: 120 values for 121 times/);
+  assert.ok((await page.locator("article figure").count()) > 3);
+  assert.deepEqual(trouble, []);
+  await page.close();
+});
 
 function damaged(damage) {
   const page = sample();

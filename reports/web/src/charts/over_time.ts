@@ -108,15 +108,16 @@ export function over_time(width: number, chart_of: OverTime): Element {
             Plot.ruleX([horizon], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
             Plot.text([horizon], { x: (t: number) => t, text: () => "horizon", frameAnchor: "top", textAnchor: "start", dx: 4, fill: "var(--faint)" }),
           ]),
-      ...(limit === undefined
-        ? []
-        : [
-            Plot.ruleY([limit.value], { stroke: "var(--faint)", strokeDasharray: "4 3" }),
-            Plot.text([limit.value], { y: (value: number) => value, text: () => limit.name, frameAnchor: "left", textAnchor: "start", dx: 8, dy: 9, fill: "var(--soft)", stroke: "var(--card)", strokeWidth: 4 }),
-          ]),
+      ...(limit === undefined ? [] : [Plot.ruleY([limit.value], { stroke: "var(--faint)", strokeDasharray: "4 3" })]),
       ...drawn.map(({ engine, points }) =>
         Plot.line(points, { x: "t", y: "value", ...line_look(engine), className: "line", ariaDescription: engine.label }),
       ),
+      // Above the lines, so that it can be read.
+      ...(limit === undefined
+        ? []
+        : [
+            Plot.text([limit.value], { y: (value: number) => value, text: () => limit.name, frameAnchor: "left", textAnchor: "start", dx: 8, dy: 9, fill: "var(--soft)", stroke: "var(--card)", strokeWidth: 4 }),
+          ]),
       ...engines.map(({ engine, points }, index) =>
         Plot.dot(shapes(points, index, engines.length), { x: "t", y: "value", r: 3.5, ...dot_look(engine), ariaHidden: "true" }),
       ),

@@ -13,6 +13,7 @@ import { study_id } from "../studies/page";
 import { equal_error_chart } from "../studies/speed_charts";
 import { factors_over, headline_target, speed_model, target_name } from "../studies/speed_model";
 import { filtered, filters, shows_case } from "./filters";
+import { groups } from "./groups";
 import { key_differences } from "./key_differences";
 import { league } from "./league";
 import { matrix, measures } from "./matrix";
@@ -50,6 +51,7 @@ export function overview(model: Model): HTMLElement {
   const controls = filters(model);
   const ranking = h("div", {});
   const symmetries = h("div", {});
+  const stakes = h("div", {});
   const shown = h("p", { class: "basis", role: "status" });
   const table = h("div", {});
   const cost = h("div", {});
@@ -65,6 +67,7 @@ export function overview(model: Model): HTMLElement {
     shown.textContent = cases ? `${cases} of ${count(total, "case")} shown` : "No case matches.";
     shown.hidden = view.toString() === "";
     ranking.replaceChildren(...(cases ? [league(part, engines)] : []));
+    stakes.replaceChildren(...[groups(part, engines)].filter((one) => one !== null));
     symmetries.replaceChildren(...[relations(part, engines)].filter((one) => one !== null));
     const verdicts = part.chapters.flatMap((chapter) => chapter.cases.flatMap(({ entries }) => entries.map(({ run }) => run.verdict)));
     table.replaceChildren(...(cases ? [matrix(part, engines, view, measure), legend(model.engines.filter(({ exact }) => !exact)), verdict_legend(verdicts)] : []));
@@ -77,6 +80,7 @@ export function overview(model: Model): HTMLElement {
     ...key_differences(model),
     h("h2", {}, "Who is right"),
     ranking,
+    stakes,
     about,
     controls.element,
     shown,

@@ -1,5 +1,5 @@
 // The data of a replay as reports/writers/replay.h describes it, its validation, and the decoder of packed columns
-// (reports/writers/packed.h), which validates them as it unpacks.
+// (reports/writers/packed.h), which validates them as it reads.
 import { finite, list, number, one_of, or_null, record, text } from "../rules";
 
 export interface Peak {
@@ -96,15 +96,6 @@ export const scene_rule = record({
   bodies: list(record({ name: text, type: one_of("fixed", "kinematic", "dynamic"), outlines: list(finite) })),
   ties: list(record({ a: number, b: finite, at_a: list(finite), at_b: list(finite) })),
 });
-
-/** Decodes base64 of deflated bytes; throws if the data is damaged. */
-export async function unpack(text: string): Promise<Uint8Array> {
-  const letters = atob(text);
-  const bytes = new Uint8Array(letters.length);
-  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
 
 /** Reads integers of variable length one by one, and columns of them. */
 export class Numbers {

@@ -1,6 +1,7 @@
 // The motion of one run: poses, velocities, energies and contacts at any time.
 import type { Engine } from "../model";
-import { Numbers, unpack, type ReplayRun } from "./data";
+import { unpack } from "../packed";
+import { Numbers, type ReplayRun } from "./data";
 
 const per_body = 3; // x, y, angle
 const per_touch = 4; // x, y, impulse x, impulse y
@@ -45,9 +46,9 @@ export class Film {
     this.touches = touches ? touches_of(touches, run) : [];
   }
 
-  static async of(engine: Engine, run: ReplayRun, bodies: number): Promise<Film> {
-    const touches = run.touches ? new Numbers(await unpack(run.touches)) : undefined;
-    return new Film(engine, run, bodies, new Numbers(await unpack(run.poses)), touches);
+  static of(engine: Engine, run: ReplayRun, bodies: number): Film {
+    const touches = run.touches ? new Numbers(unpack(run.touches)) : undefined;
+    return new Film(engine, run, bodies, new Numbers(unpack(run.poses)), touches);
   }
 
   get end(): number {

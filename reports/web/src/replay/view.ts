@@ -6,8 +6,9 @@ import { legend_mark } from "../charts/look";
 import { h } from "../dom";
 import { given, number } from "../format";
 import type { Case } from "../model";
+import { unpack_json } from "../packed";
 import { Bars, button, check, choice, help, icon, listen, type Key } from "./controls";
-import { scene_rule, unpack, type Replay, type Scene } from "./data";
+import { scene_rule, type Replay, type Scene } from "./data";
 import { Film } from "./film";
 import { Figures } from "./outline";
 import { Player, jumps_of, speeds, type Found, type Jump } from "./playback";
@@ -19,20 +20,19 @@ const most_with_contacts = 40; // bodies
 /** On a narrower screen a few engines beside each other would be too small. */
 const least_side_by_side = 600; // px
 
-async function scene_of(replay: Replay): Promise<Scene> {
-  const scene: unknown = JSON.parse(new TextDecoder().decode(await unpack(replay.scene)));
+function scene_of(replay: Replay): Scene {
+  const scene = unpack_json(replay.scene);
   const problems: string[] = [];
   scene_rule(scene, problems);
   if (problems.length) throw new Error(`scene${problems[0] ?? ""}`);
   return scene as Scene;
 }
 
-async function films_of(item: Case, replay: Replay, bodies: number): Promise<Film[]> {
-  const found = item.entries.flatMap(({ engine, run }) => {
+function films_of(item: Case, replay: Replay, bodies: number): Film[] {
+  return item.entries.flatMap(({ engine, run }) => {
     const own = replay.runs.find(({ engine, method }) => engine === run.engine && method === run.method);
     return own ? [Film.of(engine, own, bodies)] : [];
   });
-  return Promise.all(found);
 }
 
 /** How exact the picture is. */
@@ -236,15 +236,15 @@ export function replay_figure(item: Case, cursor: Cursor): HTMLElement | null {
   const { replay } = item;
   if (!replay?.runs.length) return null;
   const holder = h("div", { class: "stage" });
-  const show = async (): Promise<void> => {
+  const show = (): void => {
     try {
-      const scene = await scene_of(replay);
-      holder.replaceChildren(new Replayer(item, scene, await films_of(item, replay, scene.bodies.length), cursor).element);
+      const scene = scene_of(replay);
+      holder.replaceChildren(new Replayer(item, scene, films_of(item, replay, scene.bodies.length), cursor).element);
     } catch (error) {
       holder.replaceChildren(h("p", { role: "alert" }, `This replay cannot be shown: ${(error as Error).message}`));
     }
     holder.dataset["ready"] = "";
   };
-  when_near(holder, () => void show());
+  when_near(holder, show);
   return h("figure", { class: "replay" }, h("figcaption", {}, h("strong", {}, "Replay")), holder);
 }

@@ -6,7 +6,7 @@ import type { Measured, Report, Verdict } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, given, number, words } from "../format";
-import type { Case, Chapter, Model } from "../model";
+import { load_series, type Case, type Chapter, type Model } from "../model";
 import { badge, case_command, command } from "../pieces";
 import { replay_figure } from "../replay/view";
 import { checks, invariants, verdict_list } from "./checks";
@@ -81,6 +81,12 @@ function parameters(item: Case, chapter: Chapter): HTMLElement {
 
 /** All of a case but its name and verdicts. */
 function details(item: Case, chapter: Chapter, { page }: Model): (HTMLElement | null)[] {
+  let damage: HTMLElement | null = null;
+  try {
+    load_series(item);
+  } catch (error) {
+    damage = h("p", { role: "alert" }, `The charts of this case cannot be shown: ${(error as Error).message}`);
+  }
   const ends = item.entries.flatMap(({ series }) => series?.t[series.t.length - 1] ?? []);
   const cursor = new Cursor(Math.max(0, ...ends));
   const drawn = item.entries.filter(({ series }) => series).map(({ engine }) => engine);
@@ -89,6 +95,7 @@ function details(item: Case, chapter: Chapter, { page }: Model): (HTMLElement | 
     verdict_list(item, page.report.engines),
     horizon(item),
     drawn.length ? legend(drawn) : null,
+    damage,
     replay_figure(item, cursor),
     h("div", { class: "charts" }, ...case_charts(item, cursor)),
     checks(item),

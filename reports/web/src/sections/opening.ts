@@ -60,7 +60,7 @@ export function opening(model: Model): HTMLElement {
   const { report } = model.page;
   const cases = model.chapters.reduce((sum, chapter) => sum + chapter.cases.length, 0);
   const engines = model.engines.filter(({ exact }) => !exact).map(({ label }) => label);
-  const steps = [...new Set(report.runs.filter(({ exact, dt }) => !exact && dt > 0).map(({ dt }) => time_step(dt)))];
+  const steps = [...new Set(report.runs.filter(({ exact, dt }) => !exact && dt > 0).map(({ dt }) => dt))].map(time_step);
   const basis = [
     `${count(model.chapters.length, "scenario")} in ${count(cases, "case")}`,
     engines.length ? enumerate(engines) : "",

@@ -12,8 +12,9 @@ import { history } from "./history";
 import { model } from "./model";
 import { speed } from "./speed";
 import { stability } from "./stability";
+import { statistics } from "./statistics";
 
-const views: Record<string, (study: Study) => StudyView> = { baseline, find, history, model, speed, stability };
+const views: Record<string, (study: Study) => StudyView> = { baseline, find, history, model, speed, stability, statistics };
 
 /** A study without a view of its own still shows its unfinished jobs. */
 export const view_of = (study: Study): StudyView => (views[study.study] ?? (() => ({ sentence: study.about, sections: [] })))(study);

@@ -40,7 +40,7 @@ function agreement_table(map: StabilityMap): HTMLElement | null {
       h("td", { "data-label": "largest difference" }, worst === null ? "\u2013" : difference(worst)),
     ),
   );
-  const heads = ["", "boundary", "rows that agree with theory", "largest difference"];
+  const heads = ["engine", "boundary", "rows that agree with theory", "largest difference"];
   return folded("Measured boundaries against theory", () => [table("Rows whose boundary agrees with theory", heads, rows(), "numbers")]);
 }
 
