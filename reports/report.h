@@ -172,6 +172,13 @@ struct ScenarioNote {
   std::string group = {};  // "friction"; "" for a scene file
 };
 
+/// What the scenarios of a group ask about.
+struct GroupNote {
+  std::string name;   // "chaos"
+  std::string title;  // "chaos and statistics"
+  std::string stake;  // what goes wrong if an engine fails here
+};
+
 /// What an engine says about how it steps, in words: tolerances rest on it.
 struct SteppingNote {
   std::string method;
@@ -204,6 +211,7 @@ struct Report {
   std::vector<std::string> command;                // that made it
   std::map<std::string, std::string> environment;  // compiler, flags, build, versions, processor; nothing that varies
   std::vector<ScenarioNote> scenarios;
+  std::vector<GroupNote> groups;  // of the scenarios
   std::vector<EngineNote> engines;
   std::vector<MetricNote> metrics;
   std::vector<InvariantNote> invariants;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reports/system/hash.h"
 #include "reports/vec.h"
 
 namespace plumb {
@@ -42,6 +43,33 @@ BodyState Trace::state_at(std::size_t body, double time) const {
           .angle = a.angle + fraction * (b.angle - a.angle),
           .velocity = a.velocity + fraction * (b.velocity - a.velocity),
           .angular_velocity = a.angular_velocity + fraction * (b.angular_velocity - a.angular_velocity)};
+}
+
+std::uint64_t hash_of(const Trace& trace) {
+  BitHash hash;
+  const auto add = [&hash](Vec v) {
+    hash.add(v.x);
+    hash.add(v.y);
+  };
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    hash.add(trace.time(i));
+    for (const BodyState& state : trace.states(i)) {
+      add(state.position);
+      hash.add(state.angle);
+      add(state.velocity);
+      hash.add(state.angular_velocity);
+    }
+    for (const ContactState& contact : trace.contacts(i)) {
+      hash.add(static_cast<std::uint64_t>(contact.a));
+      hash.add(static_cast<std::uint64_t>(contact.b));
+      add(contact.point);
+      add(contact.normal);
+      hash.add(contact.normal_impulse);
+      hash.add(contact.tangent_impulse);
+      hash.add(contact.separation);
+    }
+  }
+  return hash.value();
 }
 
 }  // namespace plumb

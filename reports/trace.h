@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -45,5 +46,8 @@ class Trace {
   std::vector<ContactState> contacts_;    // moment by moment
   std::vector<std::size_t> contact_end_;  // end of each moment's contacts
 };
+
+/// Of every bit of it.
+std::uint64_t hash_of(const Trace&);
 
 }  // namespace plumb

@@ -54,6 +54,7 @@ Plan plan_of(const Session& session) {
 }  // namespace
 
 void Session::attach_to(CLI::App& app) {
+  app.add_option("scenario", scenarios, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json")->type_name("NAME");
   app.add_flag("--all", all, "Every scenario, not only the canonical ones");
   auto* more = app.add_flag("--converged", converged,
                             "Spend five times as much on the converged references that judge where there is no closed "

@@ -14,7 +14,7 @@
 
 #include "reference/programs/line_process.h"
 #include "reference/programs/protocol.h"
-#include "reports/timing/clock.h"
+#include "reports/engines/step_cost.h"
 #include "reports/vec.h"
 #include "scenarios/scene/mass.h"
 
@@ -76,6 +76,10 @@ std::vector<std::pair<std::string, Scene>> features() {
   };
   body("several shapes a body", [](Body& it) { it.shapes.push_back({Circle{0.5, {1, 0}}, {2, 0, 0, 0}}); });
   body("kinematic bodies", [](Body& it) { it.type = BodyType::kinematic; });
+  body("paths of kinematic bodies", [](Body& it) {
+    it.type = BodyType::kinematic;
+    it.path = Path{.amplitude = {0, 1}};
+  });
   body("fixed rotation", [](Body& it) { it.fixed_rotation = true; });
   body("gravity scale", [](Body& it) { it.gravity_scale = 0.5; });
   body("damping", [](Body& it) { it.linear_damping = it.angular_damping = 1; });
@@ -87,10 +91,11 @@ std::vector<std::pair<std::string, Scene>> features() {
     all.emplace_back(name, scene);
   };
   joint("revolute joints", Revolute{.a = 0, .b = 1, .anchor = {1, 5}});
-  joint("limits of revolute joints", Revolute{.a = 0, .b = 1, .anchor = {1, 5}, .limits = AngleLimits{-1, 1}});
+  joint("limits of revolute joints", Revolute{.a = 0, .b = 1, .anchor = {1, 5}, .limits = Limits{-1, 1}});
   joint("motors of revolute joints", Revolute{.a = 0, .b = 1, .anchor = {1, 5}, .motor = Motor{1, 1}});
   joint("distance joints", Distance{.a = 0, .b = 1, .anchor_a = {0, 5}, .anchor_b = {2, 5}, .length = 2});
   joint("prismatic joints", Prismatic{.a = 0, .b = 1, .anchor = {1, 5}});
+  joint("limits of prismatic joints", Prismatic{.a = 0, .b = 1, .anchor = {1, 5}, .limits = Limits{-1, 1}});
   joint("motors of prismatic joints", Prismatic{.a = 0, .b = 1, .anchor = {1, 5}, .motor = Motor{1, 1}});
   joint("weld joints", Weld{.a = 0, .b = 1, .anchor = {1, 5}});
   const auto force = [&](const char* name, const Force& one) {
@@ -159,7 +164,7 @@ class Conformance {
   auto ask(const std::string& line, const Read& read) {
     if (!process_) process_ = std::make_unique<LineProcess>(command_);
     process_->send(line, limits_);
-    const std::string answer = process_->receive(limits_);
+    const std::string_view answer = process_->receive(limits_);
     try {
       return read(answer);
     } catch (const std::invalid_argument& error) {
@@ -175,14 +180,14 @@ class Conformance {
 
   std::string stepping() {
     stated_ = ask(protocol::ask_stepping(settings_, dt),
-                  [](const std::string& answer) { return protocol::read_stepping(answer, dt); });
+                  [](std::string_view answer) { return protocol::read_stepping(answer, dt); });
     return fmt::format("order {}, {:.3g} sub-steps, skin {} m, slop {} m", stated_.order, dt / stated_.h, stated_.skin,
                        stated_.slop);
   }
 
   Answer built(const Scene& scene) {
     return ask(protocol::ask_build(scene, settings_),
-               [&](const std::string& text) { return protocol::read_build(text, scene.bodies.size()); });
+               [&](std::string_view text) { return protocol::read_build(text, scene.bodies.size()); });
   }
 
   std::vector<BodyState> stepped(const Scene& scene, std::size_t at_once) {
@@ -291,25 +296,12 @@ class Conformance {
     throw std::runtime_error("it answered instead");
   }
 
-  // What a step costs beyond its own time, that is the adapter's and ours: the least of the rounds of a second, as the
-  // first are slow until a program in JavaScript is compiled.
   std::string cost() {
-    constexpr std::size_t at_once = 64;
     const auto beyond = [&](bool on_ground) {
       const Scene scene = ten_discs(on_ground);
       if (!built(scene).refusal.empty()) return std::string("not supported");
-      double least = INFINITY;
-      const Stopwatch all;
-      for (std::size_t number = 0; number == 0 || all.seconds() < 1;) {
-        const Stopwatch round;
-        double own = 0;
-        process_->send(protocol::ask_steps(at_once, dt), limits_);
-        for (std::size_t i = 0; i < at_once; ++i) {
-          own += protocol::read_step(process_->receive(limits_), scene.bodies.size(), ++number).seconds;
-        }
-        least = std::min(least, round.seconds() - own);
-      }
-      return fmt::format("{:.1f} us", 1e6 * least / at_once);
+      const StepCost least = cost_of_step(*process_, limits_, scene.bodies.size(), dt);
+      return fmt::format("{:.1f} us ({:.1f} of them Plumb's)", 1e6 * least.beyond, 1e6 * least.plumbs);
     };
     const std::string free = beyond(false);
     return fmt::format("a step of ten discs takes {} beyond the engine's own time, {} on the ground", free,

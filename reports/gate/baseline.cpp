@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "reports/run/horizon.h"
-#include "reports/system/hash.h"
 
 namespace plumb {
 namespace {
@@ -46,38 +45,11 @@ std::map<std::string, std::string> platform_of(const std::map<std::string, std::
   return platform;
 }
 
-std::string hash_of(const Trace& trace) {
-  BitHash hash;
-  const auto add = [&hash](Vec v) {
-    hash.add(v.x);
-    hash.add(v.y);
-  };
-  for (std::size_t i = 0; i < trace.size(); ++i) {
-    hash.add(trace.time(i));
-    for (const BodyState& state : trace.states(i)) {
-      add(state.position);
-      hash.add(state.angle);
-      add(state.velocity);
-      hash.add(state.angular_velocity);
-    }
-    for (const ContactState& contact : trace.contacts(i)) {
-      hash.add(static_cast<std::uint64_t>(contact.a));
-      hash.add(static_cast<std::uint64_t>(contact.b));
-      add(contact.point);
-      add(contact.normal);
-      hash.add(contact.normal_impulse);
-      hash.add(contact.tangent_impulse);
-      hash.add(contact.separation);
-    }
-  }
-  return fmt::format("{:016x}", hash.value());
-}
-
 BaselineRun baseline_run_of(const RunRecord& run) {
   BaselineRun all{.exact = run.exact,
                   .verdict = run.verdict,
                   .reason = run.status == Status::ok ? "" : run.reason,
-                  .bits = run.trace ? hash_of(*run.trace) : ""};
+                  .bits = run.trace ? fmt::format("{:016x}", hash_of(*run.trace)) : ""};
   for (const auto& [name, measured] : run.metrics) {
     // The horizon needs an ensemble of runs, which `plumb check` does not make.
     if (name != horizon_note().name) add_number(all.numbers, name, {measured.unit, measured.value});

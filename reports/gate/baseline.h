@@ -65,9 +65,6 @@ struct Baseline {
 /// The entries of an environment that determine the bits of a result: architecture, compiler, flags and libm.
 std::map<std::string, std::string> platform_of(const std::map<std::string, std::string>& environment);
 
-/// A hash of every bit of a trace, as 16 hexadecimal digits.
-std::string hash_of(const Trace&);
-
 /// The numbers of one run, without bounds.
 BaselineRun baseline_run_of(const RunRecord&);
 

@@ -30,6 +30,7 @@ JointGeometry::JointGeometry(const Scene& scene) {
     } else if (const auto* line = std::get_if<Prismatic>(&joint)) {
       Ends& ends = add(Kind::line, line->a, line->b, line->anchor, line->anchor);
       ends.axis = rotated(1 / length(line->axis) * line->axis, -start[line->a].angle);
+      ends.limits = line->limits;
       ends.driven = line->motor.has_value();
     } else if (const auto* rod = std::get_if<Distance>(&joint)) {
       Ends& ends = add(rod->stiffness > 0 ? Kind::spring : Kind::rod, rod->a, rod->b, rod->anchor_a, rod->anchor_b);
@@ -44,13 +45,29 @@ JointGeometry::JointGeometry(const Scene& scene) {
 
 std::optional<LimitRoom> JointGeometry::room_of(const Ends& joint, const BodyState& a, const BodyState& b) {
   if (!joint.limits) return std::nullopt;
-  const double angle = b.angle - a.angle - joint.angle;
-  return LimitRoom{angle - joint.limits->low, joint.limits->high - angle};
+  const auto room = [&](double at, double rate) {
+    return LimitRoom{at - joint.limits->low, joint.limits->high - at, rate};
+  };
+  if (joint.kind != Kind::line) {
+    return room(b.angle - a.angle - joint.angle, b.angular_velocity - a.angular_velocity);
+  }
+  const auto velocity = [](const BodyState& of, Vec arm) {
+    return of.velocity + of.angular_velocity * Vec{-arm.y, arm.x};
+  };
+  const Vec axis = rotated(joint.axis, a.angle);
+  const Vec on_b = b.position + rotated(joint.at_b, b.angle);
+  const Vec apart = on_b - a.position - rotated(joint.at_a, a.angle);
+  return room(dot(axis, apart), dot(axis, velocity(b, on_b - b.position) - velocity(a, on_b - a.position)));
 }
 
 double JointGeometry::beyond_limits(const Ends& joint, const BodyState& a, const BodyState& b) {
   const auto room = room_of(joint, a, b);
   return room ? std::max({0.0, -room->low, -room->high}) : 0;
+}
+
+double JointGeometry::gap_beyond_limits(const Ends& joint, const BodyState& a, const BodyState& b) {
+  const double arm = joint.kind == Kind::line ? 1 : length(joint.at_a) + length(joint.at_b);
+  return beyond_limits(joint, a, b) * arm;
 }
 
 std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) const {
@@ -72,7 +89,8 @@ std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) con
       case Kind::line: {
         const Vec axis = rotated(joint.axis, states[joint.a].angle);
         along({-axis.y, axis.x}, point_b);
-        if (joint.driven) along(axis, point_b);
+        if (joint.driven || joint.limits) along(axis, point_b);
+        if (!joint.driven && joint.limits) rows.back().limits_of = index;
         break;
       }
       case Kind::rod:
@@ -99,11 +117,11 @@ double JointGeometry::error(std::size_t index, std::span<const BodyState> states
   const double turned = std::abs(b.angle - a.angle - joint.angle) * (length(joint.at_a) + length(joint.at_b));
   switch (joint.kind) {
     case Kind::point:
-      return length(between) + beyond_limits(joint, a, b) * (length(joint.at_a) + length(joint.at_b));
+      return length(between) + gap_beyond_limits(joint, a, b);
     case Kind::fixed:
       return length(between) + turned;
     case Kind::line:
-      return std::abs(cross(rotated(joint.axis, a.angle), between)) + turned;
+      return std::abs(cross(rotated(joint.axis, a.angle), between)) + turned + gap_beyond_limits(joint, a, b);
     case Kind::rod:
       return std::abs(length(between) - joint.length);
     case Kind::spring:
@@ -116,9 +134,11 @@ double JointGeometry::passes_limits(std::size_t index, std::span<const BodyState
   const Ends& joint = ends_[index];
   BodyState a = states[joint.a];
   BodyState b = states[joint.b];
-  a.angle += dt * a.angular_velocity;
-  b.angle += dt * b.angular_velocity;
-  return beyond_limits(joint, a, b) * (length(joint.at_a) + length(joint.at_b));
+  for (BodyState* moved : {&a, &b}) {
+    moved->position = moved->position + dt * moved->velocity;
+    moved->angle += dt * moved->angular_velocity;
+  }
+  return gap_beyond_limits(joint, a, b);
 }
 
 std::optional<LimitRoom> JointGeometry::room(std::size_t index, std::span<const BodyState> states) const {

@@ -21,17 +21,19 @@ struct JointRow {
   std::optional<std::size_t> limits_of = {};
 };
 
-/// rad, how far a joint may still turn to its lower and to its upper limit; negative beyond it.
+/// How far a joint may still turn, rad, or slide, m, to its lower and to its upper limit, negative beyond it; and its
+/// rate, rad/s or m/s.
 struct LimitRoom {
   double low = 0, high = 0;
+  double rate = 0;
 };
 
 class JointGeometry {
  public:
   explicit JointGeometry(const Scene&);
 
-  /// Every direction of every joint, in the same order for any states; turning too where there are limits, reached or
-  /// not, and the way that a motor drives.
+  /// Every direction of every joint, in the same order for any states; also that which limits bound, reached or not,
+  /// and the one that a motor drives.
   std::vector<JointRow> rows(std::span<const BodyState>) const;
 
   std::size_t size() const { return ends_.size(); }
@@ -41,6 +43,8 @@ class JointGeometry {
   double error(std::size_t joint, std::span<const BodyState>) const;
   /// m, by how much a joint would violate its limits after dt s at these velocities.
   double passes_limits(std::size_t joint, std::span<const BodyState>, double dt) const;
+  /// Whether the joint's limits are of a way, in m.
+  bool slides(std::size_t joint) const { return ends_[joint].kind == Kind::line; }
   /// nullopt without limits.
   std::optional<LimitRoom> room(std::size_t joint, std::span<const BodyState>) const;
   /// m, the distances of a joint's anchors from the centres of both bodies.
@@ -62,14 +66,15 @@ class JointGeometry {
     Vec at_a, at_b;  // m, from the centres of mass, in the bodies' frames
     Vec axis;        // of a line, in a's frame
     double length = 0;
-    double angle = 0;                        // rad, of b less a at the start
-    double rate = 0;                         // 1/s^2, of a spring: its stiffness per mass
-    std::optional<AngleLimits> limits = {};  // of a point
-    bool driven = false;                     // by a motor
+    double angle = 0;                   // rad, of b less a at the start
+    double rate = 0;                    // 1/s^2, of a spring: its stiffness per mass
+    std::optional<Limits> limits = {};  // of a point or a line
+    bool driven = false;                // by a motor
   };
   static std::optional<LimitRoom> room_of(const Ends&, const BodyState& a, const BodyState& b);
-  // rad, by how much the angle is beyond the joint's limits.
+  // rad or m, by how much the joint is beyond its limits, and m, what that is at the anchors.
   static double beyond_limits(const Ends&, const BodyState& a, const BodyState& b);
+  static double gap_beyond_limits(const Ends&, const BodyState& a, const BodyState& b);
 
   std::vector<Ends> ends_;
 };

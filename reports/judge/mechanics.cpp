@@ -7,6 +7,7 @@
 
 #include "reports/judge/overlap.h"
 #include "reports/vec.h"
+#include "scenarios/scene/path.h"
 
 namespace plumb {
 namespace {
@@ -27,6 +28,22 @@ SpringEnd end_of(std::optional<std::size_t> body, Vec anchor, std::span<const Ma
   return {arm, state.position + arm, state.velocity + state.angular_velocity * Vec{-arm.y, arm.x}};
 }
 
+// The ends of a spring, and the force on its first, N; the second's is the opposite.
+struct Pulled {
+  SpringEnd a, b;
+  Vec pull;
+};
+
+Pulled pulled(const Spring& spring, std::span<const Mass> masses, std::span<const BodyState> states) {
+  const SpringEnd a = end_of(spring.a, spring.anchor_a, masses, states);
+  const SpringEnd b = end_of(spring.b, spring.anchor_b, masses, states);
+  const double distance = length(b.point - a.point);
+  if (distance == 0) return {a, b, {}};
+  const Vec along = 1 / distance * (b.point - a.point);
+  const double rate = dot(along, b.velocity - a.velocity);
+  return {a, b, (spring.stiffness * (distance - spring.length) + spring.damping * rate) * along};
+}
+
 // The extent of all dynamic bodies along gravity, m.
 double height_of(const Scene& scene, Vec down, const std::vector<BodyState>& start, std::span<const Mass> masses) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -45,8 +62,8 @@ double height_of(const Scene& scene, Vec down, const std::vector<BodyState>& sta
 }  // namespace
 
 bool is_driven(const Body& body) {
-  if (body.type == BodyType::kinematic) return body.velocity != Vec{} || body.angular_velocity != 0;
-  return body.type == BodyType::dynamic && body.fixed_rotation && body.angular_velocity != 0;
+  const bool spins = body.type == BodyType::dynamic && body.fixed_rotation && body.angular_velocity != 0;
+  return is_carried(body) || spins;
 }
 
 std::vector<BodyState> initial_states(const Scene& scene) {
@@ -54,7 +71,7 @@ std::vector<BodyState> initial_states(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     states.push_back({.position = body.position + rotated(mass_of(body).center, body.angle),
                       .angle = body.angle,
-                      .velocity = body.velocity,
+                      .velocity = start_velocity(body),
                       .angular_velocity = body.angular_velocity});
   }
   return states;
@@ -168,13 +185,7 @@ std::vector<Wrench> AppliedForces::at(std::span<const BodyState> states) const {
         wrenches[attraction->from].force = wrenches[attraction->from].force - pull;
       }
     } else if (const auto* spring = std::get_if<Spring>(&force)) {
-      const SpringEnd a = end_of(spring->a, spring->anchor_a, masses(), states);
-      const SpringEnd b = end_of(spring->b, spring->anchor_b, masses(), states);
-      const double distance = length(b.point - a.point);
-      if (distance == 0) continue;
-      const Vec along = 1 / distance * (b.point - a.point);
-      const double rate = dot(along, b.velocity - a.velocity);
-      const Vec pull = (spring->stiffness * (distance - spring->length) + spring->damping * rate) * along;
+      const auto& [a, b, pull] = pulled(*spring, masses(), states);
       if (spring->a) {
         wrenches[*spring->a].force = wrenches[*spring->a].force + pull;
         wrenches[*spring->a].torque += cross(a.arm, pull);
@@ -212,10 +223,15 @@ std::vector<WrenchError> AppliedForces::change_in(std::span<const BodyState> the
 }
 
 // With U(r) the potential, dU/dt = -F.(v - v_centre): the work done on the body, F.v, exceeds the loss of potential by
-// F.v_centre.
+// F.v_centre. What moves an end of a spring regardless works against its pull.
 double AppliedForces::power(std::span<const BodyState> states) const {
   double power = 0;
   for (const Force& force : scene_.forces) {
+    if (const auto* spring = std::get_if<Spring>(&force)) {
+      const auto& [a, b, pull] = pulled(*spring, masses(), states);
+      if (spring->a && masses()[*spring->a].mass == 0) power -= dot(pull, a.velocity);
+      if (masses()[spring->b].mass == 0) power += dot(pull, b.velocity);
+    }
     const auto* attraction = std::get_if<Attraction>(&force);
     if (attraction == nullptr || (attraction->mutual && masses()[attraction->from].mass > 0)) continue;
     for (std::size_t i = 0; i < states.size(); ++i) {

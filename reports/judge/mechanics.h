@@ -87,7 +87,7 @@ class AppliedForces {
   std::vector<WrenchError> change_in(std::span<const BodyState> then, std::span<const BodyState> now, double dt) const;
 
   /// W, the power that the scene's forces bring in from outside: it moves the centre of an attraction that is not
-  /// mutual. (A constant force has a potential instead.)
+  /// mutual, and the end of a spring on a kinematic body. (A constant force has a potential instead.)
   double power(std::span<const BodyState>) const;
 
   /// J, of the constant forces: -F.x - T angle.

@@ -70,6 +70,28 @@ double speed_spread(const Conserved& conserved, std::span<const BodyState> state
   return bodies * fourths / (squares * squares);
 }
 
+// The quantity at which this one changes; nullopt unless it is a pose.
+std::optional<Quantity> speed_behind(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::x:
+      return Quantity::vx;
+    case Quantity::y:
+      return Quantity::vy;
+    case Quantity::angle:
+      return Quantity::angular_velocity;
+    default:
+      return std::nullopt;
+  }
+}
+
+// Between two moments T apart: the cubic through the places and speeds there, exact in free flight. The chord would be
+// off by up to g T^2/8.
+double between(double from, double to, double speed_from, double speed_to, double T, double fraction) {
+  const double rest = 1 - fraction;
+  const double chord = from + fraction * (to - from);
+  return chord + fraction * rest * (rest * (speed_from * T - (to - from)) - fraction * (speed_to * T - (to - from)));
+}
+
 // N: the normal impulses of the step that ends at the moment, over its duration; between the two bodies, or on `body`
 // from any other.
 double load(const Trace& trace, std::size_t moment, std::size_t body, std::optional<std::size_t> other) {
@@ -159,7 +181,13 @@ std::optional<Observation> observe(const Scene& scene, const Trace& trace, const
     if (expectation.quantity == Quantity::load) return load(trace, moment, body, other);
     return quantity_of(expectation.quantity, body, conserved, trace.states(moment));
   };
-  if (expectation.over == 0) return Observation{when, at(before) + fraction * (at(after) - at(before))};
+  if (expectation.over == 0) {
+    const auto speed = speed_behind(expectation.quantity);
+    if (!speed) return Observation{when, at(before) + fraction * (at(after) - at(before))};
+    const auto changes = [&](std::size_t moment) { return quantity_of(*speed, body, conserved, trace.states(moment)); };
+    const double T = trace.time(after) - trace.time(before);
+    return Observation{when, between(at(before), at(after), changes(before), changes(after), T, fraction)};
+  }
   // Each moment stands for the step that ends there; all steps of a trace have the same length.
   double sum = at(after);
   std::size_t moments = 1;

@@ -32,10 +32,11 @@ Observation energy_rise(const Conserved&, const Trace&, std::size_t last);
 /// Whether the engine reports what the quantity needs: a load needs contacts.
 bool is_reported(const Trace&, Quantity);
 
-/// An expectation's quantity: at its time, interpolated linearly; or its mean over the time before that; or, for an
-/// apex, the vertex of the parabola through the highest sample and its neighbours, exact in free flight. A landing is
-/// where the flights before and after the lowest sample meet, exact likewise. `time`, s, applies if the expectation has
-/// none. Returns nullopt if the trace ends before that time or has no such extremum.
+/// An expectation's quantity: at its time, interpolated linearly, or a pose by a cubic through its speeds; or its mean
+/// over the time before that; or, for an apex, the vertex of the parabola through the highest sample and its
+/// neighbours, exact in free flight. A landing is where the flights before and after the lowest sample meet, exact
+/// likewise. `time`, s, applies if the expectation has none. Returns nullopt if the trace ends before that time or has
+/// no such extremum.
 std::optional<Observation> observe(const Scene&, const Trace&, const Expectation&, double time);
 
 /// The closed form of one scene. The engine and the scene must outlive it.

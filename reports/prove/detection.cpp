@@ -6,34 +6,11 @@
 #include <utility>
 
 #include "reports/judge/observe.h"
-#include "reports/system/hash.h"
 
 namespace plumb {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-std::uint64_t bits_of(const Trace& trace) {
-  BitHash hash;
-  const auto add = [&hash](Vec v) {
-    hash.add(v.x);
-    hash.add(v.y);
-  };
-  for (std::size_t i = 0; i < trace.size(); ++i) {
-    for (const BodyState& state : trace.states(i)) {
-      add(state.position);
-      hash.add(state.angle);
-      add(state.velocity);
-      hash.add(state.angular_velocity);
-    }
-    for (const ContactState& contact : trace.contacts(i)) {
-      add(contact.point);
-      hash.add(contact.normal_impulse);
-      hash.add(contact.tangent_impulse);
-    }
-  }
-  return hash.value();
-}
 
 double ratio_of(const TruthCheck& check) {
   const double ratio = check.error / check.tolerance;
@@ -91,7 +68,7 @@ Detection unrepeatable(const Case& one_case) {
 JudgedRun judge_run(const Case& one_case, const EngineConfig& stated, double dt, const CaseRun& runs) {
   const auto& [outcome, shifted] = runs;
   JudgedRun judged{.status = outcome.status, .reason = outcome.reason};
-  if (outcome.trace) judged.bits = bits_of(*outcome.trace);
+  if (outcome.trace) judged.bits = hash_of(*outcome.trace);
   if (outcome.status != Status::ok) return judged;
   const Scene& scene = *one_case.scene;
   std::optional<Truth> truth;
@@ -107,7 +84,7 @@ JudgedRun judge_two_runs(const Case& one_case, const EngineConfig& config, doubl
   JudgedRun judged = judge_run(one_case, config, dt, run_case(one_case, config, dt));
   if (judged.status != Status::ok) return judged;
   const Outcome again = run(*one_case.scene, config, dt, one_case.first_step);
-  judged.repeatable = again.trace && bits_of(*again.trace) == judged.bits;
+  judged.repeatable = again.trace && hash_of(*again.trace) == judged.bits;
   return judged;
 }
 

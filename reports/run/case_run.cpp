@@ -49,14 +49,50 @@ CaseRun run_case(const Case& test_case, const EngineConfig& config, double dt) {
   return all;
 }
 
+Questions questions_of(const Case& test_case, const Truth* truth) {
+  Questions questions;
+  for (Expectation& one : test_case.scenario->expectations(test_case.parameters)) {
+    const double time = one.time.value_or(test_case.scene->duration);
+    // Without a closed form, a value that nobody states is a fault of the scenario, which `judge` shows.
+    const bool answered =
+        one.expected || test_case.closed_form == nullptr || (truth != nullptr && time <= truth->until());
+    if (answered) {
+      questions.answered.push_back(std::move(one));
+    } else {
+      // Like what an engine does not report: it counts neither way, and is no evidence.
+      questions.open.push_back({.quantity = name_of(one.quantity), .reported = false, .idle = true});
+    }
+  }
+  if (!questions.open.empty()) {
+    questions.reason = fmt::format("{} of {} values not judged: {}", questions.open.size(),
+                                   questions.open.size() + questions.answered.size(),
+                                   truth == nullptr ? "the closed form does not handle these parameters"
+                                                    : fmt::format("the closed form ends at {:.4g} s", truth->until()));
+  }
+  return questions;
+}
+
+Verdict Questions::verdict(std::span<const TruthCheck> checks, std::span<const InvariantCheck> invariants) const {
+  std::vector<TruthCheck> all(checks.begin(), checks.end());
+  all.insert(all.end(), open.begin(), open.end());
+  return verdict_of(all, invariants);
+}
+
 Judgement judge_case(const Case& test_case, const EngineConfig& config, double dt, const Trace& trace,
                      std::span<const Outcome> shifted, const Truth* truth) {
-  const auto expectations = test_case.scenario->expectations(test_case.parameters);
+  const Questions questions = questions_of(test_case, truth);
   const Stepping stepping = config.engine->stepping(config.settings, dt);
-  if (!test_case.scenario->phased) return judge(*test_case.scene, expectations, trace, stepping, truth);
-  std::vector<const Trace*> traces;
-  for (const Outcome& one : shifted) traces.push_back(one.status == Status::ok ? one.trace.get() : nullptr);
-  return judge_phases(*test_case.scene, expectations, trace, traces, stepping, truth);
+  Judgement judgement;
+  if (test_case.scenario->phased) {
+    std::vector<const Trace*> traces;
+    for (const Outcome& one : shifted) traces.push_back(one.status == Status::ok ? one.trace.get() : nullptr);
+    judgement = judge_phases(*test_case.scene, questions.answered, trace, traces, stepping, truth);
+  } else {
+    judgement = judge(*test_case.scene, questions.answered, trace, stepping, truth);
+  }
+  if (judgement.verdict == Verdict::right)
+    judgement.verdict = questions.verdict(judgement.checks, judgement.invariants);
+  return judgement;
 }
 
 MetricContext ReferenceRun::context(const Scene& scene, const Trace& of) const {
@@ -86,6 +122,9 @@ RunRecord judged_record(const Case& test_case, const EngineConfig& config, doubl
   RunRecord record = record_of(test_case, config, dt, runs.outcome);
   if (record.status != Status::ok) return record;
   record.metrics = measure(reference.context(*test_case.scene, *record.trace));
+  if (const std::string open = questions_of(test_case, reference.truth).reason; !open.empty()) {
+    record.reason += (record.reason.empty() ? "" : "; ") + open;
+  }
   Judgement judgement = judge_case(test_case, config, dt, *record.trace, runs.shifted, reference.truth);
   record.truth = std::move(judgement.checks);
   record.invariants = std::move(judgement.invariants);

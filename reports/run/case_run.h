@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "reports/judge/metric.h"
@@ -33,7 +34,22 @@ CaseRun run_case(const Case&, const EngineConfig&, double dt);
 /// Only the other phases of a case; none unless its scenario is phased.
 std::vector<Outcome> run_shifted(const Case&, const EngineConfig&, double dt);
 
-/// Judges a case by its trace and by its other phases (see `judge_phases`). Runs nothing. `truth` may be null.
+/// What a case asks, as far as it has an answer. Parameters may lead to a motion that the case's closed form does not
+/// handle, or only up to a time before that of a question.
+struct Questions {
+  std::vector<Expectation> answered;  // with a stated value, or one of the closed form
+  std::vector<TruthCheck> open;       // the quantities of the others, as checks that nothing is reported for
+  std::string reason;                 // why these are open; "" if none is
+
+  /// That of the checks of what is answered (see `verdict_of`): right only if they ask about every open quantity, too.
+  Verdict verdict(std::span<const TruthCheck>, std::span<const InvariantCheck>) const;
+};
+
+/// `truth` may be null: then the closed form does not handle the scene.
+Questions questions_of(const Case&, const Truth* truth);
+
+/// Judges a case by its trace and by its other phases (see `judge_phases`), as far as its questions are answered. Runs
+/// nothing. `truth` may be null.
 Judgement judge_case(const Case&, const EngineConfig&, double dt, const Trace&, std::span<const Outcome> shifted,
                      const Truth* truth);
 

@@ -21,6 +21,7 @@
 #include "reports/run/statement.h"
 #include "reports/run/timings.h"
 #include "reports/system/jobs.h"
+#include "scenarios/group.h"
 
 namespace plumb {
 namespace {
@@ -113,11 +114,11 @@ class CaseExperiment {
     return "";
   }
 
-  static void judge_by_converged(const ConvergedChecks& converged, const EngineConfig& config, RunRecord& record) {
+  void judge_by_converged(const ConvergedChecks& converged, const EngineConfig& config, RunRecord& record) const {
     auto checks = converged.of(config.engine->stepping(config.settings, record.dt), *record.trace);
     if (checks.empty()) add_reason(record, "no converged truth for a method of this order and step");
     std::ranges::move(checks, std::back_inserter(record.truth));
-    if (record.verdict != Verdict::wrong) record.verdict = verdict_of(record.truth, record.invariants);
+    judge_again(record);
   }
 
   void judge_by_relations(const EngineConfig& config, RunRecord& record) const {
@@ -127,7 +128,13 @@ class CaseExperiment {
       record.metrics[relation.check.name] = {relation.share, "1"};
       record.invariants.push_back(std::move(relation.check));
     }
-    if (record.verdict != Verdict::wrong) record.verdict = verdict_of(record.truth, record.invariants);
+    judge_again(record);
+  }
+
+  // With the checks that were added to it.
+  void judge_again(RunRecord& record) const {
+    if (record.verdict == Verdict::wrong) return;
+    record.verdict = questions_of(case_, reference_.truth).verdict(record.truth, record.invariants);
   }
 
   void add_time(const Outcome& outcome) {
@@ -170,6 +177,8 @@ void add_notes(const Plan& plan, Report& report) {
     const Scenario& scenario = *one.scenario;
     add_once<ScenarioNote>(report.scenarios, {scenario.name, scenario.question, scenario.closed_form,
                                               scenario.parameters, scenario.group});
+    if (const ScenarioGroup* group = Catalog<ScenarioGroup>::find(scenario.group))
+      add_once<GroupNote>(report.groups, {group->name, group->title, group->stake});
     if (one.closed_form != nullptr) add_note(*one.closed_form, report);
   }
   for (const Metric* metric : Catalog<Metric>::all()) {

@@ -111,6 +111,25 @@ std::span<const Job> jobs_done(const StudyPlan& plan, const std::map<std::string
   return {plan.jobs.begin(), end};
 }
 
+// Says which jobs ran out of time or memory, so that the study lacks their results; returns whether any did.
+bool warn_about_limits(const std::vector<JobResult>& results, const StudyOptions& options) {
+  const auto ended = [&](Ending ending) {
+    return std::ranges::count_if(results, [ending](const JobResult& one) { return one.ending == ending; });
+  };
+  const auto late = ended(Ending::timed_out);
+  const auto large = ended(Ending::out_of_memory);
+  if (late > 0) {
+    fmt::print(stderr, "{} of {} jobs took more than {} s, and the study does not know their results: --time-limit\n",
+               late, results.size(), options.seconds);
+  }
+  if (large > 0) {
+    fmt::print(stderr,
+               "{} of {} jobs took more than {} MiB, and the study does not know their results: --memory-limit\n",
+               large, results.size(), options.mebibytes);
+  }
+  return late + large > 0;
+}
+
 nlohmann::ordered_json summary_configuration(const Study& study) {
   CLI::App app;
   const auto configuration = study.attach(app);
@@ -205,7 +224,7 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
     return 0;
   }
   write_study(study, head, plan, results, folder);
-  return 0;
+  return warn_about_limits(results, options) ? 1 : 0;
 }
 
 std::string summary_command(const Study& study) {

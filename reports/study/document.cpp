@@ -187,8 +187,11 @@ void write_study(const Study& study, const ResultsHead& head, const StudyPlan& p
   fmt::print("{}", found.text);
   for (const auto& path : std::span(paths).first(std::min(own, paths.size())))
     fmt::print("{}\n", printable(path.string(), std::string::npos));
-  if (paths.size() > own)
-    fmt::print("{} and {} more\n", printable(paths[own].string(), std::string::npos), paths.size() - own - 1);
+  if (paths.size() > own) {
+    const std::size_t more = paths.size() - own - 1;
+    fmt::print("{}{}\n", printable(paths[own].string(), std::string::npos),
+               more > 0 ? fmt::format(" and {} more", more) : "");
+  }
   if (!why_not.empty()) fmt::print("No {}.html: {}.\n", stem, why_not);
 }
 

@@ -1,5 +1,6 @@
 #include "reports/writers/html.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +8,7 @@
 #include "reports/judge/states.h"
 #include "reports/writers/json.h"
 #include "reports/writers/output.h"
+#include "reports/writers/packed.h"
 #include "reports/writers/replay.h"
 #include "scenarios/catalog.h"
 
@@ -57,6 +59,28 @@ const Catalog<Writer>::Entry html_entry{
        return fill_page(page_template(), report, why_not);
      }}};
 
+// By case, in the report's order, each packed: the page reads those of the cases that are opened.
+Json curves_of(std::span<const RunCurves> runs) {
+  struct Case {
+    std::string scenario, variant;
+    Json series = Json::array();
+  };
+  std::vector<Case> cases;
+  for (Json& one : series_of(runs)) {
+    const auto same = [&](const Case& item) {
+      return one["scenario"] == item.scenario && one["variant"] == item.variant;
+    };
+    auto found = std::find_if(cases.begin(), cases.end(), same);
+    if (found == cases.end()) found = cases.insert(cases.end(), Case{one["scenario"], one["variant"]});
+    found->series.push_back(std::move(one));
+  }
+  Json all = Json::array();
+  for (const Case& item : cases) {
+    all.push_back({{"scenario", item.scenario}, {"variant", item.variant}, {"series", packed(item.series.dump())}});
+  }
+  return all;
+}
+
 Json studies_of(const Report& report) {
   Json all = Json::array();
   for (const auto& study : report.studies) all.push_back(*study);
@@ -101,8 +125,8 @@ std::optional<std::string> fill_page(std::string_view page, const Json& data, st
 std::optional<std::string> fill_page(std::string_view page, const Report& report, std::string& why_not) {
   const std::vector<RunCurves> curves = run_curves(report);
   return fill_page(page,
-                   Json{{"report", to_json(report)},
-                        {"series", series_of(curves)},
+                   Json{{"report", packed(to_json(report).dump())},
+                        {"curves", curves_of(curves)},
                         {"replays", replays_of(curves)},
                         {"studies", studies_of(report)}},
                    why_not);

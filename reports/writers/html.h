@@ -13,7 +13,9 @@
 namespace plumb {
 
 /// The page without data. Its one `<!--plumb-data-->` is where
-/// `<script type="application/json" id="plumb-data">{"report": ..., "series": ..., "studies": [...]}</script>` goes.
+/// `<script type="application/json" id="plumb-data">{"report": packed, "curves": ..., "replays": ..., "studies": [...]}
+/// </script>` goes. `curves` are {"scenario", "variant", "series": packed `series_of` the case's runs}. What is packed
+/// (packed.h) is the text of a JSON value: browsers take ten times as long to read it from a file as to unpack it.
 /// Empty if Node.js 18 or the page's npm packages were missing when Plumb was built.
 std::string_view page_template();
 

@@ -149,6 +149,8 @@ Json of(const ScenarioNote& note) {
       {"group", note.group}};
 }
 
+Json of(const GroupNote& note) { return {{"name", note.name}, {"title", note.title}, {"stake", note.stake}}; }
+
 Json of(const SteppingNote& one) { return {{"method", one.method}, {"text", one.text}}; }
 
 Json of(const EngineNote& note) {
@@ -183,6 +185,7 @@ Json to_json(const Report& report) {
           {"command", report.command},
           {"environment", report.environment},
           {"scenarios", list(report.scenarios, as_json)},
+          {"groups", list(report.groups, as_json)},
           {"engines", list(report.engines, as_json)},
           {"metrics", list(report.metrics, as_json)},
           {"invariants", list(report.invariants, as_json)},

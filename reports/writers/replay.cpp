@@ -73,9 +73,9 @@ Json ties_of(const Scene& scene) {
   return ties;
 }
 
-constexpr double microsecond = 1e-6;          // s
-constexpr double energy_share = 1.0 / 4096;   // bars are some hundred pixels high
-constexpr double impulse_share = 1.0 / 1024;  // arrows are shorter
+constexpr double microsecond = 1e-6;         // s
+constexpr double energy_share = 1.0 / 4096;  // bars are some hundred pixels high
+constexpr double impulse_share = 1.0 / 256;  // arrows are shorter
 
 std::vector<std::size_t> kept_moments(std::size_t moments, std::size_t every) {
   std::vector<std::size_t> kept;

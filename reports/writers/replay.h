@@ -13,7 +13,7 @@ namespace plumb {
 
 /// What one run may take of a page that holds many.
 struct ReplayLimits {
-  std::size_t poses = 320 * 1024;     // characters; beyond this, moments are dropped
+  std::size_t poses = 160 * 1024;     // characters; beyond this, moments are dropped
   std::size_t contacts = 160 * 1024;  // characters; beyond this, the run has no contacts
 };
 

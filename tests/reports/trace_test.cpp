@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 namespace plumb::trace_test {
@@ -44,6 +46,40 @@ TEST(Trace, RefusesMissingBodiesAndATimeThatDoesNotIncrease) {
   trace.record(0, std::span(&state, 1), {});
   EXPECT_THROW(trace.record(0, std::span(&state, 1), {}), std::invalid_argument);
   EXPECT_THROW(Trace(1).state_at(0, 0), std::invalid_argument);
+}
+
+Trace with(const BodyState& state, const ContactState& contact) {
+  Trace trace(1);
+  trace.record(0, std::span(&state, 1), {});
+  trace.record(0.5, std::span(&state, 1), std::span(&contact, 1));
+  return trace;
+}
+
+TEST(Trace, HasAHashOfEveryBit) {
+  const BodyState state{.position = {1, 2}, .angle = 3, .velocity = {4, 5}, .angular_velocity = 6};
+  const ContactState contact{.a = 1, .b = 2, .point = {1, 1}, .normal = {0, 1}, .normal_impulse = 7};
+  const std::uint64_t hash = hash_of(with(state, contact));
+  EXPECT_EQ(hash, hash_of(with(state, contact)));
+  const auto up = [](double& number) { number = std::nextafter(number, 100); };
+  for (double BodyState::*number : {&BodyState::angle, &BodyState::angular_velocity}) {
+    BodyState other = state;
+    up(other.*number);
+    EXPECT_NE(hash_of(with(other, contact)), hash);
+  }
+  for (Vec BodyState::*vector : {&BodyState::position, &BodyState::velocity}) {
+    BodyState other = state;
+    up((other.*vector).y);
+    EXPECT_NE(hash_of(with(other, contact)), hash);
+  }
+  for (double ContactState::*number :
+       {&ContactState::normal_impulse, &ContactState::tangent_impulse, &ContactState::separation}) {
+    ContactState other = contact;
+    up(other.*number);
+    EXPECT_NE(hash_of(with(state, other)), hash);
+  }
+  ContactState other = contact;
+  other.b = 3;
+  EXPECT_NE(hash_of(with(state, other)), hash);
 }
 
 }  // namespace

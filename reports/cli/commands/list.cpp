@@ -20,6 +20,7 @@
 #include "reports/system/layout.h"
 #include "reports/system/terminal.h"
 #include "scenarios/catalog.h"
+#include "scenarios/group.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/nearest.h"
 
@@ -31,7 +32,7 @@ void print_line(const std::string& name, std::size_t columns, const std::string&
   fmt::print("{}\n", cut(fmt::format("  {:<{}} {}", name, columns, about), terminal_width(std::string::npos)));
 }
 
-// A line a scenario, by group.
+// A line a scenario, by group, below what is at stake.
 void list_scenarios() {
   std::map<std::string, std::vector<const Scenario*>> groups;
   std::size_t longest = 0;
@@ -39,8 +40,10 @@ void list_scenarios() {
     groups[scenario->group].push_back(scenario);
     longest = std::max(longest, scenario->name.size());
   }
-  for (const auto& [group, scenarios] : groups) {
-    fmt::print("{}\n", group);
+  for (const auto& [name, scenarios] : groups) {
+    const ScenarioGroup* group = Catalog<ScenarioGroup>::find(name);
+    if (group == nullptr) throw std::logic_error("scenarios/" + name + " has no group.cpp");
+    fmt::print("{}\n", cut(group->title + ": " + group->stake, terminal_width(std::string::npos)));
     for (const Scenario* scenario : scenarios) print_line(scenario->name, longest, scenario->question);
   }
 }

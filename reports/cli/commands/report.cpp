@@ -86,8 +86,9 @@ int report(const Options& options) {
 
 const Catalog<Command>::Entry entry{
     {.name = "report",
-     .about = "Run everything and write the page; exit code 0 whatever it finds",
+     .about = "Run scenarios and studies and write the page; exit code 0 whatever it finds",
      .examples = "  plumb report                     page, JSON and CSV in out/, with a short form of each study\n"
+                 "  plumb report bounce:e=0.5        some cases in place of the canonical ones\n"
                  "  plumb report --no-studies        in a second or two\n"
                  "  plumb report --out results       somewhere else\n"
                  "  plumb report --all --dt 1/120    every scenario, at half the step\n"

@@ -28,8 +28,6 @@ const Catalog<Command>::Entry entry{
                  "  plumb run --engine impulse --engine impulse:integrator=rk4   two methods compared\n",
      .attach = [](CLI::App& app) {
        const auto session = std::make_shared<Session>();
-       app.add_option("scenario", session->scenarios, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json")
-           ->type_name("NAME");
        session->attach_to(app);
        return [session] { return run(*session); };
      }}};

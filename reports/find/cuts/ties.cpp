@@ -35,10 +35,13 @@ std::vector<Scene> fewer_ties(const Scene& scene, const Complaint&) {
         all.back().joints[i]);
   }
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
-    const auto* hinge = std::get_if<Revolute>(&scene.joints[i]);
-    if (hinge == nullptr || !hinge->limits) continue;
+    if (limits_of(scene.joints[i]) == nullptr) continue;
     all.push_back(scene);
-    std::get<Revolute>(all.back().joints[i]).limits.reset();
+    std::visit(
+        [](auto& joint) {
+          if constexpr (requires { joint.limits; }) joint.limits.reset();
+        },
+        all.back().joints[i]);
   }
   for (std::size_t i = 0; i < scene.forces.size(); ++i) {
     const auto* spring = std::get_if<Spring>(&scene.forces[i]);

@@ -19,7 +19,7 @@ Scene scene(Draw& draw) {
   door.velocity = {0, door.angular_velocity * length / 2};
   scene.bodies.push_back(door);
   Revolute hinge{.a = 0, .b = 1, .anchor = {}};
-  if (draw.chance(0.6)) hinge.limits = AngleLimits{.low = -draw.between(0, 1.5), .high = draw.between(0, 1.5)};
+  if (draw.chance(0.6)) hinge.limits = Limits{.low = -draw.between(0, 1.5), .high = draw.between(0, 1.5)};
   scene.joints.push_back(hinge);
   if (draw.chance(0.4)) scene.forces.push_back(Constant{.body = 1, .torque = draw.between(-20, 20)});
   if (draw.chance(0.5)) {

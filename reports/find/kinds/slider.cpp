@@ -6,7 +6,7 @@
 namespace plumb::kinds::slider {
 namespace {
 
-// A body on a rail and a spring, or welded or hung to a second one.
+// A body on a rail, with or without ends, and a spring, or welded or hung to a second one.
 Scene scene(Draw& draw) {
   Scene scene{.gravity = draw.gravity(), .duration = draw.between(0.5, 2)};
   const Surface of = draw.surface();
@@ -38,6 +38,10 @@ Scene scene(Draw& draw) {
     }
   }
   if (draw.chance(0.3)) scene.bodies.push_back(half_space("ground", {.offset = -draw.between(2.5, 4)}, of));
+  if (draw.chance(0.4)) {
+    std::get<Prismatic>(scene.joints.front()).limits =
+        Limits{.low = -draw.between(0.05, 1), .high = draw.between(0.05, 1)};
+  }
   return scene;
 }
 

@@ -21,7 +21,8 @@
 // the radius of gyration k. The tolerance covers:
 // - forces that change within the step: dt^2 times the change of the acceleration;
 // - joints: each of a group may be off at the start or at the end by what is measured and by the stated slop, and by
-//   moving along the tangents; putting that right moves the group's bodies. A limit that a step would pass stops them;
+//   moving along the tangents; putting that right moves the group's bodies. A limit stops them that a step would pass
+//   at the velocities of its start, or those a step later by the forces then;
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
 //   may overlap by c dt before it is noticed, and that, the overlap at the start and the stated gap are pushed out.
 //   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
@@ -67,7 +68,7 @@ class Displacement {
     for (std::size_t moment = 1; moment < trace.size(); ++moment) {
       std::vector<Wrench> after = forces_.at(trace.states(moment));
       Groups groups(scene.bodies.size());
-      const std::vector<Push> pushes = pushes_in(moment, groups);
+      const std::vector<Push> pushes = pushes_in(moment, groups, before);
       for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         add(moment, i, pushes[groups.of(i)], before[i], after[i]);
       }
@@ -80,7 +81,7 @@ class Displacement {
   double mass(std::size_t body) const { return forces_.masses()[body].mass; }
 
   // By the index of the group.
-  std::vector<Push> pushes_in(std::size_t moment, Groups& groups) const {
+  std::vector<Push> pushes_in(std::size_t moment, Groups& groups, std::span<const Wrench> forces) const {
     const auto& [scene, trace, stepping] = context_;
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto then = trace.states(moment - 1);
@@ -95,6 +96,12 @@ class Displacement {
       join(joints_.bodies(joint).first, joints_.bodies(joint).second);
     }
     std::vector<Push> pushes(then.size());
+    std::vector<BodyState> hurried(then.begin(), then.end());  // by the forces of the step's start
+    for (std::size_t i = 0; i < hurried.size(); ++i) {
+      const Mass& of = forces_.masses()[i];
+      if (of.mass > 0) hurried[i].velocity = hurried[i].velocity + dt / of.mass * forces[i].force;
+      if (of.inertia > 0) hurried[i].angular_velocity += dt / of.inertia * forces[i].torque;
+    }
     const std::vector<BodyState> ahead = moved_on(then, dt);
     const std::vector<BodyState> at_first = moved_on(then, beginning * dt);
     for (const BodyGap& pair : near) {
@@ -113,7 +120,8 @@ class Displacement {
       pushes[group_of(a, b)].correction += stepping.joint_slop + joints_.error(joint, then) +
                                            joints_.error(joint, now) + joints_.linearisation(joint, then, dt) +
                                            joints_.linearisation(joint, now, dt);
-      const double stopped = joints_.passes_limits(joint, then, dt);
+      const double stopped =
+          std::max(joints_.passes_limits(joint, then, dt), joints_.passes_limits(joint, hurried, dt));
       if (stopped > 0) {
         pushes[group_of(a, b)].correction += stopped;
         pushes[group_of(a, b)].touched = true;

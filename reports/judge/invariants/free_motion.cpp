@@ -23,9 +23,9 @@
 //
 // A limit of a joint gives an impulse only in a step in which the joint may reach it, and only away from it. The joint
 // may turn by the larger of what it did turn and what its velocities before or after would give, by what the forces
-// add, (F/(m r) + T/I) dt^2 at the arms r, and by the stated slop. Where the fit lets one limit pull, the best fit
-// without that one is the best one that is allowed, as the square of what is left is convex in every impulse. If that
-// lets another one pull, the first fit stays, which leaves less.
+// add, (F/(m r) + T/I) dt^2 at the arms r, and by the stated slop; a slider likewise, by r times that. Where the fit
+// lets one limit pull, the best fit without that one is the best one that is allowed, as the square of what is left is
+// convex in every impulse. If that lets another one pull, the first fit stays, which leaves less.
 //
 // The tolerance covers:
 // - the forces, known at both ends of the step (see AppliedForces::change_in);
@@ -232,18 +232,19 @@ class FreeMotion {
     const auto now = trace.states(step.moment);
     const auto [a, b] = joints_.bodies(joint);
     const auto [arm_a, arm_b] = joints_.arms(joint);
+    const bool slides = joints_.slides(joint);
     const double slop = context_.stepping.joint_slop;
-    double reach = slop > 0 ? slop / (arm_a + arm_b) : 0;
+    double reach = slop > 0 ? slop / (slides ? 1 : arm_a + arm_b) : 0;
     for (const auto& [body, arm] : {std::pair{a, arm_a}, std::pair{b, arm_b}}) {
       const Mass& mass = forces_.masses()[body];
-      if (mass.mass > 0 && arm > 0) reach += dt * dt * length(step.start[body].force) / (mass.mass * arm);
-      if (mass.inertia > 0) reach += dt * dt * std::abs(step.start[body].torque) / mass.inertia;
+      const double per_force = slides ? 1 : arm > 0 ? 1 / arm : 0;
+      const double per_torque = slides ? arm : 1;
+      if (mass.mass > 0) reach += dt * dt * length(step.start[body].force) / mass.mass * per_force;
+      if (mass.inertia > 0) reach += dt * dt * std::abs(step.start[body].torque) / mass.inertia * per_torque;
     }
-    const double turned = (now[b].angle - now[a].angle) - (then[b].angle - then[a].angle);
-    const double before = then[b].angular_velocity - then[a].angular_velocity;
-    const double after = now[b].angular_velocity - now[a].angular_velocity;
-    reach += std::max({std::abs(turned), dt * std::abs(before), dt * std::abs(after)});
     const LimitRoom room = joints_.room(joint, then).value();
+    const LimitRoom after = joints_.room(joint, now).value();
+    reach += std::max({std::abs(after.low - room.low), dt * std::abs(room.rate), dt * std::abs(after.rate)});
     return {.positive = room.low <= reach, .negative = room.high <= reach};
   }
 

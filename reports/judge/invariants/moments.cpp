@@ -27,8 +27,9 @@
 //   bodies have slid since, at the relative velocity there, and round ones have rolled, w r dt. That path, times |J|.
 // A method may report the points of the step's start, of its end, or, if it goes on from an impact within the step, of
 // any moment in between. So p is taken from the centre at the start, or at the end, or, with half of the longest path,
-// from the middle: whichever explains it best. The forces change within the step, and everything is rounded, as in
-// momentum_of_bodies. Bodies that are put to sleep are no test.
+// from the middle: whichever explains it best. The forces change within the step, and everything is rounded, velocities
+// at a contact as the rounding of a place makes its gap, u |x| / h, as in momentum_of_bodies. Bodies that are put to
+// sleep are no test.
 namespace plumb::invariants::moments {
 namespace {
 
@@ -96,6 +97,10 @@ class Moments {
       largest_[i] = std::max(largest_[i],
                              mass.inertia * (std::abs(then[i].angular_velocity) + std::abs(now[i].angular_velocity)) +
                                  longest * (mass.mass * speed + sum) + dt * std::abs(torque));
+      if (stepping.h > 0) {
+        const double unseen = stepping.epsilon * length(now[i].position) / stepping.h;
+        largest_[i] = std::max(largest_[i], longest * mass.mass * unseen);
+      }
       const double known = dt * off[i].torque +
                            solver_rounding(stepping) * static_cast<double>(1 + of[i].size()) * largest_[i] +
                            2 * 0x1p-53 * trace.time(moment) * std::abs(torque);

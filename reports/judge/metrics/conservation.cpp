@@ -8,6 +8,7 @@
 #include "reports/judge/observe.h"
 #include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/path.h"
 
 namespace plumb::metrics::conservation {
 namespace {
@@ -34,11 +35,8 @@ const Catalog<Metric>::Entry potential_energy{
 // Work from outside changes the energy without an error.
 bool has_outside_work(const Scene& scene) {
   const auto is_constant = [](const Force& force) { return std::holds_alternative<Constant>(force); };
-  const auto is_driven = [](const Body& body) {
-    return body.type == BodyType::kinematic && (length(body.velocity) != 0 || body.angular_velocity != 0);
-  };
   return std::any_of(scene.forces.begin(), scene.forces.end(), is_constant) ||
-         std::any_of(scene.bodies.begin(), scene.bodies.end(), is_driven);
+         std::any_of(scene.bodies.begin(), scene.bodies.end(), is_carried);
 }
 
 template <class Change>

@@ -55,6 +55,7 @@ Scene reversed(const Scene& scene, std::span<const BodyState> end) {
 std::string excludes(const Scene& scene, const Stepping&) {
   const bool nothing_meets = !why_none_meet(scene).empty();
   for (const Body& body : scene.bodies) {
+    if (body.path) return "paths begin at the start, wherever they have led to";
     if (body.linear_damping > 0 || body.angular_damping > 0) return "damping has an arrow of time";
     for (const Shape& shape : body.shapes) {
       if (nothing_meets) break;
@@ -64,10 +65,9 @@ std::string excludes(const Scene& scene, const Stepping&) {
     }
   }
   for (const Joint& joint : scene.joints) {
-    const auto* revolute = std::get_if<Revolute>(&joint);
     const auto* distance = std::get_if<Distance>(&joint);
     if (motor_of(joint) != nullptr) return "a motor whose strength is limited brakes as it drives";
-    if (revolute != nullptr && revolute->limits) return "a joint's limits stop bodies inelastically";
+    if (limits_of(joint) != nullptr) return "a joint's limits stop bodies inelastically";
     if (distance != nullptr && distance->damping > 0) return "damping has an arrow of time";
   }
   for (const Force& force : scene.forces) {

@@ -88,7 +88,7 @@ TEST(Program, KnowsTheseCommands) {
 TEST(Program, ListsALineForEachScenarioByGroupAndForEachEngine) {
   const Said said = say({"list"});
   EXPECT_EQ(said.code, 0);
-  EXPECT_THAT(said.out, HasSubstr("\nfriction\n"));
+  EXPECT_THAT(said.out, HasSubstr("\nfriction: Boxes creep"));
   EXPECT_THAT(said.out, HasSubstr("\n  slope "));
   EXPECT_THAT(said.out, HasSubstr("\n  box2d "));
   EXPECT_THAT(said.out, ::testing::Not(HasSubstr("integrator=")));

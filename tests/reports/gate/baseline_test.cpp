@@ -2,47 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "../writers/sample.h"
 
 namespace plumb::baseline_test {
 namespace {
-
-Trace trace_of(const BodyState& state, const ContactState& contact) {
-  Trace trace(1);
-  trace.record(0, std::span(&state, 1), {});
-  trace.record(0.5, std::span(&state, 1), std::span(&contact, 1));
-  return trace;
-}
-
-TEST(HashOfATrace, DependsOnEveryBit) {
-  const BodyState state{.position = {1, 2}, .angle = 3, .velocity = {4, 5}, .angular_velocity = 6};
-  const ContactState contact{.a = 1, .b = 2, .point = {1, 1}, .normal = {0, 1}, .normal_impulse = 7};
-  const std::string hash = hash_of(trace_of(state, contact));
-  EXPECT_EQ(hash.size(), 16u);
-  EXPECT_EQ(hash, hash_of(trace_of(state, contact)));
-  const auto up = [](double& number) { number = std::nextafter(number, 100); };
-  for (double BodyState::*number : {&BodyState::angle, &BodyState::angular_velocity}) {
-    BodyState other = state;
-    up(other.*number);
-    EXPECT_NE(hash_of(trace_of(other, contact)), hash);
-  }
-  for (Vec BodyState::*vector : {&BodyState::position, &BodyState::velocity}) {
-    BodyState other = state;
-    up((other.*vector).y);
-    EXPECT_NE(hash_of(trace_of(other, contact)), hash);
-  }
-  for (double ContactState::*number :
-       {&ContactState::normal_impulse, &ContactState::tangent_impulse, &ContactState::separation}) {
-    ContactState other = contact;
-    up(other.*number);
-    EXPECT_NE(hash_of(trace_of(state, other)), hash);
-  }
-  ContactState other = contact;
-  other.b = 3;
-  EXPECT_NE(hash_of(trace_of(state, other)), hash);
-}
 
 TEST(BaselineRunOf, HasEveryMetricAndCheck) {
   const Report report = sample_report();

@@ -43,7 +43,7 @@ TEST(JointGeometry, MeasuresByHowMuchAJointIsViolated) {
 }
 
 TEST(JointGeometry, HasLimitsThatAreMeasuredFromTheStart) {
-  const Joint limited = Revolute{.a = 0, .b = 1, .limits = AngleLimits{-0.2, 0.1}};
+  const Joint limited = Revolute{.a = 0, .b = 1, .limits = Limits{-0.2, 0.1}};
   const auto turned = [](double angle) { return BodyState{.position = rotated({2, 0}, angle), .angle = angle}; };
   EXPECT_NEAR(error_at(limited, turned(0.1)), 0, 1e-15);
   EXPECT_NEAR(error_at(limited, turned(-0.2)), 0, 1e-15);
@@ -61,6 +61,25 @@ TEST(JointGeometry, HasLimitsThatAreMeasuredFromTheStart) {
   EXPECT_DOUBLE_EQ(joints.room(0, states)->low, 0.15);
   EXPECT_DOUBLE_EQ(joints.room(0, states)->high, 0.15);
   EXPECT_EQ(joints.rows(states).back().limits_of, 0u);
+}
+
+TEST(JointGeometry, HasLimitsOfAWay) {
+  const Joint limited = Prismatic{.a = 0, .b = 1, .axis = {2, 0}, .limits = Limits{-0.2, 0.1}};
+  EXPECT_DOUBLE_EQ(error_at(limited, {.position = {2.05, 0}}), 0);
+  EXPECT_NEAR(error_at(limited, {.position = {2.15, 0}}), 0.05, 1e-15);
+  EXPECT_NEAR(error_at(limited, {.position = {1.7, 0}}), 0.1, 1e-15);
+
+  const Scene scene = joined(limited);
+  std::vector<BodyState> states = initial_states(scene);
+  states[1].velocity = {3, 4};
+  const JointGeometry joints(scene);
+  EXPECT_EQ(joints.rows(states).size(), 3u) << "one across, one for the limit, one for the angle";
+  EXPECT_EQ(joints.rows(states)[1].limits_of, 0u);
+  EXPECT_DOUBLE_EQ(joints.room(0, states)->low, 0.2);
+  EXPECT_DOUBLE_EQ(joints.room(0, states)->high, 0.1);
+  EXPECT_DOUBLE_EQ(joints.room(0, states)->rate, 3);
+  EXPECT_DOUBLE_EQ(joints.passes_limits(0, states, 0.01), 0);
+  EXPECT_NEAR(joints.passes_limits(0, states, 0.05), 0.05, 1e-15);
 }
 
 // A row's impulse does no work on motions that the joint allows: J v = 0.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 #include "../fakes.h"
 
@@ -70,11 +71,28 @@ TEST(Observe, FindsALandingThatIsLate) {
   EXPECT_NEAR(reading->value, 0.507, 1e-12);
 }
 
-TEST(Observe, InterpolatesLinearlyBetweenSteps) {
+TEST(Observe, ReadsFreeFlightExactlyBetweenSteps) {
   const Scene scene = fakes::thrown_box();
   const Trace trace = fakes::flight_of(scene, 0.5);
-  const auto reading = observe(scene, trace, of_box(Quantity::y, 0.25), scene.duration);
-  EXPECT_DOUBLE_EQ(reading->value, (2 + (2 + 4 - 1.25)) / 2);
+  for (const double t : {0.1, 0.25, 0.4}) {
+    EXPECT_NEAR(observe(scene, trace, of_box(Quantity::y, t), scene.duration)->value, 2 + 8 * t - 5 * t * t, 1e-14);
+    EXPECT_NEAR(observe(scene, trace, of_box(Quantity::vy, t), scene.duration)->value, 8 - 10 * t, 1e-14);
+  }
+}
+
+// A body that is halted half a second into a step of one: 1 m at 2 m/s. No cubic strays farther than the two speeds can
+// lead in that step.
+TEST(Observe, StaysNearTheChordWhereSpeedsJump) {
+  const Scene scene = fakes::thrown_box();
+  Trace trace(1);
+  for (const auto& [time, x, v] : {std::tuple{0.0, 0.0, 2.0}, {1.0, 1.0, 0.0}}) {
+    const BodyState state{.position = {x, 0}, .velocity = {v, 0}};
+    trace.record(time, std::span(&state, 1), {});
+  }
+  for (double t = 0; t <= 1; t += 0.125) {
+    EXPECT_NEAR(observe(scene, trace, of_box(Quantity::x, t), scene.duration)->value, t, 0.26) << t;
+  }
+  EXPECT_EQ(observe(scene, trace, of_box(Quantity::x, 1), scene.duration)->value, 1);
 }
 
 TEST(Observe, ReadsTheEndIfNoTimeIsGiven) {

@@ -39,7 +39,7 @@ Control right_engine() { return {.name = "right", .about = "the engine as it is"
 TEST(Controls, IncludeEveryLawThatAnEngineMayLack) {
   for (const char* name : {"frozen", "stopped", "coasting", "weightless", "half-gravity", "frictionless",
                            "no-restitution", "all-restitution", "no-rotation", "hoop-for-disc", "late", "teleporting",
-                           "no-contacts", "forgetful", "unpowered"}) {
+                           "no-contacts", "forgetful", "unpowered", "unlimited", "pathless"}) {
     ASSERT_THAT(Catalog<Control>::find(name), NotNull()) << name;
     EXPECT_NE(Catalog<Control>::find(name)->about, "") << name;
   }
@@ -75,7 +75,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Unmasked{"all-restitution", "bounce:e=0.5"}, Unmasked{"no-rotation", "slope-disc:rolls"},
                       Unmasked{"hoop-for-disc", "slope-disc:rolls"}, Unmasked{"late", "spinning-obb:free-fall"},
                       Unmasked{"teleporting", "bounce:e=0.8"}, Unmasked{"forgetful", "bounce:e=0.8"},
-                      Unmasked{"unpowered", "motor:slow"}, Unmasked{"unpowered", "motor-arm:holds"}),
+                      Unmasked{"unpowered", "motor:slow"}, Unmasked{"unpowered", "motor-arm:holds"},
+                      Unmasked{"unpowered", "four-bar:3rad/s"}, Unmasked{"unlimited", "rail-stop:slides"},
+                      Unmasked{"unlimited", "joint-stop:60deg"}, Unmasked{"pathless", "juggler:orbit"},
+                      Unmasked{"frictionless", "stick-slip:slow"}, Unmasked{"frozen", "catenary:seven"}),
     [](const auto& of) {
       std::string name = std::string(of.param.control) + '_' + of.param.scenario;
       std::erase_if(name, [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) == 0; });

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "reports/run/experiment.h"
 #include "reports/run/selection.h"
@@ -94,6 +96,68 @@ TEST(Phases, AreWrongIfOneIs) {
   EXPECT_FALSE(judgement.checks[0].passed);
   EXPECT_LT(judgement.checks[0].spread->min, 1e-9);
   EXPECT_NEAR(judgement.checks[0].spread->max, 1, 1e-9);
+}
+
+// The second corner lands some .02 s after the first, long before the end, when all values are asked for.
+const char* const lands_twice = "corner-impact:tilt=11.8,speed=10.4,restitution=0.11";
+
+TEST(JudgeCase, LeavesOutWhatTheClosedFormDoesNotReach) {
+  const Case test_case = parse_case(lands_twice);
+  const Truth truth(*test_case.closed_form, *test_case.scene);
+  const EngineConfig config = parse_engine("impulse");
+  const RunRecord record = judged_record(test_case, config, dt, run_case(test_case, config, dt), {.truth = &truth});
+  EXPECT_EQ(record.verdict, Verdict::plausible);
+  EXPECT_TRUE(record.truth.empty());
+  EXPECT_EQ(record.reason, "4 of 4 values not judged: the closed form ends at 0.1237 s");
+}
+
+TEST(JudgeCase, LeavesOutWhatTheClosedFormDoesNotHandle) {
+  // The slip at the corner reverses, where the classical laws disagree.
+  const Case test_case =
+      parse_case("spinning-obb:height=1.04,vy=-20,spin=89,friction=0.74,restitution=0.94,duration=1");
+  const EngineConfig config = parse_engine("impulse");
+  ASSERT_NE(test_case.closed_form->unsupported(*test_case.scene, {}), "");
+  const RunRecord record = judged_record(test_case, config, dt, run_case(test_case, config, dt), {});
+  EXPECT_EQ(record.verdict, Verdict::plausible);
+  EXPECT_EQ(record.reason, "6 of 6 values not judged: the closed form does not handle these parameters");
+}
+
+// A control: the laws that hold in any scene still stop an engine where the closed form does not reach.
+TEST(JudgeCase, CallsABrokenLawWrongWhereTheClosedFormDoesNotReach) {
+  const Case test_case = parse_case(lands_twice);
+  const Truth truth(*test_case.closed_form, *test_case.scene);
+  Case altered = test_case;
+  Scene scene = *test_case.scene;
+  scene.bodies.back().velocity = 0.5 * scene.bodies.back().velocity;
+  altered.scene = std::make_shared<const Scene>(scene);
+  const EngineConfig config = parse_engine("impulse");
+  const CaseRun slower = run_case(altered, config, dt);
+  EXPECT_EQ(judge_case(test_case, config, dt, *slower.outcome.trace, slower.shifted, &truth).verdict, Verdict::wrong);
+}
+
+TEST(Questions, AreNotAnsweredByTheOthersAlone) {
+  const Case test_case = parse_case(lands_twice);
+  const Truth truth(*test_case.closed_form, *test_case.scene);
+  const Questions questions = questions_of(test_case, &truth);
+  ASSERT_EQ(questions.open.size(), 4u);
+  const TruthCheck exact{.quantity = "vy", .tolerance = 1e-6, .scale = 1, .passed = true};
+  EXPECT_EQ(verdict_of({&exact, 1}, {}), Verdict::right);
+  EXPECT_EQ(questions.verdict({&exact, 1}, {}), Verdict::no_evidence);
+  TruthCheck failed = exact;
+  failed.passed = false;
+  EXPECT_EQ(questions.verdict({&failed, 1}, {}), Verdict::wrong);
+}
+
+TEST(Questions, OfEveryVariantOfTheCatalogueAreAnswered) {
+  for (const Case& test_case : default_cases(true)) {
+    if (test_case.closed_form == nullptr) continue;
+    std::optional<Truth> truth;
+    if (test_case.closed_form->unsupported(*test_case.scene, {}).empty()) {
+      truth.emplace(*test_case.closed_form, *test_case.scene);
+    }
+    const Questions questions = questions_of(test_case, truth ? &*truth : nullptr);
+    EXPECT_EQ(questions.reason, "") << test_case.scenario->name << " " << test_case.variant;
+  }
 }
 
 TEST(RunCase, RunsOtherPhasesOnlyOfAPhasedScenarioThatRan) {

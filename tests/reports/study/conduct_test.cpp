@@ -117,6 +117,13 @@ TEST_F(Conduct, ExitsWith2ForMistakesOfTheUser) {
   EXPECT_THAT(say({"study", "speed", "--scenario", "spring"}).err, HasSubstr("did you mean \"--scenarios\"?"));
 }
 
+TEST_F(Conduct, ExitsWith1IfJobsRunOutOfTime) {
+  const Said said = say(words("out", {"--time-limit", "0.001"}));
+  EXPECT_EQ(said.code, 1);
+  EXPECT_THAT(said.err, HasSubstr("took more than 0.001 s, and the study does not know their results: --time-limit"));
+  EXPECT_EQ(document("out")["results"].size(), static_cast<std::size_t>(jobs)) << "it is written all the same";
+}
+
 // A study that squares numbers and adds them up.
 Study squares() {
   return {.name = "squares",

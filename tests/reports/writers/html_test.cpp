@@ -8,6 +8,7 @@
 
 #include "reports/writers/json.h"
 #include "sample.h"
+#include "unpacking.h"
 
 namespace plumb::html_test {
 namespace {
@@ -25,8 +26,11 @@ TEST(FillPage, PutsTheReportAndItsSeriesWhereTheMarkWas) {
   ASSERT_THAT(*filled, ::testing::StartsWith(before));
   ASSERT_THAT(*filled, ::testing::EndsWith(after));
   const Json data = Json::parse(filled->substr(before.size(), filled->size() - before.size() - after.size()));
-  EXPECT_EQ(data["report"].dump(), to_json(sample_report()).dump());
-  EXPECT_EQ(data["series"].size(), 2u) << "the run that failed left no trace";
+  EXPECT_EQ(unpacked(data["report"].get<std::string>()), to_json(sample_report()).dump());
+  ASSERT_EQ(data["curves"].size(), 1u);
+  EXPECT_EQ(data["curves"][0]["scenario"], sample_report().runs[0].scenario);
+  const Json series = Json::parse(unpacked(data["curves"][0]["series"].get<std::string>()));
+  EXPECT_EQ(series.size(), 2u) << "the run that failed left no trace";
   EXPECT_EQ(data["replays"][0]["runs"].size(), 2u);
 }
 

@@ -53,6 +53,15 @@ TEST_F(RunFile, MixesFilesWithScenarios) {
   EXPECT_THAT(report["command"].dump(), HasSubstr("f.json"));
 }
 
+TEST_F(RunFile, OrAScenarioIsReportedToo) {
+  const Said said = say({"report", "bounce:e=0.5", "--engine", "impulse", "--no-studies", "--out", at("out")});
+  EXPECT_EQ(said.code, 0) << said.err;
+  const Json runs = json(at("out") + "/report.json")["runs"];
+  EXPECT_FALSE(runs.empty());
+  for (const Json& one : runs) EXPECT_EQ(one["variant"], "e=0.5");
+  EXPECT_EQ(say({"report", "bonce", "--no-studies", "--out", at("out")}).code, 2);
+}
+
 TEST_F(RunFile, FindsTheReadmesExampleRight) {
   std::ostringstream readme;
   readme << std::ifstream(PLUMB_SOURCE_DIR "/README.md").rdbuf();

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <variant>
+
 #include "forged_runs.h"
 #include "reports/judge/mechanics.h"
 
@@ -70,6 +72,18 @@ TEST(DisplacementInvariant, AllowsAnImpactWithinAStep) {
     EXPECT_EQ(status("displacement", box_on_ground(), bounced(by), exact), CheckStatus::held) << by;
   }
   EXPECT_EQ(status("displacement", box_on_ground(), bounced(0.05), exact), CheckStatus::broken);
+}
+
+// A box 0.1 m above the end of its rail, at rest, falls on it within a step of 0.2 s, and rests there.
+TEST(DisplacementInvariant, AllowsALimitThatForcesReachWithinAStep) {
+  const auto fell = [](double to) { return forged(0.2, {{box_at({0, 5})}, {box_at({0, to})}}); };
+  Scene rail = box_on_ground(0.5, {0, -10});
+  rail.bodies[1].position = {0, 5};
+  rail.joints.push_back(Prismatic{.a = 0, .b = 1, .anchor = {0, 5}, .axis = {0, 1}});
+  EXPECT_EQ(status("displacement", rail, fell(4.9), exact), CheckStatus::broken) << "it has no end";
+  std::get<Prismatic>(rail.joints[0]).limits = Limits{-0.1, 1};
+  EXPECT_EQ(status("displacement", rail, fell(4.9), exact), CheckStatus::held);
+  EXPECT_EQ(status("displacement", rail, fell(5.9), exact), CheckStatus::broken) << "no force acts upwards";
 }
 
 // 9 m less 9 m is nothing to within the rounding of 9 m, 64 u of it in a step.

@@ -138,7 +138,7 @@ TEST(FreeMotionInvariant, FitsTheImpulsesOfJoints) {
 
 TEST(FreeMotionInvariant, LetsALimitPushOnlyWhereItIsReachedAndOnlyAway) {
   const double far = 10;
-  const auto limited = [](AngleLimits limits) {
+  const auto limited = [](Limits limits) {
     Scene scene = chain(1, 1);
     scene.joints = {Revolute{.a = 0, .b = 1, .limits = limits}};
     return scene;

@@ -1,0 +1,54 @@
+#include "reports/engines/step_cost.h"
+
+#include <algorithm>
+#include <ctime>
+#include <limits>
+
+#include "reference/programs/protocol.h"
+#include "reference/programs/steps_ahead.h"
+#include "reports/timing/clock.h"
+
+namespace plumb {
+namespace {
+
+constexpr double patience = 1;  // s without a faster round
+constexpr double longest = 5;   // s
+constexpr double faster = 0.98;
+
+double seconds_of_thread() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+StepCost cost_of_step(LineProcess& process, const ProgramLimits& limits, std::size_t bodies, double dt) {
+  constexpr double unknown = std::numeric_limits<double>::max();
+  StepCost least{unknown, unknown};
+  double compared = unknown;
+  StepsAhead ahead;
+  std::size_t number = 0;
+  const Stopwatch all;
+  for (Stopwatch since; since.seconds() < patience && all.seconds() < longest;) {
+    const std::size_t count = ahead.count();
+    const double before = seconds_of_thread();
+    const Stopwatch round;
+    double own = 0;
+    process.send(protocol::ask_steps(count, dt), limits);
+    for (std::size_t i = 0; i < count; ++i) {
+      own += protocol::read_step(process.receive(limits), bodies, ++number).seconds;
+    }
+    const double passed = round.seconds();
+    const double steps = static_cast<double>(count);
+    least.beyond = std::min(least.beyond, (passed - own) / steps);
+    least.plumbs = std::min(least.plumbs, (seconds_of_thread() - before) / steps);
+    ahead.took(count, passed);
+    if (least.beyond > faster * compared) continue;
+    compared = least.beyond;
+    since = Stopwatch();
+  }
+  return least;
+}
+
+}  // namespace plumb
