@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contacts/lanes/persistence.h"
+#include "contacts/normal_of.h"
 #include "contacts/part_filter.h"
 #include "core/stages.h"
 #include "impulse/material.h"
@@ -18,10 +19,11 @@ constexpr Real most_persistent_gap = static_cast<Real>(0.005);
 
 /// Whether the points may persist. The normal of rounded shapes turns as they roll over a corner, by a tenth for a disc
 /// of a decimetre.
-bool lasting(const Contact& contact) {
+bool lasting(const Contact& contact, const BodySet& bodies) {
   const bool first = contact.points[0].separation > most_persistent_gap;
   const bool second = (contact.count > 1) & (contact.points[1].separation > most_persistent_gap);
-  return !((contact.radius_a + contact.radius_b > 0) | first | second);
+  if (first | second) return false;
+  return contact.radius_a + contact.radius_b == 0 || owner(contact, bodies) != NormalOf::between;
 }
 
 }  // namespace
@@ -142,7 +144,8 @@ void ContactSearch::persist_points(const SearchInput& input, std::span<const std
     const bool still = moved_[pairs_[pair].first] + moved_[pairs_[pair].second] < most_persistent_motion;
     // Points found by the last search cannot persist if the bodies have moved since: no need to visit the contact.
     const std::size_t may =
-        input.persistence && last != none && (still || collided_[last] == 0) && lasting(last_[last]) ? 1 : 0;
+        input.persistence && last != none && (still || collided_[last] == 0) && lasting(last_[last], input.bodies) ? 1
+                                                                                                                   : 0;
     to_collide_[collided] = pair;
     may_persist_[candidates] = pair;
     candidate_contacts_[candidates] = last;

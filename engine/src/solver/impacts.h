@@ -8,6 +8,7 @@
 
 #include "bodies/body_set.h"
 #include "contacts/contact_rows.h"
+#include "contacts/normal_of.h"
 #include "solver/island_joints.h"
 #include "solver/motion.h"
 
@@ -45,9 +46,6 @@ struct PointPair {
     return {inverse_mass[0] + springs[0], inverse_mass[1] + springs[1], coupling};
   }
 };
-
-/// The reference face that determines a contact's normal; `between`: the line between the nearest points.
-enum class NormalOf : std::uint8_t { between, a, b };
 
 /// A row with the additional data of the sub-step of `accurate`.
 struct ImpactRow : ContactRow {

@@ -1,7 +1,6 @@
 #include "solver/turning.h"
 
 #include <cmath>
-#include <limits>
 
 #include "narrow_phase/collide.h"
 #include "narrow_phase/margin.h"
@@ -30,28 +29,6 @@ Motion moved_since(const Motion& then, const Motion& now) {
 }
 
 Vec2 turned_arm(Real turn, Real cross, const Motion& by) { return rotation(by) * Vec2{turn, -cross}; }
-
-/// Whether a shape, rotated by q, has a face with this normal.
-bool has_face(const Shape& shape, Rotation q, Vec2 normal) {
-  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-  if (shape.type() == ShapeType::circle) return false;
-  const int faces = shape.type() == ShapeType::half_space ? 1 : shape.count();
-  const Vec2 sought = q.inverse() * normal;
-  for (int i = 0; i < faces; ++i) {
-    const Vec2 face = shape.normal(i);
-    if (std::abs(cross(face, sought)) <= rounding && dot(face, sought) > 0) return true;
-  }
-  return false;
-}
-
-NormalOf owner(const Contact& contact, const BodySet& bodies) {
-  const auto shape = [&](std::uint32_t body, std::uint16_t part) -> const Shape& {
-    return bodies.detail[body].parts[part].shape;
-  };
-  if (has_face(shape(contact.body_a, contact.part_a), contact.found_a.q, contact.normal)) return NormalOf::a;
-  if (has_face(shape(contact.body_b, contact.part_b), contact.found_b.q, -contact.normal)) return NormalOf::b;
-  return NormalOf::between;
-}
 
 /// Whether a disc touches a face that stands still: its normal and arms stay constant however it rolls.
 bool stands_still(const Contact& contact, const ImpactRow& row, NormalOf normal_of) {
