@@ -76,13 +76,26 @@ std::string printable_lines(std::string_view text) {
   return out;
 }
 
-int parse_and_run(std::vector<std::string> arguments) {
+/// The program and the words of the command that was given, as in "plumb engine check".
+std::string command_of(const CLI::App& app) {
+  std::string words = "plumb";
+  for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+    at = at->get_subcommands().front();
+    words += " " + at->get_name();
+  }
+  return words;
+}
+
+/// Sets `command` as soon as it is known.
+int parse_and_run(std::vector<std::string> arguments, std::string& command) {
   check_engines(Catalog<Engine>::all());
   CommandLine line;
   std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
   try {
     line.app().parse(arguments);
+    command = command_of(line.app());
   } catch (const CLI::ParseError& error) {
+    command = command_of(line.app());
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return line.app().exit(error);
     throw std::invalid_argument(advice(line.app(), error));
   }
@@ -102,16 +115,17 @@ void check_engines(std::span<const Engine* const> all) {
 }
 
 int program(std::vector<std::string> arguments) {
-  const auto refuse = [](const std::string& why, int code, const char* hint = "") {
+  const auto refuse = [](const std::string& why, int code, const std::string& hint = "") {
     fmt::print(stderr, "plumb: {}\n{}", printable_lines(why), hint);
     return code;
   };
+  std::string command = "plumb";
   try {
-    const int code = parse_and_run(std::move(arguments));
+    const int code = parse_and_run(std::move(arguments), command);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
     return refuse(std::string("standard output cannot be written: ") + std::strerror(errno), wrong_usage);
   } catch (const std::invalid_argument& error) {
-    return refuse(error.what(), wrong_usage, "See plumb --help.\n");
+    return refuse(error.what(), wrong_usage, "See " + command + " --help.\n");
   } catch (const FileError& error) {
     return refuse(error.what(), wrong_usage);
   } catch (const std::filesystem::filesystem_error& error) {

@@ -81,28 +81,37 @@ std::string short_number(const std::optional<double>& value) {
   return whole ? fmt::format("{:.0f}", *value) : fmt::format("{:.2g}", *value);
 }
 
+namespace {
+
+/// In how many of the cases in which a difference is known it stays small: "3 of 5".
+std::string close_in(const std::vector<const Comparison*>& rows, RelativeDifference KeyDifferences::*difference) {
+  int known = 0;
+  int close = 0;
+  for (const Comparison* row : rows) {
+    if (!row->key || !std::isfinite((row->key.value().*difference).largest)) continue;
+    ++known;
+    close += (row->key.value().*difference).largest <= right_share ? 1 : 0;
+  }
+  return fmt::format("{} of {}", close, known);
+}
+
+}  // namespace
+
 std::string in_one_sentence(const Pair& pair, const std::vector<const Comparison*>& rows) {
-  int compared = 0;
-  int energy = 0;
-  int momentum = 0;
   int both = 0;
   int only_a = 0;
   int only_b = 0;
   for (const Comparison* row : rows) {
     if (!row->key) continue;
-    const KeyDifferences& key = *row->key;
-    ++compared;
-    energy += key.energy.largest <= right_share ? 1 : 0;
-    momentum += key.momentum.largest <= right_share ? 1 : 0;
-    both += key.rest_a && key.rest_b ? 1 : 0;
-    only_a += key.rest_a && !key.rest_b ? 1 : 0;
-    only_b += !key.rest_a && key.rest_b ? 1 : 0;
+    both += row->key->rest_a && row->key->rest_b ? 1 : 0;
+    only_a += row->key->rest_a && !row->key->rest_b ? 1 : 0;
+    only_b += !row->key->rest_a && row->key->rest_b ? 1 : 0;
   }
   return fmt::format(
-      "{} and {} stay within 1 % of each other in energy in {} of {} cases, in momentum in {}. Both come to rest in "
-      "{}, "
-      "only {} in {}, only {} in {}.",
-      pair.a, pair.b, energy, compared, momentum, both, pair.a, only_a, pair.b, only_b);
+      "{} and {} stay within 1 % of each other in energy in {} cases, in momentum in {}. Both come to rest in {}, only "
+      "{} in {}, only {} in {}.",
+      pair.a, pair.b, close_in(rows, &KeyDifferences::energy), close_in(rows, &KeyDifferences::momentum), both, pair.a,
+      only_a, pair.b, only_b);
 }
 
 }  // namespace plumb

@@ -2,7 +2,7 @@
 import { watch } from "../address";
 import type { KeyDifferences, RelativeDifference } from "../data";
 import { h, slug, table, type Child } from "../dom";
-import { count, given, number, percent } from "../format";
+import { given, number, percent } from "../format";
 import { apart, type Apart, type Case, type Engine, type Model } from "../model";
 import { right_share, ruler } from "../pieces";
 import { select, type CurrentView } from "./filters";
@@ -83,12 +83,15 @@ function named(rows: Row[]): Child[] {
 
 function summary(rows: Row[], a: Engine, b: Engine): HTMLElement {
   const found = rows.flatMap((row) => (row.key ? [{ row, key: row.key }] : []));
-  const near = (of: (key: KeyDifferences) => RelativeDifference): number => found.filter(({ key }) => (of(key).largest ?? Infinity) <= right_share).length;
+  const near = (of: (key: KeyDifferences) => RelativeDifference): string => {
+    const known = found.flatMap(({ key }) => of(key).largest ?? []);
+    return `${known.filter((largest) => largest <= right_share).length} of ${known.length}`;
+  };
   const resting = (fits: (key: KeyDifferences) => boolean): Row[] => found.filter(({ key }) => fits(key)).map(({ row }) => row);
   return h(
     "p",
     { class: "lede" },
-    `${a.label} and ${b.label} stay within 1 % of each other in energy in ${near((key) => key.energy)} of ${count(found.length, "case")}, `,
+    `${a.label} and ${b.label} stay within 1 % of each other in energy in ${near((key) => key.energy)} cases, `,
     `in momentum in ${near((key) => key.momentum)} and in angular momentum in ${near((key) => key.angular_momentum)}. `,
     `Both come to rest in ${resting((key) => key.rest_a !== null && key.rest_b !== null).length}, only ${a.label} `,
     ...named(resting((key) => key.rest_a !== null && key.rest_b === null)),
