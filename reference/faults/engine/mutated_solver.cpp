@@ -10,16 +10,29 @@ bool same_pair(const Contact& a, const Contact& b) {
   return a.body_a == b.body_a && a.body_b == b.body_b && a.part_a == b.part_a && a.part_b == b.part_b;
 }
 
-// Copies the impulses for the next step and for readers back to the contacts; points that the solver was not shown get
-// none.
+// Copies what the solver leaves in contacts for the next step and for readers: impulses, whether they slip, and where
+// their bodies turned within the step, normals and points. Points that it was not shown get no impulses.
 void store(const std::vector<Contact>& from, std::vector<Contact>& contacts) {
   for (Contact& contact : contacts) {
     const auto solved =
         std::find_if(from.begin(), from.end(), [&](const Contact& one) { return same_pair(one, contact); });
-    if (solved != from.end()) contact.offset = solved->offset;
+    const bool shown = solved != from.end();
+    if (shown) {
+      contact.offset = solved->offset;
+      contact.slips = solved->slips;
+    }
+    if (shown && (solved->found_a.p != contact.found_a.p || solved->found_b.p != contact.found_b.p)) {
+      contact.count = solved->count;
+      contact.normal = solved->normal;
+      contact.found_a = solved->found_a;
+      contact.found_b = solved->found_b;
+      contact.found_separation = solved->found_separation;
+      contact.points = solved->points;
+      continue;
+    }
     for (std::size_t p = 0; p < static_cast<std::size_t>(contact.count); ++p) {
-      const bool shown = solved != from.end() && p < static_cast<std::size_t>(solved->count);
-      const ContactPoint left = shown ? solved->points[p] : ContactPoint{};
+      const ContactPoint left =
+          shown && p < static_cast<std::size_t>(solved->count) ? solved->points[p] : ContactPoint{};
       contact.points[p].normal_impulse = left.normal_impulse;
       contact.points[p].tangent_impulse = left.tangent_impulse;
       contact.points[p].total_normal_impulse = left.total_normal_impulse;
