@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -62,7 +63,7 @@ Vec Draw::direction() { return unit_at(random_.between(0, 1)); }
 Surface Draw::surface() {
   Surface of;
   of.static_friction = chance(0.2) ? 0 : chance(0.15) ? 1 : between(0.05, 1);
-  of.dynamic_friction = chance(0.25) ? rounded(of.static_friction * between(0.3, 1), 1e4) : of.static_friction;
+  of.dynamic_friction = two_frictions_ ? rounded(of.static_friction * between(0.3, 1), 1e4) : of.static_friction;
   of.restitution = chance(0.45) ? 0 : chance(0.15) ? 1 : between(0.1, 0.95);
   of.density = over_magnitudes(0.5, 8);
   return of;
@@ -103,6 +104,13 @@ Vec Draw::gravity() {
   if (chance(0.1)) return {};
   const double strength = chance(0.8) ? standard_gravity : between(1, 20);
   return chance(0.85) ? Vec{0, -strength} : Vec{between(-0.4, 0.4) * strength, -strength};
+}
+
+Path Draw::path() {
+  const double amplitude = over_magnitudes(0.01, 0.2);
+  return {.amplitude = chance(0.5) ? Vec{amplitude, 0} : Vec{0, amplitude},
+          .frequency = over_magnitudes(0.3, 3),
+          .phase = std::numbers::pi / 2};
 }
 
 bool add_apart(Scene& scene, Body body, double apart) {
