@@ -35,20 +35,6 @@ void season(Draw& draw, Scene& scene) {
 
 }  // namespace
 
-const char* name_of(Posed posed) {
-  switch (posed) {
-    case Posed::well:
-      return "well";
-    case Posed::ambiguous:
-      return "ambiguous";
-    case Posed::impossible:
-      return "impossible";
-    case Posed::overlapping:
-      return "overlapping";
-  }
-  return "";
-}
-
 Scene drawn(const Kind& kind, std::uint64_t seed, int n) {
   Draw draw(seed_of(kind, seed, n));
   Scene scene = kind.scene(draw);

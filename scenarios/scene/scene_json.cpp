@@ -49,6 +49,11 @@ const Word<Quantity> quantities[] = {{name_of(Quantity::x), Quantity::x},
                                      {name_of(Quantity::landing), Quantity::landing},
                                      {name_of(Quantity::apex), Quantity::apex}};
 
+constexpr Word<Posed> posed_words[] = {{"well", Posed::well},
+                                       {"ambiguous", Posed::ambiguous},
+                                       {"impossible", Posed::impossible},
+                                       {"overlapping", Posed::overlapping}};
+
 const Word<Relation> relations[] = {{name_of(Relation::equal), Relation::equal},
                                     {name_of(Relation::at_least), Relation::at_least},
                                     {name_of(Relation::at_most), Relation::at_most}};
@@ -119,6 +124,13 @@ Mixing read_mixing(const JsonReader& in) {
   if (in.has("friction")) mixing.friction = in["friction"].one_of<FrictionMixing>(friction_rules);
   if (in.has("restitution")) mixing.restitution = in["restitution"].one_of<RestitutionMixing>(restitution_rules);
   return mixing;
+}
+
+Origin read_origin(const JsonReader& in) {
+  in.object({"engine"}, {"posed"});
+  Origin origin{.engine = in["engine"].text(1, limits::text)};
+  if (in.has("posed")) origin.posed = in["posed"].one_of<Posed>(posed_words);
+  return origin;
 }
 
 // What only some quantities have: which extremum, an averaging interval, the other body of a contact.
@@ -208,6 +220,12 @@ OrderedJson body_as_json(const Body& body) {
   return json;
 }
 
+OrderedJson origin_as_json(const Origin& origin) {
+  OrderedJson json{{"engine", origin.engine}};
+  if (origin.posed != Posed::well) json["posed"] = name_of(origin.posed);
+  return json;
+}
+
 OrderedJson truth_as_json(const StatedTruth& truth) {
   OrderedJson json = OrderedJson::object();
   if (!truth.body.empty()) json["body"] = truth.body;
@@ -270,19 +288,22 @@ void lay_out(const OrderedJson& json, std::size_t indent, std::size_t taken, std
 
 }  // namespace
 
+const char* name_of(Posed posed) { return word_for(posed_words, posed); }
+
 SceneFile read_scene(std::string_view text, std::string_view file) {
   if (text.size() > largest_scene_file) JsonReader({}, file).refuse("the file is larger than 16 MiB");
   const nlohmann::json json = parse_json(text, file);
   const JsonReader in(json, file);
   check_format(in);
   in.object({"plumb", "name", "gravity", "duration", "bodies"},
-            {"$schema", "about", "source", "mixing", "joints", "forces", "truth"});
+            {"$schema", "about", "source", "origin", "mixing", "joints", "forces", "truth"});
   if (in.has("$schema")) in["$schema"].text(0, limits::text);  // for editors
   SceneFile read;
   Scene& scene = read.scene;
   scene.name = in["name"].text(1, limits::name);
   if (in.has("about")) scene.about = in["about"].text(0, limits::text);
   if (in.has("source")) read.source = in["source"].text(1, limits::text);
+  if (in.has("origin")) read.origin = read_origin(in["origin"]);
   scene.gravity = in["gravity"].vector(limits::acceleration);
   scene.duration = in["duration"].number(limits::duration);
   if (in.has("mixing")) scene.mixing = read_mixing(in["mixing"]);
@@ -303,6 +324,7 @@ std::string write_scene(const SceneFile& file) {
   OrderedJson json{{"plumb", format}, {"name", scene.name}};
   if (!scene.about.empty()) json["about"] = scene.about;
   if (!file.source.empty()) json["source"] = file.source;
+  if (file.origin) json["origin"] = origin_as_json(*file.origin);
   json["gravity"] = as_json(scene.gravity);
   json["duration"] = scene.duration;
   json["mixing"] = {{"friction", word_for(friction_rules, scene.mixing.friction)},

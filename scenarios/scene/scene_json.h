@@ -27,10 +27,28 @@ struct StatedTruth {
   friend bool operator==(const StatedTruth&, const StatedTruth&) = default;
 };
 
+/// What rigid-body mechanics says of a scene, which decides by what it may be judged.
+enum class Posed {
+  well,        // one motion follows from the start: everything may judge
+  ambiguous,   // several motions are right, as after impacts at the same moment: laws judge, places and images don't
+  impossible,  // rigidity and Coulomb's friction contradict each other: only energy and finite numbers judge
+  overlapping  // bodies start in each other, which rigid ones cannot: a run must end, with finite numbers
+};
+
+/// "well", "ambiguous", "impossible", "overlapping".
+const char* name_of(Posed);
+
+/// Of a scene that a search found: what it takes to run it again.
+struct Origin {
+  std::string engine;  // which failed in it, by the search's name for it: "box2d:velocity=2", "fault:normal-flipped"
+  Posed posed = Posed::well;
+};
+
 struct SceneFile {
   Scene scene;
   std::vector<StatedTruth> truth;
   std::string source = "";  // where the question comes from, such as the link of a report; "" if nothing is stated
+  std::optional<Origin> origin = std::nullopt;
 };
 
 constexpr std::size_t largest_scene_file = 16 * 1024 * 1024;  // bytes; 5,000 bodies take 1 MiB

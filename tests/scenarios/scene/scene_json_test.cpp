@@ -55,6 +55,9 @@ TEST(ReadScene, ReadsEveryFeature) {
   EXPECT_EQ(std::get<Spring>(scene.forces[2]).a, std::nullopt);
   EXPECT_EQ(std::get<Spring>(scene.forces[2]).anchor_b, (Vec{0, 0.5}));
   EXPECT_EQ(read.source, "https://example.org/reports/1");
+  ASSERT_TRUE(read.origin.has_value());
+  EXPECT_EQ(read.origin->engine, "box2d:velocity=2");
+  EXPECT_EQ(read.origin->posed, Posed::ambiguous);
   ASSERT_EQ(read.truth.size(), 2u);
   EXPECT_EQ(read.truth[0].time, 0);
   EXPECT_EQ(read.truth[1].time, std::nullopt);
@@ -99,7 +102,7 @@ TEST(ReadScene, SaysLineAndColumnIfTheTextIsNotJson) {
       {"{\"plumb\": 01}", "line 1, column 12: "},
       {"{\"name\": \"\xff\"}", "line 1, column 11: "},
       {"{\"name\": \"\xed\xa0\x80\"}", "line 1, column 12: "},
-      {file("every_feature.json") + "}", "line 42, column 1: "},
+      {file("every_feature.json") + "}", "line 43, column 1: "},
       {"{\"plumb\": 1", "line 1, column 12: "},
   };
   for (const auto& [text, place] : broken) EXPECT_THAT(refusal(text), StartsWith("scene.json: " + std::string(place)));
@@ -156,7 +159,10 @@ TEST(WriteScene, RoundTripsEveryCatalogSceneToTheBit) {
 TEST(WriteScene, RoundTripsEveryFeature) {
   const SceneFile scene = read_scene(file("every_feature.json"), "every_feature.json");
   expect_round_trip(scene);
-  EXPECT_EQ(read_scene(write_scene(scene), "written").source, scene.source);
+  const SceneFile again = read_scene(write_scene(scene), "written");
+  EXPECT_EQ(again.source, scene.source);
+  EXPECT_EQ(again.origin->engine, scene.origin->engine);
+  EXPECT_EQ(again.origin->posed, scene.origin->posed);
 }
 
 TEST(WriteScene, RoundTripsRandomScenesToTheBit) {
