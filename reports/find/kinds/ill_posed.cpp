@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/find/kind.h"
 #include "reports/vec.h"
 #include "scenarios/catalog.h"
@@ -42,11 +44,14 @@ Scene touching(Draw& draw) {
   };
   place({});
   const int others = draw.whole(1, 3);
+  double lowest = 0;
   for (int i = 0; i < others; ++i) {
     const Vec side = unit_at(0.25 * i);
-    place(2 * size * side + (discs || draw.chance(0.5) ? Vec{} : Vec{2 * size * side.y, 2 * size * side.x}));
+    const Vec beside{-side.y, side.x};
+    place(2 * size * side + (discs || draw.chance(0.5) ? Vec{} : 2 * size * beside));
+    lowest = std::min(lowest, scene.bodies.back().position.y);
   }
-  if (draw.chance(0.6)) scene.bodies.push_back(half_space("ground", {.offset = -size}, of));
+  if (draw.chance(0.6)) scene.bodies.push_back(half_space("ground", {.offset = lowest - size}, of));
   return scene;
 }
 

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "reports/find/admissible.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/joints.h"
 #include "scenarios/scene/scene_json.h"
 
 namespace plumb::kind_test {
@@ -33,9 +36,9 @@ TEST(Kind, DrawsScenesThatAFileCanHoldOfAtMostTwoHundredBodies) {
   }
 }
 
-TEST(Kind, StartsNothingInsideSomethingElseNorAgainstItsJointsWhereItIsWellPosed) {
+TEST(Kind, StartsNothingInsideSomethingElseNorAgainstItsJointsUnlessItSaysSo) {
   for (const Kind* kind : Catalog<Kind>::all()) {
-    if (kind->posed != Posed::well) continue;
+    if (kind->posed == Posed::overlapping) continue;
     for (int n = 0; n < draws; ++n) {
       const Scene scene = drawn(*kind, 1, n);
       const Contradictions found = contradictions(scene);
@@ -44,6 +47,43 @@ TEST(Kind, StartsNothingInsideSomethingElseNorAgainstItsJointsWhereItIsWellPosed
       EXPECT_LE(found.joint_gap, 1e-9) << scene.name;
     }
   }
+}
+
+TEST(Kind, DrawsMotorsPathsAndLimitsNowAndThen) {
+  int motors = 0;
+  int limited = 0;
+  int paths = 0;
+  for (const char* name : {"door", "slider", "belt"}) {
+    for (int n = 0; n < draws; ++n) {
+      const Scene scene = drawn(*Catalog<Kind>::find(name), 1, n);
+      for (const Joint& joint : scene.joints) {
+        motors += motor_of(joint) != nullptr ? 1 : 0;
+        limited += motor_of(joint) != nullptr && limits_of(joint) != nullptr ? 1 : 0;
+      }
+      paths += std::ranges::any_of(scene.bodies, [](const Body& one) { return one.path.has_value(); }) ? 1 : 0;
+    }
+  }
+  EXPECT_GE(motors, 10);
+  EXPECT_GE(limited, 5);
+  EXPECT_GE(paths, 10);
+}
+
+// Box2D and Chipmunk have one coefficient of friction and would be left out of all others.
+TEST(Kind, DrawsTwoFrictionsInFewScenes) {
+  int scenes = 0;
+  int with_two = 0;
+  for (const Kind* kind : Catalog<Kind>::all()) {
+    for (int n = 0; n < draws; ++n) {
+      const Scene scene = drawn(*kind, 1, n);
+      ++scenes;
+      with_two += std::ranges::any_of(scene.bodies, [](const Body& body) {
+        return std::ranges::any_of(
+            body.shapes, [](const Shape& one) { return one.surface.static_friction != one.surface.dynamic_friction; });
+      });
+    }
+  }
+  EXPECT_GE(with_two, scenes / 50);
+  EXPECT_LE(with_two, scenes / 12);
 }
 
 TEST(Draw, UnitAtGoesAroundOnceInRisingOrder) {
