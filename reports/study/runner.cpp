@@ -15,8 +15,11 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <fstream>
 #include <iterator>
 #include <new>
+#include <sstream>
+#include <string>
 #include <system_error>
 
 #include "reference/programs/line_process.h"
@@ -90,6 +93,23 @@ void run_job(const Job& job, double seconds) {
 std::string exit_text(int status) {
   if (WIFSIGNALED(status)) return fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
   return fmt::format("ended without a result, with exit code {}", WEXITSTATUS(status));
+}
+
+// s; 0 for a process that is gone.
+double processor_time(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/stat", process));
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  // The second field is a name in parentheses, which may contain anything; user and system time are the 14th and 15th,
+  // those of children that ended the next two.
+  std::istringstream fields(text.substr(std::min(text.rfind(')') + 1, text.size())));
+  std::string skipped;
+  for (int field = 3; field < 14; ++field) fields >> skipped;
+  double user = 0;
+  double system = 0;
+  double children_user = 0;
+  double children_system = 0;
+  fields >> user >> system >> children_user >> children_system;
+  return (user + system + children_user + children_system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 using Processes = std::vector<std::unique_ptr<JobProcess>>;
@@ -260,6 +280,8 @@ double JobProcess::time_waited() const { return std::chrono::duration<double>(Cl
 void JobProcess::check(const JobLimits& limits) {
   if (time_waited() > limits.seconds) {
     finish(Ending::timed_out, fmt::format("took more than {} s", limits.seconds));
+  } else if (std::isfinite(limits.processor_seconds) && processor_time(process_) > limits.processor_seconds) {
+    finish(Ending::timed_out, fmt::format("took more than {} s of a processor", limits.processor_seconds));
   } else if (resident_memory(process_) > limits.mebibytes) {
     finish(Ending::out_of_memory, fmt::format("took more than {} MiB", limits.mebibytes));
   }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,6 +20,8 @@ namespace plumb {
 struct JobLimits {
   double seconds = 60;      // for its run, and again for each repetition
   double mebibytes = 4096;  // resident memory
+  /// Of processors, by the process and by those that it has waited for, in all.
+  double processor_seconds = std::numeric_limits<double>::infinity();
 };
 
 /// A child process that runs one job. Only a process without other threads may fork one.

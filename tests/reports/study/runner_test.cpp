@@ -1,11 +1,13 @@
 #include "reports/study/runner.h"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <new>
 #include <stdexcept>
@@ -61,6 +63,34 @@ TEST(Runner, ReportsACrashAndAHangAsResults) {
     for (;;) usleep(1000);
   });
   EXPECT_EQ(found({hang}, {.limits = {.seconds = 1}})["hang"].ending, Ending::timed_out);
+}
+
+// The machine's load decides how long a job takes, but not how much it computes.
+TEST(Runner, CountsAProcessorsSecondsAndThoseOfProcessesThatHaveEnded) {
+  const Job computes = job("computes", []() -> JobOutput {
+    for (;;) {
+    }
+  });
+  const JobResult ended = found({computes}, {.limits = {.processor_seconds = 0.1}})["computes"];
+  EXPECT_EQ(ended.ending, Ending::timed_out);
+  EXPECT_THAT(ended.reason, HasSubstr("0.1 s of a processor"));
+  const Job waits = job("waits", [] {
+    usleep(300'000);
+    return number(1);
+  });
+  EXPECT_EQ(found({waits}, {.limits = {.processor_seconds = 0.1}})["waits"].ending, Ending::done);
+  const Job delegates = job("delegates", []() -> JobOutput {
+    for (;;) {
+      const pid_t child = fork();
+      if (child == 0) {
+        while (std::clock() < CLOCKS_PER_SEC / 20) {
+        }
+        _exit(0);
+      }
+      waitpid(child, nullptr, 0);
+    }
+  });
+  EXPECT_EQ(found({delegates}, {.limits = {.processor_seconds = 0.2}})["delegates"].ending, Ending::timed_out);
 }
 
 TEST(Runner, EndsAJobAtItsMemoryLimit) {
