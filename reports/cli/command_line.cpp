@@ -73,7 +73,7 @@ const std::vector<ExitCode>& exit_codes() {
       {0, "fine"},
       {1,
        "a run is wrong or failed (run, find --again), two runs diverge (diff), something is not as accepted (check), a "
-       "fault is not caught (prove)"},
+       "fault is not caught (prove), judges complain of a closed form (find)"},
       {2, "bad usage or input, or a file that cannot be read or written"},
       {3, "an internal error"},
       {130, "interrupted (study, find)"}};

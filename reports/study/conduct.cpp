@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -68,8 +70,9 @@ std::string duration_text(double seconds) {
 
 class StudyProgress {
  public:
-  StudyProgress(std::string study, std::size_t resumed, std::size_t all)
-      : study_(std::move(study)), resumed_(resumed), done_(resumed), all_(all) {
+  /// `time_left`: s until no further job starts; infinite if all do.
+  StudyProgress(std::string study, std::size_t resumed, std::size_t all, std::function<double()> time_left)
+      : study_(std::move(study)), resumed_(resumed), done_(resumed), all_(all), time_left_(std::move(time_left)) {
     show("");
   }
 
@@ -84,13 +87,16 @@ class StudyProgress {
   void show(const std::string& last) const {
     const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
     const double each = spent / static_cast<double>(std::max<std::size_t>(done_ - resumed_, 1));
-    const std::string left =
-        done_ == resumed_ ? "" : duration_text(each * static_cast<double>(all_ - done_)) + " left; last ";
-    line_.show(fmt::format("{} [{}/{}] {}{}", study_, done_, all_, left, last));
+    const double of_all = each * static_cast<double>(all_ - done_);
+    const double until = std::max(time_left_(), 0.0);
+    const std::string done = until < of_all ? fmt::format("[{}]", done_) : fmt::format("[{}/{}]", done_, all_);
+    const std::string left = done_ == resumed_ ? "" : duration_text(std::min(of_all, until)) + " left; last ";
+    line_.show(fmt::format("{} {} {}{}", study_, done, left, last));
   }
 
   std::string study_;
   std::size_t resumed_, done_, all_;
+  std::function<double()> time_left_;
   Clock::time_point start_ = Clock::now();
   ProgressLine line_{ProgressLine::Kind::long_run};
 };
@@ -186,17 +192,20 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
   const std::vector<std::vector<Job>> left = units_left(own_units, known);
   const Watch watch;
   double enough = plan.follow_up ? options.enough * 2 / 3 : options.enough;
+  const auto time_left = [&] {
+    return options.enough > 0 ? enough - watch.seconds() : std::numeric_limits<double>::infinity();
+  };
   const Execution execution{.parallel = options.parallel,
                             .limits = {options.seconds, options.mebibytes},
                             .interrupted = Interrupt::raised,
-                            .enough = [&] { return options.enough > 0 && watch.seconds() > enough; }};
+                            .enough = [&] { return time_left() < 0; }};
   std::vector<JobResult> results;
   bool complete = false;
   {
     const Interrupt interrupt;
     std::size_t to_do = 0;
     for (const std::vector<Job>& unit : left) to_do += unit.size();
-    std::optional<StudyProgress> progress(std::in_place, study.name, head.jobs - to_do, head.jobs);
+    std::optional<StudyProgress> progress(std::in_place, study.name, head.jobs - to_do, head.jobs, time_left);
     const auto keep = [&](std::span<const JobResult> arrived) {
       file.add(arrived);
       for (const JobResult& result : arrived) known.emplace(result.key, result);
@@ -210,7 +219,7 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
       results = in_plan_order(done, known);
       complete = add_follow_up(
           plan, results, execution, known,
-          [&](std::size_t resumed, std::size_t jobs) { progress.emplace(study.name, resumed, jobs); }, keep);
+          [&](std::size_t resumed, std::size_t jobs) { progress.emplace(study.name, resumed, jobs, time_left); }, keep);
     }
   }
   if (!complete) {
@@ -223,8 +232,8 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
                printable(path.string(), std::string::npos), head.shard.name());
     return 0;
   }
-  write_study(study, head, plan, results, folder);
-  return warn_about_limits(results, options) ? 1 : 0;
+  const int code = write_study(study, head, plan, results, folder);
+  return warn_about_limits(results, options) ? 1 : code;
 }
 
 std::string summary_command(const Study& study) {

@@ -170,8 +170,8 @@ std::string csv_of(const std::vector<JobResult>& results) {
   return text;
 }
 
-void write_study(const Study& study, const ResultsHead& head, const StudyPlan& plan,
-                 const std::vector<JobResult>& results, const OutputFolder& folder) {
+int write_study(const Study& study, const ResultsHead& head, const StudyPlan& plan,
+                const std::vector<JobResult>& results, const OutputFolder& folder) {
   const Findings found = plan.conclude(results);
   const Json document = document_of(study, head, results, found);
   const std::string stem = "study-" + study.name;
@@ -193,9 +193,10 @@ void write_study(const Study& study, const ResultsHead& head, const StudyPlan& p
                more > 0 ? fmt::format(" and {} more", more) : "");
   }
   if (!why_not.empty()) fmt::print("No {}.html: {}.\n", stem, why_not);
+  return found.failed ? 1 : 0;
 }
 
-void merge_shards(const std::vector<fs::path>& paths, const OutputFolder& folder) {
+int merge_shards(const std::vector<fs::path>& paths, const OutputFolder& folder) {
   std::vector<ShardFile> files;
   for (const fs::path& path : paths) files.push_back({path, read_results(path)});
   if (files.empty()) throw std::invalid_argument("there are no files to merge");
@@ -222,7 +223,7 @@ void merge_shards(const std::vector<fs::path>& paths, const OutputFolder& folder
   add_follow_up(plan, results, {.parallel = default_jobs()});
   head.shard = {};
   head.jobs = results.size();
-  write_study(study, head, plan, results, folder);
+  return write_study(study, head, plan, results, folder);
 }
 
 }  // namespace plumb

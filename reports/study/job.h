@@ -63,6 +63,7 @@ struct Findings {
   nlohmann::ordered_json findings = nlohmann::ordered_json::object();  // the same in every run
   nlohmann::ordered_json timings = nlohmann::ordered_json::object();   // everything that depends on the clock
   std::string text;                                                    // lines for the console
+  bool failed = false;  // they show something that must not be: the study's exit code is 1
   /// Further files, as pairs of a path inside the study's folder and contents: the same in every run.
   std::vector<std::pair<std::string, std::string>> files = {};
 };

@@ -16,8 +16,7 @@ struct Merge {
 
 int execute(const Merge& options) {
   const OutputFolder folder(options.out);
-  merge_shards({options.files.begin(), options.files.end()}, folder);
-  return 0;
+  return merge_shards({options.files.begin(), options.files.end()}, folder);
 }
 
 const Catalog<Command>::Entry entry{

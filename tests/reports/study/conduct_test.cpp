@@ -154,6 +154,22 @@ Study squares() {
           .summary = {{"--numbers", "2", "3"}}};
 }
 
+TEST_F(Conduct, ExitsWith1IfTheFindingsShowWhatMustNotBe) {
+  for (const bool failed : {false, true}) {
+    Study study = squares();
+    study.plan = [plan = study.plan, failed](const Json& configuration) {
+      StudyPlan with = plan(configuration);
+      with.conclude = [conclude = with.conclude, failed](const std::vector<JobResult>& results) {
+        Findings found = conclude(results);
+        found.failed = failed;
+        return found;
+      };
+      return with;
+    };
+    EXPECT_EQ(conduct(study, {{"numbers", {1, 2}}}, {.out = at("out")}), failed ? 1 : 0);
+  }
+}
+
 TEST(StudySummary, RunsAShortStudyAndReportsEachJob) {
   std::vector<std::string> progress;
   const Json document = summary_document(squares(), 1, [&](const std::string& key, std::size_t done, std::size_t of) {
