@@ -5,17 +5,13 @@
 #include <type_traits>
 #include <variant>
 
+#include "reports/judge/contacts.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/vec.h"
 
 namespace plumb {
 namespace {
-
-Vec velocity_at(const BodyState& state, Vec point) {
-  const Vec arm = point - state.position;
-  return state.velocity + state.angular_velocity * Vec{-arm.y, arm.x};
-}
 
 // m/s, at which the joint's constraint is broken at the start.
 double speed_apart(const Joint& joint, std::span<const BodyState> start) {
@@ -56,6 +52,18 @@ Contradictions contradictions(const Scene& scene) {
     found.joint_gap = std::max(found.joint_gap, gap_of(joint));
   }
   return found;
+}
+
+Contradictions operator+(const Contradictions& a, const Contradictions& b) {
+  return {a.overlap + b.overlap, a.joint_speed + b.joint_speed, a.joint_gap + b.joint_gap};
+}
+
+Contradictions larger(const Contradictions& a, const Contradictions& b) {
+  return {std::max(a.overlap, b.overlap), std::max(a.joint_speed, b.joint_speed), std::max(a.joint_gap, b.joint_gap)};
+}
+
+Contradictions stated_by(const Stepping& stepping) {
+  return {stepping.contact_gap(), stepping.joint_slop / stepping.dt, stepping.joint_slop};
 }
 
 bool no_worse(const Scene& scene, const Contradictions& than) {

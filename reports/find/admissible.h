@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scenarios/scenario.h"
 #include "scenarios/scene/scene.h"
 
 namespace plumb {
@@ -12,6 +13,12 @@ struct Contradictions {
 };
 
 Contradictions contradictions(const Scene&);
+
+Contradictions operator+(const Contradictions&, const Contradictions&);
+/// The larger of each.
+Contradictions larger(const Contradictions&, const Contradictions&);
+/// What an engine states that its runs may leave of them: contacts and joints within their gaps, which a step closes.
+Contradictions stated_by(const Stepping&);
 
 /// Whether a scene starts no more against the rules than another, but for round-off.
 bool no_worse(const Scene&, const Contradictions& than);

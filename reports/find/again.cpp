@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 #include "reports/find/finding.h"
 #include "reports/find/isolated.h"
 #include "reports/find/tables.h"
+#include "reports/study/runner.h"
 #include "reports/system/files.h"
 #include "reports/writers/junit.h"
 #include "reports/writers/output.h"
@@ -24,40 +26,69 @@ std::vector<fs::path> scenes_in(const std::string& folder) {
   if (!fs::is_directory(folder)) throw std::invalid_argument(folder + ": is not a folder");
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(scene_ending) && !name.ends_with(image_ending)) files.push_back(entry.path());
   }
   if (files.empty()) throw std::invalid_argument(folder + ": has no scene files; plumb find writes them to OUT/found");
   std::ranges::sort(files);
   return files;
 }
 
+std::vector<Suspect> suspects_of(const SceneFile& file, const AgainOptions& options) {
+  if (!options.engines.empty()) return parse_suspects(options.engines);
+  return parse_suspects(file.origin ? file.origin->engine : ours);
+}
+
+// What each engine fails by in one scene.
+JobOutput judged_again(const SceneFile& file, const AgainOptions& options) {
+  const std::vector<Suspect> suspects = suspects_of(file, options);
+  const Posed posed = file.origin ? file.origin->posed : Posed::well;
+  const std::vector<Opinion> opinions = judged_apart(file.scene, posed, suspects, {}, {.seconds = options.run_limit});
+  nlohmann::ordered_json lines = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < suspects.size(); ++i) {
+    std::string failure;
+    for (const Complaint& one : opinions[i].complaints) failure += (failure.empty() ? "" : "; ") + one.words();
+    const bool ran = opinions[i].status != name_of(Status::not_supported);
+    lines.push_back({{"engine", suspects[i].name},
+                     {"failure", failure},
+                     {"what", !failure.empty() ? failure
+                              : ran            ? "holds"
+                                               : "not supported"}});
+  }
+  return {.values = {{"lines", std::move(lines)}}};
+}
+
 }  // namespace
 
-int run_again(const std::string& folder, const std::vector<std::string>& words, bool chosen, const std::string& out,
-              double run_limit) {
-  const std::vector<fs::path> files = scenes_in(folder);
-  const OutputFolder into(out);
-  const RunLimits limits{.seconds = run_limit};
+int run_again(const std::string& folder, const AgainOptions& options) {
+  std::vector<Job> jobs;
+  for (const fs::path& path : scenes_in(folder)) {
+    const SceneFile file = read_scene(read_text(path.string(), largest_scene_file), path.string());
+    suspects_of(file, options);  // refuses an unknown engine before anything runs
+    jobs.push_back({.key = path.stem().string(), .run = [file, &options] { return judged_again(file, options); }});
+  }
+  const OutputFolder into(options.out);
+  constexpr JobLimits limits{.seconds = 3600};  // each run has one of its own
+  std::map<std::string, JobResult> results;
+  execute(units_of(jobs), {.parallel = options.parallel, .limits = limits}, [&](std::span<const JobResult> arrived) {
+    for (const JobResult& one : arrived) results.emplace(one.key, one);
+  });
+
   std::vector<TestCase> cases;
   std::vector<std::vector<std::string>> rows{{"scene", "engine", "what"}};
   int failed = 0;
-  for (const fs::path& file : files) {
-    const Scene scene = read_scene(read_text(file.string(), largest_scene_file), file.string()).scene;
-    const Origin origin = origin_of(scene);
-    const std::string found_in = origin.engine.empty() ? "impulse" : origin.engine;
-    const std::vector<Suspect> suspects = parse_suspects(chosen ? words : std::vector{found_in});
-    const std::vector<Opinion> opinions = judged_apart(scene, origin.posed, suspects, {}, limits);
-    for (std::size_t i = 0; i < suspects.size(); ++i) {
-      const Suspect& suspect = suspects[i];
-      const Opinion& opinion = opinions[i];
-      std::string failure;
-      for (const Complaint& one : opinion.complaints) failure += (failure.empty() ? "" : "; ") + one.words();
-      failed += failure.empty() ? 0 : 1;
-      cases.push_back({file.stem().string(), suspect.name, failure});
-      rows.push_back({file.stem().string(), suspect.name,
-                      !failure.empty()         ? failure
-                      : opinion.status == "ok" ? "holds"
-                                               : "not supported"});
+  const auto add = [&](const std::string& scene, const std::string& engine, const std::string& failure,
+                       const std::string& what) {
+    failed += failure.empty() ? 0 : 1;
+    cases.push_back({scene, engine, failure});
+    rows.push_back({scene, engine, what});
+  };
+  for (const auto& [scene, result] : results) {
+    const std::string lost = fmt::format("{}: {}", name_of(result.ending), result.reason);
+    if (result.ending != Ending::done) add(scene, "", lost, lost);
+    const auto& values = result.output.values;
+    for (const auto& line : values.value("lines", nlohmann::ordered_json::array())) {
+      add(scene, line.at("engine"), line.at("failure"), line.at("what"));
     }
   }
   const std::string verdict = fmt::format("{} of {} fail.\n", failed, cases.size());

@@ -72,6 +72,7 @@ Json as_json(const Opinion& of) {
   for (const Complaint& one : of.complaints) complaints.push_back(as_json(one));
   return {{"status", of.status},
           {"note", of.note},
+          {"by_laws_alone", of.by_laws_alone},
           {"complaints", std::move(complaints)},
           {"energy_rise", number_or_nothing(of.energy_rise)},
           {"overlap", number_or_nothing(of.overlap)}};
@@ -80,6 +81,7 @@ Json as_json(const Opinion& of) {
 Opinion opinion_of(const Json& json) {
   Opinion of{.status = json.at("status"),
              .note = json.at("note"),
+             .by_laws_alone = json.at("by_laws_alone"),
              .complaints = {},
              .energy_rise = optional_of(json.at("energy_rise")),
              .overlap = optional_of(json.at("overlap"))};

@@ -30,6 +30,7 @@ struct Complaint {
 struct Opinion {
   std::string status;                 // "ok", "failed", "not supported"
   std::string note;                   // why it is not ok
+  bool by_laws_alone = false;         // as judging it by more took too long, or crashed
   std::vector<Complaint> complaints;  // at most one of a reason, in the order of judges
   std::optional<double> energy_rise;  // relative to the scene's energy range; nullopt if energy comes from outside
   std::optional<double> overlap;      // m, the deepest

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
-#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "reports/system/hash.h"
@@ -17,8 +17,6 @@ namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr Posed all_posed[] = {Posed::well, Posed::ambiguous, Posed::impossible, Posed::overlapping};
 
 // What a scene file says of a scene that is not well posed.
 std::string judged_by(Posed posed) {
@@ -59,7 +57,12 @@ std::string file_word(const std::string& text) {
   return word;
 }
 
-std::string plain_text(const Scene& scene) { return write_scene({.scene = scene, .truth = {}}); }
+// A scene file that says nothing of where it comes from but this.
+std::string unnamed(Scene scene, const std::optional<Origin>& origin = std::nullopt) {
+  scene.name = "scene";
+  scene.about.clear();
+  return write_scene({.scene = std::move(scene), .truth = {}, .origin = origin});
+}
 
 }  // namespace
 
@@ -74,16 +77,10 @@ std::string Finding::signature() const {
   static_assert(std::variant_size_v<Joint> == joints.size() && std::variant_size_v<Force> == forces.size());
   std::set<std::string> parts;
   for (const Body& body : scene.bodies) parts.insert(body_kind(body));
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    for (std::size_t k = i + 1; k < scene.bodies.size(); ++k) {
-      const Body& a = scene.bodies[i];
-      const Body& b = scene.bodies[k];
-      const bool may_touch = (a.layers & b.layers) != 0 && (a.type == BodyType::dynamic || b.type == BodyType::dynamic);
-      if (!may_touch) continue;
-      const std::string one = body_kind(a);
-      const std::string other = body_kind(b);
-      parts.insert(std::min(one, other) + " on " + std::max(one, other));
-    }
+  for (const auto& [a, b] : run.touching) {
+    const std::string one = body_kind(scene.bodies[a]);
+    const std::string other = body_kind(scene.bodies[b]);
+    parts.insert(std::min(one, other) + " on " + std::max(one, other));
   }
   for (const Joint& joint : scene.joints) parts.insert(joints[joint.index()]);
   for (const Force& force : scene.forces) parts.insert(forces[force.index()]);
@@ -91,11 +88,8 @@ std::string Finding::signature() const {
 }
 
 std::string Finding::name() const {
-  Scene content = scene;
-  content.name = "scene";
-  content.about.clear();
   return fmt::format("{}-{}-{}", file_word(engine), file_word(complaint.what),
-                     sha256(engine + complaint.reason() + plain_text(content)).substr(0, 8));
+                     sha256(engine + complaint.reason() + unnamed(scene)).substr(0, 8));
 }
 
 std::string Finding::file(std::uint64_t seed) const {
@@ -103,44 +97,40 @@ std::string Finding::file(std::uint64_t seed) const {
   named.name = name();
   named.about = fmt::format("{}: {}. Cut down from scene {} of plumb find --seed {}, which has {} bodies.{}", engine,
                             complaint.words(), from, seed, drawn_bodies, judged_by(posed));
-  return plain_text(named);
+  return write_scene({.scene = std::move(named), .truth = {}, .origin = Origin{engine, posed}});
+}
+
+std::string Finding::image_file() const {
+  if (!run.image) return "";
+  Scene named = run.image->scene;
+  named.name = name() + ".image";
+  named.about = fmt::format("The image of {} by the relation {}, run with steps of {:.6g} s.", name(), complaint.what,
+                            run.image->dt);
+  return write_scene({.scene = std::move(named), .truth = {}});
 }
 
 Json as_json(const Finding& of) {
-  Scene named = of.scene;
-  named.name = "scene";
-  named.about.clear();
   return {{"engine", of.engine},
           {"complaint", as_json(of.complaint)},
           {"from", of.from},
-          {"posed", name_of(of.posed)},
           {"drawn_bodies", of.drawn_bodies},
           {"moving_bodies", of.moving_bodies()},
           {"runs", of.runs},
-          {"scene", Json::parse(plain_text(named))}};
+          {"scene", Json::parse(unnamed(of.scene, Origin{of.engine, of.posed}))},
+          {"run", as_json(of.run)}};
 }
 
 Finding finding_of(const Json& json) {
-  Finding of{.engine = json.at("engine"),
-             .complaint = complaint_of(json.at("complaint")),
-             .from = json.at("from"),
-             .scene = read_scene(json.at("scene").dump(), "a finding").scene,
-             .drawn_bodies = json.at("drawn_bodies"),
-             .runs = json.at("runs")};
-  for (const Posed posed : all_posed) {
-    if (json.at("posed") == name_of(posed)) of.posed = posed;
-  }
-  return of;
-}
-
-Origin origin_of(const Scene& scene) {
-  Origin origin;
-  if (scene.about.find(" of plumb find --seed ") == std::string::npos) return origin;
-  origin.engine = scene.about.substr(0, scene.about.find(": "));
-  for (const Posed posed : all_posed) {
-    if (posed != Posed::well && scene.about.ends_with(judged_by(posed))) origin.posed = posed;
-  }
-  return origin;
+  const SceneFile file = read_scene(json.at("scene").dump(), "a finding");
+  const Origin origin = file.origin.value_or(Origin{});
+  return {.engine = origin.engine,
+          .complaint = complaint_of(json.at("complaint")),
+          .from = json.at("from"),
+          .posed = origin.posed,
+          .scene = file.scene,
+          .drawn_bodies = json.at("drawn_bodies"),
+          .runs = json.at("runs"),
+          .run = failing_run_of(json.at("run"))};
 }
 
 }  // namespace plumb

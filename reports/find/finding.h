@@ -1,13 +1,18 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "reports/find/complaint.h"
+#include "reports/find/films.h"
 #include "reports/find/kind.h"
 #include "scenarios/scene/scene.h"
 
 namespace plumb {
+
+/// The files of a finding are its name with these.
+inline constexpr const char* scene_ending = ".json";
+inline constexpr const char* image_ending = ".image.json";
 
 /// A scene in which an engine is wrong, cut down.
 struct Finding {
@@ -17,27 +22,23 @@ struct Finding {
   Posed posed = Posed::well;
   Scene scene;  // without name and about
   int drawn_bodies = 0;
-  int runs = 0;  // that cutting it down took
+  int runs = 0;    // that cutting it down took
+  FailingRun run;  // of the scene, cut down
 
   int moving_bodies() const;
   /// What two findings of the same fault have in common: the engine, the reason, and which kinds of bodies, pairs that
-  /// may touch, joints and forces there are.
+  /// touch, joints and forces there are.
   std::string signature() const;
   /// From the content of the scene and the engine: "box2d-energy-1a2b3c4d".
   std::string name() const;
-  /// Its scene file, with name, and in words what fails and where it comes from.
+  /// Its scene file, with name, origin, and in words what fails and where it comes from.
   std::string file(std::uint64_t seed) const;
+  /// The scene file of the image with which it breaks a relation; "" if it breaks none.
+  std::string image_file() const;
 };
 
 nlohmann::ordered_json as_json(const Finding&);
 /// Throws nlohmann::json::exception or std::invalid_argument for what as_json does not write.
 Finding finding_of(const nlohmann::ordered_json&);
-
-/// What `file` wrote about a scene, for running it again.
-struct Origin {
-  std::string engine;  // "" if the scene was not written by a search
-  Posed posed = Posed::well;
-};
-Origin origin_of(const Scene&);
 
 }  // namespace plumb

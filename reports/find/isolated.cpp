@@ -13,12 +13,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Times the processor's seconds, until one that waits instead of computing is ended.
+constexpr double patience = 10;
+
 // Does some work in a process of its own.
 JobResult done_apart(const std::string& key, const RunLimits& limits, const std::function<Json()>& work) {
   const std::array jobs{Job{.key = key, .run = [&] { return JobOutput{.values = work()}; }}};
   const std::array<std::span<const Job>, 1> units{std::span<const Job>(jobs)};
   JobResult result;
-  execute(units, {.parallel = 1, .limits = {limits.seconds, limits.mebibytes}},
+  execute(units, {.parallel = 1, .limits = {patience * limits.seconds, limits.mebibytes, limits.seconds}},
           [&](std::span<const JobResult> results) { result = results.front(); });
   return result;
 }
@@ -62,8 +65,8 @@ Opinion opinion_apart(const Scene& scene, Posed posed, const EngineConfig& confi
     return Json{{"complaints", std::move(all)}};
   });
   // Many images of a slow scene take long: that is not the engine's fault.
-  if (more.ending == Ending::timed_out) return opinion;
-  if (more.ending != Ending::done) opinion.complaints.push_back(lost(more, "relation"));
+  opinion.by_laws_alone = more.ending == Ending::timed_out;
+  if (more.ending != Ending::done && !opinion.by_laws_alone) opinion.complaints.push_back(lost(more, "relation"));
   if (more.ending == Ending::done) {
     for (const Json& one : more.output.values.at("complaints")) opinion.complaints.push_back(complaint_of(one));
   }
@@ -103,7 +106,37 @@ std::vector<Opinion> judged_apart(const Scene& scene, Posed posed, std::span<con
                                                      : judged_by_all(Judges::laws(), scene, posed, suspects, limits);
   std::vector<Opinion> opinions;
   for (const Json& one : found.at("opinions")) opinions.push_back(opinion_of(one));
+  if (informed.ending != Ending::done) {
+    for (Opinion& one : opinions) one.by_laws_alone = true;
+  }
   return opinions;
+}
+
+std::vector<BodyState> states_apart(const Scene& scene, const Suspect& suspect, double time, const RunLimits& limits) {
+  const JobResult reached = done_apart(scene.name, limits, [&] {
+    Json states = Json::array();
+    const Outcome outcome = run(scene, suspect.config, search_step);
+    const bool there = outcome.trace != nullptr && outcome.time >= time;
+    for (std::size_t i = 0; there && i < scene.bodies.size(); ++i) {
+      const BodyState state = outcome.trace->state_at(i, time);
+      states.push_back({state.position.x, state.position.y, state.angle, state.velocity.x, state.velocity.y,
+                        state.angular_velocity});
+    }
+    return Json{{"states", std::move(states)}};
+  });
+  std::vector<BodyState> states;
+  if (reached.ending != Ending::done) return states;
+  for (const Json& one : reached.output.values.at("states")) {
+    states.push_back({{one[0], one[1]}, one[2], {one[3], one[4]}, one[5]});
+  }
+  return states;
+}
+
+FailingRun shown_apart(const Scene& scene, const Complaint& complaint, const Suspect& suspect,
+                       std::span<const Suspect> others, const RunLimits& limits) {
+  const JobResult shown =
+      done_apart(scene.name, limits, [&] { return as_json(run_to_show(scene, complaint, suspect, others)); });
+  return shown.ending == Ending::done ? failing_run_of(shown.output.values) : FailingRun{};
 }
 
 }  // namespace plumb

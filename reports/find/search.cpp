@@ -38,6 +38,7 @@ struct SearchOptions {
 /// What all jobs of a search share.
 struct Search {
   std::vector<Suspect> suspects;
+  std::vector<Suspect> others;  // that films of findings show beside them
   std::vector<const Kind*> kinds;
   std::uint64_t seed = 0;
   int count = 0, budget = 0, each = 0;
@@ -65,6 +66,8 @@ std::vector<const Kind*> kinds_named(const std::vector<std::string>& names) {
 std::shared_ptr<const Search> search_of(const Json& configuration) {
   auto search = std::make_shared<Search>();
   search->suspects = parse_suspects(configuration.at("engines").get<std::vector<std::string>>());
+  search->others = parse_suspects(std::vector<std::string>{});
+  std::ranges::stable_partition(search->others, [](const Suspect& one) { return one.name == ours; });
   search->kinds = kinds_named(configuration.at("kinds"));
   search->seed = configuration.at("seed");
   search->count = configuration.at("count");
@@ -113,14 +116,17 @@ JobOutput cut_down(const Search& search, const Lead& lead) {
   Scene scene = drawn(kind, search.seed, std::stoi(lead.scene.substr(slash + 1)));
   const Suspect& suspect = search.suspect(lead.engine);
   const Judges judges = Judges::of_reason(lead.reason);
-  const Failing fails = [&](const Scene& candidate) -> std::optional<Complaint> {
-    const auto opinions = judged_apart(candidate, kind.posed, {&suspect, 1}, judges, search.limits);
-    const Complaint* same = opinions.front().of(lead.reason);
-    return same == nullptr ? std::nullopt : std::optional(*same);
-  };
-  const auto first = fails(scene);
+  const Trial trial{.fails = [&](const Scene& candidate) -> std::optional<Complaint> {
+                      const auto opinions = judged_apart(candidate, kind.posed, {&suspect, 1}, judges, search.limits);
+                      const Complaint* same = opinions.front().of(lead.reason);
+                      return same == nullptr ? std::nullopt : std::optional(*same);
+                    },
+                    .states = [&](const Scene& candidate,
+                                  double time) { return states_apart(candidate, suspect, time, search.limits); },
+                    .stated = stated_by(suspect.config.engine->stepping(suspect.config.settings, search_step))};
+  const auto first = trial.fails(scene);
   if (!first) throw std::runtime_error("the second run of the scene did not fail: the engine is not deterministic");
-  Shrunk shrunk = shrink(scene, *first, fails, search.budget);
+  Shrunk shrunk = shrink(scene, *first, trial, search.budget);
   Finding finding{.engine = lead.engine,
                   .complaint = shrunk.complaint,
                   .from = lead.scene,
@@ -130,6 +136,7 @@ JobOutput cut_down(const Search& search, const Lead& lead) {
                   .runs = shrunk.runs};
   finding.scene.name = "scene";
   finding.scene.about.clear();
+  finding.run = shown_apart(finding.scene, finding.complaint, suspect, search.others, search.limits);
   return {.values = as_json(finding)};
 }
 
@@ -200,12 +207,13 @@ Json configuration_of(const SearchOptions& options) {
 const Catalog<Study>::Entry find_entry{
     {.name = "find",
      .about = "Random scenes in which engines are wrong, each cut down to the smallest that still shows it",
-     .examples = "  plumb find                                    200 scenes, every engine\n"
-                 "  plumb find --time 10m --engine impulse        as many as ten minutes allow\n"
-                 "  plumb find --kind heap --kind tower --seed 7  other scenes, of two kinds\n"
-                 "  plumb find --engine fault:all                 which of prove's faults random scenes find\n"
-                 "  plumb find --engine closed-form:all           what judges say of closed forms: nothing\n"
-                 "  plumb find --again out/found                  run what was found again; exit code 1 if it fails\n",
+     .examples =
+         "  plumb find                                    200 scenes, every engine\n"
+         "  plumb find --time 10m --engine impulse        as many as ten minutes allow\n"
+         "  plumb find --kind heap --kind tower --seed 7  other scenes, of two kinds\n"
+         "  plumb find --engine fault:all                 which of prove's faults random scenes find\n"
+         "  plumb find --engine closed-form:all           what judges say of closed forms; exit code 1 unless nothing\n"
+         "  plumb find --again out/found                  run what was found again; exit code 1 if it fails\n",
      .attach = [](CLI::App& app) -> std::function<Json()> {
        const auto options = std::make_shared<SearchOptions>();
        std::string names;
@@ -232,7 +240,7 @@ const Catalog<Study>::Entry find_entry{
            ->capture_default_str()
            ->check(CLI::Range(1, 100))
            ->type_name("N");
-       app.add_option("--run-limit", options->limit, "Seconds that one run of an engine may take")
+       app.add_option("--run-limit", options->limit, "Seconds of a processor that one run of an engine may take")
            ->capture_default_str()
            ->check(CLI::Range(0.1, 3600.0))
            ->type_name("S");

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "reference/simulation.h"
+#include "reports/find/admissible.h"
 #include "reports/find/complaint.h"
 #include "scenarios/scene/scene.h"
 
@@ -12,16 +14,32 @@
 /// R. Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002).
 namespace plumb {
 
+/// How a scene fails.
+struct Failure {
+  Complaint complaint;
+  /// The states that its run reaches at a time, s; empty if it does not get there.
+  std::function<std::vector<BodyState>(double time)> states;
+};
+
 /// One way to make a scene simpler. Joins Catalog<Cut> from its own file in reports/find/cuts/.
 struct Cut {
   std::string name;
   int order = 0;  // small: tried first, as it removes most
-  /// Scenes that are simpler in one respect each, the boldest first; `at` is what the scene fails by.
-  std::function<std::vector<Scene>(const Scene&, const Complaint& at)> simpler;
+  /// Scenes that are simpler in one respect each, the boldest first.
+  std::function<std::vector<Scene>(const Scene&, const Failure&)> simpler;
+  bool from_run = false;  // they start where the run was: in contacts and joints as exactly as the engine states
 };
 
-/// Runs a scene and returns by what it fails for the reason that is looked for; nullopt if it does not.
-using Failing = std::function<std::optional<Complaint>(const Scene&)>;
+/// An engine, and the reason for which scenes fail in it.
+struct Trial {
+  /// Runs a scene and returns by what it fails for the reason; nullopt if it does not.
+  std::function<std::optional<Complaint>(const Scene&)> fails;
+  /// The states that the run of a scene reaches at a time, s; empty if it does not get there.
+  std::function<std::vector<BodyState>(const Scene&, double time)> states = [](const Scene&, double) {
+    return std::vector<BodyState>{};
+  };
+  Contradictions stated = {};  // in which the engine states that its runs may be
+};
 
 struct Shrunk {
   Scene scene;
@@ -30,7 +48,8 @@ struct Shrunk {
 };
 
 /// The smallest scene that at most `budget` runs find. It never starts with bodies deeper in each other, or with joints
-/// moving further apart, than the given one, and stays clearly wrong: off by twice what is allowed if it was.
-Shrunk shrink(const Scene&, const Complaint&, const Failing&, int budget);
+/// moving further apart, than the given one, but for what the engine states where it starts from a state of a run, and
+/// stays clearly wrong: off by twice what is allowed if it was, and by a hundredth of what it was.
+Shrunk shrink(const Scene&, const Complaint&, const Trial&, int budget);
 
 }  // namespace plumb

@@ -9,6 +9,7 @@
 
 #include "reports/find/finding.h"
 #include "reports/find/ruler.h"
+#include "reports/find/suspect.h"
 #include "reports/find/tables.h"
 #include "reports/system/files.h"
 #include "reports/writers/junit.h"
@@ -31,6 +32,7 @@ bool tells_more(const Finding& a, const Finding& b) {
 /// Findings of one signature.
 struct Told {
   Finding finding;
+  std::string job;  // the key of that which found it
   int times = 0;
 };
 
@@ -42,17 +44,18 @@ std::vector<Told> told_once(const std::vector<JobResult>& results) {
     if (is_look(result) || result.ending != Ending::done) continue;
     Finding finding = finding_of(result.output.values);
     const auto [place, added] = places.emplace(finding.signature(), all.size());
-    if (added) all.push_back({finding, 0});
+    if (added) all.push_back({finding, result.key, 0});
     Told& told = all[place->second];
-    if (tells_more(finding, told.finding)) told.finding = std::move(finding);
+    if (tells_more(finding, told.finding)) told = {std::move(finding), result.key, told.times};
     ++told.times;
   }
   return all;
 }
 
-std::vector<std::pair<std::string, std::vector<Opinion>>> opinions_in(const Json& configuration,
-                                                                      const std::vector<JobResult>& results) {
-  std::vector<std::pair<std::string, std::vector<Opinion>>> all;
+using OpinionsByEngine = std::vector<std::pair<std::string, std::vector<Opinion>>>;
+
+OpinionsByEngine opinions_in(const Json& configuration, const std::vector<JobResult>& results) {
+  OpinionsByEngine all;
   for (const std::string engine : configuration.at("engines")) {
     std::vector<Opinion> opinions;
     for (const JobResult& result : results) {
@@ -64,9 +67,12 @@ std::vector<std::pair<std::string, std::vector<Opinion>>> opinions_in(const Json
   return all;
 }
 
+std::string path_of(const Finding& finding, const char* ending) { return "found/" + finding.name() + ending; }
+
 Json json_of(const Told& told) {
   const Finding& finding = told.finding;
   return {{"name", finding.name()},
+          {"job", told.job},
           {"engine", finding.engine},
           {"reason", finding.complaint.reason()},
           {"words", finding.complaint.words()},
@@ -78,14 +84,15 @@ Json json_of(const Told& told) {
           {"drawn_bodies", finding.drawn_bodies},
           {"bodies", finding.scene.bodies.size()},
           {"moving_bodies", finding.moving_bodies()},
-          {"file", "found/" + finding.name() + ".json"}};
+          {"file", path_of(finding, scene_ending)},
+          {"image", finding.run.image ? Json(path_of(finding, image_ending)) : Json()}};
 }
 
 std::vector<std::vector<std::string>> rows_of(const std::vector<Told>& told) {
   std::vector<std::vector<std::string>> rows{{"engine", "what", "moving bodies", "scene"}};
-  for (const auto& [finding, times] : told) {
+  for (const auto& [finding, job, times] : told) {
     rows.push_back({finding.engine, finding.complaint.words(), std::to_string(finding.moving_bodies()),
-                    "found/" + finding.name() + ".json"});
+                    path_of(finding, scene_ending)});
   }
   return rows;
 }
@@ -106,6 +113,30 @@ std::string faults_sentence(const std::vector<RulerSummary>& engines) {
   }
   if (faults == 0) return "";
   return fmt::format("{} of {} faults found{}.\n", found, faults, missed.empty() ? "" : "; not " + missed);
+}
+
+// What closed forms are said to break, which only judges can have got wrong; "" if none was searched.
+std::string closed_forms_sentence(const std::vector<RulerSummary>& engines) {
+  int closed_forms = 0;
+  int alarms = 0;
+  for (const RulerSummary& one : engines) {
+    if (!is_closed_form(one.engine)) continue;
+    ++closed_forms;
+    alarms += one.wrong + one.failed;
+  }
+  if (closed_forms == 0) return "";
+  return fmt::format("{} of {} closed forms: {}.\n", alarms == 0 ? "No false alarm" : "FALSE ALARMS", closed_forms,
+                     alarms);
+}
+
+// How often judging by more than laws took too long, which the findings then lack; "" if never.
+std::string hurried_sentence(const OpinionsByEngine& engines, double seconds) {
+  std::ptrdiff_t hurried = 0;
+  for (const auto& [engine, opinions] : engines) hurried += std::ranges::count_if(opinions, &Opinion::by_laws_alone);
+  if (hurried == 0) return "";
+  return fmt::format(
+      "{} {} judged by laws alone: the rest took more than {} s of a processor (--run-limit), or crashed.\n", hurried,
+      hurried == 1 ? "run was" : "runs were", seconds);
 }
 
 // Jobs without a result, which engines cannot cause; "" if there are none.
@@ -132,7 +163,8 @@ double median_moving(const std::vector<Told>& told) {
 }  // namespace
 
 Findings conclude_search(const Json& configuration, const std::vector<JobResult>& results) {
-  const std::vector<RulerSummary> engines = measured_alike(opinions_in(configuration, results));
+  const OpinionsByEngine opinions = opinions_in(configuration, results);
+  const std::vector<RulerSummary> engines = measured_alike(opinions);
   const std::vector<Told> told = told_once(results);
   const auto scenes = std::ranges::count_if(results, is_look);
   const std::uint64_t seed = configuration.at("seed");
@@ -141,22 +173,26 @@ Findings conclude_search(const Json& configuration, const std::vector<JobResult>
   Json found_json = Json::array();
   for (const Told& one : told) found_json.push_back(json_of(one));
 
-  const std::string faults = faults_sentence(engines) + lost_sentence(results);
   const std::string head = fmt::format("{} scenes, {} findings, half of them with at most {} moving bodies.\n", scenes,
-                                       told.size(), median_moving(told));
+                                       told.size(), median_moving(told)) +
+                           faults_sentence(engines) + closed_forms_sentence(engines) +
+                           hurried_sentence(opinions, configuration.at("run_limit")) + lost_sentence(results);
   const std::string alike = fmt::format(
       "Energy and overlap: in the {} scenes that every engine ran to the end; energy relative to the "
       "scene's range, where none comes from outside.\n",
       engines.empty() ? 0 : engines.front().compared);
   Findings findings{.findings = {{"scenes", scenes}, {"engines", engines_json}, {"found", found_json}}};
-  findings.text = plain_table(rows_of(engines)) + alike + "\n" + plain_table(rows_of(told)) + "\n" + head + faults;
-  findings.files.emplace_back("find.md", "### Plumb: find\n\n" + head + faults + "\n" +
-                                             markdown_table(rows_of(engines)) + "\n" + alike + "\n" +
-                                             markdown_table(rows_of(told)));
+  findings.text = plain_table(rows_of(engines)) + alike + "\n" + plain_table(rows_of(told)) + "\n" + head;
+  findings.failed = std::ranges::any_of(
+      engines, [](const RulerSummary& one) { return is_closed_form(one.engine) && one.wrong + one.failed > 0; });
+  findings.files.emplace_back("find.md", "### Plumb: find\n\n" + head + "\n" + markdown_table(rows_of(engines)) + "\n" +
+                                             alike + "\n" + markdown_table(rows_of(told)));
   std::vector<TestCase> cases;
   for (const Told& one : told) {
     cases.push_back({one.finding.name(), one.finding.engine, one.finding.complaint.words()});
-    findings.files.emplace_back("found/" + one.finding.name() + ".json", one.finding.file(seed));
+    findings.files.emplace_back(path_of(one.finding, scene_ending), one.finding.file(seed));
+    if (one.finding.run.image)
+      findings.files.emplace_back(path_of(one.finding, image_ending), one.finding.image_file());
   }
   findings.files.emplace_back("find.xml", junit("plumb find", cases));
   return findings;

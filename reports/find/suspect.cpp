@@ -49,8 +49,10 @@ std::vector<Suspect> closed_forms_named(std::string_view name) {
 
 }  // namespace
 
+bool is_closed_form(std::string_view suspect) { return suspect.starts_with(closed_form_mark); }
+
 std::vector<Suspect> parse_suspects(std::string_view word) {
-  if (word.starts_with(closed_form_mark)) return closed_forms_named(word.substr(closed_form_mark.size()));
+  if (is_closed_form(word)) return closed_forms_named(word.substr(closed_form_mark.size()));
   if (word.starts_with(fault_mark)) return faults_named(word.substr(fault_mark.size()));
   return {{.name = std::string(word), .config = parse_engine(word)}};
 }

@@ -1,7 +1,10 @@
 #include "reports/study/study.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "reports/cli/command.h"
 #include "reports/find/again.h"
@@ -38,11 +41,24 @@ double parse_time(const std::string& text) {
 // More than any time allows.
 constexpr int countless = 50'000;
 
+// A corpus says itself which scenes to run.
+void refuse_beside_again(const CLI::App& app) {
+  for (const char* option :
+       {"--kind", "--seed", "--count", "--time", "--budget", "--each", "--shard", "--resume", "--fresh"}) {
+    if (app.count(option) == 0) continue;
+    throw std::invalid_argument(fmt::format(
+        "{}: --again runs the scenes of a folder as they are, and neither draws any nor cuts any down", option));
+  }
+}
+
 int execute(Find& find, const CLI::App& app) {
+  if (!find.again.empty()) refuse_beside_again(app);
   nlohmann::ordered_json configuration = find.configuration();
   if (!find.again.empty()) {
-    return run_again(find.again, configuration.at("engines"), app.count("--engine") > 0, find.options.out,
-                     configuration.at("run_limit"));
+    AgainOptions options{
+        .out = find.options.out, .parallel = find.options.parallel, .run_limit = configuration.at("run_limit")};
+    if (app.count("--engine") > 0) options.engines = configuration.at("engines");
+    return run_again(find.again, options);
   }
   if (!find.time.empty()) {
     find.options.enough = parse_time(find.time);
@@ -73,7 +89,6 @@ const Catalog<Command>::Entry entry{
        app.add_option("--again", find->again,
                       "Run the scenes of a folder again, each by the engine that it was found "
                       "in or by --engine; exit code 1 if one fails")
-           ->excludes(app.get_option("--count"))
            ->type_name("DIR");
        return [find, &app] { return execute(*find, app); };
      }}};

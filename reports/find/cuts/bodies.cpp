@@ -7,7 +7,7 @@ namespace {
 
 // Without the second half of the bodies, the first, the last quarter, ... each single one, last first: what stands on
 // others is dropped before what it stands on.
-std::vector<Scene> fewer_bodies(const Scene& scene, const Complaint&) {
+std::vector<Scene> fewer_bodies(const Scene& scene, const Failure&) {
   std::vector<Scene> all;
   const std::size_t count = scene.bodies.size();
   if (count < 2) return all;
@@ -21,7 +21,7 @@ std::vector<Scene> fewer_bodies(const Scene& scene, const Complaint&) {
 }
 
 // With one moving body held in place.
-std::vector<Scene> frozen(const Scene& scene, const Complaint&) {
+std::vector<Scene> frozen(const Scene& scene, const Failure&) {
   std::vector<Scene> all;
   for (std::size_t i = scene.bodies.size(); i-- > 0;) {
     if (scene.bodies[i].type == BodyType::fixed) continue;
@@ -36,7 +36,7 @@ std::vector<Scene> frozen(const Scene& scene, const Complaint&) {
 }
 
 // Without one of a body's shapes.
-std::vector<Scene> fewer_shapes(const Scene& scene, const Complaint&) {
+std::vector<Scene> fewer_shapes(const Scene& scene, const Failure&) {
   std::vector<Scene> all;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     for (std::size_t k = scene.bodies[i].shapes.size(); k-- > 0 && scene.bodies[i].shapes.size() > 1;) {

@@ -33,7 +33,7 @@ std::vector<Geometry> inside(const Geometry& geometry) {
   return {};
 }
 
-std::vector<Scene> simpler_shapes(const Scene& scene, const Complaint&) {
+std::vector<Scene> simpler_shapes(const Scene& scene, const Failure&) {
   std::vector<Scene> all;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     for (std::size_t k = 0; k < scene.bodies[i].shapes.size(); ++k) {

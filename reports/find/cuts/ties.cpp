@@ -15,7 +15,7 @@ void add_without_each(const Scene& scene, std::vector<Item> Scene::*list, std::v
 }
 
 // Without any joint or force, without one, without a limit, a motor or a damper.
-std::vector<Scene> fewer_ties(const Scene& scene, const Complaint&) {
+std::vector<Scene> fewer_ties(const Scene& scene, const Failure&) {
   std::vector<Scene> all;
   if (scene.joints.size() > 1 || scene.forces.size() > 1) {
     Scene none = scene;

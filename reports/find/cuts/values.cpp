@@ -33,6 +33,7 @@ void plain(Body& body) {
   body.gravity_scale = 1;
   body.fixed_rotation = body.bullet = false;
 }
+void no_path(Body& body) { body.path.reset(); }
 void any_layer(Body& body) { body.layers = Body{}.layers; }
 void no_spin(Body& body) { body.angular_velocity = 0; }
 void no_velocity(Body& body) { body.velocity = {}; }
@@ -42,11 +43,12 @@ void straight(Body& body) {
   body.velocity = std::abs(v.x) > std::abs(v.y) ? Vec{v.x, 0} : Vec{0, v.y};
 }
 
-constexpr Change changes[] = {no_damping, plain,       any_layer, no_friction, no_restitution, unit_density,
-                              no_spin,    no_velocity, straight,  level,       full_friction,  full_restitution};
+constexpr Change changes[] = {no_damping,     plain,         no_path,         any_layer,   no_friction,
+                              no_restitution, unit_density,  no_spin,         no_velocity, straight,
+                              level,          full_friction, full_restitution};
 
 // Each change to all bodies at once, then to each.
-std::vector<Scene> simpler_values(const Scene& scene, const Complaint&) {
+std::vector<Scene> simpler_values(const Scene& scene, const Failure&) {
   std::vector<Scene> all;
   for (const Vec gravity : {Vec{0, -standard_gravity}, Vec{}}) {
     if (scene.gravity == gravity || scene.gravity == Vec{}) continue;

@@ -20,6 +20,7 @@ Finding finding() {
              .from = "drop/3",
              .drawn_bodies = 7};
   of.scene = {.name = "scene", .bodies = {level_ground({}), disc("ball", {0, 0.5}, 0.5, {})}};
+  of.run.touching = {{0, 1}};
   return of;
 }
 
@@ -34,15 +35,34 @@ TEST(Finding, IsNamedByItsContent) {
   EXPECT_NE(one.signature(), finding().signature());
 }
 
+// Bodies that could touch, but did not before it failed, are of no matter.
+TEST(Finding, IsToldOnceByThePairsThatTouch) {
+  const Finding one = finding();
+  Finding other = finding();
+  other.scene.bodies.push_back(disc("far", {9, 9}, 0.5, {}));
+  EXPECT_EQ(other.signature(), one.signature());
+  other.run.touching.push_back({1, 2});
+  EXPECT_NE(other.signature(), one.signature());
+}
+
+TEST(Finding, WritesTheImageWithWhichItBreaksARelation) {
+  Finding one = finding();
+  EXPECT_EQ(one.image_file(), "");
+  one.run.image = Image{one.scene, 1.0 / 240};
+  const Scene image = read_scene(one.image_file(), "image").scene;
+  EXPECT_EQ(image.name, one.name() + ".image");
+  EXPECT_NE(image.about.find("0.00416667 s"), std::string::npos) << image.about;
+}
+
 TEST(Finding, SaysInItsFileHowToRunItAgain) {
   for (const Posed posed : {Posed::well, Posed::ambiguous, Posed::impossible, Posed::overlapping}) {
     Finding one = finding();
     one.posed = posed;
-    const Scene scene = read_scene(one.file(5), "found").scene;
-    EXPECT_EQ(origin_of(scene).engine, "box2d:velocity=2");
-    EXPECT_EQ(origin_of(scene).posed, posed);
+    const SceneFile file = read_scene(one.file(5), "found");
+    ASSERT_TRUE(file.origin.has_value());
+    EXPECT_EQ(file.origin->engine, "box2d:velocity=2");
+    EXPECT_EQ(file.origin->posed, posed);
   }
-  EXPECT_EQ(origin_of({.about = "impulse: a scene of somebody's."}).engine, "");
 }
 
 TEST(Finding, IsTheSameAfterWritingAndReading) {

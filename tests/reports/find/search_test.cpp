@@ -59,13 +59,15 @@ TEST_F(Search, FindsAPlantedFaultAndCutsItDownToAFewBodies) {
   const Said said = say(words("out", {"--engine", "fault:centre-of-mass", "--kind", "composite", "--count", "6"}));
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("1 of 1 faults found"));
-  const auto scenes = found("out");
+  auto scenes = found("out");
+  std::erase_if(scenes, [](const auto& one) { return one.first.ends_with(image_ending); });
   ASSERT_EQ(scenes.size(), 1U);
-  const Scene scene = read_scene(scenes.begin()->second, scenes.begin()->first).scene;
+  const SceneFile file = read_scene(scenes.begin()->second, scenes.begin()->first);
+  const Scene& scene = file.scene;
   const auto moving =
       std::ranges::count_if(scene.bodies, [](const Body& one) { return one.type == BodyType::dynamic; });
   EXPECT_LE(moving, 3);
-  EXPECT_EQ(origin_of(scene).engine, "fault:centre-of-mass");
+  EXPECT_EQ(file.origin.value_or(Origin{}).engine, "fault:centre-of-mass");
 }
 
 // While it looks, and while it cuts down: 6 scenes, then what is found in them.
@@ -127,6 +129,9 @@ TEST_F(Search, RunsACorpusAgainAsAGate) {
   EXPECT_EQ(broken.code, 1) << broken.out << broken.err;
   EXPECT_THAT(text(at("again/again.xml")), HasSubstr("<failure message="));
   EXPECT_THAT(text(at("again/again.md")), HasSubstr("fail."));
+  const std::string table = text(at("again/again.md"));
+  EXPECT_EQ(say({"find", "--again", at("out/found"), "--jobs", "2", "--out", at("again")}).code, 1);
+  EXPECT_EQ(text(at("again/again.md")), table) << "with another number of jobs";
   for (const auto& [name, scene] : found("out")) {
     if (!name.starts_with("fault")) std::filesystem::remove(at("out/found/" + name));
   }
@@ -135,11 +140,38 @@ TEST_F(Search, RunsACorpusAgainAsAGate) {
   EXPECT_THAT(text(at("again/again.xml")), HasSubstr("failures=\"0\""));
 }
 
+TEST_F(Search, FailsIfJudgesComplainOfAClosedForm) {
+  const Said fine = say(words("fine", {"--engine", "closed-form:all", "--kind", "plane", "--count", "4"}));
+  EXPECT_EQ(fine.code, 0) << fine.out << fine.err;
+  EXPECT_THAT(fine.out, HasSubstr("No false alarm"));
+}
+
+// Of a scene and its image both films are there, and both files.
+TEST_F(Search, WritesSceneAndImageOfABrokenRelation) {
+  const Said said = say(words("out", {"--engine", "chipmunk", "--kind", "pair", "--count", "8", "--each", "1"}));
+  EXPECT_EQ(said.code, 0) << said.err;
+  const auto found_here = document("out", "find")["findings"]["found"];
+  const auto broken = std::ranges::find_if(
+      found_here, [](const auto& one) { return one["reason"].template get<std::string>().starts_with("relation "); });
+  ASSERT_NE(broken, found_here.end()) << said.out;
+  const std::string image = (*broken)["image"];
+  EXPECT_EQ(read_scene(text(at("out/" + image)), image).scene.name, (*broken)["name"].get<std::string>() + ".image");
+  const auto results = document("out", "find")["results"];
+  const auto job = std::ranges::find_if(results, [&](const auto& one) { return one["key"] == (*broken)["job"]; });
+  ASSERT_NE(job, results.end());
+  EXPECT_EQ((*job)["values"]["run"]["films"].size(), 2U);
+}
+
 TEST_F(Search, SaysWhatIsWrongWithItsOptions) {
   EXPECT_THAT(say(words("out", {"--kind", "towr"})).err, HasSubstr("tower"));
   EXPECT_THAT(say(words("out", {"--engine", "fault:gravity-twce"})).err, HasSubstr("gravity-twice"));
   EXPECT_THAT(say(words("out", {"--time", "soon"})).err, HasSubstr("90s, 10m or 2h"));
   EXPECT_THAT(say({"find", "--again", at("nowhere")}).err, HasSubstr("is not a folder"));
+  for (const char* option : {"--time", "--seed", "--kind"}) {
+    const Said refused = say({"find", "--again", at("nowhere"), option, option[2] == 'k' ? "heap" : "1"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr(std::string(option) + ": --again runs the scenes of a folder as they are"));
+  }
   EXPECT_EQ(say({"find", "--again", at("nowhere")}).code, 2);
 }
 
