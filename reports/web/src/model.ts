@@ -34,6 +34,11 @@ export interface Case {
   horizon: number | undefined; // s, up to which single runs are compared; undefined: to the end
 }
 
+/** What a replay needs of a case. */
+export interface Replayed extends Pick<Case, "scenario" | "variant" | "comparisons" | "replay"> {
+  entries: { engine: Engine; run: Pick<Run, "engine" | "method" | "exact" | "status"> }[];
+}
+
 export interface Chapter {
   name: string;
   note: ScenarioNote | undefined;
@@ -48,6 +53,8 @@ export interface Model {
 
 export const label_of = (of: { engine: string; method: string }): string => (of.method ? `${of.engine}:${of.method}` : of.engine);
 
+export const truth_look = { color: "var(--truth)", symbol: "times", dash: "1 4" };
+
 function engines_of(runs: Run[]): Engine[] {
   const found = new Map<string, Engine>();
   const ours_first = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
@@ -60,7 +67,7 @@ function engines_of(runs: Run[]): Engine[] {
       engine: run.engine,
       method: run.method,
       exact: run.exact,
-      ...(run.exact ? { color: "var(--truth)", symbol: "times", dash: "1 4" } : look_of(label)),
+      ...(run.exact ? truth_look : look_of(label)),
     });
   }
   return [...found.values()].sort((a, b) => Number(a.exact) - Number(b.exact));

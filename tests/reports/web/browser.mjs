@@ -141,7 +141,7 @@ async function make_all(page) {
       }
       await new Promise(requestAnimationFrame);
     }
-    for (const [one, open] of before) one.open = open || one.querySelector(".canvas") !== null;
+    for (const [one, open] of before) one.open = open || one.querySelector(".canvas, .stage") !== null;
   });
 }
 

@@ -1,7 +1,7 @@
 // Playing a replay, which never starts by itself, and jumping to its most interesting moments.
 import type { Cursor } from "../charts/cursor";
 import { number } from "../format";
-import { label_of, type Case } from "../model";
+import { label_of, type Replayed } from "../model";
 import type { Film } from "./film";
 
 export const speeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];
@@ -86,7 +86,7 @@ function largest(films: Film[], peak: (film: Film) => { time: number; value: num
   return found;
 }
 
-export function jumps_of({ comparisons, entries }: Case): Jump[] {
+export function jumps_of({ comparisons, entries }: Replayed): Jump[] {
   const reference = (entries.find(({ engine, run }) => engine.exact && run.status === "ok") ?? entries.find(({ run }) => run.status === "ok"))?.run;
   const name = reference ? label_of(reference) : "";
   const diverged_at = (film: Film): number | undefined => {

@@ -1,11 +1,11 @@
 // The replay of a case: the stage and its controls, which follow the time of the case. Created when it comes near the
 // screen.
-import type { Cursor } from "../charts/cursor";
+import { Cursor } from "../charts/cursor";
 import { when_near } from "../charts/figure";
 import { legend_mark } from "../charts/look";
 import { h } from "../dom";
 import { given, number } from "../format";
-import type { Case } from "../model";
+import type { Replayed } from "../model";
 import { unpack_json } from "../packed";
 import { Bars, button, check, choice, help, icon, listen, type Key } from "./controls";
 import { scene_rule, type Replay, type Scene } from "./data";
@@ -28,7 +28,7 @@ function scene_of(replay: Replay): Scene {
   return scene as Scene;
 }
 
-function films_of(item: Case, replay: Replay, bodies: number): Film[] {
+function films_of(item: Replayed, replay: Replay, bodies: number): Film[] {
   return item.entries.flatMap(({ engine, run }) => {
     const own = replay.runs.find(({ engine, method }) => engine === run.engine && method === run.method);
     return own ? [Film.of(engine, own, bodies)] : [];
@@ -63,13 +63,15 @@ class Replayer {
   private readonly speed = choice("Speed", speeds.map((many) => [String(many), `${given(many)}\u00d7`] as const), (value) => {
     this.player.speed = Number(value);
   });
+  private readonly followers: Replayer[] = []; // that its controls move as well
   private readonly options: Record<"side_by_side" | "contacts" | "velocities" | "energy" | "loop", HTMLInputElement>;
 
   constructor(
-    item: Case,
+    item: Replayed,
     scene: Scene,
     private readonly films: Film[],
     private readonly cursor: Cursor,
+    { caption, led_by }: { caption?: string; led_by?: Replayer | undefined } = {},
   ) {
     const figures = new Figures(scene);
     const reference = films.find(({ engine }) => engine.exact) ?? films[0];
@@ -90,21 +92,36 @@ class Replayer {
       energy: check("Energy", true, (on) => (this.bars.element.hidden = !on)),
       loop: check("Loop", false, (on) => (this.player.loop = on)),
     };
-    const keys = this.keys();
-    this.element = h(
-      "div",
-      { class: "replayer" },
-      this.stage.canvas,
-      this.transport(),
-      h("div", { class: "row" }, ...this.jumps.map(({ control }) => control)),
-      h("div", { class: "row" }, ...films.map((film) => this.choose(film)), ...(["side_by_side", "contacts", "velocities", "energy"] as const).map((name) => this.label(name))),
-      this.bars.element,
-      help(keys),
-      h("p", { class: "fidelity" }, fidelity(films)),
-    );
-    listen(this.element, keys);
+    this.element = h("div", { class: "replayer" }, h("div", { class: "pane" }, caption && h("p", { class: "basis" }, caption), this.stage.canvas));
+    if (led_by) led_by.followers.push(this);
+    else this.add_controls();
     cursor.on(() => this.follow());
     this.follow();
+  }
+
+  private add_controls(): void {
+    const keys = this.keys();
+    this.element.append(
+      this.transport(),
+      h("div", { class: "row" }, ...this.jumps.map(({ control }) => control)),
+      h("div", { class: "row" }, ...this.films.map((film) => this.choose(film)), ...(["side_by_side", "contacts", "velocities", "energy"] as const).map((name) => this.label(name))),
+      this.bars.element,
+      help(keys),
+      h("p", { class: "fidelity" }, fidelity(this.films)),
+    );
+    listen(this.element, keys);
+  }
+
+  private each(action: (one: Replayer) => void): void {
+    for (const one of [this, ...this.followers]) action(one);
+  }
+
+  private zoom_by(factor: number): void {
+    this.each(({ stage }) => stage.zoom_by(factor));
+  }
+
+  private fit(): void {
+    this.each(({ stage }) => stage.fit());
   }
 
   private get films_shown(): Film[] {
@@ -138,15 +155,15 @@ class Replayer {
       this.clock,
       this.speed,
       this.label("loop"),
-      button("Zoom in", "+", () => this.stage.zoom_by(1.5)),
-      button("Zoom out", "\u2212", () => this.stage.zoom_by(1 / 1.5)),
-      button("Fit to the view", "Fit", () => this.stage.fit()),
+      button("Zoom in", "+", () => this.zoom_by(1.5)),
+      button("Zoom out", "\u2212", () => this.zoom_by(1 / 1.5)),
+      button("Fit to the view", "Fit", () => this.fit()),
     );
   }
 
   private keys(): Key[] {
     const press = (name: keyof Replayer["options"]) => (): void => this.options[name].click();
-    const pan = (x: number, y: number) => (): void => this.stage.pan(0.1 * x, 0.1 * y);
+    const pan = (x: number, y: number) => (): void => this.each(({ stage }) => stage.pan(0.1 * x, 0.1 * y));
     return [
       { keys: [" ", "k"], shown: "Space K", about: "play, pause", action: () => this.player.toggle() },
       { keys: ["ArrowLeft"], shown: "\u2190", about: "a step back; with Shift, ten", action: ({ shiftKey }) => this.step(shiftKey ? -10 : -1) },
@@ -161,9 +178,9 @@ class Replayer {
       { keys: ["c"], shown: "C", about: "contact points, with the impulses of the last step on the second body (N s)", action: press("contacts") },
       { keys: ["v"], shown: "V", about: "velocities; an arrow is the displacement in 0.1 s", action: press("velocities") },
       { keys: ["e"], shown: "E", about: "energy", action: press("energy") },
-      { keys: ["+", "="], shown: "+", about: "zoom in", action: () => this.stage.zoom_by(1.5) },
-      { keys: ["-"], shown: "\u2212", about: "zoom out", action: () => this.stage.zoom_by(1 / 1.5) },
-      { keys: ["0"], shown: "0", about: "fit to the view", action: () => this.stage.fit() },
+      { keys: ["+", "="], shown: "+", about: "zoom in", action: () => this.zoom_by(1.5) },
+      { keys: ["-"], shown: "\u2212", about: "zoom out", action: () => this.zoom_by(1 / 1.5) },
+      { keys: ["0"], shown: "0", about: "fit to the view", action: () => this.fit() },
       { keys: ["a"], shown: "A", about: "look left", action: pan(1, 0) },
       { keys: ["d"], shown: "D", about: "look right", action: pan(-1, 0) },
       { keys: ["w"], shown: "W", about: "look up", action: pan(0, 1) },
@@ -172,8 +189,10 @@ class Replayer {
   }
 
   private change(view: Partial<Showing>): void {
-    Object.assign(this.view, view);
-    this.follow();
+    this.each((one) => {
+      Object.assign(one.view, view);
+      one.follow();
+    });
   }
 
   private go(time: number): void {
@@ -232,19 +251,41 @@ function update_jump(control: HTMLButtonElement, jump: Jump, found: Found | unde
   if (control.textContent !== text) control.textContent = text;
 }
 
-export function replay_figure(item: Case, cursor: Cursor): HTMLElement | null {
-  const { replay } = item;
-  if (!replay?.runs.length) return null;
+/** Fills a figure when it comes near the screen. */
+function figure(kind: string, title: string, content: () => HTMLElement[]): HTMLElement {
   const holder = h("div", { class: "stage" });
-  const show = (): void => {
+  when_near(holder, () => {
     try {
-      const scene = scene_of(replay);
-      holder.replaceChildren(new Replayer(item, scene, films_of(item, replay, scene.bodies.length), cursor).element);
+      holder.replaceChildren(...content());
     } catch (error) {
       holder.replaceChildren(h("p", { role: "alert" }, `This replay cannot be shown: ${(error as Error).message}`));
     }
     holder.dataset["ready"] = "";
-  };
-  when_near(holder, show);
-  return h("figure", { class: "replay" }, h("figcaption", {}, h("strong", {}, "Replay")), holder);
+  });
+  return h("figure", { class: kind }, h("figcaption", {}, h("strong", {}, title)), holder);
+}
+
+export function replay_figure(item: Replayed, cursor: Cursor): HTMLElement | null {
+  const { replay } = item;
+  if (!replay?.runs.length) return null;
+  return figure("replay", "Replay", () => {
+    const scene = scene_of(replay);
+    return [new Replayer(item, scene, films_of(item, replay, scene.bodies.length), cursor).element];
+  });
+}
+
+/** Replays that play at the same time, by the controls of the first; two are beside each other, with what they show above. */
+export function replays_together(items: Replayed[], title: string): HTMLElement {
+  const several = items.length > 1;
+  return figure(several ? "replay beside" : "replay", title, () => {
+    const parts = items.flatMap((item) => {
+      if (!item.replay) return [];
+      const scene = scene_of(item.replay);
+      return [{ item, scene, films: films_of(item, item.replay, scene.bodies.length) }];
+    });
+    const cursor = new Cursor(Math.max(0, ...parts.flatMap(({ films }) => films.map(({ end }) => end))));
+    const all: Replayer[] = [];
+    for (const { item, scene, films } of parts) all.push(new Replayer(item, scene, films, cursor, { caption: several ? item.variant : "", led_by: all[0] }));
+    return all.map(({ element }) => element);
+  });
 }

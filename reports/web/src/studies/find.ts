@@ -1,10 +1,15 @@
-// A search for scenes in which engines are wrong: all engines by one ruler, and each finding once, with the command that
-// runs it again and shows its replay.
+// A search for scenes in which engines are wrong: all engines by one ruler, and each finding once, with its replay beside
+// that of another engine or of its image, and the command that runs it again.
 import type { Study } from "../data";
 import { h, slug, table } from "../dom";
+import { folded } from "../folded";
 import { count, given, words } from "../format";
-import { type StudyView } from "../model";
+import { looks } from "../looks";
+import { label_of, truth_look, type Replayed, type StudyView } from "../model";
 import { command } from "../pieces";
+import { replay_rule, type Replay } from "../replay/data";
+import { replays_together } from "../replay/view";
+import { list } from "../rules";
 
 interface Engine {
   engine: string;
@@ -23,16 +28,18 @@ interface Engine {
 
 interface Found {
   name: string;
+  job: string; // the key of the result with its replays
   engine: string;
   reason: string;
   words: string;
   times: number;
   from: string;
-  posed: string; // "well", "ambiguous", "impossible"
+  posed: string; // "well", "ambiguous", "impossible", "overlapping"
   drawn_bodies: number;
   bodies: number;
   moving_bodies: number;
   file: string;
+  image: string | null; // the file of the image, of a broken relation
 }
 
 interface Search {
@@ -57,24 +64,57 @@ function engine_row(one: Engine): HTMLTableRowElement {
   return h("tr", {}, h("th", { scope: "row" }, one.engine), ...cells(engine_heads, [...numbers, ...shares, ...depths]));
 }
 
-const found_heads = ["engine", "what, and what runs it again", "moving bodies", "from"];
+/** Whether `plumb run` does not know it. */
+const is_of_search = (engine: string): boolean => /^(fault|closed-form):/.test(engine);
 
 const quoted = (engine: string) => (/[ :]/.test(engine) ? `"${engine}"` : engine);
 
 // The replay shows the engine beside ours, or ours beside another of the search.
 function beside(one: Found, engines: Engine[]): string {
   const others = ["impulse", ...engines.map((each) => each.engine)];
-  const other = others.find((name) => name !== one.engine && !/^(fault|closed-form):/.test(name));
+  const other = others.find((name) => name !== one.engine && !is_of_search(name));
   return other === undefined ? "" : ` --engine ${quoted(other)}`;
 }
 
-function found_row(one: Found, engines: Engine[]): HTMLTableRowElement {
-  const from = `${one.from}, ${one.drawn_bodies} ${one.drawn_bodies === 1 ? "body" : "bodies"}${one.posed === "well" ? "" : `, ${one.posed}`}`;
+/** The engines of a replay have no records of their own. A closed form is a reference, unless it is what was searched. */
+function replayed(replay: Replay, engine: string): Replayed {
+  const look_of = looks(replay.runs.map(label_of));
+  const entries = replay.runs.map((run) => {
+    const exact = run.engine !== engine && run.engine.startsWith("closed-form:");
+    const label = label_of(run);
+    return { engine: { label, engine: run.engine, method: run.method, exact, ...(exact ? truth_look : look_of(label)) }, run: { ...run, exact, status: "ok" as const } };
+  });
+  return { scenario: replay.scenario, variant: replay.variant, comparisons: [], entries, replay };
+}
+
+/** Made when it is opened: unpacking all replays of a search takes long. */
+function replays(one: Found, study: Study): HTMLElement | null {
+  const films = (study.results.find(({ key }) => key === one.job)?.values["run"] as { films?: unknown } | undefined)?.films;
+  const problems: string[] = [];
+  list(replay_rule)(films, problems);
+  if (problems.length || !(films as Replay[]).length) return null;
+  const items = (films as Replay[]).map((film) => replayed(film, one.engine));
+  const [first, image] = items;
+  const title = image ? "Replay beside its image" : `Replay of ${first?.entries.map(({ engine }) => engine.label).join(" and ") ?? ""}`;
+  return folded(title, () => [replays_together(items, one.name)], { holds: slug(one.name) });
+}
+
+function found_article(one: Found, study: Study, engines: Engine[]): HTMLElement {
+  const bodies = (many: number): string => `${many} ${many === 1 ? "body" : "bodies"}`;
+  const posed = one.posed === "well" ? "" : `; ${one.posed}`;
+  const files = one.image === null ? `out/${one.file}` : `out/${one.file} and out/${one.image}`;
   const relations = one.reason.startsWith("relation ") ? " --relations" : "";
   const run = `./plumb run out/${one.file} --engine ${quoted(one.engine)}${beside(one, engines)}${relations}`;
-  const again = /^(fault|closed-form):/.test(one.engine) ? "./plumb find --again out/found" : run;
-  const what = h("div", { class: "told" }, words(one.words), command(again));
-  return h("tr", { id: slug(one.name) }, h("th", { scope: "row" }, one.engine), ...cells(found_heads, [what, String(one.moving_bodies), from]));
+  const again = is_of_search(one.engine) ? "./plumb find --again out/found" : run;
+  return h(
+    "article",
+    { id: slug(one.name), class: "case finding" },
+    h("h3", {}, one.engine),
+    h("p", {}, words(one.words)),
+    h("p", { class: "basis" }, `${bodies(one.bodies)}, ${one.moving_bodies} moving, cut down from ${one.from} with ${bodies(one.drawn_bodies)}${posed}. ${files}`),
+    command(again),
+    replays(one, study),
+  );
 }
 
 export function find(study: Study): StudyView {
@@ -98,8 +138,8 @@ export function find(study: Study): StudyView {
       "section",
       { id: slug("found") },
       h("h2", {}, "Findings"),
-      h("p", { class: "lede" }, "Each is told once, in the smallest scene that shows it. Its command writes a page with the replay."),
-      table("Findings", found_heads, found.slice(0, most_shown).map((one) => found_row(one, engines))),
+      h("p", { class: "lede" }, "Each is told once, in the smallest scene that shows it."),
+      ...found.slice(0, most_shown).map((one) => found_article(one, study, engines)),
       found.length > most_shown ? h("p", { class: "basis" }, `And ${count(found.length - most_shown, "more finding")}.`) : null,
     );
   return { sentence, sections: [{ id: "ruler", name: "Engines", content: ruler }, { id: "found", name: "Findings", content: scenes_found }] };
