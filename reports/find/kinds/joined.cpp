@@ -62,7 +62,7 @@ Scene chain(Draw& draw) {
   return scene;
 }
 
-// Drives the joint, and shakes the post that the first joint hangs on, in some scenes.
+// In some scenes: drives the first joint, and shakes the post that it starts from.
 template <class Tie>
 void drive(Draw& draw, double speed, double strength, Scene& scene) {
   auto& joint = std::get<Tie>(scene.joints.front());
