@@ -34,14 +34,24 @@ std::vector<fs::path> scenes_in(const std::string& folder) {
   return files;
 }
 
-std::vector<Suspect> suspects_of(const SceneFile& file, const AgainOptions& options) {
-  if (!options.engines.empty()) return parse_suspects(options.engines);
-  return parse_suspects(file.origin ? file.origin->engine : ours);
+std::vector<std::string> engines_of(const SceneFile& file, const AgainOptions& options) {
+  if (!options.engines.empty()) return options.engines;
+  return {file.origin ? file.origin->engine : ours};
+}
+
+// Why the engine that a scene was found in is not here; "" if it is.
+std::string why_not_here(const std::string& engine) {
+  try {
+    parse_suspects(engine);
+    return "";
+  } catch (const std::invalid_argument& missing) {
+    return missing.what();
+  }
 }
 
 // What each engine fails by in one scene.
 JobOutput judged_again(const SceneFile& file, const AgainOptions& options) {
-  const std::vector<Suspect> suspects = suspects_of(file, options);
+  const std::vector<Suspect> suspects = parse_suspects(engines_of(file, options));
   const Posed posed = file.origin ? file.origin->posed : Posed::well;
   const std::vector<Opinion> opinions = judged_apart(file.scene, posed, suspects, {}, {.seconds = options.run_limit});
   nlohmann::ordered_json lines = nlohmann::ordered_json::array();
@@ -61,11 +71,19 @@ JobOutput judged_again(const SceneFile& file, const AgainOptions& options) {
 }  // namespace
 
 int run_again(const std::string& folder, const AgainOptions& options) {
+  parse_suspects(options.engines);  // refuses an unknown one before anything runs
   std::vector<Job> jobs;
+  std::vector<std::vector<std::string>> rows{{"scene", "engine", "what"}};
   for (const fs::path& path : scenes_in(folder)) {
     const SceneFile file = read_scene(read_text(path.string(), largest_scene_file), path.string());
-    suspects_of(file, options);  // refuses an unknown engine before anything runs
-    jobs.push_back({.key = path.stem().string(), .run = [file, &options] { return judged_again(file, options); }});
+    const std::string name = path.stem().string();
+    const std::string engine = engines_of(file, options).front();
+    const std::string missing = why_not_here(engine);
+    if (missing.empty()) {
+      jobs.push_back({.key = name, .run = [file, &options] { return judged_again(file, options); }});
+    } else {
+      rows.push_back({name, engine, "not run: " + missing});
+    }
   }
   const OutputFolder into(options.out);
   constexpr JobLimits limits{.seconds = 3600};  // each run has one of its own
@@ -75,7 +93,6 @@ int run_again(const std::string& folder, const AgainOptions& options) {
   });
 
   std::vector<TestCase> cases;
-  std::vector<std::vector<std::string>> rows{{"scene", "engine", "what"}};
   int failed = 0;
   const auto add = [&](const std::string& scene, const std::string& engine, const std::string& failure,
                        const std::string& what) {

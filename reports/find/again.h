@@ -13,8 +13,9 @@ struct AgainOptions {
 };
 
 /// Runs every scene file of a folder again, but for images: a corpus of what once failed. Writes again.md and again.xml
-/// (JUnit) into `out` and prints a table. Returns 1 if any is wrong, else 0. Throws std::invalid_argument for a folder
-/// without scenes, or a file that is not one.
+/// (JUnit) into `out` and prints a table, in which a scene whose engine is not installed is not run. Returns 1 if any
+/// is wrong, else 0. Throws std::invalid_argument for a folder without scenes, a file that is not one, and unknown
+/// engines of the options.
 int run_again(const std::string& folder, const AgainOptions&);
 
 }  // namespace plumb
