@@ -125,8 +125,9 @@ std::string closed_forms_sentence(const std::vector<RulerSummary>& engines) {
     alarms += one.wrong + one.failed;
   }
   if (closed_forms == 0) return "";
-  return fmt::format("{} of {} closed forms: {}.\n", alarms == 0 ? "No false alarm" : "FALSE ALARMS", closed_forms,
-                     alarms);
+  if (alarms == 0) return fmt::format("No false alarm of {} closed forms.\n", closed_forms);
+  return fmt::format("{} FALSE {} of {} closed forms: the judges' mistakes.\n", alarms,
+                     alarms == 1 ? "ALARM" : "ALARMS", closed_forms);
 }
 
 // How often judging by more than laws took too long, which the findings then lack; "" if never.

@@ -177,11 +177,12 @@ MethodError method_error(const Stepping& s, const Stress& stress, bool bounces) 
   const double smooth = second ? s.h * s.h / 3 * stress.bends : std::max(std::abs(s.drift), 0.5) * s.h * stress.smooth;
   const double late = std::max(lag(s), s.order_in_contact >= 2 ? 0 : s.h / 2) * stress.pushed;
   const double gaps = s.contact_gap() * stress.contacts + s.joint_slop * stress.joints;
-  const bool stopped = bounces && stress.slowest > 0 && stress.slowest < 2 * s.restitution_threshold;
-  const double speed = (stress.contacts > 0 ? s.creep : 0) + (stopped ? s.restitution_threshold : 0);
+  const bool stops = bounces && stress.slowest > 0 && stress.slowest < 2 * s.restitution_threshold;
+  const double stopped = stops ? s.restitution_threshold : 0;
+  const double speed = (stress.contacts > 0 ? s.creep : 0) + stopped;
   const double left = unsolved(s, std::max({stress.contacts, stress.joints, 1})) * stress.carried;
   return {.place = smooth + late + gaps + speed * stress.touched + left,
-          .speed = second ? s.h * s.h / 6 * stress.jolts : s.h / 2 * stress.bends};
+          .speed = (second ? s.h * s.h / 6 * stress.jolts : s.h / 2 * stress.bends) + stopped};
 }
 
 }  // namespace plumb

@@ -42,7 +42,7 @@ struct MethodError {
 /// - creep, and impacts below the restitution threshold, times the time since;
 /// - what the iterations leave of a change of velocity (see `unsolved`), times the time since.
 /// Its speed is off by h/2 times the changes of acceleration at first order (the rectangle rule), by h^2/6 times the
-/// changes of their rate at second.
+/// changes of their rate at second, and by the restitution threshold if an impact is below it.
 MethodError method_error(const Stepping&, const Stress&, bool bounces);
 
 }  // namespace plumb

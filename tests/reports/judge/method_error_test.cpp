@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <utility>
+
 #include "reports/run/run.h"
 #include "reports/run/selection.h"
 
@@ -38,6 +40,15 @@ TEST(MethodError, HasAGapForEveryBodyThatTouches) {
   Stepping soft = second_order;
   soft.skin = 0.01;
   EXPECT_NEAR(method_error(soft, resting, false).place - method_error(second_order, resting, false).place, 0.1, 1e-12);
+}
+
+TEST(MethodError, LosesTheSpeedOfAnImpactBelowTheThreshold) {
+  const Stress bounced = stress_of("bounce:e=0.8")[132];
+  for (const auto& [threshold, lost] : {std::pair{7.0, 0.0}, {9.0, 9.0}}) {
+    Stepping dull = second_order;
+    dull.restitution_threshold = threshold;
+    EXPECT_NEAR(method_error(dull, bounced, true).speed - method_error(second_order, bounced, true).speed, lost, 1e-12);
+  }
 }
 
 TEST(MethodError, HalvesWithTheStepAtFirstOrderAndQuartersAtSecond) {

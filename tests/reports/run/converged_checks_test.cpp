@@ -6,6 +6,7 @@
 
 #include "reference/converged/confirmed.h"
 #include "reports/run/selection.h"
+#include "scenarios/parts.h"
 
 namespace plumb::converged_checks_test {
 namespace {
@@ -87,6 +88,22 @@ TEST_F(DoublePendulum, HasNothingToSayAboutAMethodWithHugeErrors) {
   Stepping rough = first_order;
   rough.joint_slop = 1;
   EXPECT_TRUE(judged(scene_, rough).empty());
+}
+
+// The disc lands a little after the last moment; an engine with a skin of 2 cm holds it a centimetre above the ground,
+// and a step earlier.
+TEST(ConvergedChecksOf, AllowAnEngineWithASkinToTouchAStepBeforeOurs) {
+  Scene scene{.name = "landing", .gravity = {}, .duration = 2 * frame};
+  scene.bodies = {level_ground({}), disc("disc", {0, 0.6005}, 0.5, {})};
+  scene.bodies[1].velocity = {1, -3};
+  const ConvergedTruth truth = converged_truth(scene, frames(scene.duration), {.tolerance = 0.01, .budget = 100'000});
+  const ConvergedChecks checks(scene, truth, frame);
+  Scene raised = scene;
+  raised.bodies[0].position.y = 0.01;
+  const Trace trace = *run(raised, parse_engine("impulse"), frame).trace;
+  ASSERT_EQ(trace.states(2)[1].velocity.y, 0) << "it has landed";
+  const Stepping thick{.dt = frame, .h = frame, .order = 1, .impact_lag = 1, .skin = 0.02, .looks_ahead = true};
+  for (const TruthCheck& one : checks.of(thick, trace)) EXPECT_TRUE(one.passed) << one.quantity;
 }
 
 }  // namespace
