@@ -26,21 +26,21 @@ TEST(Scenarios, AreAllRegistered) {
   std::vector<std::string> names;
   for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);
   EXPECT_THAT(
-      names,
-      testing::ElementsAre(
-          "arch", "beam", "beats", "billiard", "bounce", "bowl", "box-on-box", "breakaway", "cantilever",
-          "capsule-heap", "capsules", "card-house", "catenary", "closing-walls", "conveyor", "corner-impact",
-          "corner-spin", "cradle", "crowd", "disc-on-wedge", "disc-pair", "disc-pile", "dome", "dominoes",
-          "double-pendulum", "dry-oscillator", "dumbbells", "flush-tiles", "flyby", "four-bar", "free-bodies",
-          "free-four-bar", "free-wedge", "gas", "hanging-chain", "head-on", "heavy-object", "hinged-hit", "joined-pair",
-          "joint-grid", "joint-stop", "juggler", "kater", "ladder", "late-blow", "layers", "limiting-friction",
-          "lone-bodies", "lost-support", "many-pyramids", "mass-ratio", "materials", "mixing-rules", "motor",
-          "motor-arm", "oblique-disc", "off-center", "orbit", "overhang", "paddle", "painleve-rod", "pendulum",
-          "pi-billiard", "pressed-box", "pushed-plank", "pyramid", "rail-stop", "rain", "restitution-rules", "rod-hit",
-          "rod-pendulum", "rod-toppling", "rope-bridge", "slider", "slider-crank", "sliding-ladder", "sliding-pyramid",
-          "slip-to-roll", "slope", "slope-disc", "smash", "spin-up", "spinning-obb", "spring", "spring-ellipse",
-          "spring-stop", "stacking", "step-climb", "stick-slip", "stopping-distance", "struck-wall", "tautochrone",
-          "teams", "thin-wall", "tipping", "tumbler", "turning-rail", "two-frictions"));
+      names, testing::ElementsAre(
+                 "arch", "beam", "beats", "billiard", "bounce", "bowl", "box-on-box", "breakaway", "cantilever",
+                 "capsule-heap", "capsules", "card-house", "catenary", "closing-walls", "conveyor", "corner-impact",
+                 "corner-spin", "cradle", "crowd", "disc-on-wedge", "disc-pair", "disc-pile", "dome", "dominoes",
+                 "double-pendulum", "dry-oscillator", "dumbbells", "flush-tiles", "flyby", "four-bar", "free-bodies",
+                 "free-four-bar", "free-wedge", "gas", "hanging-chain", "head-on", "heavy-object", "hinged-hit",
+                 "joined-pair", "joint-grid", "joint-stop", "juggler", "kater", "ladder", "late-blow", "layers",
+                 "limiting-friction", "lone-bodies", "lost-support", "many-pyramids", "mass-ratio", "materials",
+                 "mixing-rules", "motor", "motor-arm", "oblique-disc", "off-center", "orbit", "overhang", "paddle",
+                 "painleve-rod", "pendulum", "pi-billiard", "pressed-box", "pushed-plank", "pyramid", "rail-stop",
+                 "rain", "restitution-rules", "rocking-block", "rod-hit", "rod-pendulum", "rod-toppling", "rope-bridge",
+                 "slider", "slider-crank", "sliding-ladder", "sliding-pyramid", "slip-to-roll", "slope", "slope-disc",
+                 "smash", "spin-up", "spinning-obb", "spring", "spring-ellipse", "spring-stop", "stacking",
+                 "step-climb", "stick-slip", "stopping-distance", "struck-wall", "tautochrone", "teams", "thin-wall",
+                 "tipping", "tumbler", "turning-rail", "two-frictions"));
 }
 
 TEST(Scenarios, AreAsManyAsTheReadmeSays) {
