@@ -139,12 +139,13 @@ std::vector<Expectation> expectations(const Parameters& p) {
       const double left = first_order(s) ? 10 * turned * turned * bar / 2 : 0;
       return by_lengths * (s.joint_slop + left + round_off(s, duration, 2 * long_bar + fastest * duration));
     };
-    all.push_back({.body = "end",
-                   .quantity = Quantity::x,
-                   .time = t,
-                   .expected = then.end.at.x,
-                   .allowed = off,
-                   .source = "a straight line at (long^2 - bar^2)/(2 crank); the slop of six bars"});
+    all.push_back(
+        {.body = "end",
+         .quantity = Quantity::x,
+         .time = t,
+         .expected = then.end.at.x,
+         .allowed = off,
+         .source = "Peaucellier (1864): a straight line at (long^2 - bar^2)/(2 crank); the slop of six bars"});
     all.push_back({.body = "end",
                    .quantity = Quantity::y,
                    .time = t,

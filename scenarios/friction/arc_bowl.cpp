@@ -73,7 +73,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double angle = amplitude(bowl);
   const double s0 = swings * angle;
   const double w = std::sqrt(2.0 / 3 * gravity / swings);
-  const std::string law = "T = 2 pi sqrt(3 (R - r)/(2 g))/agm(1, cos(a/2)), less (1 + 2 cos k)/3 at each kink k";
+  const std::string law =
+      "Lamb, Dynamics: T = 2 pi sqrt(3 (R - r)/(2 g))/agm(1, cos(a/2)), less (1 + 2 cos k)/3 at each kink k";
   std::vector<Expectation> all;
   for (const int quarter : {1, 2, 3}) {
     const double t = std::floor(60 * end * quarter / 3) / 60;

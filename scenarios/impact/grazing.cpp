@@ -115,19 +115,19 @@ std::vector<Expectation> expectations(const Parameters& p) {
   for (const int n : {1, impacts}) {
     const double t = std::floor(60 * turned_back(swing, n)) / 60;
     const double size = std::sqrt(swing.square(n));
-    all.push_back(
-        {.body = "disc",
-         .quantity = Quantity::x,
-         .time = t,
-         .expected = swing.at(t, swing.touches() ? n : 0),
-         .allowed =
-             [=](const Stepping& s) {
-               const Off now = off(s, n);
-               const double phase = std::abs(s.drift) * w * s.h + now.phase + w / 60;  // a frame early
-               return now.square / (2 * size) + size * (1 - std::cos(std::min(phase, std::numbers::pi))) -
-                      size * (1 - std::cos(w / 60)) + round_off(s, t, reach);
-             },
-         .source = "turns back where A^2 - d^2 is e^(2n) of the first; impacts found off, the spring's energy"});
+    all.push_back({.body = "disc",
+                   .quantity = Quantity::x,
+                   .time = t,
+                   .expected = swing.at(t, swing.touches() ? n : 0),
+                   .allowed =
+                       [=](const Stepping& s) {
+                         const Off now = off(s, n);
+                         const double phase = std::abs(s.drift) * w * s.h + now.phase + w / 60;  // a frame early
+                         return now.square / (2 * size) + size * (1 - std::cos(std::min(phase, std::numbers::pi))) -
+                                size * (1 - std::cos(w / 60)) + round_off(s, t, reach);
+                       },
+                   .source = "Shaw, Holmes (1983): turns back where A^2 - d^2 is e^(2n) of the first; impacts found "
+                             "off, the spring's energy"});
     all.push_back({.quantity = Quantity::energy,
                    .time = t,
                    .expected = mass * w * w * swing.square(n) / 2,

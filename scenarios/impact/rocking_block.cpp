@@ -228,7 +228,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
       return sum;
     };
     const Vec place = centre(block, end.tilt, n);
-    const std::string law = "1 - 1.5 sin^2 a of the spin at each impact, t = acosh(a/c)/w for small angles";
+    const std::string law =
+        "Housner (1963): 1 - 1.5 sin^2 a of the spin at each impact, t = acosh(a/c)/w for small angles";
     all.push_back({.body = "block",
                    .quantity = Quantity::angle,
                    .time = time,

@@ -214,16 +214,17 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const auto rounding = [=](const Stepping& s) { return round_off(s, duration, whole + gravity * duration); };
   const double longest = std::sqrt(1 + std::pow((n - 1) / 2.0 / tension, 2));  // 1/cos of the steepest rod
   const auto place = [=](const Stepping& s) { return (n + 1) * longest * s.joint_slop + left + rounding(s); };
-  std::vector<Expectation> all{{.body = "sled",
-                                .quantity = Quantity::x,
-                                .expected = spans(n, tension),
-                                .allowed = place,
-                                .source = "the span of a discrete catenary of that tension; slop of the joints"},
-                               {.body = "sled",
-                                .quantity = Quantity::y,
-                                .expected = 0,
-                                .allowed = place,
-                                .source = "its rail is level; slop of the joints"}};
+  std::vector<Expectation> all{
+      {.body = "sled",
+       .quantity = Quantity::x,
+       .expected = spans(n, tension),
+       .allowed = place,
+       .source = "Jakob Bernoulli (1691): the span of a discrete catenary of that tension; slop of the joints"},
+      {.body = "sled",
+       .quantity = Quantity::y,
+       .expected = 0,
+       .allowed = place,
+       .source = "its rail is level; slop of the joints"}};
   const double rod = whole / n;
   all.push_back({.body = catenary::name_of(1),
                  .quantity = Quantity::angle,

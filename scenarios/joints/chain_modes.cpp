@@ -178,7 +178,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
                      .time = t,
                      .expected = chain.place(then, i).x,
                      .allowed = off,
-                     .source = "w^2 l/g a zero of L_n for small swings, Lagrange's equations for these; the phase"});
+                     .source = "D. Bernoulli (1733): w^2 l/g a zero of L_n for small swings, Lagrange's equations for "
+                               "these; the phase"});
     }
   }
   return all;
