@@ -130,8 +130,9 @@ const Catalog<Ensemble>::Entry entry{
                      .low = 0,
                      .high = 0.1,
                      .resolution = 0.15,
-                     .source = "rare: openings of five grains pass more than a thousand before an arch closes them "
-                               "(Janda et al. 2008), and those of eight never; a hopper passes two hundred"}},
+                     .source =
+                         "at most one in ten: two hundred grains seldom build an arch over five of them, the less "
+                         "the wider the opening (Janda et al., EPL 84, 2008)"}},
      .draws = draws,
      .control = [] { return *Catalog<Control>::find("intangible"); }}};
 
