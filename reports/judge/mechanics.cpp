@@ -86,32 +86,36 @@ std::vector<BodyState> moved_on(std::span<const BodyState> states, double time) 
   return ahead;
 }
 
-Conserved::Conserved(const Scene& scene) : scene_(scene) {
-  for (const Body& body : scene.bodies) masses_.push_back(mass_of(body));
-  for (const Force& force : scene.forces) {
-    if (const auto* spring = std::get_if<Spring>(&force)) {
-      elastics_.push_back({.a = spring->a,
-                           .b = spring->b,
-                           .at_a = spring->a ? spring->anchor_a - masses_[*spring->a].center : spring->anchor_a,
-                           .at_b = spring->anchor_b - masses_[spring->b].center,
-                           .stiffness = spring->stiffness,
-                           .length = spring->length});
-    }
-  }
-  // A distance joint with stiffness is a spring. Its anchors are world points at the start.
-  const std::vector<BodyState> start = initial_states(scene);
-  const auto local = [&](std::size_t body, Vec anchor) {
-    return rotated(anchor - start[body].position, -start[body].angle);
+std::vector<Force> forces_of(const Scene& scene) {
+  std::vector<Force> forces = scene.forces;
+  const auto local = [&](std::size_t body, Vec point) {
+    return rotated(point - scene.bodies[body].position, -scene.bodies[body].angle);
   };
   for (const Joint& joint : scene.joints) {
     const auto* distance = std::get_if<Distance>(&joint);
     if (distance == nullptr || distance->stiffness == 0) continue;
-    elastics_.push_back({.a = distance->a,
-                         .b = distance->b,
-                         .at_a = local(distance->a, distance->anchor_a),
-                         .at_b = local(distance->b, distance->anchor_b),
-                         .stiffness = distance->stiffness,
-                         .length = distance->length});
+    forces.emplace_back(Spring{.a = distance->a,
+                               .b = distance->b,
+                               .anchor_a = local(distance->a, distance->anchor_a),
+                               .anchor_b = local(distance->b, distance->anchor_b),
+                               .stiffness = distance->stiffness,
+                               .length = distance->length,
+                               .damping = distance->damping});
+  }
+  return forces;
+}
+
+Conserved::Conserved(const Scene& scene) : scene_(scene) {
+  for (const Body& body : scene.bodies) masses_.push_back(mass_of(body));
+  for (const Force& force : forces_of(scene)) {
+    const auto* spring = std::get_if<Spring>(&force);
+    if (spring == nullptr) continue;
+    elastics_.push_back({.a = spring->a,
+                         .b = spring->b,
+                         .at_a = spring->a ? spring->anchor_a - masses_[*spring->a].center : spring->anchor_a,
+                         .at_b = spring->anchor_b - masses_[spring->b].center,
+                         .stiffness = spring->stiffness,
+                         .length = spring->length});
   }
 }
 
@@ -160,7 +164,7 @@ Momentum Conserved::momentum(std::span<const BodyState> states) const {
   return momentum;
 }
 
-AppliedForces::AppliedForces(const Scene& scene) : scene_(scene), conserved_(scene) {}
+AppliedForces::AppliedForces(const Scene& scene) : scene_(scene), forces_(forces_of(scene)), conserved_(scene) {}
 
 // m k / r^n towards the centre; zero at the centre, where there is no direction.
 Vec AppliedForces::attracted(const Attraction& attraction, std::size_t body, std::span<const BodyState> states) const {
@@ -176,7 +180,7 @@ std::vector<Wrench> AppliedForces::at(std::span<const BodyState> states) const {
   for (std::size_t i = 0; i < states.size(); ++i) {
     wrenches[i].force = masses()[i].mass * scene_.bodies[i].gravity_scale * scene_.gravity;
   }
-  for (const Force& force : scene_.forces) {
+  for (const Force& force : forces_) {
     if (const auto* attraction = std::get_if<Attraction>(&force)) {
       for (std::size_t i = 0; i < states.size(); ++i) {
         const Vec pull = attracted(*attraction, i, states);
@@ -208,7 +212,7 @@ std::vector<WrenchError> AppliedForces::change_in(std::span<const BodyState> the
                                                   double dt) const {
   std::vector<WrenchError> errors(then.size());
   const auto is_constant = [](const Force& force) { return std::holds_alternative<Constant>(force); };
-  if (std::all_of(scene_.forces.begin(), scene_.forces.end(), is_constant)) return errors;
+  if (std::all_of(forces_.begin(), forces_.end(), is_constant)) return errors;
   const std::vector<Wrench> start = at(then);
   const std::vector<Wrench> end = at(now);
   const std::vector<Wrench> ahead = at(moved_on(then, dt));
@@ -226,7 +230,7 @@ std::vector<WrenchError> AppliedForces::change_in(std::span<const BodyState> the
 // F.v_centre. What moves an end of a spring regardless works against its pull.
 double AppliedForces::power(std::span<const BodyState> states) const {
   double power = 0;
-  for (const Force& force : scene_.forces) {
+  for (const Force& force : forces_) {
     if (const auto* spring = std::get_if<Spring>(&force)) {
       const auto& [a, b, pull] = pulled(*spring, masses(), states);
       if (spring->a && masses()[*spring->a].mass == 0) power -= dot(pull, a.velocity);
@@ -243,7 +247,7 @@ double AppliedForces::power(std::span<const BodyState> states) const {
 
 double AppliedForces::potential(std::span<const BodyState> states) const {
   double potential = 0;
-  for (const Force& force : scene_.forces) {
+  for (const Force& force : forces_) {
     const auto* constant = std::get_if<Constant>(&force);
     if (constant == nullptr || masses()[constant->body].mass == 0) continue;
     const BodyState& state = states[constant->body];

@@ -35,6 +35,9 @@ bool is_driven(const Body&);
 /// The states that the scene starts from.
 std::vector<BodyState> initial_states(const Scene&);
 
+/// The forces of a scene, and its soft distance joints, which are springs between points of two bodies.
+std::vector<Force> forces_of(const Scene&);
+
 /// Energy and momentum of a scene's dynamic bodies. The scene must outlive it.
 class Conserved {
  public:
@@ -72,8 +75,8 @@ struct WrenchError {
   double force = 0, torque = 0;
 };
 
-/// Gravity and the scene's forces on its dynamic bodies, without joints and contacts. Independent of reference/loads.h,
-/// which feeds the same forces to engines that lack them. The scene must outlive it.
+/// Gravity and the scene's forces on its dynamic bodies, without rigid joints and contacts. Independent of
+/// reference/loads.h, which feeds the same forces to engines that lack them. The scene must outlive it.
 class AppliedForces {
  public:
   explicit AppliedForces(const Scene&);
@@ -100,6 +103,7 @@ class AppliedForces {
   Vec attracted(const Attraction&, std::size_t body, std::span<const BodyState>) const;
 
   const Scene& scene_;
+  std::vector<Force> forces_;
   Conserved conserved_;
 };
 

@@ -1,9 +1,8 @@
-#include <array>
 #include <cmath>
 #include <string>
 
 #include "scenarios/allowance.h"
-#include "scenarios/integrate.h"
+#include "scenarios/contact/rolls_off.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
 
@@ -14,52 +13,15 @@ constexpr double gravity = 10;  // m/s^2
 constexpr double radius = 0.5;  // m, of the disc
 constexpr double around = 2;    // m, between the centres while they touch
 constexpr double flies = 0.2;   // s, for which it is watched once it has left
-constexpr double step = 1e-4;   // s, of the integration
-
-// Angle of the line of centres from the vertical, its rate, and the disc's clockwise spin.
-using State = std::array<double, 3>;
-
-double load(const State& y) { return gravity * std::cos(y[0]) - around * y[1] * y[1]; }  // N/kg
-
-bool sticks(const State& y, double mu) { return gravity * std::sin(y[0]) / 3 <= mu * load(y); }
-
-State rate(const State& y, double mu, bool rolling) {
-  const double pull = gravity * std::sin(y[0]);
-  const double friction = rolling ? pull / 3 : mu * load(y);
-  return {y[1], (pull - friction) / around, 2 * friction / radius};
-}
-
-struct Left {
-  double time = 0;  // s
-  State state{};
-};
-
-// Until a moment, or until nothing presses the disc on. A smooth disc leaves at cos = 2/3 cos0, one that rolled all
-// the way at 4/7 cos0; with a finite mu it slips before, for there the load vanishes and friction does not.
-Left slid(double start, double mu, double until) {
-  Left now{0, {start, 0, 0}};
-  bool rolling = sticks(now.state, mu);
-  double h = step;
-  while (h > 1e-15 && now.time < until) {
-    const double takes = std::min(h, until - now.time);
-    const State next = runge_kutta(now.state, takes, [&](const State& y) { return rate(y, mu, rolling); });
-    const bool slips = rolling && !sticks(next, mu);
-    if (load(next) < 0 || slips) {
-      h /= 2;
-      if (slips && h < 1e-12) {
-        rolling = false;
-        h = step;
-      }
-      continue;
-    }
-    now = {now.time + takes, next};
-  }
-  return now;
-}
 
 double start_of(const Parameters& p) { return p.at("angle") * degree; }
 
-Left leaves(const Parameters& p) { return slid(start_of(p), p.at("friction"), 100); }
+RollsOff disc_of(const Parameters& p) {
+  return {.gravity = gravity, .around = around, .radius = radius, .friction = p.at("friction")};
+}
+
+RollsOff::Left slid(const Parameters& p, double until) { return disc_of(p).from({start_of(p), 0, 0}, until); }
+RollsOff::Left leaves(const Parameters& p) { return slid(p, 100); }
 
 double duration(const Parameters& p) { return whole_steps(leaves(p).time + flies); }
 
@@ -75,34 +37,21 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// On the dome a'' = c w^2 sin a, w^2 = g/R. Errors grow at most as cosh(w t). With A the angle and W its rate when it
-// leaves, an engine may until then be off by
-//   first   half a step ahead or behind, a lag at the start, and, as forces and tangents are those of up to a step
-//           earlier or later, w^2 h W in acceleration: h W (|drift| + w t/2);
-//   gap     gap/R of the angle, and of w^2;
-//   second  (w h)^2 of the angle and its phase;
-//   stick   friction that is not known to the share creep/(g t).
-// In flight what was wrong in velocity moves it on, and the method drifts.
+// On the dome it is off as RollsOff says. In flight what was wrong in velocity moves it on, and the method drifts.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double mu = p.at("friction");
-  const Left end = leaves(p);
-  const double w = std::sqrt(gravity / around);
+  const RollsOff of = disc_of(p);
+  const RollsOff::Left end = leaves(p);
+  const double w = of.growth();
   const double fastest = end.state[1];
-  const auto turn = [=](const Stepping& s, double t, double reached) {
-    const double growth = std::cosh(w * t);
-    const double first = s.h * fastest * std::abs(s.drift) + lag(s) * (lag(s) + s.h) * w * w * growth +
-                         (first_order_in_contact(s) ? s.h * fastest * w * t / 2 : 0);
-    const double gap = s.contact_gap() / around * (growth + w * t) + mu * s.slop / around;
-    const double second = w * s.h * w * s.h * (reached + fastest * t);
-    return first + gap + second + s.creep * t / around + round_off(s, t, 1 + fastest * t) * growth;
-  };
+  const auto turn = [=](const Stepping& s, double t, double reached) { return of.off(s, t, reached, fastest); };
   const double total = duration(p);
   const double flight = total - end.time;
   const double speed = around * fastest;
   const Vec velocity{speed * std::cos(end.state[0]), -speed * std::sin(end.state[0])};
   const Vec from{around * std::sin(end.state[0]), around * std::cos(end.state[0])};
   const double early = std::floor(60 * 0.8 * end.time) / 60;
-  const State then = slid(start_of(p), mu, early).state;
+  const RollsOff::State then = slid(p, early).state;
   const auto moves = [=](const Stepping& s) { return around * w * turn(s, end.time, end.state[0]); };
   const auto lands = [=](const Stepping& s) {
     return around * turn(s, end.time, end.state[0]) + s.contact_gap() + moves(s) * flight +

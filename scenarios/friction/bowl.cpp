@@ -1,103 +1,29 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "scenarios/allowance.h"
+#include "scenarios/friction/rolling_in_bowl.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
 
 namespace plumb::scenarios::bowl {
 namespace {
 
-constexpr double gravity = 10;  // m/s^2
-constexpr double radius = 0.5;  // m, of the disc
-constexpr double round = 3;     // m, from the bowl's centre to each of its flat pieces
+using Bowl = RollingInBowl;
+
 constexpr double steep = 45;    // deg, about the slope of the piece on which the disc starts
 constexpr double duration = 3;  // s
+constexpr double gravity = Bowl::gravity, radius = Bowl::radius, round = Bowl::round;
 
-// A bowl of flat pieces, each turned from the last by the angle a of a kink. The disc's centre moves on pieces too.
-class Bowl {
- public:
-  explicit Bowl(const Parameters& p)
-      : kink_(p.at("kink") * degree),
-        half_((round - radius) * std::tan(kink_ / 2)),
-        first_(-static_cast<int>(std::lround(steep / p.at("kink")))) {}
-
-  double kink() const { return kink_; }
-  int first() const { return first_; }
-  double slope(int piece) const { return piece * kink_; }
-  Vec normal(int piece) const { return {-std::sin(slope(piece)), std::cos(slope(piece))}; }
-
-  // About the contact with the next piece the disc keeps its angular momentum: (3/2) v' = (1/2 + cos a) v.
-  double kept() const { return (1 + 2 * std::cos(kink_)) / 3; }
-
-  struct Rolling {
-    int piece = 0;
-    double place = 0;  // m, along the piece, from its middle
-    double speed = 0;  // m/s
-    double path = 0;   // m, rolled so far, to the right
-  };
-  double acceleration(const Rolling& now) const { return -2.0 / 3 * gravity * std::sin(slope(now.piece)); }
-
-  Vec centre(const Rolling& now) const {
-    const Vec n = normal(now.piece);
-    return {-(round - radius) * n.x + now.place * n.y, round - (round - radius) * n.y - now.place * n.x};
-  }
-
-  // A passage over a kink, and what comes before.
-  struct Passage {
-    double time = 0;  // s
-    double took = 0;  // s, on the piece before it
-    Rolling before, after;
-  };
-
-  // After that time; kinks on the way are added to `passed`.
-  Rolling rolled(Rolling now, double time, std::vector<Passage>* passed = nullptr) const {
-    double gone = 0;
-    while (true) {
-      const double right = reaches(now, half_);
-      const double left = reaches(now, -half_);
-      const double next = std::min(right, left);
-      if (gone + next >= time) return moved(now, time - gone);
-      const Rolling before = moved(now, next);
-      gone += next;
-      const int way = right < left ? 1 : -1;
-      now = {before.piece + way, -way * half_, kept() * before.speed, before.path};
-      if (passed != nullptr) passed->push_back({gone, next, before, now});
-    }
-  }
-
- private:
-  Rolling moved(Rolling now, double t) const {
-    const double a = acceleration(now);
-    const double way = now.speed * t + a * t * t / 2;
-    return {now.piece, now.place + way, now.speed + a * t, now.path + way};
-  }
-
-  // s, until it is there, from somewhere else; infinite if it never is.
-  double reaches(const Rolling& now, double end) const {
-    constexpr double somewhere_else = 1e-9;
-    const double a = acceleration(now) / 2;
-    const double c = now.place - end;
-    const double root = std::sqrt(now.speed * now.speed - 4 * a * c);  // NaN if never
-    double soonest = std::numeric_limits<double>::infinity();
-    for (const double sign : {-1.0, 1.0}) {
-      const double t = a == 0 ? -c / now.speed : (-now.speed + sign * root) / (2 * a);
-      if (t > somewhere_else) soonest = std::min(soonest, t);
-    }
-    return soonest;
-  }
-
-  double kink_;
-  double half_;  // m, half the length of a piece on which the centre moves
-  int first_;
-};
+Bowl bowl_of(const Parameters& p) {
+  return {p.at("kink") * degree, -static_cast<int>(std::lround(steep / p.at("kink")))};
+}
 
 Scene scene(const Parameters& p) {
-  const Bowl shape(p);
+  const Bowl shape = bowl_of(p);
   const Surface rough = surface(p.at("friction"), 0);
   Scene scene{.name = "bowl",
               .about = "A disc is let go in a bowl of flat pieces, and rolls over the kinks between them.",
@@ -140,7 +66,7 @@ Slip at_kink(const Stepping& s, const Bowl& bowl, const Bowl::Passage& at) {
 
 // Every error moves on as the track bends it: by the derivatives of where the disc ends by where it was.
 std::vector<Expectation> expectations(const Parameters& p) {
-  const Bowl bowl(p);
+  const Bowl bowl = bowl_of(p);
   const Bowl::Rolling start{bowl.first()};
   std::vector<Expectation> all;
   for (const double time : {duration / 2, duration}) {

@@ -6,6 +6,7 @@
 #include "scenarios/allowance.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb::scenarios::catenary {
 namespace {
@@ -152,3 +153,95 @@ const Catalog<Scenario>::Entry entry{
 
 }  // namespace
 }  // namespace plumb::scenarios::catenary
+
+namespace plumb::scenarios::pulled_chain {
+namespace {
+
+using catenary::gravity;
+using catenary::thickness;
+using catenary::whole;
+
+constexpr double damping = 2;    // 1/s
+constexpr double duration = 30;  // s
+constexpr double near = 0.7;     // of the span at rest, from where the end starts
+
+double spans(int n, double tension) {
+  double sum = 0;
+  for (int i = 1; i <= n; ++i) sum += whole / n * std::cos(catenary::slant(i, n, tension));
+  return sum;
+}
+
+// The right end is a sled on a level rail that a constant force pulls outwards. Its weight and the chain's lie on the
+// rail, so that the force is the chain's horizontal tension.
+Scene scene(const Parameters& p) {
+  const int n = static_cast<int>(p.at("rods"));
+  const double rod = whole / n;
+  Scene scene{.name = "pulled-chain",
+              .about = "A chain hangs between a pin and a sled that a constant force pulls outwards, damped.",
+              .gravity = {0, -gravity},
+              .duration = duration};
+  scene.bodies.push_back({.name = "left", .type = BodyType::fixed, .layers = 0});
+  Vec end;
+  for (const catenary::Rod& one : catenary::hanging(n, rod, near * spans(n, p.at("pull") * n))) {
+    Body body = box(catenary::name_of(static_cast<int>(scene.bodies.size())), one.center, {rod, thickness}, {});
+    body.angle = one.angle;
+    scene.bodies.push_back(body);
+    scene.joints.push_back(Revolute{.a = scene.bodies.size() - 2, .b = scene.bodies.size() - 1, .anchor = end});
+    end = {end.x + rod * std::cos(one.angle), end.y + rod * std::sin(one.angle)};
+  }
+  const std::size_t sled = scene.bodies.size();
+  const double weight = mass_of(scene.bodies[1]).mass * n * gravity;  // N, of the chain
+  scene.bodies.push_back(box("sled", end, {0.3, 0.3}, {}));
+  scene.bodies.push_back({.name = "rail", .type = BodyType::fixed, .position = {end.x, 0}});
+  for (Body& body : scene.bodies) {
+    body.layers = 0;
+    if (body.type == BodyType::dynamic) body.linear_damping = body.angular_damping = damping;
+  }
+  scene.joints.push_back(Revolute{.a = sled - 1, .b = sled, .anchor = end});
+  scene.joints.push_back(Prismatic{.a = sled + 1, .b = sled, .anchor = end});
+  scene.forces.push_back(Constant{.body = sled, .force = {p.at("pull") * weight, 0}});
+  return scene;
+}
+
+// The rods rest where tan = (i - (n + 1)/2) m g/H for the tension H of the pull; where their end is counts it. The
+// slowest mode is the sled's: the tension grows by H/span at least for each metre, which moves no more than the whole
+// chain and the sled, w^2 > pull g/(2 span) > (damping/2)^2, so that all modes decay as e^(-c t/2). Each of n + 1
+// joints may be off by the slop.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const int n = static_cast<int>(p.at("rods"));
+  const double tension = p.at("pull") * n;
+  const double left = 12 * damping * duration / 2 * std::exp(-damping * duration / 2) * whole;
+  const auto rounding = [=](const Stepping& s) { return round_off(s, duration, whole + gravity * duration); };
+  const double longest = std::sqrt(1 + std::pow((n - 1) / 2.0 / tension, 2));  // 1/cos of the steepest rod
+  const auto place = [=](const Stepping& s) { return (n + 1) * longest * s.joint_slop + left + rounding(s); };
+  std::vector<Expectation> all{
+      {.body = "sled",
+       .quantity = Quantity::x,
+       .expected = spans(n, tension),
+       .allowed = place,
+       .source = "Jakob Bernoulli (1691): the span of a discrete catenary of that tension; slop of the joints"},
+      {.body = "sled",
+       .quantity = Quantity::y,
+       .expected = 0,
+       .allowed = place,
+       .source = "its rail is level; slop of the joints"}};
+  const double rod = whole / n;
+  all.push_back({.body = catenary::name_of(1),
+                 .quantity = Quantity::angle,
+                 .expected = catenary::slant(1, n, tension),
+                 .allowed = [=](const Stepping& s) { return 2 * place(s) / rod; },
+                 .source = "tan = (1 - (n + 1)/2) m g/H; slop of the joints"});
+  return all;
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "pulled-chain",
+     .question = "Does a chain's horizontal tension span it as the catenary says?",
+     .parameters = {{.name = "rods", .value = 8, .min = 5, .max = 12, .about = "of the chain", .whole = true},
+                    {.name = "pull", .value = 1, .min = 0.8, .max = 3, .about = "over the weight of the chain"}},
+     .variants = {{"its-weight", {}}},
+     .scene = scene,
+     .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::pulled_chain

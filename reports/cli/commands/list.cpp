@@ -12,6 +12,7 @@
 #include "reference/simulation.h"
 #include "reports/cli/command.h"
 #include "reports/cli/descriptions.h"
+#include "reports/cli/family_table.h"
 #include "reports/find/kind.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
@@ -95,7 +96,12 @@ void list_reported() {
     fmt::print("  {}:{}\n    {}\n", tracker, one.scenario->name, one.scenario->question);
 }
 
-int list(const std::string& what) {
+int list(const std::string& what, bool markdown) {
+  if (markdown) {
+    if (!what.empty() && what != "scenarios") throw std::invalid_argument("only scenarios have a Markdown table");
+    fmt::print("{}", family_table());
+    return 0;
+  }
   const std::vector<std::pair<std::string, std::function<void()>>> lists{
       {"scenarios", list_scenarios},        {"engines", list_engines},     {"metrics", list_metrics},
       {"invariants", list_invariants},      {"relations", list_relations}, {"kinds", list_kinds},
@@ -120,11 +126,13 @@ const Catalog<Command>::Entry entry{
                  "  plumb list engines    with their options and where they come from\n",
      .attach = [](CLI::App& app) {
        const auto what = std::make_shared<std::string>();
+       const auto markdown = std::make_shared<bool>(false);
        app.add_option(
               "what", *what,
               "scenarios, engines, metrics, invariants, relations, kinds or tracker; default: scenarios and engines")
            ->type_name("WHAT");
-       return [what] { return list(*what); };
+       app.add_flag("--markdown", *markdown, "Print the scenarios as a Markdown table");
+       return [what, markdown] { return list(*what, *markdown); };
      }}};
 
 }  // namespace

@@ -197,10 +197,10 @@ double tangential_velocity(const ContactState& contact, std::span<const BodyStat
 // A sliding contact uses all of its friction: slip times the unused part of the cone, mu n - |t|, is zero. A contact
 // that started or stopped sliding within the step stuck for part of it, so the slip is the smaller of those before and
 // after. It may reach what the method states as creep; what the forces add in a step while friction balances those of
-// the last one, g dt, and w V dt as the contact point moves around; what an impact gives that is too slow to be told
-// from a load; and, if the touching bodies are struck, all that
-// the step's impulses give the two, which may have stopped the slide in between. A first-order method may bound
-// friction by an earlier normal impulse, as in the cone.
+// the last one, g dt, and w V dt as the contact point moves around; what the correction of another contact's overlap
+// gives the pair, the slop in a step; what an impact gives that is too slow to be told from a load; and, if the
+// touching bodies are struck, all that the step's impulses give the two, which may have stopped the slide in between. A
+// first-order method may bound friction by an earlier normal impulse, as in the cone.
 std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   if (!trace.has_contacts() || !stepping.whole_impulses) return not_reported();
@@ -228,8 +228,8 @@ std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
           dt * (std::abs(now[contact.a].angular_velocity) + std::abs(now[contact.b].angular_velocity)) *
           (length(now[contact.a].velocity) + length(now[contact.b].velocity));
       const double speeds = length(now[contact.a].velocity) + length(now[contact.b].velocity);
-      double slip_tolerance = stepping.creep + dt * length(scene.gravity) + load_speed(context) + moved_point +
-                              solver_rounding(stepping) * speeds;
+      double slip_tolerance = stepping.creep + dt * length(scene.gravity) + stepping.slop / dt + load_speed(context) +
+                              moved_point + solver_rounding(stepping) * speeds;
       double size = 0;
       for (const std::size_t body : {contact.a, contact.b}) {
         slip_tolerance += hidden[body].at(length(arm_of(contact, now[body])));

@@ -114,8 +114,9 @@ double potential(const AppliedForces& applied, std::span<const BodyState> states
   return applied.conserved().energy(states).potential + applied.potential(states);
 }
 
-TEST(AppliedForces, AreTheNegativeSlopeOfThePotential) {
-  const Scene scene = pulled_every_way();
+TEST(AppliedForces, AreTheNegativeSlopeOfThePotentialThatASoftJointHasToo) {
+  Scene scene = pulled_every_way();
+  scene.joints = {Distance{.a = 0, .b = 1, .anchor_a = {1, 2.3}, .anchor_b = {4, 0.7}, .length = 1, .stiffness = 5}};
   const AppliedForces applied(scene);
   const std::vector<BodyState> states = initial_states(scene);
   const std::vector<Wrench> wrenches = applied.at(states);

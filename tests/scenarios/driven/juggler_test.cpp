@@ -21,7 +21,8 @@ double last_reading(const Parameters& changes) {
 
 // The ball over the scene's own table, in steps of a microsecond: the impact is in the first that ends below the table.
 TEST(Juggler, AgreesWithAnIntegrationInSmallSteps) {
-  for (const Parameters& changes : std::vector<Parameters>{{}, {{"off", 0.3}}, {{"restitution", 0.7}, {"off", -0.2}}}) {
+  for (const Parameters& changes : std::vector<Parameters>{
+           {}, {{"off", 0.3}}, {{"restitution", 0.7}, {"off", -0.2}}, {{"share", 1.1}, {"off", 0.05}}}) {
     const Scenario& family = *Catalog<Scenario>::find("juggler");
     const Parameters p = complete(family, changes);
     const Scene scene = family.scene(p);
@@ -61,6 +62,17 @@ TEST(Juggler, SettlesToItsOrbit) {
   };
   EXPECT_GT(off(0), 1e-3);
   EXPECT_LT(off(1), off(0) / 3);
+}
+
+// Past the limit the map's slow eigenvalue is below -1: each bounce is farther off the orbit, on the other side.
+TEST(Juggler, LeavesAnOrbitThatIsNotStable) {
+  const auto off = [](double share, std::size_t which) {
+    const auto on = Of{"juggler", {{"share", share}}, "ball", Quantity::vy}.expectations();
+    const auto beside = Of{"juggler", {{"share", share}, {"off", 0.01}}, "ball", Quantity::vy}.expectations();
+    return *beside[which].expected - *on[which].expected;
+  };
+  EXPECT_GT(std::abs(off(1.1, 1)), 1.5 * std::abs(off(1.1, 0)));
+  EXPECT_LT(std::abs(off(0.9, 1)), std::abs(off(0.9, 0)));
 }
 
 // On a table that stands the ball loses half of its speed at the first impact.

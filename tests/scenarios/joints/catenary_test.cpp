@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scenarios/scene/mass.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::catenary_test {
@@ -40,6 +41,37 @@ TEST(Catenary, IsAlmostARopeOfManyRods) {
 // The fold from which it starts is higher by decimetres.
 TEST(Catenary, StopsAChainThatStaysFolded) {
   EXPECT_LT((Of{"catenary", {}, "rod 4", Quantity::y}.allows(statement_of::accurate())), 0.001);
+}
+
+double span(double rods, double pull) {
+  return *Of{"pulled-chain", {{"rods", rods}, {"pull", pull}}, "sled", Quantity::x}.expectations().front().expected;
+}
+
+// y = a cosh(x/a) has the tension a times the weight per length, and the length 2 a sinh(s/(2 a)).
+TEST(PulledChain, SpansAlmostWhatARopeDoes) {
+  constexpr double length = 4;
+  for (const double pull : {0.8, 1.0, 3.0}) {
+    const double a = pull * length;
+    const double rope = 2 * a * std::asinh(length / (2 * a));
+    EXPECT_NEAR(span(12, pull), rope, 0.005);
+    EXPECT_NEAR((span(12, pull) - rope) * 144 / ((span(6, pull) - rope) * 36), 1, 0.1) << "of second order";
+  }
+}
+
+// The pull that the rods' slants need is that of the scene: at the pin they hold half of the chain's weight, and on
+// half a rod less the first one slants.
+TEST(PulledChain, IsInEquilibriumWithTheScenesForce) {
+  const Scenario& family = *Catalog<Scenario>::find("pulled-chain");
+  const Scene scene = family.scene(complete(family, {}));
+  const double rod = mass_of(scene.bodies[1]).mass * 10;
+  const double pull = std::get<Constant>(scene.forces[0]).force.x;
+  const double slant = *Of{"pulled-chain", {}, "rod 1", Quantity::angle}.expectations().front().expected;
+  EXPECT_NEAR(std::tan(slant), -(8 / 2.0 - 0.5) * rod / pull, 1e-12);
+}
+
+// It starts at .7 of the span.
+TEST(PulledChain, StopsAChainThatIsNotPulled) {
+  EXPECT_LT((Of{"pulled-chain", {}, "sled", Quantity::x}.allows_at_most()), 0.3 * span(8, 1) / 2);
 }
 
 }  // namespace

@@ -129,6 +129,16 @@ TEST(StickingInvariant, ForbidsSlidingWithUnusedFriction) {
   EXPECT_EQ(status("sticking", scene, sliding(100, 0.05), exact), CheckStatus::held);
 }
 
+// A slop of 1 mm that another contact corrects in a step of 10 ms.
+TEST(StickingInvariant, AllowsForTheCorrectionOfAnotherContact) {
+  const Scene scene = box_on_ground(0.5);
+  Stepping stated = exact;
+  stated.slop = 1e-3;
+  const auto sliding = [&](double speed) { return shown({pushing(0.1, 0.025)}, {speed, 0}); };
+  EXPECT_EQ(status("sticking", scene, sliding(0.099), stated), CheckStatus::held);
+  EXPECT_EQ(status("sticking", scene, sliding(0.101), stated), CheckStatus::broken);
+}
+
 TEST(StickingInvariant, AllowsForAnImpactThatStoppedTheSlideWithinTheStep) {
   const Scene scene = box_on_ground(0.5);
   // An impulse of hypot(1, 0.25) on 1 kg, and at an arm of 0.5 m on (1/6) kg m^2, 0.25 turning it.
