@@ -220,7 +220,7 @@ export interface Page {
 }
 
 /** The format of report.json this page reads. */
-const format = 3;
+const format = 4;
 
 const measured = record({ value: number, unit: text });
 const of_case = { scenario: text, variant: text };
