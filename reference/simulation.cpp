@@ -37,6 +37,22 @@ void check_number(const Engine& engine, const Option& option, std::string_view v
 
 }  // namespace
 
+const char* name_of(ExecutionKind execution) {
+  switch (execution) {
+    case ExecutionKind::native:
+      return "native";
+    case ExecutionKind::webassembly:
+      return "WebAssembly";
+    case ExecutionKind::jit:
+      return "JIT";
+    case ExecutionKind::interpreted:
+      return "interpreted";
+    case ExecutionKind::not_stated:
+      return "not stated";
+  }
+  return "";
+}
+
 void Simulation::drive(std::size_t, Vec) { throw std::logic_error("this engine can't drive kinematic bodies"); }
 
 double Simulation::valid_until() const { return std::numeric_limits<double>::infinity(); }

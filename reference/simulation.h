@@ -76,6 +76,12 @@ struct Option {
   bool whole = false;       // whether the number must be whole
 };
 
+/// How the code of an engine runs. It decides times as much as the method does, so they are told apart by it.
+enum class ExecutionKind { native, webassembly, jit, interpreted, not_stated };
+
+/// "native", "WebAssembly", "JIT", "interpreted", "not stated".
+const char* name_of(ExecutionKind);
+
 /// Values by option key; a missing one has its default.
 using Settings = std::map<std::string, std::string>;
 
@@ -96,8 +102,11 @@ struct WorkLadder {
 /// Anything that can run a scene: our engine, another physics engine, a closed form.
 struct Engine {
   std::string name;
-  std::string about;   // one line
-  std::string source;  // origin and version; for a closed form the textbook
+  std::string about;      // one line
+  std::string source;     // origin and version; for a closed form the textbook
+  std::string word = {};  // how a command line names it, if not by its name: "exec:./mine"
+  std::string language = "C++";
+  ExecutionKind execution = ExecutionKind::native;
   bool exact = false;  // a closed form: a reference solution, not a competitor
   std::vector<Option> options;
   /// Settings worth showing beside the default ones: a report for which no engines were selected runs these too.
@@ -106,7 +115,7 @@ struct Engine {
   std::vector<WorkLadder> ladders = {};
   std::function<Stepping(const Settings&, double dt)> stepping;
 
-  /// Why it cannot run the scene; "" if it can.
+  /// Why it cannot run the scene; "" if it can, or if only `build` knows.
   std::function<std::string(const Scene&, const Settings&)> unsupported;
   std::function<std::unique_ptr<Simulation>(const Scene&, const Settings&)> build;
   /// The values that it chooses by itself for a scene with these settings; null if it never does.

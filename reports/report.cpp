@@ -95,6 +95,11 @@ const char* resting(const KeyDifferences& key) {
   return many == 2 ? "both" : many == 1 ? "one" : "none";
 }
 
+std::string execution_mark(const std::string& execution) {
+  if (execution == name_of(ExecutionKind::native)) return "";
+  return execution == name_of(ExecutionKind::not_stated) ? " (program)" : " (" + execution + ")";
+}
+
 std::string label_of(const std::string& engine, const std::string& method) {
   return method.empty() ? engine : engine + ":" + method;
 }

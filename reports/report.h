@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/simulation.h"
 #include "reports/trace.h"
 #include "scenarios/scenario.h"
 
@@ -117,6 +118,10 @@ std::optional<double> worst_error_ratio(const RunRecord&);
 /// "engine" or "engine:key=value,...", as --engine takes it.
 std::string label_of(const std::string& engine, const std::string& method);
 
+/// " (WebAssembly)": what follows an engine's name where its times are shown, by the name of how its code runs; "" for
+/// native code, " (program)" where it is not stated.
+std::string execution_mark(const std::string& execution);
+
 /// A difference over time relative to a scale of the scene.
 struct RelativeDifference {
   double largest = 0, end = 0;
@@ -189,6 +194,9 @@ struct EngineNote {
   std::string name;
   std::string about;
   std::string source;
+  std::string word = {};  // how a command line names it, if not by its name
+  std::string language = {};
+  ExecutionKind execution = ExecutionKind::native;  // how its code runs, which its times depend on
   bool exact = false;
   std::vector<SteppingNote> states = {};  // one a method
 };

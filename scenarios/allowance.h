@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
 
 #include "scenarios/scenario.h"
 
@@ -29,6 +31,27 @@ inline double lag(const Stepping& s) { return s.impact_lag * s.h; }
 /// found to touch it a lag late. Until then it falls, and the impact that ends the fall has just the impulses, of both
 /// directions, that were missing: the velocity is right from then on, at the end of the next step.
 inline double slid_late(const Stepping& s, double acceleration) { return acceleration * lag(s) * (lag(s) + s.h); }
+
+/// m, by which a contact at rest overlaps if it is a spring of this frequency (see Stepping::contact_frequency):
+/// `load`, N, at a point where a unit impulse changes the relative velocity by `inverse_mass`, 1/kg.
+inline double spring_depth(double frequency, double load, double inverse_mass) {
+  const double w = 2 * std::numbers::pi * frequency;
+  return w > 0 ? load * inverse_mass / (w * w) : 0;
+}
+
+/// m, by which box k of a tower on the ground, counted from 1 below, sinks where contacts are springs: all depths below
+/// it. `masses`, kg, of square boxes, the lowest first. A face rests on its two corners, each with half the load and,
+/// of a body of mass m, the inverse mass 1/m + r^2/I = 2.5/m, r being half a side and I = m (2 r)^2/6.
+inline double tower_sinks(const Stepping& s, double gravity, std::span<const double> masses, std::size_t k) {
+  double sinks = 0;
+  for (std::size_t i = 0; i < k; ++i) {
+    double above = 0;
+    for (const double mass : masses.subspan(i)) above += mass;
+    const double inverse_mass = 2.5 / masses[i] + (i > 0 ? 2.5 / masses[i - 1] : 0);
+    sinks += spring_depth(i > 0 ? s.contact_frequency : s.fixed_contact_frequency, above * gravity / 2, inverse_mass);
+  }
+  return sinks;
+}
 
 /// m/s, the speed that friction mu may yet have to take after t seconds of sliding: its impulse is mu times the normal
 /// one, which is short by m u while the body sinks in at u, on average slop/t.

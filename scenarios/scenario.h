@@ -43,6 +43,10 @@ struct Stepping {
   double slop = 0;        // m, the overlap (of skins, if it has them) of a contact at rest that is left alone, or its
                           // compliance under one weight: points of one contact rest at most that far from level
   double joint_slop = 0;  // m, the distance between the anchors of a joint at rest, likewise
+  /// Hz, of contacts that are damped springs, which a smaller step does not make stiffer: at rest they overlap by
+  /// load/(m w^2), w = 2 pi times this and m the effective mass of the two bodies at the point. 0: they are no springs.
+  double contact_frequency = 0;
+  double fixed_contact_frequency = 0;  // Hz, the same of contacts with what does not move
   double creep = 0;  // m/s, the largest sliding speed of a sticking contact whose friction bears all of gravity; if
                      // it bears a share of it, that share
   double rest_speed = 0;             // m/s, the largest speed at which a body may be put to sleep; 0: it never sleeps
@@ -50,7 +54,8 @@ struct Stepping {
   int iterations = 0;  // solver iterations over simultaneous impacts; 0 if they are solved one by one or exactly
   int position_iterations = 0;  // iterations over overlaps and joint errors, where they are corrected separately
   double epsilon = 0;           // unit round-off of its arithmetic
-  bool whole_impulses = true;   // whether reported contact impulses, if any, are sums over the whole step
+  bool differenced_velocities = false;  // whether it keeps velocities as differences of positions, rounded as these are
+  bool whole_impulses = true;           // whether reported contact impulses, if any, are sums over the whole step
 
   /// Whether it looks for contacts within the whole step ahead, so that no body passes through another, with or without
   /// continuous collision.

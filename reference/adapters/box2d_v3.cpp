@@ -343,10 +343,12 @@ Stepping stepping(const Settings& given, double dt) {
   stated.order = 1;
   // Impacts are found once a step, and bounce at the end of the step that finds them.
   stated.impact_lag = 2 * std::stod(settings.at("substeps"));
-  // Shapes have no skin, and contacts are soft: they rest where their spring bears the load, 2.5 g/w^2 deep for a
-  // square on its like (two corners, each with half the weight and an effective mass of m/5), w = 2 pi times the lesser
-  // of 30 Hz and an eighth of the sub-step's rate (b2World_Step). Joints are springs of twice that frequency.
-  const double contact_omega = 2 * std::numbers::pi * std::min(30.0, 0.125 / stated.h);
+  // Shapes have no skin, and contacts are springs of the lesser of 30 Hz and an eighth of the sub-step's rate, twice
+  // that on fixed bodies (b2World_Step). The slop is their depth under one weight, 2.5 g/w^2 for a square on its like
+  // (two corners, each with half the weight and an effective mass of m/5). Joints are springs of twice that frequency.
+  stated.contact_frequency = std::min(30.0, 0.125 / stated.h);
+  stated.fixed_contact_frequency = 2 * stated.contact_frequency;
+  const double contact_omega = 2 * std::numbers::pi * stated.contact_frequency;
   stated.slop = 2.5 * standard_gravity / (contact_omega * contact_omega);
   stated.joint_slop = 2.5 * standard_gravity / (4 * contact_omega * contact_omega);
   stated.creep = 0;

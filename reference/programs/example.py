@@ -129,7 +129,7 @@ def stepping(options, dt):
             "iterations": int(options["iterations"]), "wholeImpulses": True}
 
 
-serve({"name": "example-py", "version": "1", "about": "sequential impulses for discs on a floor", "language": "Python",
+serve({"name": "example-py", "version": "1", "about": "sequential impulses for discs on a floor",
        "options": [{"key": "iterations", "value": str(ITERATIONS), "about": "of the solver", "min": 1, "max": 10000,
-                    "whole": True}]},
+                    "whole": True, "ladder": ["5", "10", "20", "40"]}]},
       stepping, World)

@@ -14,7 +14,7 @@ class NotSupported(Exception):
 def serve(hello, stepping, build):
     """Answers Plumb until it says end.
 
-    hello     dict: name, version, and if you like about, source, language, options
+    hello     dict: name, version, and if you like about, source, language and execution (of what steps), options
     stepping  stepping(options, dt): dict of what the engine states about itself; see reference/README.md
     build     build(scene, masses, options): a world with
               step(dt)    advances by dt seconds; the only call that is timed
@@ -50,7 +50,7 @@ def serve(hello, stepping, build):
     for line in sys.stdin:
         ask = json.loads(line)
         if "hello" in ask:
-            answer({"plumb-engine": 1, **hello})
+            answer({"plumb-engine": 1, "language": "Python", "execution": "interpreted", **hello})
         elif "stepping" in ask:
             answer({"stepping": stepping(ask["stepping"]["options"], ask["stepping"]["dt"])})
         elif "build" in ask:

@@ -83,25 +83,32 @@ class Program {
     idle_.push_back(std::move(process));
   }
 
-  // What it states, which is asked for once.
-  Stepping stepping(const Settings& settings, double dt) {
+  // What it states, or fails to, which is asked for once.
+  Stepping stepping(const Settings& settings, const ProgramLimits& limits, double dt) {
     const std::lock_guard lock(mutex_);
     const auto [place, is_new] = stated_.try_emplace({settings, dt});
-    if (!is_new) return place->second;
-    forget_those_of_a_parent();
-    try {
-      if (idle_.empty()) idle_.push_back(std::make_unique<LineProcess>(command_));
-      place->second = ask(*idle_.back(), protocol::ask_stepping(without_limits(settings), dt), limits_of(settings),
-                          [&](std::string_view answer) { return protocol::read_stepping(answer, dt); });
-    } catch (const std::exception& error) {
-      stated_.erase(place);
-      idle_.clear();
-      throw std::invalid_argument(fmt::format("{}{}: asked how it steps, {}", program_prefix, command_, error.what()));
+    Stated& stated = place->second;
+    if (is_new) {
+      forget_those_of_a_parent();
+      try {
+        if (idle_.empty()) idle_.push_back(std::make_unique<LineProcess>(command_));
+        stated.stepping = ask(*idle_.back(), protocol::ask_stepping(settings, dt), limits,
+                              [&](std::string_view answer) { return protocol::read_stepping(answer, dt); });
+      } catch (const std::exception& error) {
+        stated.failure = error.what();
+        idle_.clear();
+      }
     }
-    return place->second;
+    if (!stated.failure.empty()) throw std::runtime_error("asked how it steps, " + stated.failure);
+    return stated.stepping;
   }
 
  private:
+  struct Stated {
+    Stepping stepping;
+    std::string failure;
+  };
+
   void forget_those_of_a_parent() {
     if (owner_ == getpid()) return;
     for (auto& process : idle_) [[maybe_unused]] const LineProcess* left = process.release();
@@ -113,7 +120,7 @@ class Program {
   std::mutex mutex_;
   pid_t owner_ = getpid();
   std::vector<std::unique_ptr<LineProcess>> idle_;
-  std::map<std::pair<Settings, double>, Stepping> stated_;
+  std::map<std::pair<Settings, double>, Stated> stated_;
 };
 
 class ProgramSimulation : public Simulation {
@@ -197,19 +204,21 @@ class ProgramSimulation : public Simulation {
   bool failed_ = false;
 };
 
+std::string only_build_knows(const Scene&, const Settings&) { return ""; }
+
 std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 // All programs named so far. They live as long as we do: engines refer to them.
 class Programs {
  public:
-  const Engine& of(const std::string& command) {
+  const Engine& of(const std::string& command, const std::string& word) {
     const std::lock_guard lock(mutex_);
     for (const Entry& entry : entries_) {
       if (entry.command == command) return entry.engine;
     }
     Entry& entry = entries_.emplace_back(command);
     try {
-      entry.engine = made(entry.program, command);
+      entry.engine = made(entry.program, word);
     } catch (...) {
       entries_.pop_back();
       throw;
@@ -225,11 +234,16 @@ class Programs {
     }
     Entry& entry = isolated_.emplace_back(command);
     entry.engine = engine;
-    entry.engine.in_process = true;
+    static constexpr ProgramLimits limits{.seconds = 60};
+    entry.engine.stepping = [&program = entry.program, &engine](const Settings& settings, double dt) {
+      return program.stepping(complete(engine, settings), limits, dt);
+    };
+    entry.engine.unsupported = only_build_knows;
     entry.engine.build = [&program = entry.program, &engine](const Scene& scene, const Settings& settings) {
-      constexpr ProgramLimits limits{.seconds = 60};
       return std::make_unique<ProgramSimulation>(program, scene, complete(engine, settings), limits);
     };
+    entry.engine.chooses = nullptr;
+    entry.engine.in_process = true;
     return entry.engine;
   }
 
@@ -260,7 +274,7 @@ class Programs {
     return name;
   }
 
-  Engine made(Program& program, const std::string& command) const {
+  Engine made(Program& program, const std::string& word) const {
     Identity identity;
     try {
       auto process = program.take();
@@ -269,22 +283,28 @@ class Programs {
       program.give_back(std::move(process));
     } catch (const std::exception& error) {
       throw std::invalid_argument(
-          fmt::format("{}{}: asked who it is, {}. See the protocol in reference/README.md, or try plumb engine check",
-                      program_prefix, command, error.what()));
+          fmt::format("{}: asked who it is, {}. See the protocol in reference/README.md, or try plumb engine check",
+                      word, error.what()));
     }
     const std::vector<Option> options = with_limits(identity.options);
     const Engine to_complete{.name = identity.name, .options = options};
     const auto completed = [to_complete](const Settings& settings) { return complete(to_complete, settings); };
-    std::string language = identity.language.empty() ? "a program" : "a program in " + identity.language;
     return {
         .name = free_name(identity),
-        .about = identity.about.empty() ? language : fmt::format("{} ({})", identity.about, language),
+        .about = identity.about.empty() ? "a program of its own" : identity.about,
         .source = fmt::format("{} {}{}{}", identity.name, identity.version, identity.source.empty() ? "" : ", ",
                               identity.source),
+        .word = word,
+        .language = identity.language,
+        .execution = identity.execution,
         .options = options,
-        .stepping = [&program, completed](const Settings& settings,
-                                          double dt) { return program.stepping(completed(settings), dt); },
-        .unsupported = [](const Scene&, const Settings&) { return std::string(); },
+        .ladders = identity.ladders,
+        .stepping =
+            [&program, completed](const Settings& settings, double dt) {
+              const Settings all = completed(settings);
+              return program.stepping(without_limits(all), limits_of(all), dt);
+            },
+        .unsupported = only_build_knows,
         .build = [&program, completed](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
           const Settings all = completed(settings);
           return std::make_unique<ProgramSimulation>(program, scene, without_limits(all), limits_of(all));
@@ -303,7 +323,9 @@ Programs& programs() {
 
 }  // namespace
 
-const Engine& engine_of_program(const std::string& command) { return programs().of(command); }
+const Engine& engine_of_program(const std::string& command, const std::string& word) {
+  return programs().of(command, word.empty() ? std::string(program_prefix) + command : word);
+}
 
 const Engine& isolated(const Engine& engine) { return programs().isolated(engine); }
 

@@ -42,7 +42,7 @@ std::string text_or(const JsonReader& in, const char* key, const std::string& ot
 }
 
 Option read_option(const JsonReader& in) {
-  in.object({"key", "value", "about"}, {"choices", "min", "max", "whole"});
+  in.object({"key", "value", "about"}, {"choices", "min", "max", "whole", "ladder"});
   Option option{
       .key = in["key"].text(1, 40), .value = in["value"].text(1, 40), .about = in["about"].text(1, longest_text)};
   if (in.has("choices")) {
@@ -60,6 +60,18 @@ Option read_option(const JsonReader& in) {
   option.max = in["max"].number({option.min, largest});
   option.whole = in.boolean("whole", false);
   return option;
+}
+
+// The values of an option from cheap to expensive, if it trades speed for accuracy.
+std::vector<std::string> read_ladder(const JsonReader& in, const Option& option) {
+  std::vector<std::string> values;
+  if (!in.has("ladder")) return values;
+  const JsonReader ladder = in["ladder"];
+  for (std::size_t i = 0; i < ladder.list(); ++i) {
+    values.push_back(ladder[i].text(1, 40));
+    complete({.name = "ladder", .options = {option}}, {{option.key, values.back()}});
+  }
+  return values;
 }
 
 // All numbers of a list of rows, or of base64 of these numbers in turn.
@@ -150,6 +162,10 @@ Json settings_as_json(const Settings& settings) {
 }
 
 constexpr Word<double> arithmetics[] = {{"float", 0x1p-24}, {"double", 0x1p-53}};
+const Word<ExecutionKind> executions[] = {{name_of(ExecutionKind::native), ExecutionKind::native},
+                                          {name_of(ExecutionKind::webassembly), ExecutionKind::webassembly},
+                                          {name_of(ExecutionKind::jit), ExecutionKind::jit},
+                                          {name_of(ExecutionKind::interpreted), ExecutionKind::interpreted}};
 
 }  // namespace
 
@@ -159,18 +175,22 @@ Identity read_hello(std::string_view answer) {
   const nlohmann::json json = parsed(answer);
   const JsonReader in(json, place);
   check_error(in);
-  in.object({"plumb-engine", "name", "version"}, {"about", "source", "language", "options"});
+  in.object({"plumb-engine", "name", "version"}, {"about", "source", "language", "execution", "options"});
   if (in["plumb-engine"].number(any_number) != version) in["plumb-engine"].expected("1, the version of the protocol");
   Identity identity{.name = in["name"].text(1, 40),
                     .version = in["version"].text(1, 40),
                     .about = text_or(in, "about", ""),
                     .source = text_or(in, "source", ""),
                     .language = text_or(in, "language", "")};
-  if (identity.name.find_first_of(":,= @") != std::string::npos) {
-    in["name"].refuse("must be a name without space, : , = and @");
+  if (in.has("execution")) identity.execution = in["execution"].one_of<ExecutionKind>(executions);
+  if (identity.name.find_first_of(":,= @|") != std::string::npos) {
+    in["name"].refuse("must be a name without space, : , = @ and |");
   }
   for (std::size_t i = 0; in.has("options") && i < in["options"].list(); ++i) {
-    identity.options.push_back(read_option(in["options"][i]));
+    const Option option = read_option(in["options"][i]);
+    std::vector<std::string> ladder = read_ladder(in["options"][i], option);
+    if (!ladder.empty()) identity.ladders.push_back({.option = option.key, .values = std::move(ladder)});
+    identity.options.push_back(option);
   }
   return identity;
 }
@@ -185,10 +205,11 @@ Stepping read_stepping(std::string_view answer, double dt) {
   check_error(top);
   top.object({"stepping"});
   const JsonReader in = top["stepping"];
-  in.object({"arithmetic"}, {"substep", "drift", "order", "orderInContact", "impactLag", "skin", "slop", "jointSlop",
-                             "creep", "restSpeed", "restitutionThreshold", "iterations", "positionIterations",
-                             "wholeImpulses", "looksAhead", "springLimit"});
-  const auto length = [&](const char* key) { return in.number(key, 0, not_negative); };
+  in.object({"arithmetic"},
+            {"substep", "drift", "order", "orderInContact", "impactLag", "skin", "slop", "jointSlop",
+             "contactFrequency", "fixedContactFrequency", "creep", "restSpeed", "restitutionThreshold", "iterations",
+             "positionIterations", "differencedVelocities", "wholeImpulses", "looksAhead", "springLimit"});
+  const auto size = [&](const char* key) { return in.number(key, 0, not_negative); };
   const auto count = [&](const char* key) { return static_cast<int>(in.number(key, 0, {0, 1e6})); };
   Stepping stated{.dt = dt,
                   .h = in.number("substep", dt, {dt * 1e-6, dt}),
@@ -196,15 +217,18 @@ Stepping read_stepping(std::string_view answer, double dt) {
                   .order = count("order"),
                   .order_in_contact = count("orderInContact"),
                   .impact_lag = in.number("impactLag", 1, {0, 1e3}),
-                  .skin = length("skin"),
-                  .slop = length("slop"),
-                  .joint_slop = length("jointSlop"),
-                  .creep = length("creep"),
-                  .rest_speed = length("restSpeed"),
-                  .restitution_threshold = length("restitutionThreshold"),
+                  .skin = size("skin"),
+                  .slop = size("slop"),
+                  .joint_slop = size("jointSlop"),
+                  .contact_frequency = size("contactFrequency"),
+                  .fixed_contact_frequency = size("fixedContactFrequency"),
+                  .creep = size("creep"),
+                  .rest_speed = size("restSpeed"),
+                  .restitution_threshold = size("restitutionThreshold"),
                   .iterations = count("iterations"),
                   .position_iterations = count("positionIterations"),
                   .epsilon = in["arithmetic"].one_of<double>(arithmetics),
+                  .differenced_velocities = in.boolean("differencedVelocities", false),
                   .whole_impulses = in.boolean("wholeImpulses", false),
                   .looks_ahead = in.boolean("looksAhead", false)};
   if (in.has("springLimit")) stated.spring_limit = in["springLimit"].number(not_negative);

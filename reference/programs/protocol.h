@@ -19,7 +19,9 @@ namespace plumb::protocol {
 /// Who a program says it is.
 struct Identity {
   std::string name, version, about, source, language;
+  ExecutionKind execution = ExecutionKind::not_stated;
   std::vector<Option> options;
+  std::vector<WorkLadder> ladders;  // of the options that state one
 };
 
 std::string ask_hello();

@@ -45,11 +45,14 @@ Json stepping_as_json(const Stepping& stated) {
             {"skin", stated.skin},
             {"slop", stated.slop},
             {"jointSlop", stated.joint_slop},
+            {"contactFrequency", stated.contact_frequency},
+            {"fixedContactFrequency", stated.fixed_contact_frequency},
             {"creep", stated.creep},
             {"restSpeed", stated.rest_speed},
             {"restitutionThreshold", stated.restitution_threshold},
             {"iterations", stated.iterations},
             {"positionIterations", stated.position_iterations},
+            {"differencedVelocities", stated.differenced_velocities},
             {"wholeImpulses", stated.whole_impulses},
             {"looksAhead", stated.looks_ahead}};
   if (stated.spring_limit) json["springLimit"] = *stated.spring_limit;
@@ -109,13 +112,25 @@ class Server {
 
  private:
   Json hello() const {
-    Json json{{"plumb-engine", 1},      {"name", engine_.name},     {"version", "1"},
-              {"about", engine_.about}, {"source", engine_.source}, {"language", "C++"}};
-    for (const Option& option : engine_.options) json["options"].push_back(option_as_json(option));
+    Json json{{"plumb-engine", 1},
+              {"name", engine_.name},
+              {"version", "1"},
+              {"about", engine_.about},
+              {"source", engine_.source},
+              {"language", engine_.language},
+              {"execution", name_of(engine_.execution)}};
+    for (const Option& option : engine_.options) {
+      json["options"].push_back(option_as_json(option));
+      for (const WorkLadder& ladder : engine_.ladders) {
+        if (ladder.method.empty() && ladder.option == option.key) json["options"].back()["ladder"] = ladder.values;
+      }
+    }
     return json;
   }
 
-  static std::string not_supported(const std::string& why) { return Json{{"notSupported", why}}.dump(); }
+  static std::string not_supported(const std::string& why) {
+    return Json{{"notSupported", printable(why, 400)}}.dump();
+  }
 
   Settings settings_of(const nlohmann::json& how) const { return complete(engine_, how.at("options").get<Settings>()); }
 

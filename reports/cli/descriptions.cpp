@@ -89,12 +89,22 @@ std::string description_of(const Case& one, std::size_t width) {
 std::string description_of(const Engine& engine, std::size_t width) {
   constexpr std::size_t columns = 22;
   std::string text = wrapped(engine.about + "; " + engine.source, 2, width);
+  if (!engine.exact) {
+    const std::string language = engine.language.empty() ? "language not stated" : engine.language;
+    text += wrapped(fmt::format("{}, execution {}", language, name_of(engine.execution)), 2, width);
+  }
   for (const Option& option : engine.options) {
     const std::string range = option.choices.empty() ? fmt::format(" ({:g} to {:g})", option.min, option.max) : "";
     text += beside(fmt::format("  {}={}", option.key, option.value), columns, option.about + range, width);
     for (const auto& [choice, about] : option.choices) text += beside("    " + choice, columns, about, width);
   }
   return text;
+}
+
+std::string description_of(const PackagedEngine& engine, std::size_t width) {
+  if (command_of_installed(engine.name, engines_folder()))
+    return description_of(*parse_engine(engine.name).engine, width);
+  return wrapped(fmt::format("{}; not installed: plumb engine add {}", engine.about, engine.name), 2, width);
 }
 
 std::vector<Topic> topics() {
@@ -107,6 +117,10 @@ std::vector<Topic> topics() {
   for (const Engine* engine : Catalog<Engine>::all()) {
     all.push_back({engine->exact ? "closed form" : "engine", engine->name,
                    [engine](std::size_t width) { return description_of(*engine, width); }});
+  }
+  for (const PackagedEngine& engine : packaged_engines()) {
+    all.push_back(
+        {"engine of npm", engine.name, [engine](std::size_t width) { return description_of(engine, width); }});
   }
   add_definitions<Metric>("metric", all);
   add_definitions<Invariant>("invariant", all);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/simulation.h"
+#include "reports/engines/installed.h"
 #include "reports/run/run.h"
 #include "scenarios/scenario.h"
 
@@ -17,6 +18,9 @@ std::string description_of(const Case&, std::size_t width);
 
 /// What an engine is, and its options.
 std::string description_of(const Engine&, std::size_t width);
+
+/// The same of an engine of npm that is installed; else what it is, and how to install it.
+std::string description_of(const PackagedEngine&, std::size_t width);
 
 /// One word that `plumb help` explains.
 struct Topic {

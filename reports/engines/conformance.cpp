@@ -15,6 +15,7 @@
 #include "reference/programs/line_process.h"
 #include "reference/programs/protocol.h"
 #include "reports/engines/step_cost.h"
+#include "reports/judge/rounding.h"
 #include "reports/vec.h"
 #include "scenarios/scene/mass.h"
 
@@ -213,8 +214,7 @@ class Conformance {
       const double moved = length(state.position - body.position);
       const double sped =
           std::hypot(length(state.velocity - body.velocity), state.angular_velocity - body.angular_velocity);
-      // A method may keep a velocity as the difference of two positions, over dt.
-      if (moved <= rounding(placing, 20) && sped <= rounding(placing, 20) / dt) continue;
+      if (moved <= rounding(placing, 20) && sped <= rounding(placing, 3 + differenced(stated_, 20, dt))) continue;
       throw std::runtime_error(fmt::format("body \"{}\" starts {:.3g} m and {:.3g} m/s or rad/s away from the scene's",
                                            body.name, moved, sped));
     }

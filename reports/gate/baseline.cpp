@@ -67,6 +67,7 @@ Baseline baseline_of(const Report& report) {
   Baseline baseline{.platform = platform_of(report.environment)};
   for (const EngineNote& engine : report.engines) {
     if (!engine.exact) baseline.engines[engine.name] = engine.source;
+    if (!engine.word.empty()) baseline.words[engine.name] = engine.word;
   }
   for (const RunRecord& run : report.runs) {
     baseline.dt = run.dt;

@@ -58,6 +58,7 @@ struct Baseline {
   std::vector<std::string> scenarios;           // that were asked for; empty for a whole set
   std::map<std::string, std::string> platform;  // what determines bits, see platform_of
   std::map<std::string, std::string> engines;   // source and version, by name
+  std::map<std::string, std::string> words;     // how a command line names engines that have names of another kind
   std::map<RunKey, BaselineRun> runs;
   bool old_verdicts = false;  // accepted when *right* included what is now *coarse* or *no evidence*
 };

@@ -110,12 +110,13 @@ Baseline baseline_from(nlohmann::json json, const std::string& path) {
   from.must_have("plumb_baseline");
   const double format = from["plumb_baseline"].number({1, baseline_format});
   if (format < 2) update_baseline(json);
-  from.object({"plumb_baseline", "dt", "all", "scenarios", "platform", "engines", "runs"});
+  from.object({"plumb_baseline", "dt", "all", "scenarios", "platform", "engines", "runs"}, {"words"});
   Baseline baseline{.dt = from["dt"].number({std::numeric_limits<double>::min(), 1, "s"}),
                     .all = from["all"].boolean(),
                     .scenarios = text_list_from(from["scenarios"]),
                     .platform = text_map_from(from["platform"]),
                     .engines = text_map_from(from["engines"])};
+  if (from.has("words")) baseline.words = text_map_from(from["words"]);
   for_each_entry(from["runs"], {}, [&](const JsonReader& run) { add_run(run, baseline); });
   baseline.old_verdicts = format < 3;
   return baseline;
@@ -128,8 +129,10 @@ nlohmann::json parse_file(const std::string& path) { return parse_json(read_text
 std::string to_text(const Baseline& baseline) {
   std::string text = fmt::format("{{\n \"plumb_baseline\": {},\n \"dt\": {},\n \"all\": {},\n \"scenarios\": {},\n",
                                  baseline_format, dumped(baseline.dt), baseline.all, dumped(baseline.scenarios));
-  text += fmt::format(" \"platform\": {},\n \"engines\": {},\n \"runs\": [", dumped(Json(baseline.platform)),
+  text += fmt::format(" \"platform\": {},\n \"engines\": {},\n", dumped(Json(baseline.platform)),
                       dumped(Json(baseline.engines)));
+  if (!baseline.words.empty()) text += fmt::format(" \"words\": {},\n", dumped(Json(baseline.words)));
+  text += " \"runs\": [";
   const char* separator = "\n";
   for (const auto& [key, run] : baseline.runs) {
     text += separator + text_of(key, run);

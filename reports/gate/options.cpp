@@ -28,6 +28,15 @@ bool in_plan(const RunKey& key, const BaselineRun& run, const Plan& plan) {
   return has_case && has_engine;
 }
 
+// Every engine but the closed forms, with its method.
+std::set<std::pair<std::string, std::string>> engines_of(const Baseline& baseline) {
+  std::set<std::pair<std::string, std::string>> engines;
+  for (const auto& [key, run] : baseline.runs) {
+    if (!run.exact) engines.emplace(key.engine, key.method);
+  }
+  return engines;
+}
+
 constexpr const char* remedy = "is not in the baseline; plumb accept makes one that has it";
 
 void check_cases(const Baseline& baseline, const Plan& plan) {
@@ -41,12 +50,10 @@ void check_cases(const Baseline& baseline, const Plan& plan) {
 }
 
 void check_engines(const Baseline& baseline, const Plan& plan) {
-  const std::vector<std::string> known = engines_of(baseline);
+  const auto known = engines_of(baseline);
   for (const EngineConfig& one : plan.configs) {
-    const std::string label = label_of(one.engine->name, one.method());
-    if (std::find(known.begin(), known.end(), label) == known.end()) {
-      throw std::invalid_argument(fmt::format("{} {}", label, remedy));
-    }
+    if (known.contains({one.engine->name, one.method()})) continue;
+    throw std::invalid_argument(fmt::format("{} {}", label_of(one.engine->name, one.method()), remedy));
   }
 }
 
@@ -78,20 +85,20 @@ std::string GateOptions::baseline_file() const {
   return (folder == nullptr || *folder == '\0' ? std::string("reports/baselines") : std::string(folder)) + "/all.json";
 }
 
-std::vector<std::string> engines_of(const Baseline& baseline) {
-  std::set<std::string> labels;
-  for (const auto& [key, run] : baseline.runs) {
-    if (!run.exact) labels.insert(label_of(key.engine, key.method));
+std::vector<std::string> engine_words_of(const Baseline& baseline) {
+  std::vector<std::string> words;
+  for (const auto& [engine, method] : engines_of(baseline)) {
+    const auto word = baseline.words.find(engine);
+    words.push_back(label_of(word == baseline.words.end() ? engine : word->second, method));
   }
-  return {labels.begin(), labels.end()};
+  return words;
 }
 
 std::vector<std::string> engines_missing_in(const Baseline& baseline) {
-  const std::vector<std::string> known = engines_of(baseline);
+  const auto known = engines_of(baseline);
   std::vector<std::string> missing;
   for (const EngineConfig& one : default_engines()) {
-    const std::string label = label_of(one.engine->name, one.method());
-    if (std::find(known.begin(), known.end(), label) == known.end()) missing.push_back(label);
+    if (!known.contains({one.engine->name, one.method()})) missing.push_back(label_of(one.engine->name, one.method()));
   }
   return missing;
 }
@@ -99,7 +106,7 @@ std::vector<std::string> engines_missing_in(const Baseline& baseline) {
 Plan plan_of(const Baseline& baseline, const GateOptions& options) {
   const bool some = options.canonical || !options.scenarios.empty();
   Plan plan = select_plan(some ? options.scenarios : baseline.scenarios, !some && baseline.all,
-                          options.engines.empty() ? engines_of(baseline) : options.engines);
+                          options.engines.empty() ? engine_words_of(baseline) : options.engines);
   plan.dt = baseline.dt;
   plan.jobs = options.jobs;
   plan.timed = false;

@@ -28,7 +28,7 @@ struct GateOptions {
 };
 
 /// Every engine of a baseline but the closed forms, as --engine takes it.
-std::vector<std::string> engines_of(const Baseline&);
+std::vector<std::string> engine_words_of(const Baseline&);
 
 /// The engines that would run by default but are not in the baseline, as --engine takes them.
 std::vector<std::string> engines_missing_in(const Baseline&);

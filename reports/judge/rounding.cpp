@@ -26,6 +26,13 @@ Extremes extremes_of(const Trace& trace, std::size_t body) {
   return extremes;
 }
 
+// s; of a trace that is only its start: any.
+double shortest_step(const Trace& trace) {
+  double shortest = trace.times().back() - trace.times().front();
+  for (std::size_t i = 1; i < trace.size(); ++i) shortest = std::min(shortest, trace.time(i) - trace.time(i - 1));
+  return shortest;
+}
+
 }  // namespace
 
 double trace_rounding(const Trace& trace, const Stepping& stepping) {
@@ -39,8 +46,12 @@ double solver_rounding(const Stepping& stepping) {
   return iterations * stepping.epsilon;
 }
 
+double differenced(const Stepping& stepping, double position, double step) {
+  return stepping.differenced_velocities ? position / step : 0;
+}
+
 // With nu = trace_rounding:
-//   velocity  dv <= nu v_max
+//   velocity  dv <= nu v_max, or nu (v_max + x_max/dt) if it is kept as a difference of positions
 //   position  dx <= nu x_max + t dv/2    (its own sum, plus the integral of the velocity's evenly growing error)
 // and the same for spin and angle. Energy m v^2/2 + m g y and the momenta follow to first order.
 double quantity_rounding(Quantity quantity, std::size_t body, const Scene& scene, const Trace& trace,
@@ -48,10 +59,11 @@ double quantity_rounding(Quantity quantity, std::size_t body, const Scene& scene
   if (trace.size() == 0) return 0;
   const double t = trace.times().back();
   const double nu = trace_rounding(trace, stepping);
+  const double step = shortest_step(trace);
   const auto off = [&](std::size_t i) {
     const Extremes of = extremes_of(trace, i);
-    const double dv = nu * of.speed;
-    const double dw = nu * of.spin;
+    const double dv = nu * (of.speed + differenced(stepping, of.position, step));
+    const double dw = nu * (of.spin + differenced(stepping, of.angle, step));
     return Extremes{nu * of.position + t * dv / 2, dv, nu * of.angle + t * dw / 2, dw};
   };
   const auto over_all = [&](auto&& of_one) {

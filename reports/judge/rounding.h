@@ -16,6 +16,10 @@ double trace_rounding(const Trace&, const Stepping&);
 /// more than some tens of times; in longer solves the error stops growing.
 double solver_rounding(const Stepping&);
 
+/// m/s, what a velocity's rounding is a share of besides its own size: 0 for most methods, the position over the step
+/// for one that keeps velocities as differences of positions. Likewise of angles.
+double differenced(const Stepping&, double position, double step);
+
 /// How far a quantity may be off at the end of a trace by rounding alone, in its unit. `body` matters only for
 /// quantities of a body.
 double quantity_rounding(Quantity, std::size_t body, const Scene&, const Trace&, const Stepping&);

@@ -162,7 +162,20 @@ void add_once(std::vector<Note>& notes, Note note) {
 }
 
 void add_note(const Engine& one, Report& report) {
-  add_once<EngineNote>(report.engines, {one.name, one.about, one.source, one.exact});
+  add_once<EngineNote>(report.engines, {.name = one.name,
+                                        .about = one.about,
+                                        .source = one.source,
+                                        .word = one.word,
+                                        .language = one.language,
+                                        .execution = one.execution,
+                                        .exact = one.exact});
+}
+
+// In words, for an engine that fails to say it too: its runs have failed for that.
+std::string statement_of(const EngineConfig& config, double dt) {
+  std::string why_not;
+  const auto stated = stepping_of(config, dt, why_not);
+  return stated ? statement(*stated) : why_not;
 }
 
 void add_notes(const Plan& plan, Report& report) {
@@ -170,8 +183,7 @@ void add_notes(const Plan& plan, Report& report) {
     add_note(*config.engine, report);
     const auto note = std::find_if(report.engines.begin(), report.engines.end(),
                                    [&](const EngineNote& one) { return one.name == config.engine->name; });
-    if (!note->exact)
-      note->states.push_back({config.method(), statement(config.engine->stepping(config.settings, plan.dt))});
+    if (!note->exact) note->states.push_back({config.method(), statement_of(config, plan.dt)});
   }
   for (const Case& one : plan.cases) {
     const Scenario& scenario = *one.scenario;

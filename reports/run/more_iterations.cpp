@@ -19,6 +19,7 @@ std::string joined(const std::string& counts, const std::string& count) {
 std::optional<MoreIterations> with_more_iterations(const EngineConfig& config, double dt) {
   const Stepping stated = config.engine->stepping(config.settings, dt);
   MoreIterations more{.config = config};
+  std::string why_not;
   for (const Option& option : config.engine->options) {
     const auto given = config.settings.find(option.key);
     if (!option.whole || given == config.settings.end()) continue;
@@ -28,7 +29,8 @@ std::optional<MoreIterations> with_more_iterations(const EngineConfig& config, d
     const std::string after = std::to_string(std::llround(most));
     Settings changed = config.settings;
     changed[option.key] = after;
-    if (!differ_in_iterations_alone(stated, config.engine->stepping(changed, dt))) continue;
+    const auto with_changed = stepping_of({config.engine, changed}, dt, why_not);
+    if (!with_changed || !differ_in_iterations_alone(stated, *with_changed)) continue;
     more.before = joined(more.before, given->second);
     more.after = joined(more.after, after);
     more.config.settings[option.key] = after;

@@ -104,15 +104,15 @@ class MeasuredAmplification : public Amplification {
 // The run of an image, with all that a relation looks at.
 struct ImageRun {
   ImageRun(const Image& image, const EngineConfig& config)
-      : growth(image.scene, image.dt),
-        stepping(config.engine->stepping(config.settings, image.dt)),
-        outcome(run(image.scene, config, image.dt)) {
-    if (outcome.trace) amplification.emplace(growth, config, image.dt, *outcome.trace);
+      : growth(image.scene, image.dt), outcome(run(image.scene, config, image.dt)) {
+    if (outcome.status != Status::ok) return;
+    stepping = config.engine->stepping(config.settings, image.dt);
+    amplification.emplace(growth, config, image.dt, *outcome.trace);
   }
 
   SceneGrowth growth;
-  Stepping stepping;
   Outcome outcome;
+  Stepping stepping;
   std::optional<MeasuredAmplification> amplification;
 };
 

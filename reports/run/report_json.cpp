@@ -21,8 +21,15 @@ nlohmann::json* find_list(nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_array() ? &*found : nullptr;
 }
 
-// Version 1 had other names for some fields of checks; version 2 had no scales, so none of its checks is evidence.
+// Version 1 had other names for some fields of checks; version 2 had no scales, so none of its checks is evidence;
+// version 3 did not say how a command line names an engine.
 void update_report(nlohmann::json& report, int version) {
+  if (nlohmann::json* engines = find_list(report, "engines")) {
+    for (nlohmann::json& engine : *engines) {
+      if (engine.is_object()) engine.emplace("word", "");
+    }
+  }
+  if (version > 2) return;
   nlohmann::json* runs = find_list(report, "runs");
   if (runs == nullptr) return;
   for (nlohmann::json& run : *runs) {
@@ -101,9 +108,11 @@ Report report_from(nlohmann::json json, const std::string& file) {
   if (version < report_format) update_report(json, version);
   for (const char* key : {"command", "environment", "engines", "runs", "timings"}) from.must_have(key);
   Report report{.command = text_list_from(from["command"]), .environment = text_map_from(from["environment"])};
-  for_each_entry(from["engines"], {"name", "source", "exact"}, [&](const JsonReader& engine) {
-    report.engines.push_back(
-        {.name = any_text(engine["name"]), .source = any_text(engine["source"]), .exact = engine["exact"].boolean()});
+  for_each_entry(from["engines"], {"name", "source", "word", "exact"}, [&](const JsonReader& engine) {
+    report.engines.push_back({.name = any_text(engine["name"]),
+                              .source = any_text(engine["source"]),
+                              .word = any_text(engine["word"]),
+                              .exact = engine["exact"].boolean()});
   });
   for_each_entry(
       from["runs"],

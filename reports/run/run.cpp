@@ -14,6 +14,8 @@
 namespace plumb {
 namespace {
 
+constexpr const char* threw_no_exception = "it threw something that is not a std::exception";
+
 // A scene in SI units that plays for minutes under Earth's gravity reaches 1e3 m/s and 1e5 m. Beyond a hundred times
 // that, an engine has blown up, even if its numbers are still finite.
 constexpr double largest_sane_speed = 1e6;     // m/s, and rad/s
@@ -77,7 +79,7 @@ Outcome run_observed(const Scene& scene, const EngineConfig& config, double dt, 
       outcome.status = Status::not_supported;
       return outcome;
     }
-    config.engine->stepping(config.settings, dt);  // a program may fail to say it, which must end no more than this run
+    config.engine->stepping(config.settings, dt);  // an engine that fails to say it fails its run
     const auto simulation = config.engine->build(scene, config.settings);
     Readout readout(scene);
     step_to_end(scene, *simulation, dt, first_step, readout, make_observer(outcome, *simulation, readout), outcome);
@@ -91,7 +93,7 @@ Outcome run_observed(const Scene& scene, const EngineConfig& config, double dt, 
     outcome.reason = error.what();
   } catch (...) {
     outcome.status = Status::failed;
-    outcome.reason = "it threw something that is not a std::exception";
+    outcome.reason = threw_no_exception;
   }
   outcome.wall = all.seconds();
   return outcome;
@@ -106,6 +108,17 @@ std::string EngineConfig::method() const {
     if (value != option.value) text += (text.empty() ? "" : ",") + option.key + "=" + value;
   }
   return text;
+}
+
+std::optional<Stepping> stepping_of(const EngineConfig& config, double dt, std::string& why_not) {
+  try {
+    return config.engine->stepping(config.settings, dt);
+  } catch (const std::exception& error) {
+    why_not = error.what();
+  } catch (...) {
+    why_not = threw_no_exception;
+  }
+  return std::nullopt;
 }
 
 std::size_t steps_in(double duration, double dt) {

@@ -34,6 +34,9 @@ struct EngineConfig {
   std::string method() const;
 };
 
+/// What an engine states about how it steps; nullopt, with the reason, if it fails to say.
+std::optional<Stepping> stepping_of(const EngineConfig&, double dt, std::string& why_not);
+
 /// How a run ended, before anything is judged.
 struct Outcome {
   Status status = Status::ok;

@@ -218,7 +218,7 @@ EngineConfig parse_engine(std::string_view word) {
     throw std::invalid_argument("\"" + name +
                                 "\" is a closed form, not an engine; `plumb run` compares every engine with it");
   }
-  if (const auto command = command_of_packaged(name)) return configured(engine_of_program(*command), rest);
+  if (const auto command = command_of_packaged(name)) return configured(engine_of_program(*command, name), rest);
   if (name == in_process) {
     const auto [own, settings] = split(rest, ':');
     return Catalog<Engine>::find(own) == nullptr ? parse_engine(rest) : configured(find_engine(own), settings);

@@ -16,6 +16,10 @@ std::string statement(const Stepping& stepping) {
     add(fmt::format("finds impacts up to {:.3g} ms late", stepping.impact_lag * stepping.h * mm));
   if (stepping.skin > 0) add(fmt::format("bodies may rest {:.3g} mm apart", stepping.skin * mm));
   if (stepping.slop > 0) add(fmt::format("leaves overlaps of up to {:.3g} mm alone", stepping.slop * mm));
+  if (stepping.contact_frequency > 0) {
+    add(fmt::format("contacts are springs of {:.3g} Hz, {:.3g} Hz on what does not move, and overlap by their load",
+                    stepping.contact_frequency, stepping.fixed_contact_frequency));
+  }
   if (stepping.joint_slop > 0) add(fmt::format("joints may be open by {:.3g} mm", stepping.joint_slop * mm));
   if (stepping.creep > 0) add(fmt::format("what sticks may creep at {:.3g} mm/s", stepping.creep * mm));
   if (stepping.rest_speed > 0) add(fmt::format("puts to sleep below {:.3g} m/s", stepping.rest_speed));
@@ -27,6 +31,7 @@ std::string statement(const Stepping& stepping) {
     add(fmt::format("{} iterations", stepping.iterations));
   }
   if (stepping.epsilon > 0) add(stepping.epsilon > 1e-9 ? "single precision" : "double precision");
+  if (stepping.differenced_velocities) add("keeps velocities as differences of positions");
   return text;
 }
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/programs/line_process.h"
 #include "reports/study/document.h"
 #include "reports/study/follow_up.h"
 #include "reports/study/results_file.h"
@@ -136,16 +137,26 @@ bool warn_about_limits(const std::vector<JobResult>& results, const StudyOptions
   return late + large > 0;
 }
 
-nlohmann::ordered_json summary_configuration(const Study& study) {
+nlohmann::ordered_json summary_configuration(const Study& study, const std::vector<std::string>& options) {
   CLI::App app;
   const auto configuration = study.attach(app);
-  std::vector<std::string> words(study.summary->rbegin(), study.summary->rend());  // CLI11 wants them reversed
+  std::vector<std::string> words(options.rbegin(), options.rend());  // CLI11 wants them reversed
   try {
     app.parse(words);
   } catch (const CLI::ParseError& error) {
     throw std::logic_error("study " + study.name + ": its summary: " + error.what());
   }
   return configuration();
+}
+
+std::string command_of(const Study& study, const std::vector<std::string>& options) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:=,%+@";
+  std::string command = "plumb study " + study.name;
+  for (const std::string& word : options) {
+    const bool is_plain = word.find_first_not_of(plain) == std::string::npos;
+    command += " " + (is_plain ? word : quoted_for_shell(word));
+  }
+  return command;
 }
 
 }  // namespace
@@ -236,14 +247,9 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
   return warn_about_limits(results, options) ? 1 : code;
 }
 
-std::string summary_command(const Study& study) {
-  std::string command = "plumb study " + study.name;
-  for (const std::string& word : *study.summary) command += " " + word;
-  return command;
-}
-
-nlohmann::ordered_json summary_document(const Study& study, int parallel, const SummaryProgress& progress) {
-  const nlohmann::ordered_json configuration = summary_configuration(study);
+nlohmann::ordered_json summary_document(const Study& study, const std::vector<std::string>& options, int parallel,
+                                        const SummaryProgress& progress) {
+  const nlohmann::ordered_json configuration = summary_configuration(study, options);
   const StudyPlan plan = study.plan(configuration);
   std::map<std::string, JobResult> known;
   execute(units_of(plan.jobs), {.parallel = parallel}, [&](std::span<const JobResult> results) {
@@ -259,7 +265,7 @@ nlohmann::ordered_json summary_document(const Study& study, int parallel, const 
                          .jobs = results.size(),
                          .environment = environment()};
   nlohmann::ordered_json document = document_of(study, head, results, plan.conclude(results));
-  document["command"] = summary_command(study);
+  document["command"] = command_of(study, options);
   return document;
 }
 

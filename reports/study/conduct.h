@@ -30,14 +30,12 @@ struct StudyOptions {
 /// runs.
 int conduct(const Study&, const nlohmann::ordered_json& configuration, const StudyOptions&);
 
-/// The command that runs a study's summary, "plumb study NAME ...". The study must have one.
-std::string summary_command(const Study&);
-
 /// Told of each finished job: its key, and how many of how many jobs are done.
 using SummaryProgress = std::function<void(const std::string& key, std::size_t done, std::size_t of)>;
 
-/// Runs a study's summary and returns the document that `plumb study` would write. No results file is kept. Throws
-/// std::logic_error if the summary's options are not the study's own.
-nlohmann::ordered_json summary_document(const Study&, int parallel, const SummaryProgress&);
+/// Runs the summary of a study that has these options and returns the document that `plumb study` would write, with the
+/// command. No results file is kept. Throws std::logic_error if the options are not the study's own.
+nlohmann::ordered_json summary_document(const Study&, const std::vector<std::string>& options, int parallel,
+                                        const SummaryProgress&);
 
 }  // namespace plumb

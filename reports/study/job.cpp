@@ -41,6 +41,16 @@ const char* name_of(Ending wanted) {
   return "";
 }
 
+std::string key_part(const std::string& key, int index) {
+  std::size_t begin = 0;
+  for (; index > 0; --index) {
+    const std::size_t bar = key.find('|', begin);
+    if (bar == std::string::npos) return "";
+    begin = bar + 1;
+  }
+  return key.substr(begin, key.find('|', begin) - begin);
+}
+
 std::string to_line(const JobResult& result) {
   // An engine's error message may not be valid UTF-8: `replace` keeps dump from throwing.
   return Json{{"key", result.key},

@@ -49,6 +49,10 @@ struct JobResult {
   JobOutput output;
 };
 
+/// A part of a key, counted from 0: those of "speed|bounce/e=0.8|box2d|..." are "speed", "bounce/e=0.8", "box2d". ""
+/// where it has none.
+std::string key_part(const std::string& key, int index);
+
 /// One line of a results file.
 std::string to_line(const JobResult&);
 

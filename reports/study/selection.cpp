@@ -9,6 +9,7 @@
 #include "reports/run/selection.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
+#include "reports/study/study.h"
 #include "scenarios/scene/scene_json.h"
 
 namespace plumb {
@@ -25,6 +26,11 @@ Method parse_method(const std::string& word) {
 }
 
 }  // namespace
+
+std::vector<std::string> with_engines(std::vector<std::string> options, const std::vector<std::string>& engines) {
+  for (const std::string& engine : engines) options.insert(options.end(), {"--engine", engine});
+  return options;
+}
 
 std::vector<Method> default_methods() {
   std::vector<Method> all;

@@ -26,8 +26,12 @@ struct Study {
   std::function<std::function<nlohmann::ordered_json()>(CLI::App&)> attach;
   /// Returns the same plan for the same configuration on every machine.
   std::function<StudyPlan(const nlohmann::ordered_json& configuration)> plan;
-  /// Options of the summary, the short form of the study shown in a report; nullopt if reports leave the study out.
-  std::optional<std::vector<std::string>> summary = std::nullopt;
+  /// Options of the summary, the short form of the study shown in a report of these engines, every one if there are
+  /// none; nullopt if such a report leaves the study out. Null: every report does.
+  std::function<std::optional<std::vector<std::string>>(const std::vector<std::string>& engines)> summary = nullptr;
 };
+
+/// Options followed by --engine for each of the engines.
+std::vector<std::string> with_engines(std::vector<std::string> options, const std::vector<std::string>& engines);
 
 }  // namespace plumb

@@ -9,6 +9,7 @@
 #include "reports/system/text_table.h"
 #include "reports/writers/in_words.h"
 #include "reports/writers/summary.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 namespace {
@@ -74,6 +75,12 @@ std::string exactness(const RunRecord& run) {
   return estimate == run.metrics.end() ? " (exact)" : fmt::format(" (+- {:.1g} m)", estimate->second.value);
 }
 
+// How an engine's code runs, unless that is native.
+std::string mark_of(const Report& report, const RunRecord& run) {
+  const auto note = std::ranges::find(report.engines, run.engine, &EngineNote::name);
+  return note == report.engines.end() ? "" : execution_mark(name_of(note->execution));
+}
+
 bool same_case(const RunRecord& a, const RunRecord& b) { return a.scenario == b.scenario && a.variant == b.variant; }
 
 bool same_case(const Comparison& a, const RunRecord& b) { return a.scenario == b.scenario && a.variant == b.variant; }
@@ -131,7 +138,7 @@ std::string failures_of(const RunRecord& run, const ConsoleOptions& options) {
 
 void add_row(const Report& report, const RunRecord& run, const ConsoleOptions& options, TextTable& table) {
   const KeyDifferences* differences = differences_of(report, run);
-  table.add({{"  " + label_of(run.engine, run.method) + exactness(run)},
+  table.add({{"  " + label_of(run.engine, run.method) + exactness(run) + mark_of(report, run)},
              {name_of(run.verdict), options.colour ? colour_of(run.verdict) : ""},
              {passed(run)},
              {farthest(run)},
@@ -264,6 +271,16 @@ std::string relations_text(const Report& report, std::size_t width) {
   return text;
 }
 
+// Programs that bear another name than they say, because another program bears that.
+std::string renamed_text(const Report& report, std::size_t width) {
+  std::string text;
+  for (const EngineNote& one : report.engines) {
+    if (one.name.find('@') != std::string::npos)
+      text += wrapped(one.name + " is " + printable(one.word, 400), 0, width);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string console_text(const Report& report, const ConsoleOptions& options) {
@@ -279,7 +296,7 @@ std::string console_text(const Report& report, const ConsoleOptions& options) {
   if (!report.runs.empty()) text += wrapped(legend, 0, options.width) + "\n";
   text += key_table(report, options.width);
   for (const EngineSummary& one : engine_summaries(report)) text += in_words(one, options.width);
-  return text + relations_text(report, options.width);
+  return text + relations_text(report, options.width) + renamed_text(report, options.width);
 }
 
 }  // namespace plumb

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <vector>
 
 #include "scenarios/allowance.h"
 #include "scenarios/parts.h"
@@ -28,7 +29,7 @@ Scene scene(const Parameters& p) {
 }
 
 // Nothing moves. The error allowed for box k comes from the k contacts below it:
-//   y      each may be off by the engine's gap: k gap;
+//   y      each may be off by the engine's gap: k gap; and where contacts are springs, by their depths;
 //   angle  one corner of each may be deeper by the slop: slop/size each, k slop/size together;
 //   x      each box adds to the lean of the one below: sum over j <= k of size j slop/size = k (k+1)/2 slop. The ground
 //   is
@@ -37,13 +38,19 @@ Scene scene(const Parameters& p) {
 std::vector<Expectation> expectations(const Parameters& p) {
   const double end = p.at("duration");
   const int boxes = static_cast<int>(p.at("boxes"));
+  std::vector<double> masses(static_cast<std::size_t>(boxes), size * size);
+  masses.back() *= p.at("ratio");
   std::vector<Expectation> all;
   for (int k = 1; k <= boxes; ++k) {
     const double reach = (k + 1) * size;
     all.push_back({.body = box_name(k),
                    .quantity = Quantity::y,
-                   .allowed = [=](const Stepping& s) { return k * s.contact_gap() + round_off(s, end, reach); },
-                   .source = "equilibrium: does not move, within one gap per contact below"});
+                   .allowed =
+                       [=](const Stepping& s) {
+                         return k * s.contact_gap() + tower_sinks(s, gravity, masses, static_cast<std::size_t>(k)) +
+                                round_off(s, end, reach);
+                       },
+                   .source = "equilibrium: does not move, within one gap or depth of its spring per contact below"});
   }
   // The impulses of a contact add up to the weight above it times the time. What may be missing is a lag at the start,
   // during which it may not push, and the speed of a last step.
@@ -114,14 +121,21 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// The masses cancel: as in any tower, nothing moves except by one gap per contact below.
+// As in any tower, nothing moves except by one gap, or the depth of a spring, per contact below.
 std::vector<Expectation> expectations(const Parameters& p) {
+  std::vector<double> masses;
+  for (int k = 1; k <= static_cast<int>(p.at("boxes")); ++k) masses.push_back(std::pow(p.at("ratio"), k - 1));
   std::vector<Expectation> all;
   for (int k = 1; k <= static_cast<int>(p.at("boxes")); ++k) {
     all.push_back({.body = name(k),
                    .quantity = Quantity::y,
-                   .allowed = [=](const Stepping& s) { return k * s.contact_gap() + round_off(s, duration, k + 1); },
-                   .source = "equilibrium: does not move, within one gap per contact below"});
+                   .allowed =
+                       [=](const Stepping& s) {
+                         return k * s.contact_gap() +
+                                tower_sinks(s, standard_gravity, masses, static_cast<std::size_t>(k)) +
+                                round_off(s, duration, k + 1);
+                       },
+                   .source = "equilibrium: does not move, within one gap or depth of its spring per contact below"});
   }
   return all;
 }

@@ -68,20 +68,116 @@ foreach(rival impulse box2d)
   endif()
 endforeach()
 
-# The same engine with a call of exit in its step: its runs fail, and the report is written.
-set(leaving ${BUILD}/leaving_example)
-file(REMOVE_RECURSE ${leaving})
-file(MAKE_DIRECTORY ${leaving})
-file(RENAME ${work}/installed ${leaving}/installed)
-file(COPY ${work}/CMakeLists.txt DESTINATION ${leaving})
+# The same engine, misbehaving in each of its functions: only its own runs fail, and the report is written.
+set(faulty ${BUILD}/faulty_example)
+file(REMOVE_RECURSE ${faulty})
+file(MAKE_DIRECTORY ${faulty})
+file(RENAME ${work}/installed ${faulty}/installed)
+file(COPY ${work}/CMakeLists.txt DESTINATION ${faulty})
 file(READ ${work}/discs.cpp source)
-string(REPLACE "void step(double dt) override {" "void step(double dt) override {\n    std::exit(0);" source "${source}")
-file(WRITE ${leaving}/discs.cpp "#include <cstdlib>\n${source}")
-build_example(${leaving})
-execute_process(COMMAND ${leaving}/build/mine run bounce --engine discs --engine impulse --out ${leaving}/out
-  RESULT_VARIABLE code OUTPUT_VARIABLE said)
-expect("exit code of an engine that leaves" ${code} 1)
-if(NOT said MATCHES "ended with exit code 0 although it was not asked to")
-  message(FATAL_ERROR "It doesn't say why the run failed:\n${said}")
+string(FIND "${source}" "const Catalog<Engine>::Entry entry" entry)
+string(SUBSTRING "${source}" 0 ${entry} source)
+file(WRITE ${faulty}/discs.cpp "#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+${source}
+void misbehave(const std::string& how) {
+  if (how == \"exits\") std::exit(0);
+  if (how == \"crashes\") std::raise(SIGSEGV);
+  if (how == \"throws\") throw 42;
+  if (how == \"bad-utf8\") throw std::runtime_error(\"\\xff\\xfe\");
+  if (how == \"hangs\") pause();
+}
+
+class Faulty final : public Discs {
+ public:
+  Faulty(const Scene& scene, std::string how) : Discs(scene), how_(std::move(how)) {}
+  void step(double dt) override {
+    misbehave(how_);
+    Discs::step(dt);
+  }
+  void read(std::span<BodyState> out) const override {
+    Discs::read(out);
+    if (how_ == \"nan\") out[0].velocity.x = std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  std::string how_;
+};
+
+Engine faulty(const std::string& place, const std::string& how) {
+  const auto at = [=](const char* here) { if (place == here) misbehave(how); };
+  return {.name = place + '-' + how,
+          .about = \"misbehaves\",
+          .source = \"discs.cpp\",
+          .stepping = [=](const Settings& settings, double dt) { at(\"stepping\"); return stepping(settings, dt); },
+          .unsupported =
+              [=](const Scene& scene, const Settings& settings) {
+                at(\"unsupported\");
+                return unsupported(scene, settings);
+              },
+          .build = [=](const Scene& scene, const Settings&) {
+            at(\"build\");
+            return std::make_unique<Faulty>(scene, place == \"step\" ? how : \"\");
+          }};
+}
+
+const bool entered = [] {
+  const auto enter = [](const char* place, const char* how) { Catalog<Engine>::Entry entry(faulty(place, how)); };
+  for (const char* place : {\"stepping\", \"unsupported\", \"build\", \"step\"}) {
+    for (const char* how : {\"exits\", \"crashes\", \"throws\", \"bad-utf8\"}) enter(place, how);
+  }
+  enter(\"step\", \"nan\");
+  enter(\"stepping\", \"hangs\");
+  return true;
+}();
+")
+build_example(${faulty})
+set(exits "ended with exit code 0 although it was not asked to")
+set(crashes "ended by signal 11")
+set(throws "ended by signal 6")
+set(bad-utf8 "it says: ")
+set(nan "number 3 is nan")
+set(hangs "did not answer within 60 s")
+set(engines step-nan stepping-hangs)
+foreach(place stepping unsupported build step)
+  foreach(how exits crashes throws bad-utf8)
+    list(APPEND engines ${place}-${how})
+  endforeach()
+endforeach()
+list(TRANSFORM engines PREPEND "--engine;" OUTPUT_VARIABLE words)
+execute_process(COMMAND ${faulty}/build/mine run bounce:e=0.5 --engine impulse ${words} --out ${faulty}/out
+  RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(NOT code EQUAL 1)
+  message(FATAL_ERROR "exit code of engines that misbehave: ${code}\n${said}")
 endif()
-file(READ ${leaving}/out/report.json report)
+file(READ ${faulty}/out/report.json report)
+string(JSON last LENGTH "${report}" runs)
+math(EXPR last "${last} - 1")
+set(failed "")
+foreach(i RANGE ${last})
+  foreach(field engine verdict reason exact)
+    string(JSON ${field} GET "${report}" runs ${i} ${field})
+  endforeach()
+  if(exact)
+    continue()
+  endif()
+  if(engine STREQUAL impulse)
+    expect("impulse beside them" ${verdict} right)
+    continue()
+  endif()
+  string(REGEX REPLACE "^[a-z]+-" "" how ${engine})
+  expect("${engine}" ${verdict} failed)
+  if(NOT reason MATCHES "${${how}}")
+    message(FATAL_ERROR "${engine} failed with \"${reason}\", should be \"${${how}}\"")
+  endif()
+  list(APPEND failed ${engine})
+endforeach()
+list(LENGTH engines many)
+list(LENGTH failed found)
+expect("engines that failed" ${found} ${many})

@@ -36,6 +36,17 @@ inline Stepping positions_first() {
   return s;
 }
 
+/// Box2D 3: symplectic Euler in sub-steps and float, with contacts that are springs.
+inline Stepping soft() {
+  Stepping s{.dt = 1.0 / 60, .h = 1.0 / 240, .drift = 0.5, .order = 1, .impact_lag = 8};
+  s.contact_frequency = 30;
+  s.fixed_contact_frequency = 60;
+  s.iterations = 1;
+  s.epsilon = 0x1p-24;
+  s.spring_limit = 2;
+  return s;
+}
+
 /// Our own: second order in sub-steps, and impacts at their own time.
 inline Stepping accurate() {
   Stepping s{.dt = 1.0 / 60, .h = 1.0 / 240, .order = 2, .order_in_contact = 2, .impact_lag = 0};

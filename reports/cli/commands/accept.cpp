@@ -45,7 +45,7 @@ Scope scope_of(const Accept& options, const std::optional<Baseline>& before) {
     scope.scenarios = before->scenarios;
   }
   scope.plan =
-      select_plan(scope.scenarios, scope.all, before && gate.engines.empty() ? engines_of(*before) : gate.engines);
+      select_plan(scope.scenarios, scope.all, before && gate.engines.empty() ? engine_words_of(*before) : gate.engines);
   if (before) scope.plan.dt = before->dt;
   if (!options.dt.empty()) scope.plan.dt = parse_dt(options.dt);
   scope.plan.jobs = gate.jobs;

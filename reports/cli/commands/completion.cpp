@@ -10,6 +10,7 @@
 #include "reports/cli/command.h"
 #include "reports/cli/command_line.h"
 #include "reports/cli/descriptions.h"
+#include "reports/engines/installed.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"
 
@@ -22,11 +23,18 @@ std::vector<std::string> scenarios() {
   return names;
 }
 
+std::vector<std::string> engines_of_npm() {
+  std::vector<std::string> names;
+  for (const PackagedEngine& one : packaged_engines()) names.push_back(one.name);
+  return names;
+}
+
 std::vector<std::string> engines() {
   std::vector<std::string> names;
   for (const Engine* one : Catalog<Engine>::all()) {
     if (!one->exact) names.push_back(one->name);
   }
+  std::ranges::move(engines_of_npm(), std::back_inserter(names));
   return names;
 }
 
@@ -55,6 +63,8 @@ std::string words_after(const CLI::App& command, const CommandLine& line) {
   std::vector<std::string> names;
   if (takes("scenario") || command.get_name() == "show") names = scenarios();
   if (takes("first") || command.get_name() == "show") std::ranges::move(engines(), std::back_inserter(names));
+  if (takes("engine")) std::ranges::move(engines(), std::back_inserter(names));
+  if (takes("names")) std::ranges::move(engines_of_npm(), std::back_inserter(names));
   if (command.get_name() == "help") names = help_words(line);
   if (command.get_name() == "completion") names = {"bash", "zsh"};
   std::ranges::move(names, std::back_inserter(words));

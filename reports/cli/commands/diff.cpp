@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "reports/cli/command.h"
 #include "reports/cli/file_warnings.h"
@@ -32,6 +35,10 @@ struct Contestant {
   EngineConfig config;
   Outcome outcome;
   ComparedRun side;
+
+  bool failed() const { return outcome.status == Status::failed; }
+  // Whether there is something to compare.
+  bool steps() const { return outcome.trace && outcome.trace->size() > 1; }
 };
 
 EngineConfig config_of(const std::string& word, const Case& options) {
@@ -42,14 +49,17 @@ EngineConfig config_of(const std::string& word, const Case& options) {
 
 Contestant run_of(const std::string& word, const Case& options, double dt) {
   const EngineConfig config = config_of(word, options);
-  Outcome outcome = run(*options.scene, config, dt);
-  if (!outcome.trace || outcome.trace->size() < 2) {
+  Contestant one{config, run(*options.scene, config, dt), {}};
+  one.side.name = word;
+  if (one.steps()) {
+    one.side.trace = one.outcome.trace.get();
+    one.side.stepping = config.engine->stepping(config.settings, dt);
+  } else if (!one.failed()) {
     throw std::invalid_argument(
         fmt::format("{} does not run {}: {}", word, options.scenario->name,
-                    outcome.reason.empty() ? "its closed form ends before the first step" : outcome.reason));
+                    one.outcome.reason.empty() ? "its closed form ends before the first step" : one.outcome.reason));
   }
-  ComparedRun side{word, outcome.trace.get(), config.engine->stepping(config.settings, dt)};
-  return {config, std::move(outcome), std::move(side)};
+  return one;
 }
 
 std::optional<double> tolerance_of(const std::string& text) {
@@ -116,15 +126,21 @@ Json json_of(const Divergence& divergence) {
           {"figures", figures},      {"advice", divergence.advice}, {"growth", growth}};
 }
 
-Json json_of(const Options& options, const TraceComparison& compared, double dt) {
+Json json_of(const Options& options, const TraceComparison& compared, const std::vector<const Contestant*>& failed,
+             double dt) {
+  Json failures = Json::array();
+  for (const Contestant* one : failed) {
+    failures.push_back({{"engine", one->side.name}, {"reason", one->outcome.reason}});
+  }
   return {{"scenario", options.scenario},
           {"a", options.a},
           {"b", options.b},
           {"dt", dt},
           {"steps", compared.steps},
           {"until", compared.until},
-          {"largest", compared.divergence ? Json(nullptr) : json_of(compared.largest)},
-          {"divergence", compared.divergence ? json_of(*compared.divergence) : Json(nullptr)}};
+          {"largest", compared.divergence || compared.steps == 0 ? Json(nullptr) : json_of(compared.largest)},
+          {"divergence", compared.divergence ? json_of(*compared.divergence) : Json(nullptr)},
+          {"failed", failures}};
 }
 
 int diff(const Options& options) {
@@ -141,19 +157,24 @@ int diff(const Options& options) {
   }
   const Contestant a = run_of(options.a, one, dt);
   const Contestant b = run_of(options.b, one, dt);
-  const TraceComparison compared = compare_traces(*one.scene, a.side, b.side, tolerance);
-  fmt::print("{}", prints_json ? json_of(options, compared, dt).dump(1) + "\n" : text_of(options, compared));
-  for (const Contestant* contestant : {&a, &b}) {
-    if (contestant->outcome.status == Status::failed) {
-      fmt::print(prints_json ? stderr : stdout, "{} failed: {}\n", contestant->side.name, contestant->outcome.reason);
-    }
+  std::vector<const Contestant*> failed{&a, &b};
+  std::erase_if(failed, [](const Contestant* contestant) { return !contestant->failed(); });
+  TraceComparison compared;
+  if (a.steps() && b.steps()) compared = compare_traces(*one.scene, a.side, b.side, tolerance);
+  const std::string json = json_of(options, compared, failed, dt).dump(1) + "\n";
+  if (prints_json) {
+    fmt::print("{}", json);
+  } else if (compared.steps > 0) {
+    fmt::print("{}", text_of(options, compared));
+  }
+  for (const Contestant* contestant : failed) {
+    fmt::print(prints_json ? stderr : stdout, "{} failed: {}\n", contestant->side.name, contestant->outcome.reason);
   }
   if (file) {
-    file->write_all(json_of(options, compared, dt).dump(1) + "\n");
+    file->write_all(json);
     file->put_in_place();
   }
-  const bool failed = a.outcome.status == Status::failed || b.outcome.status == Status::failed;
-  return compared.divergence || failed ? 1 : 0;
+  return compared.divergence || !failed.empty() ? 1 : 0;
 }
 
 const Catalog<Command>::Entry entry{

@@ -38,11 +38,12 @@ void add_study(Report& report, nlohmann::ordered_json document) {
 void add_studies(Report& report, const Session& session) {
   const ProgressLine line(session.quiet ? ProgressLine::Kind::quiet : ProgressLine::Kind::usual);
   for (const Study* study : Catalog<Study>::all()) {
-    if (!study->summary) continue;
-    add_study(report,
-              summary_document(*study, session.jobs, [&](const std::string& key, std::size_t done, std::size_t of) {
-                line.show(fmt::format("study {} [{}/{}] {}", study->name, done, of, key));
-              }));
+    const auto options = study->summary ? study->summary(session.engines) : std::nullopt;
+    if (!options) continue;
+    add_study(report, summary_document(*study, *options, session.jobs,
+                                       [&](const std::string& key, std::size_t done, std::size_t of) {
+                                         line.show(fmt::format("study {} [{}/{}] {}", study->name, done, of, key));
+                                       }));
   }
 }
 

@@ -37,7 +37,7 @@
 //   make;
 // - sleep, which stops a body of at most the stated speed;
 // - round-off, once for the body and once for each of its joints: of the largest momentum so far, as a small velocity
-//   may be the difference of larger ones;
+//   may be the difference of larger ones, or of positions (see `differenced`);
 // - the round-off of places. A joint puts its bodies where its anchors meet, known to u X, X the distances of both
 //   bodies and anchors. A method that keeps the energy of what joints hold takes the work of the forces from these
 //   places: E = sum |F| u X too much or too little in each of n sub-steps. With w the length of the momentum in the
@@ -324,7 +324,7 @@ class FreeMotion {
     const auto& [scene, trace, stepping] = context_;
     const double time = trace.time(step.moment);
     const double dt = time - trace.time(step.moment - 1);
-    Vector missing, force, force_change, momentum, damping, before, after;
+    Vector missing, force, force_change, momentum, damping, before, after, places;
     double total = 0;
     double most_damped = 0;  // c dt
     bool stopped = stepping.rest_speed > 0;
@@ -347,6 +347,7 @@ class FreeMotion {
       push(damping, damped * m / 2 * (now.velocity + then.velocity),
            spin_damped * k / 2 * (now.angular_velocity + then.angular_velocity));
       push(before, m * then.velocity, k * then.angular_velocity);
+      places.push_back(differenced(stepping, m * length(now.position) + k * std::abs(now.angle), dt));
       push(after, m * now.velocity, k * now.angular_velocity);
       push(missing, m * (now.velocity - then.velocity), k * (now.angular_velocity - then.angular_velocity));
       total += mass.mass;
@@ -358,7 +359,7 @@ class FreeMotion {
     const double force_size = norm(force);
     const double momentum_size = norm(momentum);
     double& largest = largest_[group.front()];
-    largest = std::max(largest, momentum_size);
+    largest = std::max(largest, momentum_size + norm(places));
     const double slowest = product(before, after) > 0 ? std::min(norm(before), norm(after)) : 0;
     const double known = round_off_of_places(step, group, slowest) + norm(force_change) +
                          most_damped * (norm(damping) + force_size) +

@@ -27,8 +27,11 @@ std::optional<InvariantCheck> check(const InvariantContext& context) {
     };
     add(length(states[i].position - start[i].position), reach + bounding_radius(context.scene.bodies[i]));
     add(std::abs(states[i].angle - start[i].angle), 1 + std::abs(start[i].angle));
-    add(length(states[i].velocity - start[i].velocity), length(start[i].velocity));
-    add(std::abs(states[i].angular_velocity - start[i].angular_velocity), std::abs(start[i].angular_velocity));
+    add(length(states[i].velocity - start[i].velocity),
+        length(start[i].velocity) + differenced(context.stepping, reach, context.stepping.dt));
+    add(std::abs(states[i].angular_velocity - start[i].angular_velocity),
+        std::abs(start[i].angular_velocity) +
+            differenced(context.stepping, 1 + std::abs(start[i].angle), context.stepping.dt));
   }
   return worst.result();
 }

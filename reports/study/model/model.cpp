@@ -41,13 +41,19 @@ const std::vector<std::string> extra_cases{"free-bodies",         "orbit:ellipse
                                            "flush-tiles:smooth",  "billiard:table", "pi-billiard:31", "pyramid:five",
                                            "hanging-chain:still", "rain:seed 1"};
 
+bool can_leave_out(const EngineConfig& config) { return config.engine->chooses != nullptr; }
+
+bool leaves_out_by_itself(const EngineConfig& config) {
+  return config.settings.at("model") != complete(*config.engine, {}).at("model");
+}
+
 EngineConfig full_of(const Json& configuration) {
   const std::string word = configuration.at("engine");
   EngineConfig full = parse_engine(word);
-  if (!full.engine->chooses) {
+  if (!can_leave_out(full)) {
     throw std::invalid_argument(word + " cannot leave features out; choose impulse, or impulse:key=value,...");
   }
-  if (full.settings.at("model") != complete(*full.engine, {}).at("model")) {
+  if (leaves_out_by_itself(full)) {
     throw std::invalid_argument(word + " leaves features out by itself, so it is not a full model to drop them from");
   }
   return full;
@@ -296,6 +302,17 @@ Findings conclude(const std::vector<JobResult>& results) {
   return found;
 }
 
+// Of the first engine that can leave features out, if there is one.
+std::optional<std::vector<std::string>> summary_of(const std::vector<std::string>& engines) {
+  const std::vector<std::string> options{"--scenarios", "free-bodies", "flush-tiles:smooth", "stacking:one"};
+  if (engines.empty()) return options;
+  for (const std::string& word : engines) {
+    const EngineConfig config = parse_engine(word);
+    if (can_leave_out(config) && !leaves_out_by_itself(config)) return with_engines(options, {word});
+  }
+  return std::nullopt;
+}
+
 const Catalog<Study>::Entry model_entry{
     {.name = "model",
      .about = "The least model that a scene needs: what each feature is worth, in error and in cost",
@@ -322,7 +339,7 @@ const Catalog<Study>::Entry model_entry{
      .plan = [](const Json& configuration) -> StudyPlan {
        return {jobs_of(configuration), conclude};
      },
-     .summary = {{"--scenarios", "free-bodies", "flush-tiles:smooth", "stacking:one"}}}};
+     .summary = summary_of}};
 
 }  // namespace
 }  // namespace plumb

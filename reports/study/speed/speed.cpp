@@ -16,6 +16,7 @@
 #include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/run/timings.h"
+#include "reports/study/failures.h"
 #include "reports/study/job.h"
 #include "reports/study/reference_solution.h"
 #include "reports/study/selection.h"
@@ -107,10 +108,12 @@ class SpeedRun {
     JobOutput output;
     Json& values = output.values;
     const EngineConfig& config = step_.config;
-    const Stepping stepping = config.engine->stepping(config.settings, dt_);
+    std::string why_not;
+    const auto stepping = stepping_of(config, dt_, why_not);
     values = {{"scenario", problem_->scenario->name},
               {"variant", problem_->variant},
               {"engine", config.engine->name},
+              {"execution", name_of(config.engine->execution)},
               {"method", step_.method},
               {"option", step_.option},
               {"setting", step_.value},
@@ -118,7 +121,7 @@ class SpeedRun {
               {"dt", dt_},
               {"steps", steps_in(problem_->scene->duration, dt_)},
               {"timed", timed_seconds(*problem_->scene)},
-              {"order", stated_order(*problem_, stepping)},
+              {"order", stepping ? stated_order(*problem_, *stepping) : 0},
               {"truth", reference_->engine() == nullptr ? "" : reference_->engine()->name},
               {"truth_until", 0.0},
               {"truth_error", 0.0},
@@ -131,7 +134,12 @@ class SpeedRun {
     values["truth_until"] = std::min(reference_->until(), problem_->scene->duration);
     values["truth_error"] = reference_->error();
     values["scale"] = reference_->scale();
-    measure_error(values, stepping);
+    if (stepping) {
+      measure_error(values, *stepping);
+    } else {
+      values["status"] = name_of(Status::failed);
+      values["why"] = why_not;
+    }
     able_ = values.contains("error");
     return output;
   }
@@ -237,14 +245,18 @@ std::string orders_text(const Json& orders) {
 Findings conclude(const std::vector<JobResult>& results) {
   Findings found;
   const Json orders = orders_of(results);
-  found.findings = {{"order_tolerance", order_tolerance}, {"orders", orders}};
+  const Json failures = failures_of(results, [](const JobResult& one) -> std::string {
+    const Json& values = one.output.values;
+    return values.at("status") == name_of(Status::failed) ? values.at("why") : "";
+  });
+  found.findings = {{"order_tolerance", order_tolerance}, {"orders", orders}, {"failures", failures}};
   found.timings = work_precision_of(results);
   const auto unfinished =
       std::count_if(results.begin(), results.end(), [](const JobResult& one) { return one.ending != Ending::done; });
   const auto wide = std::count_if(results.begin(), results.end(), [](const JobResult& one) {
     return one.output.times.contains("wide") && one.output.times.at("wide").get<bool>();
   });
-  found.text = times_text(found.timings) + "\n" + orders_text(orders) +
+  found.text = times_text(found.timings) + "\n" + orders_text(orders) + failures_text(failures) +
                fmt::format("\n{} jobs; {} crashed or exceeded their limits; {} were timed with a wide spread.\n",
                            results.size(), unfinished, wide);
   return found;
@@ -274,8 +286,11 @@ const Catalog<Study>::Entry speed_entry{
      .plan = [](const Json& configuration) -> StudyPlan {
        return {jobs_of(configuration), conclude};
      },
-     .summary = {{"--scenarios", "bounce:e=0.8", "slope:steep", "spring", "stacking:ten", "--dt", "1/30", "1/60",
-                  "1/120"}}}};
+     .summary = [](const std::vector<std::string>& engines) -> std::optional<std::vector<std::string>> {
+       return with_engines(
+           {"--scenarios", "bounce:e=0.8", "slope:steep", "spring", "stacking:ten", "--dt", "1/30", "1/60", "1/120"},
+           engines);
+     }}};
 
 }  // namespace
 }  // namespace plumb

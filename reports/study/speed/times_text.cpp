@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "reports/report.h"
 
 namespace plumb {
 namespace {
@@ -22,6 +26,16 @@ std::string duration(double seconds) {
 std::string target_name(double error, bool of_scale) {
   if (of_scale) return fmt::format("{:g} %", error * 100);
   return error >= 0.01 ? fmt::format("{:g} cm", error * 100) : fmt::format("{:g} mm", error * 1000);
+}
+
+// With how its code runs, unless that is native.
+std::string name_of_method(const Json& method) {
+  return method.at("engine").get<std::string>() + execution_mark(method.at("execution"));
+}
+
+// What a sentence says that compares two methods, unless their code runs alike.
+std::string unlike(const Json& a, const Json& b) {
+  return a.at("execution") == b.at("execution") ? "" : ", but the two run differently: no factor of method alone";
 }
 
 // Engines as they are by default: the others are methods of ours.
@@ -42,24 +56,25 @@ std::size_t headline_target(const Json& targets, std::size_t finest) {
 }
 
 std::string one_case(const Json& one, std::size_t target, double error) {
-  std::vector<std::pair<double, std::string>> times;
+  std::vector<std::pair<double, const Json*>> times;
   std::vector<std::string> never;
   for (const Json& method : one.at("engines")) {
-    const std::string engine = method.at("engine");
     const Json& reading = method.at("time_for_error")[target];
     if (reading.is_object())
-      times.emplace_back(reading.at("value").get<double>(), engine);
-    else if (is_default(engine))
-      never.push_back(engine);
+      times.emplace_back(reading.at("value").get<double>(), &method);
+    else if (is_default(method.at("engine")))
+      never.push_back(name_of_method(method));
   }
   const std::string name =
       fmt::format("{}, {}", one.at("scenario").get<std::string>(), one.at("variant").get<std::string>());
   if (times.empty()) return fmt::format("Nothing gets within {} in {}.\n", target_name(error, false), name);
-  std::sort(times.begin(), times.end());
-  std::string text = fmt::format("{}: {} is the fastest to {}: {} for a simulated second", name, times[0].second,
-                                 target_name(error, false), duration(times[0].first));
-  if (times.size() > 1)
-    text += fmt::format("; next is {}, {:.2g} times that", times[1].second, times[1].first / times[0].first);
+  std::stable_sort(times.begin(), times.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::string text = fmt::format("{}: {} is the fastest to {}: {} for a simulated second", name,
+                                 name_of_method(*times[0].second), target_name(error, false), duration(times[0].first));
+  if (times.size() > 1) {
+    text += fmt::format("; next is {}, {:.2g} times that{}", name_of_method(*times[1].second),
+                        times[1].first / times[0].first, unlike(*times[0].second, *times[1].second));
+  }
   text += ".\n";
   if (!never.empty()) text += fmt::format("Never that accurate: {}.\n", listed(never));
   return text;
@@ -71,13 +86,12 @@ std::string all_cases(const Json& target) {
   for (const Json& row : target.at("engines")) {
     if (best == nullptr || row.at("fastest") > best->at("fastest")) best = &row;
     if (is_default(row.at("engine")))
-      parts.push_back(fmt::format("{} in {}", row.at("engine").get<std::string>(), row.at("reached").get<int>()));
+      parts.push_back(fmt::format("{} in {}", name_of_method(row), row.at("reached").get<int>()));
   }
   if (best == nullptr) return "No case was timed.\n";
   return fmt::format("To {}, {} is the fastest in {} of {} cases. Cases in which an engine gets there: {}.\n",
-                     target_name(target.at("error"), target.at("unit") == "scale"),
-                     best->at("engine").get<std::string>(), best->at("fastest").get<int>(),
-                     target.at("cases").get<int>(), listed(parts));
+                     target_name(target.at("error"), target.at("unit") == "scale"), name_of_method(*best),
+                     best->at("fastest").get<int>(), target.at("cases").get<int>(), listed(parts));
 }
 
 std::string cell(const Json& reading) {
@@ -108,9 +122,18 @@ std::string case_table(const Json& one, const Json& timings) {
     for (const char* kind : {"time_for_error", "time_for_scale"}) {
       for (const Json& reading : method.at(kind)) cells.push_back(cell(reading));
     }
-    text += row_text(method.at("engine"), cells);
+    text += row_text(name_of_method(method), cells);
   }
   return text;
+}
+
+// Whether not all code runs alike.
+bool several_kinds(const Json& cases) {
+  std::set<std::string> kinds;
+  for (const Json& one : cases) {
+    for (const Json& method : one.at("engines")) kinds.insert(method.at("execution"));
+  }
+  return kinds.size() > 1;
 }
 
 std::string table_over_cases(const Json& timings) {
@@ -128,7 +151,7 @@ std::string table_over_cases(const Json& timings) {
                           ? fmt::format("{:.2g} ({})", row.at("median").get<double>(), row.at("reached").get<int>())
                           : "never");
     }
-    text += row_text(targets.front().at("engines")[i].at("engine"), cells);
+    text += row_text(name_of_method(targets.front().at("engines")[i]), cells);
   }
   return text;
 }
@@ -147,6 +170,11 @@ std::string times_text(const Json& timings) {
   }
   if (cases.size() <= most_tables) {
     for (const Json& one : cases) text += case_table(one, timings);
+  }
+  if (several_kinds(cases)) {
+    text +=
+        "\nNative, WebAssembly, JIT-compiled and interpreted code: factors between them are not of the methods "
+        "alone.\n";
   }
   return text +
          "\nRead off each method's best runs, by a power law between two of them, never beyond. <=: its cheapest run "

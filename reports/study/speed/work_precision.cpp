@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "reports/report.h"
 #include "reports/statistics.h"
 #include "reports/study/job.h"
 #include "reports/study/selection.h"
@@ -37,6 +38,7 @@ struct TimedRun {
 // The runs of one engine and method in one case.
 struct MethodRuns {
   std::string engine;
+  std::string execution;
   std::vector<TimedRun> runs;
   std::vector<WorkPoint> front;
   std::vector<std::string> front_keys;
@@ -67,20 +69,22 @@ std::vector<WorkPoint> front_of(const std::vector<TimedRun>& runs, std::vector<s
   return front;
 }
 
-// Cases and methods keep the plan's order.
+// Cases and methods keep the plan's order. A method that fails in a case has no runs there.
 std::vector<CaseRuns> by_case(const std::vector<JobResult>& results) {
   std::vector<CaseRuns> cases;
   for (const JobResult& result : results) {
-    if (!has_error(result) || !result.output.times.contains("median")) continue;
     const Json& values = result.output.values;
+    const bool timed = has_error(result) && result.output.times.contains("median");
+    if (!timed && values.value("status", "") != name_of(Status::failed)) continue;
     const std::string scenario = values.at("scenario");
     const std::string variant = values.at("variant");
     CaseRuns& of_case = find_or_add(cases, {scenario, variant, values.at("scale"), {}}, [&](const CaseRuns& one) {
       return one.scenario == scenario && one.variant == variant;
     });
     const std::string engine = engine_label(values);
-    MethodRuns& of_method =
-        find_or_add(of_case.methods, {engine, {}, {}, {}}, [&](const MethodRuns& one) { return one.engine == engine; });
+    MethodRuns& of_method = find_or_add(of_case.methods, {engine, values.at("execution"), {}, {}, {}},
+                                        [&](const MethodRuns& one) { return one.engine == engine; });
+    if (!timed) continue;
     const double error =
         std::max({values.at("error").get<double>(), values.at("truth_error").get<double>(), least_error});
     of_method.runs.push_back({&result, {result.output.times.at("median"), error}});
@@ -111,11 +115,12 @@ Json case_json(const CaseRuns& runs) {
     const auto least = std::min_element(method.runs.begin(), method.runs.end(),
                                         [](const auto& a, const auto& b) { return a.point.error < b.point.error; });
     engines.push_back({{"engine", method.engine},
+                       {"execution", method.execution},
                        {"front", method.front_keys},
                        {"time_for_error", readings_of(method.front, error_targets, 1)},
                        {"time_for_scale", readings_of(method.front, scale_targets, runs.scale)},
                        {"error_for_time", errors},
-                       {"least_error", least->point.error}});
+                       {"least_error", least == method.runs.end() ? Json(nullptr) : Json(least->point.error)}});
     all.insert(all.end(), method.runs.begin(), method.runs.end());
   }
   std::vector<std::string> keys;
@@ -137,14 +142,18 @@ std::optional<double> time_of(const Json& one, const std::string& engine, const 
   return std::nullopt;
 }
 
+struct NamedMethod {
+  std::string engine, execution;
+};
+
 // What each method does for one target over all cases, those that it does not run or reach included.
-Json target_json(const Json& cases, const std::vector<std::string>& engines, const char* kind, std::size_t target) {
+Json target_json(const Json& cases, const std::vector<NamedMethod>& engines, const char* kind, std::size_t target) {
   std::map<std::string, std::vector<double>> factors;  // time over the fastest method's, by method
   std::map<std::string, int> fastest;
   int reached_by_any = 0;
   for (const Json& one : cases) {
     std::vector<std::pair<double, std::string>> times;
-    for (const std::string& engine : engines) {
+    for (const auto& [engine, execution] : engines) {
       if (const auto time = time_of(one, engine, kind, target)) times.emplace_back(*time, engine);
     }
     if (times.empty()) continue;
@@ -154,10 +163,11 @@ Json target_json(const Json& cases, const std::vector<std::string>& engines, con
     for (const auto& [time, engine] : times) factors[engine].push_back(time / least);
   }
   Json rows = Json::array();
-  for (const std::string& engine : engines) {
+  for (const auto& [engine, execution] : engines) {
     const Quartiles of = quartiles(factors[engine]);
     const bool any = !factors[engine].empty();
     rows.push_back({{"engine", engine},
+                    {"execution", execution},
                     {"reached", factors[engine].size()},
                     {"fastest", fastest[engine]},
                     {"median", any ? Json(of.median) : Json(nullptr)},
@@ -168,11 +178,11 @@ Json target_json(const Json& cases, const std::vector<std::string>& engines, con
 }
 
 Json targets_json(const Json& cases) {
-  std::vector<std::string> engines;
+  std::vector<NamedMethod> engines;
   for (const Json& one : cases) {
     for (const Json& method : one.at("engines")) {
-      const std::string engine = method.at("engine");
-      if (std::find(engines.begin(), engines.end(), engine) == engines.end()) engines.push_back(engine);
+      find_or_add(engines, {method.at("engine"), method.at("execution")},
+                  [&](const NamedMethod& other) { return other.engine == method.at("engine"); });
     }
   }
   Json all = Json::array();

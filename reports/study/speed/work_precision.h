@@ -37,7 +37,8 @@ std::optional<FrontReading> error_within(std::span<const WorkPoint> front, doubl
 
 /// What the timed runs of the speed study show: fronts, the times to fixed errors (1 cm, 1 mm, 0.1 mm, and 10, 1, 0.1 %
 /// of the case's scale) and errors at equal time in each case; and over all cases, for each of these errors, how often
-/// each method gets there, how often it is the fastest, and its time over the fastest method's ("targets").
+/// each method gets there, how often it is the fastest, and its time over the fastest method's ("targets"). Each method
+/// bears how its engine's code runs ("execution"): a factor between two kinds is one of code, too.
 nlohmann::ordered_json work_precision_of(const std::vector<JobResult>&);
 
 }  // namespace plumb

@@ -115,7 +115,7 @@ Json row_values(const StabilityMap& map, const std::vector<double>& xs, const Ro
     outcomes += letter_of(cell.mode);
     since.push_back(is_failure(cell.mode) ? Json(cell.time) : Json(nullptr));
     bodies.push_back(cell.body);
-    if (why.empty()) why = cell.why;
+    if (why.empty() || cell.mode == FailureMode::fails) why = cell.why;
   }
   Json values{{"map", map.name},      {"engine", setting.config.engine->name},
               {"method", method},     {"option", setting.option},

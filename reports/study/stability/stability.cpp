@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "reports/report.h"
+#include "reports/study/failures.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
 #include "reports/study/selection.h"
@@ -168,6 +169,13 @@ std::string text_of(const StabilityMap& map, const Json& described) {
   return text + "\n";
 }
 
+// A row is failed if any of its cells is.
+std::string why_failed(const JobResult& result) {
+  const Json& values = result.output.values;
+  const std::string outcomes = values.at("outcomes");
+  return outcomes.find(letter_of(FailureMode::fails)) == std::string::npos ? "" : values.at("why").get<std::string>();
+}
+
 Findings conclude(const std::vector<const StabilityMap*>& maps, int cells, const std::vector<JobResult>& results) {
   Findings found;
   Json all = Json::array();
@@ -186,8 +194,10 @@ Findings conclude(const std::vector<const StabilityMap*>& maps, int cells, const
     found.text += text_of(*map, described);
     all.push_back(std::move(described));
   }
-  found.findings = {{"outcomes", failure_modes_json()}, {"maps", std::move(all)}};
+  const Json failures = failures_of(results, why_failed);
+  found.findings = {{"outcomes", failure_modes_json()}, {"maps", std::move(all)}, {"failures", failures}};
   const auto unfinished = std::count_if(results.begin(), results.end(), [](const auto& one) { return !is_done(one); });
+  found.text += failures_text(failures);
   found.text += fmt::format("{} rows; {} crashed or exceeded their limits.\n", results.size(), unfinished);
   return found;
 }
@@ -220,7 +230,9 @@ const Catalog<Study>::Entry stability_entry{
                  return conclude(maps, cells, results);
                }};
      },
-     .summary = {{"--maps", "mass-ratio", "slope", "stack", "tunnelling", "--cells", "6"}}}};
+     .summary = [](const std::vector<std::string>& engines) -> std::optional<std::vector<std::string>> {
+       return with_engines({"--maps", "mass-ratio", "slope", "stack", "tunnelling", "--cells", "6"}, engines);
+     }}};
 
 }  // namespace
 }  // namespace plumb

@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 // All runs of an engine in an ensemble.
 struct EngineRuns {
   std::string engine;
+  std::string execution;
   bool control = false;
   int runs = 0, failed = 0;
   std::string status = "ok", why;  // of the first run that is not ok
@@ -25,14 +26,6 @@ struct EngineRuns {
 
   bool judged() const { return status == "ok" && draws.size() > 1; }
 };
-
-// A key is "statistics|ENSEMBLE|ENGINE|seed N".
-std::string part(const std::string& key, int index) {
-  std::size_t begin = 0;
-  for (int i = 0; i < index; ++i) begin = key.find('|', begin) + 1;
-  const std::size_t end = index == 2 ? key.rfind('|') : key.find('|', begin);
-  return key.substr(begin, end - begin);
-}
 
 void add(EngineRuns& runs, const JobResult& result) {
   ++runs.runs;
@@ -46,6 +39,7 @@ void add(EngineRuns& runs, const JobResult& result) {
     }
     return;
   }
+  runs.execution = values.at("execution");
   for (const Json& draw : values.at("draws")) runs.draws.push_back(draw.get<EnsembleDraw>());
   if (result.output.times.contains("stepping")) runs.stepping += result.output.times.at("stepping").get<double>();
 }
@@ -53,8 +47,8 @@ void add(EngineRuns& runs, const JobResult& result) {
 std::vector<EngineRuns> runs_of(const Ensemble& ensemble, const std::vector<JobResult>& results) {
   std::vector<EngineRuns> all;
   for (const JobResult& result : results) {
-    if (part(result.key, 1) != ensemble.name) continue;
-    const std::string engine = part(result.key, 2);
+    if (key_part(result.key, 1) != ensemble.name) continue;  // "statistics|ENSEMBLE|ENGINE|seed N"
+    const std::string engine = key_part(result.key, 2);
     auto found = std::find_if(all.begin(), all.end(), [&](const EngineRuns& one) { return one.engine == engine; });
     if (found == all.end()) found = all.insert(found, {.engine = engine, .control = engine.starts_with("control:")});
     add(*found, result);
@@ -231,7 +225,10 @@ Findings conclude_statistics(const std::vector<const Ensemble*>& ensembles, cons
         csv += csv_line(ensemble, one, finding);
       }
       if (one.judged())
-        costs.push_back({{"ensemble", ensemble.name}, {"engine", one.engine}, {"seconds", one.stepping / one.runs}});
+        costs.push_back({{"ensemble", ensemble.name},
+                         {"engine", one.engine},
+                         {"execution", one.execution},
+                         {"seconds", one.stepping / one.runs}});
       if (!one.control) {
         add(tally_of(tallies, one.engine), ensemble, one);
       } else {

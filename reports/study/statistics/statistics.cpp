@@ -57,8 +57,10 @@ JobOutput output_of(const Ensemble& ensemble, const EngineConfig& config, const 
                     std::uint64_t seed) {
   const RunResult result = run_ensemble(ensemble, config, seed);
   JobOutput output;
-  output.values = {{"ensemble", ensemble.name},        {"engine", label},      {"control", control},   {"seed", seed},
-                   {"status", name_of(result.status)}, {"why", result.reason}, {"draws", result.draws}};
+  output.values = {
+      {"ensemble", ensemble.name}, {"engine", label},      {"execution", name_of(config.engine->execution)},
+      {"control", control},        {"seed", seed},         {"status", name_of(result.status)},
+      {"why", result.reason},      {"draws", result.draws}};
   for (std::size_t i = 0; i < ensemble.statistics.size() && !result.draws.empty(); ++i) {
     double sum = 0;
     for (const EnsembleDraw& draw : result.draws) sum += draw[i];
@@ -136,7 +138,9 @@ const Catalog<Study>::Entry statistics_entry{
                  return conclude_statistics(ensembles, results);
                }};
      },
-     .summary = {{"--ensembles", "equipartition", "galton", "sinai"}}}};
+     .summary = [](const std::vector<std::string>& engines) -> std::optional<std::vector<std::string>> {
+       return with_engines({"--ensembles", "equipartition", "galton", "sinai"}, engines);
+     }}};
 
 }  // namespace
 }  // namespace plumb

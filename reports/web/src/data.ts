@@ -123,6 +123,9 @@ export interface EngineNote {
   name: string;
   about: string;
   source: string;
+  word: string; // how a command line names it; "" if by its name
+  language: string;
+  execution: string; // how its code runs: "native", "WebAssembly", "JIT", "interpreted" or "not stated"
   states?: { method: string; text: string }[]; // how it steps, by its own word
   exact: boolean;
 }
@@ -217,7 +220,7 @@ export interface Page {
 }
 
 /** The format of report.json this page reads. */
-const format = 3;
+const format = 4;
 
 const measured = record({ value: number, unit: text });
 const of_case = { scenario: text, variant: text };
@@ -241,7 +244,7 @@ const report_rule = record({
   environment: map(text),
   scenarios: list(record({ name: text, question: text, group: optional(text), parameters: list(record({ name: text, unit: text, about: text })) })),
   groups: optional(list(record({ name: text, title: text, stake: text }))),
-  engines: list(record({ name: text, about: text, source: text, exact: yes_no, states: optional(list(record({ method: text, text }))) })),
+  engines: list(record({ name: text, about: text, source: text, word: text, language: text, execution: text, exact: yes_no, states: optional(list(record({ method: text, text }))) })),
   metrics: list(record({ name: text, unit: text, definition: text })),
   invariants: list(record({ name: text, unit: text, definition: text })),
   runs: list(

@@ -1,6 +1,6 @@
 // The report as the page shows it: engines with their colours and shapes, and cases (one variant of a scenario) with
 // their runs, comparisons, timings and replays.
-import { series_of, type Comparison, type Curves, type InvariantCheck, type KeyDifferences, type Page, type Run, type ScenarioNote, type Series, type Timing, type TruthCheck } from "./data";
+import { series_of, type Comparison, type Curves, type EngineNote, type InvariantCheck, type KeyDifferences, type Page, type Run, type ScenarioNote, type Series, type Timing, type TruthCheck } from "./data";
 import { looks } from "./looks";
 import type { Replay } from "./replay/data";
 
@@ -9,6 +9,7 @@ export interface Engine {
   engine: string;
   method: string;
   exact: boolean;
+  execution: string; // how its code runs, by which times are told apart; "" where no times are compared
   color: string;
   symbol: string;
   dash: string;
@@ -55,7 +56,23 @@ export const label_of = (of: { engine: string; method: string }): string => (of.
 
 export const truth_look = { color: "var(--truth)", symbol: "times", dash: "1 4" };
 
-function engines_of(runs: Run[]): Engine[] {
+/** How an engine's code runs, where that is not native: "WebAssembly", or "program" for one that does not say. */
+export const mark_of = ({ execution }: Pick<Engine, "execution">): string =>
+  execution === "native" ? "" : execution === "not stated" ? "program" : execution;
+
+/** The label, and how its code runs where that is not native: where times are compared. */
+export const timed_label = (engine: Pick<Engine, "label" | "execution">): string => {
+  const mark = mark_of(engine);
+  return mark ? `${engine.label} (${mark})` : engine.label;
+};
+
+/** What a factor between the times of these engines needs to be read with; "" if their code runs alike. */
+export const unlike = (engines: Pick<Engine, "execution">[]): string =>
+  new Set(engines.map(({ execution }) => execution)).size > 1
+    ? "Native, WebAssembly, JIT-compiled and interpreted code: factors between them are not of the methods alone."
+    : "";
+
+function engines_of(runs: Run[], notes: EngineNote[]): Engine[] {
   const found = new Map<string, Engine>();
   const ours_first = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
   const look_of = looks(runs.filter(({ exact }) => !exact).map(label_of));
@@ -67,6 +84,7 @@ function engines_of(runs: Run[]): Engine[] {
       engine: run.engine,
       method: run.method,
       exact: run.exact,
+      execution: notes.find(({ name }) => name === run.engine)?.execution ?? "not stated",
       ...(run.exact ? truth_look : look_of(label)),
     });
   }
@@ -99,7 +117,7 @@ const run_key = (of: { scenario: string; variant: string; engine: string; method
 
 export function model_of(page: Page): Model {
   const { report } = page;
-  const engines = engines_of(report.runs);
+  const engines = engines_of(report.runs, report.engines);
   const by_label = new Map(engines.map((engine) => [engine.label, engine]));
   const timings = new Map(report.timings.steps.map((item) => [run_key(item), item]));
 

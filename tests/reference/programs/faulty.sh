@@ -2,7 +2,7 @@
 # An engine of one body that does not move, and misbehaves as its argument says.
 fault=$1
 state='[0,5,0,0,0,0]'
-hello='{"plumb-engine":1,"name":"faulty","version":"1","options":[{"key":"knob","value":"1","about":"nothing","min":0,"max":2}]}'
+hello='{"plumb-engine":1,"name":"faulty","version":"1","options":[{"key":"knob","value":"1","about":"nothing","min":0,"max":2,"ladder":["0","1","2"]}]}'
 stepping='{"stepping":{"arithmetic":"double"}}'
 built="{\"states\":[$state]}"
 number=0

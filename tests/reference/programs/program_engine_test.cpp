@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "faults.h"
 #include "reports/run/run.h"
 #include "reports/run/selection.h"
 
@@ -19,7 +20,7 @@ using ::testing::HasSubstr;
 constexpr double dt = 1.0 / 60;
 
 std::string faulty(const std::string& fault, const std::string& settings = "") {
-  return "exec:sh " PLUMB_SOURCE_DIR "/tests/reference/programs/faulty.sh " + fault + settings;
+  return faulty_program(PLUMB_SOURCE_DIR, fault) + settings;
 }
 
 Scene one_disc() {
@@ -30,15 +31,7 @@ Scene one_disc() {
 
 Outcome outcome_of(const std::string& word) { return run(one_disc(), parse_engine(word), dt); }
 
-struct Fault {
-  const char* name;
-  const char* reason;          // that Plumb gives, in part
-  const char* timeout = "20";  // s, of which a busy machine may take some to start it
-};
-
-void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
-
-class FaultyProgram : public testing::TestWithParam<Fault> {};
+class FaultyProgram : public testing::TestWithParam<ProgramFault> {};
 
 TEST_P(FaultyProgram, FailsItsRunAndNoOther) {
   const Outcome outcome = outcome_of(faulty(GetParam().name, std::string(":timeout=") + GetParam().timeout));
@@ -47,36 +40,11 @@ TEST_P(FaultyProgram, FailsItsRunAndNoOther) {
   EXPECT_EQ(outcome_of(faulty("none")).status, Status::ok);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, FaultyProgram,
-    testing::Values(Fault{"crash", "ended by signal 11"}, Fault{"abort", "its log ends: assertion failed: x > 0"},
-                    Fault{"exits-with-0", "ended with exit code 0 although it was not asked to"},
-                    Fault{"exits-with-3", "exit code 3 although it was not asked to; its log ends: no more"},
-                    Fault{"hangs", "did not answer within 0.3 s", "0.3"}, Fault{"garbage", "its answer: line 1"},
-                    Fault{"half-a-line", "ended with exit code 0"}, Fault{"no-object", "expected an object"},
-                    Fault{"bad-utf8", "its answer: line 1"}, Fault{"nan", "its answer: line 1"},
-                    Fault{"null", "states[0][0]: expected a number"}, Fault{"infinite", "states[0][0]"},
-                    Fault{"diverges", "diverged at"}, Fault{"no-bodies", "states: expected the states of 1 bodies"},
-                    Fault{"too-many-bodies", "states: expected the states of 1 bodies"},
-                    Fault{"five-numbers", "states[0]: expected 6 numbers"},
-                    Fault{"words", "states[0][0]: expected a number"}, Fault{"packed-nan", "states: number 3 is nan"},
-                    Fault{"packed-five", "states: expected a list, or base64 of rows"},
-                    Fault{"packed-too-many", "states: expected the states of 1 bodies"},
-                    Fault{"packed-garbage", "states: expected a list, or base64"}, Fault{"no-time", "ns"},
-                    Fault{"negative-time", "ns: "},
-                    Fault{"lies-about-time", "it says that its steps took 1e+04 s, but only"},
-                    Fault{"contact-of-nobody", "contact 0 is of body 7, but there are 1"},
-                    Fault{"contact-without-direction", "a normal of length 1"},
-                    Fault{"says-too-much", "step: expected 2"}, Fault{"skips-a-step", "step: expected 2"},
-                    Fault{"says-error", "it says: my solver gave up"},
-                    Fault{"closes-output", "it closed its standard output"}, Fault{"floods", "more than 16 MiB"},
-                    Fault{"states-nonsense", "stepping.skin"}, Fault{"crashes-when-asked-how", "ended by signal 11"},
-                    Fault{"crashes-in-build", "ended by signal 11"}),
-    [](const auto& instance) {
-      std::string name = instance.param.name;
-      std::erase(name, '-');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(All, FaultyProgram, testing::ValuesIn(program_faults), [](const auto& instance) {
+  std::string name = instance.param.name;
+  std::erase(name, '-');
+  return name;
+});
 
 TEST(ProgramEngine, IsRefusedIfItDoesNotSayWhoItIs) {
   const auto refusal = [](const std::string& word) -> std::string {

@@ -32,5 +32,26 @@ TEST(QuantityRounding, BoundsTheErrorOfFloats) {
   EXPECT_LT(bound, 0.003);
 }
 
+// Verlet keeps a velocity as the difference of two positions: its error is that of places over the step, once a step.
+TEST(QuantityRounding, BoundsTheErrorOfVelocitiesThatAreDifferencesOfPositions) {
+  const Scene scene = fakes::thrown_box();
+  constexpr double dt = 1e-3;
+  Trace trace(1);
+  float y = 2;
+  float before = y - static_cast<float>(8 * dt);
+  for (int i = 0; i <= 2000; ++i) {
+    const BodyState state{.position = {0, y}, .velocity = {0, (y - before) / dt}};
+    trace.record(i * dt, std::span(&state, 1), {});
+    const float next = y + (y - before) - static_cast<float>(10 * dt * dt);
+    before = y;
+    y = next;
+  }
+  Stepping stepping{.dt = dt, .h = dt, .epsilon = std::numeric_limits<float>::epsilon() / 2};
+  const double lost = std::abs(trace.states(2000)[0].velocity.y - (8 - 10 * 2));
+  EXPECT_GT(lost, quantity_rounding(Quantity::vy, 0, scene, trace, stepping));
+  stepping.differenced_velocities = true;
+  EXPECT_LE(lost, quantity_rounding(Quantity::vy, 0, scene, trace, stepping));
+}
+
 }  // namespace
 }  // namespace plumb::rounding_test

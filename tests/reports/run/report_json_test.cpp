@@ -84,10 +84,17 @@ TEST(ReportFromJson, TakesNoCheckOfVersion2ForEvidenceAsItHasNoScale) {
   EXPECT_EQ(report.runs.at(1).truth.at(0).tolerance, 0.1);
 }
 
+TEST(ReportFromJson, TakesEnginesOfVersion3ByTheirNames) {
+  nlohmann::json old = nlohmann::json::parse(to_json(sample_report()).dump());
+  old["plumb"] = 3;
+  for (nlohmann::json& engine : old["engines"]) engine.erase("word");
+  EXPECT_EQ(report_from(old, "old.json").engines.at(0).word, "");
+}
+
 TEST(ReportFromJson, NamesThePlaceOfWhatItCannotRead) {
   nlohmann::ordered_json newer = to_json(sample_report());
-  newer["plumb"] = 4;
-  EXPECT_THAT(complaint(newer), HasSubstr("report.json: plumb: expected a number from 1 to 3, found 4"));
+  newer["plumb"] = 5;
+  EXPECT_THAT(complaint(newer), HasSubstr("report.json: plumb: expected a number from 1 to 4, found 5"));
   EXPECT_THAT(complaint(nlohmann::ordered_json::array()), HasSubstr("report.json: top level: expected an object"));
   nlohmann::ordered_json damaged = to_json(sample_report());
   damaged["runs"][1]["invariants"][0]["status"] = "hold";

@@ -21,5 +21,16 @@ TEST(Statement, SaysInMillimetresHowFarContactsMayRestFromTouching) {
             "positions; single precision");
 }
 
+TEST(Statement, SaysThatContactsAreSpringsAndVelocitiesDifferences) {
+  Stepping stepping;
+  stepping.impact_lag = 0;
+  stepping.contact_frequency = 30;
+  stepping.fixed_contact_frequency = 60;
+  stepping.differenced_velocities = true;
+  EXPECT_EQ(statement(stepping),
+            "contacts are springs of 30 Hz, 60 Hz on what does not move, and overlap by their load; keeps velocities "
+            "as differences of positions");
+}
+
 }  // namespace
 }  // namespace plumb::statement_test

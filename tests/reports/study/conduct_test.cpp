@@ -151,7 +151,9 @@ Study squares() {
                       return found;
                     }};
           },
-          .summary = {{"--numbers", "2", "3"}}};
+          .summary = [](const std::vector<std::string>&) -> std::optional<std::vector<std::string>> {
+            return {{"--numbers", "2", "3"}};
+          }};
 }
 
 TEST_F(Conduct, ExitsWith1IfTheFindingsShowWhatMustNotBe) {
@@ -172,9 +174,10 @@ TEST_F(Conduct, ExitsWith1IfTheFindingsShowWhatMustNotBe) {
 
 TEST(StudySummary, RunsAShortStudyAndReportsEachJob) {
   std::vector<std::string> progress;
-  const Json document = summary_document(squares(), 1, [&](const std::string& key, std::size_t done, std::size_t of) {
-    progress.push_back(key + " " + std::to_string(done) + "/" + std::to_string(of));
-  });
+  const Json document = summary_document(
+      squares(), {"--numbers", "2", "3"}, 1, [&](const std::string& key, std::size_t done, std::size_t of) {
+        progress.push_back(key + " " + std::to_string(done) + "/" + std::to_string(of));
+      });
   EXPECT_THAT(progress, testing::ElementsAre("2 1/2", "3 2/2"));
   EXPECT_EQ(document.at("study"), "squares");
   EXPECT_EQ(document.at("command"), "plumb study squares --numbers 2 3");
@@ -184,19 +187,25 @@ TEST(StudySummary, RunsAShortStudyAndReportsEachJob) {
 }
 
 TEST(StudySummary, RefusesOptionsThatTheStudyDoesNotHave) {
-  Study study = squares();
-  study.summary = {{"--nombres", "2"}};
-  EXPECT_THROW(summary_document(study, 1, [](const std::string&, std::size_t, std::size_t) {}), std::logic_error);
+  const auto silent = [](const std::string&, std::size_t, std::size_t) {};
+  EXPECT_THROW(summary_document(squares(), {"--nombres", "2"}, 1, silent), std::logic_error);
 }
 
-TEST(StudySummary, OfEveryStudyHasOnlyItsOptions) {
+TEST(StudySummary, OfEveryStudyIsOfTheReportsEngines) {
+  const std::vector<std::string> some{"impulse", "box2d:velocity=4"};
   for (const Study* study : Catalog<Study>::all()) {
     if (!study->summary) continue;
+    const auto options = study->summary(some);
+    ASSERT_TRUE(options) << study->name;
     CLI::App app;
     const auto configuration = study->attach(app);  // owns what the options write to
-    std::vector<std::string> words(study->summary->rbegin(), study->summary->rend());
-    EXPECT_NO_THROW(app.parse(words)) << study->name;
+    EXPECT_NO_THROW(app.parse(std::vector<std::string>(options->rbegin(), options->rend()))) << study->name;
+    const bool one_engine = study->name == "model";
+    EXPECT_THAT(configuration().dump(), HasSubstr("\"impulse\"")) << study->name;
+    EXPECT_EQ(configuration().dump().find("\"box2d:velocity=4\"") == std::string::npos, one_engine) << study->name;
+    EXPECT_THAT(*study->summary({}), testing::Not(testing::Contains("--engine"))) << study->name;
   }
+  EXPECT_FALSE(Catalog<Study>::find("model")->summary({"box2d"})) << "it can't leave features out";
 }
 
 }  // namespace

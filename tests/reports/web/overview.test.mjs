@@ -31,6 +31,13 @@ test("the filters select engines, scenarios and verdicts", async () => {
   await page.close();
 });
 
+test("engines whose code is not native are marked where times are compared", async () => {
+  const { page } = await open(file);
+  assert.deepEqual(await page.locator(".matrix thead .execution").allInnerTexts(), ["WebAssembly"]);
+  assert.match(await text_in(page.locator("#overview figcaption").first()), /factors between them are not of the methods alone/);
+  await page.close();
+});
+
 test("the chart of error against cost follows the filters", async () => {
   const { page } = await open(file, { hash: "#overview?engine=box2d" });
   await page.locator("#overview .canvas").first().scrollIntoViewIfNeeded();

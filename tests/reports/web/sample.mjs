@@ -89,7 +89,7 @@ const key_differences = (found) => ({ energy: none, momentum: none, angular_mome
 export function sample(scenario = "free-fall") {
   const page = {
     report: {
-      plumb: 3,
+      plumb: 4,
       title: "Canonical scenarios",
       command: ["./plumb", "report"],
       environment: { compiler: "GCC 12.2.0", build: "Release", box2d: "2.4.1" },
@@ -100,7 +100,10 @@ export function sample(scenario = "free-fall") {
           parameters: [{ name: "height", unit: "m", about: "above the ground at the start" }],
         },
       ],
-      engines: [{ name: "impulse", about: "our own engine", source: "engine/", exact: false }],
+      engines: [
+        { name: "impulse", about: "our own engine", source: "engine/", word: "", language: "C++", execution: "native", exact: false },
+        { name: "box2d", about: "Box2D", source: "box2d.org", word: "exec:node my box2d.mjs", language: "C", execution: "WebAssembly", exact: false },
+      ],
       metrics: [{ name: "truth_error_rms", unit: "m", definition: "RMS distance of the bodies from the closed form" }],
       invariants: [{ name: "energy", unit: "J", definition: "never rises without work" }],
       runs: [],

@@ -33,7 +33,7 @@ function sample() {
         summary: [{ engine: "impulse", agrees: 1, differs: 0, undecided: 1, unjudged: 0 }, { engine: "<b>wild</b>", agrees: 1, differs: 1, undecided: 0, unjudged: 0 }],
         ensembles: [{ ...ensemble, unjudged: [{ engine: "small", status: "not supported", why: "holds no discs" }] }],
       },
-      timings: { results: {}, costs: [{ ensemble: "fall-board", engine: "impulse", seconds: 0.25 }] },
+      timings: { results: {}, costs: [{ ensemble: "fall-board", engine: "impulse", execution: "native", seconds: 0.25 }] },
     },
   };
 }

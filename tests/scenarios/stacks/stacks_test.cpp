@@ -29,6 +29,29 @@ TEST(Stacking, TakesTheTiltFromTheSlopAlone) {
   EXPECT_EQ(angle.allows(stated), before);
 }
 
+// What springs add to what a rigid contact is allowed.
+double sinks(const Of& check) {
+  Stepping rigid = statement_of::soft();
+  rigid.contact_frequency = rigid.fixed_contact_frequency = 0;
+  return check.allows(statement_of::soft()) - check.allows(rigid);
+}
+
+// Ten boxes on springs of 30 Hz, 60 Hz on the ground, sink by 1.25 g/w^2 = 0.352 mm/4 for each of ten weights on the
+// ground and by 2.5 g/w^2 = 0.704 mm for each of 45 above.
+TEST(Stacking, KnowsHowFarATowerSinksByTheSpringsOfItsContacts) {
+  const Of top{"stacking", {}, "box 10", Quantity::y};
+  constexpr double depth = 0.03254;
+  EXPECT_NEAR(sinks(top), depth, 1e-5);
+  EXPECT_LT(top.allows(statement_of::soft()), depth * (30.0 / 20) * (30.0 / 20))
+      << "a tower on springs of 20 Hz, stated as of 30, is wrong";
+}
+
+// A box a hundred times as heavy presses the spring of one of 1 kg by 500 N 2.525/w^2 = 35.5 mm, and that one the
+// ground's by 505 N 2.5/(2 w)^2 = 8.9 mm.
+TEST(Stacking, WeighsWhatPressesASpring) {
+  EXPECT_NEAR(sinks({"stacking", {{"boxes", 2}, {"ratio", 100}}, "box 2", Quantity::y}), 0.04442, 1e-5);
+}
+
 TEST(Arch, StopsACrownThatHasComeDownByItsThickness) {
   EXPECT_LT((Of{"arch", {}, "stone 10", Quantity::y}.allows_at_most()), 1.2 / 2);
 }

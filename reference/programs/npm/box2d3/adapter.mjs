@@ -161,6 +161,7 @@ class World {
 
   states() {
     this.read = this.bodies.map((body, i) => {
+      if (!this.moving[i] && this.read) return this.read[i];
       const w = b2.b2Body_GetAngularVelocity(body);
       const at = b2.b2Body_GetTransform(body);
       const velocity = b2.b2Body_GetLinearVelocity(body);
@@ -178,8 +179,9 @@ class World {
   contacts() { // where the bodies were read last
     const all = [];
     this.bodies.forEach((body, i) => {
-      if (!this.moving[i]) return;
-      for (const contact of b2.b2Body_GetContactData(body, b2.b2Body_GetContactCapacity(body))) {
+      const capacity = this.moving[i] ? b2.b2Body_GetContactCapacity(body) : 0;
+      if (!capacity) return; // an empty list takes the engine as long as a state
+      for (const contact of b2.b2Body_GetContactData(body, capacity)) {
         const at = words(contact);
         const [one, other] = [SHAPE_A, SHAPE_B].map((word) => this.owners.get(integers[at + word]));
         // Two moving bodies both list it: it is told from its first.
@@ -240,25 +242,28 @@ const attach = {
     attach.segment(body, def, { from: [extent, offset], to: [-extent, offset] }),
 };
 
-// Contacts rest where their spring bears the load, 2.5 g/w^2 deep for a square on its like (two corners, each with half
-// the weight and an effective mass of m/5), w = 2 pi times the lesser of 30 Hz and an eighth of the sub-step's rate;
-// joints likewise, with the lesser of 60 Hz and a quarter of that rate. Impacts bounce at the end of the step that finds
+// Contacts are springs of the lesser of 30 Hz and an eighth of the sub-step's rate, twice that on fixed bodies. The slop
+// is their depth under one weight, 2.5 g/w^2 for a square on its like (two corners, each with half the weight and an
+// effective mass of m/5); that of joints likewise, with the lesser of 60 Hz and a quarter of that rate. Impacts bounce at the end of the step that finds
 // them. With k = w dt and V = v dt a force that is held over n sub-steps makes V' = V - k^2 y, x' = x + V - (1 + 1/n)/2
 // k^2 y. At y = x a spring would gain energy; at y = x + (1 - 1/n)/2 V the determinant is 1 and the trace 2 - k^2.
 function stepping({ substeps, restitution }, dt) {
   const h = dt / Number(substeps);
+  const contact = Math.min(30, 0.125 / h);
   const sink = (hertz) => (2.5 * GRAVITY) / (2 * Math.PI * hertz) ** 2;
   return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps),
-           slop: sink(Math.min(30, 0.125 / h)), jointSlop: sink(Math.min(60, 0.25 / h)), iterations: 1,
+           slop: sink(contact), contactFrequency: contact, fixedContactFrequency: 2 * contact,
+           jointSlop: sink(Math.min(60, 0.25 / h)), iterations: 1,
            restitutionThreshold: Number(restitution), wholeImpulses: false, springLimit: 2 };
 }
 
 serve({
-  name: 'box2d3-wasm', version: '5.2.0', language: 'C, as WebAssembly',
+  name: 'box2d3', version: '5.2.0', language: 'C', execution: 'WebAssembly',
   about: 'Box2D 3: soft contacts in sub-steps, float',
   source: 'Box2D 3.2 before its release (3a4f0da), Erin Catto, box2d.org; box2d3-wasm by Alex Birch and Erik Sombroek',
   options: [
-    { key: 'substeps', value: '4', about: 'sub-steps of a step', min: 1, max: 1000, whole: true },
+    { key: 'substeps', value: '4', about: 'sub-steps of a step', min: 1, max: 1000, whole: true,
+      ladder: ['1', '2', '4', '8'] },
     { key: 'restitution', value: '1', about: 'm/s, closing speed below which nothing bounces', min: 0, max: 100 },
     onOff('continuous', 'on', 'continuous collision', 'stops bodies at fixed ones within a step', 'bodies may overlap'),
     onOff('sleep', 'off', 'sleeping', 'stops bodies that hardly move', 'bodies never sleep'),

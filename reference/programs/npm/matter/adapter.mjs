@@ -151,17 +151,17 @@ class World {
 function stepping({ scale, velocity, position }, dt) {
   const fall = GRAVITY * dt * dt;
   return { arithmetic: 'double', drift: 0.5, order: 1, slop: 0.05 / scale + fall * 0.1 ** position, jointSlop: fall,
-           restitutionThreshold: (2 / scale) * (1000 / BASE), iterations: Number(velocity),
+           differencedVelocities: true, restitutionThreshold: (2 / scale) * (1000 / BASE), iterations: Number(velocity),
            positionIterations: Number(position), springLimit: 2 };
 }
 
-const count = (key, value, about) => ({ key, value, about, min: 1, max: 10000, whole: true });
+const count = (key, value, about, ladder) => ({ key, value, about, min: 1, max: 10000, whole: true, ladder });
 serve({
-  name: 'matter', version: Matter.version, language: 'JavaScript',
+  name: 'matter', version: Matter.version,
   about: 'matter.js: Verlet, positions corrected apart from velocities, double',
   source: 'matter-js, Liam Brummitt, brm.io/matter-js',
   options: [
-    count('velocity', '4', 'iterations of the velocity solver'),
+    count('velocity', '4', 'iterations of the velocity solver', ['2', '4', '8']),
     count('position', '6', 'iterations of the position solver'),
     count('constraint', '2', 'iterations of the joints'),
     { key: 'scale', value: '100', about: 'px, a metre', min: 1, max: 10000 },

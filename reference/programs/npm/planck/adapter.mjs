@@ -168,11 +168,12 @@ function stepping({ velocity, position, restitution }) {
 }
 
 serve({
-  name: 'planck', version: '1.4.2', language: 'JavaScript',
+  name: 'planck', version: '1.4.2',
   about: 'Box2D 2.3 in JavaScript: sequential impulses, double',
   source: 'planck, Ali Shakiba, after Box2D by Erin Catto, piqnt.com/planck.js',
   options: [
-    { key: 'velocity', value: '8', about: 'iterations of the velocity solver', min: 1, max: 10000, whole: true },
+    { key: 'velocity', value: '8', about: 'iterations of the velocity solver', min: 1, max: 10000, whole: true,
+      ladder: ['4', '8', '16'] },
     { key: 'position', value: '3', about: 'iterations of the position solver', min: 1, max: 10000, whole: true },
     { key: 'restitution', value: '1', about: 'm/s, closing speed below which nothing bounces', min: 0, max: 100 },
     onOff('continuous', 'on', 'continuous collision', 'stops bodies at fixed ones within a step', 'bodies may overlap'),

@@ -25,18 +25,13 @@ const { default: RAPIER } = await import('@dimforge/rapier2d-compat');
 Object.assign(globalThis, { FinalizationRegistry });
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
+const CONTACT = 30; // Hz, of the springs that contacts are (contact_softness); twice that on fixed bodies
 const { RigidBodyDesc, ColliderDesc, JointData, CoefficientCombineRule: Rule } = RAPIER;
 const at = ([x, y]) => ({ x, y });
 const place = at([0, 0]); // that the engine writes vectors to
 
-// Where a collider is: cosine, sine, x and y.
-function placeOf(collider) {
-  const angle = collider.rotation();
-  const { x, y } = collider.translation(place);
-  return [Math.cos(angle), Math.sin(angle), x, y];
-}
-
-const from = ([c, s, x, y], local) => [x + c * local.x - s * local.y, y + s * local.x + c * local.y];
+// A point of a collider that is at (x, y), with the cosine and sine of its angle.
+const from = ({ c, s, x, y }, local) => [x + c * local.x - s * local.y, y + s * local.x + c * local.y];
 
 class World {
   constructor(scene, options) {
@@ -44,8 +39,9 @@ class World {
     this.world.numSolverIterations = Number(options.substeps);
     this.world.numInternalPgsIterations = Number(options.iterations);
     this.world.maxCcdSubsteps = options.continuous === 'on' ? 1 : 0;
+    this.narrowPhase = this.world.narrowPhase;
     this.loads = scene.loads;
-    this.owners = new Map();
+    this.colliders = new Map(); // by handle: body, place in it, and where it was when the bodies were read last
     this.angles = scene.bodies.map(({ angle }) => angle);
     this.sinceRead = 0;
     this.mix = mixingOf(scene);
@@ -67,7 +63,9 @@ class World {
     for (const shape of body.shapes) {
       const collider = colliderOf(shape).setDensity(0).setCollisionGroups(this.layers(body.layers));
       this.mix(collider, shape);
-      this.owners.set(this.world.createCollider(collider, made).handle, body.index);
+      const { handle } = this.world.createCollider(collider, made);
+      const { translation: { x, y }, rotation } = collider;
+      this.colliders.set(handle, { owner: body.index, moves: body.type !== 'static', local: { x, y }, turned: rotation });
     }
     return made;
   }
@@ -119,7 +117,7 @@ class World {
   }
 
   states() {
-    const states = this.bodies.map((body, i) => {
+    this.read = this.bodies.map((body, i) => {
       const w = body.angvel();
       this.angles[i] = unwound(body.rotation(), this.angles[i] + w * this.sinceRead);
       const { x, y } = body.translation(place);
@@ -127,33 +125,42 @@ class World {
       return [x, y, this.angles[i], velocity.x, velocity.y, w];
     });
     this.sinceRead = 0;
-    return states;
+    return this.read;
   }
 
-  contacts() {
-    this.places = new Map(); // of colliders, by handle
+  contacts() { // where the bodies were read last
     const all = [];
-    this.world.forEachCollider((one) => this.world.contactPairsWith(one, (other) => {
-      if (one.handle > other.handle) return; // both list the pair
-      this.world.contactPair(one, other, (manifold, flipped) =>
-        flipped ? this.tell(manifold, other, one, all) : this.tell(manifold, one, other, all));
-    }));
+    for (const [handle, { moves }] of this.colliders) {
+      if (!moves) continue;
+      this.narrowPhase.contactPairsWith(handle, (other) => {
+        if (handle > other && this.colliders.get(other).moves) return; // both list the pair
+        this.narrowPhase.contactPair(handle, other, this.world.bodies, (manifold, flipped) =>
+          flipped ? this.tell(manifold, other, handle, all) : this.tell(manifold, handle, other, all));
+      });
+    }
     return all;
   }
 
-  placeOf(collider) {
-    let found = this.places.get(collider.handle);
-    if (!found) this.places.set(collider.handle, (found = placeOf(collider)));
-    return found;
+  placed(handle) {
+    const collider = this.colliders.get(handle);
+    const state = this.read[collider.owner];
+    if (collider.at !== state) {
+      const [x, y, angle] = state;
+      const body = { c: Math.cos(angle), s: Math.sin(angle), x, y };
+      const [px, py] = from(body, collider.local);
+      const [c, s] = collider.turned ? [Math.cos(angle + collider.turned), Math.sin(angle + collider.turned)] : [body.c, body.s];
+      Object.assign(collider, { at: state, c, s, x: px, y: py });
+    }
+    return collider;
   }
 
   tell(manifold, one, other, all) {
-    const [a, b] = [this.owners.get(one.handle), this.owners.get(other.handle)];
+    const [a, b] = [this.placed(one), this.placed(other)];
     const { x, y } = manifold.normal(place);
     for (let i = 0; i < manifold.numContacts(); ++i) {
-      const [ax, ay] = from(this.placeOf(one), manifold.localContactPoint1(i, place));
-      const [bx, by] = from(this.placeOf(other), manifold.localContactPoint2(i, place));
-      all.push([a, b, (ax + bx) / 2, (ay + by) / 2, x, y, manifold.contactImpulse(i),
+      const [ax, ay] = from(a, manifold.localContactPoint1(i, place));
+      const [bx, by] = from(b, manifold.localContactPoint2(i, place));
+      all.push([a.owner, b.owner, (ax + bx) / 2, (ay + by) / 2, x, y, manifold.contactImpulse(i),
                 manifold.contactTangentImpulse(i), (bx - ax) * x + (by - ay) * y]);
     }
   }
@@ -209,22 +216,24 @@ function layersOf({ bodies }) {
   return (layers) => [...bits.values()].reduce((groups, bit, k) => groups | (has(layers, bit) * (0x10001 << k)), 0);
 }
 
-// As for Box2D 3, whose method this is. Contacts rest where their spring bears the load, 2.5 g/w^2 deep for a square on
-// its like (two corners, each with half the weight and an effective mass of m/5). A joint falls for one sub-step before
-// it is pulled back. Impacts bounce at the end of the step that finds them.
+// As for Box2D 3, whose method this is. The slop is the depth of a contact's spring under one weight, 2.5 g/w^2 for a
+// square on its like (two corners, each with half the weight and an effective mass of m/5). A joint falls for one
+// sub-step before it is pulled back. Impacts bounce at the end of the step that finds them.
 function stepping({ substeps, iterations, sleep }, dt) {
   const h = dt / Number(substeps);
   return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps),
-           slop: (2.5 * GRAVITY) / (2 * Math.PI * 30) ** 2, jointSlop: GRAVITY * h * h, iterations: Number(iterations),
+           slop: (2.5 * GRAVITY) / (2 * Math.PI * CONTACT) ** 2, contactFrequency: CONTACT,
+           fixedContactFrequency: 2 * CONTACT, jointSlop: GRAVITY * h * h, iterations: Number(iterations),
            wholeImpulses: sleep === 'off', springLimit: 2 };
 }
 
 await RAPIER.init();
 serve({
-  name: 'rapier', version: RAPIER.version(), language: 'Rust, as WebAssembly',
+  name: 'rapier', version: RAPIER.version(), language: 'Rust', execution: 'WebAssembly',
   about: 'Rapier 2D: soft contacts in sub-steps, float', source: '@dimforge/rapier2d-compat, Dimforge, rapier.rs',
   options: [
-    { key: 'substeps', value: '4', about: 'sub-steps of a step', min: 1, max: 1000, whole: true },
+    { key: 'substeps', value: '4', about: 'sub-steps of a step', min: 1, max: 1000, whole: true,
+      ladder: ['1', '2', '4', '8'] },
     { key: 'iterations', value: '1', about: 'of the solver in each sub-step', min: 1, max: 1000, whole: true },
     onOff('continuous', 'on', 'continuous collision', 'stops bodies at fixed ones within a step', 'bodies may overlap'),
     onOff('sleep', 'off', 'sleeping', 'stops bodies that hardly move', 'bodies never sleep'),

@@ -112,9 +112,10 @@ std::vector<EngineConfig> wall_variants(const EngineConfig& config) {
 // m/s, at which the ball covers `share` of the wall's thickness and its own diameter in a step; infinite for methods
 // that look between steps.
 std::optional<double> passing_speed(const EngineConfig& config, double thickness, double share) {
-  if (is_continuous(config) || config.engine->stepping(config.settings, usual_dt).looks_ahead) {
-    return std::numeric_limits<double>::infinity();
-  }
+  std::string why_not;
+  const auto stated = stepping_of(config, usual_dt, why_not);
+  if (!stated) return std::nullopt;
+  if (is_continuous(config) || stated->looks_ahead) return std::numeric_limits<double>::infinity();
   return share * (thickness + 2 * ball_radius) / usual_dt;
 }
 

@@ -65,8 +65,9 @@ std::vector<Trial> spring_trials(double dt, double w, const EngineConfig&) {
 }
 
 std::optional<double> spring_theory(const EngineConfig& config, double w) {
-  const auto limit = config.engine->stepping(config.settings, 1).spring_limit;
-  return limit ? std::optional(*limit / w) : std::nullopt;
+  std::string why_not;
+  const auto stated = stepping_of(config, 1, why_not);
+  return stated && stated->spring_limit ? std::optional(*stated->spring_limit / w) : std::nullopt;
 }
 
 const Catalog<StabilityMap>::Entry spring{

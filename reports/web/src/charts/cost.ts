@@ -1,7 +1,7 @@
 // Error against cost, with one mark for each run.
 import * as Plot from "@observablehq/plot";
 import { number, time_step } from "../format";
-import type { Entry, Model } from "../model";
+import { timed_label, unlike, type Entry, type Model } from "../model";
 import { figure } from "./figure";
 import { dot_look, error_axes, plot_look, tip_look } from "./look";
 
@@ -40,7 +40,7 @@ function marks_of(model: Model): Mark[] {
 
 const described = ({ entry, name, cost, error }: Mark): string =>
   [
-    entry.engine.label,
+    timed_label(entry.engine),
     name,
     `${number(error, "m")} from the truth`,
     `${number(cost, "\u00b5s")} a step of ${time_step(entry.run.dt)}`,
@@ -89,7 +89,7 @@ export function cost_chart(model: Model): HTMLElement | null {
     });
   return figure({
     title: "Error against cost, every run",
-    note: "Lower is more accurate, further left is faster. Thin lines connect the engines of a case; bars span the middle half of the repetitions.",
+    note: "Lower is more accurate, further left is faster. Thin lines connect the engines of a case; bars span the middle half of the repetitions. " + unlike(marks.map(({ entry }) => entry.engine)),
     height: 400,
     draw: (width) => [draw(width)],
   });

@@ -4,7 +4,7 @@ import { current_view, type View } from "../address";
 import { choose_all, shows_engine, toggle, type Few } from "../chosen";
 import { h } from "../dom";
 import { number } from "../format";
-import type { Engine } from "../model";
+import { mark_of, type Engine } from "../model";
 
 /** The truth is a broad pale band below the lines of the engines. */
 export const line_look = (engine: Engine) =>
@@ -77,6 +77,12 @@ function name_of({ label }: Engine): HTMLElement {
   return h("span", {}, ...parts);
 }
 
+/** How its code runs, if that is not native. */
+function execution_of(engine: Engine): HTMLElement | null {
+  const mark = mark_of(engine);
+  return mark ? h("small", { class: "execution" }, mark) : null;
+}
+
 const chooser = new WeakMap<Element, { engine: Engine; few: Few }>();
 
 /** Shows which engines are chosen, in all legends. */
@@ -90,7 +96,7 @@ export function update_legends(view: View): void {
 function entry(engine: Engine, few: Few): HTMLElement {
   if (engine.exact) return h("li", {}, legend_mark(engine), name_of(engine));
   const pressed = String(shows_engine(current_view(), engine, few));
-  const button = h("button", { type: "button", title: "Show it alone in all charts; then others beside it", "aria-pressed": pressed }, legend_mark(engine), name_of(engine));
+  const button = h("button", { type: "button", title: "Show it alone in all charts; then others beside it", "aria-pressed": pressed }, legend_mark(engine), name_of(engine), execution_of(engine));
   chooser.set(button, { engine, few });
   button.addEventListener("click", () => toggle(engine.label));
   return h("li", {}, button);

@@ -3,7 +3,7 @@
 import { show, type View } from "../address";
 import { h, slug, type Child } from "../dom";
 import { number, percent, ratio_text } from "../format";
-import type { Case, Engine, Entry, Model } from "../model";
+import { mark_of, type Case, type Engine, type Entry, type Model } from "../model";
 import { badge, gauge, ruler } from "../pieces";
 
 export interface Measure {
@@ -47,7 +47,7 @@ export const measures: readonly [Measure, ...Measure[]] = [
   },
   {
     name: "time per step",
-    about: "Each number is the time of the engine\u2019s own step, the median over the repetitions.",
+    about: "Each number is the time of the engine\u2019s own step, the median over the repetitions. Under its name stands how its code runs, if that is not native: WebAssembly, compiled just in time (JIT), or interpreted.",
     ...plain(({ timing }) => timing?.step_us, "\u00b5s"),
   },
   {
@@ -60,12 +60,13 @@ export const measures: readonly [Measure, ...Measure[]] = [
 export interface Key {
   id: string;
   name: string;
+  mark?: string; // how an engine's code runs, if that is not native
 }
 
 const largest: Key = { id: "largest", name: "largest in the row" };
 const scenario: Key = { id: "scenario", name: "scenario" };
 const variant: Key = { id: "case", name: "case" };
-const key_of = ({ label }: Engine): Key => ({ id: `of ${label}`, name: label });
+const key_of = (engine: Engine): Key => ({ id: `of ${engine.label}`, name: engine.label, mark: mark_of(engine) });
 
 export const keys = (engines: Engine[]): Key[] => [scenario, variant, largest, ...engines.map(key_of)];
 
@@ -124,7 +125,8 @@ function head(key: Key, view: View): HTMLTableCellElement {
   const { id, down } = sorting(view);
   const mine = id === key.id;
   const sign = h("span", { class: "direction", "aria-hidden": "true" }, mine ? (down ? "\u25be" : "\u25b4") : "\u25b4");
-  const button = h("button", { type: "button", ...(mine ? { class: "sorted" } : {}) }, key.name, sign);
+  const mark = key.mark ? h("small", { class: "execution" }, key.mark) : null;
+  const button = h("button", { type: "button", ...(mine ? { class: "sorted" } : {}) }, key.name, mark, sign);
   button.addEventListener("click", () => {
     const next = new URLSearchParams(view);
     if (mine && !down) next.set("sort", `-${key.id}`);

@@ -35,7 +35,10 @@ function entries(pairs: [string, string][], kind: string): HTMLElement {
 }
 
 const described = (notes: EngineNote[]): [string, string][] =>
-  notes.map(({ name, about, source }) => [name, source ? `${about}. ${source}` : about]);
+  notes.map(({ name, about, source, word, language, execution, exact }) => {
+    const code = exact ? "" : [language, execution].filter((part) => part).join(", ");
+    return [name, [about, source, code, word ? `--engine ${shell([word])}` : ""].filter((part) => part).join(". ")];
+  });
 
 /** "runs_s" is in seconds; a name without a unit is a share. */
 const clock_entry = ([name, value]: [string, number | null]): [string, string] =>

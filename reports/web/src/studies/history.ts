@@ -130,8 +130,8 @@ export function history(study: Study): StudyView {
   const rows = rows_of(model);
   const labels = [...new Set(model.trends.map(({ engine }) => engine))];
   const look_of = looks(labels);
-  const engines = new Map(labels.map((label): [string, Engine] => [label, { label, engine: label, method: "", exact: false, ...look_of(label) }]));
-  const engine_of = (label: string): Engine => engines.get(label) ?? { label, engine: label, method: "", exact: false, ...look_of(label) };
+  const engines = new Map(labels.map((label): [string, Engine] => [label, { label, engine: label, method: "", exact: false, execution: "", ...look_of(label) }]));
+  const engine_of = (label: string): Engine => engines.get(label) ?? { label, engine: label, method: "", exact: false, execution: "", ...look_of(label) };
   const panels = panels_of(model.trends);
   const scenarios = [...new Set(panels.map(({ scenario }) => scenario))];
   return {

@@ -2,13 +2,13 @@
 // lines, and the orders of convergence.
 import { legend } from "../charts/look";
 import type { Study } from "../data";
-import type { StudyView } from "../model";
+import { timed_label, unlike, type StudyView } from "../model";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, given, number, step_word, time_step } from "../format";
 import { command, copy, copy_button, run_command } from "../pieces";
 import { equal_error_chart, work_precision } from "./speed_charts";
-import { factors_over, few_of, headline_target, ranking, speed_model, target_name, type OrderRow, type Reading, type SpeedCase, type SpeedMark, type SpeedModel } from "./speed_model";
+import { factors_over, few_of, headline_target, ranking, speed_model, target_name, type Failure, type OrderRow, type Reading, type SpeedCase, type SpeedMark, type SpeedModel } from "./speed_model";
 
 function line_of(item: SpeedCase, { engine, setting, dt }: SpeedMark): string {
   const { scenario, variant, truth } = item;
@@ -20,7 +20,7 @@ function chosen_run(item: SpeedCase): { element: HTMLElement; choose: (mark: Spe
   const element = h("div", { class: "chosen" }, h("p", { class: "basis" }, "Click a point to copy its command line."));
   const choose = (mark: SpeedMark): void => {
     const line = line_of(item, mark);
-    const status = h("p", { class: "basis", role: "status" }, `${mark.engine.label}, step ${time_step(mark.dt)}`);
+    const status = h("p", { class: "basis", role: "status" }, `${timed_label(mark.engine)}, step ${time_step(mark.dt)}`);
     element.replaceChildren(status, command(line));
     void copy(line).then((copied) => copied && status.append(": copied"));
   };
@@ -41,7 +41,7 @@ function row(item: SpeedCase, mark: SpeedMark): HTMLTableRowElement {
     ["time per simulated second", number(mark.time * 1e6, "\u00b5s")],
     ["command line", h("span", {}, on_paper(line), copy_button(line))],
   ];
-  return h("tr", {}, h("th", { scope: "row" }, mark.engine.label), ...cells.map(([head, cell]) => h("td", { "data-label": head }, cell)));
+  return h("tr", {}, h("th", { scope: "row" }, timed_label(mark.engine)), ...cells.map(([head, cell]) => h("td", { "data-label": head }, cell)));
 }
 
 function all_runs(item: SpeedCase): HTMLElement {
@@ -74,7 +74,7 @@ function readings(caption: string, item: SpeedCase, columns: Column[], unit: (va
     h(
       "tr",
       {},
-      h("th", { scope: "row" }, engine.label),
+      h("th", { scope: "row" }, timed_label(engine)),
       ...shown.map((column, index) => {
         const found = column.readings[row] ?? null;
         return reading(found, unit, found?.value === least[index], column.head);
@@ -88,9 +88,10 @@ function readings(caption: string, item: SpeedCase, columns: Column[], unit: (va
 function winner(item: SpeedCase, target: number, error: number): string {
   const [best, next] = ranking(item, target);
   if (!best) return `Nothing gets within ${target_name(error)}.`;
-  const never = item.curves.filter(({ engine, time_for_error }) => !time_for_error[target] && !engine.label.includes(":")).map(({ engine }) => engine.label);
-  const second = next ? `; next is ${next.engine.label}, ${number(next.time / best.time, "", 2)} times that` : "";
-  return `${best.engine.label} is the fastest to ${target_name(error)}: ${duration(best.time)} for a simulated second${second}.${never.length ? ` Never that accurate: ${enumerate(never)}.` : ""}`;
+  const never = item.curves.filter(({ engine, time_for_error }) => !time_for_error[target] && !engine.label.includes(":")).map(({ engine }) => timed_label(engine));
+  const kinds = next && next.engine.execution !== best.engine.execution ? ", but the two run differently: no factor of method alone" : "";
+  const second = next ? `; next is ${timed_label(next.engine)}, ${number(next.time / best.time, "", 2)} times that${kinds}` : "";
+  return `${timed_label(best.engine)} is the fastest to ${target_name(error)}: ${duration(best.time)} for a simulated second${second}.${never.length ? ` Never that accurate: ${enumerate(never)}.` : ""}`;
 }
 
 /** The time of each method to each error target, of one case. */
@@ -181,7 +182,7 @@ function overall(model: SpeedModel): HTMLElement {
     h(
       "tr",
       {},
-      h("th", { scope: "row" }, engine.label),
+      h("th", { scope: "row" }, timed_label(engine)),
       ...every.map(({ head, factors }) => {
         const { median, reached = 0, fastest = 0 } = factors[row] ?? {};
         const text = typeof median === "number" ? `${number(median, "", 2)}\u00d7 in ${reached}${fastest ? `, fastest in ${fastest}` : ""}` : "never";
@@ -193,7 +194,7 @@ function overall(model: SpeedModel): HTMLElement {
     "section",
     { id: "overall" },
     h("h2", {}, `To ${name}`),
-    h("p", { class: "lede" }, rule),
+    h("p", { class: "lede" }, rule, " ", unlike(model.cases.flatMap(({ curves }) => curves.map(({ engine }) => engine)))),
     equal_error_chart(name, factors_over(model.cases, target), "all cases"),
     table(`Time / that of the fastest: the median over the cases, of ${model.cases.length}, in which a method gets there`, ["method", ...every.map(({ head }) => head)], rows, "numbers"),
   );
@@ -208,8 +209,13 @@ function sentence(model: SpeedModel): string {
   const factors = factors_over(model.cases, target);
   const [best] = [...factors].sort((a, b) => b.fastest - a.fastest);
   if (!best?.fastest) return `No method gets within ${target_name(error)} in any of ${count(model.cases.length, "case")}.`;
-  const there = factors.filter(({ engine }) => !engine.label.includes(":")).map(({ engine, reached }) => `${engine.label} in ${reached}`);
-  return `To ${target_name(error)}, ${best.engine.label} is the fastest in ${best.fastest} of ${count(model.cases.length, "case")}. Cases in which an engine gets there: ${enumerate(there)}.`;
+  const there = factors.filter(({ engine }) => !engine.label.includes(":")).map(({ engine, reached }) => `${timed_label(engine)} in ${reached}`);
+  return `To ${target_name(error)}, ${timed_label(best.engine)} is the fastest in ${best.fastest} of ${count(model.cases.length, "case")}. Cases in which an engine gets there: ${enumerate(there)}.`;
+}
+
+function failed(failures: Failure[]): HTMLElement {
+  const text = ({ engine, failed, jobs, first, why }: Failure): string => `${engine} failed in ${failed} of ${count(jobs, "job")}, first in ${first}: ${why}`;
+  return h("section", { id: "failures" }, h("h2", {}, "Engines that failed"), h("ul", {}, ...failures.map((one) => h("li", {}, text(one)))));
 }
 
 export function speed(study: Study): StudyView {
@@ -234,6 +240,7 @@ export function speed(study: Study): StudyView {
         ),
       })),
       { id: "orders", name: "Orders", content: () => orders(model) },
+      ...(model.failures.length ? [{ id: "failures", name: "Failures", content: () => failed(model.failures) }] : []),
       ...(absent ? [{ id: "absent", name: "Without truth", content: () => h("section", { id: "absent" }, h("h2", {}, "Without a truth"), absent) }] : []),
     ],
   };

@@ -5,6 +5,7 @@ import { figure } from "../charts/figure";
 import { decades, dot_look, error_axes, line_look, name_axis, plot_look, tip_look } from "../charts/look";
 import { chosen, type Few } from "../chosen";
 import { number, time_step } from "../format";
+import { timed_label } from "../model";
 import { target_name, type Factor, type SpeedCase, type SpeedMark } from "./speed_model";
 
 const height = 460;
@@ -81,7 +82,7 @@ const row_height = 26;
 
 const factor_text = ({ engine, median, low, high, reached, cases, fastest }: Factor): string =>
   [
-    engine.label,
+    timed_label(engine),
     `${number(median, "", 2)} times the fastest, middle half ${number(low, "", 2)} to ${number(high, "", 2)}`,
     `gets there in ${reached} of ${cases} cases, the fastest in ${fastest}`,
   ].join("\n");
@@ -89,9 +90,9 @@ const factor_text = ({ engine, median, low, high, reached, cases, fastest }: Fac
 /** The time of each method over the fastest one's, to an error (`target`, as "1 mm"): median and middle half over cases; `over` names them, as "all cases". */
 export function equal_error_chart(target: string, factors: Factor[], over: string): HTMLElement {
   const found = factors.filter(({ median }) => median !== null).sort((a, b) => b.reached - a.reached || (a.median ?? 0) - (b.median ?? 0));
-  const never = factors.filter(({ median }) => median === null).map(({ engine }) => engine.label);
+  const never = factors.filter(({ median }) => median === null).map(({ engine }) => timed_label(engine));
   const height = 70 + row_height * found.length;
-  const name = ({ engine, reached, cases }: Factor) => `${engine.label}  ${reached}/${cases}`;
+  const name = ({ engine, reached, cases }: Factor) => `${timed_label(engine)}  ${reached}/${cases}`;
   const draw = (width: number) => {
     const values = found.flatMap(({ low, high }) => [low ?? 1, high ?? 1]);
     const { domain, ticks } = decades([1, ...values]);

@@ -28,7 +28,7 @@ export interface SpeedCurve {
   time_for_error: (Reading | null)[];
   time_for_scale: (Reading | null)[];
   error_for_time: (Reading | null)[];
-  least_error: number; // m
+  least_error: number | null; // m; null if it never ran to the end
 }
 
 export interface SpeedCase {
@@ -66,6 +66,16 @@ export interface SpeedModel {
   cases: SpeedCase[];
   orders: OrderRow[];
   without_truth: string[];
+  failures: Failure[];
+}
+
+/** An engine that failed in some jobs, which the tables then lack. */
+export interface Failure {
+  engine: string;
+  failed: number; // jobs
+  jobs: number;
+  first: string; // of them
+  why: string;
 }
 
 interface Values {
@@ -93,7 +103,7 @@ interface Timings {
     variant: string;
     front: string[];
     scale: number;
-    engines: { engine: string; front: string[]; time_for_error: (Reading | null)[]; time_for_scale: (Reading | null)[]; error_for_time: (Reading | null)[]; least_error: number }[];
+    engines: { engine: string; execution: string; front: string[]; time_for_error: (Reading | null)[]; time_for_scale: (Reading | null)[]; error_for_time: (Reading | null)[]; least_error: number | null }[];
   }[];
 }
 
@@ -106,13 +116,14 @@ interface Time {
 
 export function speed_model(study: Study): SpeedModel {
   const timings = study.timings as unknown as Timings;
-  const findings = study.findings as unknown as { order_tolerance: number; orders: OrderRow[] };
+  const findings = study.findings as unknown as { order_tolerance: number; orders: OrderRow[]; failures: Failure[] };
   const engines = new Map<string, Engine>();
   const look_of = looks(timings.cases.flatMap((one) => one.engines.map(({ engine }) => engine)));
+  const execution = new Map(timings.cases.flatMap((one) => one.engines.map((made) => [made.engine, made.execution] as const)));
   const engine_of = (label: string, engine: string, method: string): Engine => {
     const known = engines.get(label);
     if (known) return known;
-    const made = { label, engine, method, exact: false, ...look_of(label) };
+    const made = { label, engine, method, exact: false, execution: execution.get(label) ?? "not stated", ...look_of(label) };
     engines.set(label, made);
     return made;
   };
@@ -167,6 +178,7 @@ export function speed_model(study: Study): SpeedModel {
     cases,
     orders: findings.orders,
     without_truth: [...without_truth],
+    failures: findings.failures,
   };
 }
 

@@ -10,7 +10,7 @@ import { best_of, is_absent, stability_model, typical_row, type Axis, type Brack
 /** "26.57 deg (26.58: drifts)" */
 function limit_text(x: Axis, { low, high, outcome }: Bracket, why: string): string {
   if (low === null && high === null) return "not supported";
-  if (low === null) return `none (${outcome})`;
+  if (low === null) return `none (${outcome}${outcome === "fails" ? `: ${why}` : ""})`;
   const value = given(low, x.unit, 4);
   if (high === null) return why ? `${value}, more is not supported` : `${value} and more`;
   return `${value} (${given(high, "", 4)}: ${outcome})`;

@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { figure } from "../charts/figure";
 import { name_axis, plot_look, tip_look } from "../charts/look";
 import type { Study } from "../data";
-import type { StudyView } from "../model";
+import { timed_label, type StudyView } from "../model";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, given, number, words } from "../format";
@@ -63,6 +63,7 @@ interface Statistics {
 interface Cost {
   ensemble: string;
   engine: string;
+  execution: string;
   seconds: number;
 }
 
@@ -127,7 +128,7 @@ function numbers(ensemble: Ensemble): HTMLElement {
 function costs_of(ensemble: Ensemble, costs: Cost[]): HTMLElement | null {
   const own = costs.filter((cost) => cost.ensemble === ensemble.name);
   if (!own.length) return null;
-  return h("p", { class: "absence" }, `Computing time of a run: ${enumerate(own.map(({ engine, seconds }) => `${engine} ${number(seconds, "s", 2)}`))}.`);
+  return h("p", { class: "absence" }, `Computing time of a run: ${enumerate(own.map(({ engine, execution, seconds }) => `${timed_label({ label: engine, execution })} ${number(seconds, "s", 2)}`))}.`);
 }
 
 function ensemble_section(ensemble: Ensemble, costs: Cost[]): HTMLElement {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "../../../reference/programs/faults.h"
 #include "scene_files.h"
 
 namespace plumb::check_test {
@@ -40,6 +41,25 @@ TEST_F(CheckAndAccept, PassesWhatWasJustAccepted) {
   const std::string before = text(at("base.json"));
   EXPECT_THAT(say({"accept", "--baseline", at("base.json")}).out, StartsWith("as accepted: 4 runs, to the bit\n"));
   EXPECT_EQ(text(at("base.json")), before) << "the same bytes";
+}
+
+TEST_F(CheckAndAccept, NamesProgramsAsTheyWereNamed) {
+  const std::string word = faulty_program(PLUMB_SOURCE_DIR, "none") + ":knob=2";
+  const Said accepted = say({"accept", "spinning-obb:free-fall", "--engine", word, "--baseline", at("base.json")});
+  EXPECT_EQ(accepted.code, 0) << accepted.err;
+  const Said checked = say({"check", "--baseline", at("base.json")});
+  EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
+  EXPECT_THAT(checked.out, StartsWith("as accepted: 2 runs"));
+}
+
+TEST_F(CheckAndAccept, AcceptsThatAnEngineFails) {
+  for (const char* fault : {"states-nonsense", "crashes-when-asked-how"}) {
+    const Said accepted = say({"accept", "spinning-obb:free-fall", "--engine", faulty_program(PLUMB_SOURCE_DIR, fault),
+                               "--engine", "impulse", "--baseline", at("base.json")});
+    EXPECT_EQ(accepted.code, 0) << fault << ": " << accepted.err;
+    EXPECT_EQ(say({"check", "--baseline", at("base.json")}).code, 0) << fault;
+    fs::remove(at("base.json"));
+  }
 }
 
 TEST_F(CheckAndAccept, PrintsJsonOrNothingIfAsked) {

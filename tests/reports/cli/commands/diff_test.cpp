@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "../../../reference/programs/faults.h"
 #include "../../saying.h"
 
 namespace plumb::diff_test {
@@ -79,6 +80,17 @@ TEST_F(DiffCommand, HoldsAnEngineAgainstTheTruthAtAnyStep) {
   EXPECT_GT(near["largest"]["difference"], 0);
   EXPECT_EQ(diff({"pendulum", "exact", "impulse", "--dt", "1/240", "--tolerance", "0"}, 1)["divergence"]["body"],
             "rod");
+}
+
+TEST_F(DiffCommand, ExitsWith1IfAnEngineFailsBeforeItsFirstStep) {
+  for (const char* fault : {"crashes-in-build", "crashes-when-asked-how"}) {
+    const std::string program = faulty_program(PLUMB_SOURCE_DIR, fault);
+    const Json found = diff({"spinning-obb:free-fall", "impulse", program}, 1);
+    EXPECT_EQ(found["steps"], 0) << fault;
+    ASSERT_EQ(found["failed"].size(), 1u) << fault;
+    EXPECT_EQ(found["failed"][0]["engine"], program);
+    EXPECT_THAT(found["failed"][0]["reason"].get<std::string>(), HasSubstr("ended by signal 11")) << fault;
+  }
 }
 
 TEST_F(DiffCommand, TakesSceneFiles) {

@@ -30,6 +30,18 @@ TEST(Help, SuggestsTheNearestWord) {
   EXPECT_THAT(said.err, HasSubstr("did you mean \"tolerance\"?"));
 }
 
+// With no engine of npm installed.
+TEST(Show, SaysHowToInstallAnEngineOfNpm) {
+  setenv("XDG_DATA_HOME", (::testing::TempDir() + "/no-engines").c_str(), 1);
+  for (const char* command : {"show", "help"}) {
+    const Said said = say({command, "rapier"});
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_THAT(said.out, AllOf(HasSubstr("Rapier"), HasSubstr("not installed: plumb engine add rapier"))) << command;
+  }
+  EXPECT_THAT(say({"completion", "bash"}).out,
+              HasSubstr("'engine add') words='--help --prefix box2d3 matter planck rapier'"));
+}
+
 TEST(Show, HasAScenariosQuestionParametersAndAnswer) {
   const Said said = say({"show", "slope"});
   EXPECT_EQ(said.code, 0);

@@ -214,6 +214,19 @@ TEST(FreeMotionInvariant, KnowsThatASmallVelocityMayBeADifferenceOfLargerOnes) {
   EXPECT_EQ(status("free_motion", scene, stopped(1e-13), exact), CheckStatus::broken);
 }
 
+// 64 u of 9 m over a step of 0.01 s.
+TEST(FreeMotionInvariant, KnowsThatAVelocityMayBeADifferenceOfPositions) {
+  const Scene scene = box_on_ground();
+  const auto thrown = [&](double gained) {
+    return forged(dt, {{box_at({0, 9}, {0, 1})}, {box_at({0, 9.01}, {0, 1 + gained})}});
+  };
+  Stepping stepping = exact;
+  EXPECT_EQ(status("free_motion", scene, thrown(2e-12), stepping), CheckStatus::broken);
+  stepping.differenced_velocities = true;
+  EXPECT_EQ(status("free_motion", scene, thrown(2e-12), stepping), CheckStatus::held);
+  EXPECT_EQ(status("free_motion", scene, thrown(1e-10), stepping), CheckStatus::broken);
+}
+
 // Places rounded to u X of 2 m change the energy of a swinging bar by m g u X in each sub-step, and near its turning
 // point that is much of its speed. Gravity that is 2 % wrong shows all the same.
 TEST(FreeMotionInvariant, KnowsThatJointsRoundPlacesAndSoTheEnergy) {

@@ -59,6 +59,21 @@ TEST(RestInvariant, ForbidsBodiesAtRestToCreep) {
   EXPECT_EQ(status("rest", scene, lying({0.0054, 0}), creeping), CheckStatus::held);
 }
 
+// A spring under a box closes or opens as its load shifts.
+TEST(RestInvariant, LetsContactsThatAreSpringsMoveByTheirDepth) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  const auto sunk = [](double by) {
+    std::vector<Moment> moments(150, {box_at({0, 0.494})});
+    moments.resize(300, {box_at({by, 0.494})});
+    return forged(dt, moments);
+  };
+  Stepping springs = first_order;
+  EXPECT_EQ(status("rest", scene, sunk(0.0055), springs), CheckStatus::broken);
+  springs.contact_frequency = 30;
+  EXPECT_EQ(status("rest", scene, sunk(0.0055), springs), CheckStatus::held);
+  EXPECT_EQ(status("rest", scene, sunk(0.0065), springs), CheckStatus::broken);
+}
+
 TEST(RestInvariant, LetsBodiesSlideWhereFrictionAllButHoldsThem) {
   const auto tilted = [](double slope) { return box_on_ground(0.5, {10 * slope, -10}); };
   EXPECT_TRUE(checked("rest", tilted(0.499), lying({}), first_order).has_value());

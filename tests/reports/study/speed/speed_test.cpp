@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "../../../reference/programs/faults.h"
 #include "../study_files.h"
 #include "reports/study/job.h"
 #include "reports/study/study.h"
@@ -124,11 +125,13 @@ JobResult fake(const std::string& engine, double dt, double time, double error) 
           .output = {{{"scenario", "s"},
                       {"variant", "v"},
                       {"engine", engine},
+                      {"execution", engine == "half" ? "WebAssembly" : "native"},
                       {"method", ""},
                       {"option", ""},
                       {"setting", ""},
                       {"standard", true},
                       {"dt", dt},
+                      {"status", "ok"},
                       {"order", 0},
                       {"truth_error", 0.0},
                       {"scale", 2.0},
@@ -180,8 +183,36 @@ TEST(SpeedFindings, SayThatAMethodNeverGetsThereInsteadOfCountingWhatItReaches) 
 TEST(SpeedFindings, NameTheFastestToAMillimetreFirst) {
   EXPECT_THAT(
       three_engines().text,
-      ::testing::StartsWith("s, v: half is the fastest to 1 mm: 500 ms for a simulated second; next is box2d, 2 "
-                            "times that.\nNever that accurate: coarse.\n"));
+      ::testing::StartsWith("s, v: half (WebAssembly) is the fastest to 1 mm: 500 ms for a simulated second; next is "
+                            "box2d, 2 times that, but the two run differently: no factor of method alone.\nNever that "
+                            "accurate: coarse.\n"));
+}
+
+TEST(SpeedFindings, TellTimesApartByHowCodeRuns) {
+  const Findings found = three_engines();
+  EXPECT_EQ(row_of(found.timings.at("targets")[1], "half").at("execution"), "WebAssembly");
+  EXPECT_THAT(found.text, ::testing::HasSubstr("\n  half (WebAssembly) "));
+  EXPECT_THAT(found.text, ::testing::HasSubstr("factors between them are not of the methods alone"));
+}
+
+TEST(SpeedStudy, ShowsAnEngineThatFailsEverywhere) {
+  for (const char* fault : {"crash", "crashes-when-asked-how"}) {
+    const Json asked =
+        configuration({"spring"}, {"impulse:solver=xpbd", faulty_program(PLUMB_SOURCE_DIR, fault)}, {"1/30", "1/60"});
+    const auto results = results_of(asked);
+    const Findings found = Catalog<Study>::find("speed")->plan(asked).conclude(results);
+    EXPECT_THAT(found.text, ::testing::HasSubstr(" failed in 12 of 12 jobs, first in spring/")) << fault;
+    EXPECT_THAT(found.text, ::testing::HasSubstr("ended by signal 11")) << fault;
+    EXPECT_EQ(found.findings.at("failures")[0].at("failed"), 12) << fault;
+  }
+}
+
+TEST(SpeedStudy, TakesTheLadderOfAProgramFromItsOptions) {
+  const Json asked = configuration({"bounce:e=0.5"}, {faulty_program(PLUMB_SOURCE_DIR, "none")}, {"1/60"});
+  std::vector<std::string> keys;
+  for (const Job& job : Catalog<Study>::find("speed")->plan(asked).jobs) keys.push_back(job.key);
+  EXPECT_THAT(keys, ::testing::ElementsAre(::testing::HasSubstr("|knob=0|"), ::testing::HasSubstr("|knob=1|"),
+                                           ::testing::HasSubstr("|knob=2|")));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <map>
 
+#include "../../../reference/programs/faults.h"
 #include "../study_files.h"
 #include "reports/study/results_file.h"
 #include "reports/study/study.h"
@@ -70,6 +71,18 @@ TEST_F(StabilityStudy, ConcludesTheLimitOfEachMethod) {
   EXPECT_EQ(map.at("agreements")[0].at("agree"), 5);
   EXPECT_EQ(map.at("agreements")[1].at("rows"), 4) << "a crashed row does not count";
   EXPECT_THAT(found.text, HasSubstr("1 crashed"));
+}
+
+TEST_F(StabilityStudy, SaysWhyAnEngineFails) {
+  for (const char* fault : {"crashes-in-build", "crashes-when-asked-how"}) {
+    const StudyPlan slope = plan(configuration({"slope"}, {faulty_program(PLUMB_SOURCE_DIR, fault)}));
+    std::vector<JobResult> results;
+    for (const Job& job : slope.jobs) results.push_back({.key = job.key, .output = job.run()});
+    const Findings found = slope.conclude(results);
+    EXPECT_THAT(found.text, HasSubstr("none: fails")) << fault;
+    EXPECT_THAT(found.text, HasSubstr(" failed in 5 of 5 jobs, first in slope: ")) << fault;
+    EXPECT_THAT(found.text, HasSubstr("ended by signal 11")) << fault;
+  }
 }
 
 TEST_F(StabilityStudy, RefusesUnknownNamesAndSuggestsTheNearest) {
