@@ -80,7 +80,7 @@ function changes(model: HistoryModel, rows: Row[]): HTMLElement {
     h(
       "p",
       { class: "lede" },
-      `Numbers that repeat to the bit change exactly. Times scatter: a change is reported if fewer than ${number(100 * model.level, "%", 1)} of random permutations of the same values show it (E-divisive), so about ${number(times * model.level, "", 1)} of the ${times} series of times look changed by chance. ${count(model.unchanged, "other number")} never changed.${rest}`,
+      `All numbers but times are exact: any difference is a change. Times scatter: a change is reported if fewer than ${number(100 * model.level, "%", 1)} of random permutations of the same values show it (E-divisive), so about ${number(times * model.level, "", 1)} of the ${times} series of times look changed by chance. ${count(model.unchanged, "other number")} never changed.${rest}`,
     ),
     rows.length
       ? table("Changes, the newest first", ["since", "case", "engine", "metric", "before", "after", "by", "certainty"], cells)
