@@ -21,9 +21,10 @@ enum class Status { ok, failed, not_supported };
 /// was checked could have failed.
 enum class Verdict { right, coarse, wrong, plausible, no_evidence, beyond_horizon, not_supported, failed };
 
-/// The state of a check. held: within its tolerance. not_reported: the engine does not report what the check needs;
-/// never a pass.
-enum class CheckStatus { held, broken, not_reported };
+/// The state of a check. held: within its tolerance. not_reported: the engine does not report what the check needs.
+/// not_applicable: nothing in the run asks the question, such as a law of contacts where nothing touches. The last two
+/// are never a pass.
+enum class CheckStatus { held, broken, not_reported, not_applicable };
 
 /// "ok", "failed", "not supported".
 const char* name_of(Status);
@@ -31,7 +32,7 @@ const char* name_of(Status);
 /// "right", "coarse", "wrong", "plausible", "no evidence", "beyond horizon", "not supported", "failed".
 const char* name_of(Verdict);
 
-/// "held", "broken", "not reported".
+/// "held", "broken", "not reported", "not applicable".
 const char* name_of(CheckStatus);
 
 /// error / tolerance: 0 where the error is 0 or negative, infinity where the tolerance is 0 or either is not finite.
@@ -106,6 +107,8 @@ double relative_error(const TruthCheck&);
 /// Whether the check was reported and its tolerance is small enough to fail a wrong engine.
 bool is_evidence(const TruthCheck&);
 /// Whether the invariant was tested: something happened by which a wrong engine would have broken it.
+/// Whether the invariant was held or broken.
+bool is_judged(const InvariantCheck&);
 bool is_evidence(const InvariantCheck&);
 
 /// The largest relative_error of a run's reported checks; nullopt if there is none.

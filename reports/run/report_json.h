@@ -15,7 +15,7 @@
 namespace plumb {
 
 /// Version of report.json. It grows when a reader of the previous version would misread the new one.
-constexpr int report_format = 3;
+constexpr int report_format = 4;
 
 /// Reads the runs with their metrics, checks and times, the engines, the environment and the command of a report.json
 /// of this version or an older one. Scenes, traces, comparisons and notes on other names are left out.

@@ -27,7 +27,7 @@ export interface TruthCheck {
   unit: string;
 }
 
-const statuses = ["held", "broken", "not reported"] as const;
+const statuses = ["held", "broken", "not reported", "not applicable"] as const;
 export type CheckStatus = (typeof statuses)[number];
 
 /** An invariant over a run, at the moment of its largest error. */
@@ -217,7 +217,7 @@ export interface Page {
 }
 
 /** The format of report.json this page reads. */
-const format = 3;
+const format = 4;
 
 const measured = record({ value: number, unit: text });
 const of_case = { scenario: text, variant: text };

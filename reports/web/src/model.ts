@@ -71,10 +71,13 @@ export const ratio_of = ({ ratio }: TruthCheck | InvariantCheck): number => rati
 
 function worst(run: Run): number {
   const truth = reported(run).map(ratio_of);
-  const invariants = run.invariants.filter(({ status }) => status !== "not reported").map(ratio_of);
+  const invariants = run.invariants.filter(is_judged).map(ratio_of);
   const all = [...truth, ...invariants];
   return all.length ? Math.max(...all) : NaN;
 }
+/** Whether an invariant was held or broken. */
+export const is_judged = ({ status }: InvariantCheck): boolean => status === "held" || status === "broken";
+
 
 /** error / scale of a check; infinite for an unknown scale or an error that is not finite. */
 export const relative_of = ({ relative_error }: TruthCheck): number => relative_error ?? Infinity;

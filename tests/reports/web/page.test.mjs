@@ -144,7 +144,7 @@ test("the invariants have a row for each run, and a broken one says where", asyn
   const { page, trouble } = await open(await write(data));
   const table = page.locator('[aria-label="Invariants"]');
   await until(() => table.count(), 3);
-  assert.match(await table.first().textContent(), /impulse[^]*0\.25[^]*not reported/);
+  assert.match(await table.first().textContent(), /impulse[^]*not applicable[^]*0\.25[^]*not reported/);
   assert.match(await table.last().textContent(), /5\.00[^]*of floor - box 1 at/);
   assert.match(await page.locator("#stacking--10-boxes--impulse").textContent(), /Largest error \/ tolerance 5\.00: push/);
   assert.deepEqual(trouble, []);
@@ -193,7 +193,7 @@ test("print has every chart and every table, none wider than the page", async ()
 const damages = {
   "no report at all": ["", /the page holds no report/],
   "a report that is cut off": [JSON.stringify(sample()).slice(0, 999), /the report is not JSON/],
-  "a report of another format": [{ ...sample(), report: { ...sample().report, plumb: 7 } }, /of format 7, this page reads format 3/],
+  "a report of another format": [{ ...sample(), report: { ...sample().report, plumb: 7 } }, /of format 7, this page reads format 4/],
   "a report without its runs": [{ ...sample(), report: { ...sample().report, runs: undefined } }, /report\.runs: expected a list, found nothing/],
   "an older report, from before invariants": [damaged((page) => page.report.runs.forEach((run) => delete run.invariants)), /report\.runs\[0\]\.invariants: expected a list, found nothing/],
   "a run whose step is text": [damaged((page) => (page.report.runs[1].dt = "1/60")), /report\.runs\[1\]\.dt: expected a number, found a string/],

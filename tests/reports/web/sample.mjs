@@ -38,6 +38,7 @@ function fall(height, engine) {
     truth: engine.exact ? [] : [check],
     invariants: [
       { name: "energy", unit: "J", status: "held", value: 0.1, tolerance: 0.4, ratio: 0.25, evidence: true, time: 1.5, where: "" },
+      { name: "bouncing", unit: "m/s", status: "not applicable", value: 0, tolerance: 0, ratio: 0, evidence: false, time: 0, where: "" },
       { name: "push", unit: "N s", status: "not reported", value: 0, tolerance: 0, ratio: 0, evidence: false, time: 0, where: "" },
     ],
     series: {
@@ -89,7 +90,7 @@ const key_differences = (found) => ({ energy: none, momentum: none, angular_mome
 export function sample(scenario = "free-fall") {
   const page = {
     report: {
-      plumb: 3,
+      plumb: 4,
       title: "Canonical scenarios",
       command: ["./plumb", "report"],
       environment: { compiler: "GCC 12.2.0", build: "Release", box2d: "2.4.1" },

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 TEST(Json, HasWhatTheFormatPromises) {
   const Json report = to_json(sample_report());
-  EXPECT_EQ(report["plumb"], 3);
+  EXPECT_EQ(report["plumb"], 4);
   EXPECT_EQ(report["environment"]["compiler"], "some");
   const Json& run = report["runs"][1];
   for (const char* key : {"scenario", "parameters", "engine", "method", "dt", "status", "reason", "metrics", "truth",

@@ -4,7 +4,7 @@ import type { EngineNote, InvariantCheck, TruthCheck, Verdict } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, given, number, percent, ratio_text, to_within, words } from "../format";
-import { ratio_of, relative_of, reported, type Case, type Entry } from "../model";
+import { is_judged, ratio_of, relative_of, reported, type Case, type Entry } from "../model";
 import { badge, gauge, right_share, ruler } from "../pieces";
 
 interface Reading {
@@ -107,7 +107,7 @@ function largest_error({ value, tolerance, unit, where, time, detail }: Invarian
 function cell(name: string, check: InvariantCheck | undefined): HTMLTableCellElement {
   const attributes = { "data-label": words(name) };
   if (!check) return h("td", attributes, "does not apply");
-  if (check.status === "not reported") return h("td", attributes, "not reported");
+  if (!is_judged(check)) return h("td", attributes, check.status);
   const title = largest_error(check);
   return h("td", attributes, tolerated(check, title), check.status === "broken" ? h("span", { class: "reason" }, title) : null);
 }
@@ -155,7 +155,7 @@ function findings_of({ run }: Entry): Finding[] {
     text: `${subject_of(check)}, error ${number(check.error, check.unit, 2)}, tolerance ${number(check.tolerance, check.unit, 2)}`,
   }));
   const invariants = run.invariants
-    .filter(({ status }) => status !== "not reported")
+    .filter(is_judged)
     .map((check) => ({ ratio: ratio_of(check), text: `${words(check.name)}, ${largest_error(check)}` }));
   return [...truth, ...invariants];
 }
