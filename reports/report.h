@@ -76,6 +76,7 @@ struct InvariantCheck {
   double scale = 0;         // what an engine without the law would show, in the same unit; 0: nothing tested it
   double time = 0;          // s
   std::string where;        // body, or "a - b"; "" for the whole scene
+  int phases = 1;           // runs with shifted steps, of which it is the worst
   std::string detail = {};  // of a metamorphic relation: what was compared, and why that much may differ
 };
 

@@ -61,6 +61,7 @@ Json of(const InvariantCheck& check) {
             {"evidence", is_evidence(check)},
             {"time", check.time},
             {"where", check.where}};
+  if (check.phases > 1) json["phases"] = check.phases;
   if (!check.detail.empty()) json["detail"] = check.detail;
   return json;
 }

@@ -41,6 +41,7 @@ export interface InvariantCheck {
   evidence: boolean; // false if nothing in the run tested it
   time: number;
   where: string;
+  phases?: number; // runs with shifted steps, of which it is the worst; absent for a single run
   detail?: string; // of a metamorphic relation: what was compared, and why that much may differ
 }
 
@@ -284,6 +285,7 @@ const report_rule = record({
           time: finite,
           where: text,
           detail: optional(text),
+          phases: optional(finite),
         }),
       ),
       verdict: one_of(...verdicts),

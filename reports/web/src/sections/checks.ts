@@ -99,9 +99,10 @@ export function checks(item: Case): HTMLElement | null {
 }
 
 /** "0.012 N s of ground - box at 0.5 s, tolerance 0.003 N s" */
-function largest_error({ value, tolerance, unit, where, time, detail }: InvariantCheck): string {
+function largest_error({ value, tolerance, unit, where, time, phases, detail }: InvariantCheck): string {
   const subject = where ? ` of ${where}` : "";
-  return `${number(value, unit, 2)}${subject} at ${number(time, "s")}, tolerance ${number(tolerance, unit, 2)}${detail ? `; ${detail}` : ""}`;
+  const worst = phases ? `, worst of ${phases} phases` : "";
+  return `${number(value, unit, 2)}${subject} at ${number(time, "s")}, tolerance ${number(tolerance, unit, 2)}${worst}${detail ? `; ${detail}` : ""}`;
 }
 
 function cell(name: string, check: InvariantCheck | undefined): HTMLTableCellElement {
