@@ -10,28 +10,58 @@
 #include <utility>
 
 #include "reports/judge/observe.h"
+#include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "scenarios/tracker/reported.h"
 
 namespace plumb {
 namespace {
 
-std::vector<Expectation> expectations_of(const std::vector<StatedTruth>& truths) {
+bool same_question(const Expectation& one, const StatedTruth& truth) {
+  return one.body == truth.body && one.other == truth.with && one.quantity == truth.quantity &&
+         one.relation == truth.relation && one.time == truth.time && one.over == truth.over && one.index == truth.index;
+}
+
+// The expectations of a scene file.
+struct FileExpectations {
   std::vector<Expectation> all;
-  all.reserve(truths.size());
-  for (const StatedTruth& truth : truths) {
-    all.push_back({.body = truth.body,
-                   .other = truth.with,
-                   .quantity = truth.quantity,
-                   .relation = truth.relation,
-                   .time = truth.time,
-                   .over = truth.over,
-                   .index = truth.index,
-                   .expected = truth.value,
-                   .within = truth.tolerance,
-                   .source = truth.source});
+  bool phased = false;  // whether a tolerance is of a scenario that is
+};
+
+// Takes the tolerance of the case of the catalogue that a truth names.
+void take_tolerance(const StatedTruth& truth, const std::string& place, FileExpectations& into) {
+  const std::string context = place + ".toleranceOf: \"" + truth.tolerance_of + "\" ";
+  if (Catalog<Scenario>::find(truth.tolerance_of.substr(0, truth.tolerance_of.find(':'))) == nullptr)
+    throw std::invalid_argument(context + "is no scenario; see plumb list");
+  const Case of = parse_case(truth.tolerance_of);
+  for (Expectation& one : of.scenario->expectations(of.parameters)) {
+    if (!same_question(one, truth)) continue;
+    into.all.back().allowed = std::move(one.allowed);
+    into.all.back().within = one.within;
+    into.phased = into.phased || of.scenario->phased;
+    return;
   }
-  return all;
+  throw std::invalid_argument(context + "does not ask for this quantity of this body at this time: give a tolerance");
+}
+
+FileExpectations expectations_of(const std::vector<StatedTruth>& truths, std::string_view file) {
+  FileExpectations found;
+  found.all.reserve(truths.size());
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    const StatedTruth& truth = truths[i];
+    found.all.push_back({.body = truth.body,
+                         .other = truth.with,
+                         .quantity = truth.quantity,
+                         .relation = truth.relation,
+                         .time = truth.time,
+                         .over = truth.over,
+                         .index = truth.index,
+                         .expected = truth.value,
+                         .within = truth.tolerance,
+                         .source = truth.source});
+    if (!truth.tolerance_of.empty()) take_tolerance(truth, fmt::format("{}: truth[{}]", file, i), found);
+  }
+  return found;
 }
 
 std::optional<double> expected_in(const Case& test_case, const Expectation& expectation) {
@@ -52,13 +82,15 @@ Case case_of_text(std::string_view text, std::string_view name, const std::strin
   SceneFile file = read_scene(text, name);
   const auto scene = std::make_shared<const Scene>(std::move(file.scene));
   const Engine* closed_form = find_closed_form(*scene);
+  FileExpectations expected = expectations_of(file.truth, name);
   const auto scenario = std::make_shared<const Scenario>(
       Scenario{.name = scene->name,
                .question = file.source.empty() ? scene->about : scene->about + " (" + file.source + ")",
                .variants = {{.label = variant}},
                .closed_form = closed_form == nullptr ? "" : closed_form->name,
                .scene = [scene](const Parameters&) { return *scene; },
-               .expectations = [all = expectations_of(file.truth)](const Parameters&) { return all; }});
+               .expectations = [all = std::move(expected.all)](const Parameters&) { return all; },
+               .phased = expected.phased});
   return {.scenario = scenario.get(),
           .variant = variant,
           .scene = scene,
@@ -107,41 +139,27 @@ std::vector<Case> reported_cases() {
   return cases;
 }
 
-Stepping reference_stepping() {
-  constexpr double dt = 1.0 / 60;
-  return {.dt = dt,
-          .h = dt,
-          .drift = 0.5,
-          .impact_lag = 1,
-          .skin = 0.01,
-          .slop = 0.01,
-          .joint_slop = 0.01,
-          .epsilon = 0x1p-24};
-}
-
 StatedTruths truths_of(const Case& test_case) {
   StatedTruths stated;
+  const std::string word = test_case.scenario->name + (test_case.variant.empty() ? "" : ":" + test_case.variant);
   for (const Expectation& expectation : test_case.scenario->expectations(test_case.parameters)) {
     const std::string what = (expectation.body.empty() ? "" : expectation.body + " ") + name_of(expectation.quantity);
-    const std::string source = expectation.source + "; tolerance of symplectic Euler, 1/60 s, gap 0.01 m, float";
     const double value = value_of(test_case, expectation);
-    const double tolerance = expectation.within ? *expectation.within : expectation.allowed(reference_stepping());
     if (!std::isfinite(value)) {
       stated.left_out.push_back(what + ": the closed form is not valid that long");
-    } else if (!std::isfinite(tolerance)) {
-      stated.left_out.push_back(what + ": a first-order method at 1/60 s has no finite tolerance");
-    } else {
-      stated.truth.push_back({.body = expectation.body,
-                              .quantity = expectation.quantity,
-                              .time = expectation.time,
-                              .value = value,
-                              .tolerance = tolerance,
-                              .source = source,
-                              .relation = expectation.relation,
-                              .over = expectation.over,
-                              .index = expectation.index,
-                              .with = expectation.other});
+      continue;
     }
+    stated.truth.push_back({.body = expectation.body,
+                            .quantity = expectation.quantity,
+                            .time = expectation.time,
+                            .value = value,
+                            .tolerance = expectation.within.value_or(0),
+                            .tolerance_of = expectation.within ? "" : word,
+                            .source = expectation.source,
+                            .relation = expectation.relation,
+                            .over = expectation.over,
+                            .index = expectation.index,
+                            .with = expectation.other});
   }
   return stated;
 }
