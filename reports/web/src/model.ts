@@ -1,7 +1,7 @@
 // The report as the page shows it: engines with their colours and shapes, and cases (one variant of a scenario) with
 // their runs, comparisons, timings and replays.
 import { series_of, type Comparison, type Curves, type InvariantCheck, type KeyDifferences, type Page, type Run, type ScenarioNote, type Series, type Timing, type TruthCheck } from "./data";
-import { looks } from "./looks";
+import { look_of } from "./looks";
 import type { Replay } from "./replay/data";
 
 export interface Engine {
@@ -51,7 +51,6 @@ export const label_of = (of: { engine: string; method: string }): string => (of.
 function engines_of(runs: Run[]): Engine[] {
   const found = new Map<string, Engine>();
   const ours_first = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
-  const look_of = looks(runs.filter(({ exact }) => !exact).map(label_of));
   for (const run of ours_first) {
     const label = run.exact ? "truth" : label_of(run);
     if (found.has(label)) continue;
