@@ -107,9 +107,9 @@ inline constexpr double right_share = 0.01;
 double relative_error(const TruthCheck&);
 /// Whether the check was reported and its tolerance is small enough to fail a wrong engine.
 bool is_evidence(const TruthCheck&);
-/// Whether the invariant was tested: something happened by which a wrong engine would have broken it.
 /// Whether the invariant was held or broken.
 bool is_judged(const InvariantCheck&);
+/// Whether the invariant was tested: something happened by which a wrong engine would have broken it.
 bool is_evidence(const InvariantCheck&);
 
 /// The largest relative_error of a run's reported checks; nullopt if there is none.
@@ -171,7 +171,6 @@ struct Timing {
 struct ScenarioNote {
   std::string name;
   std::string question;
-  std::string closed_form;  // "" if there is none
   std::vector<Parameter> parameters;
   std::string group = {};  // "friction"; "" for a scene file
 };

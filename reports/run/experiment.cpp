@@ -125,8 +125,7 @@ void add_notes(const Plan& plan, Report& report) {
   }
   for (const Case& one : plan.cases) {
     const Scenario& scenario = *one.scenario;
-    add_once<ScenarioNote>(report.scenarios, {scenario.name, scenario.question, scenario.closed_form,
-                                              scenario.parameters, scenario.group});
+    add_once<ScenarioNote>(report.scenarios, {scenario.name, scenario.question, scenario.parameters, scenario.group});
     if (const ScenarioGroup* group = Catalog<ScenarioGroup>::find(scenario.group))
       add_once<GroupNote>(report.groups, {group->name, group->title, group->stake});
     if (one.closed_form != nullptr) add_note(*one.closed_form, report);

@@ -66,19 +66,6 @@ Json of(const InvariantCheck& check) {
   return json;
 }
 
-Json final_pose_of(const RunRecord& run) {
-  Json all = Json::array();
-  if (run.status != Status::ok || !run.trace || !run.scene) return all;
-  const auto states = run.trace->states(run.trace->size() - 1);
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const Body& body = run.scene->bodies[i];
-    if (body.type != BodyType::dynamic) continue;
-    all.push_back(
-        {{"body", body.name}, {"x", states[i].position.x}, {"y", states[i].position.y}, {"angle", states[i].angle}});
-  }
-  return all;
-}
-
 Json of(const RunRecord& run) {
   return {{"scenario", run.scenario},
           {"variant", run.variant},
@@ -91,7 +78,6 @@ Json of(const RunRecord& run) {
           {"reason", run.reason},
           {"verdict", name_of(run.verdict)},
           {"metrics", of(run.metrics)},
-          {"final_pose", final_pose_of(run)},
           {"truth", list(run.truth, [](const TruthCheck& check) { return of(check); })},
           {"invariants", list(run.invariants, [](const InvariantCheck& check) { return of(check); })}};
 }
@@ -142,7 +128,6 @@ Json of(const ScenarioNote& note) {
   return {
       {"name", note.name},
       {"question", note.question},
-      {"closed_form", note.closed_form},
       {"parameters", list(note.parameters,
                           [](const Parameter& parameter) {
                             return Json{{"name", parameter.name}, {"unit", parameter.unit}, {"about", parameter.about}};

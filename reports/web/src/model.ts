@@ -74,9 +74,9 @@ function worst(run: Run): number {
   const all = [...truth, ...invariants];
   return all.length ? Math.max(...all) : NaN;
 }
+
 /** Whether an invariant was held or broken. */
 export const is_judged = ({ status }: InvariantCheck): boolean => status === "held" || status === "broken";
-
 
 /** error / scale of a check; infinite for an unknown scale or an error that is not finite. */
 export const relative_of = ({ relative_error }: TruthCheck): number => relative_error ?? Infinity;
