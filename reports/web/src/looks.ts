@@ -45,7 +45,8 @@ function hash(text: string): number {
   return value;
 }
 
-const engine_of = (label: string): string => label.split(":")[0] ?? label;
+/** Without version and settings: "box2d@2.4:velocity=4" is box2d. */
+const engine_of = (label: string): string => label.split(/[@:]/)[0] ?? label;
 
 /** The look of an engine or method, by the name that --engine takes. */
 export function look_of(label: string): Look {
