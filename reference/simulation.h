@@ -98,6 +98,8 @@ struct Engine {
   std::string name;
   std::string about;   // one line
   std::string source;  // origin and version; for a closed form the textbook
+  /// What it does differently from what the scene means, a sentence each; shown beside its verdicts.
+  std::vector<std::string> caveats = {};
   bool exact = false;  // a closed form: a reference solution, not a competitor
   std::vector<Option> options;
   /// Settings worth showing beside the default ones: a report for which no engines were selected runs these too.

@@ -193,6 +193,7 @@ struct EngineNote {
   std::string about;
   std::string source;
   bool exact = false;
+  std::vector<std::string> caveats = {};  // what it does differently from what a scene means
   std::vector<SteppingNote> states = {};  // one a method
 };
 

@@ -281,6 +281,7 @@ class Programs {
         .about = identity.about.empty() ? language : fmt::format("{} ({})", identity.about, language),
         .source = fmt::format("{} {}{}{}", identity.name, identity.version, identity.source.empty() ? "" : ", ",
                               identity.source),
+        .caveats = identity.caveats,
         .options = options,
         .stepping = [&program, completed](const Settings& settings,
                                           double dt) { return program.stepping(completed(settings), dt); },

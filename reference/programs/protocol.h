@@ -19,6 +19,7 @@ namespace plumb::protocol {
 /// Who a program says it is.
 struct Identity {
   std::string name, version, about, source, language;
+  std::vector<std::string> caveats;
   std::vector<Option> options;
 };
 

@@ -111,6 +111,7 @@ class Server {
   Json hello() const {
     Json json{{"plumb-engine", 1},      {"name", engine_.name},     {"version", "1"},
               {"about", engine_.about}, {"source", engine_.source}, {"language", "C++"}};
+    if (!engine_.caveats.empty()) json["caveats"] = engine_.caveats;
     for (const Option& option : engine_.options) json["options"].push_back(option_as_json(option));
     return json;
   }

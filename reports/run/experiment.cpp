@@ -112,7 +112,7 @@ void add_once(std::vector<Note>& notes, Note note) {
 }
 
 void add_note(const Engine& one, Report& report) {
-  add_once<EngineNote>(report.engines, {one.name, one.about, one.source, one.exact});
+  add_once<EngineNote>(report.engines, {one.name, one.about, one.source, one.exact, one.caveats});
 }
 
 void add_notes(const Plan& plan, Report& report) {

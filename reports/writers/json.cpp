@@ -140,11 +140,9 @@ Json of(const GroupNote& note) { return {{"name", note.name}, {"title", note.tit
 Json of(const SteppingNote& one) { return {{"method", one.method}, {"text", one.text}}; }
 
 Json of(const EngineNote& note) {
-  return {{"name", note.name},
-          {"about", note.about},
-          {"source", note.source},
-          {"exact", note.exact},
-          {"states", list(note.states, [](const SteppingNote& one) { return of(one); })}};
+  return {{"name", note.name},       {"about", note.about},
+          {"source", note.source},   {"exact", note.exact},
+          {"caveats", note.caveats}, {"states", list(note.states, [](const SteppingNote& one) { return of(one); })}};
 }
 
 Json of(const MetricNote& note) {

@@ -1,11 +1,13 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
 #include "reports/cli/command.h"
 #include "reports/cli/descriptions.h"
 #include "reports/cli/file_warnings.h"
+#include "reports/engines/installed.h"
 #include "reports/run/scene_file.h"
 #include "reports/run/selection.h"
 #include "reports/system/terminal.h"
@@ -14,10 +16,17 @@
 namespace plumb::commands::show {
 namespace {
 
+// Built in or installed from npm; null for any other name, and for one that is a scenario's, too.
+const Engine* engine_called(const std::string& name) {
+  if (Catalog<Scenario>::find(name) != nullptr) return nullptr;
+  if (const Engine* engine = Catalog<Engine>::find(name)) return engine;
+  const bool packaged = std::ranges::any_of(packaged_engines(), [&](const auto& one) { return one.name == name; });
+  return packaged ? parse_engine(name).engine : nullptr;
+}
+
 int show(const std::string& name) {
   const std::size_t width = terminal_width(100);
-  const Engine* engine = Catalog<Engine>::find(name);
-  if (engine != nullptr && Catalog<Scenario>::find(name) == nullptr) {
+  if (const Engine* engine = engine_called(name)) {
     fmt::print("{}\n{}", name, description_of(*engine, width));
     return 0;
   }
@@ -29,7 +38,7 @@ int show(const std::string& name) {
 
 const Catalog<Command>::Entry entry{
     {.name = "show",
-     .about = "Show a scenario's question, parameters, variants and truth, or an engine's options",
+     .about = "Show a scenario's question, parameters, variants and truth, or an engine's options and caveats",
      .examples = "  plumb show bounce\n"
                  "  plumb show impulse\n"
                  "  plumb show mine.json              a scene file of your own\n",

@@ -125,6 +125,7 @@ export interface EngineNote {
   about: string;
   source: string;
   states?: { method: string; text: string }[]; // how it steps, by its own word
+  caveats?: string[]; // what it does differently from what a scene means
   exact: boolean;
 }
 
@@ -242,7 +243,7 @@ const report_rule = record({
   environment: map(text),
   scenarios: list(record({ name: text, question: text, group: optional(text), parameters: list(record({ name: text, unit: text, about: text })) })),
   groups: optional(list(record({ name: text, title: text, stake: text }))),
-  engines: list(record({ name: text, about: text, source: text, exact: yes_no, states: optional(list(record({ method: text, text }))) })),
+  engines: list(record({ name: text, about: text, source: text, exact: yes_no, caveats: optional(list(text)), states: optional(list(record({ method: text, text }))) })),
   metrics: list(record({ name: text, unit: text, definition: text })),
   invariants: list(record({ name: text, unit: text, definition: text })),
   runs: list(
@@ -284,8 +285,8 @@ const report_rule = record({
           evidence: yes_no,
           time: finite,
           where: text,
-          detail: optional(text),
           phases: optional(finite),
+          detail: optional(text),
         }),
       ),
       verdict: one_of(...verdicts),

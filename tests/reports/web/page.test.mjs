@@ -151,6 +151,15 @@ test("the invariants have a row for each run, and a broken one says where", asyn
   await page.close();
 });
 
+test("what an engine does differently stands beside its verdicts, folded", async () => {
+  const { page } = await open(reports["the sample"]);
+  const verdict = page.locator("#free-fall--height-5--impulse");
+  await verdict.locator("summary", { hasText: "What it does differently" }).click();
+  assert.equal(await verdict.locator("details li").innerText(), "sinks <b>in</b>");
+  assert.equal(await page.locator("#free-fall--height-5--box2d details").count(), 0, "it states none");
+  await page.close();
+});
+
 test("names are text, never markup", async () => {
   const name = "<img src=x onerror=document.title='bad'></script><b>";
   const { page, trouble } = await open(await write(sample(name)));

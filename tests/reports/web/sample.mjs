@@ -101,7 +101,10 @@ export function sample(scenario = "free-fall") {
           parameters: [{ name: "height", unit: "m", about: "above the ground at the start" }],
         },
       ],
-      engines: [{ name: "impulse", about: "our own engine", source: "engine/", exact: false }],
+      engines: [
+        { name: "impulse", about: "our own engine", source: "engine/", exact: false, caveats: ["sinks <b>in</b>"] },
+        { name: "box2d", about: "Box2D", source: "box2d.org", exact: false, states: [{ method: "", text: "first order" }] },
+      ],
       metrics: [{ name: "truth_error_rms", unit: "m", definition: "RMS distance of the bodies from the closed form" }],
       invariants: [{ name: "energy", unit: "J", definition: "never rises without work" }],
       runs: [],

@@ -171,6 +171,11 @@ function reason(entry: Entry): string {
   return `${farthest_off(entry)}Largest error / tolerance ${ratio_text(most.ratio)}: ${most.text}.${untested(entry)}${cure}`;
 }
 
+function caveats(note: EngineNote | undefined): HTMLElement | null {
+  const all = note?.caveats ?? [];
+  return all.length ? folded("What it does differently", () => [h("ul", {}, ...all.map((caveat) => h("li", {}, caveat)))], { kind: "caveats" }) : null;
+}
+
 /** The reason for each engine's verdict; cells of the overview link here. */
 export function verdict_list(item: Case, notes: EngineNote[]): HTMLElement | null {
   const engines = item.entries.filter(({ engine }) => !engine.exact);
@@ -178,8 +183,9 @@ export function verdict_list(item: Case, notes: EngineNote[]): HTMLElement | nul
   const items = engines.map((entry) => {
     const { label } = entry.engine;
     const id = slug(item.scenario, item.variant, label);
-    const stated = notes.find(({ name }) => name === entry.engine.engine)?.states?.find(({ method }) => method === entry.engine.method)?.text;
-    const words = [h("strong", {}, label), ` ${reason(entry)}`, stated ? h("span", { class: "stated" }, ` It states: ${stated}.`) : null];
+    const note = notes.find(({ name }) => name === entry.engine.engine);
+    const stated = note?.states?.find(({ method }) => method === entry.engine.method)?.text;
+    const words = [h("strong", {}, label), ` ${reason(entry)}`, stated ? h("span", { class: "stated" }, ` It states: ${stated}.`) : null, caveats(note)];
     return h("li", { id, "data-marks": label }, badge(entry.run.verdict), h("span", {}, ...words));
   });
   return h("ul", { class: "verdicts" }, ...items);
