@@ -13,29 +13,30 @@ const symbols = ["circle", "square", "triangle", "diamond", "wye", "star", "cros
 const dashes = ["", "7 3", "2 3", "9 3 2 3", "12 4", "4 2"];
 const marks = symbols.length * dashes.length;
 
-/** By colour: the names of an engine, then methods of it that are shown often. Each has the mark of its index. */
-const known = [
-  [
-    "impulse",
-    "impulse:solver=article",
-    "impulse:solver=sequential-impulse",
-    "impulse:solver=split-impulse",
-    "impulse:solver=soft-step",
-    "impulse:solver=xpbd",
-    "impulse:solver=block",
-    "impulse:solver=exact",
-    "impulse:model=auto",
-    "impulse:precision=float",
-    "impulse:continuous=off",
-  ],
-  ["box2d", "box2d:restitution=0", "box2d:continuous=off"],
-  ["chipmunk", "chipmunk:slop=0.1"],
-  ["box2d-v3", "box2d3-wasm", "box2d3"],
-  ["rapier"],
-  ["planck"],
-  ["matter"],
+/** By colour: the names of an engine, and methods of it that are shown often, with their marks. */
+const known: Record<string, number>[] = [
+  {
+    "impulse": 0,
+    "impulse:solver=article": 1,
+    "impulse:solver=sequential-impulse": 2,
+    "impulse:solver=split-impulse": 3,
+    "impulse:solver=soft-step": 4,
+    "impulse:solver=xpbd": 5,
+    "impulse:solver=block": 6,
+    "impulse:solver=exact": 7,
+    "impulse:model=auto": 8,
+    "impulse:precision=float": 9,
+    "impulse:continuous=off": 10,
+  },
+  { "box2d": 0, "box2d:restitution=0": 1, "box2d:continuous=off": 2 },
+  { "chipmunk": 0, "chipmunk:slop=0.1": 1 },
+  // Builds of one engine have its shape.
+  { "box2d-v3": 0, "box2d3-wasm": symbols.length, "box2d3": 2 * symbols.length },
+  { "rapier": 0 },
+  { "planck": 0 },
+  { "matter": 0 },
 ];
-const most_known = Math.max(...known.map((names) => names.length));
+const first_other = 2 * symbols.length + 1;
 const colors = 10; // the last ones are for other engines
 
 /** FNV-1a */
@@ -51,10 +52,9 @@ const engine_of = (label: string): string => label.split(/[@:]/)[0] ?? label;
 /** The look of an engine or method, by the name that --engine takes. */
 export function look_of(label: string): Look {
   const engine = engine_of(label);
-  const family = known.findIndex((names) => names.some((name) => engine_of(name) === engine));
-  const names = known[family] ?? [];
-  const other = family < 0 ? hash(label) % marks : most_known + (hash(label) % (marks - most_known));
-  const mark = names.includes(label) ? names.indexOf(label) : other;
+  const family = known.findIndex((names) => Object.keys(names).some((name) => engine_of(name) === engine));
+  const other = family < 0 ? hash(label) % marks : first_other + (hash(label) % (marks - first_other));
+  const mark = known[family]?.[label] ?? other;
   const color = (family < 0 ? known.length + (hash(engine) % (colors - known.length)) : family) + 1;
   // An engine starts with the mark of its colour.
   const start = Math.max(0, family);
