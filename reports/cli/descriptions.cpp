@@ -95,7 +95,7 @@ std::string description_of(const Engine& engine, std::size_t width) {
     for (const auto& [choice, about] : option.choices) text += beside("    " + choice, columns, about, width);
   }
   if (!engine.caveats.empty()) text += "what it does differently\n";
-  for (const std::string& caveat : engine.caveats) text += beside("  -", 4, caveat, width);
+  for (const std::string& caveat : engine.caveats) text += beside("-", 3, caveat, width);
   return text;
 }
 

@@ -200,7 +200,8 @@ std::string text_of(const std::vector<SnapshotHead>& heads, const std::vector<Tr
   if (!since.empty()) {
     const auto shown =
         std::count_if(heads.begin(), heads.end(), [&](const SnapshotHead& head) { return head.at >= since; });
-    text += fmt::format("{} changes in {} snapshots since {}. In all ", lines.size(), shown, since);
+    text += fmt::format("{} change{} in {} snapshot{} since {}. In all ", lines.size(), lines.size() == 1 ? "" : "s",
+                        shown, shown == 1 ? "" : "s", since);
   }
   text += fmt::format("{} snapshots; {} of {} series never change.", heads.size(), unchanged, trends.size());
   if (longest >= 2 * least_values) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -22,46 +23,78 @@ bool same_question(const Expectation& one, const StatedTruth& truth) {
          one.relation == truth.relation && one.time == truth.time && one.over == truth.over && one.index == truth.index;
 }
 
+// Whatever they are called.
+bool same_scene(Scene a, const Scene& b) {
+  a.name = b.name;
+  a.about = b.about;
+  return write_scene({a, {}}) == write_scene({b, {}});
+}
+
 // The expectations of a scene file.
 struct FileExpectations {
   std::vector<Expectation> all;
-  bool phased = false;  // whether a tolerance is of a scenario that is
+  bool phased = false;               // whether a tolerance is of a scenario that is
+  std::map<std::string, int> stale;  // truths of a case of the catalogue whose scene is another by now, by its name
 };
 
-// Takes the tolerance of the case of the catalogue that a truth names.
-void take_tolerance(const StatedTruth& truth, const std::string& place, FileExpectations& into) {
-  const std::string context = place + ".toleranceOf: \"" + truth.tolerance_of + "\" ";
+// The case of the catalogue whose tolerance a truth takes.
+Case named_case(const StatedTruth& truth, const std::string& context) {
   if (Catalog<Scenario>::find(truth.tolerance_of.substr(0, truth.tolerance_of.find(':'))) == nullptr)
     throw std::invalid_argument(context + "is no scenario; see plumb list");
-  const Case of = parse_case(truth.tolerance_of);
-  for (Expectation& one : of.scenario->expectations(of.parameters)) {
-    if (!same_question(one, truth)) continue;
-    into.all.back().allowed = std::move(one.allowed);
-    into.all.back().within = one.within;
-    into.phased = into.phased || of.scenario->phased;
-    return;
-  }
-  throw std::invalid_argument(context + "does not ask for this quantity of this body at this time: give a tolerance");
+  return parse_case(truth.tolerance_of);
 }
 
-FileExpectations expectations_of(const std::vector<StatedTruth>& truths, std::string_view file) {
+// Takes the tolerance of the case that a truth names, whose value is that of its scene.
+void add_with_tolerance(Expectation expectation, const StatedTruth& truth, const std::string& place, const Scene& scene,
+                        FileExpectations& into) {
+  const std::string context = place + ".toleranceOf: \"" + truth.tolerance_of + "\" ";
+  const Case of = named_case(truth, context);
+  auto asked = of.scenario->expectations(of.parameters);
+  const auto same = std::ranges::find_if(asked, [&](const Expectation& one) { return same_question(one, truth); });
+  if (same == asked.end())
+    throw std::invalid_argument(context + "does not ask for this quantity of this body at this time: give a tolerance");
+  if (!same_scene(*of.scene, scene)) {
+    ++into.stale[truth.tolerance_of];
+    return;
+  }
+  expectation.allowed = std::move(same->allowed);
+  expectation.within = same->within;
+  into.phased = into.phased || of.scenario->phased;
+  into.all.push_back(std::move(expectation));
+}
+
+FileExpectations expectations_of(const SceneFile& file, std::string_view name) {
   FileExpectations found;
-  found.all.reserve(truths.size());
-  for (std::size_t i = 0; i < truths.size(); ++i) {
-    const StatedTruth& truth = truths[i];
-    found.all.push_back({.body = truth.body,
-                         .other = truth.with,
-                         .quantity = truth.quantity,
-                         .relation = truth.relation,
-                         .time = truth.time,
-                         .over = truth.over,
-                         .index = truth.index,
-                         .expected = truth.value,
-                         .within = truth.tolerance,
-                         .source = truth.source});
-    if (!truth.tolerance_of.empty()) take_tolerance(truth, fmt::format("{}: truth[{}]", file, i), found);
+  for (std::size_t i = 0; i < file.truth.size(); ++i) {
+    const StatedTruth& truth = file.truth[i];
+    Expectation expectation{.body = truth.body,
+                            .other = truth.with,
+                            .quantity = truth.quantity,
+                            .relation = truth.relation,
+                            .time = truth.time,
+                            .over = truth.over,
+                            .index = truth.index,
+                            .expected = truth.value,
+                            .within = truth.tolerance,
+                            .source = truth.source};
+    if (truth.tolerance_of.empty()) {
+      found.all.push_back(std::move(expectation));
+    } else {
+      add_with_tolerance(std::move(expectation), truth, fmt::format("{}: truth[{}]", name, i), file.scene, found);
+    }
   }
   return found;
+}
+
+std::vector<std::string> in_words(const std::map<std::string, int>& stale) {
+  std::vector<std::string> all;
+  for (const auto& [name, count] : stale) {
+    all.push_back(
+        fmt::format("truth: {} value{} of {}, from which this scene differs, left out; state your own, each "
+                    "with a tolerance",
+                    count, count == 1 ? "" : "s", name));
+  }
+  return all;
 }
 
 std::optional<double> expected_in(const Case& test_case, const Expectation& expectation) {
@@ -80,9 +113,9 @@ double value_of(const Case& test_case, const Expectation& expectation) {
 
 Case case_of_text(std::string_view text, std::string_view name, const std::string& variant) {
   SceneFile file = read_scene(text, name);
+  FileExpectations expected = expectations_of(file, name);
   const auto scene = std::make_shared<const Scene>(std::move(file.scene));
   const Engine* closed_form = find_closed_form(*scene);
-  FileExpectations expected = expectations_of(file.truth, name);
   const auto scenario = std::make_shared<const Scenario>(
       Scenario{.name = scene->name,
                .question = file.source.empty() ? scene->about : scene->about + " (" + file.source + ")",
@@ -95,7 +128,8 @@ Case case_of_text(std::string_view text, std::string_view name, const std::strin
           .variant = variant,
           .scene = scene,
           .closed_form = closed_form,
-          .from_file = scenario};
+          .from_file = scenario,
+          .left_out = in_words(expected.stale)};
 }
 
 }  // namespace

@@ -87,7 +87,13 @@ std::string moment_of(const std::string& since, const std::vector<SnapshotHead>&
                     digits.find_first_not_of("0123456789") == digits.npos;
   if (days && !heads.empty()) return days_before(heads.back().at, std::stoi(digits));
   if (const auto commit = find_commit(since)) return commit->at;
-  return utc(since);
+  try {
+    return utc(since);
+  } catch (const std::invalid_argument&) {
+    throw std::invalid_argument(
+        fmt::format("--since: \"{}\" is neither a number of days (7d) nor a date (2026-11-21) nor a revision here",
+                    printable(since)));
+  }
 }
 
 int changes(const Options& options) {

@@ -99,6 +99,20 @@ TEST_F(SceneFileCase, OfAnExportedScenarioAllowsWhatTheScenarioAllows) {
                   .scenario->phased);
 }
 
+// Its values are those of the scene that was exported.
+TEST_F(SceneFileCase, LeavesOutTheTruthsOfAnExportedSceneThatWasChanged) {
+  const Case built_in = parse_case("motor-arm:holds");
+  SceneFile file{*built_in.scene, truths_of(built_in).truth};
+  file.scene.name = "door";
+  EXPECT_THAT(case_of_file(write(write_scene(file))).left_out, ::testing::IsEmpty());
+  file.scene.bodies[1].linear_damping = 1;
+  file.truth.push_back({.body = "arm", .quantity = Quantity::angle, .value = 1, .tolerance = 3, .source = "mine"});
+  const Case changed = case_of_file(write(write_scene(file)));
+  EXPECT_THAT(changed.left_out, ::testing::ElementsAre(HasSubstr("of motor-arm:holds, from which this scene differs")));
+  ASSERT_EQ(changed.scenario->expectations({}).size(), 1u);
+  EXPECT_EQ(changed.scenario->expectations({})[0].source, "mine");
+}
+
 TEST_F(SceneFileCase, RefusesTheToleranceOfACaseThatAsksSomethingElse) {
   const auto complaint = [&](const std::string& of) {
     std::string text = falling;
