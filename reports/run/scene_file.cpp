@@ -90,9 +90,9 @@ std::vector<std::string> in_words(const std::map<std::string, int>& stale) {
   std::vector<std::string> all;
   for (const auto& [name, count] : stale) {
     all.push_back(
-        fmt::format("truth: {} value{} of {}, from which this scene differs, left out; state your own, each "
+        fmt::format("truth: this scene differs from {}, whose values ({}) are left out; state your own, each "
                     "with a tolerance",
-                    count, count == 1 ? "" : "s", name));
+                    name, count));
   }
   return all;
 }

@@ -54,12 +54,14 @@ function cost_panel(drops: Drop[], width: number): Element {
   ]);
 }
 
-function error_panel(drops: Drop[], width: number, tolerance: number): Element {
+/** In a chaotic case, how far single motions are from the full model's, which no tolerance limits. */
+function error_panel(drops: Drop[], width: number, tolerance: number, chaotic: boolean): Element {
   const ran = drops.filter(({ change }) => change !== null);
   const { domain, ticks } = decades([least_change, tolerance, ...ran.map(change_of)]);
+  const label_x = chaotic ? "distance from the full model, up to the horizon (m)" : "added error (m)";
   const tick = (value: number) => (value <= least_change ? `\u2264 ${number(value, "", 1)}` : number(value, "", 1));
-  return panel(drops, width, "Error added without each feature", { type: "log", domain, ticks, tickFormat: tick, label: "added error (m)" }, [
-    Plot.ruleX([tolerance], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
+  return panel(drops, width, "Error added without each feature", { type: "log", domain, ticks, tickFormat: tick, label: label_x }, [
+    ...(chaotic ? [] : [Plot.ruleX([tolerance], { stroke: "var(--ink)", strokeDasharray: "2 3" })]),
     Plot.ruleY(ran, { x1: domain[0], x2: change_of, y: label, stroke: colour, strokeOpacity: 0.4 }),
     Plot.dot(ran, { x: change_of, y: label, r: 4.5, fill: colour, className: "change" }),
     Plot.tip(ran, Plot.pointerY({ x: change_of, y: label, title: described, ...tip_look })),
@@ -72,11 +74,11 @@ function ablation_chart({ drops, chaotic }: ModelCase, tolerance: number): HTMLE
     : "Green: redundant, the error stays within the tolerance (dashed). Amber: it adds up to 1 cm. Red: more, or a law is broken.";
   return figure({
     title: "Without one feature",
-    note: "The error that its absence adds, and the remaining cost. " + judged,
+    note: `${chaotic ? "How far single motions move apart" : "The error that its absence adds"}, and the remaining cost. ${judged}`,
     height: 120 + 2 * row_height * drops.length,
     draw: (width) => {
       const each = width > 900 ? Math.floor(width / 2) - 8 : width;
-      return [error_panel(drops, each, tolerance), cost_panel(drops, each)];
+      return [error_panel(drops, each, tolerance, chaotic ?? false), cost_panel(drops, each)];
     },
   });
 }
