@@ -107,6 +107,8 @@ struct Engine {
   std::string word = {};  // how a command line names it, if not by its name: "exec:./mine"
   std::string language = "C++";
   ExecutionKind execution = ExecutionKind::native;
+  /// What it does differently from what the scene means, a sentence each; shown beside its verdicts.
+  std::vector<std::string> caveats = {};
   bool exact = false;  // a closed form: a reference solution, not a competitor
   std::vector<Option> options;
   /// Settings worth showing beside the default ones: a report for which no engines were selected runs these too.

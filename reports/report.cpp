@@ -48,6 +48,8 @@ const char* name_of(CheckStatus status) {
       return "broken";
     case CheckStatus::not_reported:
       return "not reported";
+    case CheckStatus::not_applicable:
+      return "not applicable";
   }
   return "";
 }
@@ -65,9 +67,12 @@ bool is_evidence(const TruthCheck& check) {
   return check.reported && check.scale > 0 && check.tolerance <= evidence_share * check.scale;
 }
 
+bool is_judged(const InvariantCheck& check) {
+  return check.status == CheckStatus::held || check.status == CheckStatus::broken;
+}
+
 bool is_evidence(const InvariantCheck& check) {
-  return check.status != CheckStatus::not_reported && check.scale > 0 &&
-         check.tolerance <= evidence_share * check.scale;
+  return is_judged(check) && check.scale > 0 && check.tolerance <= evidence_share * check.scale;
 }
 
 std::optional<double> worst_relative_error(const RunRecord& run) {
@@ -85,7 +90,7 @@ std::optional<double> worst_error_ratio(const RunRecord& run) {
     if (check.reported) add(error_ratio(check.error, check.tolerance));
   }
   for (const InvariantCheck& check : run.invariants) {
-    if (check.status != CheckStatus::not_reported) add(check.ratio);
+    if (is_judged(check)) add(check.ratio);
   }
   return worst;
 }

@@ -22,9 +22,10 @@ enum class Status { ok, failed, not_supported };
 /// was checked could have failed.
 enum class Verdict { right, coarse, wrong, plausible, no_evidence, beyond_horizon, not_supported, failed };
 
-/// The state of a check. held: within its tolerance. not_reported: the engine does not report what the check needs;
-/// never a pass.
-enum class CheckStatus { held, broken, not_reported };
+/// The state of a check. held: within its tolerance. not_reported: the engine does not report what the check needs.
+/// not_applicable: nothing in the run asks the question, such as a law of contacts where nothing touches. The last two
+/// are never a pass.
+enum class CheckStatus { held, broken, not_reported, not_applicable };
 
 /// "ok", "failed", "not supported".
 const char* name_of(Status);
@@ -32,7 +33,7 @@ const char* name_of(Status);
 /// "right", "coarse", "wrong", "plausible", "no evidence", "beyond horizon", "not supported", "failed".
 const char* name_of(Verdict);
 
-/// "held", "broken", "not reported".
+/// "held", "broken", "not reported", "not applicable".
 const char* name_of(CheckStatus);
 
 /// error / tolerance: 0 where the error is 0 or negative, infinity where the tolerance is 0 or either is not finite.
@@ -76,6 +77,7 @@ struct InvariantCheck {
   double scale = 0;         // what an engine without the law would show, in the same unit; 0: nothing tested it
   double time = 0;          // s
   std::string where;        // body, or "a - b"; "" for the whole scene
+  int phases = 1;           // runs with shifted steps, of which it is the worst
   std::string detail = {};  // of a metamorphic relation: what was compared, and why that much may differ
 };
 
@@ -106,6 +108,8 @@ inline constexpr double right_share = 0.01;
 double relative_error(const TruthCheck&);
 /// Whether the check was reported and its tolerance is small enough to fail a wrong engine.
 bool is_evidence(const TruthCheck&);
+/// Whether the invariant was held or broken.
+bool is_judged(const InvariantCheck&);
 /// Whether the invariant was tested: something happened by which a wrong engine would have broken it.
 bool is_evidence(const InvariantCheck&);
 
@@ -172,7 +176,6 @@ struct Timing {
 struct ScenarioNote {
   std::string name;
   std::string question;
-  std::string closed_form;  // "" if there is none
   std::vector<Parameter> parameters;
   std::string group = {};  // "friction"; "" for a scene file
 };
@@ -198,6 +201,7 @@ struct EngineNote {
   std::string language = {};
   ExecutionKind execution = ExecutionKind::native;  // how its code runs, which its times depend on
   bool exact = false;
+  std::vector<std::string> caveats = {};  // what it does differently from what a scene means
   std::vector<SteppingNote> states = {};  // one a method
 };
 

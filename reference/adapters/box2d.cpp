@@ -1,24 +1,8 @@
-// What this engine does differently
-// - Float arithmetic throughout, angles included: unit round-off 2^-24.
-// - Symplectic Euler: velocities first, then positions with the new velocities. Free fall is off by +g t h/2.
-// - Damping c divides velocities by 1 + c h each step (Pade), while the scene means e^(-c h).
-// - Polygons, boxes and edges carry a skin of b2_polygonRadius (0.01 m): two of them come to rest 0.015 m apart, a
-// circle
-//   on one of them 0.005 m. Circles have none. Position correction leaves b2_linearSlop (0.005 m) of overlap, measured
-//   from the skins.
-// - Restitution acts only above a closing speed of 1 m/s (option `restitution`).
-// - Contacts are solved by sequential impulses, 8 velocity and 3 position iterations, warm-started. The remaining error
-//   shows in tall stacks and large mass ratios.
-// - Nothing moves by more than 2 m or turns by more than a quarter turn in a step: faster bodies are slowed down.
+// What this engine does differently is in `caveats`. Besides:
 // - One coefficient of friction. We mix the coefficients and set them on each contact when it begins.
-// - Continuous collision moves bodies that hit fixed ones (and bullets) back in time. Such a body loses the rest of its
-//   step, so a bounce off the ground may cost time.
-// - Vertices closer than 0.0025 m are welded; polygons have at most eight.
 // - No capsules: we build them from two circles and a rectangle, thinned by its skin so that sides and caps are flush.
 // - No half-spaces: we build them from an edge (see HalfSpaceEdge). An edge has two sides; continuous collision keeps
 //   bodies from passing through. (A large box gives the same results.)
-// - A soft distance joint is an implicit spring: it damps more than its damping coefficient says.
-// - Sleeping is off by default: a sleeping stack would have perfect energy.
 // The origin of every body is moved to its centre of mass; mass and inertia come from plumb::mass_of.
 
 #include <box2d/box2d.h>
@@ -405,10 +389,25 @@ std::string version() {
          std::to_string(b2_version.revision);
 }
 
+// b2_polygonRadius is 0.01 m, b2_linearSlop 0.005 m.
+const std::vector<std::string> caveats{
+    "float arithmetic throughout, angles included",
+    "polygons, boxes and edges carry a skin of 0.01 m, circles none: two boxes come to rest 0.015 m apart, a circle on "
+    "a box 0.005 m",
+    "nothing bounces below a closing speed of 1 m/s (option restitution)",
+    "8 velocity and 3 position iterations leave errors in tall stacks and at large mass ratios",
+    "damping c divides velocities by 1 + c h each step; the scene means e^(-c h)",
+    "nothing moves by more than 2 m or turns by more than a quarter turn in a step",
+    "a body that continuous collision stops loses the rest of its step, so a bounce off the ground may cost time",
+    "vertices closer than 0.0025 m are welded; polygons have at most eight",
+    "a soft distance joint is an implicit spring: it damps more than its coefficient says",
+    "sleeping is off by default: a sleeping stack would have perfect energy"};
+
 const Catalog<Engine>::Entry entry{{
     .name = "box2d",
     .about = "Box2D 2.4: sequential impulses, symplectic Euler, float",
     .source = "Box2D, Erin Catto, box2d.org; says it is " + version() + ", as 2.4.1 does too",
+    .caveats = caveats,
     .options =
         {
             {.key = "velocity",

@@ -1,24 +1,12 @@
-// What this engine does differently
-// - Float arithmetic: unit round-off 2^-24 (with double positions if it was built so).
-// - Soft step: each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off
-//   by +g t h/2, h being the length of a sub-step.
-// - Contacts are damped springs of at most 30 Hz, twice that on fixed bodies, relaxed afterwards: they do not converge
-//   with the step, and a load presses boxes a few millimetres into each other. No overlap is left alone
-//   (contact_solver.c: B2_LINEAR_SLOP is a tolerance of finding contacts).
+// What this engine does differently is in `caveats`. Besides:
 // - Collisions are found once a step, a little ahead ("speculative"). From 3.2 on, contacts that hardly changed are
-//   recycled, which stacks need. Continuous collision against fixed bodies.
-// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step,
-//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
-// - Rotations are stored as cosine and sine. We start them from exact values (b2MakeRot is an approximation). They
-//   advance by atan(w h): fast spins lose (w h)^2/3 of their angle. We count whole turns from one reading to the next.
-// - Damping c divides velocities by 1 + c h each sub-step (Pade), while the scene means e^(-c h).
-// - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
+//   recycled, which stacks need.
+// - Rotations are stored as cosine and sine. We start them from exact values (b2MakeRot is an approximation), and count
+//   whole turns from one reading to the next.
 // - One coefficient of friction. It is mixed by a callback that gets only the coefficients, so there is one per rule.
 // - Joints are stiff springs too, soft ones tuned by frequency: see box2d_v3/joints.cpp.
-// - Hulls lose vertices within 0.01 m (twice B2_LINEAR_SLOP, hull.c) of a line through others; they have at most eight.
 // - No half-spaces: we build them from a segment (see HalfSpaceEdge).
 // - Contact impulses: see normal_impulse; the tangential ones are in proportion to the last sub-step's.
-// - Sleeping is off by default.
 // The origin of every body is moved to its centre of mass; mass and inertia come from plumb::mass_of. Fields that 3.1
 // and 3.2 name differently are told apart by `requires`.
 
@@ -365,10 +353,25 @@ std::string version() {
   return std::to_string(version.major) + "." + std::to_string(version.minor) + "." + std::to_string(version.revision);
 }
 
+// B2_LINEAR_SLOP is a tolerance of finding contacts (contact_solver.c); hulls are simplified in hull.c.
+const std::vector<std::string> caveats{
+    "float arithmetic, with double positions if it was built so",
+    "contacts and joints are damped springs, contacts of 30 Hz or 60 Hz on fixed bodies: they do not converge with the "
+    "step, and a load presses boxes a few millimetres into each other",
+    "nothing bounces below a closing speed of 1 m/s (option restitution)",
+    "restitution acts once, at the end of the step, without friction: an impact that slips rubs with mu m v, not mu (1 "
+    "+ e) m v",
+    "rotations advance by atan(w h): fast spins lose (w h)^2/3 of their angle",
+    "damping c divides velocities by 1 + c h each sub-step; the scene means e^(-c h)",
+    "nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step",
+    "vertices within 0.01 m of a line through others are dropped; polygons have at most eight",
+    "sleeping is off by default"};
+
 const Catalog<Engine>::Entry entry{{
     .name = "box2d-v3",
     .about = "Box2D 3: soft contacts in sub-steps, float",
     .source = "Box2D " + version() + ", Erin Catto, box2d.org",
+    .caveats = caveats,
     .options =
         {
             {.key = "substeps", .value = "4", .about = "sub-steps of a step", .min = 1, .max = 1000, .whole = true},

@@ -1,24 +1,13 @@
-// What this engine does differently
-// - Moves positions first, with the old velocities, then updates velocities and solves contacts at the new positions:
-//   free fall is off by -g t h/2. Forces are evaluated after the move, as its own springs and planet demo do.
-// - Contacts are solved by accumulated impulses, 10 iterations, warm-started except in their first step. Overlap is
-//   removed by pseudo-velocities, a tenth of it per 1/60 s.
-// - Overlap up to the collision slop is left alone (option `slop`). Nothing pushes back until then: bodies that start
-//   apart may come to rest that deep. The library's own slop is 0.1, made for worlds in pixels. In metres that is a
-//   tenth of a box, so we run 0.005 by default, Box2D's, and show what the library's costs as a variant of its own.
-// - No continuous collision: fast bodies pass through thin ones. `bullet` has no effect.
-// - No threshold for restitution.
-// - Joints are held by velocities and a bias alone, without projection: they yield a little and recover.
-// - A soft distance joint is an explicit spring with a damper of its own.
-// - Damping c leaves e^(-c) of the velocity each second, exactly what the scene means.
+// What this engine does differently is in `caveats`. Besides:
+// - Forces are evaluated after the move, as its own springs and planet demo do.
+// - Overlap is removed by pseudo-velocities, a tenth of it per 1/60 s. The library leaves an overlap of 0.1 alone, made
+//   for worlds in pixels. In metres that is a tenth of a box, so we run 0.005 by default, Box2D's, and show what the
+//   library's costs as a variant of its own.
 // - One coefficient of friction. We mix the coefficients and set them on each pair before every solve.
 // - Half-spaces are built from a box as large as the scene can reach. A segment would not do: stacks that stand on
 //   polygons topple on it.
 // - A sliding joint is a groove, far longer than the scene, and a gear.
-// - Debian's build has assertions compiled in, which cost time.
-// - Contact impulses are not sums over the step: on the first touch after a separation they still include what the pair
-//   carried when it last touched, although none of that is applied.
-// - Sleeping is off by default; sleeping bodies keep stale velocities.
+// - Sleeping bodies keep stale velocities.
 // The origin of every body is moved to its centre of mass; mass and inertia come from plumb::mass_of.
 
 #include <chipmunk/chipmunk.h>
@@ -362,12 +351,27 @@ void swallow_greeting() {
   close(nowhere);
 }
 
+const std::vector<std::string> caveats{
+    "positions move first, with the old velocities; then velocities are updated and contacts solved at the new "
+    "positions",
+    "nothing pushes until bodies overlap by the collision slop (option slop): bodies that start apart may come to rest "
+    "that deep",
+    "overlap is removed slowly, a tenth of it per 1/60 s",
+    "no continuous collision: fast bodies pass through thin ones, and bullet has no effect",
+    "joints are held by velocities and a bias alone, without projection: they yield a little and recover",
+    "a soft distance joint is an explicit spring with a damper of its own",
+    "contact impulses are not sums over the step: the first touch after a separation still includes what the pair "
+    "carried when it last touched",
+    "Debian's build has assertions compiled in, which cost time",
+    "sleeping is off by default"};
+
 Engine chipmunk() {
   swallow_greeting();
   return {
       .name = "chipmunk",
       .about = "Chipmunk 7: accumulated impulses, positions before velocities, double",
       .source = std::string("Chipmunk2D ") + cpVersionString + ", Scott Lembcke, chipmunk-physics.net",
+      .caveats = caveats,
       .options =
           {
               {.key = "iterations",

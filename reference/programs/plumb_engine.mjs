@@ -8,7 +8,8 @@ process.stdout.write = process.stderr.write.bind(process.stderr); // what the en
 
 /**
  * Answers Plumb until it says end.
- * @param hello     object: name, version, and if you like about, source, language and execution (of what steps), options
+ * @param hello     object: name, version, and if you like about, source, language and execution (of what steps), caveats,
+ *                  options
  * @param stepping  (options, dt) => object of what the engine states about itself; see reference/README.md
  * @param build     (scene, masses, options) => a world with
  *                  step(dt)    advances by dt seconds; the only call that is timed

@@ -14,7 +14,8 @@ class NotSupported(Exception):
 def serve(hello, stepping, build):
     """Answers Plumb until it says end.
 
-    hello     dict: name, version, and if you like about, source, language and execution (of what steps), options
+    hello     dict: name, version, and if you like about, source, language and execution (of what steps), caveats,
+              options
     stepping  stepping(options, dt): dict of what the engine states about itself; see reference/README.md
     build     build(scene, masses, options): a world with
               step(dt)    advances by dt seconds; the only call that is timed

@@ -297,6 +297,7 @@ class Programs {
         .word = word,
         .language = identity.language,
         .execution = identity.execution,
+        .caveats = identity.caveats,
         .options = options,
         .ladders = identity.ladders,
         .stepping =

@@ -175,7 +175,7 @@ Identity read_hello(std::string_view answer) {
   const nlohmann::json json = parsed(answer);
   const JsonReader in(json, place);
   check_error(in);
-  in.object({"plumb-engine", "name", "version"}, {"about", "source", "language", "execution", "options"});
+  in.object({"plumb-engine", "name", "version"}, {"about", "source", "language", "execution", "caveats", "options"});
   if (in["plumb-engine"].number(any_number) != version) in["plumb-engine"].expected("1, the version of the protocol");
   Identity identity{.name = in["name"].text(1, 40),
                     .version = in["version"].text(1, 40),
@@ -185,6 +185,9 @@ Identity read_hello(std::string_view answer) {
   if (in.has("execution")) identity.execution = in["execution"].one_of<ExecutionKind>(executions);
   if (identity.name.find_first_of(":,= @|") != std::string::npos) {
     in["name"].refuse("must be a name without space, : , = @ and |");
+  }
+  for (std::size_t i = 0; in.has("caveats") && i < in["caveats"].list(); ++i) {
+    identity.caveats.push_back(in["caveats"][i].text(1, longest_text));
   }
   for (std::size_t i = 0; in.has("options") && i < in["options"].list(); ++i) {
     const Option option = read_option(in["options"][i]);

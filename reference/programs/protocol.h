@@ -20,6 +20,7 @@ namespace plumb::protocol {
 struct Identity {
   std::string name, version, about, source, language;
   ExecutionKind execution = ExecutionKind::not_stated;
+  std::vector<std::string> caveats;
   std::vector<Option> options;
   std::vector<WorkLadder> ladders;  // of the options that state one
 };

@@ -119,6 +119,7 @@ class Server {
               {"source", engine_.source},
               {"language", engine_.language},
               {"execution", name_of(engine_.execution)}};
+    if (!engine_.caveats.empty()) json["caveats"] = engine_.caveats;
     for (const Option& option : engine_.options) {
       json["options"].push_back(option_as_json(option));
       for (const WorkLadder& ladder : engine_.ladders) {

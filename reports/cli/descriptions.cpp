@@ -98,6 +98,8 @@ std::string description_of(const Engine& engine, std::size_t width) {
     text += beside(fmt::format("  {}={}", option.key, option.value), columns, option.about + range, width);
     for (const auto& [choice, about] : option.choices) text += beside("    " + choice, columns, about, width);
   }
+  if (!engine.caveats.empty()) text += "what it does differently\n";
+  for (const std::string& caveat : engine.caveats) text += beside("-", 3, caveat, width);
   return text;
 }
 

@@ -16,7 +16,7 @@ namespace plumb {
 /// Question, parameters, variants, truth and checks of a scenario; a case of the tracker or of a file is one, too.
 std::string description_of(const Case&, std::size_t width);
 
-/// What an engine is, and its options.
+/// What an engine is, its options, and what it does differently.
 std::string description_of(const Engine&, std::size_t width);
 
 /// The same of an engine of npm that is installed; else what it is, and how to install it.

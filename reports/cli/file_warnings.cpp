@@ -11,7 +11,9 @@ namespace plumb {
 void warn_about_files(std::span<const Case> cases) {
   for (const Case& one : cases) {
     if (one.from_file == nullptr || one.variant == tracker) continue;
-    for (const std::string& warning : warnings_about(*one.scene))
+    std::vector<std::string> warnings = warnings_about(*one.scene);
+    warnings.insert(warnings.end(), one.left_out.begin(), one.left_out.end());
+    for (const std::string& warning : warnings)
       fmt::print(stderr, "plumb: warning: {}: {}\n", printable(one.variant, one.variant.npos), warning);
   }
 }

@@ -61,6 +61,7 @@ struct Baseline {
   std::map<std::string, std::string> words;     // how a command line names engines that have names of another kind
   std::map<RunKey, BaselineRun> runs;
   bool old_verdicts = false;  // accepted when *right* included what is now *coarse* or *no evidence*
+  bool old_statuses = false;  // accepted when *not reported* included what is now *not applicable*
 };
 
 /// The entries of an environment that determine the bits of a result: architecture, compiler, flags and libm.

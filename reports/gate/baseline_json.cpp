@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int baseline_format = 3;  // grows when a reader of the previous version would misread the new one
+constexpr int baseline_format = 4;  // grows when a reader of the previous version would misread the new one
 constexpr std::size_t largest_file = std::size_t{64} << 20;
 constexpr const char* any = "any";  // stands for `unbounded`
 
@@ -119,6 +119,7 @@ Baseline baseline_from(nlohmann::json json, const std::string& path) {
   if (from.has("words")) baseline.words = text_map_from(from["words"]);
   for_each_entry(from["runs"], {}, [&](const JsonReader& run) { add_run(run, baseline); });
   baseline.old_verdicts = format < 3;
+  baseline.old_statuses = format < 4;
   return baseline;
 }
 

@@ -43,6 +43,7 @@ int rank(CheckStatus status) {
     case CheckStatus::held:
       return 0;
     case CheckStatus::not_reported:
+    case CheckStatus::not_applicable:
       return 1;
     case CheckStatus::broken:
       return 2;
@@ -289,6 +290,14 @@ std::string verdict_of(const GateResult& result, bool same_platform) {
                      counted(result.regressions));
 }
 
+// The run as an older Plumb would have told of it.
+BaselineRun with_old_statuses(BaselineRun run) {
+  for (auto& [name, number] : run.numbers) {
+    if (number.status == CheckStatus::not_applicable) number.status = CheckStatus::not_reported;
+  }
+  return run;
+}
+
 }  // namespace
 
 GateResult compare(const Baseline& before, const Baseline& now) {
@@ -322,7 +331,8 @@ GateResult compare(const Baseline& before, const Baseline& now) {
       continue;
     }
     const bool same = platform.empty() && engine_of(before, key.engine) == engine_of(now, key.engine);
-    RunComparison comparison(key, run, found->second, same);
+    const BaselineRun now_run = before.old_statuses ? with_old_statuses(found->second) : found->second;
+    RunComparison comparison(key, run, now_run, same);
     for (Regression& one : comparison.regressions()) result.regressions.push_back(std::move(one));
     unjudged += comparison.unjudged();
   }

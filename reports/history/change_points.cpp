@@ -12,8 +12,7 @@
 namespace plumb {
 namespace {
 
-constexpr int permutations = 499;        // the smallest p is 1/500
-constexpr std::size_t least_values = 3;  // on each side; fewer do not show how much they scatter
+constexpr int permutations = 499;  // the smallest p is 1/500
 
 struct Split {
   std::size_t at = 0;
@@ -118,12 +117,7 @@ Changes e_divisive(std::span<const double> values, std::uint64_t seed) {
   return all;
 }
 
-}  // namespace
-
-std::vector<ChangePoint> change_points(std::span<const double> values, std::uint64_t seed) {
-  const Changes steps = steps_of(values);
-  const bool still = values.size() > 1 && 2 * steps.size() <= values.size() - 1;
-  const Changes changes = still ? steps : e_divisive(values, seed);
+std::vector<ChangePoint> with_means(const Changes& changes, std::span<const double> values) {
   std::vector<ChangePoint> all;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const std::size_t at = changes[i].first;
@@ -132,6 +126,14 @@ std::vector<ChangePoint> change_points(std::span<const double> values, std::uint
     all.push_back({at, mean(values.subspan(from, at - from)), mean(values.subspan(at, to - at)), changes[i].second});
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<ChangePoint> exact_changes(std::span<const double> values) { return with_means(steps_of(values), values); }
+
+std::vector<ChangePoint> noisy_changes(std::span<const double> values, std::uint64_t seed) {
+  return with_means(e_divisive(values, seed), values);
 }
 
 }  // namespace plumb

@@ -17,14 +17,19 @@ struct ChangePoint {
 /// The probability that a change is found in a series of noise.
 constexpr double change_level = 0.01;
 
-/// Returns the change points in order. All values must be finite.
+/// Of a series without noise: every value that differs from the one before is a change.
+std::vector<ChangePoint> exact_changes(std::span<const double> values);
+
+/// The fewest values on each side of a change of a noisy series; fewer do not show how much they scatter.
+constexpr std::size_t least_values = 3;
+
+/// Of a noisy series, in order. All values must be finite.
 ///
-/// If at least half of the values equal their predecessor to the bit, there is no noise, and every value that does not
-/// is a change. Otherwise the method is E-divisive (Matteson and James, A nonparametric approach for multiple change
-/// point analysis of multivariate data, JASA 109, 2014): find the split with the largest energy distance between both
-/// sides, weighted by their sizes; accept it if at most `change_level` of 499 random permutations of the values have
-/// one as large; then search each side, until no split is accepted. It assumes nothing about the distribution except
-/// that without a change every order of the values is equally likely. The permutations depend only on the seed.
-std::vector<ChangePoint> change_points(std::span<const double> values, std::uint64_t seed = 0);
+/// The method is E-divisive (Matteson and James, A nonparametric approach for multiple change point analysis of
+/// multivariate data, JASA 109, 2014): find the split with the largest energy distance between both sides, weighted by
+/// their sizes; accept it if at most `change_level` of 499 random permutations of the values have one as large; then
+/// search each side, until no split is accepted. It assumes nothing about the distribution except that without a change
+/// every order of the values is equally likely. The permutations depend only on the seed.
+std::vector<ChangePoint> noisy_changes(std::span<const double> values, std::uint64_t seed = 0);
 
 }  // namespace plumb

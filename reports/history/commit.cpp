@@ -44,7 +44,9 @@ std::optional<int> offset_of(std::string_view text) {
   return std::nullopt;
 }
 
-std::optional<std::string> to_utc(std::string_view text) {
+using TimePoint = std::chrono::sys_seconds;
+
+std::optional<TimePoint> time_point_of(std::string_view text) {
   constexpr std::string_view date = "0000-00-00", time = "0000-00-00T00:00:00";
   const auto found =
       text.size() == date.size() ? match_digits(text, date) : match_digits(text.substr(0, time.size()), time);
@@ -55,8 +57,10 @@ std::optional<std::string> to_utc(std::string_view text) {
                                           std::chrono::day(static_cast<unsigned>(day))};
   if (!given.ok() || hour > 23 || minute > 59 || second > 59) return std::nullopt;
 
-  const auto time_point =
-      sys_days(given) + std::chrono::seconds(3600 * hour + 60 * minute + second) - std::chrono::seconds(*offset);
+  return sys_days(given) + std::chrono::seconds(3600 * hour + 60 * minute + second) - std::chrono::seconds(*offset);
+}
+
+std::string text_of(TimePoint time_point) {
   const auto midnight = std::chrono::floor<days>(time_point);
   const std::chrono::year_month_day on(midnight);
   const auto since = (time_point - midnight).count();
@@ -79,9 +83,13 @@ std::optional<Commit> find_commit(const std::string& revision) {
 }
 
 std::string utc(std::string_view text) {
-  if (auto converted = to_utc(text)) return *converted;
+  if (const auto found = time_point_of(text)) return text_of(*found);
   throw std::invalid_argument(fmt::format(
       "\"{}\" is not a date or time; write 2026-11-21, 2026-11-21T09:06:10Z or 2026-11-21T10:06:10+01:00", text));
+}
+
+std::string days_before(std::string_view moment, int many) {
+  return text_of(time_point_of(moment).value() - days(many));
 }
 
 }  // namespace plumb

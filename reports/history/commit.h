@@ -20,4 +20,7 @@ std::optional<Commit> find_commit(const std::string& revision);
 /// std::invalid_argument for anything else.
 std::string utc(std::string_view text);
 
+/// The time that many days before another, both as `utc` gives them.
+std::string days_before(std::string_view moment, int many);
+
 }  // namespace plumb

@@ -27,10 +27,13 @@ std::string machine_of(const SnapshotHead& head) {
   return all;
 }
 
+bool is_noisy(const Series& series) { return series.metric == step_time; }
+
 Trend trend_of(Series series, std::string machine) {
   std::vector<double> values;
   for (const Series::Value& value : series.values) values.push_back(value.value);
-  return {std::move(series), std::move(machine), change_points(values)};
+  auto changes = is_noisy(series) ? noisy_changes(values) : exact_changes(values);
+  return {std::move(series), std::move(machine), std::move(changes)};
 }
 
 Json json_of(const Subject& subject) {
@@ -127,7 +130,7 @@ std::vector<Trend> trends_of(const std::vector<SnapshotHead>& heads, const std::
     std::map<std::string, Series> by_machine;
     for (const Series::Value& value : series.values) {
       if (!std::isfinite(value.value)) continue;
-      const std::string machine = series.metric == step_time ? machine_of(heads[value.snapshot]) : "";
+      const std::string machine = is_noisy(series) ? machine_of(heads[value.snapshot]) : "";
       Series& one =
           by_machine.try_emplace(machine, Series{series.subject, series.metric, series.unit, {}}).first->second;
       one.values.push_back(value);
@@ -160,7 +163,7 @@ std::string text_of(const std::vector<SnapshotHead>& heads) {
 }
 
 std::string text_of(const std::vector<SnapshotHead>& heads, const std::vector<Trend>& trends,
-                    const std::vector<VerdictChange>& verdicts) {
+                    const std::vector<VerdictChange>& verdicts, const std::string& since) {
   struct Line {
     std::size_t snapshot;
     double size;
@@ -169,18 +172,23 @@ std::string text_of(const std::vector<SnapshotHead>& heads, const std::vector<Tr
   std::vector<Line> lines;
   int unchanged = 0;
   int noisy = 0;
+  std::size_t longest = 0;  // of the noisy series
   for (const VerdictChange& change : verdicts) {
     lines.push_back({change.snapshot, std::numeric_limits<double>::infinity(),
                      fmt::format("{}: {} -> {}", name_of(change.subject), change.before, change.after)});
   }
   for (const Trend& trend : trends) {
     unchanged += trend.changes.empty();
-    noisy += trend.series.metric == step_time;
+    if (is_noisy(trend.series)) {
+      ++noisy;
+      longest = std::max(longest, trend.series.values.size());
+    }
     for (const ChangePoint& change : trend.changes) {
       lines.push_back({trend.series.values[change.at].snapshot, size_of(change),
                        name_of(trend.series) + " " + line_of(change, trend.series.unit)});
     }
   }
+  std::erase_if(lines, [&](const Line& line) { return heads[line.snapshot].at < since; });
   std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
     return std::pair(b.snapshot, b.size) < std::pair(a.snapshot, a.size);
   });
@@ -189,10 +197,18 @@ std::string text_of(const std::vector<SnapshotHead>& heads, const std::vector<Tr
     if (i == 0 || lines[i].snapshot != lines[i - 1].snapshot) text += short_name(heads[lines[i].snapshot]) + "\n";
     text += "  " + lines[i].text + "\n";
   }
+  if (!since.empty()) {
+    const auto shown =
+        std::count_if(heads.begin(), heads.end(), [&](const SnapshotHead& head) { return head.at >= since; });
+    text += fmt::format("{} change{} in {} snapshot{} since {}. In all ", lines.size(), lines.size() == 1 ? "" : "s",
+                        shown, shown == 1 ? "" : "s", since);
+  }
   text += fmt::format("{} snapshots; {} of {} series never change.", heads.size(), unchanged, trends.size());
-  if (noisy > 0) {
+  if (longest >= 2 * least_values) {
     text += fmt::format(" Chance alone would let about {1:.1g} of {0} series of step times look changed.", noisy,
                         noisy * change_level);
+  } else if (noisy > 0) {
+    text += fmt::format(" Step times scatter: their changes show from {} snapshots on.", 2 * least_values);
   }
   return text + "\n";
 }
@@ -221,7 +237,7 @@ Json history_document(const History& history) {
   int unchanged = 0;
   for (const SnapshotHead& head : heads) points.push_back(json_of(head));
   for (const Trend& trend : trends_of(heads, history.series())) {
-    if (trend.series.metric == step_time) {
+    if (is_noisy(trend.series)) {
       times.push_back(json_of(trend));
     } else if (trend.changes.empty()) {
       ++unchanged;

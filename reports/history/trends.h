@@ -18,7 +18,8 @@ struct Trend {
   std::vector<ChangePoint> changes;  // `at` is an index in the series' values
 };
 
-/// One trend for each series with a finite value. Step times get one for each machine, compiler and flags.
+/// One trend for each series with a finite value. Step times are noisy and get one for each machine, compiler and
+/// flags; all other numbers are exact.
 std::vector<Trend> trends_of(const std::vector<SnapshotHead>&, const std::vector<Series>&);
 
 struct VerdictChange {
@@ -32,8 +33,10 @@ std::vector<VerdictChange> verdict_changes(const std::vector<VerdictSeries>&);
 /// One line for each snapshot.
 std::string text_of(const std::vector<SnapshotHead>&);
 
-/// All changes, the newest snapshot first, and the largest change of each snapshot first.
-std::string text_of(const std::vector<SnapshotHead>&, const std::vector<Trend>&, const std::vector<VerdictChange>&);
+/// The changes in snapshots from `since` on (see utc; "": all), the newest snapshot first, and the largest change of
+/// each snapshot first.
+std::string text_of(const std::vector<SnapshotHead>&, const std::vector<Trend>&, const std::vector<VerdictChange>&,
+                    const std::string& since = "");
 
 /// Each trend with a chart of its values and its changes.
 std::string text_of(const std::vector<SnapshotHead>&, const std::vector<Trend>&);

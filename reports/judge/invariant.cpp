@@ -2,9 +2,23 @@
 
 #include <cmath>
 
+#include "reports/judge/neighbours.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
+namespace {
+
+// Whether bodies may touch at some moment of the run.
+bool touches(const InvariantContext& context) {
+  if (context.trace.has_contacts()) return true;
+  const Neighbours neighbours(context.scene, context.trace, context.stepping);
+  for (std::size_t moment = 1; moment < context.trace.size(); ++moment) {
+    if (!neighbours.in_step(moment).empty()) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 void WorstViolation::test(double tolerance, double scale) {
   const double power = error_ratio(scale, tolerance);
@@ -21,6 +35,11 @@ InvariantCheck WorstViolation::result() const {
 }
 
 InvariantCheck not_reported() { return {.status = CheckStatus::not_reported}; }
+
+std::optional<InvariantCheck> without_contacts(const InvariantContext& context, bool whole) {
+  if (context.trace.has_contacts() && (context.stepping.whole_impulses || !whole)) return std::nullopt;
+  return touches(context) ? not_reported() : InvariantCheck{.status = CheckStatus::not_applicable};
+}
 
 std::vector<InvariantCheck> check_invariants(const InvariantContext& context) {
   std::vector<InvariantCheck> checks;

@@ -57,8 +57,13 @@ class WorstViolation {
   double scale_ = 0;  // there
 };
 
-/// The result of an invariant that needs contacts when the engine reports none.
+/// The result of an invariant that needs what the engine does not report.
 InvariantCheck not_reported();
+
+/// The result of an invariant of contacts, if they cannot judge it: not applicable where nothing touches, by the
+/// scene's shapes, and otherwise not reported where the engine reports no contacts or, if `whole`, not all impulses of
+/// a step. nullopt: they can.
+std::optional<InvariantCheck> without_contacts(const InvariantContext&, bool whole);
 
 /// Every invariant that applies, ordered by name; none for a trace of fewer than two moments.
 std::vector<InvariantCheck> check_invariants(const InvariantContext&);

@@ -169,6 +169,7 @@ Judgement judge_phases(const Scene& scene, std::span<const Expectation> expectat
     }
     judgement.verdict = worse(judgement.verdict, other.verdict);
   }
+  for (InvariantCheck& one : judgement.invariants) one.phases = 1 + static_cast<int>(shifted.size());
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const std::vector<double>& of = errors[i];
     judgement.checks[i].spread = {*std::min_element(of.begin(), of.end()), quartiles(of).median,

@@ -4,17 +4,16 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 #include "reports/compare/comparator.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
-#include "reports/judge/observe.h"
 #include "reports/relation_names.h"
+#include "reports/run/case_judge.h"
 #include "reports/run/case_run.h"
-#include "reports/run/converged_checks.h"
 #include "reports/run/horizon.h"
 #include "reports/run/more_iterations.h"
 #include "reports/run/relations.h"
@@ -31,14 +30,6 @@ struct TimeSpent {
   double wall = 0, stepping = 0;  // s
 };
 
-std::string converged_words(const ConvergedTruth& truth, double duration) {
-  const Converged& answer = *truth.answer;
-  const std::string until = answer.reason().empty()
-                                ? fmt::format("to the end, {:.4g} s", duration)
-                                : fmt::format("until {:.4g} s: {}", answer.valid_until(), answer.reason());
-  return fmt::format("converged to {:.1g} m, confirmed by {}, {}", answer.largest_error(), truth.confirmed_by, until);
-}
-
 // All runs of one case: the reference first, if there is one.
 class CaseExperiment {
  public:
@@ -46,79 +37,47 @@ class CaseExperiment {
 
   // With a converged reference (see `converged_reference`) of that many body-steps; 0: none.
   void run_reference(std::size_t budget) {
-    const Engine* engine = case_.closed_form;
-    refined_ = converged_reference(case_, dt_, budget);
-    if (refined_) engine = &refined_->engine;
-    if (engine == nullptr) return;
-    const EngineConfig config{engine, complete(*engine, {})};
-    RunRecord record = record_of(case_, config, dt_, run(*case_.scene, config, dt_));
-    if (record.status == Status::ok) {
-      truth_.emplace(*engine, *case_.scene);
-      reference_ = {&*truth_, record.trace};
-      record.metrics = measure(reference_.context(*case_.scene, *record.trace));
-      if (refined_) {
-        checks_.emplace(*case_.scene, *refined_, dt_);
-        record.reason = converged_words(*refined_, case_.scene->duration);
-        record.metrics["truth_estimate_max"] = {refined_->answer->largest_error(), "m"};
-        record.metrics["truth_until"] = {refined_->answer->valid_until(), "s"};
-      } else {
-        record.invariants = check_invariants({*case_.scene, *record.trace, engine->stepping(config.settings, dt_)});
-      }
-      record.verdict = Verdict::right;  // by definition; the formula has tests of its own
-    }
-    records_.push_back(std::move(record));
+    judge_ = std::make_unique<CaseJudge>(case_, dt_, budget);
+    if (judge_->reference()) records_.push_back(*judge_->reference());
   }
 
   void run_engine(const EngineConfig& config, bool relations, bool explain) {
     const CaseRun runs = run_case(case_, config, dt_);
     add_time(runs.outcome);
     for (const Outcome& shifted : runs.shifted) add_time(shifted);
-    RunRecord record = judged_record(case_, config, dt_, runs, reference_);
+    RunRecord record = judge_->judged(config, runs);
     if (record.status == Status::ok) runnable_.push_back(config);
-    if (record.status == Status::ok && checks_) judge_by_converged(*checks_, config, record);
     if (explain && record.verdict == Verdict::wrong) add_reason(record, cure_of(config));
     if (record.status == Status::ok && relations) judge_by_relations(config, record);
     records_.push_back(std::move(record));
   }
 
   void compare_engines(int ensemble, std::size_t budget) {
-    comparisons_ = compare(records_, truth_ ? &*truth_ : nullptr);
+    comparisons_ = compare(records_, judge_->truth());
     if (ensemble > 0) compare_beyond_horizon(case_, runnable_, dt_, ensemble, budget, records_, comparisons_);
   }
 
   const Case& test_case() const { return case_; }
   /// The converged reference; null if there is none.
-  const Engine* refined() const { return refined_ ? &refined_->engine : nullptr; }
+  const Engine* refined() const { return judge_->refined(); }
   const TimeSpent& time_spent() const { return spent_; }
   std::vector<RunRecord>& records() { return records_; }
   std::vector<Comparison>& comparisons() { return comparisons_; }
   const std::vector<EngineConfig>& runnable() const { return runnable_; }
 
  private:
-  static void add_reason(RunRecord& record, const std::string& reason) {
-    if (!reason.empty()) record.reason += (record.reason.empty() ? "" : "; ") + reason;
-  }
-
   // Whether a wrong run is only one that its iterations left unsolved: the same method, judged by the same statement,
   // passes with more of them. "" if not. Its time counts nowhere.
   std::string cure_of(const EngineConfig& config) const {
     const auto more = with_more_iterations(config, dt_);
     if (!more) return "";
-    RunRecord cured = judged_record(case_, config, dt_, run_case(case_, more->config, dt_), reference_);
-    if (cured.status == Status::ok && checks_) judge_by_converged(*checks_, config, cured);
+    const Verdict cured = judge_->judged(more->config, run_case(case_, more->config, dt_), config).verdict;
     for (const Verdict passes : {Verdict::right, Verdict::coarse, Verdict::plausible}) {
-      if (cured.verdict == passes) {
+      if (cured == passes) {
         return fmt::format("not converged at {}: {} with {} iterations", more->before, name_of(passes), more->after);
       }
     }
     return "";
-  }
-
-  void judge_by_converged(const ConvergedChecks& converged, const EngineConfig& config, RunRecord& record) const {
-    auto checks = converged.of(config.engine->stepping(config.settings, record.dt), *record.trace);
-    if (checks.empty()) add_reason(record, "no converged truth for a method of this order and step");
-    std::ranges::move(checks, std::back_inserter(record.truth));
-    judge_again(record);
   }
 
   void judge_by_relations(const EngineConfig& config, RunRecord& record) const {
@@ -128,13 +87,7 @@ class CaseExperiment {
       record.metrics[relation.check.name] = {relation.share, "1"};
       record.invariants.push_back(std::move(relation.check));
     }
-    judge_again(record);
-  }
-
-  // With the checks that were added to it.
-  void judge_again(RunRecord& record) const {
-    if (record.verdict == Verdict::wrong) return;
-    record.verdict = questions_of(case_, reference_.truth).verdict(record.truth, record.invariants);
+    judge_->judge_again(record);
   }
 
   void add_time(const Outcome& outcome) {
@@ -146,10 +99,7 @@ class CaseExperiment {
   double dt_;
   SceneGrowth growth_;
   TimeSpent spent_;
-  std::optional<ConvergedTruth> refined_;
-  std::optional<ConvergedChecks> checks_;
-  std::optional<Truth> truth_;
-  ReferenceRun reference_;
+  std::unique_ptr<CaseJudge> judge_;
   std::vector<RunRecord> records_;
   std::vector<Comparison> comparisons_;
   std::vector<EngineConfig> runnable_;
@@ -168,7 +118,8 @@ void add_note(const Engine& one, Report& report) {
                                         .word = one.word,
                                         .language = one.language,
                                         .execution = one.execution,
-                                        .exact = one.exact});
+                                        .exact = one.exact,
+                                        .caveats = one.caveats});
 }
 
 // In words, for an engine that fails to say it too: its runs have failed for that.
@@ -187,8 +138,7 @@ void add_notes(const Plan& plan, Report& report) {
   }
   for (const Case& one : plan.cases) {
     const Scenario& scenario = *one.scenario;
-    add_once<ScenarioNote>(report.scenarios, {scenario.name, scenario.question, scenario.closed_form,
-                                              scenario.parameters, scenario.group});
+    add_once<ScenarioNote>(report.scenarios, {scenario.name, scenario.question, scenario.parameters, scenario.group});
     if (const ScenarioGroup* group = Catalog<ScenarioGroup>::find(scenario.group))
       add_once<GroupNote>(report.groups, {group->name, group->title, group->stake});
     if (one.closed_form != nullptr) add_note(*one.closed_form, report);

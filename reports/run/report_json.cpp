@@ -156,7 +156,8 @@ Verdict verdict_from(const JsonReader& from) {
 }
 
 CheckStatus check_status_from(const JsonReader& from) {
-  constexpr std::array all{CheckStatus::held, CheckStatus::broken, CheckStatus::not_reported};
+  constexpr std::array all{CheckStatus::held, CheckStatus::broken, CheckStatus::not_reported,
+                           CheckStatus::not_applicable};
   static const auto names = names_of(all);
   return from.one_of<CheckStatus>(names);
 }

@@ -6,30 +6,93 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "reports/judge/observe.h"
+#include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "scenarios/tracker/reported.h"
 
 namespace plumb {
 namespace {
 
-std::vector<Expectation> expectations_of(const std::vector<StatedTruth>& truths) {
+bool same_question(const Expectation& one, const StatedTruth& truth) {
+  return one.body == truth.body && one.other == truth.with && one.quantity == truth.quantity &&
+         one.relation == truth.relation && one.time == truth.time && one.over == truth.over && one.index == truth.index;
+}
+
+// Whatever they are called.
+bool same_scene(Scene a, const Scene& b) {
+  a.name = b.name;
+  a.about = b.about;
+  return write_scene({a, {}}) == write_scene({b, {}});
+}
+
+// The expectations of a scene file.
+struct FileExpectations {
   std::vector<Expectation> all;
-  all.reserve(truths.size());
-  for (const StatedTruth& truth : truths) {
-    all.push_back({.body = truth.body,
-                   .other = truth.with,
-                   .quantity = truth.quantity,
-                   .relation = truth.relation,
-                   .time = truth.time,
-                   .over = truth.over,
-                   .index = truth.index,
-                   .expected = truth.value,
-                   .within = truth.tolerance,
-                   .source = truth.source});
+  bool phased = false;               // whether a tolerance is of a scenario that is
+  std::map<std::string, int> stale;  // truths of a case of the catalogue whose scene is another by now, by its name
+};
+
+// The case of the catalogue whose tolerance a truth takes.
+Case named_case(const StatedTruth& truth, const std::string& context) {
+  if (Catalog<Scenario>::find(truth.tolerance_of.substr(0, truth.tolerance_of.find(':'))) == nullptr)
+    throw std::invalid_argument(context + "is no scenario; see plumb list");
+  return parse_case(truth.tolerance_of);
+}
+
+// Takes the tolerance of the case that a truth names, whose value is that of its scene.
+void add_with_tolerance(Expectation expectation, const StatedTruth& truth, const std::string& place, const Scene& scene,
+                        FileExpectations& into) {
+  const std::string context = place + ".toleranceOf: \"" + truth.tolerance_of + "\" ";
+  const Case of = named_case(truth, context);
+  auto asked = of.scenario->expectations(of.parameters);
+  const auto same = std::ranges::find_if(asked, [&](const Expectation& one) { return same_question(one, truth); });
+  if (same == asked.end())
+    throw std::invalid_argument(context + "does not ask for this quantity of this body at this time: give a tolerance");
+  if (!same_scene(*of.scene, scene)) {
+    ++into.stale[truth.tolerance_of];
+    return;
+  }
+  expectation.allowed = std::move(same->allowed);
+  expectation.within = same->within;
+  into.phased = into.phased || of.scenario->phased;
+  into.all.push_back(std::move(expectation));
+}
+
+FileExpectations expectations_of(const SceneFile& file, std::string_view name) {
+  FileExpectations found;
+  for (std::size_t i = 0; i < file.truth.size(); ++i) {
+    const StatedTruth& truth = file.truth[i];
+    Expectation expectation{.body = truth.body,
+                            .other = truth.with,
+                            .quantity = truth.quantity,
+                            .relation = truth.relation,
+                            .time = truth.time,
+                            .over = truth.over,
+                            .index = truth.index,
+                            .expected = truth.value,
+                            .within = truth.tolerance,
+                            .source = truth.source};
+    if (truth.tolerance_of.empty()) {
+      found.all.push_back(std::move(expectation));
+    } else {
+      add_with_tolerance(std::move(expectation), truth, fmt::format("{}: truth[{}]", name, i), file.scene, found);
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> in_words(const std::map<std::string, int>& stale) {
+  std::vector<std::string> all;
+  for (const auto& [name, count] : stale) {
+    all.push_back(
+        fmt::format("truth: this scene differs from {}, whose values ({}) are left out; state your own, each "
+                    "with a tolerance",
+                    name, count));
   }
   return all;
 }
@@ -50,6 +113,7 @@ double value_of(const Case& test_case, const Expectation& expectation) {
 
 Case case_of_text(std::string_view text, std::string_view name, const std::string& variant) {
   SceneFile file = read_scene(text, name);
+  FileExpectations expected = expectations_of(file, name);
   const auto scene = std::make_shared<const Scene>(std::move(file.scene));
   const Engine* closed_form = find_closed_form(*scene);
   const auto scenario = std::make_shared<const Scenario>(
@@ -58,12 +122,14 @@ Case case_of_text(std::string_view text, std::string_view name, const std::strin
                .variants = {{.label = variant}},
                .closed_form = closed_form == nullptr ? "" : closed_form->name,
                .scene = [scene](const Parameters&) { return *scene; },
-               .expectations = [all = expectations_of(file.truth)](const Parameters&) { return all; }});
+               .expectations = [all = std::move(expected.all)](const Parameters&) { return all; },
+               .phased = expected.phased});
   return {.scenario = scenario.get(),
           .variant = variant,
           .scene = scene,
           .closed_form = closed_form,
-          .from_file = scenario};
+          .from_file = scenario,
+          .left_out = in_words(expected.stale)};
 }
 
 }  // namespace
@@ -107,41 +173,27 @@ std::vector<Case> reported_cases() {
   return cases;
 }
 
-Stepping reference_stepping() {
-  constexpr double dt = 1.0 / 60;
-  return {.dt = dt,
-          .h = dt,
-          .drift = 0.5,
-          .impact_lag = 1,
-          .skin = 0.01,
-          .slop = 0.01,
-          .joint_slop = 0.01,
-          .epsilon = 0x1p-24};
-}
-
 StatedTruths truths_of(const Case& test_case) {
   StatedTruths stated;
+  const std::string word = test_case.scenario->name + (test_case.variant.empty() ? "" : ":" + test_case.variant);
   for (const Expectation& expectation : test_case.scenario->expectations(test_case.parameters)) {
     const std::string what = (expectation.body.empty() ? "" : expectation.body + " ") + name_of(expectation.quantity);
-    const std::string source = expectation.source + "; tolerance of symplectic Euler, 1/60 s, gap 0.01 m, float";
     const double value = value_of(test_case, expectation);
-    const double tolerance = expectation.within ? *expectation.within : expectation.allowed(reference_stepping());
     if (!std::isfinite(value)) {
       stated.left_out.push_back(what + ": the closed form is not valid that long");
-    } else if (!std::isfinite(tolerance)) {
-      stated.left_out.push_back(what + ": a first-order method at 1/60 s has no finite tolerance");
-    } else {
-      stated.truth.push_back({.body = expectation.body,
-                              .quantity = expectation.quantity,
-                              .time = expectation.time,
-                              .value = value,
-                              .tolerance = tolerance,
-                              .source = source,
-                              .relation = expectation.relation,
-                              .over = expectation.over,
-                              .index = expectation.index,
-                              .with = expectation.other});
+      continue;
     }
+    stated.truth.push_back({.body = expectation.body,
+                            .quantity = expectation.quantity,
+                            .time = expectation.time,
+                            .value = value,
+                            .tolerance = expectation.within.value_or(0),
+                            .tolerance_of = expectation.within ? "" : word,
+                            .source = expectation.source,
+                            .relation = expectation.relation,
+                            .over = expectation.over,
+                            .index = expectation.index,
+                            .with = expectation.other});
   }
   return stated;
 }

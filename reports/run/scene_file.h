@@ -14,7 +14,8 @@ namespace plumb {
 bool is_scene_file(std::string_view word);
 
 /// The case of a scene file: its truths are the expectations, with their tolerances, and a closed form that recognises
-/// the scene is its closed form. Throws std::invalid_argument for a file that cannot be read.
+/// the scene is its closed form. Throws std::invalid_argument for a file that cannot be read, or that takes a tolerance
+/// of a case of the catalogue that does not ask the same.
 Case case_of_file(const std::string& path);
 
 /// The contents of a scene file, or of "tracker:NAME", as they are: with the truths and the source that it states.
@@ -31,16 +32,12 @@ std::vector<Case> reported_cases();
 /// The closed form that recognises this scene, and of several the one that is valid longest; null if there is none.
 const Engine* find_closed_form(const Scene&);
 
-/// What a case expects, as truths of a scene file. Their tolerances do not depend on the engine: each is what a
-/// first-order method is allowed (see `reference_stepping`).
+/// What a case of the catalogue expects, as truths of a scene file. Their tolerances are those of the case, by how each
+/// engine steps; see StatedTruth::tolerance_of.
 struct StatedTruths {
   std::vector<StatedTruth> truth;
   std::vector<std::string> left_out;  // what a scene file cannot state, and why
 };
 StatedTruths truths_of(const Case&);
-
-/// Symplectic Euler at 60 steps a second in single precision, which notices an impact at the end of its step, with
-/// contacts up to a centimetre off and no restitution threshold: typical of games, and of no engine in particular.
-Stepping reference_stepping();
 
 }  // namespace plumb

@@ -28,7 +28,7 @@ std::string statement(const Stepping& stepping) {
   if (stepping.position_iterations > 0) {
     add(fmt::format("{} iterations of velocities, {} of positions", stepping.iterations, stepping.position_iterations));
   } else if (stepping.iterations > 0) {
-    add(fmt::format("{} iterations", stepping.iterations));
+    add(fmt::format("{} iteration{}", stepping.iterations, stepping.iterations == 1 ? "" : "s"));
   }
   if (stepping.epsilon > 0) add(stepping.epsilon > 1e-9 ? "single precision" : "double precision");
   if (stepping.differenced_velocities) add("keeps velocities as differences of positions");

@@ -33,7 +33,7 @@ std::string table(const Report& report) {
                                           : "no");
     }
     for (const InvariantCheck& check : run.invariants) {
-      const bool shown = check.status != CheckStatus::not_reported;
+      const bool shown = is_judged(check);
       text +=
           fmt::format("{},invariant,{},{},{},{},{},,,{},{},{}\n", begin, csv_field(check.name), csv_field(check.where),
                       csv_field(check.time), shown ? csv_field(check.value) : "", csv_field(check.unit),

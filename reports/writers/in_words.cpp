@@ -18,8 +18,9 @@ std::string in_words(const TruthCheck& check) {
 
 std::string in_words(const InvariantCheck& check) {
   const std::string where = check.where.empty() ? "" : " of " + check.where;
-  return fmt::format("breaks {}{} at {:.4g} s: {:.3g}, tolerance {:.2g} {} ({:.3g} times){}{}", check.name, where,
+  return fmt::format("breaks {}{} at {:.4g} s: {:.3g}, tolerance {:.2g} {} ({:.3g} times{}){}{}", check.name, where,
                      check.time, check.value, check.tolerance, check.unit, check.ratio,
+                     check.phases > 1 ? fmt::format(", worst of {} phases", check.phases) : "",
                      check.detail.empty() ? "" : ": ", check.detail);
 }
 

@@ -61,21 +61,9 @@ Json of(const InvariantCheck& check) {
             {"evidence", is_evidence(check)},
             {"time", check.time},
             {"where", check.where}};
+  if (check.phases > 1) json["phases"] = check.phases;
   if (!check.detail.empty()) json["detail"] = check.detail;
   return json;
-}
-
-Json final_pose_of(const RunRecord& run) {
-  Json all = Json::array();
-  if (run.status != Status::ok || !run.trace || !run.scene) return all;
-  const auto states = run.trace->states(run.trace->size() - 1);
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const Body& body = run.scene->bodies[i];
-    if (body.type != BodyType::dynamic) continue;
-    all.push_back(
-        {{"body", body.name}, {"x", states[i].position.x}, {"y", states[i].position.y}, {"angle", states[i].angle}});
-  }
-  return all;
 }
 
 Json of(const RunRecord& run) {
@@ -90,7 +78,6 @@ Json of(const RunRecord& run) {
           {"reason", run.reason},
           {"verdict", name_of(run.verdict)},
           {"metrics", of(run.metrics)},
-          {"final_pose", final_pose_of(run)},
           {"truth", list(run.truth, [](const TruthCheck& check) { return of(check); })},
           {"invariants", list(run.invariants, [](const InvariantCheck& check) { return of(check); })}};
 }
@@ -141,7 +128,6 @@ Json of(const ScenarioNote& note) {
   return {
       {"name", note.name},
       {"question", note.question},
-      {"closed_form", note.closed_form},
       {"parameters", list(note.parameters,
                           [](const Parameter& parameter) {
                             return Json{{"name", parameter.name}, {"unit", parameter.unit}, {"about", parameter.about}};
@@ -154,10 +140,15 @@ Json of(const GroupNote& note) { return {{"name", note.name}, {"title", note.tit
 Json of(const SteppingNote& one) { return {{"method", one.method}, {"text", one.text}}; }
 
 Json of(const EngineNote& note) {
-  return {{"name", note.name},         {"about", note.about},
-          {"source", note.source},     {"word", note.word},
-          {"language", note.language}, {"execution", name_of(note.execution)},
-          {"exact", note.exact},       {"states", list(note.states, [](const SteppingNote& one) { return of(one); })}};
+  return {{"name", note.name},
+          {"about", note.about},
+          {"source", note.source},
+          {"word", note.word},
+          {"language", note.language},
+          {"execution", name_of(note.execution)},
+          {"exact", note.exact},
+          {"caveats", note.caveats},
+          {"states", list(note.states, [](const SteppingNote& one) { return of(one); })}};
 }
 
 Json of(const MetricNote& note) {

@@ -58,7 +58,12 @@ std::vector<RelationSummary> relation_summaries(const Report& report) {
 std::string share_of(int part, int whole) { return whole == 0 ? "-" : fmt::format("{} %", 100 * part / whole); }
 
 std::optional<Pair> first_pair(const Report& report) {
-  const std::vector<EngineSummary> engines = engine_summaries(report);
+  std::vector<EngineSummary> engines = engine_summaries(report);
+  std::erase_if(engines, [&](const EngineSummary& one) {
+    return std::ranges::none_of(report.comparisons, [&](const Comparison& pair) {
+      return pair.key && (pair.a == one.engine || pair.b == one.engine);
+    });
+  });
   if (engines.size() < 2) return std::nullopt;
   const auto box2d =
       std::find_if(engines.begin() + 1, engines.end(), [](const EngineSummary& one) { return one.engine == "box2d"; });

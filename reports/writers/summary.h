@@ -49,7 +49,8 @@ struct Pair {
   std::string a, b;
 };
 
-/// The first engine and Box2D or, without it, the second engine; nullopt if there are no two.
+/// Of the engines with a comparison of runs that reached their end, the first and Box2D or, without it, the second;
+/// nullopt if there are no two.
 std::optional<Pair> first_pair(const Report&);
 
 /// The comparisons of two engines, one a case.

@@ -108,7 +108,13 @@ Force scaled(const Force& force, double factor) {
   return std::visit([factor](const auto& kind) { return scaled_kind(kind, factor); }, force);
 }
 
-Force read_force(const JsonReader& in, const BodyNames& names) { return in.kind<ReadForce>(force_kinds)(in, names); }
+Force read_force(const JsonReader& in, const BodyNames& names) {
+  refuse_as_foreign(in,
+                    {"time", "times", "at", "start", "begin", "end", "duration", "frequency", "amplitude", "period",
+                     "phase", "path", "keyframes", "table", "function"},
+                    "periodic");
+  return in.kind<ReadForce>(force_kinds)(in, names);
+}
 
 nlohmann::ordered_json as_json(const Force& force, const Scene& scene) {
   return std::visit([&scene](const auto& kind) { return kind_as_json(kind, scene); }, force);

@@ -11,6 +11,10 @@ struct Feature {
   const char* why;
 };
 
+constexpr const char* changing_force =
+    "forces that change with time are not in the format; a spring to a kinematic body with a \"path\" pulls in its "
+    "rhythm, and a body may have a \"velocity\" at the start";
+
 // Features of Box2D, Chipmunk, Rapier and matter.js, by the words of their formats.
 const std::vector<Feature>& features() {
   static const std::vector<Feature> all{
@@ -22,7 +26,8 @@ const std::vector<Feature>& features() {
       {{"lowertranslation", "uppertranslation", "groovejoint"},
        "write \"limits\": [lower, upper] in a prismatic joint, in m"},
       {{"minlength", "maxlength", "slidejoint", "rope", "ropejoint"},
-       "limits of distance joints are not in the format"},
+       "limits of distance joints (ropes) are not in the format: one keeps its \"length\", or yields with a "
+       "\"stiffness\""},
       {{"wheel", "wheeljoint"}, "wheel joints are not in the format; a revolute joint and a spring come close"},
       {{"mouse", "mousejoint", "target"},
        "mouse joints are not in the format; a spring to a point of the world pulls like one"},
@@ -50,8 +55,9 @@ const std::vector<Feature>& features() {
       {{"path", "keyframes", "waypoints", "trajectory"},
        "write \"path\": { \"type\": \"sinusoidal\", \"amplitude\": [x, y], \"frequency\": .. } in a kinematic body; "
        "other paths are not in the format"},
-      {{"impulse", "linearimpulse", "angularimpulse", "schedule", "starttime", "endtime", "until"},
-       "forces that change with time are not in the format; give a body its \"velocity\" at the start"},
+      {{"impulse", "linearimpulse", "angularimpulse", "schedule", "starttime", "endtime", "until", "pulse", "periodic",
+        "sinusoidal"},
+       changing_force},
       {{"linearvelocity"}, "write \"velocity\""},
       {{"isbullet", "ccd", "ccdenabled"}, "write \"bullet\""},
       {{"mass", "inertia", "centerofmass", "rotationalinertia"},

@@ -71,6 +71,7 @@ Joint scaled_kind(Distance joint, double factor) {
 }
 
 Joint read_distance(const JsonReader& in, const BodyNames& names) {
+  refuse_as_foreign(in, {"limits"}, "rope");
   in.object({"type", "bodies", "anchors", "length"}, {"stiffness", "damping"});
   const auto [a, b] = names.find_two(in["bodies"]);
   const auto [on_a, on_b] = read_anchors(in["anchors"]);

@@ -2,7 +2,10 @@
 
 #include <vector>
 
+#include "scenarios/scene/foreign_words.h"
+
 namespace plumb {
+
 void BodyNames::add(const JsonReader& in, const std::string& name) {
   if (!indices_.emplace(name, indices_.size()).second) in.refuse("the name \"" + printable(name) + "\" is given twice");
 }
@@ -28,6 +31,12 @@ std::pair<std::size_t, std::size_t> BodyNames::find_two(const JsonReader& in) co
   if (a == b) in.refuse("expected two different bodies, found one body twice");
   if (!is_dynamic(a) && !is_dynamic(b)) in.refuse("expected at least one dynamic body");
   return {a, b};
+}
+
+void refuse_as_foreign(const JsonReader& in, std::initializer_list<const char*> keys, const char* word) {
+  for (const char* key : keys) {
+    if (in.has(key)) in[key].refuse(foreign_word(word));
+  }
 }
 
 std::pair<Vec, Vec> read_anchors(const JsonReader& in) {

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -77,6 +78,9 @@ class BodyNames {
   const Scene& scene_;
   std::map<std::string, std::size_t> indices_;
 };
+
+/// Refuses an object that has any of these keys, which elsewhere mean something, as what the foreign word means.
+void refuse_as_foreign(const JsonReader&, std::initializer_list<const char*> keys, const char* word);
 
 /// A list of two points.
 std::pair<Vec, Vec> read_anchors(const JsonReader&);

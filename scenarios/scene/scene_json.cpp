@@ -157,11 +157,18 @@ void read_details(const JsonReader& in, const BodyNames& names, const Scene& sce
 }
 
 StatedTruth read_truth(const JsonReader& in, const Scene& scene, const BodyNames& names) {
-  in.object({"quantity", "time", "value", "tolerance", "source"}, {"body", "relation", "over", "index", "with"});
+  in.object({"quantity", "time", "value", "source"},
+            {"body", "tolerance", "toleranceOf", "relation", "over", "index", "with"});
   StatedTruth truth{.quantity = in["quantity"].one_of<Quantity>(quantities),
                     .value = in["value"].number(limits::reading),
-                    .tolerance = in["tolerance"].number(limits::tolerance),
                     .source = in["source"].text(1, limits::text)};
+  if (in.has("toleranceOf")) {
+    if (in.has("tolerance")) in["tolerance"].refuse("must be absent: the tolerance is that of \"toleranceOf\"");
+    truth.tolerance_of = in["toleranceOf"].text(1, limits::text);
+  } else {
+    in.must_have("tolerance");
+    truth.tolerance = in["tolerance"].number(limits::tolerance);
+  }
   const JsonReader time = in["time"];
   if (time.value() != "end") {
     if (!time.value().is_number()) time.expected("a time in s, or \"end\"");
@@ -236,7 +243,11 @@ OrderedJson truth_as_json(const StatedTruth& truth) {
   if (!truth.with.empty()) json["with"] = truth.with;
   if (truth.relation != Relation::equal) json["relation"] = name_of(truth.relation);
   json["value"] = truth.value;
-  json["tolerance"] = truth.tolerance;
+  if (truth.tolerance_of.empty()) {
+    json["tolerance"] = truth.tolerance;
+  } else {
+    json["toleranceOf"] = truth.tolerance_of;
+  }
   json["source"] = truth.source;
   return json;
 }

@@ -19,7 +19,10 @@ struct StatedTruth {
   std::optional<double> time;  // s; nullopt means the end
   double value = 0;            // in the quantity's unit
   double tolerance = 0;        // absolute, in the same unit
-  std::string source;          // in words: a formula, a measurement
+  /// A case of the catalogue, "bounce:e=0.5": the tolerance is what an engine is allowed there for the same question,
+  /// by how it steps, and `tolerance` counts for nothing. "": it is `tolerance`.
+  std::string tolerance_of = "";
+  std::string source;  // in words: a formula, a measurement
   Relation relation = Relation::equal;
   double over = 0;        // s, averaging interval up to that time; 0: the value at that moment
   int index = 0;          // apex, landing: which one, counted from 1

@@ -27,7 +27,7 @@ struct Options {
   std::vector<std::string> reports;
   std::string commit, at;
   std::string lines;  // a file of JSON lines
-  std::string metric, scenario, engine;
+  std::string metric, scenario, engine, since;
   std::string out = "out";
 };
 
@@ -78,10 +78,29 @@ std::vector<Series> only(const Options& options, std::vector<Series> all) {
   return all;
 }
 
+// A revision's time, a date or a time, or "7d": a week before the newest snapshot, as no clock is read. "": none.
+std::string moment_of(const std::string& since, const std::vector<SnapshotHead>& heads) {
+  if (since.empty()) return "";
+  constexpr std::size_t most_digits = 3;
+  const std::string digits = since.substr(0, since.size() - 1);
+  const bool days = since.back() == 'd' && !digits.empty() && digits.size() <= most_digits &&
+                    digits.find_first_not_of("0123456789") == digits.npos;
+  if (days && !heads.empty()) return days_before(heads.back().at, std::stoi(digits));
+  if (const auto commit = find_commit(since)) return commit->at;
+  try {
+    return utc(since);
+  } catch (const std::invalid_argument&) {
+    throw std::invalid_argument(
+        fmt::format("--since: \"{}\" is neither a number of days (7d) nor a date (2026-11-21) nor a revision here",
+                    printable(since)));
+  }
+}
+
 int changes(const Options& options) {
   const History history = History::of(options.file);
   const auto heads = history.heads();
-  fmt::print("{}", text_of(heads, trends_of(heads, history.series()), verdict_changes(history.verdicts())));
+  const std::string since = moment_of(options.since, heads);
+  fmt::print("{}", text_of(heads, trends_of(heads, history.series()), verdict_changes(history.verdicts()), since));
   return 0;
 }
 
@@ -164,7 +183,10 @@ std::function<int()> attach(CLI::App& app) {
   adding->add_option("--at", options->at, "Time of the commit, 2026-11-21T09:06:10Z; default: from git")
       ->type_name("MOMENT");
   word("list", "All snapshots with their commits and numbers of verdicts", list);
-  word("changes", "Changes of verdicts, numbers and times, by commit", changes);
+  word("changes", "Changes of verdicts, numbers and times, by commit", changes)
+      ->add_option("--since", options->since,
+                   "Only in snapshots from then on: 7d (before the newest), 2026-11-21 or a revision; default: all")
+      ->type_name("MOMENT");
   CLI::App* trending = word("trend", "A metric from commit to commit in every case and engine, and its changes", trend);
   trending->add_option("metric", options->metric, "As plumb list names it; worst_error_ratio or step_us")
       ->required()
@@ -190,7 +212,7 @@ const Catalog<Command>::Entry entry{
     {.name = "history",
      .about = "Keep reports from commit to commit, and show what changes",
      .examples = "  plumb history add out/report.json                    for the commit that is checked out\n"
-                 "  plumb history changes                                what changed, the newest first\n"
+                 "  plumb history changes --since 7d                     what changed in a week, the newest first\n"
                  "  plumb history trend step_us --engine impulse         a metric from commit to commit\n"
                  "  plumb history export history.jsonl                   to take elsewhere: import\n",
      .attach = attach}};

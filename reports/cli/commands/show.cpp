@@ -17,8 +17,9 @@
 namespace plumb::commands::show {
 namespace {
 
-// Of an engine of the catalogue, one of npm, or a program; nullopt for other words.
+// Of an engine of the catalogue, one of npm, or a program; nullopt for other words, and for one that is a scenario's, too.
 std::optional<std::string> engine_description(const std::string& word, std::size_t width) {
+  if (Catalog<Scenario>::find(word) != nullptr) return std::nullopt;
   if (word.starts_with(program_prefix)) return description_of(*parse_engine(word).engine, width);
   if (const Engine* engine = Catalog<Engine>::find(word)) return description_of(*engine, width);
   for (const PackagedEngine& one : packaged_engines()) {
@@ -29,11 +30,9 @@ std::optional<std::string> engine_description(const std::string& word, std::size
 
 int show(const std::string& name) {
   const std::size_t width = terminal_width(100);
-  if (Catalog<Scenario>::find(name) == nullptr) {
-    if (const auto engine = engine_description(name, width)) {
-      fmt::print("{}\n{}", name, *engine);
-      return 0;
-    }
+  if (const auto engine = engine_description(name, width)) {
+    fmt::print("{}\n{}", name, *engine);
+    return 0;
   }
   const Case one = is_scene_file(name) ? case_of_file(name) : parse_case(name);
   warn_about_files({&one, 1});
@@ -43,7 +42,7 @@ int show(const std::string& name) {
 
 const Catalog<Command>::Entry entry{
     {.name = "show",
-     .about = "Show a scenario's question, parameters, variants and truth, or an engine's options",
+     .about = "Show a scenario's question, parameters, variants and truth, or an engine's options and caveats",
      .examples = "  plumb show bounce\n"
                  "  plumb show impulse\n"
                  "  plumb show rapier                 an engine that plumb engine add installs\n"

@@ -294,7 +294,7 @@ const Catalog<Invariant>::Entry entry{
      .definition = "bodies separate after an impact as fast as they approached, times the coefficient of restitution, "
                    "within what the hypotheses of Newton, Poisson and Stronge agree on",
      .check = [](const InvariantContext& context) -> std::optional<InvariantCheck> {
-       if (!context.trace.has_contacts() || !context.stepping.whole_impulses) return not_reported();
+       if (auto cannot = without_contacts(context, true)) return cannot;
        return Bouncing(context).check();
      }}};
 

@@ -26,7 +26,7 @@ std::vector<Mass> masses_of(const Scene& scene) {
 
 // Every reported impulse is off by the rounding of its terms: a share of the largest that acts in that step.
 std::optional<InvariantCheck> check_push(const InvariantContext& context) {
-  if (!context.trace.has_contacts()) return not_reported();
+  if (auto cannot = without_contacts(context, false)) return cannot;
   WorstViolation worst;
   for (std::size_t moment = 0; moment < context.trace.size(); ++moment) {
     double largest = 0;
@@ -45,8 +45,7 @@ std::optional<InvariantCheck> check_push(const InvariantContext& context) {
 // over the contacts, may bound friction by an earlier normal impulse (see stale_impulse_error). If its iterations end
 // with no push at all, up to round-off, the push that its friction came from is not reported: that contact is no test.
 std::optional<InvariantCheck> check_cone(const InvariantContext& context) {
-  if (!context.trace.has_contacts()) return not_reported();
-  if (!context.stepping.whole_impulses) return not_reported();
+  if (auto cannot = without_contacts(context, true)) return cannot;
   const FrictionBounds friction(context.scene);
   WorstViolation worst;
   for (std::size_t moment = 0; moment < context.trace.size(); ++moment) {
@@ -158,7 +157,7 @@ double slip_speed(const ContactState& contact, std::span<const BodyState> states
 // correction of another contact may move the pair as far again.
 std::optional<InvariantCheck> check_complementarity(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
-  if (!trace.has_contacts()) return not_reported();
+  if (auto cannot = without_contacts(context, false)) return cannot;
   const Overlap overlap(scene);
   const double nu = trace_rounding(trace, stepping);
   const std::vector<Mass> masses = masses_of(scene);
@@ -203,7 +202,7 @@ double tangential_velocity(const ContactState& contact, std::span<const BodyStat
 // first-order method may bound friction by an earlier normal impulse, as in the cone.
 std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
-  if (!trace.has_contacts() || !stepping.whole_impulses) return not_reported();
+  if (auto cannot = without_contacts(context, true)) return cannot;
   const FrictionBounds friction(scene);
   const std::vector<Mass> masses = masses_of(scene);
   WorstViolation worst;

@@ -217,7 +217,9 @@ InvariantCheck rise(const InvariantContext& context, double drift) {
 std::optional<InvariantCheck> check(const InvariantContext& context) {
   const auto& bodies = context.scene.bodies;
   const bool drives = std::any_of(bodies.begin(), bodies.end(), is_driven);
-  if (drives && (!context.trace.has_contacts() || !context.stepping.whole_impulses)) return not_reported();
+  // What touches nothing drives nothing.
+  const auto cannot = drives ? without_contacts(context, true) : std::nullopt;
+  if (cannot && cannot->status == CheckStatus::not_reported) return cannot;
   // What keeps up a spin against a spring works too.
   const auto spins = [](const Body& body) { return body.type == BodyType::dynamic && is_driven(body); };
   if (!context.scene.forces.empty() && std::any_of(bodies.begin(), bodies.end(), spins)) return not_reported();

@@ -189,7 +189,7 @@ const Catalog<Invariant>::Entry entry{
      .check = [](const InvariantContext& context) -> std::optional<InvariantCheck> {
        Moments moments(context);
        if (!moments.applies()) return std::nullopt;
-       if (!context.trace.has_contacts() || !context.stepping.whole_impulses) return not_reported();
+       if (auto cannot = without_contacts(context, true)) return cannot;
        return moments.check();
      }}};
 

@@ -221,7 +221,7 @@ std::optional<InvariantCheck> check_bodies(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   const std::vector<bool> known = known_bodies(scene);
   if (std::find(known.begin(), known.end(), true) == known.end()) return std::nullopt;
-  if (!trace.has_contacts() || !stepping.whole_impulses) return not_reported();
+  if (auto cannot = without_contacts(context, true)) return cannot;
   const AppliedForces forces(scene);
   const auto masses = forces.masses();
   std::vector<double> largest(scene.bodies.size());

@@ -196,15 +196,21 @@ JobOutput search_least_model(const ModelError& errors, double seconds) {
             if (budget.past(search_share)) complete = false;
             return !complete;
           }};
-  const FeatureLevels least = least_model(single_drops(full), model_features().size(), trials);
+  FeatureLevels least = least_model(single_drops(full), model_features().size(), trials);
+  const std::size_t last = complete ? fewest : 2;
+  Quartiles cheaper = cost_ratio(errors, full, model_at(full, least), last, enough(steady));
+  // What seemed to save time in the search was noise.
+  if (!(cheaper.median > 1)) {
+    std::fill(least.begin(), least.end(), 0);
+    cheaper = {1, 1, 1};
+  }
   const EngineConfig model = model_at(full, least);
   const ModelError::Result result = errors.of(model);
-  const std::size_t last = complete ? fewest : 2;
   output.values["complete"] = complete;
   output.times = {{"line", label_of(model.engine->name, model.method())},
                   {"error", finite_or_null(result.error)},
                   {"change", finite_or_null(result.change)},
-                  {"cheaper", json_of(cost_ratio(errors, full, model, last, enough(steady)))},
+                  {"cheaper", json_of(cheaper)},
                   {"auto_cheaper", json_of(cost_ratio(errors, full, automatic_model(full), last, enough(steady)))}};
   Json dropped = Json::array();
   for (std::size_t f = 0; f < least.size(); ++f) {

@@ -84,6 +84,7 @@ class ModelRun {
                           {"error", finite_or_null(result.error)},
                           {"change", finite_or_null(result.change)},
                           {"different", result.different},
+                          {"breaks", result.breaks},
                           {"chaotic", errors_->chaotic()},
                           {"within", errors_->within_tolerance(result)},
                           {"duration", problem.scene->duration},
@@ -207,13 +208,15 @@ Json promise_of(const CaseResults& results) {
   return {{"case", results.name}, {"kept", values.at("within")}, {"change", values.at("change")}};
 }
 
-// The cheapest single drop of those that are wrong by at most `tolerance`, in m: what a coarser question would allow.
+// The cheapest single drop of those that add at most `tolerance`, in m, and break nothing: what a coarser question
+// would allow.
 Json cheapest_within(const CaseResults& results, double tolerance, const Json& full) {
   Json best = nullptr;
   for (const JobResult* drop : results.drops) {
     const Json& values = drop->output.values;
     if (!values.contains("change") || !values.at("change").is_number() || values.at("change").get<double>() > tolerance)
       continue;
+    if (!values.at("breaks").get<std::string>().empty()) continue;
     const Json ratio = ratio_or_null(full, median_of(drop->output.times));
     if (!ratio.is_number() || (best.is_object() && best.at("cheaper") >= ratio)) continue;
     best = {{"tolerance", tolerance}, {"line", values.at("line")}, {"cheaper", ratio}, {"change", values.at("change")}};

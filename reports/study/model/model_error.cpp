@@ -11,9 +11,26 @@
 #include "reports/judge/mechanics.h"
 #include "reports/judge/states.h"
 #include "reports/run/case_run.h"
+#include "reports/run/converged_checks.h"
 #include "reports/run/horizon.h"
 
 namespace plumb {
+namespace {
+
+// By phase, the case itself first.
+std::vector<const Outcome*> outcomes_of(const CaseRun& runs) {
+  std::vector<const Outcome*> all{&runs.outcome};
+  for (const Outcome& one : runs.shifted) all.push_back(&one);
+  return all;
+}
+
+// m, the deepest; 0 if there are no two bodies.
+double overlap_in(const RunRecord& record) {
+  const auto found = record.metrics.find("penetration_max");
+  return found == record.metrics.end() ? 0 : found->second.value;
+}
+
+}  // namespace
 
 ModelError::ModelError(Case problem, EngineConfig full, double dt, double tolerance)
     : problem_(std::move(problem)),
@@ -27,12 +44,17 @@ ModelError::ModelError(Case problem, EngineConfig full, double dt, double tolera
 void ModelError::find() {
   if (std::exchange(found_, true)) return;
   reference_.find();
+  judge_ = std::make_unique<CaseJudge>(problem_, dt_, usual_budget);
   for (const Case& phase : phases_) {
-    if (const Engine* engine = reference_.engine()) {
-      truths_.push_back(run(*phase.scene, {engine, complete(*engine, {})}, dt_, phase.first_step).trace);
-    }
-    fulls_.push_back(run(*phase.scene, full_, dt_, phase.first_step).trace);
+    const Engine* engine = reference_.engine();
+    if (engine == nullptr) break;
+    truths_.push_back(run(*phase.scene, {engine, complete(*engine, {})}, dt_, phase.first_step).trace);
   }
+  const CaseRun full = run_case(problem_, full_, dt_);
+  for (const Outcome* outcome : outcomes_of(full)) fulls_.push_back(outcome->trace);
+  const RunRecord record = judge_->judged(full_, full);
+  full_complaints_ = complaints_of(record);
+  full_overlap_ = overlap_in(record);
   const double end = problem_.scene->duration;
   const bool reaches_end = reference_.engine() != nullptr && reference_.until() >= end * (1 - 1e-9);
   if (!reaches_end || reference_.error() > tolerance_)
@@ -58,13 +80,15 @@ double ModelError::truth_until() const {
 
 ModelError::Result ModelError::of(const EngineConfig& model) const {
   Result result;
+  const CaseRun runs = run_case(problem_, model, dt_);
+  const std::vector<const Outcome*> outcomes = outcomes_of(runs);
   double squares = 0;
   double largest_difference = 0;
-  for (std::size_t i = 0; i < phases_.size(); ++i) {
-    const Outcome outcome = run(*phases_[i].scene, model, dt_, phases_[i].first_step);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Outcome& outcome = *outcomes[i];
     result.status = outcome.status;
     result.reason = outcome.reason;
-    if (outcome.status != Status::ok || !fulls_[i]) {
+    if (outcome.status != Status::ok || i >= fulls_.size() || !fulls_[i]) {
       result.error = result.change = std::numeric_limits<double>::infinity();
       return result;
     }
@@ -75,15 +99,47 @@ ModelError::Result ModelError::of(const EngineConfig& model) const {
     }
   }
   result.error = truths_.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                 : std::sqrt(squares / static_cast<double>(phases_.size()));
+                                 : std::sqrt(squares / static_cast<double>(outcomes.size()));
   result.change = std::max(largest_difference, truths_.empty() ? 0.0 : result.error - full_error_);
-  if (chaotic_ && model.settings != full_.settings) result.different = difference_in_statistics(model);
+  if (model.settings == full_.settings) return result;
+  const RunRecord record = judge_->judged(model, runs);
+  result.breaks = worse_than_full(record);
+  if (chaotic_) {
+    result.different = difference_in_statistics(model, overlap_in(record));
+  } else {
+    result.change = std::max(result.change, overlap_in(record) - full_overlap_);
+  }
   return result;
+}
+
+std::vector<ModelError::Complaint> ModelError::complaints_of(const RunRecord& record) {
+  std::vector<Complaint> all;
+  const auto of = [](const std::string& where) { return where.empty() ? "" : " of " + where; };
+  for (const InvariantCheck& one : record.invariants) {
+    if (one.status == CheckStatus::broken) all.push_back({one.name, one.name + of(one.where)});
+  }
+  for (const TruthCheck& one : record.truth) {
+    if (one.reported && !one.passed) all.push_back({one.quantity + of(one.body), one.quantity + of(one.body)});
+  }
+  return all;
+}
+
+// Each check once, in whatever places it fails.
+std::string ModelError::worse_than_full(const RunRecord& record) const {
+  std::vector<std::string> known;
+  for (const Complaint& one : full_complaints_) known.push_back(one.check);
+  std::string words;
+  for (const Complaint& one : complaints_of(record)) {
+    if (std::find(known.begin(), known.end(), one.check) != known.end()) continue;
+    known.push_back(one.check);
+    words += (words.empty() ? "" : ", ") + one.words;
+  }
+  return words;
 }
 
 // Runs of one method hardly scatter, so a rank test finds differences that do not matter: only those of more than a
 // twentieth of scale count, which is also where a tolerance ceases to be a test.
-std::string ModelError::difference_in_statistics(const EngineConfig& model) const {
+std::string ModelError::difference_in_statistics(const EngineConfig& model, double overlap) const {
   constexpr double matters = 0.05;
   const Scene& scene = *problem_.scene;
   const std::vector<EnsembleSample> runs = ensemble_of(model);
@@ -98,11 +154,16 @@ std::string ModelError::difference_in_statistics(const EngineConfig& model) cons
                                                   : one.a.median;
     one.different = one.different && std::abs(one.b.median - one.a.median) > matters * scale;
   }
-  return differences_in_words(differences, members);
+  std::string words = differences_in_words(differences, members);
+  if (overlap - full_overlap_ > matters * smallest_body(scene)) {
+    words +=
+        fmt::format("{}overlap {:.3g} against {:.3g} m", words.empty() ? "different: " : "; ", overlap, full_overlap_);
+  }
+  return words;
 }
 
 bool ModelError::within_tolerance(const Result& result) const {
-  if (result.status != Status::ok) return false;
+  if (result.status != Status::ok || !result.breaks.empty()) return false;
   return chaotic_ ? result.different.empty() : result.change <= tolerance_;
 }
 

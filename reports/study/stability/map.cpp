@@ -46,7 +46,7 @@ double Axis::between(double a, double b) const {
 }
 
 bool Boundary::fails(FailureMode mode) const {
-  if (failing.empty() || mode == FailureMode::fails) return is_failure(mode);
+  if (failing.empty() || mode == FailureMode::diverges || mode == FailureMode::fails) return is_failure(mode);
   return std::find(failing.begin(), failing.end(), mode) != failing.end();
 }
 

@@ -32,9 +32,10 @@ struct Axis {
 
 /// The value of x beyond which a method no longer holds.
 struct Boundary {
-  std::string name;                  // "stands"
-  std::vector<FailureMode> failing;  // the modes that count as failing; if empty, all failures
-  double resolution = 0;             // final width of the bracket; relative on a logarithmic axis; 1 on an integer axis
+  std::string name;  // "stands"
+  std::vector<FailureMode>
+      failing;            // the modes that count as failing, as runs without a result do; empty: all failures
+  double resolution = 0;  // final width of the bracket; relative on a logarithmic axis; 1 on an integer axis
   /// The theoretical boundary of a method at a y; nullopt if theory gives none. 0 means it always fails, infinity that
   /// it always holds.
   std::function<std::optional<double>(const EngineConfig&, double y)> theory = nullptr;

@@ -167,6 +167,7 @@ Json limit_json(const std::string& engine, const std::vector<const Json*>& rows,
   if (typical == rows.end()) return limit;
   const Json& row = **typical;
   for (const char* what : {"low", "high", "outcome", "theory"}) limit[what] = row.at(boundary + "_" + what);
+  limit["agrees"] = row.value(boundary + "_agrees", false);
   limit["y"] = row.at("y");
   limit["option"] = row.at("option");
   limit["why"] = row.at("why");

@@ -13,8 +13,12 @@
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
 #include "reports/study/selection.h"
+#include "reports/study/stability/headline.h"
 #include "reports/study/stability/row.h"
 #include "reports/study/study.h"
+#include "reports/system/layout.h"
+#include "reports/system/terminal.h"
+#include "reports/system/text_table.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb {
@@ -118,18 +122,28 @@ bool is_done(const JobResult& result) { return result.ending == Ending::done; }
 // The values of a method's rows in a map.
 struct MethodRows {
   std::string engine;
-  std::vector<const Json*> rows;
+  std::vector<const Json*> rows = {};
+  std::string failed = {};  // why a row has no values
 };
+
+// The method of a row's key: stability|MAP|METHOD|ROW.
+std::string method_of(const std::string& key, const std::string& map) {
+  const std::size_t begin = std::string("stability|").size() + map.size() + 1;
+  return key.substr(begin, key.rfind('|') - begin);
+}
 
 std::vector<MethodRows> by_method(const std::string& map, const std::vector<JobResult>& results) {
   std::vector<MethodRows> methods;
   for (const JobResult& result : results) {
-    const Json& values = result.output.values;
-    if (!is_done(result) || values.at("map") != map) continue;
-    const std::string engine = engine_label(values);
+    if (!result.key.starts_with("stability|" + map + "|")) continue;
+    const std::string engine = method_of(result.key, map);
     auto found = std::find_if(methods.begin(), methods.end(), [&](const auto& one) { return one.engine == engine; });
-    if (found == methods.end()) found = methods.insert(found, {engine, {}});
-    found->rows.push_back(&values);
+    if (found == methods.end()) found = methods.insert(found, {engine});
+    if (is_done(result)) {
+      found->rows.push_back(&result.output.values);
+    } else if (found->failed.empty()) {
+      found->failed = fmt::format("{}, {}", name_of(result.ending), result.reason);
+    }
   }
   return methods;
 }
@@ -147,26 +161,30 @@ std::string bracket_text(const Json& limit) {
                      limit.at("outcome").get<std::string>());
 }
 
-std::string text_of(const StabilityMap& map, const Json& described) {
+std::string text_of(const StabilityMap& map, const Json& described, std::size_t width) {
   const auto with_unit = [](const Axis& axis) { return axis.unit.empty() ? axis.name : axis.name + ", " + axis.unit; };
   const std::string where =
       map.y ? fmt::format("{} = {:.4g}{}{}", map.y->name, map.typical, map.y->unit.empty() ? "" : " ", map.y->unit)
             : "each method's default work";
   const Json& agreements = described.at("agreements");
-  std::string text = fmt::format("{}: {}\n  {:<64}{} at {}{}\n", map.name, map.question, "", with_unit(map.x), where,
-                                 agreements.empty() ? "" : "; rows that agree with theory");
+  TextTable table({{"method", 0, true}, {with_unit(map.x), 0, true}, {"as theory says", 2}, {"off by", 3}}, 2, width);
+  std::string failures;
   for (const Json& limit : described.at("limits")) {
-    if (!limit.contains("low")) continue;
-    std::string agreement;
-    for (const Json& one : agreements) {
-      if (one.at("engine") != limit.at("engine") || one.at("boundary") != map.boundaries[0].name) continue;
-      agreement = fmt::format("{}/{}", one.at("agree").get<int>(), one.at("rows").get<int>());
-      if (one.at("worst").is_number())
-        agreement += fmt::format(", off by {:.2g} at most", one.at("worst").get<double>());
+    const std::string engine = limit.at("engine");
+    if (!limit.contains("low")) {
+      failures += wrapped(fmt::format("{} failed: {}", engine, limit.value("failed", "its row is missing")), 2, width);
+      continue;
     }
-    text += fmt::format("  {:<64}{:<36}{}\n", limit.at("engine").get<std::string>(), bracket_text(limit), agreement);
+    std::string agree, off;
+    for (const Json& one : agreements) {
+      if (one.at("engine") != engine || one.at("boundary") != map.boundaries[0].name) continue;
+      agree = fmt::format("{}/{}", one.at("agree").get<int>(), one.at("rows").get<int>());
+      if (one.at("worst").is_number()) off = fmt::format("{:.2g}", one.at("worst").get<double>());
+    }
+    table.add({{engine}, {bracket_text(limit)}, {agree}, {off}});
   }
-  return text + "\n";
+  return wrapped(fmt::format("{}: {} At {}.", map.name, map.question, where), 0, width) + table.text() + failures +
+         "\n";
 }
 
 // A row is failed if any of its cells is.
@@ -177,25 +195,31 @@ std::string why_failed(const JobResult& result) {
 }
 
 Findings conclude(const std::vector<const StabilityMap*>& maps, int cells, const std::vector<JobResult>& results) {
+  const std::size_t width = terminal_width(120);
   Findings found;
   Json all = Json::array();
   for (const StabilityMap* map : maps) {
     Json described = description_of(*map, cells);
     described["agreements"] = Json::array();
     described["limits"] = Json::array();
-    for (const auto& [engine, rows] : by_method(map->name, results)) {
+    for (const auto& [engine, rows, failed] : by_method(map->name, results)) {
       described["limits"].push_back(limit_json(engine, rows, map->boundaries[0].name));
+      if (!failed.empty()) described["limits"].back()["failed"] = failed;
       for (const Boundary& boundary : map->boundaries) {
         if (Json agreement = agreement_json(engine, rows, boundary.name); !agreement.is_null()) {
           described["agreements"].push_back(std::move(agreement));
         }
       }
     }
-    found.text += text_of(*map, described);
+    found.text += text_of(*map, described, width);
     all.push_back(std::move(described));
   }
+  find_best(all);
+  const std::string sentence = sentence_of(all);
   const Json failures = failures_of(results, why_failed);
-  found.findings = {{"outcomes", failure_modes_json()}, {"maps", std::move(all)}, {"failures", failures}};
+  found.text = wrapped(sentence, 0, width) + "\n" + found.text;
+  found.findings = {
+      {"sentence", sentence}, {"outcomes", failure_modes_json()}, {"maps", std::move(all)}, {"failures", failures}};
   const auto unfinished = std::count_if(results.begin(), results.end(), [](const auto& one) { return !is_done(one); });
   found.text += failures_text(failures);
   found.text += fmt::format("{} rows; {} crashed or exceeded their limits.\n", results.size(), unfinished);

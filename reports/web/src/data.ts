@@ -27,7 +27,7 @@ export interface TruthCheck {
   unit: string;
 }
 
-const statuses = ["held", "broken", "not reported"] as const;
+const statuses = ["held", "broken", "not reported", "not applicable"] as const;
 export type CheckStatus = (typeof statuses)[number];
 
 /** An invariant over a run, at the moment of its largest error. */
@@ -41,6 +41,7 @@ export interface InvariantCheck {
   evidence: boolean; // false if nothing in the run tested it
   time: number;
   where: string;
+  phases?: number; // runs with shifted steps, of which it is the worst; absent for a single run
   detail?: string; // of a metamorphic relation: what was compared, and why that much may differ
 }
 
@@ -127,6 +128,7 @@ export interface EngineNote {
   language: string;
   execution: string; // how its code runs: "native", "WebAssembly", "JIT", "interpreted" or "not stated"
   states?: { method: string; text: string }[]; // how it steps, by its own word
+  caveats?: string[]; // what it does differently from what a scene means
   exact: boolean;
 }
 
@@ -244,7 +246,7 @@ const report_rule = record({
   environment: map(text),
   scenarios: list(record({ name: text, question: text, group: optional(text), parameters: list(record({ name: text, unit: text, about: text })) })),
   groups: optional(list(record({ name: text, title: text, stake: text }))),
-  engines: list(record({ name: text, about: text, source: text, word: text, language: text, execution: text, exact: yes_no, states: optional(list(record({ method: text, text }))) })),
+  engines: list(record({ name: text, about: text, source: text, word: text, language: text, execution: text, exact: yes_no, caveats: optional(list(text)), states: optional(list(record({ method: text, text }))) })),
   metrics: list(record({ name: text, unit: text, definition: text })),
   invariants: list(record({ name: text, unit: text, definition: text })),
   runs: list(
@@ -286,6 +288,7 @@ const report_rule = record({
           evidence: yes_no,
           time: finite,
           where: text,
+          phases: optional(finite),
           detail: optional(text),
         }),
       ),

@@ -17,7 +17,7 @@ function make(details: HTMLDetailsElement): void {
 }
 
 interface Options {
-  kind?: "checks" | "more";
+  kind?: "checks" | "more" | "caveats";
   open?: boolean;
   /** The id of the element around it, with which the ids inside begin. A large report has too much of it to be made while the browser is idle. */
   holds?: string;

@@ -1,5 +1,6 @@
-// The look of an engine: colour (a palette that is safe for colour-blind readers), shape and dash. An engine looks the
-// same in every report, whatever else is in it: known names have a place of their own, others get one from their letters.
+// The look of an engine: colour (a palette that is safe for colour-blind readers), shape and dash. It depends on the
+// engine's name alone, so an engine looks the same in every report, whatever else is in it. Methods and builds of an
+// engine have its colour, in two tones, and shapes and dashes of their own.
 
 export interface Look {
   color: string;
@@ -7,38 +8,39 @@ export interface Look {
   dash: string;
 }
 
-const symbols = ["circle", "square", "triangle", "diamond", "wye", "star"];
+/** Their numbers have no common divisor, so that counting through both at once meets every combination. */
+const symbols = ["circle", "square", "triangle", "diamond", "wye", "star", "cross"];
 const dashes = ["", "7 3", "2 3", "9 3 2 3", "12 4", "4 2"];
-const colors = 6;
-const places = 36; // that differ
+const marks = symbols.length * dashes.length;
 
-/** In the order of their places: engines have the six colours first, methods of ours come next. */
-const known = [
-  "impulse",
-  "box2d",
-  "chipmunk",
-  "box2d3",
-  "rapier",
-  "planck",
-  "matter",
-  "impulse:solver=sequential-impulse",
-  "impulse:solver=split-impulse",
-  "impulse:solver=article",
-  "impulse:solver=xpbd",
-  "impulse:solver=soft-step",
-  "impulse:solver=block",
-  "impulse:solver=exact",
-  "chipmunk:slop=0.1",
+/** By colour: the names of an engine, and methods of it that are shown often, with their marks. */
+const known: Record<string, number>[] = [
+  {
+    "impulse": 0,
+    "impulse:solver=article": 1,
+    "impulse:solver=sequential-impulse": 2,
+    "impulse:solver=split-impulse": 3,
+    "impulse:solver=soft-step": 4,
+    "impulse:solver=xpbd": 5,
+    "impulse:solver=block": 6,
+    "impulse:solver=exact": 7,
+    "impulse:model=auto": 8,
+    "impulse:precision=float": 9,
+    "impulse:continuous=off": 10,
+    "impulse:solver=exact,integrator=explicit-euler": 11,
+    "impulse:solver=exact,integrator=rk4": 12,
+    "impulse:solver=exact,integrator=velocity-verlet": 13,
+  },
+  { "box2d": 0, "box2d:restitution=0": 1, "box2d:continuous=off": 2 },
+  { "chipmunk": 0, "chipmunk:slop=0.1": 1 },
+  // Builds of one engine have its shape.
+  { "box2d-v3": 0, "box2d3-wasm": symbols.length, "box2d3": 2 * symbols.length },
+  { "rapier": 0 },
+  { "planck": 0 },
+  { "matter": 0 },
 ];
-
-function look(place: number): Look {
-  const offset = place + Math.floor(place / colors);
-  return {
-    color: `var(--engine-${(place % colors) + 1})`,
-    symbol: symbols[offset % symbols.length] ?? "circle",
-    dash: dashes[offset % dashes.length] ?? "",
-  };
-}
+const first_other = 2 * symbols.length + 1;
+const colors = 10; // the last ones are for other engines
 
 /** FNV-1a */
 function hash(text: string): number {
@@ -47,22 +49,21 @@ function hash(text: string): number {
   return value;
 }
 
-/** The looks of engines that are shown together: all differ, up to 36. Names that want the same place share it out in alphabetical order. */
-export function looks(labels: string[]): (label: string) => Look {
-  const found = new Map<string, Look>();
-  const taken = new Set<number>();
-  const free = places - known.length;
-  for (const label of [...new Set(labels)].sort()) {
-    let place = known.indexOf(label);
-    if (place < 0) {
-      place = known.length + (hash(label) % free);
-      // The next free place, at last one of a known engine that is not here.
-      const here = (one: number): boolean => taken.has(one) || labels.includes(known[one] ?? "");
-      for (let tries = 0; taken.has(place) && tries < free; ++tries) place = place + 1 < places ? place + 1 : known.length;
-      for (let tries = 0; here(place) && tries < places; ++tries) place = (place + 1) % places;
-    }
-    taken.add(place);
-    found.set(label, look(place));
-  }
-  return (label) => found.get(label) ?? look(0);
+/** Without version and settings: "box2d@2.4:velocity=4" is box2d. */
+const engine_of = (label: string): string => label.split(/[@:]/)[0] ?? label;
+
+/** The look of an engine or method, by the name that --engine takes. */
+export function look_of(label: string): Look {
+  const engine = engine_of(label);
+  const family = known.findIndex((names) => Object.keys(names).some((name) => engine_of(name) === engine));
+  const other = family < 0 ? hash(label) % marks : first_other + (hash(label) % (marks - first_other));
+  const mark = known[family]?.[label] ?? other;
+  const color = (family < 0 ? known.length + (hash(engine) % (colors - known.length)) : family) + 1;
+  // An engine starts with the mark of its colour.
+  const start = Math.max(0, family);
+  return {
+    color: `var(--engine-${color}${mark % 2 ? "-deep" : ""})`,
+    symbol: symbols[(start + mark) % symbols.length] ?? "circle",
+    dash: dashes[(start + mark) % dashes.length] ?? "",
+  };
 }

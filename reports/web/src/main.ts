@@ -19,7 +19,7 @@ import { study_id, study_page, study_section, view_of } from "./studies/page";
 const most_links = 8;
 
 /** The cases of a longer report are made when they are opened. */
-const most_open = 16;
+const most_open = { cases: 16, runs: 60 };
 
 const page = document.getElementById("page");
 const outcome = read(document.getElementById("plumb-data")?.textContent);
@@ -35,7 +35,9 @@ if ("problems" in outcome) {
   const { studies } = outcome.page;
   const link = (id: string, name: string) => h("a", { href: `#${id}` }, name);
   const many = model.chapters.length > most_links;
-  const fold = model.chapters.reduce((sum, { cases }) => sum + cases.length, 0) > most_open;
+  const cases = model.chapters.flatMap((chapter) => chapter.cases);
+  const runs = cases.flatMap(({ entries }) => entries).filter(({ engine }) => !engine.exact);
+  const fold = cases.length > most_open.cases || runs.length > most_open.runs;
   const links = [
     link("overview", "Overview"),
     ...(many ? [finder(model)] : model.chapters.map(({ name }) => link(slug(name), name))),

@@ -1,7 +1,7 @@
 // The report as the page shows it: engines with their colours and shapes, and cases (one variant of a scenario) with
 // their runs, comparisons, timings and replays.
 import { series_of, type Comparison, type Curves, type EngineNote, type InvariantCheck, type KeyDifferences, type Page, type Run, type ScenarioNote, type Series, type Timing, type TruthCheck } from "./data";
-import { looks } from "./looks";
+import { look_of } from "./looks";
 import type { Replay } from "./replay/data";
 
 export interface Engine {
@@ -75,7 +75,6 @@ export const unlike = (engines: Pick<Engine, "execution">[]): string =>
 function engines_of(runs: Run[], notes: EngineNote[]): Engine[] {
   const found = new Map<string, Engine>();
   const ours_first = [...runs].sort((a, b) => Number(b.engine === "impulse") - Number(a.engine === "impulse"));
-  const look_of = looks(runs.filter(({ exact }) => !exact).map(label_of));
   for (const run of ours_first) {
     const label = run.exact ? "truth" : label_of(run);
     if (found.has(label)) continue;
@@ -96,10 +95,13 @@ export const ratio_of = ({ ratio }: TruthCheck | InvariantCheck): number => rati
 
 function worst(run: Run): number {
   const truth = reported(run).map(ratio_of);
-  const invariants = run.invariants.filter(({ status }) => status !== "not reported").map(ratio_of);
+  const invariants = run.invariants.filter(is_judged).map(ratio_of);
   const all = [...truth, ...invariants];
   return all.length ? Math.max(...all) : NaN;
 }
+
+/** Whether an invariant was held or broken. */
+export const is_judged = ({ status }: InvariantCheck): boolean => status === "held" || status === "broken";
 
 /** error / scale of a check; infinite for an unknown scale or an error that is not finite. */
 export const relative_of = ({ relative_error }: TruthCheck): number => relative_error ?? Infinity;

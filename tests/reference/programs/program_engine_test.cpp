@@ -107,6 +107,7 @@ TEST(IsolatedEngine, MovesToTheSameBits) {
     const std::string word = "exec:" PLUMB_PROGRAM " engine serve " + own.engine->name;
     const EngineConfig served = parse_engine(own.method().empty() ? word : word + ':' + own.method());
     EXPECT_THAT(served.engine->name, testing::StartsWith(own.engine->name + '@')) << label;
+    EXPECT_EQ(served.engine->caveats, own.engine->caveats) << label;
     const Outcome a = run(scene, own, dt);
     const Outcome b = run(scene, served, dt);
     ASSERT_EQ(a.status, Status::ok) << label << ": " << a.reason;

@@ -87,7 +87,7 @@ TEST_F(BaselineFile, NamesThePlaceOfDamage) {
 TEST_F(BaselineFile, RefusesForeignAndNewerFiles) {
   EXPECT_THAT(complaint("[]"), HasSubstr("expected a baseline or a report.json"));
   EXPECT_THAT(complaint(R"({"plumb": 1, "bodies": []})"), HasSubstr("neither a baseline"));
-  EXPECT_THAT(complaint(with("\"plumb_baseline\": 3", "\"plumb_baseline\": 4")), HasSubstr("plumb_baseline: expected"));
+  EXPECT_THAT(complaint(with("\"plumb_baseline\": 4", "\"plumb_baseline\": 5")), HasSubstr("plumb_baseline: expected"));
   EXPECT_THROW(read_baseline(put("report.json", to_json(sample_report()).dump())), std::invalid_argument);
   EXPECT_THROW(read_baseline(at("none.json")), std::invalid_argument);
 }
@@ -113,8 +113,21 @@ TEST_F(BaselineFile, ReadsVersion1) {
   EXPECT_EQ(to_text(back), to_text(expected));
 }
 
+// It called "not reported" what is now told apart as "not applicable".
+TEST_F(BaselineFile, OfVersion3AgreesThatAContactLawWasNotJudgedInFlight) {
+  Baseline flight = sample();
+  fakes::run_of(flight).numbers["invariant: bouncing"] = {.unit = "m/s", .status = CheckStatus::not_reported};
+  std::string old = to_text(flight);
+  const std::string version = "\"plumb_baseline\": 4";
+  const Baseline back =
+      read_baseline(put("old.json", old.replace(old.find(version), version.size(), "\"plumb_baseline\": 3")));
+  fakes::run_of(flight).numbers["invariant: bouncing"].status = CheckStatus::not_applicable;
+  EXPECT_TRUE(compare(back, flight).passed());
+  EXPECT_FALSE(compare(read_baseline(put("new.json", to_text(flight))), back).passed());
+}
+
 TEST_F(BaselineFile, SaysThatVerdictsOfVersion2MeantSomethingElse) {
-  const Baseline back = read_baseline(put("old.json", with("\"plumb_baseline\": 3", "\"plumb_baseline\": 2")));
+  const Baseline back = read_baseline(put("old.json", with("\"plumb_baseline\": 4", "\"plumb_baseline\": 2")));
   const GateResult result = compare(back, sample());
   EXPECT_TRUE(result.passed());
   EXPECT_THAT(result.notes, testing::Contains(HasSubstr("plumb accept makes it anew")));

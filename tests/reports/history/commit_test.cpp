@@ -58,6 +58,11 @@ TEST(Utc, ConvertsDatesAndTimes) {
   EXPECT_EQ(utc("2026-01-01T00:30:00+01:00"), "2025-12-31T23:30:00Z");
 }
 
+TEST(DaysBefore, CountsAcrossMonths) {
+  EXPECT_EQ(days_before("2026-11-21T09:06:10Z", 7), "2026-11-14T09:06:10Z");
+  EXPECT_EQ(days_before("2024-03-01T00:00:00Z", 1), "2024-02-29T00:00:00Z");
+}
+
 TEST(Utc, RefusesOtherText) {
   for (const char* text : {"", "now", "2026-13-01", "2026-02-29", "2026-11-21T09:06:10", "2026-11-21T24:00:00Z",
                            "2026-11-21T09:06:10+0100", "2026-11-21 09:06:10Z", "20261121", "2026-1-1"}) {

@@ -38,6 +38,27 @@ TEST_F(Trends, FindChangesOfMetricsAndVerdicts) {
   EXPECT_EQ(verdicts[0].before + " " + verdicts[0].after, "right wrong");
 }
 
+// The verdict and energy_rise change at the 11th.
+TEST_F(Trends, AreToldFromAMomentOn) {
+  const auto heads = history_.heads();
+  const auto trends = trends_of(heads, history_.series());
+  const auto verdicts = verdict_changes(history_.verdicts());
+  const auto told = [&](const std::string& since) { return text_of(heads, trends, verdicts, since); };
+  EXPECT_THAT(told(""), testing::HasSubstr("right -> wrong"));
+  EXPECT_THAT(told(heads[10].at), testing::HasSubstr("right -> wrong"));
+  EXPECT_THAT(told(heads[10].at), testing::HasSubstr("2 changes in 10 snapshots since " + heads[10].at));
+  EXPECT_THAT(told(heads[11].at), testing::StartsWith("0 changes in 9 snapshots"));
+}
+
+TEST_F(Trends, OfTwoSnapshotsAreSeenInExactNumbers) {
+  History two = History::to_add(path("two"));
+  for (const int i : {0, 10}) two.add(sample_snapshot(i));
+  const auto heads = two.heads();
+  const std::string told = text_of(heads, trends_of(heads, two.series()), verdict_changes(two.verdicts()));
+  EXPECT_THAT(told, testing::HasSubstr("energy_rise"));
+  EXPECT_THAT(told, testing::HasSubstr("show from 6 snapshots on"));
+}
+
 TEST_F(Trends, LeaveOutValuesThatAreNotFinite) {
   const auto trends = trends_of(history_.heads(), history_.series());
   EXPECT_EQ(trends.size(), 3u);

@@ -61,6 +61,14 @@ TEST(Invariants, NeverPassWithoutTheContactsTheyNeed) {
   }
 }
 
+TEST(Invariants, OfContactsAreNotApplicableWhereNothingTouches) {
+  const Scene scene = box_on_ground();
+  const Trace flight = forged(0.01, {{box_at({0, 5})}, {box_at({0, 5}, {0, -0.1})}});
+  for (const char* name : {"push", "cone", "complementarity", "sticking", "bouncing", "momentum_of_bodies"}) {
+    EXPECT_EQ(status(name, scene, flight, {.dt = 0.01}), CheckStatus::not_applicable) << name;
+  }
+}
+
 // The exact motion breaks no invariant at any step, and together the closed forms exercise all of them.
 TEST(Invariants, AreHeldByEveryClosedForm) {
   std::set<std::string> held;

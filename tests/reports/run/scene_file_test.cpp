@@ -84,18 +84,49 @@ TEST(FindClosedForm, FindsTheOneThatIsValidLongest) {
   EXPECT_EQ(find_closed_form({.bodies = {{.name = "none"}}, .joints = {Weld{}}}), nullptr);
 }
 
-TEST(TruthsOf, AreTheExpectationsWithTheTolerancesOfAFirstOrderMethod) {
-  const Case test_case = parse_case("spring");
-  const auto expectations = test_case.scenario->expectations(test_case.parameters);
-  const StatedTruths stated = truths_of(test_case);
-  ASSERT_EQ(stated.truth.size(), expectations.size());
-  EXPECT_TRUE(stated.left_out.empty());
-  for (std::size_t i = 0; i < expectations.size(); ++i) {
-    EXPECT_EQ(stated.truth[i].quantity, expectations[i].quantity);
-    EXPECT_EQ(stated.truth[i].tolerance, expectations[i].allowed(reference_stepping()));
-    EXPECT_THAT(stated.truth[i].source, HasSubstr(expectations[i].source));
-    EXPECT_THAT(stated.truth[i].source, HasSubstr("1/60 s"));
+// By each engine's own stepping.
+TEST_F(SceneFileCase, OfAnExportedScenarioAllowsWhatTheScenarioAllows) {
+  const Case built_in = parse_case("motor-arm:holds");
+  const Case read = case_of_file(write(write_scene({*built_in.scene, truths_of(built_in).truth})));
+  const auto before = built_in.scenario->expectations(built_in.parameters);
+  const auto after = read.scenario->expectations({});
+  ASSERT_EQ(after.size(), before.size());
+  for (const EngineConfig& config : default_engines()) {
+    const Stepping stepping = config.engine->stepping(config.settings, 1.0 / 60);
+    for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i].allowed(stepping), before[i].allowed(stepping));
   }
+  EXPECT_TRUE(case_of_file(write(write_scene({*parse_case("bounce").scene, truths_of(parse_case("bounce")).truth})))
+                  .scenario->phased);
+}
+
+// Its values are those of the scene that was exported.
+TEST_F(SceneFileCase, LeavesOutTheTruthsOfAnExportedSceneThatWasChanged) {
+  const Case built_in = parse_case("motor-arm:holds");
+  SceneFile file{*built_in.scene, truths_of(built_in).truth};
+  file.scene.name = "door";
+  EXPECT_THAT(case_of_file(write(write_scene(file))).left_out, ::testing::IsEmpty());
+  file.scene.bodies[1].linear_damping = 1;
+  file.truth.push_back({.body = "arm", .quantity = Quantity::angle, .value = 1, .tolerance = 3, .source = "mine"});
+  const Case changed = case_of_file(write(write_scene(file)));
+  EXPECT_THAT(changed.left_out, ::testing::ElementsAre(HasSubstr("this scene differs from motor-arm:holds, whose values")));
+  ASSERT_EQ(changed.scenario->expectations({}).size(), 1u);
+  EXPECT_EQ(changed.scenario->expectations({})[0].source, "mine");
+}
+
+TEST_F(SceneFileCase, RefusesTheToleranceOfACaseThatAsksSomethingElse) {
+  const auto complaint = [&](const std::string& of) {
+    std::string text = falling;
+    const std::string tolerance = "\"tolerance\": 0.001";
+    text.replace(text.find(tolerance), tolerance.size(), "\"toleranceOf\": \"" + of + "\"");
+    try {
+      case_of_file(write(text));
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(complaint("bounce"), HasSubstr("truth[0].toleranceOf: \"bounce\" does not ask for this quantity"));
+  EXPECT_THAT(complaint("bouncing"), HasSubstr("\"bouncing\" is no scenario"));
 }
 
 TEST(TruthsOf, HaveEveryCheckOfACase) {

@@ -75,15 +75,16 @@ test("a method that gets there in no case says so, and all cases count", () => {
   assert.deepEqual(factors_over([], 0), []);
 });
 
-test("an engine looks the same in every report, and engines of one report differ", async () => {
-  const { looks } = await source("looks.ts");
-  const names = ["box2d", "impulse", "chipmunk", "exec:./mine", "impulse:iterations=4"];
-  const all = looks(names);
-  for (const name of names) assert.deepEqual(looks([name])(name), all(name));
-  assert.equal(all("impulse").color, "var(--engine-1)");
-  const many = Array.from({ length: 20 }, (_, index) => `exec:./engine-${index}`);
-  const look_of = looks([...many, ...names]);
-  assert.equal(new Set([...many, ...names].map((name) => JSON.stringify(look_of(name)))).size, many.length + names.length);
+test("the engines that Plumb knows have colours of their own, and their methods have marks of their own", async () => {
+  const { look_of } = await source("looks.ts");
+  const engines = ["impulse", "box2d", "chipmunk", "box2d-v3", "rapier", "planck", "matter", "mine"];
+  assert.equal(new Set(engines.map((name) => look_of(name).color)).size, engines.length);
+  assert.equal(look_of("impulse").color, "var(--engine-1)");
+  const methods = ["", ":solver=article", ":solver=exact", ":solver=soft-step", ":iterations=4"].map((method) => look_of(`impulse${method}`));
+  assert.equal(new Set(methods.map(({ symbol, dash }) => symbol + dash)).size, methods.length);
+  for (const { color } of methods) assert.match(color, /^var\(--engine-1(-deep)?\)$/);
+  assert.match(look_of("box2d3-wasm").color, /^var\(--engine-4/);
+  assert.match(look_of("mine:fast=on").color, new RegExp(`${look_of("mine").color.match(/engine-\d+/)[0]}\\b`));
 });
 
 /** Reproducible bytes: random letters of an alphabet, with runs and repetitions. */

@@ -241,6 +241,7 @@ test("the method lists what is not supported, and why", async () => {
   const said = await page.locator("#method").innerText();
   assert.match(said, /box2d: has one friction coefficient only\s+stacking \(tilted\)/);
   assert.match(said, /impulse does not report what the invariant push needs/);
+  assert.doesNotMatch(said, /invariant bouncing needs/);
   await page.close();
 });
 

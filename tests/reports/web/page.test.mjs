@@ -144,10 +144,19 @@ test("the invariants have a row for each run, and a broken one says where", asyn
   const { page, trouble } = await open(await write(data));
   const table = page.locator('[aria-label="Invariants"]');
   await until(() => table.count(), 3);
-  assert.match(await table.first().textContent(), /impulse[^]*0\.25[^]*not reported/);
+  assert.match(await table.first().textContent(), /impulse[^]*not applicable[^]*0\.25[^]*not reported/);
   assert.match(await table.last().textContent(), /5\.00[^]*of floor - box 1 at/);
   assert.match(await page.locator("#stacking--10-boxes--impulse").textContent(), /Largest error \/ tolerance 5\.00: push/);
   assert.deepEqual(trouble, []);
+  await page.close();
+});
+
+test("what an engine does differently stands beside its verdicts, folded", async () => {
+  const { page } = await open(reports["the sample"]);
+  const verdict = page.locator("#free-fall--height-5--impulse");
+  await verdict.locator("summary", { hasText: "What it does differently" }).click();
+  assert.equal(await verdict.locator("details li").innerText(), "sinks <b>in</b>");
+  assert.equal(await page.locator("#free-fall--height-5--box2d details").count(), 0, "it states none");
   await page.close();
 });
 

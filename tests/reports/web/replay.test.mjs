@@ -9,6 +9,8 @@ const file = await write(sample());
 const impulse_off = 0.5;
 
 const time_of = (stage) => stage.locator("input[type=range]").evaluate((slider) => Number(slider.value));
+/** The button of an engine in the legend of the replay's case. */
+const legend = (stage, engine) => stage.locator("xpath=ancestor::article").locator(".legend").getByRole("button", { name: engine });
 const near = (value, expected, within, what = "") => assert.ok(Math.abs(value - expected) <= within, `${what} ${value}, expected ${expected}`);
 
 /** The bounds of the drawing above the scale bar, CSS px: {left, right, top, bottom, many}. */
@@ -43,8 +45,8 @@ async function scrub(page, stage, time) {
 test("scrubbing moves a body to the trace's position, to half a pixel", async () => {
   const { page, trouble } = await open(file, { deviceScaleFactor: 4 });
   const stage = await replay(page, 1);
-  for (const name of ["box2d", "truth"]) await stage.locator(`input[name=${name}]`).uncheck();
-  await stage.getByLabel("Contacts and impulses").uncheck();
+  await legend(stage, "impulse").click();
+  for (const name of ["Truth", "Contacts and impulses"]) await stage.getByLabel(name).uncheck();
   for (const moment of [0, 13, 60, 117]) {
     const time = moment / 60;
     await scrub(page, stage, time);
@@ -139,11 +141,25 @@ test("a jump goes to the worst moment of the shown runs, and is disabled if ther
   const stage = await replay(page);
   const overlap = stage.getByRole("button", { name: "Worst overlap" });
   assert.match(await overlap.innerText(), /0\.5\ss \(0\.010\sm, impulse\)/);
-  await stage.locator("input[name=impulse]").uncheck();
+  await legend(stage, "box2d").click();
   assert.match(await overlap.innerText(), /none/);
   assert.ok(await overlap.isDisabled());
   await stage.getByRole("button", { name: "Largest error" }).click();
   near(await time_of(stage), 2, 1e-6);
+  await page.close();
+});
+
+test("the engines that a legend chooses are those of the replay and of its energy bars, which count from the same zero as the chart", async () => {
+  const { page, trouble } = await open(file);
+  const stage = await replay(page);
+  const shown = () => stage.locator(".bar:visible > span:first-child").allInnerTexts();
+  assert.deepEqual(await shown(), ["impulse", "box2d", "truth"]);
+  await legend(stage, "box2d").click();
+  assert.deepEqual(await shown(), ["box2d", "truth"]);
+  await stage.getByLabel("Truth").uncheck();
+  assert.deepEqual(await shown(), ["box2d"]);
+  assert.match(await stage.locator(".bar:visible .sum").innerText(), /^50\.\d\sJ$/, "m g h at 5 m, not from the lowest point");
+  assert.deepEqual(trouble, []);
   await page.close();
 });
 

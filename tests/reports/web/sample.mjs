@@ -38,6 +38,7 @@ function fall(height, engine) {
     truth: engine.exact ? [] : [check],
     invariants: [
       { name: "energy", unit: "J", status: "held", value: 0.1, tolerance: 0.4, ratio: 0.25, evidence: true, time: 1.5, where: "" },
+      { name: "bouncing", unit: "m/s", status: "not applicable", value: 0, tolerance: 0, ratio: 0, evidence: false, time: 0, where: "" },
       { name: "push", unit: "N s", status: "not reported", value: 0, tolerance: 0, ratio: 0, evidence: false, time: 0, where: "" },
     ],
     series: {
@@ -101,8 +102,8 @@ export function sample(scenario = "free-fall") {
         },
       ],
       engines: [
-        { name: "impulse", about: "our own engine", source: "engine/", word: "", language: "C++", execution: "native", exact: false },
-        { name: "box2d", about: "Box2D", source: "box2d.org", word: "exec:node my box2d.mjs", language: "C", execution: "WebAssembly", exact: false },
+        { name: "impulse", about: "our own engine", source: "engine/", word: "", language: "C++", execution: "native", exact: false, caveats: ["sinks <b>in</b>"] },
+        { name: "box2d", about: "Box2D", source: "box2d.org", word: "exec:node my box2d.mjs", language: "C", execution: "WebAssembly", exact: false, states: [{ method: "", text: "first order" }] },
       ],
       metrics: [{ name: "truth_error_rms", unit: "m", definition: "RMS distance of the bodies from the closed form" }],
       invariants: [{ name: "energy", unit: "J", definition: "never rises without work" }],

@@ -55,6 +55,25 @@ TEST(Console, HasARowForEachCaseOfTheFirstTwoEngines) {
   EXPECT_THAT(text, HasSubstr("b: lost"));
 }
 
+// What failed everywhere says nothing of a difference.
+TEST(Console, ComparesTheFirstTwoEnginesThatRan) {
+  Report report = sample_report();
+  RunRecord ran = report.runs[1];
+  ran.engine = "ran";
+  ran.method = "";
+  report.runs.push_back(ran);
+  ran.engine = "ran too";
+  report.runs.push_back(ran);
+  report.comparisons[0].key.reset();
+  report.comparisons.push_back(report.comparisons[0]);
+  report.comparisons.back().a = "ran";
+  report.comparisons.back().b = "ran too";
+  report.comparisons.back().key = KeyDifferences{};
+  EXPECT_THAT(console_text(report, {.width = 160}), HasSubstr("a: ran, b: ran too"));
+  report.comparisons.pop_back();
+  EXPECT_THAT(console_text(report, {.width = 160}), Not(HasSubstr("a: ")));
+}
+
 TEST(Console, CountsChecksByTheirErrorRelativeToScale) {
   Report report = sample_report();
   const TruthCheck near{.quantity = "y", .unit = "m", .error = 0.005, .tolerance = 0.01, .scale = 1, .passed = true};

@@ -169,8 +169,8 @@ class SceneBits {
     bits.all(file.scene);
     for (const StatedTruth& truth : file.truth) {
       bits.add(truth.body, name_of(truth.quantity), truth.time.has_value(), truth.time.value_or(0), truth.value,
-               truth.tolerance, truth.source, name_of(truth.relation), truth.over, std::to_string(truth.index),
-               truth.with);
+               truth.tolerance, truth.tolerance_of, truth.source, name_of(truth.relation), truth.over,
+               std::to_string(truth.index), truth.with);
     }
     return bits.out_.str();
   }

@@ -1,21 +1,11 @@
-// What this engine does differently (sources: github.com/erincatto/box2d at 3a4f0da, which this package is built from)
-// - Float arithmetic. Each step is split into 4 sub-steps (option `substeps`) of symplectic Euler; free fall is off by
-//   +g t h/2, h being the length of a sub-step. Forces are held over a step.
-// - Contacts are damped springs of at most 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (physics_world.c): they do
-//   not converge with the step. Nothing of an overlap is left alone (contact_solver.c).
+// What this engine does differently is in its caveats (sources: github.com/erincatto/box2d at 3a4f0da, which this package
+// is built from: physics_world.c, contact_solver.c, solver.c). Besides:
+// - Each step is split into 4 sub-steps (option `substeps`) of symplectic Euler. Forces are held over a step.
 // - Collisions are found once a step, a little ahead. Continuous collision against fixed bodies.
-// - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step,
-//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
-// - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
-// - Damping c divides velocities by 1 + c h each sub-step (solver.c), while the scene means e^(-c h).
-// - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.
-// - Joints are springs too, of at most 60 Hz; soft ones are tuned by frequency, which means a stiffness only between
-//   centres of mass.
-// - Hulls lose vertices within 0.01 m of a line through others; they have at most eight.
+// - We count whole turns.
 // - No half-spaces: we build them from a segment, in a frame along it, so that float errors are errors along it.
 // - Contact impulses are the last sub-step's times the number of sub-steps. The package's totalNormalImpulse counts
 //   those before and after relaxing both: twice the weight at rest.
-// - Sleeping is off by default.
 import Box2D from 'box2d3-wasm';
 import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, tuned, turned, unwound } from './plumb_engine.mjs';
 
@@ -261,6 +251,18 @@ serve({
   name: 'box2d3', version: '5.2.0', language: 'C', execution: 'WebAssembly',
   about: 'Box2D 3: soft contacts in sub-steps, float',
   source: 'Box2D 3.2 before its release (3a4f0da), Erin Catto, box2d.org; box2d3-wasm by Alex Birch and Erik Sombroek',
+  caveats: [
+    'float arithmetic',
+    'contacts are damped springs of at most 30 Hz, 60 Hz on fixed bodies: they do not converge with the step',
+    'nothing bounces below a closing speed of 1 m/s (option restitution)',
+    'restitution acts once, at the end of the step, without friction: an impact that slips rubs with mu m v only',
+    'rotations advance by atan(w h): fast spins lose some of their angle',
+    'damping c divides velocities by 1 + c h each sub-step; the scene means e^(-c h)',
+    'nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step',
+    'joints are springs of at most 60 Hz; soft ones are tuned by frequency, a stiffness only between centres of mass',
+    'vertices within 0.01 m of a line through others are dropped; polygons have at most eight',
+    'sleeping is off by default',
+  ],
   options: [
     { key: 'substeps', value: '4', about: 'sub-steps of a step', min: 1, max: 1000, whole: true,
       ladder: ['1', '2', '4', '8'] },

@@ -1,21 +1,14 @@
-// What this engine does differently (sources: github.com/liabru/matter-js, src/ of 0.20.0)
-// - Double precision, in pixels and milliseconds. Its constants are lengths in pixels; its own gravity, 1000 px/s^2, is
-//   the earth's where a metre is 100 px (option `scale`).
-// - Verlet integration, v += a dt and then x += v dt (Body.js): free fall is off by +g t dt/2.
-// - Friction is no Coulomb law (Resolver.js): a sliding contact loses mu px a step whatever its load, and one sticks
-//   below a speed in proportion to its overlap.
-// - Overlap is removed from positions alone, down to 0.05 px. Impulses are solved 4 times, warm-started.
-// - Restitution acts only above a closing speed of 2 px a sixtieth of a second; below, iterations undo it.
-// - Discs are polygons of 26 sides, as Bodies.circle makes them. No capsules, no segments.
-// - No half-spaces: we build them from a box as large as the scene can reach.
+// What this engine does differently is in its caveats (sources: github.com/liabru/matter-js, src/ of 0.20.0: Body.js,
+// Resolver.js, Constraint.js). Besides:
+// - It computes in pixels and milliseconds. Its own gravity, 1000 px/s^2, is the earth's where a metre is 100 px.
+// - No capsules, no segments. No half-spaces: we build them from a box as large as the scene can reach.
 // - Damping takes a part of both velocities. We make it e^(-c dt), which needs the same c for both.
-// - Hinges and rods are positions pulled together. What a pull turns leaves out its arm (resistanceTotal in
-//   Constraint.js adds 1/m and 1/I), and a rod hinged at its end spins up without bound: we join centres of mass only.
-//   Stiffness has no unit, so that there are no springs. No sliding joints, welds and limits.
+// - What a pull on a joint turns leaves out its arm (resistanceTotal in Constraint.js adds 1/m and 1/I), and a rod
+//   hinged at its end spins up without bound: we join centres of mass only. Stiffness has no unit, so that there are no
+//   springs. No sliding joints, welds and limits.
 // - We mix the coefficients and set them on each pair when it begins; bodies that a joint connects are sensors for each
 //   other.
-// - No continuous collision: fast bodies pass through thin ones. `bullet` has no effect.
-// - It caches impulses of slow contacts only, so that we report no contacts. Bodies never sleep.
+// - It caches impulses of slow contacts only, so that we report no contacts.
 import Matter from 'matter-js';
 import { NotSupported, centered, corners, mixed, plus, serve, turned } from './plumb_engine.mjs';
 
@@ -160,6 +153,16 @@ serve({
   name: 'matter', version: Matter.version,
   about: 'matter.js: Verlet, positions corrected apart from velocities, double',
   source: 'matter-js, Liam Brummitt, brm.io/matter-js',
+  caveats: [
+    'its constants are lengths in pixels: results depend on how many are a metre (option scale)',
+    'friction is no Coulomb law: sliding loses mu px a step whatever the load, and sticks below a speed set by the overlap',
+    'overlap is removed from positions alone, down to 0.05 px',
+    'nothing bounces below a closing speed of 2 px a sixtieth of a second',
+    'discs are polygons of 26 sides',
+    'joints are positions pulled together, between centres of mass only',
+    'no continuous collision: fast bodies pass through thin ones, and bullet has no effect',
+    'it reports no contacts',
+  ],
   options: [
     count('velocity', '4', 'iterations of the velocity solver', ['2', '4', '8']),
     count('position', '6', 'iterations of the position solver'),

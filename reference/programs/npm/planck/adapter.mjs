@@ -1,18 +1,8 @@
-// What this engine does differently: it is Box2D 2.3 in JavaScript (github.com/piqnt/planck.js, src/Settings.ts and
-// src/dynamics/Solver.ts of 1.4.2)
-// - Double precision. Symplectic Euler: velocities first, then positions. Free fall is off by +g t h/2.
-// - Damping c divides velocities by 1 + c h each step, while the scene means e^(-c h).
-// - Polygons, boxes and edges carry a skin of 0.01 m, circles none. Position correction leaves 0.005 m of overlap,
-//   measured from the skins.
-// - Restitution acts only above a closing speed of 1 m/s (option `restitution`).
-// - Contacts are solved by sequential impulses, 8 velocity and 3 position iterations, warm-started.
-// - Nothing moves by more than 2 m or turns by more than a quarter turn in a step.
+// What this engine does differently is in its caveats, below: it is Box2D 2.3 in JavaScript
+// (github.com/piqnt/planck.js, src/Settings.ts and src/dynamics/Solver.ts of 1.4.2). Besides:
 // - We mix the coefficients and set them on each contact when it begins.
-// - Continuous collision moves bodies that hit fixed ones (and bullets) back in time: they lose the rest of their step.
-// - Vertices closer than 0.0025 m are welded; polygons have at most twelve.
 // - No capsules: we build them from two circles and a rectangle, thinned by its skin so that sides and caps are flush.
 // - No half-spaces: we build them from an edge. An edge has two sides.
-// - A soft distance joint is an implicit spring, tuned by frequency.
 // - Bodies never sleep.
 import { BoxShape, CircleShape, DistanceJoint, EdgeShape, PolygonShape, PrismaticJoint, RevoluteJoint, Settings,
          WeldJoint, World as PlanckWorld, WorldManifold } from 'planck';
@@ -171,6 +161,16 @@ serve({
   name: 'planck', version: '1.4.2',
   about: 'Box2D 2.3 in JavaScript: sequential impulses, double',
   source: 'planck, Ali Shakiba, after Box2D by Erin Catto, piqnt.com/planck.js',
+  caveats: [
+    'polygons, boxes and edges carry a skin of 0.01 m, circles none: two boxes come to rest 0.015 m apart',
+    'nothing bounces below a closing speed of 1 m/s (option restitution)',
+    '8 velocity and 3 position iterations leave errors in tall stacks and at large mass ratios',
+    'damping c divides velocities by 1 + c h each step; the scene means e^(-c h)',
+    'nothing moves by more than 2 m or turns by more than a quarter turn in a step',
+    'a body that continuous collision stops loses the rest of its step',
+    'vertices closer than 0.0025 m are welded; polygons have at most twelve',
+    'a soft distance joint is an implicit spring, tuned by frequency',
+  ],
   options: [
     { key: 'velocity', value: '8', about: 'iterations of the velocity solver', min: 1, max: 10000, whole: true,
       ladder: ['4', '8', '16'] },

@@ -1,20 +1,14 @@
-// What this engine does differently (sources: github.com/dimforge/rapier, src/dynamics, of version 0.35)
-// - Float arithmetic. Each step is split into 4 sub-steps (option `substeps`, its numSolverIterations) of symplectic
-//   Euler; free fall is off by +g t h/2, h being the length of a sub-step. Forces are held over a step.
-// - Contacts are damped springs of 30 Hz, 60 Hz on fixed bodies, relaxed afterwards (integration_parameters.rs): they
-//   do not converge with the step. Nothing of an overlap is left alone.
+// What this engine does differently is in its caveats (sources: github.com/dimforge/rapier, src/dynamics, of version 0.35:
+// integration_parameters.rs, rigid_body_components.rs). Besides:
+// - Each step is split into 4 sub-steps (option `substeps`, its numSolverIterations) of symplectic Euler. Forces are
+//   held over a step.
 // - Collisions are found once a step, a little ahead; continuous collision against fixed bodies.
-// - Restitution acts once, at the end of a step, on contacts that carried nothing in the step before; that of 1 always;
-//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
-// - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
-// - Damping c divides velocities by 1 + c dt (rigid_body_components.rs), while the scene means e^(-c dt).
-// - Nothing moves faster than 400 m/s.
+// - We count whole turns.
 // - It mixes coefficients by four rules. Of sqrt(a) and sqrt(b) the product is the geometric mean; sqrt(a^2 + b^2) it
 //   can only be given if it is the same for all pairs.
-// - It has 16 layers. Ropes hold no thrust, so that there are no rigid rods; springs are implicit and lose energy.
+// - It has 16 layers. Ropes hold no thrust, so that there are no rigid rods.
 // - One axis serves both bodies of a sliding joint, which must have the same angle.
 // - Contact impulses are sums over the step. A half-space is one.
-// - Sleeping is off by default.
 import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, turned, unwound } from './plumb_engine.mjs';
 
 // Where there is a registry of handles, the engine enters each. That takes longer than to read a contact, and we give
@@ -231,6 +225,17 @@ await RAPIER.init();
 serve({
   name: 'rapier', version: RAPIER.version(), language: 'Rust', execution: 'WebAssembly',
   about: 'Rapier 2D: soft contacts in sub-steps, float', source: '@dimforge/rapier2d-compat, Dimforge, rapier.rs',
+  caveats: [
+    'float arithmetic',
+    'contacts are damped springs of 30 Hz, 60 Hz on fixed bodies: they do not converge with the step',
+    'restitution acts once, at the end of a step, on contacts that carried nothing in the step before; that of 1 always',
+    'restitution acts without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v',
+    'rotations advance by atan(w h): fast spins lose some of their angle',
+    'damping c divides velocities by 1 + c dt; the scene means e^(-c dt)',
+    'nothing moves faster than 400 m/s',
+    'springs are implicit and lose energy',
+    'sleeping is off by default',
+  ],
   options: [
     { key: 'substeps', value: '4', about: 'sub-steps of a step', min: 1, max: 1000, whole: true,
       ladder: ['1', '2', '4', '8'] },

@@ -108,10 +108,11 @@ const choices = (engines: Engine[], first: Engine): { value: string; name: strin
 /** Empty if there are no two engines. */
 export function key_differences(model: Model): HTMLElement[] {
   const { engines } = model;
-  const [first, second] = engines;
-  if (!first || !second) return [];
-  const other = engines.find((engine) => engine !== first && engine.label === "box2d") ?? second;
   const cases = model.chapters.flatMap((chapter) => chapter.cases);
+  const ran = engines.filter((engine) => cases.some(({ entries }) => entries.some((entry) => entry.engine === engine && entry.run.status === "ok")));
+  const [first, second] = ran;
+  if (!first || !second) return [];
+  const other = ran.find((engine) => engine !== first && engine.label === "box2d") ?? second;
   let view = new URLSearchParams();
   const current: CurrentView = () => view;
   const controls = [

@@ -76,35 +76,32 @@ export function help(keys: Key[]): HTMLDetailsElement {
 
 const parts = ["linear", "rotational", "potential"] as const;
 
-/** The energy of each engine as a bar of three parts. */
+/** The energy of each engine as a bar of three parts, scaled to those that are shown. */
 export class Bars {
   readonly element: HTMLElement;
   private readonly rows: { film: Film; row: HTMLElement; segments: HTMLElement[]; sum: HTMLElement }[];
-  private readonly floor: number; // J, the lowest potential energy
-  private readonly span: number; // J, of a full bar
 
   constructor(films: Film[]) {
-    const ranges = films.map((film) => film.energy_range());
-    this.floor = Math.min(...ranges.map(({ floor }) => floor));
-    this.span = Math.max(...ranges.map(({ top }) => top)) - this.floor || 1;
     this.rows = films.map((film) => {
       const segments = parts.map((part) => h("i", { class: part, style: `background-color: ${film.engine.color}` }));
       const sum = h("span", { class: "sum" });
       const row = h("div", { class: "bar" }, h("span", {}, film.engine.label), h("span", { class: "track", "aria-hidden": "true" }, ...segments), sum);
       return { film, row, segments, sum };
     });
-    const key = h("p", { class: "key" }, ...parts.flatMap((part) => [h("i", { class: part }), part]), " (from its lowest)");
+    const key = h("p", { class: "key" }, ...parts.flatMap((part) => [h("i", { class: part }), part]), " (drawn from its lowest)");
     this.element = h("div", { class: "bars" }, h("strong", {}, "Energy"), ...this.rows.map(({ row }) => row), key);
   }
 
   show(films: Film[]): void {
+    const floor = Math.min(...films.map(({ energy_range }) => energy_range.floor));
+    const span = Math.max(...films.map(({ energy_range }) => energy_range.top)) - floor || 1;
     for (const { film, row, segments, sum } of this.rows) {
       row.hidden = !films.includes(film);
       if (row.hidden) continue;
-      const energy = film.energy();
-      const joules = [energy.linear, energy.rotational, energy.potential - this.floor];
-      segments.forEach((segment, k) => (segment.style.width = `${(100 * Math.max(0, joules[k] ?? 0)) / this.span}%`));
-      sum.textContent = number(joules.reduce((a, b) => a + b), "J");
+      const { linear, rotational, potential } = film.energy();
+      const drawn = [linear, rotational, potential - floor];
+      segments.forEach((segment, k) => (segment.style.width = `${(100 * Math.max(0, drawn[k] ?? 0)) / span}%`));
+      sum.textContent = number(linear + rotational + potential, "J");
     }
   }
 }

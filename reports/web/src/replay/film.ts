@@ -21,6 +21,8 @@ export class Film {
   readonly now: Float64Array;
   /** m/s, from the displacement between the kept moments around the current time. */
   readonly velocity: Float64Array;
+  /** The lowest potential energy and the largest total energy, J. */
+  readonly energy_range: { floor: number; top: number };
   private moment = 0;
   private fraction = 0; // of the time to the next moment
 
@@ -44,6 +46,7 @@ export class Film {
     for (let k = 0; k < 3; ++k) poses.smooth(moments, run.energy, this.energies, k, 3);
     if (!poses.ended) throw new Error("a packed column is too long");
     this.touches = touches ? touches_of(touches, run) : [];
+    this.energy_range = range_of(this.energies);
   }
 
   static of(engine: Engine, run: ReplayRun, bodies: number): Film {
@@ -98,17 +101,6 @@ export class Film {
     return { linear: at(0), rotational: at(1), potential: at(2) };
   }
 
-  /** The lowest potential energy and the largest total energy, J. */
-  energy_range(): { floor: number; top: number } {
-    let floor = Infinity;
-    let top = -Infinity;
-    for (let i = 0; i < this.energies.length; i += 3) {
-      floor = Math.min(floor, this.energies[i + 2] ?? 0);
-      top = Math.max(top, (this.energies[i] ?? 0) + (this.energies[i + 1] ?? 0) + (this.energies[i + 2] ?? 0));
-    }
-    return { floor, top };
-  }
-
   /** The contacts of the last step: x, y (m) and impulse x, y (N s) of each point. */
   contacts(): Float64Array | undefined {
     return this.touches[this.moment];
@@ -128,6 +120,16 @@ export class Film {
       visit((k / per_body) % this.bodies, this.poses[k] ?? 0, this.poses[k + 1] ?? 0);
     }
   }
+}
+
+function range_of(energies: Float64Array): Film["energy_range"] {
+  let floor = Infinity;
+  let top = -Infinity;
+  for (let i = 0; i < energies.length; i += 3) {
+    floor = Math.min(floor, energies[i + 2] ?? 0);
+    top = Math.max(top, (energies[i] ?? 0) + (energies[i + 1] ?? 0) + (energies[i + 2] ?? 0));
+  }
+  return { floor, top };
 }
 
 function touches_of(numbers: Numbers, { moments, length, impulse }: ReplayRun): Float64Array[] {

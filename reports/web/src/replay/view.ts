@@ -1,8 +1,9 @@
-// The replay of a case: the stage and its controls, which follow the time of the case. Created when it comes near the
-// screen.
+// The replay of a case: the stage and its controls, which follow the time of the case and the engines that are chosen for
+// all charts. Created when it comes near the screen.
+import { watch } from "../address";
 import { Cursor } from "../charts/cursor";
 import { when_near } from "../charts/figure";
-import { legend_mark } from "../charts/look";
+import { chosen } from "../chosen";
 import { h } from "../dom";
 import { given, number } from "../format";
 import type { Replayed } from "../model";
@@ -51,7 +52,6 @@ function fidelity(films: Film[]): string {
 
 class Replayer {
   readonly element: HTMLElement;
-  private readonly shown: Set<Film>;
   private readonly view: Omit<Showing, "films">;
   private readonly stage: Stage;
   private readonly bars: Bars;
@@ -64,7 +64,7 @@ class Replayer {
     this.player.speed = Number(value);
   });
   private readonly followers: Replayer[] = []; // that its controls move as well
-  private readonly options: Record<"side_by_side" | "contacts" | "velocities" | "energy" | "loop", HTMLInputElement>;
+  private readonly options: Record<"side_by_side" | "contacts" | "velocities" | "energy" | "truth" | "loop", HTMLInputElement>;
 
   constructor(
     item: Replayed,
@@ -76,7 +76,6 @@ class Replayer {
     const figures = new Figures(scene);
     const reference = films.find(({ engine }) => engine.exact) ?? films[0];
     if (!reference) throw new Error("there is no run to show");
-    this.shown = new Set(films);
     this.view = { side_by_side: innerWidth >= least_side_by_side || scene.bodies.length > most_with_contacts, contacts: scene.bodies.length <= most_with_contacts, velocities: false, ring: undefined };
     this.stage = new Stage(figures, films, bounds_of(reference, figures), () => ({ ...this.view, films: this.films_shown }));
     this.stage.canvas.setAttribute("aria-label", `Replay of ${item.scenario}, ${item.variant}`);
@@ -90,13 +89,14 @@ class Replayer {
       contacts: check("Contacts and impulses", this.view.contacts, (on) => this.change({ contacts: on })),
       velocities: check("Velocities", false, (on) => this.change({ velocities: on })),
       energy: check("Energy", true, (on) => (this.bars.element.hidden = !on)),
+      truth: check("Truth", true, () => this.change({})),
       loop: check("Loop", false, (on) => (this.player.loop = on)),
     };
     this.element = h("div", { class: "replayer" }, h("div", { class: "pane" }, caption && h("p", { class: "basis" }, caption), this.stage.canvas));
     if (led_by) led_by.followers.push(this);
     else this.add_controls();
     cursor.on(() => this.follow());
-    this.follow();
+    watch(() => this.follow());
   }
 
   private add_controls(): void {
@@ -104,7 +104,7 @@ class Replayer {
     this.element.append(
       this.transport(),
       h("div", { class: "row" }, ...this.jumps.map(({ control }) => control)),
-      h("div", { class: "row" }, ...this.films.map((film) => this.choose(film)), ...(["side_by_side", "contacts", "velocities", "energy"] as const).map((name) => this.label(name))),
+      h("div", { class: "row" }, ...(["side_by_side", "contacts", "velocities", "energy"] as const).map((name) => this.label(name)), this.films.some(({ engine }) => engine.exact) ? this.label("truth") : null),
       this.bars.element,
       help(keys),
       h("p", { class: "fidelity" }, fidelity(this.films)),
@@ -124,22 +124,14 @@ class Replayer {
     this.each(({ stage }) => stage.fit());
   }
 
+  /** Of the engines that the page's legends choose. */
   private get films_shown(): Film[] {
-    return this.films.filter((film) => this.shown.has(film));
+    return chosen(this.films).filter(({ engine }) => this.options.truth.checked || !engine.exact);
   }
 
   private label(name: keyof Replayer["options"]): HTMLElement {
     const option = this.options[name];
     return h("label", {}, option, option.name);
-  }
-
-  private choose(film: Film): HTMLElement {
-    const box = check(film.engine.label, true, (on) => {
-      if (on) this.shown.add(film);
-      else this.shown.delete(film);
-      this.change({});
-    });
-    return h("label", {}, box, legend_mark(film.engine), film.engine.label);
   }
 
   private transport(): HTMLElement {

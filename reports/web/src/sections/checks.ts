@@ -4,7 +4,7 @@ import type { EngineNote, InvariantCheck, TruthCheck, Verdict } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, given, number, percent, ratio_text, to_within, words } from "../format";
-import { ratio_of, relative_of, reported, type Case, type Entry } from "../model";
+import { is_judged, ratio_of, relative_of, reported, type Case, type Entry } from "../model";
 import { badge, gauge, right_share, ruler } from "../pieces";
 
 interface Reading {
@@ -14,8 +14,8 @@ interface Reading {
 
 const heads = ["reading", "engine", "expected", "measured", "error", "error / scale", "tolerance", "error / tolerance", "verdict"];
 
-/** Longer tables start folded, unless a check fails. */
-const most_open = 12;
+/** Longer tables start folded; those with a check that fails may be longer. */
+const most_open = { held: 12, failed: 48 };
 
 /** Groups the same reading of all engines. The k-th apex is one reading, although engines reach it at different times. */
 function readings(item: Case): Reading[][] {
@@ -94,20 +94,21 @@ export function checks(item: Case): HTMLElement | null {
   return folded(
     `Against the truth: ${count(all.length, "check")}, ${outcome}`,
     () => [table("Against the truth", heads, groups.flatMap(rows_of), "grouped")],
-    { kind: "checks", open: failed > 0 || all.length <= most_open },
+    { kind: "checks", open: all.length <= (failed ? most_open.failed : most_open.held) },
   );
 }
 
 /** "0.012 N s of ground - box at 0.5 s, tolerance 0.003 N s" */
-function largest_error({ value, tolerance, unit, where, time, detail }: InvariantCheck): string {
+function largest_error({ value, tolerance, unit, where, time, phases, detail }: InvariantCheck): string {
   const subject = where ? ` of ${where}` : "";
-  return `${number(value, unit, 2)}${subject} at ${number(time, "s")}, tolerance ${number(tolerance, unit, 2)}${detail ? `; ${detail}` : ""}`;
+  const worst = phases ? `, worst of ${phases} phases` : "";
+  return `${number(value, unit, 2)}${subject} at ${number(time, "s")}, tolerance ${number(tolerance, unit, 2)}${worst}${detail ? `; ${detail}` : ""}`;
 }
 
 function cell(name: string, check: InvariantCheck | undefined): HTMLTableCellElement {
   const attributes = { "data-label": words(name) };
   if (!check) return h("td", attributes, "does not apply");
-  if (check.status === "not reported") return h("td", attributes, "not reported");
+  if (!is_judged(check)) return h("td", attributes, check.status);
   const title = largest_error(check);
   return h("td", attributes, tolerated(check, title), check.status === "broken" ? h("span", { class: "reason" }, title) : null);
 }
@@ -155,7 +156,7 @@ function findings_of({ run }: Entry): Finding[] {
     text: `${subject_of(check)}, error ${number(check.error, check.unit, 2)}, tolerance ${number(check.tolerance, check.unit, 2)}`,
   }));
   const invariants = run.invariants
-    .filter(({ status }) => status !== "not reported")
+    .filter(is_judged)
     .map((check) => ({ ratio: ratio_of(check), text: `${words(check.name)}, ${largest_error(check)}` }));
   return [...truth, ...invariants];
 }
@@ -170,6 +171,11 @@ function reason(entry: Entry): string {
   return `${farthest_off(entry)}Largest error / tolerance ${ratio_text(most.ratio)}: ${most.text}.${untested(entry)}${cure}`;
 }
 
+function caveats(note: EngineNote | undefined): HTMLElement | null {
+  const all = note?.caveats ?? [];
+  return all.length ? folded("What it does differently", () => [h("ul", {}, ...all.map((caveat) => h("li", {}, caveat)))], { kind: "caveats" }) : null;
+}
+
 /** The reason for each engine's verdict; cells of the overview link here. */
 export function verdict_list(item: Case, notes: EngineNote[]): HTMLElement | null {
   const engines = item.entries.filter(({ engine }) => !engine.exact);
@@ -177,8 +183,9 @@ export function verdict_list(item: Case, notes: EngineNote[]): HTMLElement | nul
   const items = engines.map((entry) => {
     const { label } = entry.engine;
     const id = slug(item.scenario, item.variant, label);
-    const stated = notes.find(({ name }) => name === entry.engine.engine)?.states?.find(({ method }) => method === entry.engine.method)?.text;
-    const words = [h("strong", {}, label), ` ${reason(entry)}`, stated ? h("span", { class: "stated" }, ` It states: ${stated}.`) : null];
+    const note = notes.find(({ name }) => name === entry.engine.engine);
+    const stated = note?.states?.find(({ method }) => method === entry.engine.method)?.text;
+    const words = [h("strong", {}, label), ` ${reason(entry)}`, stated ? h("span", { class: "stated" }, ` It states: ${stated}.`) : null, caveats(note)];
     return h("li", { id, "data-marks": label }, badge(entry.run.verdict), h("span", {}, ...words));
   });
   return h("ul", { class: "verdicts" }, ...items);

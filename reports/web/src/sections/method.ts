@@ -10,6 +10,7 @@ import { case_command, command, verdict_meanings } from "../pieces";
 const definitions: [string, string][] = [
   ...Object.entries(verdict_meanings),
   ["not reported", "the engine does not report what the check needs, such as contacts; counts neither way"],
+  ["not applicable", "nothing in the run asks the question, such as a law of contacts where nothing touches; counts neither way"],
   ["error", "|measured \u2212 expected|, in the unit of the quantity"],
   [
     "scale",

@@ -4,7 +4,7 @@ import type { Study } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, given, words } from "../format";
-import { looks } from "../looks";
+import { look_of } from "../looks";
 import { label_of, truth_look, type Replayed, type StudyView } from "../model";
 import { command } from "../pieces";
 import { replay_rule, type Replay } from "../replay/data";
@@ -78,11 +78,10 @@ function beside(one: Found, engines: Engine[]): string {
 
 /** The engines of a replay have no records of their own. A closed form is a reference, unless it is what was searched. */
 function replayed(replay: Replay, engine: string): Replayed {
-  const look_of = looks(replay.runs.map(label_of));
   const entries = replay.runs.map((run) => {
     const exact = run.engine !== engine && run.engine.startsWith("closed-form:");
     const label = label_of(run);
-    return { engine: { label, engine: run.engine, method: run.method, exact, ...(exact ? truth_look : look_of(label)) }, run: { ...run, exact, status: "ok" as const } };
+    return { engine: { label, engine: run.engine, method: run.method, exact, execution: "", ...(exact ? truth_look : look_of(label)) }, run: { ...run, exact, status: "ok" as const } };
   });
   return { scenario: replay.scenario, variant: replay.variant, comparisons: [], entries, replay };
 }

@@ -5,7 +5,7 @@ import type { Study } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
 import { count, enumerate, number, time_step } from "../format";
-import { looks } from "../looks";
+import { look_of } from "../looks";
 import type { Engine, StudyView } from "../model";
 import { day, history_of, metric_name, panels_of, short_commit, step_time, type HistoryModel, type Panel } from "./history_model";
 import { certainty, trend_chart } from "./trend";
@@ -80,7 +80,7 @@ function changes(model: HistoryModel, rows: Row[]): HTMLElement {
     h(
       "p",
       { class: "lede" },
-      `Numbers that repeat to the bit change exactly. Times scatter: a change is reported if fewer than ${number(100 * model.level, "%", 1)} of random permutations of the same values show it (E-divisive), so about ${number(times * model.level, "", 1)} of the ${times} series of times look changed by chance. ${count(model.unchanged, "other number")} never changed.${rest}`,
+      `All numbers but times are exact: any difference is a change. Times scatter: a change is reported if fewer than ${number(100 * model.level, "%", 1)} of random permutations of the same values show it (E-divisive), so about ${number(times * model.level, "", 1)} of the ${times} series of times look changed by chance. ${count(model.unchanged, "other number")} never changed.${rest}`,
     ),
     rows.length
       ? table("Changes, the newest first", ["since", "case", "engine", "metric", "before", "after", "by", "certainty"], cells)
@@ -129,7 +129,6 @@ export function history(study: Study): StudyView {
   const model = history_of(study);
   const rows = rows_of(model);
   const labels = [...new Set(model.trends.map(({ engine }) => engine))];
-  const look_of = looks(labels);
   const engines = new Map(labels.map((label): [string, Engine] => [label, { label, engine: label, method: "", exact: false, execution: "", ...look_of(label) }]));
   const engine_of = (label: string): Engine => engines.get(label) ?? { label, engine: label, method: "", exact: false, execution: "", ...look_of(label) };
   const panels = panels_of(model.trends);

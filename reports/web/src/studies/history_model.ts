@@ -17,7 +17,7 @@ interface Subject {
   dt: number;
 }
 
-/** The means before and after a change, and its p value: 0 for a change of numbers that repeat to the bit. */
+/** The means before and after a change, and its p value: 0 for a change of exact numbers. */
 export interface ChangePoint {
   at: number; // index into the trend's values
   before: number;

@@ -15,6 +15,7 @@ export interface Drop {
   within: boolean; // within the tolerance
   change: number | null; // m, error added to the full model's; null if it did not run
   different?: string; // chaotic scenes: the statistics in which it differs from the full model
+  breaks?: string; // the laws and truths that it breaks and the full model does not
   why: string; // why it did not run
   ratio: number | null; // of its cost to the full model's
 }

@@ -16,8 +16,8 @@ const least_change = 1e-9; // m; smaller changes are drawn there
 
 const label = ({ setting }: Drop): string => setting.replaceAll(/(integrator|solver)=/g, "").replaceAll(",", ", ");
 const tolerable = 0.01; // m; what adds less is coarse, not useless
-const colour = ({ within, change, different }: Drop): string =>
-  within ? "var(--right)" : !different && change !== null && change <= tolerable ? "var(--coarse)" : "var(--wrong)";
+const colour = ({ within, change, different, breaks }: Drop): string =>
+  within ? "var(--right)" : !different && !breaks && change !== null && change <= tolerable ? "var(--coarse)" : "var(--wrong)";
 const change_of = ({ change }: Drop): number => Math.max(least_change, change ?? Infinity);
 
 const described = (drop: Drop): string =>
@@ -25,6 +25,7 @@ const described = (drop: Drop): string =>
     `${drop.feature}: without ${drop.without}`,
     drop.setting,
     drop.change === null ? drop.why || "does not run to the end" : drop.different || `adds an error of ${number(drop.change, "m", 2)}`,
+    drop.breaks ? `breaks ${drop.breaks}` : "",
     drop.ratio === null ? "" : `${number(drop.ratio, "", 2)} of the cost`,
   ]
     .filter(Boolean)
@@ -53,12 +54,14 @@ function cost_panel(drops: Drop[], width: number): Element {
   ]);
 }
 
-function error_panel(drops: Drop[], width: number, tolerance: number): Element {
+/** In a chaotic case, how far single motions are from the full model's, which no tolerance limits. */
+function error_panel(drops: Drop[], width: number, tolerance: number, chaotic: boolean): Element {
   const ran = drops.filter(({ change }) => change !== null);
   const { domain, ticks } = decades([least_change, tolerance, ...ran.map(change_of)]);
+  const label_x = chaotic ? "distance from the full model, up to the horizon (m)" : "added error (m)";
   const tick = (value: number) => (value <= least_change ? `\u2264 ${number(value, "", 1)}` : number(value, "", 1));
-  return panel(drops, width, "Error added without each feature", { type: "log", domain, ticks, tickFormat: tick, label: "added error (m)" }, [
-    Plot.ruleX([tolerance], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
+  return panel(drops, width, "Error added without each feature", { type: "log", domain, ticks, tickFormat: tick, label: label_x }, [
+    ...(chaotic ? [] : [Plot.ruleX([tolerance], { stroke: "var(--ink)", strokeDasharray: "2 3" })]),
     Plot.ruleY(ran, { x1: domain[0], x2: change_of, y: label, stroke: colour, strokeOpacity: 0.4 }),
     Plot.dot(ran, { x: change_of, y: label, r: 4.5, fill: colour, className: "change" }),
     Plot.tip(ran, Plot.pointerY({ x: change_of, y: label, title: described, ...tip_look })),
@@ -67,15 +70,15 @@ function error_panel(drops: Drop[], width: number, tolerance: number): Element {
 
 function ablation_chart({ drops, chaotic }: ModelCase, tolerance: number): HTMLElement {
   const judged = chaotic
-    ? "Green: redundant, the statistics stay the same, whatever single motions do. Red: they differ."
-    : "Green: redundant, the error stays within the tolerance (dashed). Amber: it adds up to 1 cm. Red: more.";
+    ? "Green: redundant, the statistics stay the same, whatever single motions do. Red: they differ, or a law is broken."
+    : "Green: redundant, the error stays within the tolerance (dashed). Amber: it adds up to 1 cm. Red: more, or a law is broken.";
   return figure({
     title: "Without one feature",
-    note: "The error that its absence adds, and the remaining cost. " + judged,
+    note: `${chaotic ? "How far single motions move apart" : "The error that its absence adds"}, and the remaining cost. ${judged}`,
     height: 120 + 2 * row_height * drops.length,
     draw: (width) => {
       const each = width > 900 ? Math.floor(width / 2) - 8 : width;
-      return [error_panel(drops, each, tolerance), cost_panel(drops, each)];
+      return [error_panel(drops, each, tolerance, chaotic ?? false), cost_panel(drops, each)];
     },
   });
 }
@@ -83,6 +86,8 @@ function ablation_chart({ drops, chaotic }: ModelCase, tolerance: number): HTMLE
 const cost_of = (value: number | null): string => (value === null ? "\u2013" : number(value * 1e6, "\u00b5s"));
 const factor = ({ median, low, high }: Spread): string => `${number(median, "", 2)}\u00d7 (${number(low, "", 2)} \u2013 ${number(high, "", 2)})`;
 const metres = (value: number | null): string => (value === null ? "\u2013" : number(value, "m", 2));
+/** What a model adds; single motions say nothing where no two methods move alike. */
+const added = ({ chaotic }: ModelCase, change: number | null): string => (chaotic ? "same statistics" : metres(change));
 const name_of = ({ scenario, variant }: ModelCase): string => (variant ? `${scenario}, ${variant}` : scenario);
 
 function overview(model: LeastModels): HTMLElement {
@@ -93,7 +98,7 @@ function overview(model: LeastModels): HTMLElement {
       h("th", { scope: "row" }, h("a", { href: `#${slug(item.scenario, item.variant)}` }, name_of(item))),
       h("td", { "data-label": "full model" }, cost_of(item.cost)),
       h("td", { "data-label": "least model" }, item.least ? h("strong", {}, factor(item.least.cheaper)) : "\u2013"),
-      h("td", { "data-label": "added error" }, item.least ? metres(item.least.change) : "\u2013"),
+      h("td", { "data-label": "added error" }, item.least ? added(item, item.least.change) : "\u2013"),
       h("td", { "data-label": "impulse:auto" }, item.least ? factor(item.least.auto_cheaper) : "\u2013"),
       h("td", { "data-label": "as accurate" }, h("span", { class: "badge", "data-verdict": item.chosen?.within ? "right" : "wrong" }, item.chosen?.within ? "yes" : "no")),
     ),
@@ -105,7 +110,7 @@ function overview(model: LeastModels): HTMLElement {
     h(
       "p",
       { class: "lede" },
-      `How many times cheaper than the full model, as the median over repetitions (and the middle half), while no error grows by more than ${number(Number(model.tolerance), "m", 1)}. The least model was found by trial. impulse:auto chooses a model from the scene alone, before the run, and must be as accurate as the full model.`,
+      `How many times cheaper than the full model, as the median over repetitions (and the middle half), for a model that is as good: plumb run calls nothing wrong that is right in the full model, and no error or overlap grows by more than ${number(Number(model.tolerance), "m", 1)} or, in chaotic scenes, the statistics stay the same. The least model was found by trial. impulse:auto chooses a model from the scene alone, before the run, and must be as good.`,
     ),
     table("The full model, the least model and impulse:auto", ["case", "full model, per second", "least model, cheaper", "added error", "impulse:auto, cheaper", "as accurate"], rows, "numbers"),
   );
@@ -115,13 +120,15 @@ function comparison(item: ModelCase): string {
   const until = `the first ${given(item.compared_until, "s", 3)}`;
   const full = `with the full model over ${item.compared_until < item.duration ? `${until}, after which runs that started 1 nm apart have diverged` : "the whole scene"}`;
   if (item.chaotic) {
-    return `Chaotic: after ${given(item.compared_until, "s", 3)}, runs that started 1 nm apart have diverged, so no two methods move alike. Judged by statistics: a model is as good if eight runs of it and of the full model, from starts 1 nm apart, differ neither in energy nor in spread nor in rest time, by more than 5\u202f% of the energy lost, the spread and the duration.`;
+    return `Chaotic: after ${given(item.compared_until, "s", 3)}, runs that started 1 nm apart have diverged, so no two methods move alike. Judged by statistics: a model is as good if eight runs of it and of the full model, from starts 1 nm apart, differ neither in energy nor in spread nor in rest time, by more than 5\u202f% of the energy lost, the spread and the duration, and bodies overlap no deeper, by more than 5\u202f% of the smallest.`;
   }
   if (!item.truth) return `There is no truth for this case: compared ${full}.`;
   const truth = item.truth === "converged" ? "a converged reference" : `the closed form \u201c${item.truth}\u201d`;
   if (item.compared_until === 0) return `Compared with ${truth}.`;
   return `Compared with ${truth} for the first ${given(item.truth_until, "s", 3)}, and ${full}.`;
 }
+
+const because = ({ different, breaks }: Drop): string => [different, breaks && `breaks ${breaks}`].filter(Boolean).map((one) => `: ${one}`).join("");
 
 function drops_table(drops: Drop[]): HTMLElement {
   const rows = drops.map((drop) =>
@@ -133,7 +140,7 @@ function drops_table(drops: Drop[]): HTMLElement {
       h("td", { "data-label": "setting" }, drop.setting),
       h("td", { "data-label": "added error" }, drop.change === null ? drop.why || "does not run" : metres(drop.change)),
       h("td", { "data-label": "cost" }, drop.ratio === null ? "\u2013" : number(drop.ratio, "", 2)),
-      h("td", { "data-label": "redundant" }, drop.within ? "yes" : "no"),
+      h("td", { "data-label": "redundant" }, drop.within ? "yes" : `no${because(drop)}`),
     ),
   );
   return table("Without one feature", ["feature", "without", "setting", "added error", "cost, full = 1", "redundant"], rows);

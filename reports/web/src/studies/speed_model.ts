@@ -1,7 +1,7 @@
 // The findings of the speed study, as its view uses them.
 import type { Study } from "../data";
 import { number } from "../format";
-import { looks } from "../looks";
+import { look_of } from "../looks";
 import { label_of, type Engine } from "../model";
 
 export interface Reading {
@@ -118,7 +118,6 @@ export function speed_model(study: Study): SpeedModel {
   const timings = study.timings as unknown as Timings;
   const findings = study.findings as unknown as { order_tolerance: number; orders: OrderRow[]; failures: Failure[] };
   const engines = new Map<string, Engine>();
-  const look_of = looks(timings.cases.flatMap((one) => one.engines.map(({ engine }) => engine)));
   const execution = new Map(timings.cases.flatMap((one) => one.engines.map((made) => [made.engine, made.execution] as const)));
   const engine_of = (label: string, engine: string, method: string): Engine => {
     const known = engines.get(label);

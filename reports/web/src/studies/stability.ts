@@ -3,9 +3,9 @@ import type { Study } from "../data";
 import type { StudyView } from "../model";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
-import { count, enumerate, given, words } from "../format";
+import { enumerate, given, words } from "../format";
 import { heat_map, outcome_legend } from "./heat_map";
-import { best_of, is_absent, stability_model, typical_row, type Axis, type Bracket, type Panel, type StabilityMap, type StabilityModel } from "./stability_model";
+import { is_absent, stability_model, typical_row, type Axis, type Bracket, type Panel, type StabilityMap, type StabilityModel } from "./stability_model";
 
 /** "26.57 deg (26.58: drifts)" */
 function limit_text(x: Axis, { low, high, outcome }: Bracket, why: string): string {
@@ -65,6 +65,7 @@ function map_section(model: StabilityModel, map: StabilityMap): HTMLElement {
       ),
       h("div", { class: "charts maps" }, ...shown.map((panel) => heat_map(map, panel, note_of(map, panel)))),
       absent.length ? h("p", { class: "absence" }, `Not supported by ${enumerate(absent.map(({ engine }) => engine))}.`) : null,
+      ...[...map.failed].map(([engine, why]) => h("p", { class: "absence" }, `${engine} has no limit here: ${why}.`)),
       folded("What counts as failure, and the theory", () => [
         h("ul", { class: "metrics" }, ...map.metrics.map((metric) => h("li", {}, metric)), ...theories.map((theory) => h("li", {}, `theory for ${theory}`))),
       ]),
@@ -76,8 +77,8 @@ function map_section(model: StabilityModel, map: StabilityMap): HTMLElement {
 /** The engines of the table. An engine that only one of several maps runs, as a variant of another, is left out. */
 function compared(model: StabilityModel): string[] {
   const labels = new Map<string, number>();
-  for (const { panels } of model.maps) {
-    for (const { engine } of panels) labels.set(engine, (labels.get(engine) ?? 0) + 1);
+  for (const { panels, failed } of model.maps) {
+    for (const engine of new Set([...panels.map(({ engine }) => engine), ...failed.keys()])) labels.set(engine, (labels.get(engine) ?? 0) + 1);
   }
   return [...labels].filter(([, maps]) => maps > 1 || model.maps.length === 1).map(([label]) => label);
 }
@@ -86,7 +87,7 @@ function overall(model: StabilityModel): HTMLElement {
   const labels = compared(model);
   const columns = model.maps.map((map) => {
     const where = map.y ? `, ${map.y.name} ${given(map.typical, map.y.unit, 3)}` : "";
-    return { map, head: `${map.x.name}${map.x.unit ? ` (${map.x.unit})` : ""}${where}`, best: best_of(map, labels) };
+    return { map, head: `${map.x.name}${map.x.unit ? ` (${map.x.unit})` : ""}${where}` };
   });
   const heads = columns.map(({ map, head }) => h("span", {}, h("a", { href: `#${slug(map.name)}` }, words(map.name)), h("br"), head));
   const rows = labels.map((label) =>
@@ -94,14 +95,16 @@ function overall(model: StabilityModel): HTMLElement {
       "tr",
       {},
       h("th", { scope: "row" }, label),
-      ...columns.map(({ map, head, best }) => {
+      ...columns.map(({ map, head }) => {
         const panel = map.panels.find(({ engine }) => engine === label);
         const bracket = panel && typical_row(panel)?.brackets[0];
         const name = `${words(map.name)}: ${head}`;
+        const why = map.failed.get(label);
+        if (why !== undefined) return h("td", { "data-label": name, title: why }, "failed");
         if (!bracket || (bracket.low === null && bracket.high === null)) return h("td", { class: "none", "data-label": name }, "\u2013");
         const open = bracket.high === null && !panel.why ? "\u2265 " : "";
         const text = bracket.low === null ? "none" : open + given(bracket.low, "", 4);
-        return h("td", { "data-label": name, title: limit_text(map.x, bracket, panel.why) }, best.has(label) ? h("strong", {}, text) : text);
+        return h("td", { "data-label": name, title: limit_text(map.x, bracket, panel.why) }, map.best.includes(label) ? h("strong", {}, text) : text);
       }),
     ),
   );
@@ -118,34 +121,10 @@ function overall(model: StabilityModel): HTMLElement {
   );
 }
 
-/** "in arch no method is as theory says, in mass ratio box2d holds farther": the maps in which a method is not among the best. */
-function shortfalls(maps: { name: string; natural: boolean; best: Set<string> }[], label: string): string {
-  const others = maps.filter(({ best }) => !best.has(label));
-  const parts = others.map(({ name, natural, best }) => {
-    const [better] = best;
-    if (!better) return `in ${words(name)} no method is as theory says`;
-    return `in ${words(name)} ${better} ${natural ? "is as theory says" : "holds farther"}`;
-  });
-  return parts.length ? `, but ${enumerate(parts)}` : "";
-}
-
-function sentence(model: StabilityModel): string {
-  const labels = compared(model);
-  const maps = model.maps.map((map) => ({ name: map.name, natural: map.boundaries[0]?.natural ?? false, best: best_of(map, labels) }));
-  const [most] = labels.map((label) => ({ label, wins: maps.filter(({ best }) => best.has(label)).length })).sort((a, b) => b.wins - a.wins);
-  const first = most?.wins
-    ? `${most.label} is the best or among the best in ${most.wins} of ${count(model.maps.length, "map")}${shortfalls(maps, most.label)}.`
-    : `${count(model.maps.length, "map")}.`;
-  const rows = model.maps.flatMap(({ agreements }) => agreements);
-  const total = rows.reduce((sum, one) => sum + one.rows, 0);
-  const agree = rows.reduce((sum, one) => sum + one.agree, 0);
-  return total ? `${first} Of all methods\u2019 boundaries with a theory, ${agree} of ${total} agree with it.` : first;
-}
-
 export function stability(study: Study): StudyView {
   const model = stability_model(study);
   return {
-    sentence: sentence(model),
+    sentence: model.sentence,
     sections: [
       { id: "limits", name: "Limits", content: () => overall(model) },
       ...model.maps.map((map) => ({ id: slug(map.name), name: words(map.name), content: () => map_section(model, map) })),

@@ -77,9 +77,12 @@ export interface StabilityMap {
   boundaries: Boundary[];
   panels: Panel[];
   agreements: Agreement[];
+  best: string[]; // the methods that agree with the law of physics, or else hold the farthest
+  failed: Map<string, string>; // why a method has no limit, by method
 }
 
 export interface StabilityModel {
+  sentence: string; // the result
   outcomes: Outcome[];
   maps: StabilityMap[];
 }
@@ -97,7 +100,9 @@ interface Values {
   bodies: string[];
 }
 
-type MapFindings = Omit<StabilityMap, "panels">;
+interface MapFindings extends Omit<StabilityMap, "panels" | "failed"> {
+  limits: { engine: string; low?: number | null; failed?: string }[]; // without "low" if the row of the limit failed
+}
 
 function bracket_of(values: Record<string, unknown>, boundary: string): Bracket {
   const of = (what: string): unknown => values[`${boundary}_${what}`];
@@ -115,7 +120,7 @@ function bracket_of(values: Record<string, unknown>, boundary: string): Bracket 
 }
 
 export function stability_model(study: Study): StabilityModel {
-  const findings = study.findings as unknown as { outcomes: Outcome[]; maps: MapFindings[] };
+  const findings = study.findings as unknown as { sentence: string; outcomes: Outcome[]; maps: MapFindings[] };
   const outcomes = new Map(findings.outcomes.map((outcome) => [outcome.letter, outcome]));
   const maps = findings.maps.map((map): StabilityMap => {
     const panels = new Map<string, Panel>();
@@ -140,30 +145,14 @@ export function stability_model(study: Study): StabilityModel {
         brackets: map.boundaries.map(({ name }) => bracket_of(raw, name)),
       });
     }
-    return { ...map, panels: [...panels.values()] };
+    const failed = new Map(map.limits.flatMap(({ engine, low, failed }): [string, string][] => (low === undefined ? [[engine, failed ?? ""]] : [])));
+    return { ...map, panels: [...panels.values()], failed };
   });
-  return { outcomes: findings.outcomes, maps };
+  return { sentence: findings.sentence, outcomes: findings.outcomes, maps };
 }
 
 /** Whether the method supports no cell. */
 export const is_absent = (panel: Panel): boolean => panel.rows.every(({ cells }) => cells.every(({ outcome }) => outcome.letter === "-"));
 
-/** The last value that holds, as a fraction of the axis; negative if none holds. */
-function extent_of({ from, to, logarithmic }: Axis, { low }: Bracket): number {
-  if (low === null) return -1;
-  return logarithmic ? Math.log(low / from) / Math.log(to / from) : (low - from) / (to - from);
-}
-
 /** The row in which methods are compared: their default settings, or the map's typical y. */
 export const typical_row = (panel: Panel): MapRow | undefined => panel.rows.find(({ typical }) => typical);
-
-/** The best engines in a map: those that agree with the law of physics if there is one, else those that hold the farthest. */
-export function best_of(map: StabilityMap, engines: string[]): Set<string> {
-  const found = map.panels.flatMap((panel) => {
-    const bracket = typical_row(panel)?.brackets[0];
-    return bracket && engines.includes(panel.engine) ? { engine: panel.engine, bracket, extent: extent_of(map.x, bracket) } : [];
-  });
-  const farthest = Math.max(0, ...found.map(({ extent }) => extent));
-  const good = map.boundaries[0]?.natural ? found.filter(({ bracket }) => bracket.agrees) : found.filter(({ extent }) => extent >= farthest);
-  return new Set(good.map(({ engine }) => engine));
-}

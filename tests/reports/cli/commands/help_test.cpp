@@ -48,6 +48,7 @@ TEST(Show, HasAScenariosQuestionParametersAndAnswer) {
   EXPECT_THAT(said.out, AllOf(HasSubstr("Does a box on a slope stick"), HasSubstr("20 deg, from 0 to 80: of the slope"),
                               HasSubstr("friction=0.5"), HasSubstr("closed form slide")));
   EXPECT_THAT(say({"show", "impulse"}).out, HasSubstr("integrator="));
+  EXPECT_THAT(say({"show", "chipmunk"}).out, HasSubstr("what it does differently\n-  positions move first"));
   EXPECT_EQ(say({"show", "slop"}).code, 2);
 }
 

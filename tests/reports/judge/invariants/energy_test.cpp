@@ -142,7 +142,10 @@ TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfKinematicBodies) {
   };
   EXPECT_EQ(status("energy", driven, hit(3, {pushing(3)}), exact), CheckStatus::held);
   EXPECT_EQ(status("energy", driven, hit(4.3, {pushing(3)}), exact), CheckStatus::broken);
-  EXPECT_EQ(status("energy", driven, hit(3, {}), exact), CheckStatus::not_reported);
+  EXPECT_EQ(status("energy", driven, hit(3, {}), exact), CheckStatus::broken) << "what touches nothing drives nothing";
+  const BodyState ground{.velocity = {0, 3}};
+  const Trace touching = forged(h, {{{ground, box_at({0, 0.5})[1]}}, {{ground, box_at({0, 0.5}, {0, 3})[1]}}});
+  EXPECT_EQ(status("energy", driven, touching, exact), CheckStatus::not_reported);
 }
 
 // A disc of 1 m that may not turn but spins at -5 rad/s: friction drives it along, and what keeps up its spin works

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <csignal>
 #include <map>
+#include <sstream>
 
 #include "../../../reference/programs/faults.h"
 #include "../study_files.h"
@@ -83,6 +84,33 @@ TEST_F(StabilityStudy, SaysWhyAnEngineFails) {
     EXPECT_THAT(found.text, HasSubstr(" failed in 5 of 5 jobs, first in slope: ")) << fault;
     EXPECT_THAT(found.text, HasSubstr("ended by signal 11")) << fault;
   }
+}
+
+TEST_F(StabilityStudy, SaysFirstWhichMethodIsTheBestAndWhichFailed) {
+  const StudyPlan slope = plan(configuration({"slope"}, {"impulse", "chipmunk"}));
+  std::vector<JobResult> results;
+  for (const Job& job : slope.jobs) {
+    const bool ours = job.key.find("impulse") != job.key.npos;
+    results.push_back(
+        {.key = job.key, .ending = ours ? Ending::done : Ending::failed, .reason = ours ? "" : "no disk"});
+    if (ours) results.back().output = job.run();
+  }
+  const Findings found = slope.conclude(results);
+  EXPECT_THAT(found.text, ::testing::StartsWith("impulse is the best or among the best in 1 of 1 map. Of all methods' "
+                                                "boundaries with a theory, 5 of 5 agree with it."));
+  EXPECT_EQ(found.findings.at("sentence").get<std::string>().find("impulse is the best"), 0u);
+  EXPECT_THAT(found.text, HasSubstr("chipmunk failed: failed, no disk"));
+  EXPECT_EQ(found.findings.at("maps")[0].at("best"), Json::array({"impulse"}));
+  EXPECT_EQ(found.findings.at("maps")[0].at("limits")[1].at("failed"), "failed, no disk");
+}
+
+TEST_F(StabilityStudy, FitsTheTerminal) {
+  const StudyPlan stack = plan(configuration({"stack"}, {}));
+  std::vector<JobResult> results;
+  for (const Job& job : stack.jobs)
+    results.push_back({.key = job.key, .ending = Ending::crashed, .reason = "signal 11"});
+  std::istringstream lines(stack.conclude(results).text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
 }
 
 TEST_F(StabilityStudy, RefusesUnknownNamesAndSuggestsTheNearest) {
