@@ -7,9 +7,9 @@
 #include <numeric>
 #include <utility>
 
-#include "reference/plane.h"
 #include "reference/scene_facts.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

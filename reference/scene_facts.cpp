@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/plane.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/path.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

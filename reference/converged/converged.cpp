@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "reference/exact/closed_form.h"
-#include "reference/plane.h"
 #include "reference/scene_facts.h"
 #include "scenarios/allowance.h"
+#include "scenarios/scene/vec.h"
 #include "scenarios/transformed.h"
 
 namespace plumb {

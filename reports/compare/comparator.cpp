@@ -7,7 +7,7 @@
 #include "reports/compare/key_differences.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/states.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -15,8 +15,8 @@
 #include "reference/programs/line_process.h"
 #include "reference/programs/protocol.h"
 #include "reports/engines/step_cost.h"
-#include "reports/vec.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -14,8 +14,8 @@
 #include "reports/judge/mechanics.h"
 #include "reports/run/case_run.h"
 #include "reports/system/jobs.h"
-#include "reports/vec.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 #include "scenarios/transformed.h"
 
 namespace plumb {

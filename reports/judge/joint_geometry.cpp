@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "reports/judge/mechanics.h"
-#include "reports/vec.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 

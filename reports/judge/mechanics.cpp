@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
 #include "scenarios/scene/path.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

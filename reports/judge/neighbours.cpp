@@ -5,7 +5,7 @@
 #include <limits>
 #include <variant>
 
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

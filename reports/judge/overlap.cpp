@@ -4,8 +4,8 @@
 #include <limits>
 #include <variant>
 
-#include "reports/vec.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -7,9 +7,9 @@
 #include "reference/scene_facts.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/random.h"
+#include "scenarios/scene/vec.h"
 #include "scenarios/transformed.h"
 
 namespace plumb {

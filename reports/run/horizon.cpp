@@ -8,8 +8,8 @@
 #include <string>
 
 #include "reference/scene_facts.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 #include "scenarios/transformed.h"
 
 namespace plumb {

@@ -12,9 +12,9 @@
 
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
 #include "reports/writers/packed.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::benchmarks {
 namespace {

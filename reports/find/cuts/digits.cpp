@@ -4,9 +4,9 @@
 #include <variant>
 
 #include "reports/find/shrink.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/scene_json.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::cuts::digits {
 namespace {

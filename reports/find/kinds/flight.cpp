@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "reports/find/kind.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::kinds::flight {
 namespace {

@@ -1,7 +1,7 @@
 #include "reports/find/kind.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::kinds::slider {
 namespace {

@@ -11,9 +11,9 @@
 #include "reports/judge/invariant.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::invariants::contact_laws {
 namespace {

@@ -14,8 +14,8 @@
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::invariants::momentum {
 namespace {

@@ -11,10 +11,10 @@
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
 #include "reports/judge/states.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/surface.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::invariants::positions {
 namespace {

@@ -5,10 +5,10 @@
 #include "reference/reduced_model.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/poses.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/joints.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::relations::time {
 namespace {
