@@ -14,9 +14,9 @@
 #include "reports/judge/mechanics.h"
 #include "reports/run/case_run.h"
 #include "reports/system/jobs.h"
+#include "scenarios/images.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/vec.h"
-#include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {

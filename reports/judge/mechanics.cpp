@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "reports/judge/overlap.h"
+#include "scenarios/scene/joints.h"
 #include "scenarios/scene/path.h"
 #include "scenarios/scene/vec.h"
 
@@ -98,20 +99,19 @@ Conserved::Conserved(const Scene& scene) : scene_(scene) {
                            .length = spring->length});
     }
   }
-  // A distance joint with stiffness is a spring. Its anchors are world points at the start.
   const std::vector<BodyState> start = initial_states(scene);
   const auto local = [&](std::size_t body, Vec anchor) {
     return rotated(anchor - start[body].position, -start[body].angle);
   };
   for (const Joint& joint : scene.joints) {
-    const auto* distance = std::get_if<Distance>(&joint);
-    if (distance == nullptr || distance->stiffness == 0) continue;
-    elastics_.push_back({.a = distance->a,
-                         .b = distance->b,
-                         .at_a = local(distance->a, distance->anchor_a),
-                         .at_b = local(distance->b, distance->anchor_b),
-                         .stiffness = distance->stiffness,
-                         .length = distance->length});
+    const JointFacts facts = facts_of(joint);
+    if (facts.keeps != JointFacts::Keeps::spring) continue;
+    elastics_.push_back({.a = facts.a,
+                         .b = facts.b,
+                         .at_a = local(facts.a, facts.anchor_a),
+                         .at_b = local(facts.b, facts.anchor_b),
+                         .stiffness = facts.stiffness,
+                         .length = facts.length});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <variant>
 
+#include "reference/scene_facts.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "scenarios/scene/vec.h"

@@ -8,9 +8,9 @@
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "scenarios/catalog.h"
+#include "scenarios/images.h"
 #include "scenarios/random.h"
 #include "scenarios/scene/vec.h"
-#include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {

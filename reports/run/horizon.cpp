@@ -9,8 +9,8 @@
 
 #include "reference/scene_facts.h"
 #include "scenarios/catalog.h"
+#include "scenarios/images.h"
 #include "scenarios/scene/vec.h"
-#include "scenarios/transformed.h"
 
 namespace plumb {
 namespace {

@@ -13,6 +13,7 @@
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/writers/packed.h"
+#include "scenarios/scene/joints.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/vec.h"
 
@@ -49,15 +50,11 @@ Json ties_of(const Scene& scene) {
   };
   Json ties = Json::array();
   for (const Joint& joint : scene.joints) {
-    const auto [a, b, at_a, at_b] = std::visit(
-        [](const auto& of) {
-          if constexpr (requires { of.anchor_a; })
-            return std::tuple(of.a, of.b, of.anchor_a, of.anchor_b);
-          else
-            return std::tuple(of.a, of.b, of.anchor, of.anchor);
-        },
-        joint);
-    ties.push_back({{"a", a}, {"b", b}, {"at_a", local(a, at_a)}, {"at_b", local(b, at_b)}});
+    const JointFacts facts = facts_of(joint);
+    ties.push_back({{"a", facts.a},
+                    {"b", facts.b},
+                    {"at_a", local(facts.a, facts.anchor_a)},
+                    {"at_b", local(facts.b, facts.anchor_b)}});
   }
   for (const Force& force : scene.forces) {
     const auto* spring = std::get_if<Spring>(&force);

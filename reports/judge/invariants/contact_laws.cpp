@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/contacts.h"
 #include "reports/judge/groups.h"
 #include "reports/judge/invariant.h"

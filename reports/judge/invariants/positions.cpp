@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/contacts.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/neighbours.h"

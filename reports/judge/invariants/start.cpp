@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
