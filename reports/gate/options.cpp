@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/system/command_options.h"
 #include "reports/system/environment.h"

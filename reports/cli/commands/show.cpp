@@ -5,7 +5,7 @@
 
 #include "reports/cli/command.h"
 #include "reports/cli/descriptions.h"
-#include "reports/cli/file_warnings.h"
+#include "reports/cli/session.h"
 #include "reports/run/scene_file.h"
 #include "reports/run/selection.h"
 #include "reports/system/terminal.h"

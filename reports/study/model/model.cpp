@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "reports/report.h"
-#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/run/timings.h"
 #include "reports/study/job.h"

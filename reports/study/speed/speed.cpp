@@ -12,7 +12,6 @@
 
 #include "reports/report.h"
 #include "reports/run/case_run.h"
-#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/run/timings.h"
 #include "reports/study/job.h"
