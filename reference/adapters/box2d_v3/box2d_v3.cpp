@@ -8,7 +8,7 @@
 // - Collisions are found once a step, a little ahead ("speculative"). From 3.2 on, contacts that hardly changed are
 //   recycled, which stacks need. Continuous collision against fixed bodies.
 // - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step,
-//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
+//   without friction: friction takes mu m v from an impact that slips, not mu (1 + e) m v.
 // - Rotations are stored as cosine and sine. We start them from exact values (b2MakeRot is an approximation). They
 //   advance by atan(w h): fast spins lose (w h)^2/3 of their angle. We count whole turns from one reading to the next.
 // - Damping c divides velocities by 1 + c h each sub-step (Pade), while the scene means e^(-c h).

@@ -74,8 +74,8 @@ const Catalog<MetamorphicRelation>::Entry mass{
      .compare = [](const RelationRun& run,
                    std::span<const RelationRun> images) { return compare_congruent(run, images.front(), {}); }}};
 
-// Nature reads no lists. Sums over bodies, contacts and joints are rounded in another order; a solver that sweeps over
-// them a stated number of times may leave what it leaves elsewhere (see `residue_of`), in either run.
+// Nature reads no lists. Sums over bodies, contacts and joints are rounded in another order; a solver that iterates
+// over them a stated number of times may leave what it leaves elsewhere (see `residue_of`), in either run.
 const Catalog<MetamorphicRelation>::Entry order{
     {.name = "order",
      .unit = "m",

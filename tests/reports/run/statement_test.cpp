@@ -56,14 +56,14 @@ class Altered : private OwnedScene, public fakes::Stepper {
 // An engine that lets a body fall at a share of gravity: at half of it, unless it has 128 iterations.
 Engine falling_by_iterations(double at_many) {
   Engine engine = fakes::engine("iterative");
-  engine.options = {{.key = "sweeps", .value = "4", .about = "iterations", .min = 1, .max = 1000, .whole = true}};
+  engine.options = {{.key = "iterations", .value = "4", .about = "iterations", .min = 1, .max = 1000, .whole = true}};
   engine.stepping = [](const Settings& settings, double step) {
     return Stepping{
-        .dt = step, .h = step, .drift = 0.5, .iterations = std::stoi(settings.at("sweeps")), .epsilon = 1e-16};
+        .dt = step, .h = step, .drift = 0.5, .iterations = std::stoi(settings.at("iterations")), .epsilon = 1e-16};
   };
   engine.build = [at_many](const Scene& scene, const Settings& settings) -> std::unique_ptr<Simulation> {
     Scene altered = scene;
-    const double share = settings.at("sweeps") == "128" ? at_many : 0.5;
+    const double share = settings.at("iterations") == "128" ? at_many : 0.5;
     altered.gravity = {share * scene.gravity.x, share * scene.gravity.y};
     return std::make_unique<Altered>(altered);
   };

@@ -5,7 +5,7 @@
 //   not converge with the step. Nothing of an overlap is left alone (contact_solver.c).
 // - Collisions are found once a step, a little ahead. Continuous collision against fixed bodies.
 // - Restitution acts only above a closing speed of 1 m/s (option `restitution`), once, at the end of the step,
-//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
+//   without friction: friction takes mu m v from an impact that slips, not mu (1 + e) m v.
 // - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
 // - Damping c divides velocities by 1 + c h each sub-step (solver.c), while the scene means e^(-c h).
 // - Nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step.

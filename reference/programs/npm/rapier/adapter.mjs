@@ -5,7 +5,7 @@
 //   do not converge with the step. Nothing of an overlap is left alone.
 // - Collisions are found once a step, a little ahead; continuous collision against fixed bodies.
 // - Restitution acts once, at the end of a step, on contacts that carried nothing in the step before; that of 1 always;
-//   without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v.
+//   without friction: friction takes mu m v from an impact that slips, not mu (1 + e) m v.
 // - Rotations are kept as cosine and sine and advance by atan(w h). We count whole turns.
 // - Damping c divides velocities by 1 + c dt (rigid_body_components.rs), while the scene means e^(-c dt).
 // - Nothing moves faster than 400 m/s.
