@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/plane.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {
@@ -15,27 +15,6 @@ std::string two_frictions_refusal(const Scene& scene) {
       if (shape.surface.static_friction != shape.surface.dynamic_friction) {
         return "has one coefficient of friction, but static and dynamic friction of \"" + body.name + "\" differ";
       }
-    }
-  }
-  return "";
-}
-
-std::string moving_half_space_refusal(const Scene& scene) {
-  for (const Body& body : scene.bodies) {
-    if (body.type != BodyType::dynamic) continue;
-    for (const Shape& shape : body.shapes) {
-      if (std::holds_alternative<HalfSpace>(shape.geometry)) {
-        return "cannot move a half-space, as \"" + body.name + "\" would need";
-      }
-    }
-  }
-  return "";
-}
-
-std::string massless_refusal(const Scene& scene) {
-  for (const Body& body : scene.bodies) {
-    if (body.type == BodyType::dynamic && mass_of(body).mass == 0) {
-      return "cannot move a body without mass, as \"" + body.name + "\" is";
     }
   }
   return "";
@@ -66,7 +45,28 @@ std::vector<std::pair<std::string, std::string>> on_or_off(const char* on, const
 
 }  // namespace
 
-std::string common_refusal(const Scene& scene) {
+std::string moving_half_space_refusal(const Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    if (body.type != BodyType::dynamic) continue;
+    for (const Shape& shape : body.shapes) {
+      if (std::holds_alternative<HalfSpace>(shape.geometry)) {
+        return "cannot move a half-space, as \"" + body.name + "\" would need";
+      }
+    }
+  }
+  return "";
+}
+
+std::string massless_refusal(const Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    if (body.type == BodyType::dynamic && mass_of(body).mass == 0) {
+      return "cannot move a body without mass, as \"" + body.name + "\" is";
+    }
+  }
+  return "";
+}
+
+std::string feature_refusal(const Scene& scene) {
   std::string reason = two_frictions_refusal(scene);
   if (reason.empty()) reason = moving_half_space_refusal(scene);
   if (reason.empty()) reason = massless_refusal(scene);

@@ -2,20 +2,72 @@
 
 #include <cstddef>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "reference/simulation.h"
+#include "scenarios/scene/joints.h"
 #include "scenarios/scene/scene.h"
+#include "scenarios/scene/shapes.h"
 
 /// What adapters of physics engines share: refusals, features of a scene that an engine lacks, and options. Nothing
 /// here depends on the types of an engine.
 namespace plumb {
 
+/// Whether an adapter supports a kind of shape or joint: the usual ones, which all do, and those that it gives in
+/// `Also`. An adapter need not know any other.
+template <class Kind, class... Kinds>
+constexpr bool one_of = (std::is_same_v<Kind, Kinds> || ...);
+template <class Kind, class... Also>
+constexpr bool supports =
+    one_of<Kind, Circle, Box, Polygon, Capsule, Segment, HalfSpace, Revolute, Distance, Prismatic, Weld, Also...>;
+
+/// Passes a shape or joint of a supported kind to `make`. kind_refusal keeps others away.
+template <class... Also, class Make, class... Kinds>
+decltype(auto) visit_supported(Make&& make, const std::variant<Kinds...>& any) {
+  using Made = decltype(make(std::get<0>(any)));
+  return std::visit(
+      [&]<class Kind>(const Kind& kind) -> Made {
+        if constexpr (supports<Kind, Also...>) {
+          return make(kind);
+        } else {
+          throw std::logic_error("a kind that the adapter does not support");
+        }
+      },
+      any);
+}
+
+/// Names the first shape or joint of a kind that is not supported; "" if there is none.
+template <class... Also>
+std::string kind_refusal(const Scene& scene) {
+  const auto refused = [](const auto& any) {
+    const bool known = std::visit([]<class Kind>(const Kind&) { return supports<Kind, Also...>; }, any);
+    return known ? std::string() : std::string("does not support the kind \"") + kind_name(any) + "\"";
+  };
+  std::string reason;
+  for (const Body& body : scene.bodies) {
+    for (const Shape& shape : body.shapes) reason = reason.empty() ? refused(shape.geometry) : reason;
+  }
+  for (const Joint& joint : scene.joints) reason = reason.empty() ? refused(joint) : reason;
+  return reason;
+}
+
 /// Why an engine cannot run the scene if it has one coefficient of friction per surface, half-spaces on fixed bodies
 /// only (see HalfSpaceEdge) and no massless dynamic bodies; "" if it can.
-std::string common_refusal(const Scene&);
+std::string feature_refusal(const Scene&);
+/// Parts of it.
+std::string moving_half_space_refusal(const Scene&);
+std::string massless_refusal(const Scene&);
+
+/// The same of an engine that has no kinds of shapes and joints but the usual ones and `Also`.
+template <class... Also>
+std::string common_refusal(const Scene& scene) {
+  const std::string reason = kind_refusal<Also...>(scene);
+  return reason.empty() ? feature_refusal(scene) : reason;
+}
 
 /// The first refusal among all geometries of the scene; "" if there is none. `refuse` maps each type of geometry to the
 /// reason why the engine cannot run it, "" if it can.

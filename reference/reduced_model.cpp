@@ -4,33 +4,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
-#include "reference/plane.h"
 #include "reference/scene_facts.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {
 
 constexpr double clearance_margin = 1e-3;            // m, between bodies that count as apart: far above round-off
 constexpr std::size_t most_bodies_paired = 1 << 10;  // checking every pair of these takes some ms
-
-// Distance from the body's origin to the farthest point of a geometry, m.
-struct Extent {
-  double operator()(const Circle& circle) const { return length(circle.center) + circle.radius; }
-  double operator()(const Box& box) const { return length(box.center) + length(box.size) / 2; }
-  double operator()(const Polygon& polygon) const {
-    return std::accumulate(polygon.vertices.begin(), polygon.vertices.end(), 0.0,
-                           [](double far, Vec vertex) { return std::max(far, length(vertex)); });
-  }
-  double operator()(const Capsule& capsule) const {
-    return std::max(length(capsule.from), length(capsule.to)) + capsule.radius;
-  }
-  double operator()(const Segment& segment) const { return std::max(length(segment.from), length(segment.to)); }
-  double operator()(const HalfSpace&) const { return std::numeric_limits<double>::infinity(); }
-};
 
 // A body on a parabola, bounded by the disc about its centre of mass that contains it at any angle.
 struct Flight {
@@ -63,13 +47,15 @@ std::vector<std::pair<std::size_t, std::size_t>> colliding_pairs(const Scene& sc
   return pairs;
 }
 
+bool has_half_space(const Body& body) {
+  return std::any_of(body.shapes.begin(), body.shapes.end(),
+                     [](const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.geometry); });
+}
+
 Flight flight_of(const Scene& scene, std::size_t i) {
   const Body& body = scene.bodies[i];
-  const Body around = centered(body);
-  Flight flight{&body, start_of(body), gravity_of(scene, body), 0};
-  for (const Shape& shape : around.shapes) {
-    flight.radius = std::max(flight.radius, std::visit(Extent{}, shape.geometry));
-  }
+  Flight flight{&body, start_of(body), gravity_of(scene, body), bounding_radius(body)};
+  if (has_half_space(body)) flight.radius = std::numeric_limits<double>::infinity();
   if (body.path) flight.radius += 2 * length(body.path->amplitude);
   for (const Force& force : scene.forces) {
     const auto* constant = std::get_if<Constant>(&force);

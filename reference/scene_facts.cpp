@@ -4,34 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/plane.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/path.h"
+#include "scenarios/scene/shapes.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
-namespace {
-
-// Moves a geometry by -offset.
-struct ShiftGeometry {
-  Vec offset;
-
-  void operator()(Circle& circle) const { circle.center = circle.center - offset; }
-  void operator()(Box& box) const { box.center = box.center - offset; }
-  void operator()(Polygon& polygon) const {
-    for (Vec& vertex : polygon.vertices) vertex = vertex - offset;
-  }
-  void operator()(Capsule& capsule) const {
-    capsule.from = capsule.from - offset;
-    capsule.to = capsule.to - offset;
-  }
-  void operator()(Segment& segment) const {
-    segment.from = segment.from - offset;
-    segment.to = segment.to - offset;
-  }
-  void operator()(HalfSpace& half_space) const { half_space.offset -= dot(half_space.normal, offset); }
-};
-
-}  // namespace
 
 BodyState start_of(const Body& body) {
   return {.position = body.position + rotated(mass_of(body).center, body.angle),
@@ -56,8 +34,18 @@ Body centered(const Body& body) {
   const double s = std::sin(body.angle);
   Body moved = body;
   moved.position = {body.position.x + c * center.x - s * center.y, body.position.y + s * center.x + c * center.y};
-  for (Shape& shape : moved.shapes) std::visit(ShiftGeometry{center}, shape.geometry);
+  for (Shape& shape : moved.shapes) shape.geometry = mapped(shape.geometry, FrameMap{.origin = center});
   return moved;
+}
+
+double bounding_radius(const Body& body) {
+  double radius = 0;
+  const Vec center = mass_of(body).center;
+  for (const Shape& shape : body.shapes) {
+    const Outline outline = outline_of(shape.geometry, center);
+    for (const Vec point : outline.points) radius = std::max(radius, length(point) + outline.radius);
+  }
+  return radius;
 }
 
 double smallest_body(const Scene& scene) {

@@ -21,6 +21,9 @@ Vec gravity_of(const Scene&, const Body&);
 /// closed forms differ in whether "velocity" is that of the origin; in this frame the two agree.
 Body centered(const Body&);
 
+/// m, from the centre of mass to the farthest point of the body; half-spaces do not count.
+double bounding_radius(const Body&);
+
 /// Diameter in m of the disc with the smallest radius of gyration among the dynamic bodies; 1 if none has an extent.
 double smallest_body(const Scene&);
 

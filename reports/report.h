@@ -234,4 +234,7 @@ struct Report {
   std::map<std::string, double> clock;  // wall times of the parts, s, and the share outside `step`
 };
 
+/// The name of a metamorphic relation among a run's invariants and metrics is this and its own.
+inline const std::string relation_prefix = "relation_";
+
 }  // namespace plumb

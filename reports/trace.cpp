@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "reports/system/hash.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 

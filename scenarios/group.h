@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// What the families of one folder ask about. Each joins Catalog<ScenarioGroup> from group.cpp in its folder.
+/// What the families of one folder ask about; group.cpp has them all.
 struct ScenarioGroup {
   std::string name;   // the folder
   std::string title;  // "chaos and statistics"

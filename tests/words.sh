@@ -46,6 +46,27 @@ issue that asked|the reason itself
 ScalarContacts::solve_pair|a name that exists
 see accurate\.cpp|a name that exists
 looks_ahead\.h|StatedErrors::looks_ahead
+\bfates?\b|failure mode, outcome
+\brubs?\b|friction|engine tests/engine scenarios/tracker
+\bsweeps?\b|iterations; continuous collision|engine tests/engine reference/faults/engine
+\bkeep_points\b|contact persistence
+\bpush_to\b|apply accumulated impulse
+\bforesee|predicted impact velocity change
+\bquiet path\b|cached static island
+\brouse|wake|engine tests/engine
+\blay down\b|put to sleep
+\bput back\b|clamp to the time of impact
+\btremors?\b|tolerance, low motion|engine tests/engine
+\bunpushed\b|ballistic restore|engine tests/engine
+\bmore_sweeps\b|extra rigid iterations|engine tests/engine
+\bslow_impact\b|restitution threshold|engine tests/engine
+\bfind_again\b|mid-step re-collision|engine tests/engine
+\bmass_[ab]\b|inv_mass_a|engine tests/engine reference/faults/engine
+\blanes_?run\b|batch|engine tests/engine
+\blanes_?kind\b|constraint type|engine tests/engine
+\bcarry_out\b|the verb of what it does
+\bsame_enough\b|a name that exists
+\breference/loads\.h|a name that exists
 PLUMB_SLOWDOWN|plumb_delayed
 WORDS
 exit "$failed"

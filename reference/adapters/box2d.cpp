@@ -217,7 +217,7 @@ class Box2d : public Simulation {
     const double extent = scene_extent(scene);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) add(i, scene.bodies[i], extent);
     for (const Joint& joint : scene.joints) {
-      std::visit([&](const auto& kind) { add(kind); }, joint);
+      visit_supported([&](const auto& kind) { add(kind); }, joint);
     }
   }
 
@@ -253,7 +253,7 @@ class Box2d : public Simulation {
         attach(edge.segment);
       } else {
         AttachShape attach{*made, tag};
-        std::visit(attach, shape.geometry);
+        visit_supported(attach, shape.geometry);
       }
     }
     const Mass mass = mass_of(given);

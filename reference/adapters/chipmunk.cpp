@@ -113,7 +113,7 @@ class Chipmunk : public Simulation {
     handler->userData = this;
     for (const Body& body : scene.bodies) add(body);
     for (const Joint& joint : scene.joints) {
-      std::visit([&](const auto& kind) { add(kind); }, joint);
+      visit_supported([&](const auto& kind) { add(kind); }, joint);
     }
   }
 
@@ -176,7 +176,7 @@ class Chipmunk : public Simulation {
 
   void add(cpBody* body, const Shape& shape, std::uint32_t layers) {
     surfaces_.push_back(shape.surface);
-    cpShape* made = shapes_.emplace_back(std::visit(MakeShape{body, extent_}, shape.geometry)).get();
+    cpShape* made = shapes_.emplace_back(visit_supported(MakeShape{body, extent_}, shape.geometry)).get();
     cpShapeSetUserData(made, &surfaces_.back());
     cpShapeSetFilter(made, cpShapeFilterNew(CP_NO_GROUP, layers, layers));
     cpSpaceAddShape(space_.get(), made);

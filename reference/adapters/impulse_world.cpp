@@ -76,7 +76,7 @@ std::vector<impulse::Part> parts_of(const Body& body) {
   std::vector<impulse::Part> parts;
   for (const Shape& shape : body.shapes) {
     const Surface& surface = shape.surface;
-    parts.push_back({std::visit(ShapeOf{}, shape.geometry),
+    parts.push_back({visit_supported(ShapeOf{}, shape.geometry),
                      {static_cast<Real>(surface.density), static_cast<Real>(surface.static_friction),
                       static_cast<Real>(surface.dynamic_friction), static_cast<Real>(surface.restitution)}});
   }
@@ -122,7 +122,7 @@ class Impulse : public Simulation {
       scene_index_[id.index] = bodies_.size() - 1;
     }
     for (const Joint& joint : scene.joints) {
-      world_.create_joint(std::visit([&](const auto& kind) { return joint_of(kind); }, joint));
+      world_.create_joint(visit_supported([&](const auto& kind) -> impulse::Joint { return joint_of(kind); }, joint));
     }
     for (const Force& force : scene.forces) {
       world_.add_force(std::visit([&](const auto& kind) { return force_of(kind); }, force));
@@ -314,17 +314,24 @@ Stepping stepping(const Settings& settings, double dt) {
   return stated;
 }
 
-// The engine checks a scene as it builds it, so this builds one to collect the engine's own message.
-std::string unsupported(const Scene& scene, const Settings& settings) {
-  if (!scene.joints.empty() && !impulse::stated_errors(engine_settings(scene, settings)).joints) {
-    return "its solver " + settings.at("solver") + " does not support joints";
-  }
+// The engine's own message if it refuses a shape, which it checks as it makes it; "" if it takes all.
+std::string shape_refusal(const Scene& scene) {
   try {
-    const Impulse tried(scene, settings);
+    for (const Body& body : scene.bodies) parts_of(body);
   } catch (const std::invalid_argument& refused) {
     return refused.what();
   }
   return "";
+}
+
+std::string unsupported(const Scene& scene, const Settings& settings) {
+  if (!scene.joints.empty() && !impulse::stated_errors(engine_settings(scene, settings)).joints) {
+    return "its solver " + settings.at("solver") + " does not support joints";
+  }
+  std::string reason = kind_refusal(scene);
+  if (reason.empty()) reason = moving_half_space_refusal(scene);
+  if (reason.empty()) reason = massless_refusal(scene);
+  return reason.empty() ? shape_refusal(scene) : reason;
 }
 
 std::unique_ptr<Simulation> build(const Scene& scene, const Settings& settings) {

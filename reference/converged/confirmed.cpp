@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/plane.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

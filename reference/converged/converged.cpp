@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "reference/exact/closed_form.h"
-#include "reference/plane.h"
 #include "reference/scene_facts.h"
 #include "scenarios/allowance.h"
-#include "scenarios/transformed.h"
+#include "scenarios/images.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {
@@ -41,7 +41,7 @@ std::vector<BodyState> refined_answer(const Scene& scene, const Method& method, 
                                       double coarsest, int halvings) {
   const double scale = std::ldexp(1.0, halvings);
   const double dt = coarsest / scale;
-  const auto simulation = method.engine.build(scaled(scene, scale), method.settings);
+  const auto simulation = method.engine.build(in_units(scene, {.length = scale}), method.settings);
   std::vector<BodyState> before(scene.bodies.size());
   simulation->read(before);
   std::vector<BodyState> now = before;

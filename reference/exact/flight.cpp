@@ -8,6 +8,7 @@
 #include "reference/exact/closed_form.h"
 #include "reference/exact/recognise.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/shapes.h"
 
 namespace plumb {
 
@@ -54,31 +55,6 @@ const Catalog<Engine>::Entry ballistic_entry{closed_form<Ballistic>(
 
 namespace {
 
-void append(const Circle& circle, std::vector<Corner>& corners) { corners.push_back({circle.center, circle.radius}); }
-
-void append(const Box& box, std::vector<Corner>& corners) {
-  for (const Vec sign : {Vec{1, 1}, Vec{-1, 1}, Vec{-1, -1}, Vec{1, -1}}) {
-    const Vec corner{sign.x * box.size.x / 2, sign.y * box.size.y / 2};
-    corners.push_back({box.center + rotated(corner, box.angle), 0});
-  }
-}
-
-void append(const Polygon& polygon, std::vector<Corner>& corners) {
-  for (const Vec vertex : polygon.vertices) corners.push_back({vertex, 0});
-}
-
-void append(const Capsule& capsule, std::vector<Corner>& corners) {
-  corners.push_back({capsule.from, capsule.radius});
-  corners.push_back({capsule.to, capsule.radius});
-}
-
-void append(const Segment& segment, std::vector<Corner>& corners) {
-  corners.push_back({segment.from, 0});
-  corners.push_back({segment.to, 0});
-}
-
-void append(const HalfSpace&, std::vector<Corner>&) {}  // has no corners
-
 // The longest time, s, in which a corner surely stays above the floor. Its clearance d(s) has |d''| <= bend = |g.n| +
 // w^2 R, so it stays above the parabola d + d' s - bend s^2/2 up to the root of that.
 double safe_step(double d, double rate, double bend) {
@@ -92,11 +68,11 @@ double safe_step(double d, double rate, double bend) {
 
 std::vector<Corner> corners_of(const Body& body) {
   std::vector<Corner> corners;
-  for (const Shape& shape : body.shapes) {
-    std::visit([&corners](const auto& geometry) { append(geometry, corners); }, shape.geometry);
-  }
   const Vec center = mass_of(body).center;
-  for (Corner& corner : corners) corner.offset = corner.offset - center;
+  for (const Shape& shape : body.shapes) {
+    const Outline outline = outline_of(shape.geometry, center);
+    for (const Vec point : outline.points) corners.push_back({point, outline.radius});
+  }
   return corners;
 }
 

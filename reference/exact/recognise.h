@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "reference/plane.h"
 #include "reference/scene_facts.h"
+#include "scenarios/scene/vec.h"
 
 /// What closed forms look for in a scene.
 namespace plumb {

@@ -6,8 +6,8 @@
 
 #include "reference/faults/fault.h"
 #include "reference/perturbations/perturbation.h"
-#include "reference/plane.h"
 #include "reference/scene_facts.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::scene_perturbations {
 namespace {

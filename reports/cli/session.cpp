@@ -8,11 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reports/cli/file_warnings.h"
 #include "reports/run/converged_checks.h"
 #include "reports/run/experiment.h"
-#include "reports/run/plan_selection.h"
+#include "reports/run/scene_file.h"
+#include "reports/run/scene_warnings.h"
 #include "reports/run/selection.h"
+#include "reports/system/command_options.h"
 #include "reports/system/environment.h"
 #include "reports/system/terminal.h"
 #include "reports/writers/console.h"
@@ -53,33 +54,36 @@ Plan plan_of(const Session& session) {
 
 }  // namespace
 
+void warn_about_files(std::span<const Case> cases) {
+  for (const Case& one : cases) {
+    if (one.from_file == nullptr || one.variant == tracker) continue;
+    std::vector<std::string> warnings = warnings_about(*one.scene);
+    warnings.insert(warnings.end(), one.left_out.begin(), one.left_out.end());
+    for (const std::string& warning : warnings)
+      fmt::print(stderr, "plumb: warning: {}: {}\n", printable(one.variant, one.variant.npos), warning);
+  }
+}
+
 void Session::attach_to(CLI::App& app) {
-  app.add_option("scenario", scenarios, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json")->type_name("NAME");
-  app.add_flag("--all", all, "Every scenario, not only the canonical ones");
-  auto* more = app.add_flag("--converged", converged,
-                            "Spend five times as much on the converged references that judge where there is no closed "
-                            "form; a few seconds a scene");
-  app.add_flag("--no-converged", no_converged, "Judge without converged references")->excludes(more);
-  app.add_flag("--relations", relations,
-               "Also run images of every scene (shifted, turned, mirrored ...) and check that they move alike");
-  app.add_option("--ensemble", ensemble, "Runs of each engine that are compared beyond a scene's horizon; 0: none")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1000))
-      ->type_name("N");
-  app.add_option("--engine", engines, "NAME[:key=value,...]; may be repeated. Default: every engine")
-      ->allow_extra_args(false)
-      ->type_name("ENGINE");
-  app.add_option("--dt", dt, "Time step in s, a number or a fraction")->capture_default_str()->type_name("STEP");
-  app.add_option("--jobs", jobs, "Scenes that run at the same time; results are the same for any number")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  app.add_option("--out", out, "Folder for index.html, report.md, report.json, report.csv and report.xml (JUnit)")
-      ->capture_default_str()
-      ->type_name("DIR");
-  app.add_flag("--verbose", verbose, "Also print how far every two engines are apart, and all failed checks");
-  app.add_flag("--quiet", quiet, "Print nothing: the files and the exit code say it all");
-  app.add_flag("--json", json, "Print report.json instead of tables");
+  CommandOptions add(app);
+  add.add("scenario", "NAME", scenarios, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json");
+  add.flag("--all", all, "Every scenario, not only the canonical ones");
+  add.flag("--converged", converged,
+           "Spend five times as much on the converged references that judge where there is no closed form; a few "
+           "seconds a scene");
+  add.flag("--no-converged", no_converged, "Judge without converged references");
+  add.excludes("--no-converged", "--converged");
+  add.flag("--relations", relations,
+           "Also run images of every scene (shifted, turned, mirrored ...) and check that they move alike");
+  add.add("--ensemble", "N", ensemble, 0, 1000,
+          "Runs of each engine that are compared beyond a scene's horizon; 0: none");
+  add.add_repeated("--engine", "ENGINE", engines, "NAME[:key=value,...]; may be repeated. Default: every engine");
+  add.add("--dt", "STEP", dt, "Time step in s, a number or a fraction");
+  add.add("--jobs", "N", jobs, 1, 1024, "Scenes that run at the same time; results are the same for any number");
+  add.add("--out", "DIR", out, "Folder for index.html, report.md, report.json, report.csv and report.xml (JUnit)");
+  add.flag("--verbose", verbose, "Also print how far every two engines are apart, and all failed checks");
+  add.flag("--quiet", quiet, "Print nothing: the files and the exit code say it all");
+  add.flag("--json", json, "Print report.json instead of tables");
 }
 
 std::size_t Session::refinement() const {

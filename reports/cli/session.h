@@ -1,16 +1,24 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "reports/report.h"
+#include "reports/run/run.h"
 #include "reports/system/jobs.h"
 #include "reports/writers/output.h"
 
+namespace CLI {
+class App;
+}
+
 namespace plumb {
+
+/// Prints what is rarely meant in the scene files among the cases, on standard error.
+void warn_about_files(std::span<const Case>);
 
 /// What `run` and `report` share: their options, running the experiment, writing the files and the table.
 struct Session {

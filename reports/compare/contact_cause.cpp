@@ -7,7 +7,7 @@
 #include <set>
 
 #include "reports/judge/contacts.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "reports/report.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

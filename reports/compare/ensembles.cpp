@@ -6,8 +6,8 @@
 
 #include "reports/judge/mechanics.h"
 #include "reports/judge/metric.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

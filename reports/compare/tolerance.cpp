@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/vec.h"
 #include "scenarios/allowance.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 

@@ -16,8 +16,8 @@
 #include "reference/programs/protocol.h"
 #include "reports/engines/step_cost.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -1,12 +1,11 @@
 #include "reports/engines/step_cost.h"
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 
 #include "reference/programs/protocol.h"
 #include "reference/programs/steps_ahead.h"
-#include "reports/timing/clock.h"
+#include "reports/system/clock.h"
 
 namespace plumb {
 namespace {
@@ -14,12 +13,6 @@ namespace {
 constexpr double patience = 1;  // s without a faster round
 constexpr double longest = 5;   // s
 constexpr double faster = 0.98;
-
-double seconds_of_thread() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 }  // namespace
 
@@ -32,7 +25,7 @@ StepCost cost_of_step(LineProcess& process, const ProgramLimits& limits, std::si
   const Stopwatch all;
   for (Stopwatch since; since.seconds() < patience && all.seconds() < longest;) {
     const std::size_t count = ahead.count();
-    const double before = seconds_of_thread();
+    const double before = cpu_seconds(CpuClock::thread);
     const Stopwatch round;
     double own = 0;
     process.send(protocol::ask_steps(count, dt), limits);
@@ -42,7 +35,7 @@ StepCost cost_of_step(LineProcess& process, const ProgramLimits& limits, std::si
     const double passed = round.seconds();
     const double steps = static_cast<double>(count);
     least.beyond = std::min(least.beyond, (passed - own) / steps);
-    least.plumbs = std::min(least.plumbs, (seconds_of_thread() - before) / steps);
+    least.plumbs = std::min(least.plumbs, (cpu_seconds(CpuClock::thread) - before) / steps);
     ahead.took(count, passed);
     if (least.beyond > faster * compared) continue;
     compared = least.beyond;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "reports/judge/mechanics.h"
-#include "reports/vec.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/scene_json.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

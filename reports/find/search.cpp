@@ -13,7 +13,7 @@
 #include "reports/find/kind.h"
 #include "reports/find/shrink.h"
 #include "reports/find/summary.h"
-#include "reports/run/plan_selection.h"
+#include "reports/run/selection.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
 #include "reports/study/study.h"

@@ -14,9 +14,9 @@
 #include "reports/judge/mechanics.h"
 #include "reports/run/case_run.h"
 #include "reports/system/jobs.h"
-#include "reports/vec.h"
+#include "scenarios/images.h"
 #include "scenarios/scene/mass.h"
-#include "scenarios/transformed.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {
@@ -163,7 +163,7 @@ void find_bounds(const Plan& plan, Baseline& baseline, const Progress& progress)
 // A number that is rounded n times, each time by u of its size in either direction, has an error of sqrt(n) u of it:
 // rounding errors are a random walk (Higham 2002, section 2.8). The error of a velocity acts for the time t. In each
 // step a contact turns the rounding of positions into a velocity, by dividing by the step, and over a lever arm into an
-// angular velocity (see same_enough.cpp).
+// angular velocity.
 Rounding::Rounding(const Scene& scene, const Trace& trace, const Stepping& stepping) {
   if (trace.size() < 2) return;
   double speed = 0, turn = 0, spin = 0, impulse = 0, gap = 0;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "reports/judge/metric.h"
@@ -12,8 +11,6 @@
 
 namespace plumb {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The higher the rank, the worse. A run beyond its horizon is as plausible as any other run of the scene would be; to
 // refuse a scene is better than to get it wrong.
@@ -71,17 +68,10 @@ std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.10g}{}", value, unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-double ratio_to(double tolerance, double value) {
-  const double ratio = value / tolerance;
-  return std::isfinite(ratio) ? ratio : infinity;
-}
-
 // The difference divided by its bound; 0 if the numbers are the same, neither is finite, or there is no bound.
 double times_bound(const BaselineNumber& before, const BaselineNumber& now) {
   if (*before.bound == unbounded || same_number(before.value, now.value)) return 0;
-  const double difference = std::abs(now.value - before.value);
-  if (!std::isfinite(difference)) return infinity;
-  return *before.bound > 0 ? difference / *before.bound : infinity;
+  return error_ratio(std::abs(now.value - before.value), *before.bound);
 }
 
 // Numbers of checks are errors, so lower is better; a metric states which direction is better.
@@ -175,7 +165,7 @@ class RunComparison {
                             .why = "the status of the check changed",
                             .rule = Rule::verdict,
                             .change = change_between(*before.status, *now.status),
-                            .times = ratio_to(now.tolerance, now.value)});
+                            .times = error_ratio(now.value, now.tolerance)});
   }
 
   void note_missing(const std::string& name, const BaselineNumber& before) {

@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
+#include "reports/system/command_options.h"
 #include "reports/system/environment.h"
 #include "reports/system/terminal.h"
 
@@ -60,23 +59,15 @@ void check_engines(const Baseline& baseline, const Plan& plan) {
 }  // namespace
 
 void GateOptions::attach_to(CLI::App& app) {
-  CLI::Option* named = app.add_option("scenario", scenarios, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json");
-  named->type_name("NAME");
-  app.add_flag("--canonical", canonical, "Only the canonical scenarios, in seconds")->excludes(named);
-  app.add_flag_callback("--all",
-                        [] {  // needed until 0.1
-                          fmt::print(stderr, "--all is the default now and will go\n");
-                        })
-      ->group("");
-  app.add_option("--engine", engines, "NAME[:key=value,...]; may be repeated. Default: those of the baseline")
-      ->allow_extra_args(false)
-      ->type_name("ENGINE");
-  app.add_option("--baseline", baseline, "Default: all.json in $PLUMB_BASELINES, or else in reports/baselines")
-      ->type_name("FILE");
-  app.add_option("--jobs", jobs, "Cases run at once; the results are the same for any number")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  CommandOptions add(app);
+  add.add("scenario", "NAME", scenarios, "NAME, NAME:LABEL, NAME:parameter=value,... or FILE.json");
+  add.flag("--canonical", canonical, "Only the canonical scenarios, in seconds");
+  add.excludes("--canonical", "scenario");
+  add.retired("--all", "--all is the default now and will go");  // needed until 0.1
+  add.add_repeated("--engine", "ENGINE", engines,
+                   "NAME[:key=value,...]; may be repeated. Default: those of the baseline");
+  add.add("--baseline", "FILE", baseline, "Default: all.json in $PLUMB_BASELINES, or else in reports/baselines");
+  add.add("--jobs", "N", jobs, 1, 1024, "Cases run at once; the results are the same for any number");
 }
 
 std::string GateOptions::baseline_file() const {

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "reports/run/selection.h"
 #include "reports/statistics.h"
+#include "reports/system/command_options.h"
 #include "reports/system/files.h"
 #include "reports/system/terminal.h"
 #include "reports/timing/side_by_side.h"
@@ -64,18 +64,14 @@ Regression time_regression(const RunKey& run, const JudgedTime& one, double leas
 }  // namespace
 
 void TimingOptions::attach_to(CLI::App& app) {
-  app.add_option(
-         "--time-against", against,
-         "Another build of plumb, for instance of the branch to merge into: the check fails if steps take longer "
-         "than there, timed side by side")
-      ->type_name("PROGRAM");
-  app.add_option("--time-engine", engine, "NAME[:key=value,...], the engine to time")
-      ->capture_default_str()
-      ->needs("--time-against")
-      ->type_name("ENGINE");
-  app.add_option("--times", file, "Also write the times, in the format of Google Benchmark")
-      ->needs("--time-against")
-      ->type_name("FILE");
+  CommandOptions add(app);
+  add.add("--time-against", "PROGRAM", against,
+          "Another build of plumb, for instance of the branch to merge into: the check fails if steps take longer "
+          "than there, timed side by side");
+  add.add("--time-engine", "ENGINE", engine, "NAME[:key=value,...], the engine to time");
+  add.needs("--time-engine", "--time-against");
+  add.add("--times", "FILE", file, "Also write the times, in the format of Google Benchmark");
+  add.needs("--times", "--time-against");
 }
 
 TimingReport time_against(const TimingOptions& options, const std::vector<Case>& cases, double dt) {

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <variant>
 
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

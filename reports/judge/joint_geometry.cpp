@@ -3,43 +3,35 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "reports/judge/mechanics.h"
-#include "reports/vec.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 
 JointGeometry::JointGeometry(const Scene& scene) {
   const std::vector<BodyState> start = initial_states(scene);
-  const auto add = [&](Kind kind, std::size_t a, std::size_t b, Vec at_a, Vec at_b) -> Ends& {
+  for (const Joint& joint : scene.joints) {
+    const JointFacts facts = facts_of(joint);
     const auto local = [&](std::size_t body, Vec point) {
       return rotated(point - start[body].position, -start[body].angle);
     };
-    ends_.push_back({kind, a, b, local(a, at_a), local(b, at_b), {}, 0, start[b].angle - start[a].angle, 0});
-    return ends_.back();
-  };
-  for (const Joint& joint : scene.joints) {
-    if (const auto* revolute = std::get_if<Revolute>(&joint)) {
-      Ends& ends = add(Kind::point, revolute->a, revolute->b, revolute->anchor, revolute->anchor);
-      ends.limits = revolute->limits;
-      ends.driven = revolute->motor.has_value();
-    } else if (const auto* weld = std::get_if<Weld>(&joint)) {
-      add(Kind::fixed, weld->a, weld->b, weld->anchor, weld->anchor);
-    } else if (const auto* line = std::get_if<Prismatic>(&joint)) {
-      Ends& ends = add(Kind::line, line->a, line->b, line->anchor, line->anchor);
-      ends.axis = rotated(1 / length(line->axis) * line->axis, -start[line->a].angle);
-      ends.limits = line->limits;
-      ends.driven = line->motor.has_value();
-    } else if (const auto* rod = std::get_if<Distance>(&joint)) {
-      Ends& ends = add(rod->stiffness > 0 ? Kind::spring : Kind::rod, rod->a, rod->b, rod->anchor_a, rod->anchor_b);
-      ends.length = rod->length;
-      for (const std::size_t body : {rod->a, rod->b}) {
-        const double mass = mass_of(scene.bodies[body]).mass;
-        if (mass > 0) ends.rate += rod->stiffness / mass;
-      }
+    Ends ends{.keeps = facts.keeps,
+              .a = facts.a,
+              .b = facts.b,
+              .at_a = local(facts.a, facts.anchor_a),
+              .at_b = local(facts.b, facts.anchor_b),
+              .length = facts.length,
+              .angle = start[facts.b].angle - start[facts.a].angle,
+              .driven = facts.motor != nullptr};
+    if (facts.keeps == Keeps::line) ends.axis = rotated(1 / length(facts.axis) * facts.axis, -start[facts.a].angle);
+    if (facts.limits != nullptr) ends.limits = *facts.limits;
+    for (const std::size_t body : {facts.a, facts.b}) {
+      const double mass = mass_of(scene.bodies[body]).mass;
+      if (mass > 0) ends.rate += facts.stiffness / mass;
     }
+    ends_.push_back(ends);
   }
 }
 
@@ -48,7 +40,7 @@ std::optional<LimitRoom> JointGeometry::room_of(const Ends& joint, const BodySta
   const auto room = [&](double at, double rate) {
     return LimitRoom{at - joint.limits->low, joint.limits->high - at, rate};
   };
-  if (joint.kind != Kind::line) {
+  if (joint.keeps != Keeps::line) {
     return room(b.angle - a.angle - joint.angle, b.angular_velocity - a.angular_velocity);
   }
   const auto velocity = [](const BodyState& of, Vec arm) {
@@ -66,7 +58,7 @@ double JointGeometry::beyond_limits(const Ends& joint, const BodyState& a, const
 }
 
 double JointGeometry::gap_beyond_limits(const Ends& joint, const BodyState& a, const BodyState& b) {
-  const double arm = joint.kind == Kind::line ? 1 : length(joint.at_a) + length(joint.at_b);
+  const double arm = joint.keeps == Keeps::line ? 1 : length(joint.at_a) + length(joint.at_b);
   return beyond_limits(joint, a, b) * arm;
 }
 
@@ -80,29 +72,29 @@ std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) con
       rows.push_back({joint.a, joint.b, direction, -cross(on_a - states[joint.a].position, direction),
                       cross(point_b - states[joint.b].position, direction)});
     };
-    switch (joint.kind) {
-      case Kind::point:
-      case Kind::fixed:
+    switch (joint.keeps) {
+      case Keeps::point:
+      case Keeps::pose:
         along({1, 0}, point_a);
         along({0, 1}, point_a);
         break;
-      case Kind::line: {
+      case Keeps::line: {
         const Vec axis = rotated(joint.axis, states[joint.a].angle);
         along({-axis.y, axis.x}, point_b);
         if (joint.driven || joint.limits) along(axis, point_b);
         if (!joint.driven && joint.limits) rows.back().limits_of = index;
         break;
       }
-      case Kind::rod:
-      case Kind::spring: {
+      case Keeps::rod:
+      case Keeps::spring: {
         const Vec between = point_b - point_a;
         const double distance = length(between);
         along(distance > 0 ? 1 / distance * between : Vec{1, 0}, point_a);
         break;
       }
     }
-    const bool turns = joint.kind == Kind::line || joint.kind == Kind::fixed;
-    const bool turned = joint.driven && joint.kind == Kind::point;
+    const bool turns = joint.keeps == Keeps::line || joint.keeps == Keeps::pose;
+    const bool turned = joint.driven && joint.keeps == Keeps::point;
     if (turns || turned || joint.limits) rows.push_back({joint.a, joint.b, {}, -1, 1});
     if (!turns && !turned && joint.limits) rows.back().limits_of = index;
   }
@@ -115,16 +107,16 @@ double JointGeometry::error(std::size_t index, std::span<const BodyState> states
   const BodyState& b = states[joint.b];
   const Vec between = b.position + rotated(joint.at_b, b.angle) - a.position - rotated(joint.at_a, a.angle);
   const double turned = std::abs(b.angle - a.angle - joint.angle) * (length(joint.at_a) + length(joint.at_b));
-  switch (joint.kind) {
-    case Kind::point:
+  switch (joint.keeps) {
+    case Keeps::point:
       return length(between) + gap_beyond_limits(joint, a, b);
-    case Kind::fixed:
+    case Keeps::pose:
       return length(between) + turned;
-    case Kind::line:
+    case Keeps::line:
       return std::abs(cross(rotated(joint.axis, a.angle), between)) + turned + gap_beyond_limits(joint, a, b);
-    case Kind::rod:
+    case Keeps::rod:
       return std::abs(length(between) - joint.length);
-    case Kind::spring:
+    case Keeps::spring:
       return 0;
   }
   return 0;
@@ -156,7 +148,7 @@ double JointGeometry::acceleration(std::span<const BodyState> states, double gra
     const double of_a = states[joint.a].angular_velocity;
     const double of_b = states[joint.b].angular_velocity;
     sum += of_a * of_a * length(joint.at_a) + of_b * of_b * length(joint.at_b);
-    const double distance = joint.kind == Kind::rod ? joint.length : 0;
+    const double distance = joint.keeps == Keeps::rod ? joint.length : 0;
     if (distance > 0) {
       const Vec apart = states[joint.b].velocity - states[joint.a].velocity;
       sum += dot(apart, apart) / distance;
@@ -170,7 +162,7 @@ double JointGeometry::spin(std::span<const BodyState> states) const {
   for (const Ends& joint : ends_) {
     fastest =
         std::max({fastest, std::abs(states[joint.a].angular_velocity), std::abs(states[joint.b].angular_velocity)});
-    if (joint.kind == Kind::rod && joint.length > 0) {
+    if (joint.keeps == Keeps::rod && joint.length > 0) {
       fastest = std::max(fastest, length(states[joint.b].velocity - states[joint.a].velocity) / joint.length);
     }
   }
@@ -188,8 +180,8 @@ double JointGeometry::linearisation(std::size_t index, std::span<const BodyState
   double off = leaves(a, joint.at_a) + leaves(b, joint.at_b);
   const double moved = dt * (length(b.velocity - a.velocity) + std::abs(a.angular_velocity) * length(joint.at_a) +
                              std::abs(b.angular_velocity) * length(joint.at_b));
-  if (joint.kind == Kind::rod && joint.length > 0) off += moved * moved / (2 * joint.length);
-  if (joint.kind == Kind::spring) off += joint.rate * dt * dt * moved;
+  if (joint.keeps == Keeps::rod && joint.length > 0) off += moved * moved / (2 * joint.length);
+  if (joint.keeps == Keeps::spring) off += joint.rate * dt * dt * moved;
   return off;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/simulation.h"
+#include "scenarios/scene/joints.h"
 #include "scenarios/scene/scene.h"
 
 /// The geometry of a scene's joints, from the scene and the states alone, by code that no engine shares.
@@ -44,7 +45,7 @@ class JointGeometry {
   /// m, by how much a joint would violate its limits after dt s at these velocities.
   double passes_limits(std::size_t joint, std::span<const BodyState>, double dt) const;
   /// Whether the joint's limits are of a way, in m.
-  bool slides(std::size_t joint) const { return ends_[joint].kind == Kind::line; }
+  bool slides(std::size_t joint) const { return ends_[joint].keeps == Keeps::line; }
   /// nullopt without limits.
   std::optional<LimitRoom> room(std::size_t joint, std::span<const BodyState>) const;
   /// m, the distances of a joint's anchors from the centres of both bodies.
@@ -59,12 +60,12 @@ class JointGeometry {
   double linearisation(std::size_t joint, std::span<const BodyState>, double dt) const;
 
  private:
-  enum class Kind { point, line, rod, spring, fixed };
+  using Keeps = JointFacts::Keeps;
   struct Ends {
-    Kind kind;
+    Keeps keeps;
     std::size_t a, b;
     Vec at_a, at_b;  // m, from the centres of mass, in the bodies' frames
-    Vec axis;        // of a line, in a's frame
+    Vec axis = {};   // of a line, in a's frame
     double length = 0;
     double angle = 0;                   // rad, of b less a at the start
     double rate = 0;                    // 1/s^2, of a spring: its stiffness per mass

@@ -6,8 +6,9 @@
 #include <variant>
 
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
+#include "scenarios/scene/joints.h"
 #include "scenarios/scene/path.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {
@@ -92,15 +93,15 @@ std::vector<Force> forces_of(const Scene& scene) {
     return rotated(point - scene.bodies[body].position, -scene.bodies[body].angle);
   };
   for (const Joint& joint : scene.joints) {
-    const auto* distance = std::get_if<Distance>(&joint);
-    if (distance == nullptr || distance->stiffness == 0) continue;
-    forces.emplace_back(Spring{.a = distance->a,
-                               .b = distance->b,
-                               .anchor_a = local(distance->a, distance->anchor_a),
-                               .anchor_b = local(distance->b, distance->anchor_b),
-                               .stiffness = distance->stiffness,
-                               .length = distance->length,
-                               .damping = distance->damping});
+    const JointFacts facts = facts_of(joint);
+    if (facts.keeps != JointFacts::Keeps::spring) continue;
+    forces.emplace_back(Spring{.a = facts.a,
+                               .b = facts.b,
+                               .anchor_a = local(facts.a, facts.anchor_a),
+                               .anchor_b = local(facts.b, facts.anchor_b),
+                               .stiffness = facts.stiffness,
+                               .length = facts.length,
+                               .damping = facts.damping});
   }
   return forces;
 }

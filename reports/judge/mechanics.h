@@ -75,8 +75,8 @@ struct WrenchError {
   double force = 0, torque = 0;
 };
 
-/// Gravity and the scene's forces on its dynamic bodies, without rigid joints and contacts. Independent of
-/// reference/loads.h, which feeds the same forces to engines that lack them. The scene must outlive it.
+/// Gravity and the scene's forces on its dynamic bodies, without rigid joints and contacts. Independent of Loads
+/// (reference/adapter.h), which feeds the same forces to engines that lack them. The scene must outlive it.
 class AppliedForces {
  public:
   explicit AppliedForces(const Scene&);

@@ -11,9 +11,9 @@
 
 #include "reference/scene_facts.h"
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
 #include "scenarios/allowance.h"
 #include "scenarios/scene/joints.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -5,7 +5,8 @@
 #include <limits>
 #include <variant>
 
-#include "reports/vec.h"
+#include "reference/scene_facts.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/vec.h"
 #include "scenarios/scene/nearest.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -4,29 +4,13 @@
 #include <limits>
 #include <variant>
 
-#include "reports/vec.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Outline hull_of(const Circle& circle) { return {.points = {circle.center}, .radius = circle.radius}; }
-
-Outline hull_of(const Box& box) {
-  Outline outline;
-  for (const Vec corner : {Vec{-1, -1}, Vec{1, -1}, Vec{1, 1}, Vec{-1, 1}}) {
-    const Vec half{corner.x * box.size.x / 2, corner.y * box.size.y / 2};
-    outline.points.push_back(box.center + rotated(half, box.angle));
-  }
-  return outline;
-}
-
-Outline hull_of(const Polygon& polygon) { return {.points = polygon.vertices}; }
-Outline hull_of(const Capsule& capsule) { return {.points = {capsule.from, capsule.to}, .radius = capsule.radius}; }
-Outline hull_of(const Segment& segment) { return {.points = {segment.from, segment.to}}; }
-Outline hull_of(const HalfSpace& halfspace) { return {.halfspace = halfspace}; }
 
 Interval along(Vec direction, std::span<const Vec> points) {
   Interval range{infinity, -infinity};
@@ -79,31 +63,6 @@ double gap_to(const HalfSpace& ground, const Outline& outline) {
 }
 
 }  // namespace
-
-Outline outline_of(const Geometry& geometry, Vec origin) {
-  const Outline outline = std::visit([](const auto& shape) { return hull_of(shape); }, geometry);
-  return placed(outline, Vec{-origin.x, -origin.y}, 0);
-}
-
-double bounding_radius(const Body& body) {
-  double radius = 0;
-  const Vec center = mass_of(body).center;
-  for (const Shape& shape : body.shapes) {
-    const Outline outline = outline_of(shape.geometry, center);
-    for (const Vec point : outline.points) radius = std::max(radius, length(point) + outline.radius);
-  }
-  return radius;
-}
-
-Outline placed(const Outline& outline, Vec position, double angle) {
-  Outline there = outline;
-  for (Vec& point : there.points) point = position + rotated(point, angle);
-  if (there.halfspace) {
-    there.halfspace->normal = rotated(outline.halfspace->normal, angle);
-    there.halfspace->offset += dot(there.halfspace->normal, position);
-  }
-  return there;
-}
 
 std::optional<Interval> range_along(Vec direction, const Outline& outline) {
   if (outline.halfspace) return std::nullopt;

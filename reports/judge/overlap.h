@@ -8,26 +8,10 @@
 
 #include "reference/simulation.h"
 #include "scenarios/scene/scene.h"
+#include "scenarios/scene/shapes.h"
 
-/// Geometry of the scene's shapes: outlines, gaps and overlaps, from the scene and the states alone.
+/// Gaps and overlaps of the scene's shapes, from the scene and the states alone.
 namespace plumb {
-
-/// The outline of a shape: the convex hull of its points grown by a radius (a disc is one point, a capsule two), or all
-/// that lies below a line.
-struct Outline {
-  std::vector<Vec> points;             // in order around, in either direction
-  double radius = 0;                   // m
-  std::optional<HalfSpace> halfspace;  // if set, there are no points
-};
-
-/// In the body's frame, moved so that `origin` of that frame becomes (0, 0).
-Outline outline_of(const Geometry&, Vec origin);
-
-/// The outline rotated by an angle, rad, and then moved by a position.
-Outline placed(const Outline&, Vec position, double angle);
-
-/// m, from the centre of mass to the farthest point of the body; half-spaces do not count.
-double bounding_radius(const Body&);
 
 struct Interval {
   double low = 0, high = 0;

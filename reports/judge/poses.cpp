@@ -14,7 +14,8 @@
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
 #include "reports/judge/scale.h"
-#include "reports/vec.h"
+#include "scenarios/scene/joints.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {
@@ -35,7 +36,7 @@ double apart(const BodyState& a, const BodyState& b, double rim) {
 // stand for half-spaces and sliders without ends.
 double largest_coordinate(const Scene& scene) {
   const bool slides = std::any_of(scene.joints.begin(), scene.joints.end(),
-                                  [](const Joint& joint) { return std::holds_alternative<Prismatic>(joint); });
+                                  [](const Joint& joint) { return facts_of(joint).keeps == JointFacts::Keeps::line; });
   double largest = slides ? scene_extent(scene) : 0;
   for (const Body& body : scene.bodies) {
     largest = std::max(largest, length(body.position) + bounding_radius(body));

@@ -33,8 +33,8 @@ RelationCheck compare_poses(const RelationRun&, std::size_t moments, const Poses
 /// - Round-off, if nothing amplifies it.
 /// - Round-off as the scene amplifies it; joints within the slop that the engine states, for where in it they are is
 /// not
-///   stated; and where the images list things in another order, what a solver that sweeps over them a stated number of
-///   times leaves: `residue` is the stepping of a method with that error alone.
+///   stated; and where the images list things in another order, what a solver that iterates over them a stated number
+///   of times leaves: `residue` is the stepping of a method with that error alone.
 /// - From the moment on at which the engine decides by round-off in a tie, as its own runs from displaced starts show,
 ///   both are runs of the method: each is off by its own stated error, and no more.
 /// The run must outlive them.
@@ -55,8 +55,8 @@ RelationCheck compare_congruent(const RelationRun&, const RelationRun& image, co
 std::vector<Allowance> explained_by_method(const RelationRun&, std::vector<double> rounding, const Stepping& one,
                                            const Stepping& other);
 
-/// A method whose only error is what its sweeps over contacts and joints leave, and what those over their positions
-/// leave of gaps. Nullopt if it has none.
+/// A method whose only error is what its iterations over contacts and joints leave, and what those of their
+/// positions leave of gaps. Nullopt if it has none.
 std::optional<Stepping> residue_of(const Stepping&);
 
 /// The check with the larger ratio; one that does not apply counts only if both do not.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "reports/judge/mechanics.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 

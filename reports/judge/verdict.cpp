@@ -14,7 +14,7 @@
 #include "reports/judge/rounding.h"
 #include "reports/judge/scale.h"
 #include "reports/statistics.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

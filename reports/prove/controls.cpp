@@ -12,7 +12,7 @@
 #include "reports/run/case_run.h"
 #include "reports/run/converged_checks.h"
 #include "reports/system/jobs.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -1,6 +1,5 @@
 #include "reports/prove/detection.h"
 
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -11,11 +10,6 @@ namespace plumb {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-double ratio_of(const TruthCheck& check) {
-  const double ratio = check.error / check.tolerance;
-  return std::isfinite(ratio) ? ratio : infinite;
-}
 
 Detection detection_in(const Case& one_case, DetectionKind kind, std::string metric) {
   return {.scenario = one_case.scenario->name, .variant = one_case.variant, .kind = kind, .metric = std::move(metric)};
@@ -40,7 +34,7 @@ std::vector<Detection> failed_checks(const Case& one_case, const JudgedRun& susp
     missed.unit = check.unit;
     missed.error = check.error;
     missed.tolerance = check.tolerance;
-    missed.ratio = ratio_of(check);
+    missed.ratio = error_ratio(check.error, check.tolerance);
     all.push_back(missed);
   }
   const auto& invariants = suspect.judgement.invariants;

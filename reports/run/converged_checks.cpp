@@ -8,7 +8,7 @@
 
 #include "reference/converged/confirmed.h"
 #include "reports/judge/verdict.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -7,10 +7,10 @@
 #include "reference/scene_facts.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/images.h"
 #include "scenarios/random.h"
-#include "scenarios/transformed.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "reference/scene_facts.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
-#include "scenarios/transformed.h"
+#include "scenarios/images.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

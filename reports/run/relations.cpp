@@ -12,9 +12,9 @@
 #include "reference/scene_facts.h"
 #include "reports/judge/overlap.h"
 #include "reports/run/horizon.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/nearest.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

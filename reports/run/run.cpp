@@ -9,7 +9,7 @@
 
 #include "reports/run/readout.h"
 #include "reports/timing/clock.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
+#include "scenarios/scene/joints.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {
@@ -119,12 +121,12 @@ void warn_of_joints(const Scene& scene, std::vector<std::string>& all) {
   constexpr double share = 0.01;  // of the length
   Warnings warnings(all);
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
-    const auto* rod = std::get_if<Distance>(&scene.joints[i]);
-    if (rod == nullptr || rod->stiffness > 0) continue;
-    const double apart = length(rod->anchor_b - rod->anchor_a);
-    if (std::abs(apart - rod->length) <= share * rod->length) continue;
+    const JointFacts facts = facts_of(scene.joints[i]);
+    if (facts.keeps != JointFacts::Keeps::rod) continue;
+    const double apart = length(facts.anchor_b - facts.anchor_a);
+    if (std::abs(apart - facts.length) <= share * facts.length) continue;
     warnings.add(
-        fmt::format("joints[{}].length: is {:g} m, but the anchors start {:g} m apart", i, rod->length, apart));
+        fmt::format("joints[{}].length: is {:g} m, but the anchors start {:g} m apart", i, facts.length, apart));
   }
 }
 

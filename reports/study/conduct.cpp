@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -16,9 +14,10 @@
 
 #include "reference/programs/line_process.h"
 #include "reports/study/document.h"
-#include "reports/study/follow_up.h"
 #include "reports/study/results_file.h"
 #include "reports/study/runner.h"
+#include "reports/system/clock.h"
+#include "reports/system/command_options.h"
 #include "reports/system/environment.h"
 #include "reports/system/terminal.h"
 #include "reports/writers/output.h"
@@ -83,10 +82,8 @@ class StudyProgress {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void show(const std::string& last) const {
-    const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double spent = start_.seconds();
     const double each = spent / static_cast<double>(std::max<std::size_t>(done_ - resumed_, 1));
     const double of_all = each * static_cast<double>(all_ - done_);
     const double until = std::max(time_left_(), 0.0);
@@ -98,17 +95,8 @@ class StudyProgress {
   std::string study_;
   std::size_t resumed_, done_, all_;
   std::function<double()> time_left_;
-  Clock::time_point start_ = Clock::now();
+  Stopwatch start_;
   ProgressLine line_{ProgressLine::Kind::long_run};
-};
-
-// Seconds since it was made.
-class Watch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 // The jobs up to the first without a result: all, unless the time was up. Jobs start in the plan's order, so they are
@@ -137,13 +125,11 @@ bool warn_about_limits(const std::vector<JobResult>& results, const StudyOptions
   return late + large > 0;
 }
 
-nlohmann::ordered_json summary_configuration(const Study& study, const std::vector<std::string>& options) {
-  CLI::App app;
-  const auto configuration = study.attach(app);
-  std::vector<std::string> words(options.rbegin(), options.rend());  // CLI11 wants them reversed
+nlohmann::ordered_json summary_configuration(const Study& study) {
+  std::function<nlohmann::ordered_json()> configuration;
   try {
-    app.parse(words);
-  } catch (const CLI::ParseError& error) {
+    read_words(*study.summary, [&](CLI::App& app) { configuration = study.attach(app); });
+  } catch (const std::invalid_argument& error) {
     throw std::logic_error("study " + study.name + ": its summary: " + error.what());
   }
   return configuration();
@@ -162,25 +148,15 @@ std::string command_of(const Study& study, const std::vector<std::string>& optio
 }  // namespace
 
 void StudyOptions::attach_to(CLI::App& app) {
-  app.add_option("--out", out, "Folder for the results, study-NAME.json, .csv and .html")
-      ->capture_default_str()
-      ->type_name("DIR");
-  app.add_option("--jobs", parallel, "Jobs that run at the same time; timed jobs have the machine to themselves")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  app.add_flag("--resume", resume, "Continue an interrupted run from its results in the folder, if there are any");
-  app.add_flag("--fresh", fresh, "Start over and replace earlier results");
-  app.add_option("--shard", shard, "Only part k of n, for `plumb merge`. Default: the task of a Slurm array, or all")
-      ->type_name("k/n");
-  app.add_option("--time-limit", seconds, "Seconds that a job may take")
-      ->capture_default_str()
-      ->check(CLI::Range(0.001, 1e7))
-      ->type_name("S");
-  app.add_option("--memory-limit", mebibytes, "MiB of memory that a job may take")
-      ->capture_default_str()
-      ->check(CLI::Range(16.0, 1e9))
-      ->type_name("MIB");
+  CommandOptions add(app);
+  add.add("--out", "DIR", out, "Folder for the results, study-NAME.json, .csv and .html");
+  add.add("--jobs", "N", parallel, 1, 1024,
+          "Jobs that run at the same time; timed jobs have the machine to themselves");
+  add.flag("--resume", resume, "Continue an interrupted run from its results in the folder, if there are any");
+  add.flag("--fresh", fresh, "Start over and replace earlier results");
+  add.add("--shard", "k/n", shard, "Only part k of n, for `plumb merge`. Default: the task of a Slurm array, or all");
+  add.add("--time-limit", "S", seconds, 0.001, 1e7, "Seconds that a job may take");
+  add.add("--memory-limit", "MIB", mebibytes, 16, 1e9, "MiB of memory that a job may take");
 }
 
 int conduct(const Study& study, const nlohmann::ordered_json& configuration, const StudyOptions& options) {
@@ -201,7 +177,7 @@ int conduct(const Study& study, const nlohmann::ordered_json& configuration, con
 
   ResultsFile file = stored ? ResultsFile::append(path, *stored) : ResultsFile::create(path, head);
   const std::vector<std::vector<Job>> left = units_left(own_units, known);
-  const Watch watch;
+  const Stopwatch watch;
   double enough = plan.follow_up ? options.enough * 2 / 3 : options.enough;
   const auto time_left = [&] {
     return options.enough > 0 ? enough - watch.seconds() : std::numeric_limits<double>::infinity();

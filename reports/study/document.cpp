@@ -8,7 +8,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "reports/study/follow_up.h"
+#include "reports/study/runner.h"
 #include "reports/system/files.h"
 #include "reports/system/jobs.h"
 #include "reports/writers/html.h"

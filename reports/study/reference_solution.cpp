@@ -7,8 +7,8 @@
 
 #include "reference/scene_facts.h"
 #include "reports/judge/metric.h"
-#include "reports/vec.h"
 #include "scenarios/allowance.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

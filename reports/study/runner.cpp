@@ -217,7 +217,7 @@ JobProcess::~JobProcess() {
 
 void JobProcess::start_repetition() {
   busy_ = true;
-  since_ = Clock::now();
+  since_ = Stopwatch();
   // If the process is gone, the next read notices.
   const auto previous = std::signal(SIGPIPE, SIG_IGN);
   [[maybe_unused]] const ssize_t sent = write(to_, "t", 1);
@@ -267,7 +267,7 @@ void JobProcess::take_line(const std::string& line) {
   } else {
     const double seconds = std::stod(line);
     if (std::isfinite(seconds)) {
-      repetitions_.add(seconds, time_waited());
+      repetitions_.add(seconds, since_.seconds());
     } else {
       kill_process();
     }
@@ -275,10 +275,8 @@ void JobProcess::take_line(const std::string& line) {
   partial_line_.clear();
 }
 
-double JobProcess::time_waited() const { return std::chrono::duration<double>(Clock::now() - since_).count(); }
-
 void JobProcess::check(const JobLimits& limits) {
-  if (time_waited() > limits.seconds) {
+  if (since_.seconds() > limits.seconds) {
     finish(Ending::timed_out, fmt::format("took more than {} s", limits.seconds));
   } else if (std::isfinite(limits.processor_seconds) && processor_time(process_) > limits.processor_seconds) {
     finish(Ending::timed_out, fmt::format("took more than {} s of a processor", limits.processor_seconds));
@@ -341,6 +339,39 @@ bool execute(std::span<const std::span<const Job>> units, const Execution& execu
     return false;
   }
   return true;
+}
+
+bool add_follow_up(const StudyPlan& plan, std::vector<JobResult>& results, const Execution& execution,
+                   std::map<std::string, JobResult> known, const FollowUpStart& start,
+                   const std::function<void(std::span<const JobResult>)>& keep) {
+  if (!plan.follow_up) return true;
+  const std::vector<Job> jobs = plan.follow_up(results);
+  const auto left = units_left(units_of(jobs), known);
+  start(static_cast<std::size_t>(std::ranges::count_if(jobs, [&](const Job& one) { return known.contains(one.key); })),
+        jobs.size());
+  const std::vector<std::span<const Job>> units(left.begin(), left.end());
+  const bool complete = execute(units, execution, [&](std::span<const JobResult> arrived) {
+    keep(arrived);
+    for (const JobResult& one : arrived) known.emplace(one.key, one);
+  });
+  if (!complete) return false;
+  for (const Job& job : jobs) {
+    if (const auto found = known.find(job.key); found != known.end()) results.push_back(found->second);
+  }
+  return true;
+}
+
+std::vector<std::vector<Job>> units_left(const std::vector<std::span<const Job>>& all,
+                                         const std::map<std::string, JobResult>& known) {
+  std::vector<std::vector<Job>> units;
+  for (const std::span<const Job> unit : all) {
+    std::vector<Job> left;
+    for (const Job& job : unit) {
+      if (!known.contains(job.key)) left.push_back(job);
+    }
+    if (!left.empty()) units.push_back(std::move(left));
+  }
+  return units;
 }
 
 }  // namespace plumb

@@ -2,7 +2,6 @@
 
 #include <sys/types.h>
 
-#include <chrono>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "reports/study/job.h"
+#include "reports/system/clock.h"
 #include "reports/timing/repetitions.h"
 
 /// Running jobs, each in a child process.
@@ -50,12 +50,9 @@ class JobProcess {
   static void attend(std::span<const std::unique_ptr<JobProcess>>, const JobLimits&);
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void read_output();
   void take_line(const std::string& line);
   void check(const JobLimits&);
-  double time_waited() const;
   void finish(Ending, const std::string& reason);
   void kill_process();
 
@@ -64,7 +61,7 @@ class JobProcess {
   pid_t process_ = 0;
   int from_ = -1, to_ = -1;  // pipes
   bool busy_ = true;
-  Clock::time_point since_ = Clock::now();
+  Stopwatch since_;
   std::string partial_line_;
   Repetitions repetitions_;
 };
@@ -81,5 +78,20 @@ struct Execution {
 /// lost.
 bool execute(std::span<const std::span<const Job>> units, const Execution&,
              const std::function<void(std::span<const JobResult>)>& keep);
+
+/// Told of the jobs that will run and of how many results there are already, before they start.
+using FollowUpStart = std::function<void(std::size_t known, std::size_t jobs)>;
+
+/// Runs the jobs that follow from a plan's results (`StudyPlan::follow_up`), apart from those that have a result in
+/// `known`, and appends all their results to `results`, in order. `keep` receives them as they arrive. Returns false if
+/// it was interrupted; `results` is then as it was.
+bool add_follow_up(
+    const StudyPlan&, std::vector<JobResult>& results, const Execution&, std::map<std::string, JobResult> known = {},
+    const FollowUpStart& start = [](std::size_t, std::size_t) {},
+    const std::function<void(std::span<const JobResult>)>& keep = [](std::span<const JobResult>) {});
+
+/// The units without the jobs that already have a result.
+std::vector<std::vector<Job>> units_left(const std::vector<std::span<const Job>>& all,
+                                         const std::map<std::string, JobResult>& known);
 
 }  // namespace plumb

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/report.h"
-#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"

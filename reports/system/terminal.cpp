@@ -34,7 +34,7 @@ ProgressLine::ProgressLine(Kind kind)
 
 ProgressLine::~ProgressLine() {
   clear();
-  if (logged_) fmt::print(stderr, "done in {:.0f} s\n", seconds());
+  if (logged_) fmt::print(stderr, "done in {:.0f} s\n", since_start_.seconds());
 }
 
 void ProgressLine::show(const std::string& text) const {
@@ -42,15 +42,11 @@ void ProgressLine::show(const std::string& text) const {
   if (terminal_) {
     clear();
     fmt::print(stderr, "{}", cut(printable(text, text.npos), 95));
-  } else if (pace_.due(seconds())) {
+  } else if (pace_.due(since_start_.seconds())) {
     fmt::print(stderr, "{}\n", printable(text, text.npos));
     logged_ = true;
   }
   std::fflush(stderr);
-}
-
-double ProgressLine::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 void ProgressLine::clear() const {

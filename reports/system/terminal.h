@@ -1,8 +1,9 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <string>
+
+#include "reports/system/clock.h"
 
 /// Talking to the user while a program runs.
 namespace plumb {
@@ -44,10 +45,9 @@ class ProgressLine {
   void show(const std::string& text) const;
 
  private:
-  double seconds() const;
   void clear() const;
   bool terminal_, quiet_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch since_start_;
   mutable LogPace pace_;
   mutable bool logged_ = false;
 };

@@ -8,20 +8,8 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <ctime>
 
 namespace plumb {
-namespace {
-
-double cpu_seconds(CpuClock clock) {
-  if (clock == CpuClock::none) return 0;
-  timespec now{};
-  clock_gettime(clock == CpuClock::thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
-
 Elapsed time_steps(Simulation& simulation, double dt, std::size_t steps, CpuClock clock) {
   const double before = simulation.seconds_stepped().value_or(0);
   simulation.announce(dt, steps);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -8,26 +7,13 @@
 #include <string>
 
 #include "reference/simulation.h"
+#include "reports/system/clock.h"
 
 /// Measures what the steps of a simulation cost: wall time, CPU time and instructions.
 namespace plumb {
 
-/// Wall time since it was constructed.
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
-
 /// Builds a simulation in its initial state. Every call returns the same one, so that repeated runs do the same work.
 using FreshSimulation = std::function<std::unique_ptr<Simulation>()>;
-
-/// Which CPU time to measure. That of the process includes all of its threads: it counts work wherever it is done.
-/// `none` saves the two system calls, about half a microsecond, that would otherwise be part of the wall time.
-enum class CpuClock { none, thread, process };
 
 struct Elapsed {
   double wall = 0;  // s

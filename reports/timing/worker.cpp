@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <istream>
@@ -26,6 +25,7 @@
 #include <vector>
 
 #include "reports/statistics.h"
+#include "reports/system/clock.h"
 
 extern char** environ;
 
@@ -213,8 +213,7 @@ nlohmann::ordered_json TimingWorker::ask(const nlohmann::ordered_json& request) 
 }
 
 std::string TimingWorker::read_line() {
-  using Clock = std::chrono::steady_clock;
-  const auto until = Clock::now() + std::chrono::duration<double>(patience_);
+  const Stopwatch waited;
   std::array<char, 65536> piece{};
   for (std::size_t searched = 0;;) {
     const std::size_t end = received_.find('\n', searched);
@@ -225,9 +224,9 @@ std::string TimingWorker::read_line() {
     }
     searched = received_.size();
     if (searched > longest_answer) fail("writes an answer without end");
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
+    const double left = 1000 * (patience_ - waited.seconds());  // ms
     pollfd waiting{socket_, POLLIN, 0};
-    const int ready = left > 0 ? poll(&waiting, 1, static_cast<int>(left)) : 0;
+    const int ready = left >= 1 ? poll(&waiting, 1, static_cast<int>(left)) : 0;
     if (ready < 0 && errno == EINTR) continue;
     if (ready == 0) fail(fmt::format("took more than {:g} s to answer", patience_));
     const ssize_t now = read(socket_, piece.data(), piece.size());

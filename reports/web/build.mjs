@@ -3,6 +3,7 @@
 //
 //   node build.mjs [page.html] [page.cpp]
 import { build } from "esbuild";
+import { existsSync } from "node:fs";
 import { readFile, writeFile, mkdir } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -23,6 +24,14 @@ async function bundle(entry, options = {}) {
     ...options,
   });
   return result.outputFiles[0].text.trim();
+}
+
+/** The rows of the tables of reports/glossary.md, a copy of which may stand here: [word, meaning], without markup. */
+async function glossary() {
+  const file = [join(here, "glossary.md"), join(here, "..", "glossary.md")].find((file) => existsSync(file));
+  const plain = (cell) => cell.replaceAll("`", "").replaceAll("*", "").replace(/\[(.*?)\]\(.*?\)/g, "$1").trim();
+  const rows = (await readFile(file, "utf8")).matchAll(/^\| (.+?) \| (.+) \|$/gm);
+  return [...rows].map(([, word, meaning]) => [plain(word), plain(meaning)]).filter(([word]) => word !== "word");
 }
 
 /** Replaces a marker; a function as replacement keeps `$&` in the text as it is. */
@@ -71,7 +80,8 @@ ${functions.join("\n")}
 const [html_file = join(here, "dist", "page.html"), cpp_file] = process.argv.slice(2);
 const style = await bundle("src/style.css");
 // "</script" inside a string of the bundle would end the element.
-const script = (await bundle("src/main.ts")).replaceAll("</script", "<\\/script");
+const define = { PLUMB_GLOSSARY: JSON.stringify(await glossary()) };
+const script = (await bundle("src/main.ts", { define })).replaceAll("</script", "<\\/script");
 let page = await readFile(join(here, "src", "page.html"), "utf8");
 page = insert(page, "/*style*/", style);
 page = insert(page, "/*script*/", script);

@@ -13,7 +13,7 @@ function(without_page reason)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK}/src ${WORK}/pictures)
-file(COPY ${SOURCE}/src ${SOURCE}/pictures ${SOURCE}/tsconfig.json ${SOURCE}/package.json ${SOURCE}/package-lock.json ${SOURCE}/.npmrc ${SOURCE}/build.mjs
+file(COPY ${SOURCE}/src ${SOURCE}/pictures ${SOURCE}/tsconfig.json ${SOURCE}/package.json ${SOURCE}/package-lock.json ${SOURCE}/.npmrc ${SOURCE}/build.mjs ${SOURCE}/../glossary.md
   DESTINATION ${WORK})
 
 file(SHA256 ${WORK}/package-lock.json lock)

@@ -7,7 +7,6 @@
 
 #include "reports/system/layout.h"
 #include "reports/system/text_table.h"
-#include "reports/writers/in_words.h"
 #include "reports/writers/summary.h"
 #include "scenarios/scene/json_reader.h"
 

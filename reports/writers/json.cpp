@@ -159,7 +159,7 @@ Json of(const InvariantNote& note) {
   return {{"name", note.name}, {"unit", note.unit}, {"definition", note.definition}};
 }
 
-const auto as_json = [](const auto& item) { return of(item); };
+const auto of_each = [](const auto& item) { return of(item); };
 
 const Catalog<Writer>::Entry json_entry{{.name = "json",
                                          .file = "report.json",
@@ -174,14 +174,14 @@ Json to_json(const Report& report) {
           {"title", report.title},
           {"command", report.command},
           {"environment", report.environment},
-          {"scenarios", list(report.scenarios, as_json)},
-          {"groups", list(report.groups, as_json)},
-          {"engines", list(report.engines, as_json)},
-          {"metrics", list(report.metrics, as_json)},
-          {"invariants", list(report.invariants, as_json)},
-          {"runs", list(report.runs, as_json)},
-          {"comparisons", list(report.comparisons, as_json)},
-          {"timings", {{"steps", list(report.timings, as_json)}, {"clock", Json(report.clock)}}}};
+          {"scenarios", list(report.scenarios, of_each)},
+          {"groups", list(report.groups, of_each)},
+          {"engines", list(report.engines, of_each)},
+          {"metrics", list(report.metrics, of_each)},
+          {"invariants", list(report.invariants, of_each)},
+          {"runs", list(report.runs, of_each)},
+          {"comparisons", list(report.comparisons, of_each)},
+          {"timings", {{"steps", list(report.timings, of_each)}, {"clock", Json(report.clock)}}}};
 }
 
 }  // namespace plumb

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "reports/system/files.h"
-#include "reports/writers/in_words.h"
 #include "reports/writers/output.h"
+#include "reports/writers/summary.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {

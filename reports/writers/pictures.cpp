@@ -13,9 +13,9 @@
 #include "reports/judge/overlap.h"
 #include "reports/system/files.h"
 #include "reports/system/processes.h"
-#include "reports/vec.h"
 #include "reports/writers/html.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -12,9 +12,10 @@
 
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
 #include "reports/writers/packed.h"
+#include "scenarios/scene/joints.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {
@@ -42,22 +43,18 @@ const char* name_of(BodyType type) {
   return "";
 }
 
-Json ties_of(const Scene& scene) {
+Json joints_of(const Scene& scene) {
   const std::vector<BodyState> start = initial_states(scene);
   const auto local = [&](std::size_t body, Vec anchor) {
     return pair_of(rotated(anchor - start[body].position, -start[body].angle));
   };
-  Json ties = Json::array();
+  Json joints = Json::array();
   for (const Joint& joint : scene.joints) {
-    const auto [a, b, at_a, at_b] = std::visit(
-        [](const auto& of) {
-          if constexpr (requires { of.anchor_a; })
-            return std::tuple(of.a, of.b, of.anchor_a, of.anchor_b);
-          else
-            return std::tuple(of.a, of.b, of.anchor, of.anchor);
-        },
-        joint);
-    ties.push_back({{"a", a}, {"b", b}, {"at_a", local(a, at_a)}, {"at_b", local(b, at_b)}});
+    const JointFacts facts = facts_of(joint);
+    joints.push_back({{"a", facts.a},
+                      {"b", facts.b},
+                      {"at_a", local(facts.a, facts.anchor_a)},
+                      {"at_b", local(facts.b, facts.anchor_b)}});
   }
   for (const Force& force : scene.forces) {
     const auto* spring = std::get_if<Spring>(&force);
@@ -65,12 +62,12 @@ Json ties_of(const Scene& scene) {
     const auto of_body = [&](std::size_t body, Vec anchor) {
       return pair_of(anchor - mass_of(scene.bodies[body]).center);
     };
-    ties.push_back({{"a", spring->a ? Json(*spring->a) : Json()},
-                    {"b", spring->b},
-                    {"at_a", spring->a ? of_body(*spring->a, spring->anchor_a) : pair_of(spring->anchor_a)},
-                    {"at_b", of_body(spring->b, spring->anchor_b)}});
+    joints.push_back({{"a", spring->a ? Json(*spring->a) : Json()},
+                      {"b", spring->b},
+                      {"at_a", spring->a ? of_body(*spring->a, spring->anchor_a) : pair_of(spring->anchor_a)},
+                      {"at_b", of_body(spring->b, spring->anchor_b)}});
   }
-  return ties;
+  return joints;
 }
 
 constexpr double microsecond = 1e-6;         // s
@@ -339,7 +336,7 @@ Json outlines_of(const Scene& scene) {
     }
     bodies.push_back({{"name", body.name}, {"type", name_of(body.type)}, {"outlines", indices}});
   }
-  return {{"outlines", outlines}, {"bodies", bodies}, {"ties", ties_of(scene)}};
+  return {{"outlines", outlines}, {"bodies", bodies}, {"joints", joints_of(scene)}};
 }
 
 std::vector<double> radii_of(const Scene& scene) {

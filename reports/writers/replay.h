@@ -36,10 +36,10 @@ constexpr double position_share = 1.0 / 65536;
 /// were reported) and "too many".
 nlohmann::ordered_json replays_of(std::span<const RunCurves>, const ReplayLimits& = {});
 
-/// The drawing of a scene: {"outlines", "bodies", "ties"}. An outline is {"points": [[x, y] ...], "radius"}, the convex
-/// hull of its points grown by a radius, or {"normal", "offset"}, a half-space. A body is {"name", "type", "outlines":
-/// indices}, in a frame at its centre of mass. A tie is a line between two anchors of a joint or spring: {"a", "b",
-/// "at_a", "at_b"}, in the bodies' frames; `a` is null for an anchor in the world.
+/// The drawing of a scene: {"outlines", "bodies", "joints"}. An outline is {"points": [[x, y] ...], "radius"}, the
+/// convex hull of its points grown by a radius, or {"normal", "offset"}, a half-space. A body is {"name", "type",
+/// "outlines": indices}, in a frame at its centre of mass. A joint is a line between two anchors of a joint or spring:
+/// {"a", "b", "at_a", "at_b"}, in the bodies' frames; `a` is null for an anchor in the world.
 nlohmann::ordered_json outlines_of(const Scene&);
 
 /// By body, m: the largest distance of any of its points from the centre of mass; 0 for unbounded shapes and bodies

@@ -8,7 +8,8 @@
 
 #include "reports/report.h"
 
-/// What the texts of a report (console and Markdown) begin or end with: a row for each engine and a row for each case.
+/// What the texts of a report (console, Markdown, JUnit) share: a row for each engine and each case, and checks in
+/// words.
 namespace plumb {
 
 /// The shares of its scale within which checks are counted.
@@ -64,5 +65,11 @@ std::string short_number(const std::optional<double>&);
 
 /// "impulse and box2d are within 1 % of the scene's energy in 60 of 97 cases. ..."
 std::string in_one_sentence(const Pair&, const std::vector<const Comparison*>&);
+
+/// "y of box at 1 s: 4.9, expected 5 +- .01 m".
+std::string in_words(const TruthCheck&);
+
+/// Of a broken one: "breaks energy at 0.4 s: 2.4, tolerance .01 J (240 times)".
+std::string in_words(const InvariantCheck&);
 
 }  // namespace plumb

@@ -44,7 +44,7 @@ Scene scene(const Parameters& p) {
 //   a = (M + m) g sin/(M + m sin^2),   A = m g sin cos/(M + m sin^2).
 //   Contact     may be found a lag late: until then both fall freely, and the blow that ends the fall has just the
 //               impulses that were missing.
-//   Iterations  the pushes of slope and floor on the wedge oppose each other by cos a: each sweep over both leaves
+//   Iterations  the pushes of slope and floor on the wedge oppose each other by cos a: each iteration leaves
 //               cos^2 a m/(M + m) of an error.
 //   Lean        of box or wedge by the gap at both ends turns a push by gap/length, which changes accelerations by that
 //               of the push, at most (1 + m/M) g.

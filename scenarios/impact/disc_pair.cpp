@@ -33,13 +33,11 @@ struct Outcome {
   double normal = 0, tangential = 0;
 };
 
-double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
-
 // Jn = (1+e) vn/(1/m1 + 1/m2) along the line of centres n; across it, Jt = min(mu Jn, u/kt) against the slip u of the
 // points that touch, kt = 1/m1 + 1/m2 + a1^2/I1 + a2^2/I2: both directions are independent, as the arms a are along n.
 Outcome collide(const Pair& pair, Vec n, std::array<double, 2> arms, double friction, double e) {
-  const Vec t{-n.y, n.x};
-  const Vec relative{pair.velocity[0].x - pair.velocity[1].x, pair.velocity[0].y - pair.velocity[1].y};
+  const Vec t = perpendicular(n);
+  const Vec relative = pair.velocity[0] - pair.velocity[1];
   const double slip = dot(relative, t) + pair.spin[0] * arms[0] + pair.spin[1] * arms[1];
   const double along = 1 / pair.mass[0] + 1 / pair.mass[1];
   const double sideways = along + arms[0] * arms[0] / pair.inertia[0] + arms[1] * arms[1] / pair.inertia[1];
@@ -48,7 +46,7 @@ Outcome collide(const Pair& pair, Vec n, std::array<double, 2> arms, double fric
   after.tangential = std::copysign(std::min(friction * after.normal, std::abs(slip) / sideways), slip);
   for (std::size_t i = 0; i < 2; ++i) {
     const double sign = i == 0 ? -1 : 1;
-    const Vec push{after.normal * n.x + after.tangential * t.x, after.normal * n.y + after.tangential * t.y};
+    const Vec push = after.normal * n + after.tangential * t;
     after.velocity[i] = {pair.velocity[i].x + sign * push.x / pair.mass[i],
                          pair.velocity[i].y + sign * push.y / pair.mass[i]};
     after.spin[i] = pair.spin[i] - arms[i] * after.tangential / pair.inertia[i];
@@ -100,7 +98,7 @@ struct Impact {
     for (int i = 0; i <= parts; ++i) {
       const double late = -early + (lag(s) + early) * i / parts;
       const Vec between{reach * std::cos(across) - relative.x * late, reach * std::sin(across) - relative.y * late};
-      const double distance = std::hypot(between.x, between.y);
+      const double distance = length(between);
       const double in = reach - distance;
       for (const auto& [first, second] : {std::array{0.0, 0.0}, {in, 0.0}, {0.0, in}, {in / 2, in / 2}}) {
         for (const double e : {restitution, slow ? 0 : restitution}) {
@@ -132,8 +130,7 @@ Impact impact_of(const Scene& scene, const Parameters& p) {
     made.pair.velocity[i] = scene.bodies[i].velocity;
     made.pair.spin[i] = scene.bodies[i].angular_velocity;
   }
-  made.relative = {made.pair.velocity[0].x - made.pair.velocity[1].x,
-                   made.pair.velocity[0].y - made.pair.velocity[1].y};
+  made.relative = made.pair.velocity[0] - made.pair.velocity[1];
   made.approach = p.at("speed") * std::cos(p.at("incidence") * degree);
   made.exact =
       collide(made.pair, {std::cos(across), std::sin(across)}, {radii[0], radii[1]}, made.friction, made.restitution);
@@ -161,8 +158,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
     const Vec end = impact.exact.velocity[i];
     const double spin = impact.exact.spin[i];
     const double mass = impact.pair.mass[i];
-    angular += mass * (body.position.x * body.velocity.y - body.position.y * body.velocity.x) +
-               impact.pair.inertia[i] * body.angular_velocity;
+    angular += mass * cross(body.position, body.velocity) + impact.pair.inertia[i] * body.angular_velocity;
     const auto vx = [=](const Stepping& s) { return impact.errors(s).velocity[i].x + exact(s); };
     const auto vy = [=](const Stepping& s) { return impact.errors(s).velocity[i].y + exact(s); };
     const auto about = [=](const Stepping& s) { return impact.errors(s).spin[i] + exact(s); };

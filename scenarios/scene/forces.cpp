@@ -4,17 +4,26 @@
 #include <tuple>
 
 #include "scenarios/scene/scene_fields.h"
-#include "scenarios/scene/shapes.h"
 
 namespace plumb {
 namespace {
+
+using Index = std::function<std::size_t(std::size_t)>;
 
 OrderedJson body_name(std::size_t body, const Scene& scene) { return scene.bodies.at(body).name; }
 
 // Attraction
 
-Force scaled_kind(Attraction force, double factor) {
-  force.strength *= std::pow(factor, 1 + force.exponent);
+Force mapped_kind(const Attraction& force, const Congruence&) { return force; }
+
+// m^(1 + exponent)/s^2
+Force in_units_kind(Attraction force, const Units& units) {
+  force.strength *= std::pow(units.length, force.exponent) * units.acceleration();
+  return force;
+}
+
+Force renumbered_kind(Attraction force, const Index& index) {
+  force.from = index(force.from);
   return force;
 }
 
@@ -35,10 +44,25 @@ OrderedJson kind_as_json(const Attraction& force, const Scene& scene) {
 
 // Spring
 
-Force scaled_kind(Spring force, double factor) {
-  force.anchor_a = scaled(force.anchor_a, factor);
-  force.anchor_b = scaled(force.anchor_b, factor);
-  force.length *= factor;
+Force mapped_kind(Spring force, const Congruence& map) {
+  const FrameMap frame{.mirrored = map.mirrored};
+  force.anchor_a = force.a ? frame.of_point(force.anchor_a) : map.of_point(force.anchor_a);
+  force.anchor_b = frame.of_point(force.anchor_b);
+  return force;
+}
+
+Force in_units_kind(Spring force, const Units& units) {
+  force.anchor_a = units.length * force.anchor_a;
+  force.anchor_b = units.length * force.anchor_b;
+  force.length *= units.length;
+  force.stiffness *= units.stiffness();
+  force.damping *= units.damping();
+  return force;
+}
+
+Force renumbered_kind(Spring force, const Index& index) {
+  if (force.a) force.a = index(*force.a);
+  force.b = index(force.b);
   return force;
 }
 
@@ -79,9 +103,20 @@ OrderedJson kind_as_json(const Spring& force, const Scene& scene) {
 
 // Constant
 
-Force scaled_kind(Constant force, double factor) {
-  force.force = scaled(force.force, factor);
-  force.torque *= factor * factor;
+Force mapped_kind(Constant force, const Congruence& map) {
+  force.force = map.of_vector(force.force);
+  force.torque = map.of_spin(force.torque);
+  return force;
+}
+
+Force in_units_kind(Constant force, const Units& units) {
+  force.force = units.force() * force.force;
+  force.torque *= units.torque();
+  return force;
+}
+
+Force renumbered_kind(Constant force, const Index& index) {
+  force.body = index(force.body);
   return force;
 }
 
@@ -104,8 +139,16 @@ constexpr Word<ReadForce> force_kinds[] = {
 
 }  // namespace
 
-Force scaled(const Force& force, double factor) {
-  return std::visit([factor](const auto& kind) { return scaled_kind(kind, factor); }, force);
+Force mapped(const Force& force, const Congruence& map) {
+  return std::visit([&map](const auto& kind) { return mapped_kind(kind, map); }, force);
+}
+
+Force in_units(const Force& force, const Units& units) {
+  return std::visit([&units](const auto& kind) { return in_units_kind(kind, units); }, force);
+}
+
+Force renumbered(const Force& force, const Index& index) {
+  return std::visit([&index](const auto& kind) { return renumbered_kind(kind, index); }, force);
 }
 
 Force read_force(const JsonReader& in, const BodyNames& names) {

@@ -1,18 +1,23 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 
+#include "scenarios/scene/maps.h"
 #include "scenarios/scene/scene.h"
 
-/// All operations that depend on the kind of force: scaling, reading from and writing to scene files.
+/// All operations that depend on the kind of force: maps, reading from and writing to scene files.
 namespace plumb {
 
 class BodyNames;
 class JsonReader;
 
-/// The force in a scene whose lengths are all multiplied by `factor` while masses and times stay the same:
-/// accelerations and forces grow like lengths, torques like their square; N/m and N s/m stay.
-Force scaled(const Force&, double factor);
+/// A mirror also mirrors the frames of bodies.
+Force mapped(const Force&, const Congruence&);
+Force in_units(const Force&, const Units&);
+/// The force with every body's index replaced.
+Force renumbered(const Force&, const std::function<std::size_t(std::size_t)>&);
 
 /// Throws std::invalid_argument if it is not a valid force.
 Force read_force(const JsonReader&, const BodyNames&);

@@ -1,17 +1,9 @@
 #include "scenarios/scene/joints.h"
 
-#include <cmath>
-
 #include "scenarios/scene/scene_fields.h"
-#include "scenarios/scene/shapes.h"
 
 namespace plumb {
 namespace {
-
-template <class Kind>
-OrderedJson joined_names(const Kind& joint, const Scene& scene) {
-  return {scene.bodies.at(joint.a).name, scene.bodies.at(joint.b).name};
-}
 
 // What a motor exerts is a force in N; that of a hinge a torque in N m.
 std::optional<Motor> read_motor(const JsonReader& in, const NumberRange& speed, const NumberRange& strength) {
@@ -32,16 +24,34 @@ std::optional<Limits> read_limits(const JsonReader& in, const NumberRange& withi
   return Limits{range.x, range.y};
 }
 
+template <class Part>
+const Part* pointer(const std::optional<Part>& part) {
+  return part ? &*part : nullptr;
+}
+
 void write_limits(OrderedJson& into, const std::optional<Limits>& limits) {
   if (limits) into["limits"] = {limits->low, limits->high};
 }
 
 // Revolute
 
-// A torque is a force at an arm, and a force is a mass times a length: masses and times stay.
-Joint scaled_kind(Revolute joint, double factor) {
-  joint.anchor = scaled(joint.anchor, factor);
-  if (joint.motor) joint.motor->strength *= factor * factor;
+JointFacts facts_of_kind(const Revolute& joint) {
+  return {.keeps = JointFacts::Keeps::point,
+          .a = joint.a,
+          .b = joint.b,
+          .anchor_a = joint.anchor,
+          .anchor_b = joint.anchor,
+          .limits = pointer(joint.limits),
+          .motor = pointer(joint.motor)};
+}
+
+Joint mapped_kind(Revolute joint, const JointMap& map) {
+  joint.anchor = map.point(joint.a, joint.anchor);
+  if (joint.limits && map.mirrored) joint.limits = Limits{-joint.limits->high, -joint.limits->low};
+  if (joint.motor) {
+    const double speed = map.mirrored ? -joint.motor->speed : joint.motor->speed;
+    joint.motor = Motor{speed / map.units.time, joint.motor->strength * map.units.torque()};
+  }
   return joint;
 }
 
@@ -54,8 +64,8 @@ Joint read_revolute(const JsonReader& in, const BodyNames& names) {
   return joint;
 }
 
-OrderedJson kind_as_json(const Revolute& joint, const Scene& scene) {
-  OrderedJson json{{"type", "revolute"}, {"bodies", joined_names(joint, scene)}, {"anchor", as_json(joint.anchor)}};
+OrderedJson kind_as_json(const Revolute& joint) {
+  OrderedJson json{{"anchor", as_json(joint.anchor)}};
   write_limits(json, joint.limits);
   write_motor(json, joint.motor);
   return json;
@@ -63,10 +73,23 @@ OrderedJson kind_as_json(const Revolute& joint, const Scene& scene) {
 
 // Distance
 
-Joint scaled_kind(Distance joint, double factor) {
-  joint.anchor_a = scaled(joint.anchor_a, factor);
-  joint.anchor_b = scaled(joint.anchor_b, factor);
-  joint.length *= factor;
+JointFacts facts_of_kind(const Distance& joint) {
+  return {.keeps = joint.stiffness > 0 ? JointFacts::Keeps::spring : JointFacts::Keeps::rod,
+          .a = joint.a,
+          .b = joint.b,
+          .anchor_a = joint.anchor_a,
+          .anchor_b = joint.anchor_b,
+          .length = joint.length,
+          .stiffness = joint.stiffness,
+          .damping = joint.damping};
+}
+
+Joint mapped_kind(Distance joint, const JointMap& map) {
+  joint.anchor_a = map.point(joint.a, joint.anchor_a);
+  joint.anchor_b = map.point(joint.b, joint.anchor_b);
+  joint.length *= map.units.length;
+  joint.stiffness *= map.units.stiffness();
+  joint.damping *= map.units.damping();
   return joint;
 }
 
@@ -84,11 +107,8 @@ Joint read_distance(const JsonReader& in, const BodyNames& names) {
                   .damping = in.number("damping", 0, limits::resistance)};
 }
 
-OrderedJson kind_as_json(const Distance& joint, const Scene& scene) {
-  OrderedJson json{{"type", "distance"},
-                   {"bodies", joined_names(joint, scene)},
-                   {"anchors", {as_json(joint.anchor_a), as_json(joint.anchor_b)}},
-                   {"length", joint.length}};
+OrderedJson kind_as_json(const Distance& joint) {
+  OrderedJson json{{"anchors", {as_json(joint.anchor_a), as_json(joint.anchor_b)}}, {"length", joint.length}};
   write_unless(json, "stiffness", joint.stiffness, 0.0);
   write_unless(json, "damping", joint.damping, 0.0);
   return json;
@@ -96,10 +116,23 @@ OrderedJson kind_as_json(const Distance& joint, const Scene& scene) {
 
 // Prismatic
 
-Joint scaled_kind(Prismatic joint, double factor) {
-  joint.anchor = scaled(joint.anchor, factor);
-  if (joint.limits) joint.limits = Limits{joint.limits->low * factor, joint.limits->high * factor};
-  if (joint.motor) joint.motor = Motor{joint.motor->speed * factor, joint.motor->strength * factor};
+JointFacts facts_of_kind(const Prismatic& joint) {
+  return {.keeps = JointFacts::Keeps::line,
+          .a = joint.a,
+          .b = joint.b,
+          .anchor_a = joint.anchor,
+          .anchor_b = joint.anchor,
+          .axis = joint.axis,
+          .limits = pointer(joint.limits),
+          .motor = pointer(joint.motor)};
+}
+
+Joint mapped_kind(Prismatic joint, const JointMap& map) {
+  const Units& units = map.units;
+  joint.anchor = map.point(joint.a, joint.anchor);
+  joint.axis = map.direction(joint.a, joint.axis);
+  if (joint.limits) joint.limits = Limits{joint.limits->low * units.length, joint.limits->high * units.length};
+  if (joint.motor) joint.motor = Motor{joint.motor->speed * units.speed(), joint.motor->strength * units.force()};
   return joint;
 }
 
@@ -112,15 +145,12 @@ Joint read_prismatic(const JsonReader& in, const BodyNames& names) {
                         in["axis"].vector(limits::factor),
                         read_limits(in, limits::coordinate, "lengths"),
                         read_motor(in, limits::speed, limits::motor_force)};
-  if (std::hypot(joint.axis.x, joint.axis.y) < limits::size.least) in["axis"].refuse("has no length");
+  if (length(joint.axis) < limits::size.least) in["axis"].refuse("has no length");
   return joint;
 }
 
-OrderedJson kind_as_json(const Prismatic& joint, const Scene& scene) {
-  OrderedJson json{{"type", "prismatic"},
-                   {"bodies", joined_names(joint, scene)},
-                   {"anchor", as_json(joint.anchor)},
-                   {"axis", as_json(joint.axis)}};
+OrderedJson kind_as_json(const Prismatic& joint) {
+  OrderedJson json{{"anchor", as_json(joint.anchor)}, {"axis", as_json(joint.axis)}};
   write_limits(json, joint.limits);
   write_motor(json, joint.motor);
   return json;
@@ -128,8 +158,13 @@ OrderedJson kind_as_json(const Prismatic& joint, const Scene& scene) {
 
 // Weld
 
-Joint scaled_kind(Weld joint, double factor) {
-  joint.anchor = scaled(joint.anchor, factor);
+JointFacts facts_of_kind(const Weld& joint) {
+  return {
+      .keeps = JointFacts::Keeps::pose, .a = joint.a, .b = joint.b, .anchor_a = joint.anchor, .anchor_b = joint.anchor};
+}
+
+Joint mapped_kind(Weld joint, const JointMap& map) {
+  joint.anchor = map.point(joint.a, joint.anchor);
   return joint;
 }
 
@@ -139,38 +174,46 @@ Joint read_weld(const JsonReader& in, const BodyNames& names) {
   return Weld{a, b, in["anchor"].vector(limits::coordinate)};
 }
 
-OrderedJson kind_as_json(const Weld& joint, const Scene& scene) {
-  return {{"type", "weld"}, {"bodies", joined_names(joint, scene)}, {"anchor", as_json(joint.anchor)}};
-}
+OrderedJson kind_as_json(const Weld& joint) { return {{"anchor", as_json(joint.anchor)}}; }
 
+// In the order of Joint.
 using ReadJoint = Joint (*)(const JsonReader&, const BodyNames&);
 constexpr Word<ReadJoint> joint_kinds[] = {
     {"revolute", read_revolute}, {"distance", read_distance}, {"prismatic", read_prismatic}, {"weld", read_weld}};
+static_assert(std::size(joint_kinds) == std::variant_size_v<Joint>);
 
 }  // namespace
 
-Joint scaled(const Joint& joint, double factor) {
-  return std::visit([factor](const auto& kind) { return scaled_kind(kind, factor); }, joint);
+const char* kind_name(const Joint& joint) { return joint_kinds[joint.index()].word; }
+
+JointFacts facts_of(const Joint& joint) {
+  return std::visit([](const auto& kind) { return facts_of_kind(kind); }, joint);
 }
 
-const Limits* limits_of(const Joint& joint) {
-  const auto pointer = [](const std::optional<Limits>& limits) { return limits ? &*limits : nullptr; };
-  if (const auto* hinge = std::get_if<Revolute>(&joint)) return pointer(hinge->limits);
-  if (const auto* slider = std::get_if<Prismatic>(&joint)) return pointer(slider->limits);
-  return nullptr;
+Joint mapped(const Joint& joint, const JointMap& map) {
+  return std::visit([&map](const auto& kind) { return mapped_kind(kind, map); }, joint);
 }
 
-const Motor* motor_of(const Joint& joint) {
-  const auto pointer = [](const std::optional<Motor>& motor) { return motor ? &*motor : nullptr; };
-  if (const auto* hinge = std::get_if<Revolute>(&joint)) return pointer(hinge->motor);
-  if (const auto* slider = std::get_if<Prismatic>(&joint)) return pointer(slider->motor);
-  return nullptr;
+Joint mapped(const Joint& joint, const Congruence& map) {
+  return mapped(joint, JointMap{.point = [&map](std::size_t, Vec p) { return map.of_point(p); },
+                                .direction = [&map](std::size_t, Vec v) { return map.of_vector(v); },
+                                .mirrored = map.mirrored});
+}
+
+Joint in_units(const Joint& joint, const Units& units) {
+  return mapped(joint, JointMap{.point = [&units](std::size_t, Vec p) { return units.length * p; },
+                                .direction = [](std::size_t, Vec v) { return v; },
+                                .units = units});
 }
 
 Joint read_joint(const JsonReader& in, const BodyNames& names) { return in.kind<ReadJoint>(joint_kinds)(in, names); }
 
 nlohmann::ordered_json as_json(const Joint& joint, const Scene& scene) {
-  return std::visit([&scene](const auto& kind) { return kind_as_json(kind, scene); }, joint);
+  const JointFacts facts = facts_of(joint);
+  OrderedJson json{{"type", kind_name(joint)},
+                   {"bodies", {scene.bodies.at(facts.a).name, scene.bodies.at(facts.b).name}}};
+  json.update(std::visit([](const auto& kind) { return kind_as_json(kind); }, joint));
+  return json;
 }
 
 }  // namespace plumb

@@ -4,19 +4,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenarios/scene/shapes.h"
-
 namespace plumb {
 
 Vec path_offset(const Path& path, double t) {
   const double turned = 2 * std::numbers::pi * path.frequency * t;
-  return scaled(path.amplitude, std::sin(turned + path.phase) - std::sin(path.phase));
+  return (std::sin(turned + path.phase) - std::sin(path.phase)) * path.amplitude;
 }
 
 Vec start_velocity(const Body& body) {
   if (!body.path) return body.velocity;
   const double rate = 2 * std::numbers::pi * body.path->frequency * std::cos(body.path->phase);
-  return {body.velocity.x + rate * body.path->amplitude.x, body.velocity.y + rate * body.path->amplitude.y};
+  return body.velocity + rate * body.path->amplitude;
 }
 
 bool is_carried(const Body& body) {
@@ -26,7 +24,5 @@ bool is_carried(const Body& body) {
 bool has_paths(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return body.path.has_value(); });
 }
-
-Path scaled(const Path& path, double factor) { return {scaled(path.amplitude, factor), path.frequency, path.phase}; }
 
 }  // namespace plumb

@@ -16,7 +16,4 @@ bool is_carried(const Body&);
 /// Whether any body has a path.
 bool has_paths(const Scene&);
 
-/// The path with every length multiplied by `factor`.
-Path scaled(const Path&, double factor);
-
 }  // namespace plumb

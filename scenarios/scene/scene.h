@@ -8,18 +8,13 @@
 #include <vector>
 
 #include "scenarios/scene/surface.h"
+#include "scenarios/scene/vec.h"
 
 /// The engine-neutral scene that every engine is given. SI units (m, kg, s, rad, N; density in kg/m^2), double
 /// precision, angles counter-clockwise, y up. Nothing here is specific to an engine.
 namespace plumb {
 
 constexpr double standard_gravity = 10;  // m/s^2, of a scene that says nothing else
-
-struct Vec {
-  double x = 0;
-  double y = 0;
-  friend bool operator==(const Vec&, const Vec&) = default;
-};
 
 struct Circle {
   double radius = 0.5;

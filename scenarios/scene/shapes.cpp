@@ -1,5 +1,6 @@
 #include "scenarios/scene/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -12,10 +13,6 @@ namespace {
 
 constexpr double flat = 1e-9;  // rad, and relative to unit length: the precision of ten written digits
 
-Vec minus(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
-double cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
-double length(Vec v) { return std::hypot(v.x, v.y); }
-
 void check_keys(const JsonReader& in, std::vector<const char*> required, std::vector<const char*> optional = {}) {
   required.push_back("type");
   for (const char* of_surface : {"material", "density", "friction", "restitution"}) optional.push_back(of_surface);
@@ -23,7 +20,7 @@ void check_keys(const JsonReader& in, std::vector<const char*> required, std::ve
 }
 
 void check_length(const JsonReader& in, Vec from, Vec to) {
-  if (length(minus(to, from)) < limits::size.least) in["to"].refuse("equals \"from\": the shape has no length");
+  if (length(to - from) < limits::size.least) in["to"].refuse("equals \"from\": the shape has no length");
 }
 
 // Circle
@@ -33,8 +30,10 @@ Area area_of_kind(const Circle& circle) {
   return {area, circle.center, area * circle.radius * circle.radius / 2};
 }
 
-Geometry scaled_kind(const Circle& circle, double factor) {
-  return Circle{factor * circle.radius, scaled(circle.center, factor)};
+Outline outline_of_kind(const Circle& circle) { return {.points = {circle.center}, .radius = circle.radius}; }
+
+Geometry mapped_kind(const Circle& circle, const FrameMap& map) {
+  return Circle{map.factor * circle.radius, map.of_point(circle.center)};
 }
 
 Geometry read_circle(const JsonReader& in) {
@@ -43,7 +42,7 @@ Geometry read_circle(const JsonReader& in) {
 }
 
 OrderedJson kind_as_json(const Circle& circle) {
-  OrderedJson json{{"type", "circle"}, {"radius", circle.radius}};
+  OrderedJson json{{"radius", circle.radius}};
   write_unless(json, "center", circle.center, {});
   return json;
 }
@@ -55,8 +54,17 @@ Area area_of_kind(const Box& box) {
   return {area, box.center, area * (box.size.x * box.size.x + box.size.y * box.size.y) / 12};
 }
 
-Geometry scaled_kind(const Box& box, double factor) {
-  return Box{scaled(box.size, factor), scaled(box.center, factor), box.angle};
+Outline outline_of_kind(const Box& box) {
+  Outline outline;
+  for (const Vec corner : {Vec{-1, -1}, Vec{1, -1}, Vec{1, 1}, Vec{-1, 1}}) {
+    const Vec half{corner.x * box.size.x / 2, corner.y * box.size.y / 2};
+    outline.points.push_back(box.center + rotated(half, box.angle));
+  }
+  return outline;
+}
+
+Geometry mapped_kind(const Box& box, const FrameMap& map) {
+  return Box{map.factor * box.size, map.of_point(box.center), map.of_angle(box.angle)};
 }
 
 Geometry read_box(const JsonReader& in) {
@@ -67,7 +75,7 @@ Geometry read_box(const JsonReader& in) {
 }
 
 OrderedJson kind_as_json(const Box& box) {
-  OrderedJson json{{"type", "box"}, {"size", as_json(box.size)}};
+  OrderedJson json{{"size", as_json(box.size)}};
   write_unless(json, "center", box.center, {});
   write_unless(json, "angle", box.angle, 0.0);
   return json;
@@ -85,9 +93,9 @@ Area area_of_kind(const Polygon& polygon) {
   double moment = 0;
   Vec first;
   for (std::size_t i = 1; i + 1 < v.size(); ++i) {
-    const Vec p{v[i].x - v[0].x, v[i].y - v[0].y};
-    const Vec q{v[i + 1].x - v[0].x, v[i + 1].y - v[0].y};
-    const double c = p.x * q.y - p.y * q.x;
+    const Vec p = v[i] - v[0];
+    const Vec q = v[i + 1] - v[0];
+    const double c = cross(p, q);
     area += c / 2;
     first.x += c * (p.x + q.x) / 6;
     first.y += c * (p.y + q.y) / 6;
@@ -100,8 +108,11 @@ Area area_of_kind(const Polygon& polygon) {
   return {std::abs(area), {v[0].x + center.x, v[0].y + center.y}, moment};
 }
 
-Geometry scaled_kind(Polygon polygon, double factor) {
-  for (Vec& vertex : polygon.vertices) vertex = scaled(vertex, factor);
+Outline outline_of_kind(const Polygon& polygon) { return {.points = polygon.vertices}; }
+
+Geometry mapped_kind(Polygon polygon, const FrameMap& map) {
+  for (Vec& vertex : polygon.vertices) vertex = map.of_point(vertex);
+  if (map.mirrored) std::reverse(polygon.vertices.begin(), polygon.vertices.end());  // keeps the winding
   return polygon;
 }
 
@@ -112,7 +123,7 @@ void check_convex(const JsonReader& in, const std::vector<Vec>& v) {
   const std::size_t n = v.size();
   std::vector<Vec> edges;
   for (std::size_t i = 0; i < n; ++i) {
-    edges.push_back(minus(v[(i + 1) % n], v[i]));
+    edges.push_back(v[(i + 1) % n] - v[i]);
     if (length(edges[i]) < limits::size.least) in[(i + 1) % n].refuse("equals the vertex before it");
   }
   const auto rightwards = [](Vec edge) { return edge.x > 0 || (edge.x == 0 && edge.y > 0); };
@@ -142,7 +153,7 @@ Geometry read_polygon(const JsonReader& in) {
 OrderedJson kind_as_json(const Polygon& polygon) {
   OrderedJson vertices = OrderedJson::array();
   for (const Vec& vertex : polygon.vertices) vertices.push_back(as_json(vertex));
-  return {{"type", "polygon"}, {"vertices", std::move(vertices)}};
+  return {{"vertices", std::move(vertices)}};
 }
 
 // Capsule
@@ -151,18 +162,22 @@ OrderedJson kind_as_json(const Polygon& polygon) {
 // parallel-axis theorem the two half discs, L/2 + c from the middle of the capsule, together have
 // A_d (r^2/2 + L^2/4 + L c), where A_d is the area of the whole disc.
 Area area_of_kind(const Capsule& capsule) {
-  const double length = std::hypot(capsule.to.x - capsule.from.x, capsule.to.y - capsule.from.y);
+  const double l = length(capsule.to - capsule.from);
   const double r = capsule.radius;
-  const double rectangle = length * 2 * r;
+  const double rectangle = l * 2 * r;
   const double disc = std::numbers::pi * r * r;
   const double c = 4 * r / (3 * std::numbers::pi);
   return {rectangle + disc,
           {(capsule.from.x + capsule.to.x) / 2, (capsule.from.y + capsule.to.y) / 2},
-          rectangle * (length * length + 4 * r * r) / 12 + disc * (r * r / 2 + length * length / 4 + length * c)};
+          rectangle * (l * l + 4 * r * r) / 12 + disc * (r * r / 2 + l * l / 4 + l * c)};
 }
 
-Geometry scaled_kind(const Capsule& capsule, double factor) {
-  return Capsule{scaled(capsule.from, factor), scaled(capsule.to, factor), factor * capsule.radius};
+Outline outline_of_kind(const Capsule& capsule) {
+  return {.points = {capsule.from, capsule.to}, .radius = capsule.radius};
+}
+
+Geometry mapped_kind(const Capsule& capsule, const FrameMap& map) {
+  return Capsule{map.of_point(capsule.from), map.of_point(capsule.to), map.factor * capsule.radius};
 }
 
 Geometry read_capsule(const JsonReader& in) {
@@ -175,16 +190,17 @@ Geometry read_capsule(const JsonReader& in) {
 }
 
 OrderedJson kind_as_json(const Capsule& capsule) {
-  return {
-      {"type", "capsule"}, {"from", as_json(capsule.from)}, {"to", as_json(capsule.to)}, {"radius", capsule.radius}};
+  return {{"from", as_json(capsule.from)}, {"to", as_json(capsule.to)}, {"radius", capsule.radius}};
 }
 
 // Segment
 
 Area area_of_kind(const Segment&) { return {}; }
 
-Geometry scaled_kind(const Segment& segment, double factor) {
-  return Segment{scaled(segment.from, factor), scaled(segment.to, factor)};
+Outline outline_of_kind(const Segment& segment) { return {.points = {segment.from, segment.to}}; }
+
+Geometry mapped_kind(const Segment& segment, const FrameMap& map) {
+  return Segment{map.of_point(segment.from), map.of_point(segment.to)};
 }
 
 Geometry read_segment(const JsonReader& in) {
@@ -195,15 +211,18 @@ Geometry read_segment(const JsonReader& in) {
 }
 
 OrderedJson kind_as_json(const Segment& segment) {
-  return {{"type", "segment"}, {"from", as_json(segment.from)}, {"to", as_json(segment.to)}};
+  return {{"from", as_json(segment.from)}, {"to", as_json(segment.to)}};
 }
 
 // Half-space
 
 Area area_of_kind(const HalfSpace&) { return {}; }
 
-Geometry scaled_kind(const HalfSpace& half_space, double factor) {
-  return HalfSpace{half_space.normal, factor * half_space.offset};
+Outline outline_of_kind(const HalfSpace& half_space) { return {.halfspace = half_space}; }
+
+Geometry mapped_kind(const HalfSpace& half_space, const FrameMap& map) {
+  const Vec normal = map.of_direction(half_space.normal);
+  return HalfSpace{normal, map.factor * half_space.offset - dot(normal, map.origin)};
 }
 
 Geometry read_half_space(const JsonReader& in) {
@@ -215,13 +234,15 @@ Geometry read_half_space(const JsonReader& in) {
 }
 
 OrderedJson kind_as_json(const HalfSpace& half_space) {
-  return {{"type", "halfspace"}, {"normal", as_json(half_space.normal)}, {"offset", half_space.offset}};
+  return {{"normal", as_json(half_space.normal)}, {"offset", half_space.offset}};
 }
 
+// In the order of Geometry.
 using ReadGeometry = Geometry (*)(const JsonReader&);
 constexpr Word<ReadGeometry> shape_kinds[] = {{"circle", read_circle},   {"box", read_box},
                                               {"polygon", read_polygon}, {"capsule", read_capsule},
                                               {"segment", read_segment}, {"halfspace", read_half_space}};
+static_assert(std::size(shape_kinds) == std::variant_size_v<Geometry>);
 
 // Surfaces
 
@@ -264,12 +285,29 @@ void write_surface(OrderedJson& json, const Surface& surface) {
 
 }  // namespace
 
+const char* kind_name(const Geometry& geometry) { return shape_kinds[geometry.index()].word; }
+
 Area area_of(const Geometry& geometry) {
   return std::visit([](const auto& kind) { return area_of_kind(kind); }, geometry);
 }
 
-Geometry scaled(const Geometry& geometry, double factor) {
-  return std::visit([factor](const auto& kind) { return scaled_kind(kind, factor); }, geometry);
+Outline outline_of(const Geometry& geometry, Vec origin) {
+  const Outline outline = std::visit([](const auto& kind) { return outline_of_kind(kind); }, geometry);
+  return placed(outline, -origin, 0);
+}
+
+Outline placed(const Outline& outline, Vec position, double angle) {
+  Outline there = outline;
+  for (Vec& point : there.points) point = position + rotated(point, angle);
+  if (there.halfspace) {
+    there.halfspace->normal = rotated(outline.halfspace->normal, angle);
+    there.halfspace->offset += dot(there.halfspace->normal, position);
+  }
+  return there;
+}
+
+Geometry mapped(const Geometry& geometry, const FrameMap& map) {
+  return std::visit([&map](const auto& kind) { return mapped_kind(kind, map); }, geometry);
 }
 
 Shape read_shape(const JsonReader& in) {
@@ -280,7 +318,8 @@ Shape read_shape(const JsonReader& in) {
 }
 
 nlohmann::ordered_json as_json(const Shape& shape) {
-  OrderedJson json = std::visit([](const auto& kind) { return kind_as_json(kind); }, shape.geometry);
+  OrderedJson json{{"type", kind_name(shape.geometry)}};
+  json.update(std::visit([](const auto& kind) { return kind_as_json(kind); }, shape.geometry));
   write_surface(json, shape.surface);
   return json;
 }

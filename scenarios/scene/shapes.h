@@ -1,13 +1,20 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <vector>
 
+#include "scenarios/scene/maps.h"
 #include "scenarios/scene/scene.h"
 
-/// All operations that depend on the kind of shape: mass properties, scaling, reading from and writing to scene files.
+/// All operations that depend on the kind of shape: mass properties, outlines, maps, reading from and writing to scene
+/// files.
 namespace plumb {
 
 class JsonReader;
+
+/// As in scene files: "circle".
+const char* kind_name(const Geometry&);
 
 /// The mass properties of a shape of density 1. All zero for segments and half-spaces.
 struct Area {
@@ -20,9 +27,22 @@ struct Area {
 /// rectangle and two half discs.
 Area area_of(const Geometry&);
 
-/// The shape with every length multiplied by `factor`.
-Geometry scaled(const Geometry&, double factor);
-inline Vec scaled(Vec v, double factor) { return {factor * v.x, factor * v.y}; }
+/// The outline of a shape: the convex hull of its points grown by a radius (a disc is one point, a capsule two), or all
+/// that lies below a line.
+struct Outline {
+  std::vector<Vec> points;             // in order around, in either direction
+  double radius = 0;                   // m
+  std::optional<HalfSpace> halfspace;  // if set, there are no points
+};
+
+/// In the body's frame, moved so that `origin` of that frame becomes (0, 0).
+Outline outline_of(const Geometry&, Vec origin);
+
+/// The outline rotated by an angle, rad, and then moved by a position.
+Outline placed(const Outline&, Vec position, double angle);
+
+/// The shape with all its points mapped.
+Geometry mapped(const Geometry&, const FrameMap&);
 
 /// One of a body's shapes, with its surface. Throws std::invalid_argument if it is not a valid shape.
 Shape read_shape(const JsonReader&);

@@ -7,7 +7,8 @@
 #include <variant>
 
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
+#include "scenarios/parts.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::benchmarks {
 namespace {
@@ -87,6 +88,21 @@ OverlapDepth depth_of(const std::vector<BodyOverlap>& overlaps) {
 }
 
 }  // namespace
+
+void add_pyramid(SceneSetup& setup, int base, Vec middle) {
+  std::vector<Body>& bodies = setup.scene.bodies;
+  for (int row = 0; row < base; ++row) {
+    const int width = base - row;
+    for (int i = 0; i < width; ++i) {
+      const std::size_t here = bodies.size();
+      bodies.push_back(box("", {middle.x + i - (width - 1) / 2.0, middle.y + row + 0.5}, {1, 1}, surface(0.6, 0)));
+      if (row == 0) continue;
+      const std::size_t below = here - static_cast<std::size_t>(width) - 1;
+      setup.supports.push_back({here, below});
+      setup.supports.push_back({here, below + 1});
+    }
+  }
+}
 
 SceneCheck check_scene(const SceneSetup& setup, std::span<const BodyState> states) {
   SceneCheck found{.broken = non_finite(states)};

@@ -34,6 +34,10 @@ struct SceneSetup {
   double reach = std::numeric_limits<double>::infinity();  // m, its radius
 };
 
+/// Adds boxes of 1 m in rows, side by side without gaps, each box on two of the row below. `middle` is the middle of
+/// the lowest row's lower edge.
+void add_pyramid(SceneSetup&, int base, Vec middle);
+
 /// A kind of scene, with the parts of its run that are worth timing.
 struct BenchmarkScene {
   std::string name;

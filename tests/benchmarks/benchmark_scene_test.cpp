@@ -8,7 +8,6 @@
 
 #include "reports/judge/mechanics.h"
 #include "scenarios/parts.h"
-#include "scenes/pyramids.h"
 
 namespace plumb::benchmarks::benchmark_scene_test {
 namespace {

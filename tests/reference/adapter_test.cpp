@@ -31,6 +31,20 @@ TEST(SceneExtent, IsAsFarAsGravityAndTheInitialVelocityCarry) {
   EXPECT_DOUBLE_EQ(scene_extent(scene), 100);
 }
 
+struct NewKind {};
+
+TEST(VisitSupported, PassesOnTheKindsThatAnAdapterSupportsAlone) {
+  const std::variant<Circle, NewKind> known = Circle{.radius = 2};
+  const std::variant<Circle, NewKind> other = NewKind{};
+  struct {
+    double operator()(const Circle& circle) const { return circle.radius; }
+    double operator()(const NewKind&) const { return 7; }
+  } const make;
+  EXPECT_EQ(visit_supported(make, known), 2);
+  EXPECT_THROW(visit_supported(make, other), std::logic_error);
+  EXPECT_EQ(visit_supported<NewKind>(make, other), 7);
+}
+
 TEST(CommonRefusal, NamesTheBodyThatIsBeyondTheEngine) {
   Scene scene;
   scene.bodies = {box({})};

@@ -12,8 +12,8 @@
 #include "reports/judge/mechanics.h"
 #include "reports/run/run.h"
 #include "reports/trace.h"
-#include "reports/vec.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/vec.h"
 
 /// Small scenes and engines with known results.
 namespace plumb::fakes {

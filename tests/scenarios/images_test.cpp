@@ -6,10 +6,11 @@
 #include <variant>
 #include <vector>
 
+#include "reference/simulation.h"
 #include "reports/judge/mechanics.h"
+#include "scenarios/scene/mass.h"
 #include "scenarios/scene/path.h"
 #include "scenarios/scene/scene_json.h"
-#include "scenarios/transformed.h"
 
 namespace plumb::images_test {
 namespace {
@@ -74,7 +75,7 @@ TEST(Images, KeepTheKineticEnergy) {
   EXPECT_NEAR(kinetic(mapped(scene, {.mirrored = true, .angle = 0.7, .shift = {9, 1}})), kinetic(scene), 1e-12);
   EXPECT_NEAR(kinetic(listed_backwards(scene)), kinetic(scene), 1e-12);
   EXPECT_NEAR(kinetic(doubled(scene, {50, 0}, 0xFFFF, 16)), 2 * kinetic(scene), 1e-12);
-  EXPECT_NEAR(kinetic(with_masses(scene, 10)), 10 * kinetic(scene), 1e-11);
+  EXPECT_NEAR(kinetic(in_units(scene, {.mass = 10})), 10 * kinetic(scene), 1e-11);
 }
 
 // Joules are kg m^2/s^2: M L^2/(sqrt L)^2; forces are M, for gravity is the same.
@@ -83,7 +84,7 @@ TEST(Images, InOtherUnitsScaleEveryForceAndEnergy) {
   scene.forces.pop_back();  // the centre of an attraction is measured from where it is
   const double length = 4;
   const double mass = 10;
-  const Scene image = in_units(scene, length, mass);
+  const Scene image = in_units(scene, {.length = length, .mass = mass, .time = std::sqrt(length)});
   const Conserved here(scene);
   const Conserved there(image);
   EXPECT_NEAR(there.energy(initial_states(image)).total(), mass * length * here.energy(initial_states(scene)).total(),
@@ -101,8 +102,8 @@ TEST(Images, OfAnAttractionScaleLikeGravity) {
   Scene scene = of_everything();
   scene.forces.erase(scene.forces.begin(), scene.forces.end() - 1);
   const auto pull = [](const Scene& of) { return AppliedForces(of).at(initial_states(of))[2].force; };
-  EXPECT_NEAR(pull(in_units(scene, 4, 10)).x, 10 * pull(scene).x, 1e-12);
-  EXPECT_NEAR(pull(with_masses(scene, 10)).x, 10 * pull(scene).x, 1e-12);
+  EXPECT_NEAR(pull(in_units(scene, {.length = 4, .mass = 10, .time = 2})).x, 10 * pull(scene).x, 1e-12);
+  EXPECT_NEAR(pull(in_units(scene, {.mass = 10})).x, 10 * pull(scene).x, 1e-12);
 }
 
 TEST(Images, OfForcesTurnWithTheScene) {
@@ -148,8 +149,8 @@ TEST(Images, TakeBodiesAlongTheImagesOfTheirPaths) {
   };
   const Congruence map{.mirrored = true, .angle = 0.7, .shift = {9, 1}};
   expect_at(map.of_point(there), mapped(scene, map), t);
-  expect_at({4 * there.x, 4 * there.y}, in_units(scene, 4, 10), 2 * t);
-  expect_at({3 * there.x, 3 * there.y}, scaled(scene, 3), t);
+  expect_at({4 * there.x, 4 * there.y}, in_units(scene, {.length = 4, .mass = 10, .time = 2}), 2 * t);
+  expect_at({3 * there.x, 3 * there.y}, in_units(scene, {.length = 3}), t);
   expect_at({there.x + 5 * t, there.y - t}, boosted(scene, {5, -1}), t);
 }
 
@@ -162,6 +163,65 @@ TEST(Images, OfTwoWorldsShareNoLayer) {
     EXPECT_NE(both.bodies[3].layers & both.bodies[3 + i].layers, 0u);
   }
   EXPECT_EQ(std::get<Constant>(both.forces[4]).body, 5u);
+}
+
+std::vector<BodyState> end_of(const Scene& scene) {
+  const Engine& engine = *Catalog<Engine>::find("impulse");
+  const auto simulation = engine.build(scene, complete(engine, {}));
+  for (int i = 0; i < 60; ++i) simulation->step(1.0 / 60);
+  std::vector<BodyState> states(scene.bodies.size());
+  simulation->read(states);
+  return states;
+}
+
+Scene default_scene(const Scenario& scenario) { return scenario.scene(complete(scenario, {})); }
+
+TEST(Images, WithLongerLengthsKeepMassesAndScaleInertiaWithTheSquare) {
+  for (const Scenario* scenario : Catalog<Scenario>::all()) {
+    const Scene scene = default_scene(*scenario);
+    const Scene larger = in_units(scene, {.length = 4});
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      EXPECT_DOUBLE_EQ(mass_of(larger.bodies[i]).mass, mass_of(scene.bodies[i]).mass) << scenario->name;
+      EXPECT_DOUBLE_EQ(mass_of(larger.bodies[i]).inertia, 16 * mass_of(scene.bodies[i]).inertia) << scenario->name;
+    }
+  }
+}
+
+// Free motion, joints and forces have no length scale of their own.
+TEST(Images, WithLongerLengthsMoveInProportion) {
+  Scene pushed = default_scene(*Catalog<Scenario>::find("spinning-obb"));
+  pushed.bodies = {pushed.bodies.back()};
+  pushed.forces = {Constant{.body = 0, .force = {3, 1}, .torque = 0.5}};
+  std::vector<Scene> scenes{pushed};
+  for (const char* name : {"spring", "orbit", "pendulum", "double-pendulum", "heavy-object"}) {
+    scenes.push_back(default_scene(*Catalog<Scenario>::find(name)));
+  }
+  for (const Scene& scene : scenes) {
+    const auto original = end_of(scene);
+    const auto larger = end_of(in_units(scene, {.length = 4}));
+    for (std::size_t i = 0; i < original.size(); ++i) {
+      EXPECT_NEAR(larger[i].position.x, 4 * original[i].position.x, 1e-11) << scene.name;
+      EXPECT_NEAR(larger[i].position.y, 4 * original[i].position.y, 1e-11) << scene.name;
+      EXPECT_NEAR(larger[i].angle, original[i].angle, 1e-11) << scene.name;
+    }
+  }
+}
+
+TEST(Perturbed, MovesOnlyDynamicBodiesByAtMostTheSize) {
+  const Scene scene = default_scene(*Catalog<Scenario>::find("stacking"));
+  const Scene moved = perturbed(scene, 0.01, 1);
+  EXPECT_EQ(moved.bodies[0].position, scene.bodies[0].position);
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    EXPECT_NE(moved.bodies[i].position, scene.bodies[i].position);
+    EXPECT_NEAR(moved.bodies[i].position.x, scene.bodies[i].position.x, 0.01);
+    EXPECT_NEAR(moved.bodies[i].position.y, scene.bodies[i].position.y, 0.01);
+  }
+}
+
+TEST(Perturbed, IsTheSameForTheSameSeed) {
+  const Scene scene = default_scene(*Catalog<Scenario>::find("stacking"));
+  EXPECT_EQ(perturbed(scene, 0.01, 1).bodies[1].position, perturbed(scene, 0.01, 1).bodies[1].position);
+  EXPECT_NE(perturbed(scene, 0.01, 2).bodies[1].position, perturbed(scene, 0.01, 1).bodies[1].position);
 }
 
 }  // namespace

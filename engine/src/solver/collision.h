@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "solver/impacts.h"
+#include "solver/impact_row.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

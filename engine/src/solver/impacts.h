@@ -7,96 +7,11 @@
 #include <vector>
 
 #include "bodies/body_set.h"
-#include "contacts/contact_rows.h"
-#include "contacts/normal_of.h"
+#include "solver/impact_row.h"
 #include "solver/island_joints.h"
 #include "solver/motion.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
-
-/// The inverse of the matrix k of inverse effective masses of two points: maps velocity changes to impulses.
-struct PairMatrix {
-  Real i11 = 0, i22 = 0, i12 = 0;  // kg
-  bool usable = false;  // false for points almost in one place: k does not determine the difference of their loads
-
-  PairMatrix() = default;
-  PairMatrix(Real k11, Real k22, Real k12) {
-    const Real determinant = k11 * k22 - k12 * k12;
-    constexpr Real worst_condition = 1000;
-    usable = k11 * k22 <= worst_condition * determinant;
-    if (!usable) return;
-    const Real inverse = 1 / determinant;
-    i11 = k22 * inverse;
-    i22 = k11 * inverse;
-    i12 = -k12 * inverse;
-  }
-  Vec2 operator*(Vec2 v) const { return {i11 * v.x + i12 * v.y, i12 * v.x + i22 * v.y}; }
-};
-
-/// Two points that are solved together.
-struct PointPair {
-  Real strength = 0;                   // of the soft constraint this was made for; 0: none
-  std::array<Real, 2> inverse_mass{};  // 1/kg, effective, of each alone
-  Real coupling = 0;                   // 1/kg, velocity change at one for an impulse at the other
-  std::array<Real, 2> give{};          // 1/kg, compliance of the soft constraints
-  PairMatrix rigid;
-  PairMatrix soft;  // both points soft
-
-  PairMatrix matrix(const std::array<Real, 2>& springs) const {
-    return {inverse_mass[0] + springs[0], inverse_mass[1] + springs[1], coupling};
-  }
-};
-
-/// A row with the additional data of the sub-step of `accurate`.
-struct ImpactRow : ContactRow {
-  Real offset = 0;           // m, lasting correction of the separation (see OffsetRule)
-  Real disc_distance = 0;    // m, sum of radii when both are discs about their centres: their normal turns as they move
-  Vec2 between;              // of those centres at the start of the step
-  Vec2 led;                  // their normal before the sub-step's drift
-  std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
-  Vec2 acted;                // N s, impulse of the contact in this step, if its normal rotates
-  int age = 0;               // steps since the contact began
-  bool made = false;         // still valid if the contact's points are those below
-  Pose found_a, found_b;
-  std::array<Real, 2> found_separation{};
-  NormalOf normal_of = NormalOf::between;  // set if it turns
-  bool stirs_a = true;                     // the body can move, see BodySet::stirs
-  bool stirs_b = true;
-  bool turns = false;     // its normal follows the bodies within a step
-  bool collides = false;  // a body that it stops is stopped at the time at which they meet
-  bool active = true;     // takes part in this sub-step's solve
-  bool fresh = false;     // first step of the contact
-  bool slips = false;     // slides, so that the dynamic coefficient limits friction
-  bool web = false;       // a body of it touches more than two others, as in a pyramid and not in a column
-  bool block = false;     // its two points are solved together, by `pair`
-  PointPair pair;
-
-  bool two_frictions() const { return static_friction != dynamic_friction; }
-  /// The coefficient that limits friction now.
-  Real friction() const { return slips ? dynamic_friction : static_friction; }
-  /// Adds a point's impulse, given along a normal and its tangent, to the totals of the step.
-  void note(RowPoint& p, Vec2 impulse, Vec2 along) {
-    p.total_normal += impulse.x;
-    p.total_tangent += impulse.y;
-    if (turns) acted += impulse.x * along + impulse.y * perpendicular(along);
-  }
-  /// Converts the totals along a rotating normal into impulses along one normal, which it returns.
-  Vec2 join() {
-    Vec2 given;
-    for (const RowPoint& p : points) given += Vec2{p.total_normal, p.total_tangent};
-    const Real sum = length(given);
-    const Real effect = length(acted);
-    if (sum == 0 || effect == 0) return normal;
-    for (RowPoint& p : points) {
-      p.total_normal *= effect / sum;
-      p.total_tangent *= effect / sum;
-    }
-    return normalized(Rotation(given.x, given.y).inverse() * acted);
-  }
-};
-
-/// m/s, a velocity that rounding may leave of none.
-constexpr Real no_speed = static_cast<Real>(1e-4);
 
 /// m/s, the restitution threshold: slower approaches are left to the contact solve, which ends the infinite sequence of
 /// ever smaller bounces ("Zeno"). A body at rest under an acceleration a gains a h within a sub-step: with 1.2 to 5

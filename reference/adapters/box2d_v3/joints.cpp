@@ -107,7 +107,7 @@ bool at_center(const Body& body, Vec anchor) {
 }  // namespace
 
 void add_joints(b2WorldId world, const Scene& scene, std::span<const b2BodyId> bodies) {
-  for (const Joint& joint : scene.joints) std::visit(Joiner(world, scene, bodies), joint);
+  for (const Joint& joint : scene.joints) visit_supported(Joiner(world, scene, bodies), joint);
 }
 
 std::string eccentric_spring_refusal(const Scene& scene) {

@@ -11,7 +11,6 @@
 #include "reports/gate/compare.h"
 #include "reports/gate/options.h"
 #include "reports/gate/writers.h"
-#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "reports/system/terminal.h"

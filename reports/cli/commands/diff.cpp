@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "reports/cli/command.h"
-#include "reports/cli/file_warnings.h"
+#include "reports/cli/session.h"
 #include "reports/compare/divergence.h"
 #include "reports/run/run.h"
 #include "reports/run/scene_file.h"

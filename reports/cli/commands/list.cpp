@@ -43,7 +43,7 @@ void list_scenarios() {
   }
   for (const auto& [name, scenarios] : groups) {
     const ScenarioGroup* group = Catalog<ScenarioGroup>::find(name);
-    if (group == nullptr) throw std::logic_error("scenarios/" + name + " has no group.cpp");
+    if (group == nullptr) throw std::logic_error("scenarios/group.cpp lacks " + name);
     fmt::print("{}\n", cut(group->title + ": " + group->stake, terminal_width(std::string::npos)));
     for (const Scenario* scenario : scenarios) print_line(scenario->name, longest, scenario->question);
   }

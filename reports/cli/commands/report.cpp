@@ -11,7 +11,6 @@
 #include "reports/gate/writers.h"
 #include "reports/history/trends.h"
 #include "reports/run/experiment.h"
-#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/study/conduct.h"
 #include "reports/study/study.h"

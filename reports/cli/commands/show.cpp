@@ -7,7 +7,7 @@
 #include "reference/programs/program_engine.h"
 #include "reports/cli/command.h"
 #include "reports/cli/descriptions.h"
-#include "reports/cli/file_warnings.h"
+#include "reports/cli/session.h"
 #include "reports/engines/installed.h"
 #include "reports/run/scene_file.h"
 #include "reports/run/selection.h"
@@ -17,7 +17,8 @@
 namespace plumb::commands::show {
 namespace {
 
-// Of an engine of the catalogue, one of npm, or a program; nullopt for other words, and for one that is a scenario's, too.
+// Of an engine of the catalogue, one of npm, or a program; nullopt for other words, and for one that is a scenario's,
+// too.
 std::optional<std::string> engine_description(const std::string& word, std::size_t width) {
   if (Catalog<Scenario>::find(word) != nullptr) return std::nullopt;
   if (word.starts_with(program_prefix)) return description_of(*parse_engine(word).engine, width);

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "reports/find/kind.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"
+#include "scenarios/scene/vec.h"
 
 // Kinematic bodies that carry others.
 namespace plumb::kinds::driven {

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "reports/find/kind.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"
+#include "scenarios/scene/vec.h"
 
 // A few bodies on the ground, or on something fixed.
 namespace plumb::kinds::ground {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "reports/find/kind.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"
+#include "scenarios/scene/vec.h"
 
 // Bodies that joints hold together.
 namespace plumb::kinds::joined {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "reports/find/kind.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"
+#include "scenarios/scene/vec.h"
 
 // Motions that textbooks solve, so that their closed forms may judge, and be judged.
 namespace plumb::kinds::textbook {

@@ -13,8 +13,8 @@
 #include "reports/judge/invariant.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 // Newton's, Poisson's and Stronge's hypotheses of restitution agree on a contact without friction, and for e = 0: the
 // impact ends when the approach does. With friction mu they differ where an impulse along the tangent changes the

@@ -6,14 +6,15 @@
 #include <variant>
 #include <vector>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/contacts.h"
 #include "reports/judge/groups.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::invariants::contact_laws {
 namespace {

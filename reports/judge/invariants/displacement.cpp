@@ -12,8 +12,8 @@
 #include "reports/judge/mechanics.h"
 #include "reports/judge/neighbours.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 // A step moves a body by dx = int v dt. Whether a method takes the velocity of the step's start (explicit Euler), of
 // its end (symplectic Euler), or a mean of both, and even if an impact within the step changes it, dx/dt lies between

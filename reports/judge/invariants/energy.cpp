@@ -8,9 +8,9 @@
 #include "reports/judge/joint_geometry.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/joints.h"
+#include "scenarios/scene/vec.h"
 
 // The check does not apply to E itself. With h the sub-step, d the drift that a method states (+1/2 if the forces act
 // before the move, -1/2 if after it, 0 if half before and half after) and F the forces, its motion conserves

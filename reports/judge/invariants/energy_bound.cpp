@@ -10,8 +10,8 @@
 #include "reports/judge/invariant.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 // The energy of bodies that nothing drives never exceeds that of the start by more than the bound below. Unlike that of
 // `energy`, which follows the impacts of the run, it comes from the scene: its masses m, its constant forces F, and its

@@ -13,8 +13,8 @@
 #include "reports/judge/mechanics.h"
 #include "reports/judge/neighbours.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 // No word of the engine says what touches: the shapes and the velocities do (see Neighbours). For a body alone,
 // m dv = F dt and I dw = T dt. For bodies held by joints (d'Alembert), the rest M dv - F dt must be J^T lambda for some

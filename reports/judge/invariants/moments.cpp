@@ -14,8 +14,8 @@
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 // I dw = sum of p x J over the reported contacts, p from the centre of mass, + the integral of the torque over the
 // step, for each body without angular damping or joints (whose impulses are not reported). The tolerance covers, by

@@ -8,14 +8,15 @@
 #include <variant>
 #include <vector>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/contacts.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/joint_geometry.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::invariants::momentum {
 namespace {

@@ -5,16 +5,17 @@
 #include <variant>
 #include <vector>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/contacts.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/neighbours.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
 #include "reports/judge/states.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/surface.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::invariants::positions {
 namespace {

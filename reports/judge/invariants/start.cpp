@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/scene_facts.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::invariants::start {
 namespace {

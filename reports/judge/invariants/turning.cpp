@@ -13,8 +13,8 @@
 #include "reports/judge/mechanics.h"
 #include "reports/judge/neighbours.h"
 #include "reports/judge/rounding.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 // No word of the engine is taken. Where one part of one other body is all that may touch a body in a step (see
 // Neighbours), what its momentum changes by without the forces, J = m dv - F dt, went through the region in which the

@@ -6,9 +6,9 @@
 #include "reports/judge/mechanics.h"
 #include "reports/judge/metric.h"
 #include "reports/judge/observe.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/path.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::metrics::conservation {
 namespace {

@@ -5,8 +5,8 @@
 #include "reports/judge/metric.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/states.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::metrics::rest {
 namespace {

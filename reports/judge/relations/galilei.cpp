@@ -4,9 +4,9 @@
 
 #include "reference/scene_facts.h"
 #include "reports/judge/poses.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/images.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::relations::galilei {
 namespace {

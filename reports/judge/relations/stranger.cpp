@@ -9,7 +9,7 @@ namespace {
 
 // A body that touches nothing and pulls at nothing is in no equation of the others. It is listed last, shares no layer
 // with any body, weighs nothing, turns, and is damped: one that an engine might treat all bodies alike for. An engine
-// may keep its bodies in an order that a further one changes, so the others' sums may be rounded, and its sweeps
+// may keep its bodies in an order that a further one changes, so the others' sums may be rounded, and its iterations
 // ordered, in another way; an engine that does not is the same to the bit.
 Scene with_stranger(const Scene& scene) {
   Scene image = scene;
@@ -52,7 +52,7 @@ const Catalog<MetamorphicRelation>::Entry entry{
            const std::vector<double> rounding = pose_rounding(run);
            std::vector<Allowance> allowances =
                explained_by_rounding(run, sum_of(rounding, rounding), residue_of(run.stepping));
-           // Without sweeps there is no order that may change, and so no tie to be decided otherwise.
+           // Without iterations there is no order that may change, and so no tie to be decided otherwise.
            if (!residue_of(run.stepping)) allowances.pop_back();
            allowances.insert(allowances.begin(),
                              Allowance{"nothing: the same to the bit", [](std::size_t, std::size_t) { return 0.0; }});

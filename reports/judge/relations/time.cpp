@@ -5,10 +5,10 @@
 #include "reference/reduced_model.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/poses.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/joints.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::relations::time {
 namespace {
@@ -16,27 +16,7 @@ namespace {
 // Without friction, damping and inelastic impacts mechanics has no arrow of time: from the end of a run, with all
 // velocities reversed, bodies go back to the start. Both ways are off by the method's own error, which the way back
 // amplifies.
-//
 // Anchors of joints are where their bodies have taken them.
-struct MoveJoint {
-  const std::vector<BodyState>& start;
-  std::span<const BodyState> end;
-
-  Vec carried(std::size_t body, Vec point) const {
-    return end[body].position + rotated(point - start[body].position, end[body].angle - start[body].angle);
-  }
-  void operator()(Revolute& joint) const { joint.anchor = carried(joint.a, joint.anchor); }
-  void operator()(Weld& joint) const { joint.anchor = carried(joint.a, joint.anchor); }
-  void operator()(Prismatic& joint) const {
-    joint.anchor = carried(joint.a, joint.anchor);
-    joint.axis = rotated(joint.axis, end[joint.a].angle - start[joint.a].angle);
-  }
-  void operator()(Distance& joint) const {
-    joint.anchor_a = carried(joint.a, joint.anchor_a);
-    joint.anchor_b = carried(joint.b, joint.anchor_b);
-  }
-};
-
 Scene reversed(const Scene& scene, std::span<const BodyState> end) {
   Scene image = scene;
   for (std::size_t i = 0; i < image.bodies.size(); ++i) {
@@ -48,7 +28,12 @@ Scene reversed(const Scene& scene, std::span<const BodyState> end) {
     body.angular_velocity = -end[i].angular_velocity;
   }
   const std::vector<BodyState> start = initial_states(scene);
-  for (Joint& joint : image.joints) std::visit(MoveJoint{start, end}, joint);
+  const auto turned = [&](std::size_t body, Vec v) { return rotated(v, end[body].angle - start[body].angle); };
+  const JointMap carried{
+      .point = [&](std::size_t body,
+                   Vec point) { return end[body].position + turned(body, point - start[body].position); },
+      .direction = turned};
+  for (Joint& joint : image.joints) joint = mapped(joint, carried);
   return image;
 }
 
@@ -65,10 +50,10 @@ std::string excludes(const Scene& scene, const Stepping&) {
     }
   }
   for (const Joint& joint : scene.joints) {
-    const auto* distance = std::get_if<Distance>(&joint);
-    if (motor_of(joint) != nullptr) return "a motor whose strength is limited brakes as it drives";
-    if (limits_of(joint) != nullptr) return "a joint's limits stop bodies inelastically";
-    if (distance != nullptr && distance->damping > 0) return "damping has an arrow of time";
+    const JointFacts facts = facts_of(joint);
+    if (facts.motor != nullptr) return "a motor whose strength is limited brakes as it drives";
+    if (facts.limits != nullptr) return "a joint's limits stop bodies inelastically";
+    if (facts.damping > 0) return "damping has an arrow of time";
   }
   for (const Force& force : scene.forces) {
     const auto* spring = std::get_if<Spring>(&force);

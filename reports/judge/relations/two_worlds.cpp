@@ -12,9 +12,9 @@ namespace plumb::relations::two_worlds {
 namespace {
 
 // Two scenes that share nothing are each as alone. The copy stands beside the scene, and the layers of its bodies are
-// others, so that even half-spaces of one mean nothing to the other. Where an engine sweeps over all contacts, those of
-// the other world stand between, in no row with ours: the order may change, and with it what its iterations leave. The
-// copy is shifted, and rounded as such.
+// others, so that even half-spaces of one mean nothing to the other. Where an engine iterates over all contacts, those
+// of the other world stand between, in no row with ours: the order may change, and with it what its iterations leave.
+// The copy is shifted, and rounded as such.
 struct Layers {
   std::uint32_t mask = 0;
   int apart = 0;

@@ -85,7 +85,8 @@ const Catalog<MetamorphicRelation>::Entry entry{
                    "round-off and the engine's own thresholds",
      .excludes = [](const Scene&, const Stepping&) { return ""; },
      .images = [](const Scene& scene, const Trace&, double dt) -> std::vector<Image> {
-       return {{in_units(scene, larger, heavier), dt * std::sqrt(larger)}};
+       return {
+           {in_units(scene, {.length = larger, .mass = heavier, .time = std::sqrt(larger)}), dt * std::sqrt(larger)}};
      },
      .compare = compare}};
 

@@ -1,13 +1,13 @@
 #include "reports/study/model/least_model.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "reports/report.h"
 #include "reports/run/timings.h"
 #include "reports/statistics.h"
 #include "reports/study/job.h"
 #include "reports/study/model/model_error.h"
+#include "reports/system/clock.h"
 #include "reports/timing/repetitions.h"
 
 namespace plumb {
@@ -68,13 +68,10 @@ constexpr double search_share = 0.4;
 class Budget {
  public:
   explicit Budget(double seconds) : seconds_(seconds) {}
-  bool past(double share) const {
-    return std::chrono::duration<double>(Clock::now() - start_).count() > share * seconds_;
-  }
+  bool past(double share) const { return spent_.seconds() > share * seconds_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
+  Stopwatch spent_;
   double seconds_;
 };
 

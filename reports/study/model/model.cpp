@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -11,7 +10,6 @@
 #include <utility>
 
 #include "reports/report.h"
-#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/run/timings.h"
 #include "reports/study/job.h"
@@ -20,6 +18,7 @@
 #include "reports/study/runner.h"
 #include "reports/study/selection.h"
 #include "reports/study/study.h"
+#include "reports/system/command_options.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -325,18 +324,12 @@ const Catalog<Study>::Entry model_entry{
                  "  plumb study model --engine impulse:substeps=8       another full model\n",
      .attach = [](CLI::App& app) -> std::function<Json()> {
        const auto options = std::make_shared<ModelOptions>();
-       app.add_option("--scenarios", options->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...")
-           ->type_name("NAME");
-       app.add_flag("--all", options->all, "Every scenario");
-       app.add_option("--tolerance", options->tolerance, "m, by which a model may be worse than the full one")
-           ->capture_default_str()
-           ->type_name("M");
-       app.add_option("--engine", options->engine, "The full model: impulse[:key=value,...]")
-           ->capture_default_str()
-           ->type_name("ENGINE");
-       app.add_option("--dt", options->dt, "Time step in s, a number or a fraction")
-           ->capture_default_str()
-           ->type_name("STEP");
+       CommandOptions add(app);
+       add.add("--scenarios", "NAME", options->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...");
+       add.flag("--all", options->all, "Every scenario");
+       add.add("--tolerance", "M", options->tolerance, "m, by which a model may be worse than the full one");
+       add.add("--engine", "ENGINE", options->engine, "The full model: impulse[:key=value,...]");
+       add.add("--dt", "STEP", options->dt, "Time step in s, a number or a fraction");
        return [options] { return configuration_of(*options); };
      },
      .plan = [](const Json& configuration) -> StudyPlan {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +12,6 @@
 
 #include "reports/report.h"
 #include "reports/run/case_run.h"
-#include "reports/run/plan_selection.h"
 #include "reports/run/selection.h"
 #include "reports/run/timings.h"
 #include "reports/study/failures.h"
@@ -24,6 +22,7 @@
 #include "reports/study/speed/times_text.h"
 #include "reports/study/speed/work_precision.h"
 #include "reports/study/study.h"
+#include "reports/system/command_options.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -271,16 +270,12 @@ const Catalog<Study>::Entry speed_entry{
          "  plumb study speed --engine impulse --engine box2d --dt 1/60 1/240\n",
      .attach = [](CLI::App& app) -> std::function<Json()> {
        const auto options = std::make_shared<SpeedOptions>();
-       app.add_option("--scenarios", options->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...")
-           ->type_name("NAME");
-       app.add_flag("--all", options->all, "Every scenario");
-       app.add_option("--engine", options->engines,
-                      "NAME[:key=value,...]; may be repeated. Default: every engine and method")
-           ->allow_extra_args(false)
-           ->type_name("ENGINE");
-       app.add_option("--dt", options->steps, "Time steps in s, numbers or fractions")
-           ->capture_default_str()
-           ->type_name("STEP");
+       CommandOptions add(app);
+       add.add("--scenarios", "NAME", options->scenarios, "NAME, NAME:LABEL or NAME:parameter=value,...");
+       add.flag("--all", options->all, "Every scenario");
+       add.add_repeated("--engine", "ENGINE", options->engines,
+                        "NAME[:key=value,...]; may be repeated. Default: every engine and method");
+       add.add("--dt", "STEP", options->steps, "Time steps in s, numbers or fractions");
        return [options] { return configuration_of(*options); };
      },
      .plan = [](const Json& configuration) -> StudyPlan {

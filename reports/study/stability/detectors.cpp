@@ -8,7 +8,7 @@
 
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb {
 namespace {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "reports/study/stability/headline.h"
 #include "reports/study/stability/row.h"
 #include "reports/study/study.h"
+#include "reports/system/command_options.h"
 #include "reports/system/layout.h"
 #include "reports/system/terminal.h"
 #include "reports/system/text_table.h"
@@ -237,15 +237,11 @@ const Catalog<Study>::Entry stability_entry{
        const auto options = std::make_shared<StabilityOptions>();
        std::string names;
        for (const StabilityMap* map : Catalog<StabilityMap>::all()) names += (names.empty() ? "" : ", ") + map->name;
-       app.add_option("--maps", options->maps, "Any of: " + names + ". Default: all")->type_name("NAME");
-       app.add_option("--engine", options->engines,
-                      "NAME[:key=value,...]; may be repeated. Default: every engine and method")
-           ->allow_extra_args(false)
-           ->type_name("ENGINE");
-       app.add_option("--cells", options->cells, "Cells along each axis of a map")
-           ->capture_default_str()
-           ->check(CLI::Range(2, 1000))
-           ->type_name("N");
+       CommandOptions add(app);
+       add.add("--maps", "NAME", options->maps, "Any of: " + names + ". Default: all");
+       add.add_repeated("--engine", "ENGINE", options->engines,
+                        "NAME[:key=value,...]; may be repeated. Default: every engine and method");
+       add.add("--cells", "N", options->cells, 2, 1000, "Cells along each axis of a map");
        return [options] { return configuration_of(*options); };
      },
      .plan = [](const Json& configuration) -> StudyPlan {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "reports/study/selection.h"
 #include "reports/study/statistics/conclusion.h"
 #include "reports/study/study.h"
+#include "reports/system/command_options.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb {
@@ -123,13 +123,12 @@ const Catalog<Study>::Entry statistics_entry{
        const auto options = std::make_shared<StatisticsOptions>();
        std::string names;
        for (const Ensemble* one : Catalog<Ensemble>::all()) names += (names.empty() ? "" : ", ") + one->name;
-       app.add_option("--ensembles", options->ensembles, "Any of: " + names + ". Default: all")->type_name("NAME");
-       app.add_option("--engine", options->engines,
-                      "NAME[:key=value,...]; may be repeated. Default: every engine with its default settings")
-           ->allow_extra_args(false)
-           ->type_name("ENGINE");
-       app.add_flag("--large", options->large, "About twenty times as many draws, in many minutes");
-       app.add_flag("--controls", options->controls, "Also an engine in each ensemble that must differ");
+       CommandOptions add(app);
+       add.add("--ensembles", "NAME", options->ensembles, "Any of: " + names + ". Default: all");
+       add.add_repeated("--engine", "ENGINE", options->engines,
+                        "NAME[:key=value,...]; may be repeated. Default: every engine with its default settings");
+       add.flag("--large", options->large, "About twenty times as many draws, in many minutes");
+       add.flag("--controls", options->controls, "Also an engine in each ensemble that must differ");
        return [options] { return configuration_of(*options); };
      },
      .plan = [](const Json& configuration) -> StudyPlan {

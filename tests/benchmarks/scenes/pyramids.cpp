@@ -1,28 +1,10 @@
 // Box2D 3's benchmarks "large_pyramid" and "many_pyramids". Boxes touch their neighbours, so a base of 100 makes 14 950
 // contacts of two points.
 
-#include "pyramids.h"
-
+#include "../benchmark_scene.h"
 #include "scenarios/parts.h"
 
-namespace plumb::benchmarks {
-
-void add_pyramid(SceneSetup& setup, int base, Vec middle) {
-  std::vector<Body>& bodies = setup.scene.bodies;
-  for (int row = 0; row < base; ++row) {
-    const int width = base - row;
-    for (int i = 0; i < width; ++i) {
-      const std::size_t here = bodies.size();
-      bodies.push_back(box("", {middle.x + i - (width - 1) / 2.0, middle.y + row + 0.5}, {1, 1}, surface(0.6, 0)));
-      if (row == 0) continue;
-      const std::size_t below = here - static_cast<std::size_t>(width) - 1;
-      setup.supports.push_back({here, below});
-      setup.supports.push_back({here, below + 1});
-    }
-  }
-}
-
-namespace pyramids {
+namespace plumb::benchmarks::pyramids {
 namespace {
 
 SceneSetup one_pyramid(int base) {
@@ -68,5 +50,4 @@ const Catalog<BenchmarkScene>::Entry many{{.name = "many-pyramids",
                                            .setup = many_pyramids}};
 
 }  // namespace
-}  // namespace pyramids
-}  // namespace plumb::benchmarks
+}  // namespace plumb::benchmarks::pyramids

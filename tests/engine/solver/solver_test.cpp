@@ -159,7 +159,7 @@ TEST_P(EverySolver, NeverAddsEnergyToAPile) {
 // apart. Stepping several at once must not change the bits.
 TEST_P(EverySolver, GivesIsolatedBodiesTheBitsTheyHaveAlone) {
   constexpr int piles = 24;
-  const auto fates = [&](int only) {
+  const auto ends_of = [&](int only) {
     World world(settings());
     ground(world, material(0, .5));
     std::vector<BodyId> ids;
@@ -189,10 +189,10 @@ TEST_P(EverySolver, GivesIsolatedBodiesTheBitsTheyHaveAlone) {
   };
   std::vector<Real> each_alone;
   for (int pile = 0; pile < piles; ++pile) {
-    const std::vector<Real> alone = fates(pile);
+    const std::vector<Real> alone = ends_of(pile);
     each_alone.insert(each_alone.end(), alone.begin(), alone.end());
   }
-  EXPECT_EQ(fates(-1), each_alone);
+  EXPECT_EQ(ends_of(-1), each_alone);
 }
 
 std::vector<std::string> names() {

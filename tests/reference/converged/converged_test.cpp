@@ -8,9 +8,9 @@
 
 #include "reports/judge/observe.h"
 #include "reports/run/run.h"
-#include "reports/vec.h"
 #include "scenarios/integrate.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::converged_test {
 namespace {

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "reference/plane.h"
 #include "reference/simulation.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::arch_test {
 namespace {

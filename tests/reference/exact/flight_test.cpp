@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/plane.h"
 #include "scenarios/integrate.h"
 #include "scenarios/parts.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::flight_test {
 namespace {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "reference/exact/oscillation.h"
-#include "reference/plane.h"
 #include "reference/simulation.h"
 #include "scenarios/integrate.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::ladder_test {
 namespace {

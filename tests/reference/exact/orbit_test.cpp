@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "reference/plane.h"
 #include "scenarios/integrate.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::orbit_test {
 namespace {

@@ -8,10 +8,10 @@
 #include <limits>
 #include <numbers>
 
-#include "reference/plane.h"
 #include "reference/simulation.h"
 #include "scenarios/integrate.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::topple_test {
 namespace {

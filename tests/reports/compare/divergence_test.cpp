@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "../fakes.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::divergence_test {
 namespace {

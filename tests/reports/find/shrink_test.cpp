@@ -9,9 +9,9 @@
 #include "reports/find/judge.h"
 #include "reports/find/kind.h"
 #include "reports/find/suspect.h"
-#include "reports/vec.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::shrink_test {
 namespace {

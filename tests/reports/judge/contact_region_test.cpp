@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::contact_region_test {
 namespace {

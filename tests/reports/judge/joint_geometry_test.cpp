@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "reports/judge/mechanics.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::joint_geometry_test {
 namespace {

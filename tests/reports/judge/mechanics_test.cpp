@@ -6,7 +6,7 @@
 
 #include "../fakes.h"
 #include "reference/adapter.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::mechanics_test {
 namespace {

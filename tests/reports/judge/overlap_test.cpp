@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "reports/judge/mechanics.h"
-#include "reports/vec.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::overlap_test {
 namespace {

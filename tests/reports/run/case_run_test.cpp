@@ -8,8 +8,8 @@
 
 #include "reports/run/experiment.h"
 #include "reports/run/selection.h"
-#include "reports/vec.h"
 #include "reports/writers/json.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::case_run_test {
 namespace {

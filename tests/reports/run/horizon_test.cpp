@@ -6,7 +6,7 @@
 
 #include "reports/run/experiment.h"
 #include "reports/run/selection.h"
-#include "scenarios/transformed.h"
+#include "scenarios/images.h"
 
 namespace plumb::horizon_test {
 namespace {

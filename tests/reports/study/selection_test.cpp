@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "reports/report.h"
-#include "reports/run/plan_selection.h"
+#include "reports/run/selection.h"
 #include "reports/study/job.h"
 
 namespace plumb::selection_test {

@@ -20,7 +20,7 @@ page_replay.scene = pack(
   JSON.stringify({
     outlines: [{ points: corners, radius: 0 }],
     bodies: boxes.map((_, i) => ({ name: `box ${i}`, type: "dynamic", outlines: [0] })),
-    ties: [],
+    joints: [],
   }),
 );
 const steps = { length: rows / 65536, angle: rows / 65536, impulse: 1, energy: 1 };

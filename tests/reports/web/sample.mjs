@@ -78,7 +78,7 @@ const scene = {
     { name: "ball", type: "dynamic", outlines: [0] },
     { name: "ground", type: "fixed", outlines: [1] },
   ],
-  ties: [],
+  joints: [],
 };
 
 const run_of = (scenario, variant, { engine, method }) => ({ scenario, variant, engine, method });

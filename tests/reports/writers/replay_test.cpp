@@ -179,9 +179,9 @@ TEST(ReplayScene, TiesJointsAndSpringsInTheBodiesFrames) {
                                {.name = "b", .position = {3, 0}, .angle = 0, .shapes = {disc}}},
                     .joints = {Revolute{.a = 0, .b = 1, .anchor = {2, 0}}},
                     .forces = {Spring{.b = 1, .anchor_a = {0, 4}, .anchor_b = {0, 0.5}}}};
-  const Json ties = outlines_of(scene)["ties"];
-  EXPECT_EQ(ties[0], Json::parse(R"({"a": 0, "b": 1, "at_a": [1.0, 0.0], "at_b": [-1.0, 0.0]})"));
-  EXPECT_EQ(ties[1], Json::parse(R"({"a": null, "b": 1, "at_a": [0.0, 4.0], "at_b": [0.0, 0.5]})"));
+  const Json joints = outlines_of(scene)["joints"];
+  EXPECT_EQ(joints[0], Json::parse(R"({"a": 0, "b": 1, "at_a": [1.0, 0.0], "at_b": [-1.0, 0.0]})"));
+  EXPECT_EQ(joints[1], Json::parse(R"({"a": null, "b": 1, "at_a": [0.0, 4.0], "at_b": [0.0, 0.5]})"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace plumb::two_frictions_test {
 namespace {
 
-// Routh's method: the normal impulse grows in small parts, each of which rubs by the sliding coefficient while the
+// Routh's method: the normal impulse grows in small parts, each with friction of the sliding coefficient while the
 // point of contact slips, and not at all once it has stopped. The sticking coefficient never enters.
 TEST(TwoFrictions, AgreeWithAnImpactOfManySmallPushes) {
   const Scenario& scenario = *Catalog<Scenario>::find("two-frictions");

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "reports/study/stability/map.h"
-#include "reports/vec.h"
 #include "scenarios/parts.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::maps::friction {
 namespace {

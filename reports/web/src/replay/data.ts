@@ -85,7 +85,7 @@ export interface Joint {
 export interface Scene {
   outlines: Outline[];
   bodies: Body[];
-  ties: Joint[];
+  joints: Joint[];
 }
 
 const half_space = record({ normal: list(finite), offset: finite });
@@ -94,7 +94,7 @@ const hull = record({ points: list(list(finite)), radius: finite });
 export const scene_rule = record({
   outlines: list((value, problems) => ((value as Outline | null)?.normal ? half_space : hull)(value, problems)),
   bodies: list(record({ name: text, type: one_of("fixed", "kinematic", "dynamic"), outlines: list(finite) })),
-  ties: list(record({ a: number, b: finite, at_a: list(finite), at_b: list(finite) })),
+  joints: list(record({ a: number, b: finite, at_a: list(finite), at_b: list(finite) })),
 });
 
 /** Reads integers of variable length one by one, and columns of them. */

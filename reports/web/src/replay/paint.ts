@@ -232,7 +232,7 @@ export function paint(context: CanvasRenderingContext2D, view: View, picture: Pi
   if (first) static_bodies(context, figures, view, first, color);
   for (const film of [...films].sort((a, b) => Number(b.engine.exact) - Number(a.engine.exact))) {
     seen.set(film, bodies(context, figures, view, film, Math.max(1, engines.length), color));
-    joints(context, figures.scene.ties, view, film, color);
+    joints(context, figures.scene.joints, view, film, color);
     if (film.engine.exact) continue;
     if (shown.contacts) contacts(context, view, film, picture.largest, color);
     if (shown.velocities) velocities(context, figures, view, film, color);

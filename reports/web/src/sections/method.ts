@@ -6,7 +6,7 @@ import { number, pretty_unit, shell, words } from "../format";
 import type { Model } from "../model";
 import { case_command, command, verdict_meanings } from "../pieces";
 
-/** As in README.md ("Reading a report") and reports/glossary.md, plus the numbers that this page adds. */
+/** As in README.md ("Reading a report"), plus the numbers that this page adds. */
 const definitions: [string, string][] = [
   ...Object.entries(verdict_meanings),
   ["not reported", "the engine does not report what the check needs, such as contacts; counts neither way"],
@@ -30,6 +30,9 @@ const definitions: [string, string][] = [
   ["time per step", "median over repetitions in which the engines take turns, with the quartiles; only the engine\u2019s step is timed, after a warm-up"],
   ["real-time factor", "simulated time per second spent in steps"],
 ];
+
+/** The words of reports/glossary.md, by build.mjs. */
+declare const PLUMB_GLOSSARY: [string, string][];
 
 function entries(pairs: [string, string][], kind: string): HTMLElement {
   return h("dl", { class: kind }, ...pairs.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
@@ -94,7 +97,7 @@ export function method(model: Model): HTMLElement {
     h("p", { class: "lede" }, "Every engine gets the same scene, runs it with the same time step, and is measured in the same way."),
     h("h3", {}, "Words"),
     entries(definitions, "definitions"),
-    h("p", { class: "basis" }, "All other words are defined in ", h("code", {}, "reports/glossary.md"), " in the Plumb repository."),
+    folded("Glossary: all other words", () => [entries(PLUMB_GLOSSARY, "definitions")]),
     folded("Metrics", () => [
       entries(
         report.metrics.map(({ name, unit, definition }) => [`${words(name)}${unit ? ` (${pretty_unit(unit)})` : ""}`, definition]),

@@ -5,9 +5,9 @@
 
 #include "forged_runs.h"
 #include "reports/judge/mechanics.h"
-#include "reports/vec.h"
 #include "scenarios/random.h"
 #include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::free_motion_test {
 namespace {

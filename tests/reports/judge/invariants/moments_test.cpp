@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "forged_runs.h"
-#include "reports/vec.h"
+#include "scenarios/scene/vec.h"
 
 namespace plumb::moments_test {
 namespace {

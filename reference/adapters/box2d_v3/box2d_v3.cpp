@@ -211,7 +211,7 @@ class Box2dV3 : public Simulation {
         const AttachShape attach{make(index, body, edge.angle), def};
         attach(edge.segment);
       } else {
-        std::visit(AttachShape{made, def}, shape.geometry);
+        visit_supported(AttachShape{made, def}, shape.geometry);
       }
     }
     if (body.type != BodyType::dynamic) return;

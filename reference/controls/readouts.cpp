@@ -1,11 +1,13 @@
-// Controls in which bodies stay where they start: all of them, the last one, or all until the end.
+// Controls that show other states than those of a moving world: of bodies that stay where they start, all of them, the
+// last one, or all until the end; late ones; or no contacts.
 
 #include <algorithm>
+#include <vector>
 
 #include "reference/controls/control.h"
 #include "reference/scene_facts.h"
 
-namespace plumb::motionless_controls {
+namespace plumb::readouts {
 namespace {
 
 class Frozen : public Simulation {
@@ -84,6 +86,39 @@ class Forgetful : public Simulation {
   std::unique_ptr<Simulation> ours_;
 };
 
+class Silent : public Simulation {
+ public:
+  Silent(const Scene& scene, const Settings& settings) : ours_(build_ours(scene, settings)) {}
+  void step(double dt) override { ours_->step(dt); }
+  void read(std::span<BodyState> out) const override { ours_->read(out); }
+
+ private:
+  std::unique_ptr<Simulation> ours_;
+};
+
+class Late : public Simulation {
+ public:
+  Late(const Scene& scene, const Settings& settings)
+      : ours_(build_ours(scene, settings)), states_(scene.bodies.size()) {
+    ours_->read(states_);
+  }
+  void step(double dt) override {
+    ours_->read(states_);
+    contacts_.clear();
+    ours_->read_contacts(contacts_);
+    ours_->step(dt);
+  }
+  void read(std::span<BodyState> out) const override { std::copy(states_.begin(), states_.end(), out.begin()); }
+  void read_contacts(std::vector<ContactState>& out) const override {
+    out.insert(out.end(), contacts_.begin(), contacts_.end());
+  }
+
+ private:
+  std::unique_ptr<Simulation> ours_;
+  std::vector<BodyState> states_;
+  std::vector<ContactState> contacts_;
+};
+
 const Catalog<Control>::Entry frozen{
     simulated_by<Frozen>("frozen", "nothing moves, every velocity stays that of the start, nothing touches")};
 const Catalog<Control>::Entry stopped{
@@ -92,6 +127,8 @@ const Catalog<Control>::Entry teleporting{
     simulated_by<Teleporting>("teleporting", "stays at the start, and shows the right state after the last step")};
 const Catalog<Control>::Entry forgetful{
     simulated_by<Forgetful>("forgetful", "leaves out the last body, which stays as it starts")};
+const Catalog<Control>::Entry silent{simulated_by<Silent>("no-contacts", "moves rightly, and reports no contacts")};
+const Catalog<Control>::Entry late{simulated_by<Late>("late", "shows every state and its contacts one step late")};
 
 }  // namespace
-}  // namespace plumb::motionless_controls
+}  // namespace plumb::readouts
