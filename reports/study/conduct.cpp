@@ -125,10 +125,10 @@ bool warn_about_limits(const std::vector<JobResult>& results, const StudyOptions
   return late + large > 0;
 }
 
-nlohmann::ordered_json summary_configuration(const Study& study) {
+nlohmann::ordered_json summary_configuration(const Study& study, const std::vector<std::string>& options) {
   std::function<nlohmann::ordered_json()> configuration;
   try {
-    read_words(*study.summary, [&](CLI::App& app) { configuration = study.attach(app); });
+    read_words(options, [&](CLI::App& app) { configuration = study.attach(app); });
   } catch (const std::invalid_argument& error) {
     throw std::logic_error("study " + study.name + ": its summary: " + error.what());
   }
