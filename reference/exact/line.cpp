@@ -172,7 +172,13 @@ Recognised<BodiesOnLine> recognise_line(const Scene& scene) {
     if (!first && row[k].low < row[k - 1].high - geometry_tolerance) return "handles only bodies that do not overlap";
     // Without a wall there is no impact at that end, so its restitution does not matter.
     if (first && !row[k].wall) restitution.push_back(0);
-    if (!first) restitution.push_back(mixed_coefficients(scene, scene.bodies[row[k - 1].body], body).restitution);
+    if (!first) {
+      const Body& before = scene.bodies[row[k - 1].body];
+      restitution.push_back(mixed_coefficients(scene, before, body).restitution);
+      // Who bounces first is open if one of them is struck.
+      if (restitution.back() > 0 && row[k].low <= row[k - 1].high && body.velocity == before.velocity)
+        return "handles only bodies that do not touch at the start";
+    }
     if (last && !row[k].wall) restitution.push_back(0);
     if (row[k].wall) {
       (first ? walls.left : walls.right) = first ? row[k].high : row[k].low;

@@ -64,7 +64,7 @@ const Catalog<Scenario>::Entry entry{
     {.name = "joint-grid",
      .question = "Does a net of hinged discs hang rigidly from its corners?",
      .parameters =
-         {{.name = "side", .value = 7, .min = 2, .max = 100, .about = "discs along each side", .whole = true}},
+         {{.name = "side", .value = 7, .min = 3, .max = 100, .about = "discs along each side", .whole = true}},
      .variants = {{"seven", {}}},
      .scene = scene,
      .expectations = expectations}};

@@ -40,7 +40,7 @@ BodyId box(World& world, Vec2 at, Vec2 half = {0.25_r, 0.25_r}, Real angle = 0, 
   return world.create_body(def, Shape::box(half), material);
 }
 
-void run(World& world, double seconds) {
+void run_for(World& world, double seconds) {
   const int steps = static_cast<int>(std::lround(seconds * 60));
   for (int i = 0; i < steps; ++i) world.step();
 }
@@ -139,7 +139,7 @@ TEST(Joints, CradleOnStringsConservesItsEnergy) {
   const double before = energy(world);
   world.body(balls[0]);
   const double swing = static_cast<double>(world.body(balls[0]).mass().mass) * 10 * 2 * (1 - .8);
-  run(world, 10);
+  run_for(world, 10);
   EXPECT_NEAR((energy(world) - before) / swing, 0, 2e-3);
 }
 
@@ -149,7 +149,7 @@ TEST(Joints, WeldKeepsTwoBodiesTogether) {
   const BodyId b = box(world, {0.5_r, 10});
   world.body(a).set_velocity({}, 3);
   world.create_joint(WeldJoint{a, b, {0.25_r, 10}});
-  run(world, 1);
+  run_for(world, 1);
   const Vec2 apart = world.body(b).position() - world.body(a).position();
   EXPECT_NEAR(length(apart), .5, bound(1e-6, 1e-4));
   EXPECT_NEAR(world.body(b).angle() - world.body(a).angle(), 0, bound(1e-6, 1e-4));
@@ -161,7 +161,7 @@ TEST(Joints, HingeStopsAtItsLimits) {
   const BodyId post = anchor(world);
   const BodyId arm = box(world, {1, 0}, {1, 0.05_r});
   world.create_joint(RevoluteJoint{post, arm, {}, Limits{-0.5_r, 0.5_r}});
-  run(world, 3);
+  run_for(world, 3);
   EXPECT_NEAR(world.body(arm).angle(), -.5, 1e-4);
   EXPECT_NEAR(world.body(arm).angular_velocity(), 0, bound(1e-6, 1e-3));
 }
@@ -262,10 +262,10 @@ TEST(Joints, MotorAcceleratesWithItsStrengthAndHoldsItsSpeed) {
   const BodyId post = anchor(world);
   const BodyId wheel = box(world, {}, {0.5_r, 0.5_r});
   world.create_joint(RevoluteJoint{post, wheel, {}, {}, Motor{4, 0.5_r}});
-  run(world, .5);
+  run_for(world, .5);
   // Torque / inertia = 0.5 / (1/6) = 3 rad/s^2.
   EXPECT_NEAR(world.body(wheel).angular_velocity(), 1.5, bound(.02, .02));
-  run(world, 2);
+  run_for(world, 2);
   EXPECT_NEAR(world.body(wheel).angular_velocity(), 4, bound(1e-6, 1e-4));
 }
 
@@ -274,12 +274,12 @@ TEST(Joints, SliderMovesOnlyAlongItsAxisAndStops) {
   const BodyId post = anchor(world);
   const BodyId slider = box(world, {0, 0});
   world.create_joint(PrismaticJoint{post, slider, {}, {0.6_r, 0.8_r}, Limits{-2, 2}});
-  run(world, .5);
+  run_for(world, .5);
   // Falls along the axis: g sin = 8 m/s^2.
   const Vec2 p = world.body(slider).position();
   EXPECT_NEAR(p.x * .8 - p.y * .6, 0, bound(1e-6, 1e-4));
   EXPECT_NEAR(length(p), .5 * 8 * .25, bound(1e-3, 1e-3));
-  run(world, 2);
+  run_for(world, 2);
   EXPECT_NEAR(length(world.body(slider).position()), 2, 1e-3);
 }
 
@@ -305,7 +305,7 @@ TEST(Joints, SoftDistanceIsASpring) {
   const BodyId bob = box(world, {0, 3});
   world.create_joint(DistanceJoint{post, bob, {0, 5}, {0, 3}, 2, 50, 0});
   const double w = std::sqrt(50 / .25);
-  run(world, 2);
+  run_for(world, 2);
   EXPECT_NEAR(world.body(bob).position().y, 3 - 10 / (w * w) * (1 - std::cos(2 * w)), 2e-4 * 2 * w);
 }
 

@@ -92,7 +92,7 @@ TEST(Program, ListsALineForEachScenarioByGroupAndForEachEngine) {
   EXPECT_THAT(said.out, HasSubstr("\n  slope "));
   EXPECT_THAT(said.out, HasSubstr("\n  box2d "));
   EXPECT_THAT(said.out, ::testing::Not(HasSubstr("integrator=")));
-  EXPECT_LT(std::count(said.out.begin(), said.out.end(), '\n'), 120);
+  EXPECT_LT(std::count(said.out.begin(), said.out.end(), '\n'), 140);
 }
 
 TEST(Program, ListsEnginesWithTheirOptionsMetricsAndInvariants) {

@@ -151,7 +151,7 @@ TEST(Snapshot, OfAnOldReportIsTheOneOfANewReport) {
 
 TEST(Snapshot, RefusesReportsOfAnotherFormat) {
   auto json = to_json(Report{});
-  json["plumb"] = 4;
+  json["plumb"] = 1000;
   EXPECT_THROW(recorded(json), std::invalid_argument);
   EXPECT_THROW(recorded(nlohmann::ordered_json::array()), std::invalid_argument);
 }

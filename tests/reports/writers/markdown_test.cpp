@@ -22,6 +22,8 @@ TEST(Markdown, HasARowForEachCaseOfTheFirstTwoEngines) {
 
 TEST(Markdown, SaysWhyACaseCannotBeCompared) {
   Report report = sample_report();
+  report.comparisons.push_back(report.comparisons[0]);
+  report.comparisons.back().variant = "on gravel";
   report.comparisons[0].key.reset();
   EXPECT_THAT(text_of(report), HasSubstr("| slide:on ice | lost: diverged |  |"));
 }

@@ -18,7 +18,7 @@ double mass_of_first(const Scene& scene) { return mass_of(scene.bodies.front()).
 
 TEST(Beats, AgreeWithAnIntegration) {
   const Scenario& family = *Catalog<Scenario>::find("beats");
-  for (const Parameters& changes : std::vector<Parameters>{{}, {{"alike", 3}, {"against", 9}}}) {
+  for (const Parameters& changes : std::vector<Parameters>{{}, {{"alike", 3}, {"ratio", 3}}}) {
     const Scene scene = family.scene(complete(family, changes));
     const double k = std::get<Spring>(scene.forces[0]).stiffness / mass_of_first(scene);
     const double c = std::get<Spring>(scene.forces[2]).stiffness / mass_of_first(scene);

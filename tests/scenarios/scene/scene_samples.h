@@ -33,9 +33,9 @@ class RandomScene {
     for (std::size_t i = below(4); i > 0; --i) scene.forces.push_back(force(other(scene)));
     for (std::size_t i = below(3); i > 0; --i) {
       file.truth.push_back({scene.bodies[below(scene.bodies.size())].name, Quantity::angular_velocity,
-                            scene.duration * between(0, 1), number(), std::abs(number()), "drawn"});
+                            scene.duration * between(0, 1), number(), std::abs(number()), "", "drawn"});
     }
-    if (below(2) == 0) file.truth.push_back({"", Quantity::energy, std::nullopt, number(), 0, "drawn"});
+    if (below(2) == 0) file.truth.push_back({"", Quantity::energy, std::nullopt, number(), 0, "", "drawn"});
     return file;
   }
 
