@@ -50,6 +50,10 @@ constexpr std::size_t most_solved = 12;
 /// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
 constexpr std::size_t most_together = 64;
 
+Real deepest(const ImpactRow& row) {
+  return row.count > 1 ? std::min(row.points[0].separation, row.points[1].separation) : row.points[0].separation;
+}
+
 bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
 
 bool driven(const IslandJoints& joints) {
@@ -236,7 +240,7 @@ void Accurate::step_alike(StepData& data, Workspace& space) {
   space.turning.begin(all, data);
   for (int i = 0; i < all.substeps; ++i) substep(data, all, space);
   for (const Island& one : space.alike) {
-    if (!one.settling) ScalarContacts(data.bodies, motion_).settle_offsets(one);
+    if (!one.settling && !one.direct) ScalarContacts(data.bodies, motion_).settle_offsets(one);
   }
   all.share(substeps);
   for (ImpactRow& row : all.rows) write_back(row, all.offset_scale, data.contacts);
@@ -369,9 +373,12 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.single = single && island.joints.empty();
   find_collisions(data, island);
 
-  island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
+  const auto deep = [&](const ImpactRow& row) { return deepest(row) < -deep_overlap; };
+  island.direct = island.joints.empty() && island.rows.size() <= most_solved &&
+                  std::none_of(island.rows.begin(), island.rows.end(), deep);
+  island.cut(data.settings, island.direct ? data.settings.substeps : substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   for (ImpactRow& row : island.rows) {
-    row.offset = island.offset_scale * data.contacts[row.contact].offset;
+    row.offset = island.direct ? Real{0} : island.offset_scale * data.contacts[row.contact].offset;
     if (row.block && row.pair.strength != island.softness(row).mass_scale) {
       row.pair = ScalarContacts::pair_of(island, row);
     }
@@ -382,7 +389,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   // For a body that slides from one shape of the ground to the next, its load moves over at once, not in several
   // sub-steps.
   if (takes_turns || (island.rows.size() > 1 && single)) island.sweeps = data.settings.iterations;
-  island.settling = settles(data, island);
+  island.settling = !island.direct && settles(data, island);
   const bool is_closed = !island.varies && closed(data.bodies, island.bodies);
   island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
   // Small islands in motion are solved more closely.
@@ -391,7 +398,6 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.turning = follows && !island.pile;
   if (island.turning || may_turn) island.press_sweeps = press_sweeps_for(island.bodies.size());
   if (is_closed && follows) island.more_sweeps = more_sweeps;
-  island.direct = island.press_sweeps > 0 && island.joints.empty() && island.rows.size() <= most_solved;
 }
 
 /// Impacts with restitution are events. So is an inelastic one between bodies that meet nothing else, or of one body
