@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,6 +11,7 @@
 #include "contacts/contact_rows.h"
 #include "core/method_list.h"
 #include "core/stages.h"
+#include "direct/direct_island.h"
 #include "solver/colouring.h"
 #include "solver/energy_bound.h"
 #include "solver/impacts.h"
@@ -38,6 +40,7 @@ struct Workspace {
   Unpushed unpushed;
   PressAndRelax::Storage solves;
   std::vector<Island> alike;  // waiting to be stepped as one
+  DirectIsland direct;
 };
 
 /// Fraction of its kinetic energy that an island with joints may gain in a sub-step, because RATTLE's energy oscillates
@@ -50,11 +53,6 @@ constexpr std::size_t most_solved = 12;
 /// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
 constexpr std::size_t most_together = 64;
 
-Real deepest(const ImpactRow& row) {
-  return row.count > 1 ? std::min(row.points[0].separation, row.points[1].separation) : row.points[0].separation;
-}
-
-bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
 
 bool driven(const IslandJoints& joints) {
   return std::any_of(joints.all().begin(), joints.all().end(),
@@ -178,6 +176,7 @@ void Accurate::step(StepData& data) {
   data.workers.share_out(batches, std::ref(step_batch));  // a copy would allocate memory
   for (Workspace& space : spaces_) {
     if (space.turning.counts_changed()) parts_.forget_points();
+    if (space.direct.counts_changed()) parts_.forget_points();
   }
   for (std::unique_ptr<RestingPile>& pile : begun_) {
     if (pile != nullptr) resting_.add(std::move(pile), data.bodies);
@@ -195,6 +194,13 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
     return;
   }
   if (now.contacts.empty() && now.joints.empty() && !now.varies) return fly(data, now);
+  static const std::size_t most_direct = getenv("DIRECT") ? std::strtoul(getenv("DIRECT"), nullptr, 10) : 24;
+  if (now.contacts.size() <= most_direct && now.joints.all().size() <= most_direct && !now.joints.swept()) {
+    DirectStep step{data, start_, motion_, acceleration_, flight_, later_, held_};
+    space.direct.step(step, {now.bodies, now.contacts, now.joints.all(), now.pulls, now.varies});
+    for (std::size_t i = 0; i < now.contacts.size(); ++i) rows_[parts_.first_contact(number) + i].made = false;
+    return;
+  }
   now.pile = !now.varies && is_pile(data, now);
   if (now.pile) {
     if (lanes_) return step_pile(data, number, now, space);
@@ -240,7 +246,7 @@ void Accurate::step_alike(StepData& data, Workspace& space) {
   space.turning.begin(all, data);
   for (int i = 0; i < all.substeps; ++i) substep(data, all, space);
   for (const Island& one : space.alike) {
-    if (!one.settling && !one.direct) ScalarContacts(data.bodies, motion_).settle_offsets(one);
+    if (!one.settling) ScalarContacts(data.bodies, motion_).settle_offsets(one);
   }
   all.share(substeps);
   for (ImpactRow& row : all.rows) write_back(row, all.offset_scale, data.contacts);
@@ -373,12 +379,9 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.single = single && island.joints.empty();
   find_collisions(data, island);
 
-  const auto deep = [&](const ImpactRow& row) { return deepest(row) < -deep_overlap; };
-  island.direct = island.joints.empty() && island.rows.size() <= most_solved &&
-                  std::none_of(island.rows.begin(), island.rows.end(), deep);
-  island.cut(data.settings, island.direct ? data.settings.substeps : substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
+  island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   for (ImpactRow& row : island.rows) {
-    row.offset = island.direct ? Real{0} : island.offset_scale * data.contacts[row.contact].offset;
+    row.offset = island.offset_scale * data.contacts[row.contact].offset;
     if (row.block && row.pair.strength != island.softness(row).mass_scale) {
       row.pair = ScalarContacts::pair_of(island, row);
     }
@@ -389,7 +392,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   // For a body that slides from one shape of the ground to the next, its load moves over at once, not in several
   // sub-steps.
   if (takes_turns || (island.rows.size() > 1 && single)) island.sweeps = data.settings.iterations;
-  island.settling = !island.direct && settles(data, island);
+  island.settling = settles(data, island);
   const bool is_closed = !island.varies && closed(data.bodies, island.bodies);
   island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
   // Small islands in motion are solved more closely.
@@ -398,6 +401,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.turning = follows && !island.pile;
   if (island.turning || may_turn) island.press_sweeps = press_sweeps_for(island.bodies.size());
   if (is_closed && follows) island.more_sweeps = more_sweeps;
+  island.direct = island.press_sweeps > 0 && island.joints.empty() && island.rows.size() <= most_solved;
 }
 
 /// Impacts with restitution are events. So is an inelastic one between bodies that meet nothing else, or of one body

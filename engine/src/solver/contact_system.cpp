@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -81,6 +79,7 @@ bool ContactSystem::list(const Island& island, Stage stage, BodySet& bodies, con
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       RowPoint& p = row.points[i];
       const Real gap = separation(row, p, motion[row.a], motion[row.b]) - row.offset;
+      if (gap < -deep_overlap) return false;
       Point point{.row = &p};
       Real bias = 0;
       if (stage == Stage::relax) {
@@ -309,16 +308,7 @@ bool ContactSystem::solve(const Island& island, Stage stage, BodySet& bodies, co
       if (round > 0) apply(bodies);
       return true;
     }
-    if (getenv("DBG2")) {
-      fprintf(stderr, "round %d off %.3g of %.3g:", round, (double)off(), (double)(may_remain * speed_));
-      for (std::size_t i = 0; i < unknowns_.size(); ++i) fprintf(stderr, " [%.6g %.6g]", (double)impulse_[i], (double)rate_[i]);
-    }
     choose();
-    if (getenv("DBG2")) {
-      for (auto& p : points_) fprintf(stderr, " %d", p.presses);
-      for (auto& f : frictions_) fprintf(stderr, " f%d(%.3g)", (int)f.hold, (double)f.row->friction());
-      fprintf(stderr, "\n");
-    }
     if (!newton()) break;
   }
   take_back();

@@ -33,10 +33,6 @@ void Island::cut(const Settings& settings, int into) {
   const auto at = [this](Real frequency) {
     return Softnesses{Softness::of(frequency, damping_ratio, h), Softness::of(2 * frequency, damping_ratio, h)};
   };
-  if (direct) {
-    column.movable = column.fixed = web.movable = web.fixed = {.bias_rate = 1 / h};
-    return;
-  }
   column = at(1 / (8 * h));
   if (webbed) web = at(1 / (12 * h));
   if (heap) {
@@ -162,7 +158,7 @@ bool few(const Island& island) { return few(island.bodies.size()); }
 
 bool plain(const Island& island) {
   return island.joints.empty() && !island.bounces && !island.two_frictions && !island.settling && !island.turning &&
-         !island.direct && island.sweeps == 1 && island.press_sweeps == 0 && island.more_sweeps == 0;
+         island.sweeps == 1 && island.press_sweeps == 0 && island.more_sweeps == 0;
 }
 
 bool new_or_deep(const Contact& contact) {

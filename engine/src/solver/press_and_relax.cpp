@@ -1,8 +1,6 @@
 #include "solver/press_and_relax.h"
 
 #include <limits>
-#include <cstdio>
-#include <cstdlib>
 
 #include "solver/scalar_contacts.h"
 
@@ -10,10 +8,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 /// As one system, if the island is to be. A sweep must follow: it rounds at each contact, not by the largest of them.
 bool PressAndRelax::solve(ContactSystem::Stage stage) {
-  if (!island_.direct) return false;
-  const bool ok = storage_.system.solve(island_, stage, bodies_, motion_);
-  if (getenv("DBG")) { static long n = 0, f = 0; ++n; f += !ok; if (!ok || n % 10000 == 0) fprintf(stderr, "solve %ld fails %ld stage %d rows %zu\n", n, f, (int)stage, island_.rows.size()); }
-  return ok;
+  return island_.direct && storage_.system.solve(island_, stage, bodies_, motion_);
 }
 
 void PressAndRelax::press(bool rigidly) {
