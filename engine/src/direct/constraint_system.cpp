@@ -168,21 +168,28 @@ void ConstraintSystem::place_friction(std::size_t i, std::vector<Velocity>& velo
   Constraint& row = rows_[i];
   Real arm_a = 0;
   Real arm_b = 0;
+  Real bias = 0;
   Real bearing = 0;
-  for (std::uint32_t p = 0; p < row.count; ++p) {
-    if (state_[row.first + p] == State::off) continue;
+  const auto add = [&](std::uint32_t p) {
     arm_a += row.point_a[p];
     arm_b += row.point_b[p];
+    bias += row.point_bias[p];
     ++bearing;
+  };
+  for (std::uint32_t p = 0; p < row.count; ++p) {
+    if (state_[row.first + p] != State::off) add(p);
   }
-  if (bearing == 0) return;
+  if (bearing == 0) {
+    for (std::uint32_t p = 0; p < row.count; ++p) add(p);
+  }
   arm_a /= bearing;
   arm_b /= bearing;
+  row.bias = bias / bearing;
   if (arm_a == row.arm_a && arm_b == row.arm_b) return;
-  change(i, -row.impulse, velocity);
+  change(i, row.given - row.impulse, velocity);
   row.arm_a = arm_a;
   row.arm_b = arm_b;
-  change(i, row.impulse, velocity);
+  change(i, row.impulse - row.given, velocity);
   const Real inverse = coupling(row, row) + row.compliance;
   mass_[i] = inverse > 0 ? 1 / inverse : Real{0};
 }
@@ -308,6 +315,9 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
   prepare(velocity);
   const Real enough = may_remain * scale_;
   best_off_ = std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].law == Law::rubs) place_friction(i, velocity);
+  }
   note_start(velocity);
   keep(off(velocity));
   if (best_off_ <= enough) return true;
@@ -320,7 +330,10 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
       if (round > 0 || !factored_) choose(velocity);
       if (!newton(velocity)) break;
       const Real now = off(velocity);
-      if (now <= enough) return true;
+      if (now <= enough) {
+        sweep(velocity);  // rounds at each constraint, not by the largest of them
+        return true;
+      }
       keep(now);
     }
     restore(velocity);
@@ -328,6 +341,7 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
     keep(off(velocity));
   }
   restore(velocity);
+  sweep(velocity);
   return best_off_ <= enough;
 }
 

@@ -32,6 +32,7 @@ struct Constraint {
   Real bias = 0;        // m/s or rad/s
   Real compliance = 0;  // 1/kg or 1/(kg m^2)
   Real impulse = 0;     // N s or N m s, accumulated
+  Real given = 0;       // of these, what acted before
   Real most = 0;        // of a motor
   bool acts = false;    // whether it is expected to: a first guess
 
@@ -39,7 +40,7 @@ struct Constraint {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   Real friction = 0;  // coefficient
-  std::array<Real, 2> point_a{}, point_b{};
+  std::array<Real, 2> point_a{}, point_b{}, point_bias{};
 };
 
 /// All constraints of a small island, solved together. So their order says nothing, and no load needs several sub-steps

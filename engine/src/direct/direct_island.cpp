@@ -273,21 +273,16 @@ void DirectIsland::bias_press() {
       by_a.advance(velocity[contact.a], h_);
       by_b.advance(velocity[contact.b], h_);
     }
-    Real slid = 0;
-    Real bearing = 0;
     for (std::size_t i = 0; i < contact.count; ++i) {
       const Real now = contact.frame.points[i].separation;
       const Real least = now < 0 ? std::min(now + most_push, Real{0}) : Real{0};
       set(contact.row[i], contact.touch.gap(i, a, b) - least);
       if (!rubs) continue;
-      const Real share = system_[contact.row[i]].impulse > 0 || bearing == 0 ? Real{1} : Real{0};
-      if (system_[contact.row[i]].impulse > 0 && bearing > 0 && system_[contact.row[0]].impulse == 0) {
-        slid = bearing = 0;
-      }
-      slid += share * slip(contact.frame, contact.frame.points[i], by_a, by_b);
-      bearing += share;
+      Constraint& row = system_[contact.friction_row];
+      const Real speed = dot(row.axis, velocity[contact.b].v - velocity[contact.a].v) +
+                         velocity[contact.b].w * row.point_b[i] - velocity[contact.a].w * row.point_a[i];
+      row.point_bias[i] = slip(contact.frame, contact.frame.points[i], by_a, by_b) / h_ - speed;
     }
-    if (rubs) set(contact.friction_row, slid / bearing);
   }
   for (std::size_t j = 0; j < members_.joints.size(); ++j) {
     const JointBlock there = ahead(*members_.joints[j], h_);
@@ -320,6 +315,7 @@ void DirectIsland::press() {
     if (residual_of_press() <= static_cast<Real>(1e-12)) break;
   }
   read_impulses(true);
+  if (getenv("DBG3")) { for (auto& c : contacts_) { fprintf(stderr, "press n %.3g %.3g:", (double)c.frame.normal.x, (double)c.frame.normal.y); for (std::size_t i = 0; i < c.count; ++i) fprintf(stderr, " [s %.6g j %.9g %.9g cr %.6g]", (double)c.frame.points[i].separation, (double)c.impulse[i].x, (double)c.impulse[i].y, (double)c.frame.points[i].cross_b); fprintf(stderr, " res %.3g\n", (double)residual_of_press()); } }
 }
 
 /// m, by how much gaps and errors of joints that act will be off after the drift.
@@ -415,7 +411,7 @@ void DirectIsland::relax() {
     Real rubs = 0;
     for (std::size_t i = 0; i < contact.count; ++i) {
       Constraint& row = system_[contact.row[i]];
-      row.impulse = given[i].x;
+      row.impulse = row.given = given[i].x;
       load += given[i].x;
       rubs += given[i].y;
       // What does not touch yet takes no part.
@@ -423,7 +419,7 @@ void DirectIsland::relax() {
       const bool blow = ConstraintSystem::speed(row, velocity) < -slow_;
       if (given[i].x == 0 && (!near_by || blow)) row.mass_a = row.mass_b = {};
     }
-    if (contact.friction_row != ~std::uint32_t{0}) system_[contact.friction_row].impulse = rubs;
+    if (contact.friction_row != ~std::uint32_t{0}) system_[contact.friction_row].impulse = system_[contact.friction_row].given = rubs;
   }
   for (ActiveJoint* joint : members_.joints) {
     const std::size_t first = system_.all().size();
