@@ -78,13 +78,19 @@ Real ConstraintSystem::load(const Constraint& friction) const {
   return std::max(sum, Real{0});
 }
 
+Real ConstraintSystem::work(const std::vector<Real>& before, const std::vector<Velocity>& velocity) const {
+  Real sum = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i) sum += rows_[i].impulse * (before[i] + speed(rows_[i], velocity)) / 2;
+  return sum;
+}
+
 void ConstraintSystem::prepare(const std::vector<Velocity>& velocity) {
   mass_.resize(rows_.size());
   scale_ = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     const Real inverse = coupling(row, row) + row.compliance;
-    mass_[i] = inverse > 0 ? 1 / inverse : Real{0};
+    mass_[i] = inverse > 0 && !row.fixed ? 1 / inverse : Real{0};
     const Velocity& a = velocity[row.a];
     const Velocity& b = velocity[row.b];
     const bool turns = row.axis == Vec2{};
@@ -146,9 +152,10 @@ bool ConstraintSystem::choose(const std::vector<Velocity>& velocity) {
         Real sum = 0;
         bool bears = false;
         for (std::uint32_t p = row.first; p < row.first + row.count; ++p) {
-          if (state_[p] == State::off) continue;
-          bears = true;
-          sum += std::max(rows_[p].impulse - mass_[p] * rate(p, velocity), Real{0});
+          if (state_[p] == State::off && !rows_[p].fixed) continue;
+          const Real bearing = std::max(rows_[p].impulse - mass_[p] * rate(p, velocity), Real{0});
+          bears = bears || bearing > 0;
+          sum += bearing;
         }
         most = row.friction * sum;
         if (!bears) {
@@ -177,7 +184,7 @@ void ConstraintSystem::place_friction(std::size_t i, std::vector<Velocity>& velo
     ++bearing;
   };
   for (std::uint32_t p = 0; p < row.count; ++p) {
-    if (state_[row.first + p] != State::off) add(p);
+    if (state_[row.first + p] != State::off || (rows_[row.first + p].fixed && rows_[row.first + p].impulse > 0)) add(p);
   }
   if (bearing == 0) {
     for (std::uint32_t p = 0; p < row.count; ++p) add(p);
@@ -261,7 +268,7 @@ bool ConstraintSystem::newton(std::vector<Velocity>& velocity) {
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
-    if (state_[i] == State::holds) continue;
+    if (state_[i] == State::holds || row.fixed) continue;
     if (state_[i] == State::off) {
       give(i, -row.impulse, velocity);
       continue;

@@ -35,6 +35,7 @@ struct Constraint {
   Real given = 0;       // of these, what acted before
   Real most = 0;        // of a motor
   bool acts = false;    // whether it is expected to: a first guess
+  bool fixed = false;   // its impulse is not to change
 
   // Of friction: its points, at most two and in a row, and where it acts if only one of them bears load.
   std::uint32_t first = 0;
@@ -54,12 +55,17 @@ struct Constraint {
 class ConstraintSystem {
  public:
   void clear();
+  /// Forgets which constraints act.
+  void begin_anew() { state_.clear(); }
   std::uint32_t add(const Constraint& constraint);
   std::span<Constraint> all() { return rows_; }
   Constraint& operator[](std::size_t i) { return rows_[i]; }
 
   /// m/s or rad/s, without bias and compliance.
   static Real speed(const Constraint& row, const std::vector<Velocity>& velocity);
+
+  /// J, the work of all impulses since the rates were `before`.
+  Real work(const std::vector<Real>& before, const std::vector<Velocity>& velocity) const;
 
   /// Finds the impulses and applies their changes to the velocities. False if some law is still broken by more than
   /// rounding; impulses then keep to their bounds, as sweeps leave them.

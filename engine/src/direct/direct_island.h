@@ -96,6 +96,7 @@ class DirectIsland {
   Real approach(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Real t) const;
   void aim(std::uint32_t contact, Real now);
   void strike(std::uint32_t contact, Real tau);
+  void solve_blow(std::vector<Velocity>& velocity);
   void resolve_blows();
 
   DirectStep* step_ = nullptr;
