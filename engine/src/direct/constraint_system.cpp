@@ -150,15 +150,14 @@ bool ConstraintSystem::choose(const std::vector<Velocity>& velocity) {
       case Law::rubs: {
         // Its points stand before it.
         Real sum = 0;
-        bool bears = false;
+        bool any = false;
         for (std::uint32_t p = row.first; p < row.first + row.count; ++p) {
-          if (state_[p] == State::off && !rows_[p].fixed) continue;
-          const Real bearing = std::max(rows_[p].impulse - mass_[p] * rate(p, velocity), Real{0});
-          bears = bears || bearing > 0;
-          sum += bearing;
+          if (!bears(p)) continue;
+          any = true;
+          sum += std::max(rows_[p].impulse - mass_[p] * rate(p, velocity), Real{0});
         }
         most = row.friction * sum;
-        if (!bears) {
+        if (!any) {
           set(i, State::off);
           continue;
         }
@@ -168,6 +167,11 @@ bool ConstraintSystem::choose(const std::vector<Velocity>& velocity) {
     set(i, std::abs(free) <= most ? State::holds : free > 0 ? State::forward : State::backward);
   }
   return changed;
+}
+
+/// Whether a point of a contact bears load.
+bool ConstraintSystem::bears(std::size_t point) const {
+  return rows_[point].fixed ? rows_[point].impulse > 0 : state_[point] != State::off;
 }
 
 /// Lets friction act where its load does.
@@ -184,7 +188,7 @@ void ConstraintSystem::place_friction(std::size_t i, std::vector<Velocity>& velo
     ++bearing;
   };
   for (std::uint32_t p = 0; p < row.count; ++p) {
-    if (state_[row.first + p] != State::off || (rows_[row.first + p].fixed && rows_[row.first + p].impulse > 0)) add(p);
+    if (bears(row.first + p)) add(p);
   }
   if (bearing == 0) {
     for (std::uint32_t p = 0; p < row.count; ++p) add(p);
@@ -198,7 +202,7 @@ void ConstraintSystem::place_friction(std::size_t i, std::vector<Velocity>& velo
   row.arm_b = arm_b;
   change(i, row.impulse - row.given, velocity);
   const Real inverse = coupling(row, row) + row.compliance;
-  mass_[i] = inverse > 0 ? 1 / inverse : Real{0};
+  mass_[i] = inverse > 0 && !row.fixed ? 1 / inverse : Real{0};
 }
 
 /// L U of the matrix of those that are solved for, by partial pivoting. False if it is singular.

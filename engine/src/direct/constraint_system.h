@@ -82,6 +82,7 @@ class ConstraintSystem {
   Real wanted(std::size_t i, const std::vector<Velocity>& velocity) const;
   Real off(const std::vector<Velocity>& velocity) const;
   bool choose(const std::vector<Velocity>& velocity);
+  bool bears(std::size_t point) const;
   void place_friction(std::size_t i, std::vector<Velocity>& velocity);
   bool factor();
   bool newton(std::vector<Velocity>& velocity);

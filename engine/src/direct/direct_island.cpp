@@ -57,7 +57,7 @@ void DirectIsland::begin() {
     contact.dynamic_friction = from.dynamic_friction;
     contact.restitution = from.restitution;
     contact.slips = from.slips;
-    contact.touch = Touch(from, owner(from, data.bodies), step_->start[contact.a], step_->start[contact.b]);
+    contact.touch = Touch(from, data.bodies, step_->start[contact.a], step_->start[contact.b]);
     for (std::size_t i = 0; i < contact.count; ++i) {
       contact.impulse[i] = Vec2{from.points[i].normal_impulse, from.points[i].tangent_impulse} / static_cast<Real>(substeps_);
     }
@@ -175,7 +175,7 @@ bool DirectIsland::find(DirectContact& contact, const Motion& a, const Motion& b
     contact.impulse[i] += impulse[j];
     contact.total[i] += total[j];
   }
-  contact.touch = Touch(found, owner(found, bodies), a, b);
+  contact.touch = Touch(found, bodies, a, b);
   return true;
 }
 
@@ -479,9 +479,11 @@ void DirectIsland::substep() {
     first[i].w += by_forces[i].w;
   }
   note_loads(first);
+  if (getenv("DBG4")) { Real e = 0; for (auto b : members_.bodies) { auto& m = bodies.inverse_mass[b]; auto& v = bodies.velocity; if (m.m > 0) e += dot(v[b].v, v[b].v) / (2 * m.m); if (m.i > 0) e += v[b].w * v[b].w / (2 * m.i); } fprintf(stderr, "substep energy %.9g\n", (double)e); }
 }
 
 void DirectIsland::end() {
+
   StepData& data = step_->data;
   const auto n = static_cast<Real>(substeps_);
   for (const DirectContact& contact : contacts_) {
@@ -601,6 +603,7 @@ void DirectIsland::solve_blow(std::vector<Velocity>& velocity) {
   for (const Constraint& row : system_.all()) speeds.push_back(ConstraintSystem::speed(row, velocity));
   const bool solved = system_.solve(velocity);
   if (getenv("DBG") && !solved) fprintf(stderr, "blow fails: %zu rows\n", system_.all().size());
+  if (getenv("DBG4")) { fprintf(stderr, "solved %d work %.9g", solved, (double)system_.work(speeds, velocity)); for (std::size_t i = 0; i < speeds.size(); ++i) fprintf(stderr, " {%.6g j %.6g arms %.6g %.6g}", (double)speeds[i], (double)system_[i].impulse, (double)system_[i].arm_a, (double)system_[i].arm_b); }
   Real size = 0;
   for (std::size_t i = 0; i < speeds.size(); ++i) size += std::abs(system_[i].impulse * speeds[i]);
   if (solved && system_.work(speeds, velocity) <= 64 * std::numeric_limits<Real>::epsilon() * size) return;
@@ -689,7 +692,10 @@ void DirectIsland::strike(std::uint32_t index, Real tau) {
     }
     if (joint->block.driven) system_[system_.all().size() - 1].most = 0;
   }
+  const auto energy = [&] { Real e = 0; for (auto b : members_.bodies) { auto& m = bodies.inverse_mass[b]; if (m.m > 0) e += dot(velocity[b].v, velocity[b].v) / (2 * m.m); if (m.i > 0) e += velocity[b].w * velocity[b].w / (2 * m.i); } return e; };
+  const Real e0 = energy();
   solve_blow(velocity);
+  if (getenv("DBG4")) { fprintf(stderr, "blow tau %.6g contact %u energy %.9g -> %.9g:", (double)tau, index, (double)e0, (double)energy()); for (auto& r : system_.all()) fprintf(stderr, " [%d j %.6g w %.6g b %.6g]", (int)r.law, (double)r.impulse, (double)ConstraintSystem::speed(r, velocity), (double)r.bias); fprintf(stderr, "\n"); }
   for (const auto& [c, frame] : struck) {
     DirectContact& contact = contacts_[c];
     Real load = 0;

@@ -1,30 +1,104 @@
 #include "direct/touch.h"
 
 #include <cmath>
+#include <limits>
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-Touch::Touch(const Contact& contact, NormalOf normal_of)
-    : normal_of_(normal_of),
-      count_(contact.count),
-      normal_(contact.normal),
-      radius_a_(contact.radius_a),
-      radius_b_(contact.radius_b) {
+namespace {
+
+/// rad; faces at a smaller angle lie on each other.
+constexpr Real flush = Real{1} / 128;
+
+struct Face {
+  Vec2 normal;  // world frame
+  Real angle = 2;  // sine of its angle with the direction sought
+};
+
+/// The face of a shape, rotated by q, that points most into a direction.
+Face face_towards(const Shape& shape, Rotation q, Vec2 direction) {
+  Face best;
+  if (shape.type() == ShapeType::circle) return best;
+  const int faces = shape.type() == ShapeType::half_space ? 1 : shape.count();
+  for (int i = 0; i < faces; ++i) {
+    const Vec2 normal = q * shape.normal(i);
+    const Real off = std::abs(cross(normal, direction));
+    if (dot(normal, direction) > 0 && off < best.angle) best = {normal, off};
+  }
+  return best;
+}
+
+/// Whether all points of a contact are corners of a shape: `arm` is from the body's origin to the point.
+template <class ArmOf>
+bool at_corners(const Shape& shape, Rotation q, Vec2 tangent, int count, ArmOf arm) {
+  if (shape.type() == ShapeType::circle || shape.type() == ShapeType::half_space) return false;
+  constexpr Real rounding = 256 * std::numeric_limits<Real>::epsilon();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    bool any = false;
+    for (int v = 0; v < shape.count(); ++v) {
+      const Vec2 corner = q * shape.vertex(v);
+      any = any || std::abs(dot(tangent, corner - arm(i))) <= rounding * (length(corner) + 1);
+    }
+    if (!any) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Touch::Touch(const Contact& contact, const BodySet& bodies)
+    : count_(contact.count), radius_a_(contact.radius_a), radius_b_(contact.radius_b) {
+  find_owner(contact, bodies);
+  // From the frame of the contact's normal to that of ours.
+  const Rotation to(dot(normal_, contact.normal), cross(normal_, contact.normal));
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
     const PointArms arms = arms_of(contact, i);
-    arm_a_[i] = {arms.turn_a, -arms.cross_a};
-    arm_b_[i] = {arms.turn_b, -arms.cross_b};
-    separation_[i] = contact.found_separation[i];
+    arm_a_[i] = to * Vec2{arms.turn_a, -arms.cross_a};
+    arm_b_[i] = to * Vec2{arms.turn_b, -arms.cross_b};
+    apart_[i] = to * Vec2{radius_a_ + radius_b_ + contact.found_separation[i], 0};
   }
 }
 
-Touch::Touch(const Contact& contact, NormalOf normal_of, const Motion& a, const Motion& b) : Touch(contact, normal_of) {
+/// Which faces and corners make the contact, however its bodies are listed.
+void Touch::find_owner(const Contact& contact, const BodySet& bodies) {
+  const auto shape = [&](std::uint32_t body, std::uint16_t part) -> const Shape& {
+    return bodies.detail[body].parts[part].shape;
+  };
+  const Shape& a = shape(contact.body_a, contact.part_a);
+  const Shape& b = shape(contact.body_b, contact.part_b);
+  const Rotation qa = contact.found_a.q;
+  const Rotation qb = contact.found_b.q;
+  normal_ = contact.normal;
+  const Face of_a = face_towards(a, qa, normal_);
+  const Face of_b = face_towards(b, qb, -normal_);
+  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+  const bool is_of_a = of_a.angle <= rounding;
+  const bool is_of_b = of_b.angle <= rounding;
+  if (!is_of_a && !is_of_b) return;
+  normal_of_ = is_of_a ? NormalOf::a : NormalOf::b;
+  if (of_a.angle > flush || of_b.angle > flush) return;
+  const Vec2 tangent = perpendicular(normal_);
+  const bool corners_of_a = at_corners(a, qa, tangent, count_, [&](std::size_t i) { return contact.points[i].arm_a; });
+  const bool corners_of_b = at_corners(b, qb, tangent, count_, [&](std::size_t i) { return contact.points[i].arm_b; });
+  if (corners_of_b && !corners_of_a) {
+    normal_of_ = NormalOf::a;
+    normal_ = of_a.normal;
+  } else if (corners_of_a && !corners_of_b) {
+    normal_of_ = NormalOf::b;
+    normal_ = -of_b.normal;
+  } else {
+    normal_of_ = NormalOf::both;
+    normal_ = normalized(of_a.normal - of_b.normal);
+  }
+}
+
+Touch::Touch(const Contact& contact, const BodySet& bodies, const Motion& a, const Motion& b) : Touch(contact, bodies) {
   found_a_ = back(a);
   found_b_ = back(b);
 }
 
-Touch::Touch(const Contact& contact, NormalOf normal_of, const Pose& start_a, const Pose& start_b)
-    : Touch(contact, normal_of) {
+Touch::Touch(const Contact& contact, const BodySet& bodies, const Pose& start_a, const Pose& start_b)
+    : Touch(contact, bodies) {
   found_a_ = between_poses(contact.found_a, start_a);
   found_b_ = between_poses(contact.found_b, start_b);
 }
@@ -48,13 +122,14 @@ Touch::Displacement Touch::since(const Displacement& found, const Motion& now) {
 Vec2 Touch::cores(std::size_t point, const Displacement& a, const Displacement& b) const {
   const Vec2 apart = b.d - a.d;
   const Vec2 moved{dot(normal_, apart), dot(perpendicular(normal_), apart)};
-  return Vec2{radius_a_ + radius_b_ + separation_[point], 0} + moved + (b.change(arm_b_[point]) - a.change(arm_a_[point]));
+  return apart_[point] + moved + (b.change(arm_b_[point]) - a.change(arm_a_[point]));
 }
 
 /// The normal, in the frame of the one as found.
 Vec2 Touch::direction(Vec2 cores, const Displacement& a, const Displacement& b) const {
   if (normal_of_ == NormalOf::a) return {1 + a.drop, a.sine};
   if (normal_of_ == NormalOf::b) return {1 + b.drop, b.sine};
+  if (normal_of_ == NormalOf::both) return normalized(Vec2{2 + a.drop + b.drop, a.sine + b.sine});
   if (radius_a_ + radius_b_ == 0 || !(cores.x > std::abs(cores.y))) return {1, 0};
   return normalized(cores);
 }

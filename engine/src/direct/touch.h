@@ -7,7 +7,6 @@
 #include "bodies/body_set.h"
 #include "contacts/contact.h"
 #include "contacts/contact_rows.h"
-#include "contacts/normal_of.h"
 #include "solver/motion.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -27,8 +26,8 @@ class Touch {
   Touch() = default;
   /// The points of the contact, which were found when its bodies had moved by `a` and `b` since the start of the step.
   /// Without these, at the poses that the contact names.
-  Touch(const Contact& contact, NormalOf normal_of, const Motion& a, const Motion& b);
-  Touch(const Contact& contact, NormalOf normal_of, const Pose& start_a, const Pose& start_b);
+  Touch(const Contact& contact, const BodySet& bodies, const Motion& a, const Motion& b);
+  Touch(const Contact& contact, const BodySet& bodies, const Pose& start_a, const Pose& start_b);
 
   TouchFrame at(const Motion& a, const Motion& b) const;
   /// m, between the surfaces at a point: the separation of that frame.
@@ -48,7 +47,11 @@ class Touch {
   static Displacement since(const Displacement& found, const Motion& now);
   static Displacement back(const Motion& found);
   static Displacement between_poses(const Pose& then, const Pose& now);
-  Touch(const Contact& contact, NormalOf normal_of);
+  /// What the normal turns with.
+  enum class NormalOf : std::uint8_t { between, a, b, both };
+
+  Touch(const Contact& contact, const BodySet& bodies);
+  void find_owner(const Contact& contact, const BodySet& bodies);
   Vec2 cores(std::size_t point, const Displacement& a, const Displacement& b) const;
   Vec2 direction(Vec2 cores, const Displacement& a, const Displacement& b) const;
 
@@ -56,9 +59,9 @@ class Touch {
   int count_ = 0;
   Vec2 normal_;
   Real radius_a_ = 0, radius_b_ = 0;  // m, by which the shapes are rounded
-  // In the frame of the normal as found: arms (r . n, -(r x n)) of the cores' points.
+  // In the frame of the normal as found: arms of the cores' points.
   std::array<Vec2, 2> arm_a_, arm_b_;
-  std::array<Real, 2> separation_{};
+  std::array<Vec2, 2> apart_;          // m, from the core of a to that of b
   Displacement found_a_, found_b_;  // from where the points were found to the start of the step
 };
 
