@@ -78,10 +78,18 @@ Real ConstraintSystem::load(const Constraint& friction) const {
   return std::max(sum, Real{0});
 }
 
-Real ConstraintSystem::work(const std::vector<Real>& before, const std::vector<Velocity>& velocity) const {
-  Real sum = 0;
-  for (std::size_t i = 0; i < rows_.size(); ++i) sum += rows_[i].impulse * (before[i] + speed(rows_[i], velocity)) / 2;
-  return sum;
+bool ConstraintSystem::drove(const std::vector<Velocity>& velocity) const {
+  Real work = 0;
+  Real size = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Constraint& row = rows_[i];
+    const auto& [a, b] = start_[i];
+    const Real before = dot(row.axis, b.v - a.v) + b.w * row.arm_b - a.w * row.arm_a;
+    const Real impulse = row.impulse - given_[i];
+    work += impulse * (before + speed(row, velocity)) / 2;
+    size += std::abs(impulse * before);
+  }
+  return work > may_remain * size;
 }
 
 void ConstraintSystem::prepare(const std::vector<Velocity>& velocity) {

@@ -64,8 +64,8 @@ class ConstraintSystem {
   /// m/s or rad/s, without bias and compliance.
   static Real speed(const Constraint& row, const std::vector<Velocity>& velocity);
 
-  /// J, the work of all impulses since the rates were `before`.
-  Real work(const std::vector<Real>& before, const std::vector<Velocity>& velocity) const;
+  /// Whether the impulses of the last solve did work, by more than rounding.
+  bool drove(const std::vector<Velocity>& velocity) const;
 
   /// Finds the impulses and applies their changes to the velocities. False if some law is still broken by more than
   /// rounding; impulses then keep to their bounds, as sweeps leave them.

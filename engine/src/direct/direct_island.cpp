@@ -599,14 +599,9 @@ void DirectIsland::aim(std::uint32_t index, Real now) {
 /// Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985), and has no solution for
 /// some (Painleve). Then the normal impulses are those without friction, and friction only removes energy.
 void DirectIsland::solve_blow(std::vector<Velocity>& velocity) {
-  std::vector<Real> speeds;
-  for (const Constraint& row : system_.all()) speeds.push_back(ConstraintSystem::speed(row, velocity));
   const bool solved = system_.solve(velocity);
   if (getenv("DBG") && !solved) fprintf(stderr, "blow fails: %zu rows\n", system_.all().size());
-  if (getenv("DBG4")) { fprintf(stderr, "solved %d work %.9g", solved, (double)system_.work(speeds, velocity)); for (std::size_t i = 0; i < speeds.size(); ++i) fprintf(stderr, " {%.6g j %.6g arms %.6g %.6g}", (double)speeds[i], (double)system_[i].impulse, (double)system_[i].arm_a, (double)system_[i].arm_b); }
-  Real size = 0;
-  for (std::size_t i = 0; i < speeds.size(); ++i) size += std::abs(system_[i].impulse * speeds[i]);
-  if (solved && system_.work(speeds, velocity) <= 64 * std::numeric_limits<Real>::epsilon() * size) return;
+  if (solved && !system_.drove(velocity)) return;
   for (std::size_t i = 0; i < members_.bodies.size(); ++i) velocity[members_.bodies[i]] = before_[i];
   const auto anew = [&](bool rubs) {
     for (Constraint& row : system_.all()) {
