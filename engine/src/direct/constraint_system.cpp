@@ -14,6 +14,10 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 /// Of the largest term of a rate, what rounding may leave of it.
 constexpr Real may_remain = 64 * std::numeric_limits<Real>::epsilon();
 
+/// Compliance, as a fraction of a constraint's own inverse mass, that decides between equal ways to share a load. It
+/// does not stay: what it leaves is solved in the next round.
+constexpr Real least_change = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-4);
+
 /// The change of the rate of p for a unit impulse along q, through the bodies that both act on.
 Real coupling(const Constraint& p, const Constraint& q) {
   const auto through = [&](const InverseMass& mass, Real arm_p, Real arm_q) {
@@ -48,7 +52,7 @@ Real ConstraintSystem::speed(const Constraint& row, const std::vector<Velocity>&
 
 Real ConstraintSystem::rate(std::size_t i, const std::vector<Velocity>& velocity) const {
   const Constraint& row = rows_[i];
-  return speed(row, velocity) + row.bias + row.compliance * row.impulse;
+  return speed(row, velocity) + row.bias + compliance_[i] * (row.impulse - row.given);
 }
 
 /// Bodies that cannot be pushed are not written: they may belong to other islands too.
@@ -92,13 +96,21 @@ bool ConstraintSystem::drove(const std::vector<Velocity>& velocity) const {
   return work > may_remain * size;
 }
 
+void ConstraintSystem::weigh(std::size_t i) {
+  const Constraint& row = rows_[i];
+  const Real own = coupling(row, row);
+  compliance_[i] = row.compliance + soft_ * own;
+  mass_[i] = own > 0 && !row.fixed ? 1 / (own + compliance_[i]) : Real{0};
+}
+
 void ConstraintSystem::prepare(const std::vector<Velocity>& velocity) {
   mass_.resize(rows_.size());
+  compliance_.resize(rows_.size());
   scale_ = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
-    const Real inverse = coupling(row, row) + row.compliance;
-    mass_[i] = inverse > 0 && !row.fixed ? 1 / inverse : Real{0};
+    weigh(i);
+    const Real inverse = mass_[i] > 0 ? 1 / mass_[i] : Real{0};
     const Velocity& a = velocity[row.a];
     const Velocity& b = velocity[row.b];
     const bool turns = row.axis == Vec2{};
@@ -209,8 +221,7 @@ void ConstraintSystem::place_friction(std::size_t i, std::vector<Velocity>& velo
   row.arm_a = arm_a;
   row.arm_b = arm_b;
   change(i, row.impulse - row.given, velocity);
-  const Real inverse = coupling(row, row) + row.compliance;
-  mass_[i] = inverse > 0 && !row.fixed ? 1 / inverse : Real{0};
+  weigh(i);
 }
 
 /// L U of the matrix of those that are solved for, by partial pivoting. False if it is singular.
@@ -242,7 +253,7 @@ bool ConstraintSystem::factor() {
       if (slips_[j] != none) k += slope_[j] * coupling(row, rows_[slips_[j]]);
       matrix_[i * n + j] = k;
     }
-    matrix_[i * n + i] += row.compliance + least_change_ / mass_[free_[i]];
+    matrix_[i * n + i] += compliance_[free_[i]] + least_change / mass_[free_[i]];
   }
   pivot_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -321,47 +332,61 @@ void ConstraintSystem::keep(Real off) {
   for (const Constraint& row : rows_) best_.push_back(row.impulse);
 }
 
+/// Goes back to the best impulses.
 void ConstraintSystem::restore(std::vector<Velocity>& velocity) {
-  velocity_back(velocity);
+  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].impulse = best_[i];
+  rebuild(velocity);
+}
+
+/// The velocities at the start with all impulses since: without the rounding of those that were taken back.
+void ConstraintSystem::rebuild(std::vector<Velocity>& velocity) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    rows_[i].impulse = given_[i];
-    give(i, best_[i] - given_[i], velocity);
+    const Constraint& row = rows_[i];
+    if (pushable(row.mass_a)) velocity[row.a] = start_[i].first;
+    if (pushable(row.mass_b)) velocity[row.b] = start_[i].second;
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].impulse != given_[i]) change(i, rows_[i].impulse - given_[i], velocity);
   }
 }
 
 bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
   if (rows_.empty()) return true;
+  soft_ = 0;
   prepare(velocity);
-  const Real enough = may_remain * scale_;
-  best_off_ = std::numeric_limits<Real>::infinity();
+  note_start(velocity);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (rows_[i].law == Law::rubs) place_friction(i, velocity);
   }
-  note_start(velocity);
-  keep(off(velocity));
-  if (best_off_ <= enough) return true;
+  const Real enough = may_remain * scale_;
+  if (off(velocity) <= enough) return true;
   constexpr int rounds = 16;
   constexpr int sweeps = 15;
-  for (const double least_change : {1e-9, 1e-6, 1e-4, 1e-2}) {
-    least_change_ = std::max(static_cast<Real>(least_change), static_cast<Real>(sizeof(Real) == 8 ? 0 : 1e-4));
-    factored_ = factored_ && least_change == 1e-9;
+  for (const double soft : {0., 1e-6, 1e-4, 1e-2}) {
+    if (soft > 0) {
+      soft_ = static_cast<Real>(soft);
+      factored_ = false;
+      for (std::size_t i = 0; i < rows_.size(); ++i) weigh(i);
+      for (int i = 0; i < sweeps; ++i) sweep(velocity);
+    }
+    best_off_ = std::numeric_limits<Real>::infinity();
+    keep(off(velocity));
     for (int round = 0; round < rounds; ++round) {
       if (round > 0 || !factored_) choose(velocity);
       if (!newton(velocity)) break;
       const Real now = off(velocity);
       if (now <= enough) {
         sweep(velocity);  // rounds at each constraint, not by the largest of them
-        return true;
+        rebuild(velocity);
+        return soft == 0;
       }
       keep(now);
     }
     restore(velocity);
-    for (int i = 0; i < sweeps; ++i) sweep(velocity);
-    keep(off(velocity));
   }
-  restore(velocity);
-  sweep(velocity);
-  return best_off_ <= enough;
+  for (int i = 0; i < sweeps; ++i) sweep(velocity);
+  rebuild(velocity);
+  return false;
 }
 
 void ConstraintSystem::note_start(const std::vector<Velocity>& velocity) {
@@ -370,18 +395,6 @@ void ConstraintSystem::note_start(const std::vector<Velocity>& velocity) {
   for (const Constraint& row : rows_) {
     given_.push_back(row.impulse);
     start_.emplace_back(velocity[row.a], velocity[row.b]);
-  }
-  arms_.clear();
-  for (const Constraint& row : rows_) arms_.push_back({row.arm_a, row.arm_b});
-}
-
-void ConstraintSystem::velocity_back(std::vector<Velocity>& velocity) {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    Constraint& row = rows_[i];
-    if (pushable(row.mass_a)) velocity[row.a] = start_[i].first;
-    if (pushable(row.mass_b)) velocity[row.b] = start_[i].second;
-    row.arm_a = arms_[i].x;
-    row.arm_b = arms_[i].y;
   }
 }
 

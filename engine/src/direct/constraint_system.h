@@ -75,6 +75,7 @@ class ConstraintSystem {
   enum class State : std::uint8_t { off, holds, forward, backward };
 
   void prepare(const std::vector<Velocity>& velocity);
+  void weigh(std::size_t i);
   Real rate(std::size_t i, const std::vector<Velocity>& velocity) const;
   void change(std::size_t i, Real by, std::vector<Velocity>& velocity) const;
   void give(std::size_t i, Real by, std::vector<Velocity>& velocity);
@@ -90,7 +91,7 @@ class ConstraintSystem {
   void keep(Real off);
   void restore(std::vector<Velocity>& velocity);
   void note_start(const std::vector<Velocity>& velocity);
-  void velocity_back(std::vector<Velocity>& velocity);
+  void rebuild(std::vector<Velocity>& velocity);
 
   std::vector<Constraint> rows_;
   std::vector<Real> mass_;            // of each row alone
@@ -103,11 +104,11 @@ class ConstraintSystem {
   std::vector<Real> matrix_, right_;
   std::vector<std::size_t> pivot_;
   bool factored_ = false;
-  Real least_change_ = 0;  // compliance, as a fraction of a constraint's own inverse mass
+  Real soft_ = 0;  // compliance of all, as a fraction of their own inverse masses, if they cannot all be rigid
+  std::vector<Real> compliance_;
   Real best_off_ = 0;
   std::vector<Real> best_, given_;
   std::vector<std::pair<Velocity, Velocity>> start_;
-  std::vector<Vec2> arms_;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -425,11 +425,10 @@ void DirectIsland::relax() {
     const std::size_t first = system_.all().size();
     list_joint(joint->block);
     std::size_t at = first;
-    for_each_row(joint->block, [&](const JointRow& row) { system_[at++].impulse = row.impulse; });
-    for (std::size_t i = 0; i < static_cast<std::size_t>(joint->block.equations); ++i) {
-      Constraint& row = system_[first + i];
-      row.bias = -row.compliance * row.impulse;
-    }
+    for_each_row(joint->block, [&](const JointRow& row) {
+      system_[at].impulse = system_[at].given = row.impulse;
+      ++at;
+    });
     for (std::size_t i = 0; i < static_cast<std::size_t>(joint->block.stops); ++i) {
       Constraint& row = system_[first + static_cast<std::size_t>(joint->block.equations) + i];
       if (joint->block.stop[i].error > touching && row.impulse == 0) row.mass_a = row.mass_b = {};
