@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "bodies/body_set.h"
@@ -17,27 +18,26 @@ enum class Law : std::uint8_t {
   holds,   // w = 0: an equation of a joint
   pushes,  // w >= 0, j >= 0, one of them 0: a point of a contact, the stop of a joint
   drives,  // w = 0 if |j| <= most, or else j = -+most against w: a motor
-  rubs     // the same with mu times the load of its points: the friction of a contact
+  rubs     // the same with the coefficient times the load of its points: the friction of a contact
 };
 
 /// One scalar constraint between two bodies: an impulse j acts along the axis on b and back on a. Its rate is
 ///
-///   w = axis . (vB - vA) + arm_b wB - arm_a wA + bias + compliance j
+///   w = axis . (vB - vA) + arm_b wB - arm_a wA + bias
 struct Constraint {
   std::uint32_t a = 0, b = 0;
-  InverseMass mass_a, mass_b;
-  Vec2 axis;
-  Real arm_a = 0, arm_b = 0;
+  InverseMass mass_a, mass_b;  // none: it takes no part
+  Vec2 axis;                   // unit, or 0 for an angle
+  Real arm_a = 0, arm_b = 0;   // m, or 1 for an angle
   Law law = Law::holds;
-  Real bias = 0;        // m/s or rad/s
-  Real compliance = 0;  // 1/kg or 1/(kg m^2)
-  Real impulse = 0;     // N s or N m s, accumulated
-  Real given = 0;       // of these, what acted before
-  Real most = 0;        // of a motor
-  bool acts = false;    // whether it is expected to: a first guess
-  bool fixed = false;   // its impulse is not to change
+  Real bias = 0;       // m/s or rad/s
+  Real impulse = 0;    // N s or N m s: a guess, and the solution
+  Real given = 0;      // of these, what the velocities contain before they are solved for
+  Real most = 0;       // of a motor
+  bool fixed = false;  // its impulse is not to change
+  Real place = 0;      // where it acts, by any measure: neighbours are eliminated one after the other
 
-  // Of friction: its points, at most two and in a row, and where it acts if only one of them bears load.
+  // Of friction: its points, at most two, which stand before it in a row, and where it acts on each.
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   Real friction = 0;  // coefficient
@@ -48,67 +48,81 @@ struct Constraint {
 /// to pass through the island.
 ///
 /// Once it is known which points push, which contacts slide and which motors are at their limits, the laws are a linear
-/// system; which do follows from its solution, and so on until no law is broken: Newton's method for nonsmooth equations
-/// (P. Alart and A. Curnier, A mixed formulation for frictional contact problems prone to Newton like solution methods,
-/// 1991). If that goes in circles, sweeps (projected Gauss-Seidel) find other guesses. Where masses do not say how
-/// constraints share a load, impulses change least.
+/// system; which do follows from its solution, and so on until no law is broken: Newton's method for nonsmooth
+/// equations (P. Alart and A. Curnier, A mixed formulation for frictional contact problems prone to Newton like
+/// solution methods, Comput. Methods Appl. Mech. Eng. 92 (1991)). Where masses do not say how constraints share a load,
+/// impulses change least from the guess. If Newton's method goes in circles, constraints yield a little, and sweeps
+/// (projected Gauss-Seidel) find another guess.
 class ConstraintSystem {
  public:
   void clear();
-  /// Forgets which constraints act.
-  void begin_anew() { state_.clear(); }
   std::uint32_t add(const Constraint& constraint);
   std::span<Constraint> all() { return rows_; }
+  std::span<const Constraint> all() const { return rows_; }
   Constraint& operator[](std::size_t i) { return rows_[i]; }
+  const Constraint& operator[](std::size_t i) const { return rows_[i]; }
 
-  /// m/s or rad/s, without bias and compliance.
-  static Real speed(const Constraint& row, const std::vector<Velocity>& velocity);
-
-  /// Whether the impulses of the last solve did work, by more than rounding.
-  bool drove(const std::vector<Velocity>& velocity) const;
-
-  /// Finds the impulses and applies their changes to the velocities. False if some law is still broken by more than
-  /// rounding; impulses then keep to their bounds, as sweeps leave them.
+  /// Finds the impulses and applies what they have changed by to the velocities, from the guesses on in the first call,
+  /// from the last solution in the next ones. False if some law is still broken by more than rounding; impulses keep to
+  /// their bounds then, too.
   bool solve(std::vector<Velocity>& velocity);
+
+  /// Forgets the solution: impulses are 0, and velocities as before the first call.
+  void undo(std::vector<Velocity>& velocity);
+  /// Solves anew which constraints act, after some were fixed or set free.
+  void reconsider() { state_.clear(); }
+
+  /// m/s or rad/s, without bias.
+  static Real speed(const Constraint& row, const std::vector<Velocity>& velocity);
+  /// Whether the impulses did work, by more than rounding.
+  bool drove(const std::vector<Velocity>& velocity) const;
 
  private:
   enum class State : std::uint8_t { off, holds, forward, backward };
 
-  void prepare(const std::vector<Velocity>& velocity);
+  void begin(std::vector<Velocity>& velocity);
   void weigh(std::size_t i);
   Real rate(std::size_t i, const std::vector<Velocity>& velocity) const;
   void change(std::size_t i, Real by, std::vector<Velocity>& velocity) const;
   void give(std::size_t i, Real by, std::vector<Velocity>& velocity);
   Real load(const Constraint& friction) const;
   Real wanted(std::size_t i, const std::vector<Velocity>& velocity) const;
-  Real off(const std::vector<Velocity>& velocity) const;
-  bool choose(const std::vector<Velocity>& velocity);
+  Real broken_by(const std::vector<Velocity>& velocity) const;
+  void choose(const std::vector<Velocity>& velocity);
   bool bears(std::size_t point) const;
-  void place_friction(std::size_t i, std::vector<Velocity>& velocity);
+  void place_friction(std::vector<Velocity>& velocity);
+  void choose_unknowns();
+  std::size_t bandwidth();
   bool factor();
+  void substitute();
   bool newton(std::vector<Velocity>& velocity);
+  bool iterate(Real enough, std::vector<Velocity>& velocity);
   void sweep(std::vector<Velocity>& velocity);
-  void keep(Real off);
-  void restore(std::vector<Velocity>& velocity);
-  void note_start(const std::vector<Velocity>& velocity);
+  void keep(Real broken);
   void rebuild(std::vector<Velocity>& velocity);
+  void finish(Real enough, std::vector<Velocity>& velocity);
 
   std::vector<Constraint> rows_;
-  std::vector<Real> mass_;            // of each row alone
-  std::vector<State> state_;          // of each row
-  std::vector<State> last_;           // when the matrix was factored
-  Real scale_ = 0;                    // m/s, the largest term of a rate: what rounding is measured by
-  std::vector<std::uint32_t> free_;   // rows whose rates are solved for
-  std::vector<std::uint32_t> slips_;  // of each of these, the friction that follows its impulse; or none
-  std::vector<Real> slope_;           // by how much
+  bool begun_ = false;
+  std::vector<std::pair<Velocity, Velocity>> start_;  // of the bodies of each row
+  std::vector<Real> mass_;                            // kg or kg m^2, effective, of each row alone
+  Real scale_ = 0;                                    // m/s, the largest term of a rate: what rounding is measured by
+  std::size_t softness_ = 0;                          // see `compliances`
+  std::vector<Real> compliance_;                      // 1/kg or 1/(kg m^2), of each row
+  std::vector<State> state_;                          // of each row
+  std::vector<State> last_;                           // when the matrix was factored
+  std::vector<std::uint32_t> free_;                   // rows whose impulses are solved for
+  std::vector<std::uint32_t> slips_;                  // of each of these, the friction that follows it; or none
+  std::vector<Real> slope_;                           // by how much
+  std::vector<std::uint32_t> friction_of_;            // of each row, the friction that follows it; or none
+  std::vector<std::uint32_t> first_of_;               // of each body, the first unknown that acts on it
+  // The matrix has entries only in a band beside the diagonal; pivoting doubles the upper half of it.
   std::vector<Real> matrix_, right_;
+  std::size_t band_ = 0, stride_ = 0, shift_ = 0;  // entry (i, j) is at i stride + j + shift
   std::vector<std::size_t> pivot_;
   bool factored_ = false;
-  Real soft_ = 0;  // compliance of all, as a fraction of their own inverse masses, if they cannot all be rigid
-  std::vector<Real> compliance_;
-  Real best_off_ = 0;
-  std::vector<Real> best_, given_;
-  std::vector<std::pair<Velocity, Velocity>> start_;
+  Real least_broken_ = 0;   // m/s
+  std::vector<Real> best_;  // impulses
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "narrow_phase/collide.h"
@@ -13,13 +11,12 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real far = static_cast<Real>(0.002);   // m, sliding before a contact is found again
-constexpr Real near = static_cast<Real>(0.05);   // m, gap up to which points are sought
-constexpr Real give = static_cast<Real>(1e-6);   // compliance of joints: a spring with w h = 1000
-constexpr Real most_push = static_cast<Real>(.001);  // m, by which an overlap is pushed apart in a sub-step
-constexpr Real together = static_cast<Real>(0.0005);
-constexpr Real touching = static_cast<Real>(1e-6);   // m
-
+constexpr Real far = static_cast<Real>(0.002);  // m, that bodies slide before their contact is found again
+constexpr Real near = static_cast<Real>(0.05);  // m, gap up to which points are sought
+/// m, by which an overlap is pushed apart in a sub-step. Bodies that start in each other part without being shot out.
+constexpr Real most_push = static_cast<Real>(0.001);
+/// m, by which gaps and joints may be off after the drift.
+constexpr Real exact = static_cast<Real>(sizeof(Real) == 8 ? 1e-12 : 1e-6);
 
 /// m, by which a point of body b slides along the tangent past body a while they move by these.
 Real slip(const TouchFrame& frame, const PointArms& p, const Motion& a, const Motion& b) {
@@ -39,10 +36,71 @@ void DirectIsland::step(DirectStep& step, const Members& members) {
   end();
 }
 
+/// So many that no body turns by more than a quarter radian in one: normals turn with the bodies.
+int DirectIsland::substeps_by_motion() const {
+  constexpr Real turn = static_cast<Real>(0.25);
+  constexpr int most = 32;
+  Real fastest = 0;
+  for (const std::uint32_t body : members_.bodies)
+    fastest = std::max(fastest, std::abs(step_->data.bodies.velocity[body].w));
+  const Real wanted = fastest * step_->data.settings.dt / turn;
+  return wanted < most ? static_cast<int>(std::ceil(wanted)) : most;
+}
+
 void DirectIsland::begin() {
   StepData& data = step_->data;
-  substeps_ = data.settings.substeps;
-  h_ = data.settings.dt / static_cast<Real>(substeps_);
+  substeps_ = std::max(data.settings.substeps, substeps_by_motion());
+  last_ = h_ = data.settings.dt / static_cast<Real>(substeps_);
+  Vec2 least = step_->start[members_.bodies[0]].p;
+  Vec2 most = least;
+  Real fastest = 0;
+  for (const std::uint32_t body : members_.bodies) {
+    const Vec2 at = step_->start[body].p;
+    least = {std::min(least.x, at.x), std::min(least.y, at.y)};
+    most = {std::max(most.x, at.x), std::max(most.y, at.y)};
+    fastest = std::max(fastest, length(step_->acceleration[body].v));
+  }
+  tall_ = most.y - least.y > most.x - least.x;
+  // What falls onto a contact from rest within a sub-step is pressed on, not struck.
+  slow_ = static_cast<Real>(2.4) * fastest * h_ + static_cast<Real>(1e-4);
+  begin_contacts();
+  const Real share = 1 / static_cast<Real>(substeps_);
+  for (ActiveJoint* joint : members_.joints) {
+    for_each_row(joint->block, [&](JointRow& row) {
+      row.impulse *= share;
+      row.half *= share;
+    });
+  }
+  // What bore the bodies in the last step.
+  std::vector<Velocity>& velocity = data.bodies.velocity;
+  note_velocities(before_);
+  by_forces_.assign(members_.bodies.size(), {});
+  for (const DirectContact& contact : contacts_) {
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      const PointArms& at = contact.frame.points[i];
+      const Vec2 j = contact.impulse[i];
+      const Vec2 world = j.x * contact.frame.normal + j.y * perpendicular(contact.frame.normal);
+      if (pushable(contact.mass_a)) {
+        velocity[contact.a].v -= contact.mass_a.m * world;
+        velocity[contact.a].w -= contact.mass_a.i * (j.x * at.cross_a + j.y * at.dot_a);
+      }
+      if (pushable(contact.mass_b)) {
+        velocity[contact.b].v += contact.mass_b.m * world;
+        velocity[contact.b].w += contact.mass_b.i * (j.x * at.cross_b + j.y * at.dot_b);
+      }
+    }
+  }
+  for (const ActiveJoint* joint : members_.joints) {
+    const JointBlock& block = joint->block;
+    for_each_row(block,
+                 [&](const JointRow& row) { apply(block, row, row.impulse, velocity[block.a], velocity[block.b]); });
+  }
+  note_loads(h_);
+  for (std::size_t i = 0; i < members_.bodies.size(); ++i) velocity[members_.bodies[i]] = before_[i];
+}
+
+void DirectIsland::begin_contacts() {
+  StepData& data = step_->data;
   contacts_.clear();
   for (const Tie& tie : members_.contacts) {
     const Contact& from = data.contacts[tie.contact];
@@ -58,81 +116,116 @@ void DirectIsland::begin() {
     contact.restitution = from.restitution;
     contact.slips = from.slips;
     contact.touch = Touch(from, data.bodies, step_->start[contact.a], step_->start[contact.b]);
+    contact.frame = contact.touch.at(step_->motion[contact.a], step_->motion[contact.b]);
     for (std::size_t i = 0; i < contact.count; ++i) {
-      contact.impulse[i] = Vec2{from.points[i].normal_impulse, from.points[i].tangent_impulse} / static_cast<Real>(substeps_);
+      const ContactPoint& p = from.points[i];
+      contact.impulse[i] = Vec2{p.normal_impulse, p.tangent_impulse} / static_cast<Real>(substeps_);
+      contact.pressed[i] = contact.impulse[i] / Real{2};
     }
     contacts_.push_back(contact);
   }
   for (DirectContact& contact : contacts_) {
     if (pushable(contact.mass_a) && pushable(contact.mass_b)) continue;
     const std::uint32_t body = pushable(contact.mass_a) ? contact.a : contact.b;
-    contact.may_join = std::count_if(contacts_.begin(), contacts_.end(), [body](const DirectContact& other) {
-                         return (other.a == body && !pushable(other.mass_b)) || (other.b == body && !pushable(other.mass_a));
-                       }) > 1;
+    const auto on_ground = [body](const DirectContact& other) {
+      return (other.a == body && !pushable(other.mass_b)) || (other.b == body && !pushable(other.mass_a));
+    };
+    contact.may_join = std::count_if(contacts_.begin(), contacts_.end(), on_ground) > 1;
   }
-  for (ActiveJoint* joint : members_.joints) {
-    for_each_row(joint->block, [&](JointRow& row) { row.impulse /= static_cast<Real>(substeps_); });
-  }
-  // What bore the bodies in the last sub-step.
-  std::vector<Velocity>& velocity = data.bodies.velocity;
-  before_.clear();
-  for (const std::uint32_t body : members_.bodies) before_.push_back(velocity[body]);
-  for (const DirectContact& contact : contacts_) {
-    const TouchFrame frame = contact.touch.at(step_->motion[contact.a], step_->motion[contact.b]);
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      const Vec2 world = contact.impulse[i].x * frame.normal + contact.impulse[i].y * perpendicular(frame.normal);
-      const Real turn_a = contact.impulse[i].x * frame.points[i].cross_a + contact.impulse[i].y * frame.points[i].dot_a;
-      const Real turn_b = contact.impulse[i].x * frame.points[i].cross_b + contact.impulse[i].y * frame.points[i].dot_b;
-      if (pushable(contact.mass_a)) {
-        velocity[contact.a].v -= contact.mass_a.m * world;
-        velocity[contact.a].w -= contact.mass_a.i * turn_a;
-      }
-      if (pushable(contact.mass_b)) {
-        velocity[contact.b].v += contact.mass_b.m * world;
-        velocity[contact.b].w += contact.mass_b.i * turn_b;
-      }
-    }
-  }
-  for (const ActiveJoint* joint : members_.joints) {
-    const JointBlock& block = joint->block;
-    for_each_row(block, [&](const JointRow& row) { apply(block, row, row.impulse, velocity[block.a], velocity[block.b]); });
-  }
-  note_loads(before_);
-  for (std::size_t i = 0; i < members_.bodies.size(); ++i) velocity[members_.bodies[i]] = before_[i];
 }
 
-/// The accelerations until now, from the change of velocities that constraints caused in a sub-step.
-void DirectIsland::note_loads(const std::vector<Velocity>& before) {
+/// Between impacts bodies move as RATTLE moves them (H. C. Andersen, J. Comput. Phys. 52 (1983)).
+///
+/// The contact that is struck at the end of the interval does nothing in it.
+void DirectIsland::advance(Real h, std::uint32_t then) {
+  refresh();
+  for (std::uint32_t c = 0; c < contacts_.size(); ++c) contacts_[c].struck = c == then;
+  note_velocities(before_);
+  by_forces_.assign(members_.bodies.size(), {});
+  kick(h);
+  press(h);
+  drift(h);
+  refresh();
+  kick(h);
+  relax(h);
+  if (8 * h < h_) return;  // too short to tell loads from rounding
+  note_loads(h);
+  last_ = h;
+}
+
+void DirectIsland::end() {
+  StepData& data = step_->data;
+  const Real per_step = data.settings.dt / last_;
+  for (const DirectContact& contact : contacts_) {
+    Contact& to = data.contacts[contact.contact];
+    to.slips = contact.slips;
+    to.offset = 0;
+    std::array<Vec2, 2> total = contact.total;
+    const Vec2 sum = total[0] + total[1];
+    const Real effect = length(contact.acted);
+    const Real all = length(sum);
+    if (effect > 0) {
+      // Impulses along a normal that turns act as others along a fixed one.
+      for (Vec2& each : total) each = all > 0 ? (effect / all) * each : Vec2{effect / 2, 0};
+      const Vec2 along = all > 0 ? sum : Vec2{1, 0};
+      const Vec2 normal = normalized(Rotation(along.x, along.y).inverse() * contact.acted);
+      if (length(normal - to.normal) > 64 * std::numeric_limits<Real>::epsilon()) {
+        to.normal = normal;
+        to.found_a.p = to.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
+      }
+    }
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      ContactPoint& p = to.points[i];
+      p.normal_impulse = per_step * contact.impulse[i].x;
+      p.tangent_impulse = per_step * contact.impulse[i].y;
+      p.total_normal_impulse = total[i].x;
+      p.total_tangent_impulse = total[i].y;
+    }
+  }
+  for (ActiveJoint* joint : members_.joints) {
+    for_each_row(joint->block, [&](JointRow& row) {
+      row.impulse *= per_step;
+      row.half *= per_step;
+    });
+  }
+}
+
+void DirectIsland::note_velocities(std::vector<Velocity>& to) const {
+  to.clear();
+  for (const std::uint32_t body : members_.bodies) to.push_back(step_->data.bodies.velocity[body]);
+}
+
+/// The accelerations from now on, from the changes of velocities that constraints caused in an interval.
+void DirectIsland::note_loads(Real h) {
   for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
     const std::uint32_t body = members_.bodies[i];
     const Velocity& now = step_->data.bodies.velocity[body];
     Velocity& flight = step_->flight[body];
     flight = step_->acceleration[body];
     if (!step_->data.bodies.pushable(body)) continue;
-    flight.v += (now.v - before[i].v) / h_;
-    flight.w += (now.w - before[i].w) / h_;
+    flight.v += (now.v - before_[i].v - by_forces_[i].v) / h;
+    flight.w += (now.w - before_[i].w - by_forces_[i].w) / h;
   }
 }
 
-void DirectIsland::note(DirectContact& contact, std::size_t point, Vec2 impulse, Vec2 normal) {
-  contact.total[point] += impulse;
-  contact.acted += impulse.x * normal + impulse.y * perpendicular(normal);
-}
+// Contacts and joints at present
+// ---------------------------------------------------------------------------------------
 
 void DirectIsland::refresh() {
   for (DirectContact& contact : contacts_) {
-    const Motion& a = step_->motion[contact.a];
-    const Motion& b = step_->motion[contact.b];
-    find(contact, a, b);
-    contact.frame = contact.touch.at(a, b);
+    find(contact);
+    contact.frame = contact.touch.at(step_->motion[contact.a], step_->motion[contact.b]);
   }
+  for (ActiveJoint* joint : members_.joints) joint->block = ahead(*joint, 0);
 }
 
-/// Finds a contact again if its bodies have slid past each other since the last time, because other corners may be near.
-/// Where a body meets several shapes of the ground, only the search removes ghost collisions at joins.
-bool DirectIsland::find(DirectContact& contact, const Motion& a, const Motion& b) {
+/// Finds a contact again if its bodies have slid past each other since the last time, because other corners may be
+/// near. Where a body meets several shapes of the ground, only the search removes ghost collisions at joins.
+bool DirectIsland::find(DirectContact& contact) {
   StepData& data = step_->data;
   const BodySet& bodies = data.bodies;
+  const Motion& a = step_->motion[contact.a];
+  const Motion& b = step_->motion[contact.b];
   if (contact.may_join ||
       contact.touch.moved(a, b, bodies.bounding_radius[contact.a], bodies.bounding_radius[contact.b]) < far) {
     return false;
@@ -149,11 +242,8 @@ bool DirectIsland::find(DirectContact& contact, const Motion& a, const Motion& b
   if (m.count == 0) m = found_within(data.settings.dt);
   if (m.count == 0) return false;
   const std::array<ContactPoint, 2> last = found.points;
-  const std::size_t last_count = contact.count;
-  const std::array<Vec2, 2> impulse = contact.impulse;
-  const std::array<Vec2, 2> total = contact.total;
-  contact.impulse = {};
-  contact.total = {};
+  const DirectContact before = contact;
+  contact.impulse = contact.pressed = contact.pressing = contact.total = {};
   contact.count = static_cast<std::size_t>(m.count);
   counts_changed_ = counts_changed_ || found.count != m.count;
   found.count = m.count;
@@ -168,12 +258,14 @@ bool DirectIsland::find(DirectContact& contact, const Motion& a, const Motion& b
     p.separation = found.found_separation[i] = m.points[i].separation;
     p.feature = m.points[i].feature;
   }
-  for (std::size_t j = 0; j < last_count; ++j) {
+  for (std::size_t j = 0; j < before.count; ++j) {
     std::size_t i = 0;
     while (i < contact.count && found.points[i].feature != last[j].feature) ++i;
     if (i == contact.count) i = 0;
-    contact.impulse[i] += impulse[j];
-    contact.total[i] += total[j];
+    contact.impulse[i] += before.impulse[j];
+    contact.pressed[i] += before.pressed[j];
+    contact.pressing[i] += before.pressing[j];
+    contact.total[i] += before.total[j];
   }
   contact.touch = Touch(found, bodies, a, b);
   return true;
@@ -195,42 +287,54 @@ JointBlock DirectIsland::ahead(const ActiveJoint& joint, Real t) const {
   return block;
 }
 
-void DirectIsland::kick() {
-  for (const std::uint32_t body : members_.bodies) {
-    Velocity& velocity = step_->data.bodies.velocity[body];
-    velocity.v += h_ / 2 * step_->acceleration[body].v;
-    velocity.w += h_ / 2 * step_->acceleration[body].w;
+// Impulses
+// -------------------------------------------------------------------------------------------------------------
+
+void DirectIsland::kick(Real h) {
+  for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
+    const std::uint32_t body = members_.bodies[i];
+    const Velocity& by = step_->acceleration[body];
+    for (Velocity* velocity : {&step_->data.bodies.velocity[body], &by_forces_[i]}) {
+      velocity->v += h / 2 * by.v;
+      velocity->w += h / 2 * by.w;
+    }
   }
 }
 
-void DirectIsland::list_contact(DirectContact& contact, const TouchFrame& frame, bool rubs) {
+/// m, along the longer side of the island: between bodies that are pushed.
+Real DirectIsland::place_of(std::uint32_t a, std::uint32_t b) const {
+  const BodySet& bodies = step_->data.bodies;
+  const auto at = [&](std::uint32_t body) { return tall_ ? step_->start[body].p.y : step_->start[body].p.x; };
+  if (!bodies.pushable(a)) return at(b);
+  return bodies.pushable(b) ? (at(a) + at(b)) / 2 : at(a);
+}
+
+void DirectIsland::list_contact(DirectContact& contact) {
   Constraint row;
   row.a = contact.a;
   row.b = contact.b;
+  row.place = place_of(contact.a, contact.b);
   row.mass_a = contact.mass_a;
   row.mass_b = contact.mass_b;
-  row.axis = frame.normal;
+  row.axis = contact.frame.normal;
   row.law = Law::pushes;
+  contact.row = static_cast<std::uint32_t>(system_.all().size());
   for (std::size_t i = 0; i < contact.count; ++i) {
-    row.arm_a = frame.points[i].cross_a;
-    row.arm_b = frame.points[i].cross_b;
-    row.acts = contact.impulse[i].x > 0;
-    contact.row[i] = system_.add(row);
+    row.arm_a = contact.frame.points[i].cross_a;
+    row.arm_b = contact.frame.points[i].cross_b;
+    system_.add(row);
   }
-  contact.friction_row = ~std::uint32_t{0};
-  if (!rubs || !(contact.friction() > 0)) return;
-  row.axis = perpendicular(frame.normal);
+  contact.friction_row = DirectContact::no_row;
+  if (!(contact.friction() > 0)) return;
+  row.axis = perpendicular(contact.frame.normal);
   row.law = Law::rubs;
-  row.first = contact.row[0];
+  row.first = contact.row;
   row.count = static_cast<std::uint32_t>(contact.count);
   row.friction = contact.friction();
   for (std::size_t i = 0; i < contact.count; ++i) {
-    row.point_a[i] = frame.points[i].dot_a;
-    row.point_b[i] = frame.points[i].dot_b;
+    row.point_a[i] = contact.frame.points[i].dot_a;
+    row.point_b[i] = contact.frame.points[i].dot_b;
   }
-  row.arm_a = row.point_a[0];
-  row.arm_b = row.point_b[0];
-  row.acts = contact.impulse[0].x + contact.impulse[1].x > 0;
   contact.friction_row = system_.add(row);
 }
 
@@ -240,15 +344,13 @@ void DirectIsland::list_joint(const JointBlock& block) {
     Constraint row;
     row.a = block.a;
     row.b = block.b;
+    row.place = place_of(block.a, block.b);
     row.mass_a = block.inv_mass_a;
     row.mass_b = block.inv_mass_b;
     row.axis = from.axis;
     row.arm_a = from.arm_a;
     row.arm_b = from.arm_b;
     row.law = law;
-    const Real mass = effective_mass(block, from);
-    if (law == Law::holds && mass > 0) row.compliance = give / mass;
-    row.acts = from.impulse != 0;
     system_.add(row);
   };
   for (int i = 0; i < block.equations; ++i) add(block.equation[static_cast<std::size_t>(i)], Law::holds);
@@ -258,34 +360,35 @@ void DirectIsland::list_joint(const JointBlock& block) {
 
 /// Sets the biases so that gaps, slips and the errors of joints after a drift at the present velocities vanish if they
 /// are linear.
-void DirectIsland::bias_press() {
+void DirectIsland::bias_press(Real h) {
   const std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   const auto set = [&](std::uint32_t at, Real miss) {
-    Constraint& row = system_[at];
-    row.bias = miss / h_ - ConstraintSystem::speed(row, velocity);
+    system_[at].bias = miss / h - ConstraintSystem::speed(system_[at], velocity);
   };
   for (const DirectContact& contact : contacts_) {
-    const Motion a = motion_after(contact.a, h_);
-    const Motion b = motion_after(contact.b, h_);
-    const bool rubs = contact.friction_row != ~std::uint32_t{0};
+    const Motion a = motion_after(contact.a, h);
+    const Motion b = motion_after(contact.b, h);
+    const bool rubs = contact.friction_row != DirectContact::no_row;
     Motion by_a, by_b;
     if (rubs) {
-      by_a.advance(velocity[contact.a], h_);
-      by_b.advance(velocity[contact.b], h_);
+      by_a.advance(velocity[contact.a], h);
+      by_b.advance(velocity[contact.b], h);
     }
     for (std::size_t i = 0; i < contact.count; ++i) {
-      const Real now = contact.frame.points[i].separation;
-      const Real least = now < 0 ? std::min(now + most_push, Real{0}) : Real{0};
-      set(contact.row[i], contact.touch.gap(i, a, b) - least);
+      const PointArms& p = contact.frame.points[i];
+      const std::uint32_t at = contact.row + static_cast<std::uint32_t>(i);
+      const Real miss = contact.touch.gap(i, a, b) - least_gap(p.separation, h);
+      // What comes to touch at the end by rounding is not stopped.
+      set(at, system_[at].impulse == 0 && miss > -exact ? std::max(miss, Real{0}) : miss);
       if (!rubs) continue;
       Constraint& row = system_[contact.friction_row];
       const Real speed = dot(row.axis, velocity[contact.b].v - velocity[contact.a].v) +
                          velocity[contact.b].w * row.point_b[i] - velocity[contact.a].w * row.point_a[i];
-      row.point_bias[i] = slip(contact.frame, contact.frame.points[i], by_a, by_b) / h_ - speed;
+      row.point_bias[i] = slip(contact.frame, p, by_a, by_b) / h - speed;
     }
   }
   for (std::size_t j = 0; j < members_.joints.size(); ++j) {
-    const JointBlock there = ahead(*members_.joints[j], h_);
+    const JointBlock there = ahead(*members_.joints[j], h);
     std::uint32_t at = joint_rows_[j];
     for (int i = 0; i < there.equations; ++i) set(at++, there.equation[static_cast<std::size_t>(i)].error);
     for (int i = 0; i < there.stops; ++i) set(at++, there.stop[static_cast<std::size_t>(i)].error);
@@ -293,45 +396,25 @@ void DirectIsland::bias_press() {
   }
 }
 
-/// Impulses before the drift, after which nothing overlaps, what sticks has not slid, and joints hold.
-void DirectIsland::press() {
-  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
-  system_.clear();
-  joint_rows_.clear();
-  for (DirectContact& contact : contacts_) list_contact(contact, contact.frame, true);
-  for (ActiveJoint* joint : members_.joints) {
-    list_joint(joint->block);
-    if (joint->block.driven) system_[system_.all().size() - 1].most = h_ / 2 * joint->block.motor_strength;
-  }
-  constexpr int rounds = 6;
-  for (int round = 0; round < rounds; ++round) {
-    bias_press();
-    const bool ok = system_.solve(velocity);
-    if (getenv("DBG") && !ok) fprintf(stderr, "press fails: %zu rows\n", system_.all().size());
-    if (round == 0 && stick_or_slip()) {
-      bias_press();
-      system_.solve(velocity);
-    }
-    if (residual_of_press() <= static_cast<Real>(1e-12)) break;
-  }
-  read_impulses(true);
-  if (getenv("DBG3")) { for (auto& c : contacts_) { fprintf(stderr, "press n %.3g %.3g:", (double)c.frame.normal.x, (double)c.frame.normal.y); for (std::size_t i = 0; i < c.count; ++i) fprintf(stderr, " [s %.6g j %.9g %.9g cr %.6g]", (double)c.frame.points[i].separation, (double)c.impulse[i].x, (double)c.impulse[i].y, (double)c.frame.points[i].cross_b); fprintf(stderr, " res %.3g\n", (double)residual_of_press()); } }
+/// m, what a gap may be after the drift: an overlap is pushed apart bit by bit.
+Real DirectIsland::least_gap(Real now, Real h) const {
+  return now < 0 ? std::min(now + most_push * (h / h_), Real{0}) : Real{0};
 }
 
 /// m, by how much gaps and errors of joints that act will be off after the drift.
-Real DirectIsland::residual_of_press() const {
+Real DirectIsland::missed(Real h) const {
   Real most = 0;
   for (const DirectContact& contact : contacts_) {
+    if (contact.struck) continue;
+    const Motion a = motion_after(contact.a, h);
+    const Motion b = motion_after(contact.b, h);
     for (std::size_t i = 0; i < contact.count; ++i) {
-      ConstraintSystem& system = const_cast<ConstraintSystem&>(system_);
-      const Real now = contact.frame.points[i].separation;
-      const Real least = now < 0 ? std::min(now + most_push, Real{0}) : Real{0};
-      const Real gap = contact.touch.gap(i, motion_after(contact.a, h_), motion_after(contact.b, h_)) - least;
-      most = std::max(most, system[contact.row[i]].impulse > 0 ? std::abs(gap) : -gap);
+      const Real gap = contact.touch.gap(i, a, b) - least_gap(contact.frame.points[i].separation, h);
+      most = std::max(most, system_[contact.row + i].impulse > 0 ? std::abs(gap) : -gap);
     }
   }
   for (const ActiveJoint* joint : members_.joints) {
-    const JointBlock there = ahead(*joint, h_);
+    const JointBlock there = ahead(*joint, h);
     for (int i = 0; i < there.equations; ++i) {
       most = std::max(most, std::abs(there.equation[static_cast<std::size_t>(i)].error));
     }
@@ -344,10 +427,10 @@ Real DirectIsland::residual_of_press() const {
 bool DirectIsland::stick_or_slip() {
   bool broke = false;
   for (DirectContact& contact : contacts_) {
-    if (contact.static_friction == contact.dynamic_friction || contact.friction_row == ~std::uint32_t{0}) continue;
+    if (contact.static_friction == contact.dynamic_friction || contact.friction_row == DirectContact::no_row) continue;
     Constraint& row = system_[contact.friction_row];
     Real load = 0;
-    for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row[i]].impulse;
+    for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
     const bool slips = load > 0 && std::abs(row.impulse) >= row.friction * load;
     broke = broke || (slips && !contact.slips);
     contact.slips = slips;
@@ -356,387 +439,160 @@ bool DirectIsland::stick_or_slip() {
   return broke;
 }
 
-/// Takes the impulses of contacts and joints from the system.
-void DirectIsland::read_impulses(bool pressing) {
+/// N s, the impulse of a point along normal and tangent: friction is shared as the load is.
+Vec2 DirectIsland::solved(const DirectContact& contact, std::size_t point) const {
+  Real load = 0;
+  for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
+  const Real normal = system_[contact.row + point].impulse;
+  if (contact.friction_row == DirectContact::no_row) return {normal, 0};
+  const Real share = load > 0 ? normal / load : 1 / static_cast<Real>(contact.count);
+  return {normal, system_[contact.friction_row].impulse * share};
+}
+
+void DirectIsland::note(DirectContact& contact, std::size_t point, Vec2 impulse) {
+  contact.total[point] += impulse;
+  contact.acted += impulse.x * contact.frame.normal + impulse.y * perpendicular(contact.frame.normal);
+}
+
+/// Impulses before the drift, after which nothing overlaps, what sticks has not slid, and joints hold.
+void DirectIsland::press(Real h) {
+  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  const Real share = h / last_;
+  system_.clear();
+  joint_rows_.clear();
   for (DirectContact& contact : contacts_) {
-    if (pressing) contact.impulse = {};
-    Real load = 0;
-    Real most = 0;
+    list_contact(contact);
     for (std::size_t i = 0; i < contact.count; ++i) {
-      if (contact.row[i] == ~std::uint32_t{0}) continue;
-      load += system_[contact.row[i]].impulse;
-      most = std::max(most, system_[contact.row[i]].impulse);
-    }
-    const Real friction = contact.friction_row == ~std::uint32_t{0} ? Real{0} : system_[contact.friction_row].impulse;
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      if (contact.row[i] == ~std::uint32_t{0}) continue;
-      const Real normal = system_[contact.row[i]].impulse;
-      const Vec2 now{normal, load > 0 ? friction * (normal / load) : Real{0}};
-      note(contact, i, now - contact.impulse[i], contact.frame.normal);
-      contact.impulse[i] = now;
+      if (contact.struck) {
+        system_[contact.row + i].mass_a = system_[contact.row + i].mass_b = {};
+        continue;
+      }
+      system_[contact.row + i].impulse = share * contact.pressed[i].x;
+      if (contact.friction_row != DirectContact::no_row) {
+        system_[contact.friction_row].impulse += share * contact.pressed[i].y;
+      }
     }
   }
+  for (ActiveJoint* joint : members_.joints) {
+    list_joint(joint->block);
+    std::size_t at = joint_rows_.back();
+    for_each_row(joint->block, [&](const JointRow& row) { system_[at++].impulse = share * row.half; });
+    if (joint->block.driven) system_[at - 1].most = h / 2 * joint->block.motor_strength;
+  }
+  constexpr int rounds = 6;
+  for (int round = 0; round < rounds; ++round) {
+    bias_press(h);
+    system_.solve(velocity);
+    if (round == 0 && stick_or_slip()) {
+      bias_press(h);
+      system_.solve(velocity);
+    }
+    if (missed(h) <= exact) break;
+  }
+  for (DirectContact& contact : contacts_) {
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      contact.pressing[i] = solved(contact, i);
+      note(contact, i, contact.pressing[i]);
+    }
+  }
+  pressing_joints_.clear();
   for (std::size_t j = 0; j < members_.joints.size(); ++j) {
-    std::uint32_t at = joint_rows_[j];
-    for_each_row(members_.joints[j]->block, [&](JointRow& row) { row.impulse = system_[at++].impulse; });
+    std::size_t at = joint_rows_[j];
+    for_each_row(members_.joints[j]->block,
+                 [&](const JointRow&) { pressing_joints_.push_back(system_[at++].impulse); });
   }
 }
 
-void DirectIsland::drift() {
+void DirectIsland::drift(Real h) {
   BodySet& bodies = step_->data.bodies;
-  for (const std::uint32_t body : members_.bodies) step_->motion[body].advance(bodies.velocity[body], h_);
+  for (const std::uint32_t body : members_.bodies) step_->motion[body].advance(bodies.velocity[body], h);
   if (!members_.varies) return;
   for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
     const std::uint32_t body = members_.bodies[i];
     bodies.pose[body] = step_->motion[body].from(step_->start[body]);
     // What constraints give after the drift is about what they gave before.
-    step_->held[body].v = bodies.velocity[body].v + (bodies.velocity[body].v - before_[i].v);
-    step_->held[body].w = bodies.velocity[body].w + (bodies.velocity[body].w - before_[i].w);
-    step_->later[body].v = step_->held[body].v + h_ / 2 * step_->acceleration[body].v;
-    step_->later[body].w = step_->held[body].w + h_ / 2 * step_->acceleration[body].w;
+    const Velocity& now = bodies.velocity[body];
+    Velocity& held = step_->held[body];
+    held.v = now.v + (now.v - before_[i].v - by_forces_[i].v);
+    held.w = now.w + (now.w - before_[i].w - by_forces_[i].w);
+    step_->later[body].v = held.v + h / 2 * step_->acceleration[body].v;
+    step_->later[body].w = held.w + h / 2 * step_->acceleration[body].w;
   }
-  step_->data.forces.accelerations(bodies, members_.bodies, members_.pulls, h_ / 2, step_->held, step_->later,
+  step_->data.forces.accelerations(bodies, members_.bodies, members_.pulls, h / 2, step_->held, step_->later,
                                    step_->acceleration);
 }
 
-/// Impulses after the drift, so that what pushes no longer approaches, and joints stay as they are.
-void DirectIsland::relax() {
+/// Impulses after the drift, so that what pushes no longer approaches, and joints stay as they are. They may take back
+/// what was pressed too much.
+void DirectIsland::relax(Real h) {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  const Real share = h / last_;
+  const auto start = [&](Constraint& row, Real given, Real guess) {
+    row.given = given;
+    row.impulse = guess;
+  };
   system_.clear();
   joint_rows_.clear();
   for (DirectContact& contact : contacts_) {
-    const std::array<Vec2, 2> given = contact.impulse;
-    list_contact(contact, contact.frame, true);
-    Real load = 0;
-    Real rubs = 0;
+    list_contact(contact);
+    Vec2 given, guess;
     for (std::size_t i = 0; i < contact.count; ++i) {
-      Constraint& row = system_[contact.row[i]];
-      row.impulse = row.given = given[i].x;
-      load += given[i].x;
-      rubs += given[i].y;
-      // What does not touch yet takes no part.
-      const bool near_by = contact.frame.points[i].separation <= touching;
-      const bool blow = ConstraintSystem::speed(row, velocity) < -slow_;
-      if (given[i].x == 0 && (!near_by || blow)) row.mass_a = row.mass_b = {};
+      Constraint& row = system_[contact.row + i];
+      const Vec2 pressed = contact.pressing[i];
+      const bool near_by = contact.frame.points[i].separation <= DirectContact::touching;
+      const bool struck = ConstraintSystem::speed(row, velocity) < -slow_;
+      if (contact.struck || (pressed.x == 0 && (!near_by || struck))) {
+        row.mass_a = row.mass_b = {};
+        continue;
+      }
+      // As much more as the last time.
+      const Vec2 total = pressed + share * (contact.impulse[i] - contact.pressed[i]);
+      start(row, pressed.x, std::max(total.x, Real{0}));
+      given += pressed;
+      guess += total;
     }
-    if (contact.friction_row != ~std::uint32_t{0}) system_[contact.friction_row].impulse = system_[contact.friction_row].given = rubs;
+    if (contact.friction_row != DirectContact::no_row) start(system_[contact.friction_row], given.y, guess.y);
   }
+  auto pressing = pressing_joints_.begin();
   for (ActiveJoint* joint : members_.joints) {
-    const std::size_t first = system_.all().size();
-    list_joint(joint->block);
-    std::size_t at = first;
-    for_each_row(joint->block, [&](const JointRow& row) {
-      system_[at].impulse = system_[at].given = row.impulse;
-      ++at;
+    JointBlock& block = joint->block;
+    list_joint(block);
+    std::size_t at = joint_rows_.back();
+    for_each_row(block, [&](const JointRow& row) {
+      start(system_[at++], *pressing, *pressing + share * (row.impulse - row.half));
+      ++pressing;
     });
-    for (std::size_t i = 0; i < static_cast<std::size_t>(joint->block.stops); ++i) {
-      Constraint& row = system_[first + static_cast<std::size_t>(joint->block.equations) + i];
-      if (joint->block.stop[i].error > touching && row.impulse == 0) row.mass_a = row.mass_b = {};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
+      Constraint& row = system_[joint_rows_.back() + static_cast<std::size_t>(block.equations) + i];
+      if (block.stop[i].error <= DirectContact::touching || row.given != 0) continue;
+      row.mass_a = row.mass_b = {};
+      row.impulse = 0;
     }
-    if (joint->block.driven) {
-      system_[system_.all().size() - 1].most = h_ * joint->block.motor_strength;
-      system_[system_.all().size() - 1].bias = -joint->block.motor_speed;
+    if (block.driven) {
+      system_[at - 1].most = h * block.motor_strength;
+      system_[at - 1].bias = -block.motor_speed;
     }
   }
-  const bool ok = system_.solve(velocity);
-  if (getenv("DBG") && !ok) fprintf(stderr, "relax fails: %zu rows\n", system_.all().size());
+  system_.solve(velocity);
   if (stick_or_slip()) system_.solve(velocity);
-  read_impulses(false);
-}
-
-void DirectIsland::substep() {
-  BodySet& bodies = step_->data.bodies;
-  refresh();
-  Real fastest = 0;
-  for (const std::uint32_t body : members_.bodies) fastest = std::max(fastest, length(step_->acceleration[body].v));
-  slow_ = static_cast<Real>(2.4) * fastest * h_ + static_cast<Real>(1e-4);
-  resolve_blows();
-  for (DirectContact& contact : contacts_) contact.frame = contact.touch.at(step_->motion[contact.a], step_->motion[contact.b]);
-  for (ActiveJoint* joint : members_.joints) joint->block = ahead(*joint, 0);
-  std::vector<Velocity> first;
-  for (const std::uint32_t body : members_.bodies) first.push_back(bodies.velocity[body]);
-  std::vector<Velocity> by_forces(members_.bodies.size());
-  const auto add_forces = [&] {
-    for (std::size_t i = 0; i < by_forces.size(); ++i) {
-      by_forces[i].v += h_ / 2 * step_->acceleration[members_.bodies[i]].v;
-      by_forces[i].w += h_ / 2 * step_->acceleration[members_.bodies[i]].w;
-    }
-  };
-  add_forces();
-  kick();
-  before_.clear();
-  for (const std::uint32_t body : members_.bodies) before_.push_back(bodies.velocity[body]);
-  press();
-  drift();
-  for (DirectContact& contact : contacts_) contact.frame = contact.touch.at(step_->motion[contact.a], step_->motion[contact.b]);
-  for (ActiveJoint* joint : members_.joints) joint->block = ahead(*joint, 0);
-  add_forces();
-  kick();
-  relax();
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    first[i].v += by_forces[i].v;
-    first[i].w += by_forces[i].w;
-  }
-  note_loads(first);
-  if (getenv("DBG4")) { Real e = 0; for (auto b : members_.bodies) { auto& m = bodies.inverse_mass[b]; auto& v = bodies.velocity; if (m.m > 0) e += dot(v[b].v, v[b].v) / (2 * m.m); if (m.i > 0) e += v[b].w * v[b].w / (2 * m.i); } fprintf(stderr, "substep energy %.9g\n", (double)e); }
-}
-
-void DirectIsland::end() {
-
-  StepData& data = step_->data;
-  const auto n = static_cast<Real>(substeps_);
-  for (const DirectContact& contact : contacts_) {
-    Contact& to = data.contacts[contact.contact];
-    to.slips = contact.slips;
-    to.offset = 0;
-    std::array<Vec2, 2> total = contact.total;
-    const Vec2 sum = total[0] + total[1];
-    const Real effect = length(contact.acted);
-    const Real all = length(sum);
-    if (all > 0 && effect > 0) {
-      // Impulses along a turning normal, as along one.
-      for (Vec2& each : total) each = (effect / all) * each;
-      const Vec2 normal = normalized(Rotation(sum.x, sum.y).inverse() * contact.acted);
-      if (length(normal - to.normal) > 64 * std::numeric_limits<Real>::epsilon()) {
-        to.normal = normal;
-        to.found_a.p = to.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
-      }
-    }
+  const bool tells = 8 * h >= h_;  // guesses for the next interval
+  for (DirectContact& contact : contacts_) {
     for (std::size_t i = 0; i < contact.count; ++i) {
-      ContactPoint& p = to.points[i];
-      p.normal_impulse = n * contact.impulse[i].x;
-      p.tangent_impulse = n * contact.impulse[i].y;
-      p.total_normal_impulse = total[i].x;
-      p.total_tangent_impulse = total[i].y;
+      const Vec2 impulse = solved(contact, i);
+      note(contact, i, impulse - contact.pressing[i]);
+      if (!tells) continue;
+      contact.impulse[i] = impulse;
+      contact.pressed[i] = contact.pressing[i];
     }
   }
-  for (ActiveJoint* joint : members_.joints) {
-    for_each_row(joint->block, [&](JointRow& row) { row.impulse *= n; });
-  }
-}
-
-// Blows ---------------------------------------------------------------------------------------------------------------
-
-Motion DirectIsland::flown_motion(std::uint32_t body, Real t) const {
-  const Velocity& v = step_->data.bodies.velocity[body];
-  const Velocity& a = step_->flight[body];
-  Motion at = step_->motion[body];
-  if (t == 0) return at;
-  at.d += t * v.v + (t * t / 2) * a.v;
-  at.turn_by(t * v.w + (t * t / 2) * a.w);
-  return at;
-}
-
-Velocity DirectIsland::flown_velocity(std::uint32_t body, Real t) const {
-  const Velocity& v = step_->data.bodies.velocity[body];
-  const Velocity& a = step_->flight[body];
-  return {v.v + t * a.v, v.w + t * a.w};
-}
-
-/// m/s, at which the gap of a point grows.
-Real DirectIsland::approach(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Real t) const {
-  const Velocity a = flown_velocity(contact.a, t);
-  const Velocity b = flown_velocity(contact.b, t);
-  return dot(frame.normal, b.v - a.v) + b.w * frame.points[point].cross_b - a.w * frame.points[point].cross_a;
-}
-
-bool DirectIsland::later_event(const Event& left, const Event& right) {
-  if (left.time != right.time) return left.time > right.time;
-  if (left.speed != right.speed) return left.speed < right.speed;
-  return left.contact > right.contact;
-}
-
-/// Schedules the first time from now on at which a point of the contact touches faster than the threshold.
-///
-/// The parabola through the gap now, its rate, and the gap at the end of the sub-step gives a guess; Newton's iteration on
-/// the exact path refines it.
-void DirectIsland::aim(std::uint32_t index, Real now) {
-  const DirectContact& contact = contacts_[index];
-  ++candidates_[index].aims;
-  const auto frame_at = [&](Real t) { return contact.touch.at(flown_motion(contact.a, t), flown_motion(contact.b, t)); };
-  const TouchFrame here = frame_at(now);
-  const Real rest = h_ - now;
-  const TouchFrame end = frame_at(h_);
-  Event first{std::numeric_limits<Real>::infinity(), 0, index, candidates_[index].aims};
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    const Real s = here.points[i].separation;
-    const Real v = approach(contact, here, i, now);
-    Real time = now;
-    Real speed = -v;
-    if (s > 0) {
-      if (!(rest > 0)) continue;
-      const Real c = 2 * (end.points[i].separation - s - v * rest) / (rest * rest);
-      const Real discriminant = v * v - 2 * c * s;
-      if (discriminant < 0) continue;
-      const Real closing = std::sqrt(discriminant) - v;
-      if (closing <= 0) continue;
-      Real x = 2 * s / closing;
-      if (x > 2 * rest) continue;
-      constexpr int rounds = 4;
-      bool parts = false;
-      for (int round = 0; round < rounds && !parts; ++round) {
-        const TouchFrame there = frame_at(now + x);
-        const Real rate = approach(contact, there, i, now + x);
-        parts = rate >= 0;
-        if (!parts) x = std::max(x - there.points[i].separation / rate, Real{0});
-      }
-      if (parts || x > rest) continue;
-      time = now + x;
-      speed = -approach(contact, frame_at(time), i, time);
-    }
-    if (speed <= slow_) continue;
-    if (time < first.time || (time == first.time && speed > first.speed)) {
-      first.time = time;
-      first.speed = speed;
-    }
-  }
-  if (first.time == std::numeric_limits<Real>::infinity()) return;
-  events_.push_back(first);
-  std::push_heap(events_.begin(), events_.end(), later_event);
-}
-
-/// Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985), and has no solution for
-/// some (Painleve). Then the normal impulses are those without friction, and friction only removes energy.
-void DirectIsland::solve_blow(std::vector<Velocity>& velocity) {
-  const bool solved = system_.solve(velocity);
-  if (getenv("DBG") && !solved) fprintf(stderr, "blow fails: %zu rows\n", system_.all().size());
-  if (solved && !system_.drove(velocity)) return;
-  for (std::size_t i = 0; i < members_.bodies.size(); ++i) velocity[members_.bodies[i]] = before_[i];
-  const auto anew = [&](bool rubs) {
-    for (Constraint& row : system_.all()) {
-      if (!rubs) row.impulse = 0;
-      row.fixed = rubs ? row.law == Law::pushes : row.law == Law::rubs;
-    }
-    system_.begin_anew();
-    system_.solve(velocity);
-  };
-  anew(false);
-  anew(true);
-}
-
-/// Resolves the impact of a contact at tau: velocities change there, and the start of the sub-step's path shifts so that
-/// the path still passes through the bodies' places at tau.
-void DirectIsland::strike(std::uint32_t index, Real tau) {
-  BodySet& bodies = step_->data.bodies;
-  std::vector<Velocity>& velocity = bodies.velocity;
-  const bool inelastic = contacts_[index].restitution == 0;
-  // Whom it concerns: bodies at the time of impact.
-  before_.clear();
-  for (const std::uint32_t body : members_.bodies) {
-    if (bodies.pushable(body)) velocity[body] = flown_velocity(body, tau);
-    before_.push_back(velocity[body]);
-  }
-  system_.clear();
-  joint_rows_.clear();
-  std::vector<std::pair<std::uint32_t, TouchFrame>> struck;
-  for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
-    if (c != index && !inelastic) continue;
-    DirectContact& contact = contacts_[c];
-    Motion a = step_->motion[contact.a];
-    Motion b = step_->motion[contact.b];
-    const auto fly = [&](std::uint32_t body, Motion& m) {
-      if (tau == 0) return;
-      const std::size_t k = static_cast<std::size_t>(std::find(members_.bodies.begin(), members_.bodies.end(), body) - members_.bodies.begin());
-      if (k == members_.bodies.size()) {
-        m.advance(velocity[body], tau);
-        return;
-      }
-      const Velocity& acc = step_->flight[body];
-      m.d += tau * before_[k].v - (tau * tau / 2) * acc.v;
-      m.turn_by(tau * before_[k].w - (tau * tau / 2) * acc.w);
-    };
-    fly(contact.a, a);
-    fly(contact.b, b);
-    const TouchFrame frame = contact.touch.at(a, b);
-    const std::array<Vec2, 2> given = contact.impulse;
-    const Real reach = c == index ? together : touching;
-    bool any = false;
-    for (std::size_t i = 0; i < contact.count; ++i) any = any || frame.points[i].separation <= reach;
-    if (!any) continue;
-    contact.impulse = {};
-    // A point that slides when it is hit slides until friction has stopped it.
-    const bool slips = contact.slips;
-    Real slides = 0;
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      const Velocity& va = velocity[contact.a];
-      const Velocity& vb = velocity[contact.b];
-      slides = std::max(slides, std::abs(dot(perpendicular(frame.normal), vb.v - va.v) + vb.w * frame.points[i].dot_b -
-                                         va.w * frame.points[i].dot_a));
-    }
-    contact.slips = slides > static_cast<Real>(1e-4);
-    list_contact(contact, frame, true);
-    contact.slips = slips;
-    contact.impulse = given;
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      Constraint& row = system_[contact.row[i]];
-      const Real v = ConstraintSystem::speed(row, velocity);
-      if (frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
-      row.acts = v < 0;
-      if (v < -slow_ || c == index) row.bias = contact.restitution * std::min(v, Real{0});
-    }
-    struck.emplace_back(c, frame);
-  }
-  std::vector<JointBlock> kept;
-  for (ActiveJoint* joint : members_.joints) {
-    const std::size_t first = system_.all().size();
-    list_joint(joint->block);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(joint->block.stops); ++i) {
-      Constraint& row = system_[first + static_cast<std::size_t>(joint->block.equations) + i];
-      if (joint->block.stop[i].error > touching) row.mass_a = row.mass_b = {};
-    }
-    if (joint->block.driven) system_[system_.all().size() - 1].most = 0;
-  }
-  const auto energy = [&] { Real e = 0; for (auto b : members_.bodies) { auto& m = bodies.inverse_mass[b]; if (m.m > 0) e += dot(velocity[b].v, velocity[b].v) / (2 * m.m); if (m.i > 0) e += velocity[b].w * velocity[b].w / (2 * m.i); } return e; };
-  const Real e0 = energy();
-  solve_blow(velocity);
-  if (getenv("DBG4")) { fprintf(stderr, "blow tau %.6g contact %u energy %.9g -> %.9g:", (double)tau, index, (double)e0, (double)energy()); for (auto& r : system_.all()) fprintf(stderr, " [%d j %.6g w %.6g b %.6g]", (int)r.law, (double)r.impulse, (double)ConstraintSystem::speed(r, velocity), (double)r.bias); fprintf(stderr, "\n"); }
-  for (const auto& [c, frame] : struck) {
-    DirectContact& contact = contacts_[c];
-    Real load = 0;
-    for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row[i]].impulse;
-    const Real friction = contact.friction_row == ~std::uint32_t{0} ? Real{0} : system_[contact.friction_row].impulse;
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      const Real normal = system_[contact.row[i]].impulse;
-      note(contact, i, {normal, load > 0 ? friction * (normal / load) : Real{0}}, frame.normal);
-    }
-  }
-  for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
-    const std::uint32_t body = members_.bodies[i];
-    if (!bodies.pushable(body)) continue;
-    Velocity& v = velocity[body];
-    step_->motion[body].d -= tau * (v.v - before_[i].v);
-    step_->motion[body].turn_by(-tau * (v.w - before_[i].w));
-    v.v -= tau * step_->flight[body].v;
-    v.w -= tau * step_->flight[body].w;
-  }
-}
-
-void DirectIsland::resolve_blows() {
-  candidates_.assign(contacts_.size(), {});
-  events_.clear();
-  for (std::uint32_t c = 0; c < contacts_.size(); ++c) aim(c, 0);
-  const std::size_t most = 64 + 16 * contacts_.size();
-  std::size_t count = 0;
-  std::size_t elastic = 0;
-  while (count < most && elastic < 5000 && !events_.empty()) {
-    std::pop_heap(events_.begin(), events_.end(), later_event);
-    const Event next = events_.back();
-    events_.pop_back();
-    if (next.aims != candidates_[next.contact].aims) continue;
-    DirectContact& hit = contacts_[next.contact];
-    ++(hit.restitution < 1 ? count : elastic);
-    if (find(hit, flown_motion(hit.a, next.time), flown_motion(hit.b, next.time))) {
-      aim(next.contact, next.time);
-      continue;
-    }
-    strike(next.contact, next.time);
-    const bool all = hit.restitution == 0 || !members_.joints.empty();
-    for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
-      const DirectContact& other = contacts_[c];
-      const auto moves = [&](std::uint32_t body) { return step_->data.bodies.pushable(body); };
-      const auto shares = [&](std::uint32_t body) { return moves(body) && (body == hit.a || body == hit.b); };
-      if (all || shares(other.a) || shares(other.b)) aim(c, next.time);
-    }
+  if (!tells) return;
+  pressing = pressing_joints_.begin();
+  for (std::size_t j = 0; j < members_.joints.size(); ++j) {
+    std::size_t at = joint_rows_[j];
+    for_each_row(members_.joints[j]->block, [&](JointRow& row) {
+      row.impulse = system_[at++].impulse;
+      row.half = *pressing++;
+    });
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr Real flush = Real{1} / 128;
 
 struct Face {
-  Vec2 normal;  // world frame
+  Vec2 normal;     // world frame
   Real angle = 2;  // sine of its angle with the direction sought
 };
 

@@ -61,7 +61,7 @@ class Touch {
   Real radius_a_ = 0, radius_b_ = 0;  // m, by which the shapes are rounded
   // In the frame of the normal as found: arms of the cores' points.
   std::array<Vec2, 2> arm_a_, arm_b_;
-  std::array<Vec2, 2> apart_;          // m, from the core of a to that of b
+  std::array<Vec2, 2> apart_;       // m, from the core of a to that of b
   Displacement found_a_, found_b_;  // from where the points were found to the start of the step
 };
 

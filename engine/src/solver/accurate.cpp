@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -49,6 +48,8 @@ constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
 /// Most contacts of an island that is solved as one system in a blow: its cost grows with their third power.
 constexpr std::size_t most_solved = 12;
+/// Most contacts of an island that is solved as one system, and most joints.
+constexpr std::size_t most_direct = 24;
 
 /// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
 constexpr std::size_t most_together = 64;
@@ -194,7 +195,6 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
     return;
   }
   if (now.contacts.empty() && now.joints.empty() && !now.varies) return fly(data, now);
-  static const std::size_t most_direct = getenv("DIRECT") ? std::strtoul(getenv("DIRECT"), nullptr, 10) : 24;
   if (now.contacts.size() <= most_direct && now.joints.all().size() <= most_direct && !now.joints.swept()) {
     DirectStep step{data, start_, motion_, acceleration_, flight_, later_, held_};
     space.direct.step(step, {now.bodies, now.contacts, now.joints.all(), now.pulls, now.varies});
