@@ -166,7 +166,10 @@ void DirectIsland::end() {
     const Real all = length(sum);
     if (effect > 0) {
       // Impulses along a normal that turns act as others along a fixed one.
-      for (Vec2& each : total) each = all > 0 ? (effect / all) * each : Vec2{effect / 2, 0};
+      const Real share = effect / static_cast<Real>(contact.count);
+      for (std::size_t i = 0; i < contact.count; ++i) {
+        total[i] = all > 0 ? (effect / all) * total[i] : Vec2{share, 0};
+      }
       const Vec2 along = all > 0 ? sum : Vec2{1, 0};
       const Vec2 normal = normalized(Rotation(along.x, along.y).inverse() * contact.acted);
       if (length(normal - to.normal) > 64 * std::numeric_limits<Real>::epsilon()) {
