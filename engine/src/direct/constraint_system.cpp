@@ -129,6 +129,7 @@ void ConstraintSystem::begin(std::vector<Velocity>& velocity) {
     start_.clear();
     for (const Constraint& row : rows_) start_.emplace_back(velocity[row.a], velocity[row.b]);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (std::abs(rows_[i].impulse) <= may_remain * scale_ * mass_[i]) rows_[i].impulse = 0;
       if (rows_[i].impulse != rows_[i].given) change(i, rows_[i].impulse - rows_[i].given, velocity);
     }
   }
@@ -388,13 +389,17 @@ void ConstraintSystem::keep(Real broken) {
   for (const Constraint& row : rows_) best_.push_back(row.impulse);
 }
 
-/// The velocities at the start with all impulses since: without the rounding of those that were taken back.
-void ConstraintSystem::rebuild(std::vector<Velocity>& velocity) {
+void ConstraintSystem::go_back(std::vector<Velocity>& velocity) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     if (pushable(row.mass_a)) velocity[row.a] = start_[i].first;
     if (pushable(row.mass_b)) velocity[row.b] = start_[i].second;
   }
+}
+
+/// The velocities at the start with all impulses since: without the rounding of those that were taken back.
+void ConstraintSystem::rebuild(std::vector<Velocity>& velocity) {
+  go_back(velocity);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (rows_[i].impulse != rows_[i].given) change(i, rows_[i].impulse - rows_[i].given, velocity);
   }
@@ -446,6 +451,12 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
   }
   finish(enough, velocity);
   return softness_ == 0;
+}
+
+void ConstraintSystem::restart(std::vector<Velocity>& velocity) {
+  go_back(velocity);
+  begun_ = false;
+  reconsider();
 }
 
 void ConstraintSystem::undo(std::vector<Velocity>& velocity) {

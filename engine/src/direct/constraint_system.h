@@ -71,6 +71,8 @@ class ConstraintSystem {
   void undo(std::vector<Velocity>& velocity);
   /// Solves anew which constraints act, after some were fixed or set free.
   void reconsider() { state_.clear(); }
+  /// Velocities as before the first call, from which the next one starts with the solution as a guess.
+  void restart(std::vector<Velocity>& velocity);
 
   /// m/s or rad/s, without bias.
   static Real speed(const Constraint& row, const std::vector<Velocity>& velocity);
@@ -100,6 +102,7 @@ class ConstraintSystem {
   void sweep(std::vector<Velocity>& velocity);
   void keep(Real broken);
   void rebuild(std::vector<Velocity>& velocity);
+  void go_back(std::vector<Velocity>& velocity) const;
   void finish(Real enough, std::vector<Velocity>& velocity);
 
   std::vector<Constraint> rows_;

@@ -36,20 +36,9 @@ void DirectIsland::step(DirectStep& step, const Members& members) {
   end();
 }
 
-/// So many that no body turns by more than a quarter radian in one: normals turn with the bodies.
-int DirectIsland::substeps_by_motion() const {
-  constexpr Real turn = static_cast<Real>(0.25);
-  constexpr int most = 32;
-  Real fastest = 0;
-  for (const std::uint32_t body : members_.bodies)
-    fastest = std::max(fastest, std::abs(step_->data.bodies.velocity[body].w));
-  const Real wanted = fastest * step_->data.settings.dt / turn;
-  return wanted < most ? static_cast<int>(std::ceil(wanted)) : most;
-}
-
 void DirectIsland::begin() {
   StepData& data = step_->data;
-  substeps_ = std::max(data.settings.substeps, substeps_by_motion());
+  substeps_ = data.settings.substeps;
   last_ = h_ = data.settings.dt / static_cast<Real>(substeps_);
   Vec2 least = step_->start[members_.bodies[0]].p;
   Vec2 most = least;
@@ -76,19 +65,7 @@ void DirectIsland::begin() {
   note_velocities(before_);
   by_forces_.assign(members_.bodies.size(), {});
   for (const DirectContact& contact : contacts_) {
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      const PointArms& at = contact.frame.points[i];
-      const Vec2 j = contact.impulse[i];
-      const Vec2 world = j.x * contact.frame.normal + j.y * perpendicular(contact.frame.normal);
-      if (pushable(contact.mass_a)) {
-        velocity[contact.a].v -= contact.mass_a.m * world;
-        velocity[contact.a].w -= contact.mass_a.i * (j.x * at.cross_a + j.y * at.dot_a);
-      }
-      if (pushable(contact.mass_b)) {
-        velocity[contact.b].v += contact.mass_b.m * world;
-        velocity[contact.b].w += contact.mass_b.i * (j.x * at.cross_b + j.y * at.dot_b);
-      }
-    }
+    for (std::size_t i = 0; i < contact.count; ++i) push(contact, contact.frame, i, contact.impulse[i]);
   }
   for (const ActiveJoint* joint : members_.joints) {
     const JointBlock& block = joint->block;
@@ -160,23 +137,7 @@ void DirectIsland::end() {
     Contact& to = data.contacts[contact.contact];
     to.slips = contact.slips;
     to.offset = 0;
-    std::array<Vec2, 2> total = contact.total;
-    const Vec2 sum = total[0] + total[1];
-    const Real effect = length(contact.acted);
-    const Real all = length(sum);
-    if (effect > 0) {
-      // Impulses along a normal that turns act as others along a fixed one.
-      const Real share = effect / static_cast<Real>(contact.count);
-      for (std::size_t i = 0; i < contact.count; ++i) {
-        total[i] = all > 0 ? (effect / all) * total[i] : Vec2{share, 0};
-      }
-      const Vec2 along = all > 0 ? sum : Vec2{1, 0};
-      const Vec2 normal = normalized(Rotation(along.x, along.y).inverse() * contact.acted);
-      if (length(normal - to.normal) > 64 * std::numeric_limits<Real>::epsilon()) {
-        to.normal = normal;
-        to.found_a.p = to.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
-      }
-    }
+    const std::array<Vec2, 2> total = reported(contact, to);
     for (std::size_t i = 0; i < contact.count; ++i) {
       ContactPoint& p = to.points[i];
       p.normal_impulse = per_step * contact.impulse[i].x;
@@ -191,6 +152,39 @@ void DirectIsland::end() {
       row.half *= per_step;
     });
   }
+}
+
+/// N s, of each point along the normal and tangent of the step's end, that act on the bodies as all impulses of the
+/// step did: if the normal turned meanwhile, they get the mean one, and points where they turn the bodies as much.
+std::array<Vec2, 2> DirectIsland::reported(const DirectContact& contact, Contact& to) {
+  std::array<Vec2, 2> total = contact.total;
+  const Vec2 sum = total[0] + total[1];
+  const Real effect = length(contact.acted);
+  const Real all = length(sum);
+  if (effect == 0) return total;
+  const Real share = effect / static_cast<Real>(contact.count);
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    total[i] = all > 0 ? (effect / all) * total[i] : Vec2{share, 0};
+  }
+  const Vec2 along = all > 0 ? sum : Vec2{1, 0};
+  const Vec2 normal = normalized(Rotation(along.x, along.y).inverse() * contact.acted);
+  if (length(normal - to.normal) <= 64 * std::numeric_limits<Real>::epsilon()) return total;
+  to.normal = normal;
+  to.found_a.p = to.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
+  const Real pushes = total[0].x + total[1].x;
+  if (!(pushes > 0)) return total;
+  Real turned_a = 0;
+  Real turned_b = 0;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    const Vec2 world = total[i].x * normal + total[i].y * perpendicular(normal);
+    turned_a += cross(to.points[i].arm_a, world);
+    turned_b += cross(to.points[i].arm_b, world);
+  }
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    to.points[i].arm_a += (turned_a - contact.turned_a) / pushes * perpendicular(normal);
+    to.points[i].arm_b += (turned_b - contact.turned_b) / pushes * perpendicular(normal);
+  }
+  return total;
 }
 
 void DirectIsland::note_velocities(std::vector<Velocity>& to) const {
@@ -452,9 +446,62 @@ Vec2 DirectIsland::solved(const DirectContact& contact, std::size_t point) const
   return {normal, system_[contact.friction_row].impulse * share};
 }
 
-void DirectIsland::note(DirectContact& contact, std::size_t point, Vec2 impulse) {
+void DirectIsland::note(DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse) {
   contact.total[point] += impulse;
-  contact.acted += impulse.x * contact.frame.normal + impulse.y * perpendicular(contact.frame.normal);
+  contact.acted += impulse.x * frame.normal + impulse.y * perpendicular(frame.normal);
+  const PointArms& p = frame.points[point];
+  contact.turned_a += impulse.x * p.cross_a + impulse.y * p.dot_a;
+  contact.turned_b += impulse.x * p.cross_b + impulse.y * p.dot_b;
+}
+
+/// Applies an impulse along normal and tangent.
+void DirectIsland::push(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse) {
+  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  const PointArms& at = frame.points[point];
+  const Vec2 world = impulse.x * frame.normal + impulse.y * perpendicular(frame.normal);
+  if (pushable(contact.mass_a)) {
+    velocity[contact.a].v -= contact.mass_a.m * world;
+    velocity[contact.a].w -= contact.mass_a.i * (impulse.x * at.cross_a + impulse.y * at.dot_a);
+  }
+  if (pushable(contact.mass_b)) {
+    velocity[contact.b].v += contact.mass_b.m * world;
+    velocity[contact.b].w += contact.mass_b.i * (impulse.x * at.cross_b + impulse.y * at.dot_b);
+  }
+}
+
+/// What lets go after the drift should not have been pressed: its impulse is taken back where it acted. Returns whether
+/// there was any.
+bool DirectIsland::let_go() {
+  const auto lets_go = [this](const DirectContact& contact) {
+    Real pressed = 0;
+    Real left = 0;
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      pressed += contact.pressing[i].x;
+      left += system_[contact.row + i].impulse;
+    }
+    return pressed > 0 && left == 0 && contact.pressed_at.normal != contact.frame.normal;
+  };
+  bool any = false;
+  for (DirectContact& contact : contacts_) {
+    contact.struck = lets_go(contact);
+    any = any || contact.struck;
+  }
+  if (!any) return false;
+  system_.restart(step_->data.bodies.velocity);
+  for (DirectContact& contact : contacts_) {
+    if (!contact.struck) continue;
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      push(contact, contact.pressed_at, i, -contact.pressing[i]);
+      note(contact, contact.pressed_at, i, -contact.pressing[i]);
+      contact.pressing[i] = {};
+      Constraint& row = system_[contact.row + i];
+      row.mass_a = row.mass_b = {};
+      row.given = row.impulse = 0;
+    }
+    if (contact.friction_row == DirectContact::no_row) continue;
+    system_[contact.friction_row].given = system_[contact.friction_row].impulse = 0;
+  }
+  return true;
 }
 
 /// Impulses before the drift, after which nothing overlaps, what sticks has not slid, and joints hold.
@@ -493,9 +540,10 @@ void DirectIsland::press(Real h) {
     if (missed(h) <= exact) break;
   }
   for (DirectContact& contact : contacts_) {
+    contact.pressed_at = contact.frame;
     for (std::size_t i = 0; i < contact.count; ++i) {
       contact.pressing[i] = solved(contact, i);
-      note(contact, i, contact.pressing[i]);
+      note(contact, contact.frame, i, contact.pressing[i]);
     }
   }
   pressing_joints_.clear();
@@ -578,11 +626,12 @@ void DirectIsland::relax(Real h) {
   }
   system_.solve(velocity);
   if (stick_or_slip()) system_.solve(velocity);
+  if (let_go()) system_.solve(velocity);
   const bool tells = 8 * h >= h_;  // guesses for the next interval
   for (DirectContact& contact : contacts_) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       const Vec2 impulse = solved(contact, i);
-      note(contact, i, impulse - contact.pressing[i]);
+      note(contact, contact.frame, i, impulse - contact.pressing[i]);
       if (!tells) continue;
       contact.impulse[i] = impulse;
       contact.pressed[i] = contact.pressing[i];

@@ -28,14 +28,16 @@ struct DirectContact {
   bool struck = false;    // in the present impact, or in one at the end of the interval
   bool may_join = false;  // with another contact of its body on the ground
   Touch touch;
-  TouchFrame frame;                // at the present poses
-  std::array<Vec2, 2> impulse{};   // N s, of each point, along normal and tangent, in the last full interval
-  std::array<Vec2, 2> pressed{};   // of these, before the drift
-  std::array<Vec2, 2> pressing{};  // the same in this interval
-  std::array<Vec2, 2> total{};     // in this step, blows included
-  Vec2 acted;                      // N s, of all points in this step, in the world's frame
-  std::uint32_t row = 0;           // of the first point in the system
-  std::uint32_t friction_row = 0;  // or no_row
+  TouchFrame frame;                 // at the present poses
+  TouchFrame pressed_at;            // where `pressing` acted
+  std::array<Vec2, 2> impulse{};    // N s, of each point, along normal and tangent, in the last full interval
+  std::array<Vec2, 2> pressed{};    // of these, before the drift
+  std::array<Vec2, 2> pressing{};   // the same in this interval
+  std::array<Vec2, 2> total{};      // in this step, blows included
+  Vec2 acted;                       // N s, of all points in this step, in the world's frame
+  Real turned_a = 0, turned_b = 0;  // N m s, the moments of these about the bodies' centres
+  std::uint32_t row = 0;            // of the first point in the system
+  std::uint32_t friction_row = 0;   // or no_row
 
   static constexpr std::uint32_t no_row = ~std::uint32_t{0};
   static constexpr Real touching = static_cast<Real>(1e-6);  // m, gap up to which points take part in what others do
@@ -77,10 +79,11 @@ class DirectIsland {
 
   void begin();
   void begin_contacts();
-  int substeps_by_motion() const;
   void substep();
+  Real longest() const;
   void advance(Real h, std::uint32_t then = DirectContact::no_row);
   void end();
+  static std::array<Vec2, 2> reported(const DirectContact& contact, Contact& to);
 
   // Contacts and joints at present.
   void refresh();
@@ -101,7 +104,9 @@ class DirectIsland {
   Real missed(Real h) const;
   bool stick_or_slip();
   Vec2 solved(const DirectContact& contact, std::size_t point) const;
-  static void note(DirectContact& contact, std::size_t point, Vec2 impulse);
+  static void note(DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse);
+  bool let_go();
+  void push(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse);
   void note_velocities(std::vector<Velocity>& to) const;
   void note_loads(Real h);
 
