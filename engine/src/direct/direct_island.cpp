@@ -13,6 +13,8 @@ namespace {
 
 constexpr Real far = static_cast<Real>(0.002);  // m, that bodies slide before their contact is found again
 constexpr Real near = static_cast<Real>(0.05);  // m, gap up to which points are sought
+/// Of a sub-step: intervals are not halved further.
+constexpr Real shortest = Real{1} / 16;
 /// m, by which an overlap is pushed apart in a sub-step. Bodies that start in each other part without being shot out.
 constexpr Real most_push = static_cast<Real>(0.001);
 /// m, by which gaps and joints may be off after the drift.
@@ -39,7 +41,7 @@ void DirectIsland::step(DirectStep& step, const Members& members) {
 void DirectIsland::begin() {
   StepData& data = step_->data;
   substeps_ = data.settings.substeps;
-  last_ = h_ = data.settings.dt / static_cast<Real>(substeps_);
+  solvable_ = last_ = h_ = data.settings.dt / static_cast<Real>(substeps_);
   Vec2 least = step_->start[members_.bodies[0]].p;
   Vec2 most = least;
   Real fastest = 0;
@@ -113,21 +115,28 @@ void DirectIsland::begin_contacts() {
 
 /// Between impacts bodies move as RATTLE moves them (H. C. Andersen, J. Comput. Phys. 52 (1983)).
 ///
-/// The contact that is struck at the end of the interval does nothing in it.
-void DirectIsland::advance(Real h, std::uint32_t then) {
+/// The contact that is struck at the end of the interval does nothing in it. False, with nothing changed, if impulses
+/// for so long an interval are not found: gaps are too far from linear in it.
+bool DirectIsland::advance(Real h, std::uint32_t then) {
   refresh();
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) contacts_[c].struck = c == then;
   note_velocities(before_);
   by_forces_.assign(members_.bodies.size(), {});
   kick(h);
-  press(h);
+  if (!press(h) && h > shortest * h_) {
+    for (std::size_t i = 0; i < members_.bodies.size(); ++i)
+      step_->data.bodies.velocity[members_.bodies[i]] = before_[i];
+    return false;
+  }
+  note_press();
   drift(h);
   refresh();
   kick(h);
   relax(h);
-  if (8 * h < h_) return;  // too short to tell loads from rounding
+  if (8 * h < h_) return true;  // too short to tell loads from rounding
   note_loads(h);
   last_ = h;
+  return true;
 }
 
 void DirectIsland::end() {
@@ -385,17 +394,24 @@ void DirectIsland::bias_press(Real h) {
     }
   }
   for (std::size_t j = 0; j < members_.joints.size(); ++j) {
+    const JointBlock& now = members_.joints[j]->block;
     const JointBlock there = ahead(*members_.joints[j], h);
     std::uint32_t at = joint_rows_[j];
-    for (int i = 0; i < there.equations; ++i) set(at++, there.equation[static_cast<std::size_t>(i)].error);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(there.equations); ++i) {
+      set(at++, there.equation[i].error - least_error(now.equation[i].error, h));
+    }
     for (int i = 0; i < there.stops; ++i) set(at++, there.stop[static_cast<std::size_t>(i)].error);
     if (there.driven) system_[at].bias = -there.motor_speed;
   }
 }
 
 /// m, what a gap may be after the drift: an overlap is pushed apart bit by bit.
-Real DirectIsland::least_gap(Real now, Real h) const {
-  return now < 0 ? std::min(now + most_push * (h / h_), Real{0}) : Real{0};
+Real DirectIsland::least_gap(Real now, Real h) const { return std::min(least_error(now, h), Real{0}); }
+
+/// m or rad, what the error of a joint may be after the drift: it is mended bit by bit.
+Real DirectIsland::least_error(Real now, Real h) const {
+  const Real most = most_push * (h / h_);
+  return now - clamp(now, -most, most);
 }
 
 /// m, by how much gaps and errors of joints that act will be off after the drift.
@@ -412,8 +428,9 @@ Real DirectIsland::missed(Real h) const {
   }
   for (const ActiveJoint* joint : members_.joints) {
     const JointBlock there = ahead(*joint, h);
-    for (int i = 0; i < there.equations; ++i) {
-      most = std::max(most, std::abs(there.equation[static_cast<std::size_t>(i)].error));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(there.equations); ++i) {
+      const Real error = there.equation[i].error - least_error(joint->block.equation[i].error, h);
+      most = std::max(most, std::abs(error));
     }
   }
   return most;
@@ -504,8 +521,9 @@ bool DirectIsland::let_go() {
   return true;
 }
 
-/// Impulses before the drift, after which nothing overlaps, what sticks has not slid, and joints hold.
-void DirectIsland::press(Real h) {
+/// Impulses before the drift, after which nothing overlaps, what sticks has not slid, and joints hold. Returns whether
+/// that is so.
+bool DirectIsland::press(Real h) {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   const Real share = h / last_;
   system_.clear();
@@ -537,8 +555,12 @@ void DirectIsland::press(Real h) {
       bias_press(h);
       system_.solve(velocity);
     }
-    if (missed(h) <= exact) break;
+    if (missed(h) <= exact) return true;
   }
+  return missed(h) <= DirectContact::touching;
+}
+
+void DirectIsland::note_press() {
   for (DirectContact& contact : contacts_) {
     contact.pressed_at = contact.frame;
     for (std::size_t i = 0; i < contact.count; ++i) {

@@ -81,7 +81,7 @@ class DirectIsland {
   void begin_contacts();
   void substep();
   Real longest() const;
-  void advance(Real h, std::uint32_t then = DirectContact::no_row);
+  bool advance(Real h, std::uint32_t then = DirectContact::no_row);
   void end();
   static std::array<Vec2, 2> reported(const DirectContact& contact, Contact& to);
 
@@ -93,7 +93,8 @@ class DirectIsland {
 
   // Impulses.
   void kick(Real h);
-  void press(Real h);
+  bool press(Real h);
+  void note_press();
   void drift(Real h);
   void relax(Real h);
   void list_contact(DirectContact& contact);
@@ -101,6 +102,7 @@ class DirectIsland {
   Real place_of(std::uint32_t a, std::uint32_t b) const;
   void bias_press(Real h);
   Real least_gap(Real now, Real h) const;
+  Real least_error(Real now, Real h) const;
   Real missed(Real h) const;
   bool stick_or_slip();
   Vec2 solved(const DirectContact& contact, std::size_t point) const;
@@ -124,6 +126,7 @@ class DirectIsland {
   Members members_;
   int substeps_ = 1;
   Real h_ = 0;         // s, of a sub-step
+  Real solvable_ = 0;  // s, the longest interval for which impulses were found in this step
   Real last_ = 0;      // s, of the interval that impulses are of
   Real slow_ = 0;      // m/s, what closes more slowly is no impact
   bool tall_ = false;  // the island is taller than wide

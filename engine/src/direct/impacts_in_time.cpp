@@ -24,20 +24,19 @@ void DirectIsland::substep() {
   std::size_t elastic = 0;
   Real left = h_;
   while (left > 0) {
-    const Real now = std::min(left, longest());
+    Real now = std::min({left, longest(), solvable_});
     std::optional<Impact> next;
     if (count < most && elastic < most_elastic) next = next_impact(now);
-    if (!next) {
-      advance(now);
-      left -= now;
+    if (next && !(next->time > 0)) {
+      ++(contacts_[next->contact].restitution < 1 ? count : elastic);
+      strike(next->contact);
       continue;
     }
-    ++(contacts_[next->contact].restitution < 1 ? count : elastic);
-    if (next->time > 0) {
-      advance(next->time, next->contact);
-      left -= next->time;
+    if (next) now = next->time;
+    if (advance(now, next ? next->contact : DirectContact::no_row)) {
+      left -= now;
     } else {
-      strike(next->contact);
+      solvable_ = now / 2;
     }
   }
 }
