@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -10,6 +11,7 @@
 #include "contacts/contact_rows.h"
 #include "core/method_list.h"
 #include "core/stages.h"
+#include "direct/direct_island.h"
 #include "solver/colouring.h"
 #include "solver/energy_bound.h"
 #include "solver/impacts.h"
@@ -38,6 +40,7 @@ struct Workspace {
   Unpushed unpushed;
   PressAndRelax::Storage solves;
   std::vector<Island> alike;  // waiting to be stepped as one
+  DirectIsland direct;
 };
 
 /// Fraction of its kinetic energy that an island with joints may gain in a sub-step, because RATTLE's energy oscillates
@@ -46,11 +49,12 @@ constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
 /// Most contacts of an island that is solved as one system in a blow: its cost grows with their third power.
 constexpr std::size_t most_solved = 12;
+/// Most contacts of an island that is solved as one system, and most joints.
+static const std::size_t most_direct = getenv("DIRECT") ? std::strtoul(getenv("DIRECT"), nullptr, 10) : 24;
 
 /// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
 constexpr std::size_t most_together = 64;
 
-bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
 
 bool driven(const IslandJoints& joints) {
   return std::any_of(joints.all().begin(), joints.all().end(),
@@ -174,6 +178,7 @@ void Accurate::step(StepData& data) {
   data.workers.share_out(batches, std::ref(step_batch));  // a copy would allocate memory
   for (Workspace& space : spaces_) {
     if (space.turning.counts_changed()) parts_.forget_points();
+    if (space.direct.counts_changed()) parts_.forget_points();
   }
   for (std::unique_ptr<RestingPile>& pile : begun_) {
     if (pile != nullptr) resting_.add(std::move(pile), data.bodies);
@@ -191,6 +196,12 @@ void Accurate::step_island(StepData& data, std::size_t number, Workspace& space)
     return;
   }
   if (now.contacts.empty() && now.joints.empty() && !now.varies) return fly(data, now);
+  if (now.contacts.size() <= most_direct && now.joints.all().size() <= most_direct && !now.joints.swept()) {
+    DirectStep step{data, start_, motion_, acceleration_, flight_, later_, held_};
+    space.direct.step(step, {now.bodies, now.contacts, now.joints.all(), now.pulls, now.varies});
+    for (std::size_t i = 0; i < now.contacts.size(); ++i) rows_[parts_.first_contact(number) + i].made = false;
+    return;
+  }
   now.pile = !now.varies && is_pile(data, now);
   if (now.pile) {
     if (lanes_) return step_pile(data, number, now, space);

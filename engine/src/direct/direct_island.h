@@ -1,0 +1,142 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "bodies/body_set.h"
+#include "direct/constraint_system.h"
+#include "direct/touch.h"
+#include "joints/joint_set.h"
+#include "solver/motion.h"
+#include "solver/partition.h"
+#include "solver/solver.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// A contact of a small island within a step.
+struct DirectContact {
+  std::uint32_t contact = 0;  // index
+  std::uint32_t a = 0, b = 0;
+  InverseMass mass_a, mass_b;
+  std::size_t count = 0;
+  Real static_friction = 0, dynamic_friction = 0, restitution = 0;
+  bool slips = false;     // slides, so that the dynamic coefficient counts
+  bool struck = false;    // in the present impact, or in one at the end of the interval
+  bool may_join = false;  // with another contact of its body on the ground
+  Touch touch;
+  TouchFrame frame;                 // at the present poses
+  TouchFrame pressed_at;            // where `pressing` acted
+  std::array<Vec2, 2> impulse{};    // N s, of each point, along normal and tangent, in the last full interval
+  std::array<Vec2, 2> pressed{};    // of these, before the drift
+  std::array<Vec2, 2> pressing{};   // the same in this interval
+  std::array<Vec2, 2> total{};      // in this step, blows included
+  Vec2 acted;                       // N s, of all points in this step, in the world's frame
+  Real turned_a = 0, turned_b = 0;  // N m s, the moments of these about the bodies' centres
+  std::uint32_t row = 0;            // of the first point in the system
+  std::uint32_t friction_row = 0;   // or no_row
+
+  static constexpr std::uint32_t no_row = ~std::uint32_t{0};
+  static constexpr Real touching = static_cast<Real>(1e-6);  // m, gap up to which points take part in what others do
+  Real friction() const { return slips ? dynamic_friction : static_friction; }
+};
+
+/// What islands share in a step.
+struct DirectStep {
+  StepData& data;
+  const std::vector<Pose>& start;       // of each body
+  std::vector<Motion>& motion;          // of each body since then
+  std::vector<Velocity>& acceleration;  // of each body, by forces
+  std::vector<Velocity>& flight;        // of each body, by forces and by what bore it lately
+  std::vector<Velocity>& later;         // storage, of each body
+  std::vector<Velocity>& held;          // storage, of each body
+};
+
+/// Steps a small island: all its constraints are solved as one system, and its impacts come at their own times. See
+/// engine/accurate.md.
+class DirectIsland {
+ public:
+  struct Members {
+    std::span<const std::uint32_t> bodies;
+    std::span<const Tie> contacts;
+    std::span<ActiveJoint* const> joints;
+    std::span<const Pull> pulls;
+    bool varies = false;  // whether forces do within the step
+  };
+  void step(DirectStep& step, const Members& members);
+  /// Whether the number of points of a contact has changed since the last call.
+  bool counts_changed() { return std::exchange(counts_changed_, false); }
+
+ private:
+  struct Impact {
+    Real time = 0;   // s from now
+    Real speed = 0;  // m/s, closing
+    std::uint32_t contact = 0;
+  };
+
+  void begin();
+  void begin_contacts();
+  void substep();
+  Real longest() const;
+  bool advance(Real h, std::uint32_t then = DirectContact::no_row);
+  void end();
+  static std::array<Vec2, 2> reported(const DirectContact& contact, Contact& to);
+
+  // Contacts and joints at present.
+  void refresh();
+  bool find(DirectContact& contact);
+  JointBlock ahead(const ActiveJoint& joint, Real t) const;
+  Motion motion_after(std::uint32_t body, Real t) const;
+
+  // Impulses.
+  void kick(Real h);
+  bool press(Real h);
+  void note_press();
+  void drift(Real h);
+  void relax(Real h);
+  void list_contact(DirectContact& contact);
+  void list_joint(const JointBlock& block);
+  Real place_of(std::uint32_t a, std::uint32_t b) const;
+  void bias_press(Real h);
+  Real least_gap(Real now, Real h) const;
+  Real least_error(Real now, Real h) const;
+  Real missed(Real h) const;
+  bool stick_or_slip();
+  Vec2 solved(const DirectContact& contact, std::size_t point) const;
+  static void note(DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse);
+  bool let_go();
+  void push(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse);
+  void note_velocities(std::vector<Velocity>& to) const;
+  void note_loads(Real h);
+
+  // Impacts.
+  std::optional<Impact> next_impact(Real within) const;
+  std::optional<Impact> impact_of(std::uint32_t contact, Real within) const;
+  Real closing(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Real t) const;
+  Motion flown_motion(std::uint32_t body, Real t) const;
+  Velocity flown_velocity(std::uint32_t body, Real t) const;
+  void strike(std::uint32_t contact);
+  void list_struck(DirectContact& contact, Real reach);
+  void solve_impact();
+
+  DirectStep* step_ = nullptr;
+  Members members_;
+  int substeps_ = 1;
+  Real h_ = 0;         // s, of a sub-step
+  Real solvable_ = 0;  // s, the longest interval for which impulses were found in this step
+  Real last_ = 0;      // s, of the interval that impulses are of
+  Real slow_ = 0;      // m/s, what closes more slowly is no impact
+  bool tall_ = false;  // the island is taller than wide
+  std::vector<DirectContact> contacts_;
+  ConstraintSystem system_;
+  std::vector<std::uint32_t> joint_rows_;  // first of each joint in the system
+  std::vector<Velocity> before_;           // of the island's bodies
+  std::vector<Velocity> by_forces_;        // what forces changed in the interval, of the island's bodies
+  std::vector<Real> pressing_joints_;      // N s or N m s, of the rows of joints before the drift
+  bool counts_changed_ = false;
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "direct/direct_island.h"
+
+/// Impacts of a small island. Each comes at its own time: bodies advance to it, and their velocities change there.
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+constexpr Real together = static_cast<Real>(0.0005);  // m, gap up to which both points of a contact are struck
+constexpr Real slides = static_cast<Real>(1e-4);      // m/s, what slides faster when it is struck has sliding friction
+/// m, gap that is none: less than rounding leaves of an advance to the time of an impact.
+constexpr Real no_gap = static_cast<Real>(sizeof(Real) == 8 ? 1e-13 : 1e-6);
+
+}  // namespace
+
+void DirectIsland::substep() {
+  refresh();
+  const std::size_t most = 64 + 16 * contacts_.size();
+  constexpr std::size_t most_elastic = 5000;  // these end by themselves
+  std::size_t count = 0;
+  std::size_t elastic = 0;
+  Real left = h_;
+  while (left > 0) {
+    Real now = std::min({left, longest(), solvable_});
+    std::optional<Impact> next;
+    if (count < most && elastic < most_elastic) next = next_impact(now);
+    if (next && !(next->time > 0)) {
+      ++(contacts_[next->contact].restitution < 1 ? count : elastic);
+      strike(next->contact);
+      continue;
+    }
+    if (next) now = next->time;
+    if (advance(now, next ? next->contact : DirectContact::no_row)) {
+      left -= now;
+    } else {
+      solvable_ = now / 2;
+    }
+  }
+}
+
+/// s, in which no body turns by more than a quarter radian, because normals turn with the bodies; but no less than an
+/// eighth of a sub-step.
+Real DirectIsland::longest() const {
+  constexpr Real turn = static_cast<Real>(0.25);
+  Real fastest = 0;
+  for (const std::uint32_t body : members_.bodies) {
+    fastest = std::max(fastest, std::abs(step_->data.bodies.velocity[body].w));
+  }
+  return fastest * h_ > turn ? std::max(turn / fastest, h_ / 8) : h_;
+}
+
+/// The first impact from now on, the fastest of several.
+std::optional<DirectIsland::Impact> DirectIsland::next_impact(Real within) const {
+  std::optional<Impact> first;
+  for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
+    const std::optional<Impact> one = impact_of(c, within);
+    if (!one) continue;
+    const bool earlier = !first || one->time < first->time || (one->time == first->time && one->speed > first->speed);
+    if (earlier) first = one;
+  }
+  return first;
+}
+
+/// When a point of the contact touches faster than the threshold, if bodies go on under forces and what bears them.
+///
+/// The parabola through the gap now, its rate, and the gap at the end gives a guess; Newton's iteration on the path
+/// refines it.
+std::optional<DirectIsland::Impact> DirectIsland::impact_of(std::uint32_t index, Real within) const {
+  const DirectContact& contact = contacts_[index];
+  const auto frame_at = [&](Real t) {
+    return contact.touch.at(flown_motion(contact.a, t), flown_motion(contact.b, t));
+  };
+  std::optional<TouchFrame> end;
+  std::optional<Impact> first;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    const Real gap = contact.frame.points[i].separation;
+    const Real v = -closing(contact, contact.frame, i, 0);
+    Impact one{0, -v, index};
+    if (gap > no_gap) {
+      if (!end) end = frame_at(within);
+      const Real c = 2 * (end->points[i].separation - gap - v * within) / (within * within);
+      const Real discriminant = v * v - 2 * c * gap;
+      if (discriminant < 0) continue;
+      const Real mean = std::sqrt(discriminant) - v;
+      if (mean <= 0) continue;
+      Real t = 2 * gap / mean;
+      if (t > 2 * within) continue;
+      constexpr int rounds = 4;
+      bool parts = false;
+      for (int round = 0; round < rounds && !parts; ++round) {
+        const TouchFrame there = frame_at(t);
+        const Real speed = closing(contact, there, i, t);
+        parts = speed <= 0;
+        if (!parts) t = std::max(t + there.points[i].separation / speed, Real{0});
+      }
+      if (parts || t > within) continue;
+      one.time = t;
+      one.speed = closing(contact, frame_at(t), i, t);
+    }
+    if (one.speed <= slow_) continue;
+    if (!first || one.time < first->time || (one.time == first->time && one.speed > first->speed)) first = one;
+  }
+  return first;
+}
+
+Motion DirectIsland::flown_motion(std::uint32_t body, Real t) const {
+  const Velocity& v = step_->data.bodies.velocity[body];
+  const Velocity& a = step_->flight[body];
+  Motion at = step_->motion[body];
+  at.d += t * v.v + (t * t / 2) * a.v;
+  at.turn_by(t * v.w + (t * t / 2) * a.w);
+  return at;
+}
+
+Velocity DirectIsland::flown_velocity(std::uint32_t body, Real t) const {
+  const Velocity& v = step_->data.bodies.velocity[body];
+  const Velocity& a = step_->flight[body];
+  return {v.v + t * a.v, v.w + t * a.w};
+}
+
+/// m/s, at which the gap of a point closes.
+Real DirectIsland::closing(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Real t) const {
+  const Velocity a = flown_velocity(contact.a, t);
+  const Velocity b = flown_velocity(contact.b, t);
+  return dot(frame.normal, a.v - b.v) + a.w * frame.points[point].cross_a - b.w * frame.points[point].cross_b;
+}
+
+/// Resolves the impact of a contact now. An inelastic one is resolved with all that touch; an elastic one is between
+/// its two bodies, as in Newton's cradle, and what these then meet is struck next. Joints hold in either.
+void DirectIsland::strike(std::uint32_t index) {
+  const bool alone = contacts_[index].restitution > 0;
+  system_.clear();
+  joint_rows_.clear();
+  for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
+    DirectContact& contact = contacts_[c];
+    contact.struck = c == index || !alone;
+    if (contact.struck) list_struck(contact, c == index ? together : DirectContact::touching);
+  }
+  for (const ActiveJoint* joint : members_.joints) {
+    const JointBlock& block = joint->block;
+    list_joint(block);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
+      Constraint& row = system_[joint_rows_.back() + static_cast<std::size_t>(block.equations) + i];
+      if (block.stop[i].error > DirectContact::touching) row.mass_a = row.mass_b = {};
+    }
+    // A motor's impulse is 0 in no time.
+  }
+  solve_impact();
+  for (DirectContact& contact : contacts_) {
+    if (!contact.struck) continue;
+    for (std::size_t i = 0; i < contact.count; ++i) note(contact, contact.frame, i, solved(contact, i));
+  }
+}
+
+void DirectIsland::list_struck(DirectContact& contact, Real reach) {
+  const std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  bool any = false;
+  Real slide = 0;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    const PointArms& p = contact.frame.points[i];
+    any = any || p.separation <= reach;
+    const Velocity& a = velocity[contact.a];
+    const Velocity& b = velocity[contact.b];
+    slide =
+        std::max(slide, std::abs(dot(perpendicular(contact.frame.normal), b.v - a.v) + b.w * p.dot_b - a.w * p.dot_a));
+  }
+  contact.struck = any;
+  if (!any) return;
+  // What slides when it is struck slides until friction has stopped it.
+  const bool slips = std::exchange(contact.slips, slide > slides);
+  list_contact(contact);
+  contact.slips = slips;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    Constraint& row = system_[contact.row + i];
+    const Real v = ConstraintSystem::speed(row, velocity);
+    if (contact.frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
+    if (v < -slow_ || reach == together) row.bias = contact.restitution * std::min(v, Real{0});
+  }
+}
+
+/// Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985), and has no solution for
+/// some (Painleve). Then the normal impulses are those without friction, and friction only removes energy.
+void DirectIsland::solve_impact() {
+  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  if (system_.solve(velocity) && !system_.drove(velocity)) return;
+  system_.undo(velocity);
+  for (Constraint& row : system_.all()) row.fixed = row.law == Law::rubs;
+  system_.solve(velocity);
+  for (Constraint& row : system_.all()) row.fixed = row.law == Law::pushes;
+  system_.reconsider();
+  system_.solve(velocity);
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,177 @@
+#include "direct/touch.h"
+
+#include <cmath>
+#include <limits>
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// rad; faces at a smaller angle lie on each other.
+constexpr Real flush = Real{1} / 128;
+
+struct Face {
+  Vec2 normal;     // world frame
+  Real angle = 2;  // sine of its angle with the direction sought
+};
+
+/// The face of a shape, rotated by q, that points most into a direction.
+Face face_towards(const Shape& shape, Rotation q, Vec2 direction) {
+  Face best;
+  if (shape.type() == ShapeType::circle) return best;
+  const int faces = shape.type() == ShapeType::half_space ? 1 : shape.count();
+  for (int i = 0; i < faces; ++i) {
+    const Vec2 normal = q * shape.normal(i);
+    const Real off = std::abs(cross(normal, direction));
+    if (dot(normal, direction) > 0 && off < best.angle) best = {normal, off};
+  }
+  return best;
+}
+
+/// Whether all points of a contact are corners of a shape: `arm` is from the body's origin to the point.
+template <class ArmOf>
+bool at_corners(const Shape& shape, Rotation q, Vec2 tangent, int count, ArmOf arm) {
+  if (shape.type() == ShapeType::circle || shape.type() == ShapeType::half_space) return false;
+  constexpr Real rounding = 256 * std::numeric_limits<Real>::epsilon();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    bool any = false;
+    for (int v = 0; v < shape.count(); ++v) {
+      const Vec2 corner = q * shape.vertex(v);
+      any = any || std::abs(dot(tangent, corner - arm(i))) <= rounding * (length(corner) + 1);
+    }
+    if (!any) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Touch::Touch(const Contact& contact, const BodySet& bodies)
+    : count_(contact.count), radius_a_(contact.radius_a), radius_b_(contact.radius_b) {
+  find_owner(contact, bodies);
+  // From the frame of the contact's normal to that of ours.
+  const Rotation to(dot(normal_, contact.normal), cross(normal_, contact.normal));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+    const PointArms arms = arms_of(contact, i);
+    arm_a_[i] = to * Vec2{arms.turn_a, -arms.cross_a};
+    arm_b_[i] = to * Vec2{arms.turn_b, -arms.cross_b};
+    apart_[i] = to * Vec2{radius_a_ + radius_b_ + contact.found_separation[i], 0};
+  }
+}
+
+/// Which faces and corners make the contact, however its bodies are listed.
+void Touch::find_owner(const Contact& contact, const BodySet& bodies) {
+  const auto shape = [&](std::uint32_t body, std::uint16_t part) -> const Shape& {
+    return bodies.detail[body].parts[part].shape;
+  };
+  const Shape& a = shape(contact.body_a, contact.part_a);
+  const Shape& b = shape(contact.body_b, contact.part_b);
+  const Rotation qa = contact.found_a.q;
+  const Rotation qb = contact.found_b.q;
+  normal_ = contact.normal;
+  const Face of_a = face_towards(a, qa, normal_);
+  const Face of_b = face_towards(b, qb, -normal_);
+  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+  const bool is_of_a = of_a.angle <= rounding;
+  const bool is_of_b = of_b.angle <= rounding;
+  if (!is_of_a && !is_of_b) return;
+  normal_of_ = is_of_a ? NormalOf::a : NormalOf::b;
+  if (of_a.angle > flush || of_b.angle > flush) return;
+  const Vec2 tangent = perpendicular(normal_);
+  const bool corners_of_a = at_corners(a, qa, tangent, count_, [&](std::size_t i) { return contact.points[i].arm_a; });
+  const bool corners_of_b = at_corners(b, qb, tangent, count_, [&](std::size_t i) { return contact.points[i].arm_b; });
+  if (corners_of_b && !corners_of_a) {
+    normal_of_ = NormalOf::a;
+    normal_ = of_a.normal;
+  } else if (corners_of_a && !corners_of_b) {
+    normal_of_ = NormalOf::b;
+    normal_ = -of_b.normal;
+  } else {
+    normal_of_ = NormalOf::both;
+    normal_ = normalized(of_a.normal - of_b.normal);
+  }
+}
+
+Touch::Touch(const Contact& contact, const BodySet& bodies, const Motion& a, const Motion& b) : Touch(contact, bodies) {
+  found_a_ = back(a);
+  found_b_ = back(b);
+}
+
+Touch::Touch(const Contact& contact, const BodySet& bodies, const Pose& start_a, const Pose& start_b)
+    : Touch(contact, bodies) {
+  found_a_ = between_poses(contact.found_a, start_a);
+  found_b_ = between_poses(contact.found_b, start_b);
+}
+
+/// The inverse of a motion's rotation, and of its translation.
+Touch::Displacement Touch::back(const Motion& found) { return {-found.d, -found.sine, found.drop}; }
+
+Touch::Displacement Touch::between_poses(const Pose& then, const Pose& now) {
+  if (then.q == now.q) return {now.p - then.p};
+  const Rotation by = now.q * then.q.inverse();
+  return {now.p - then.p, by.s, by.c - 1};
+}
+
+Touch::Displacement Touch::since(const Displacement& found, const Motion& now) {
+  // cos - 1 of a sum of angles, without cancellation.
+  return {found.d + now.d, now.sine * (1 + found.drop) + (1 + now.drop) * found.sine,
+          now.drop + found.drop + now.drop * found.drop - now.sine * found.sine};
+}
+
+/// From the core of a to that of b, without their rounding radii.
+Vec2 Touch::cores(std::size_t point, const Displacement& a, const Displacement& b) const {
+  const Vec2 apart = b.d - a.d;
+  const Vec2 moved{dot(normal_, apart), dot(perpendicular(normal_), apart)};
+  return apart_[point] + moved + (b.change(arm_b_[point]) - a.change(arm_a_[point]));
+}
+
+/// The normal, in the frame of the one as found.
+Vec2 Touch::direction(Vec2 cores, const Displacement& a, const Displacement& b) const {
+  if (normal_of_ == NormalOf::a) return {1 + a.drop, a.sine};
+  if (normal_of_ == NormalOf::b) return {1 + b.drop, b.sine};
+  if (normal_of_ == NormalOf::both) return normalized(Vec2{2 + a.drop + b.drop, a.sine + b.sine});
+  if (radius_a_ + radius_b_ == 0 || !(cores.x > std::abs(cores.y))) return {1, 0};
+  return normalized(cores);
+}
+
+TouchFrame Touch::at(const Motion& motion_a, const Motion& motion_b) const {
+  const Displacement a = since(found_a_, motion_a);
+  const Displacement b = since(found_b_, motion_b);
+  TouchFrame frame;
+  const Vec2 n = direction(cores(0, a, b), a, b);
+  const Vec2 t = perpendicular(n);
+  frame.normal = n.x * normal_ + n.y * perpendicular(normal_);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+    const Vec2 apart = cores(i, a, b);
+    Vec2 to_a = arm_a_[i] + a.change(arm_a_[i]);
+    Vec2 to_b = arm_b_[i] + b.change(arm_b_[i]);
+    const Real along = dot(t, apart);
+    const Real share = normal_of_ == NormalOf::a ? Real{1} : normal_of_ == NormalOf::b ? Real{0} : Real{1} / 2;
+    to_a += share * along * t;
+    to_b -= (1 - share) * along * t;
+    PointArms& p = frame.points[i];
+    p.separation = dot(n, apart) - (radius_a_ + radius_b_);
+    p.turn_a = dot(n, to_a);
+    p.turn_b = dot(n, to_b);
+    p.cross_a = -dot(t, to_a);
+    p.cross_b = -dot(t, to_b);
+    p.dot_a = p.turn_a + radius_a_ + p.separation / 2;
+    p.dot_b = p.turn_b - radius_b_ - p.separation / 2;
+  }
+  return frame;
+}
+
+Real Touch::gap(std::size_t point, const Motion& motion_a, const Motion& motion_b) const {
+  const Displacement a = since(found_a_, motion_a);
+  const Displacement b = since(found_b_, motion_b);
+  return dot(direction(cores(0, a, b), a, b), cores(point, a, b)) - (radius_a_ + radius_b_);
+}
+
+Real Touch::moved(const Motion& motion_a, const Motion& motion_b, Real radius_a, Real radius_b) const {
+  const Displacement a = since(found_a_, motion_a);
+  const Displacement b = since(found_b_, motion_b);
+  const auto turned = [](const Displacement& by) { return std::abs(by.sine) - by.drop; };
+  return length(b.d - a.d) + turned(a) * radius_a + turned(b) * radius_b;
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "bodies/body_set.h"
+#include "contacts/contact.h"
+#include "contacts/contact_rows.h"
+#include "solver/motion.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+/// The normal and points of a contact at some poses of its bodies. Both arms of a point end in one place, midway in the
+/// gap: an impulse that acts on two bodies in two places would change their angular momentum.
+struct TouchFrame {
+  Vec2 normal;  // unit, from a to b
+  std::array<PointArms, 2> points;
+};
+
+/// The geometry of a contact as its bodies move on from where it was found: normals and arms follow them exactly, as
+/// long as the same features are nearest. A face's normal turns with its body, and the point on it follows the other
+/// body's corner; the normal of rounded shapes points from core to core; two corners keep theirs.
+class Touch {
+ public:
+  Touch() = default;
+  /// The points of the contact, which were found when its bodies had moved by `a` and `b` since the start of the step.
+  /// Without these, at the poses that the contact names.
+  Touch(const Contact& contact, const BodySet& bodies, const Motion& a, const Motion& b);
+  Touch(const Contact& contact, const BodySet& bodies, const Pose& start_a, const Pose& start_b);
+
+  TouchFrame at(const Motion& a, const Motion& b) const;
+  /// m, between the surfaces at a point: the separation of that frame.
+  Real gap(std::size_t point, const Motion& a, const Motion& b) const;
+  /// m, bound of the relative displacement of the surfaces since the points were found.
+  Real moved(const Motion& a, const Motion& b, Real radius_a, Real radius_b) const;
+
+ private:
+  /// A rigid motion, without the angle that it has turned by.
+  struct Displacement {
+    Vec2 d;  // m
+    Real sine = 0;
+    Real drop = 0;  // cosine - 1
+
+    Vec2 change(Vec2 arm) const { return {drop * arm.x - sine * arm.y, sine * arm.x + drop * arm.y}; }
+  };
+  static Displacement since(const Displacement& found, const Motion& now);
+  static Displacement back(const Motion& found);
+  static Displacement between_poses(const Pose& then, const Pose& now);
+  /// What the normal turns with.
+  enum class NormalOf : std::uint8_t { between, a, b, both };
+
+  Touch(const Contact& contact, const BodySet& bodies);
+  void find_owner(const Contact& contact, const BodySet& bodies);
+  Vec2 cores(std::size_t point, const Displacement& a, const Displacement& b) const;
+  Vec2 direction(Vec2 cores, const Displacement& a, const Displacement& b) const;
+
+  NormalOf normal_of_ = NormalOf::between;
+  int count_ = 0;
+  Vec2 normal_;
+  Real radius_a_ = 0, radius_b_ = 0;  // m, by which the shapes are rounded
+  // In the frame of the normal as found: arms of the cores' points.
+  std::array<Vec2, 2> arm_a_, arm_b_;
+  std::array<Vec2, 2> apart_;       // m, from the core of a to that of b
+  Displacement found_a_, found_b_;  // from where the points were found to the start of the step
+};
+
+}  // namespace impulse::inline IMPULSE_PRECISION
