@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -50,11 +49,10 @@ constexpr Real ideal_gain = static_cast<Real>(1e-4);
 /// Most contacts of an island that is solved as one system in a blow: its cost grows with their third power.
 constexpr std::size_t most_solved = 12;
 /// Most contacts of an island that is solved as one system, and most joints.
-static const std::size_t most_direct = getenv("DIRECT") ? std::strtoul(getenv("DIRECT"), nullptr, 10) : 24;
+constexpr std::size_t most_direct = 24;
 
 /// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
 constexpr std::size_t most_together = 64;
-
 
 bool driven(const IslandJoints& joints) {
   return std::any_of(joints.all().begin(), joints.all().end(),
