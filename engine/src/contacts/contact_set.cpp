@@ -208,7 +208,9 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
   bool removed = false;
   for (auto first = on_ground_.cbegin(), next = first; first != on_ground_.cend(); first = next) {
     next = std::find_if(first, on_ground_.cend(), [&](const OnGround& meets) { return part(meets) != part(*first); });
-    if (next - first > 1) removed |= remove_ghosts({first, next}, bodies, margin);
+    const bool several = next - first > 1;
+    for (auto one = first; one != next; ++one) rows_[one->row].joins = several;
+    if (several) removed |= remove_ghosts({first, next}, bodies, margin);
   }
   if (!removed) return;
   std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; });

@@ -28,6 +28,11 @@ Real slip(const TouchFrame& frame, const PointArms& p, const Motion& a, const Mo
   return centres + (core_b + b.turn * (p.dot_b - p.turn_b)) - (core_a + a.turn * (p.dot_a - p.turn_a));
 }
 
+/// The next search finds the points of the contact again, however little its bodies have moved.
+void forget_place(Contact& contact) {
+  contact.found_a.p = contact.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
+}
+
 }  // namespace
 
 void DirectIsland::step(DirectStep& step, const Members& members) {
@@ -75,7 +80,7 @@ void DirectIsland::begin() {
                  [&](const JointRow& row) { apply(block, row, row.impulse, velocity[block.a], velocity[block.b]); });
   }
   note_loads(h_);
-  for (std::size_t i = 0; i < members_.bodies.size(); ++i) velocity[members_.bodies[i]] = before_[i];
+  restore_velocities();
 }
 
 void DirectIsland::begin_contacts() {
@@ -94,6 +99,7 @@ void DirectIsland::begin_contacts() {
     contact.dynamic_friction = from.dynamic_friction;
     contact.restitution = from.restitution;
     contact.slips = from.slips;
+    contact.joins = from.joins;
     contact.touch = Touch(from, data.bodies, step_->start[contact.a], step_->start[contact.b]);
     contact.frame = contact.touch.at(step_->motion[contact.a], step_->motion[contact.b]);
     for (std::size_t i = 0; i < contact.count; ++i) {
@@ -103,36 +109,35 @@ void DirectIsland::begin_contacts() {
     }
     contacts_.push_back(contact);
   }
-  for (DirectContact& contact : contacts_) {
-    if (pushable(contact.mass_a) && pushable(contact.mass_b)) continue;
-    const std::uint32_t body = pushable(contact.mass_a) ? contact.a : contact.b;
-    const auto on_ground = [body](const DirectContact& other) {
-      return (other.a == body && !pushable(other.mass_b)) || (other.b == body && !pushable(other.mass_a));
-    };
-    contact.may_join = std::count_if(contacts_.begin(), contacts_.end(), on_ground) > 1;
-  }
 }
 
 /// Between impacts bodies move as RATTLE moves them (H. C. Andersen, J. Comput. Phys. 52 (1983)).
 ///
-/// The contact that is struck at the end of the interval does nothing in it. False, with nothing changed, if impulses
+/// `then`: the contact that is struck at the end of the interval. False, with nothing changed, if impulses
 /// for so long an interval are not found: gaps are too far from linear in it.
 bool DirectIsland::advance(Real h, std::uint32_t then) {
   refresh();
-  for (std::uint32_t c = 0; c < contacts_.size(); ++c) contacts_[c].struck = c == then;
+  for (std::uint32_t c = 0; c < contacts_.size(); ++c) let_wait(contacts_[c], c == then);
   note_velocities(before_);
   by_forces_.assign(members_.bodies.size(), {});
   kick(h);
-  if (!press(h) && h > shortest * h_) {
-    for (std::size_t i = 0; i < members_.bodies.size(); ++i)
-      step_->data.bodies.velocity[members_.bodies[i]] = before_[i];
-    return false;
+  const bool found = press(h);
+  if (!found) {
+    restore_velocities();
+    if (h > shortest * h_) return false;
+    bound_.note(members_.bodies, step_->data.bodies, step_->motion);
+    by_forces_.assign(members_.bodies.size(), {});
+    kick(h);
+    press_as_linear(h);
   }
   note_press();
   drift(h);
   refresh();
   kick(h);
   relax(h);
+  if (!found && !is_driven()) {
+    bound_.keep(members_.bodies, is_held(), step_->data.bodies, step_->motion, step_->acceleration, 0);
+  }
   if (8 * h < h_) return true;  // too short to tell loads from rounding
   note_loads(h);
   last_ = h;
@@ -147,6 +152,7 @@ void DirectIsland::end() {
     to.slips = contact.slips;
     to.offset = 0;
     const std::array<Vec2, 2> total = reported(contact, to);
+    if (contact.found_again) forget_place(to);
     for (std::size_t i = 0; i < contact.count; ++i) {
       ContactPoint& p = to.points[i];
       p.normal_impulse = per_step * contact.impulse[i].x;
@@ -179,7 +185,7 @@ std::array<Vec2, 2> DirectIsland::reported(const DirectContact& contact, Contact
   const Vec2 normal = normalized(Rotation(along.x, along.y).inverse() * contact.acted);
   if (length(normal - to.normal) <= 64 * std::numeric_limits<Real>::epsilon()) return total;
   to.normal = normal;
-  to.found_a.p = to.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
+  forget_place(to);
   const Real pushes = total[0].x + total[1].x;
   if (!(pushes > 0)) return total;
   Real turned_a = 0;
@@ -199,6 +205,20 @@ std::array<Vec2, 2> DirectIsland::reported(const DirectContact& contact, Contact
 void DirectIsland::note_velocities(std::vector<Velocity>& to) const {
   to.clear();
   for (const std::uint32_t body : members_.bodies) to.push_back(step_->data.bodies.velocity[body]);
+}
+
+/// Points that are struck at the end of the interval do nothing in it, but what the contact rests on does.
+void DirectIsland::let_wait(DirectContact& contact, bool struck) const {
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    const bool apart = contact.frame.points[i].separation > DirectContact::touching;
+    contact.waits[i] = struck && (apart || closing(contact, contact.frame, i, 0) > slow_);
+  }
+}
+
+void DirectIsland::restore_velocities() {
+  for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
+    step_->data.bodies.velocity[members_.bodies[i]] = before_[i];
+  }
 }
 
 /// The accelerations from now on, from the changes of velocities that constraints caused in an interval.
@@ -232,7 +252,7 @@ bool DirectIsland::find(DirectContact& contact) {
   const BodySet& bodies = data.bodies;
   const Motion& a = step_->motion[contact.a];
   const Motion& b = step_->motion[contact.b];
-  if (contact.may_join ||
+  if (contact.joins ||
       contact.touch.moved(a, b, bodies.bounding_radius[contact.a], bodies.bounding_radius[contact.b]) < far) {
     return false;
   }
@@ -274,6 +294,7 @@ bool DirectIsland::find(DirectContact& contact) {
     contact.total[i] += before.total[j];
   }
   contact.touch = Touch(found, bodies, a, b);
+  contact.found_again = true;
   return true;
 }
 
@@ -418,10 +439,10 @@ Real DirectIsland::least_error(Real now, Real h) const {
 Real DirectIsland::missed(Real h) const {
   Real most = 0;
   for (const DirectContact& contact : contacts_) {
-    if (contact.struck) continue;
     const Motion a = motion_after(contact.a, h);
     const Motion b = motion_after(contact.b, h);
     for (std::size_t i = 0; i < contact.count; ++i) {
+      if (contact.waits[i]) continue;
       const Real gap = contact.touch.gap(i, a, b) - least_gap(contact.frame.points[i].separation, h);
       most = std::max(most, system_[contact.row + i].impulse > 0 ? std::abs(gap) : -gap);
     }
@@ -521,24 +542,22 @@ bool DirectIsland::let_go() {
   return true;
 }
 
-/// Impulses before the drift, after which nothing overlaps, what sticks has not slid, and joints hold. Returns whether
-/// that is so.
-bool DirectIsland::press(Real h) {
-  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+/// Lists what may act before the drift, with the impulses of the last interval as guesses.
+void DirectIsland::list_for_press(Real h) {
   const Real share = h / last_;
   system_.clear();
   joint_rows_.clear();
   for (DirectContact& contact : contacts_) {
     list_contact(contact);
     for (std::size_t i = 0; i < contact.count; ++i) {
-      if (contact.struck) {
-        system_[contact.row + i].mass_a = system_[contact.row + i].mass_b = {};
+      Constraint& row = system_[contact.row + i];
+      if (contact.waits[i]) {
+        row.mass_a = row.mass_b = {};
         continue;
       }
-      system_[contact.row + i].impulse = share * contact.pressed[i].x;
-      if (contact.friction_row != DirectContact::no_row) {
-        system_[contact.friction_row].impulse += share * contact.pressed[i].y;
-      }
+      row.impulse = share * contact.pressed[i].x;
+      if (contact.friction_row == DirectContact::no_row) continue;
+      system_[contact.friction_row].impulse += share * contact.pressed[i].y;
     }
   }
   for (ActiveJoint* joint : members_.joints) {
@@ -547,7 +566,16 @@ bool DirectIsland::press(Real h) {
     for_each_row(joint->block, [&](const JointRow& row) { system_[at++].impulse = share * row.half; });
     if (joint->block.driven) system_[at - 1].most = h / 2 * joint->block.motor_strength;
   }
-  constexpr int rounds = 6;
+}
+
+/// Impulses before the drift, after which nothing overlaps, what sticks has not slid, and joints hold. False if there
+/// are none in reach: gaps and errors are too far from linear, as of a chain that hangs straight.
+bool DirectIsland::press(Real h) {
+  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  const Real before = kinetic_energy(members_.bodies, step_->data.bodies);
+  list_for_press(h);
+  constexpr int rounds = 12;
+  Real off = 0;
   for (int round = 0; round < rounds; ++round) {
     bias_press(h);
     system_.solve(velocity);
@@ -555,9 +583,63 @@ bool DirectIsland::press(Real h) {
       bias_press(h);
       system_.solve(velocity);
     }
-    if (missed(h) <= exact) return true;
+    off = missed(h);
+    if (off <= exact) break;
   }
-  return missed(h) <= DirectContact::touching;
+  // Constraints that hold already only turn velocities.
+  constexpr Real gain = static_cast<Real>(0.1);
+  return off <= DirectContact::touching &&
+         (overlaps() || is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= (1 + gain) * before);
+}
+
+/// The same for gaps and errors that change as they do now.
+void DirectIsland::press_as_linear(Real h) {
+  list_for_press(h);
+  for (const DirectContact& contact : contacts_) {
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      const Real gap = contact.frame.points[i].separation;
+      system_[contact.row + i].bias = (gap - least_gap(gap, h)) / h;
+    }
+  }
+  for (std::size_t j = 0; j < members_.joints.size(); ++j) {
+    const JointBlock& block = members_.joints[j]->block;
+    std::uint32_t at = joint_rows_[j];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.equations); ++i) {
+      system_[at++].bias = (block.equation[i].error - least_error(block.equation[i].error, h)) / h;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
+      system_[at++].bias = (block.stop[i].error - least_gap(block.stop[i].error, h)) / h;
+    }
+    if (block.driven) system_[at].bias = -block.motor_speed;
+  }
+  system_.solve(step_->data.bodies.velocity);
+  stick_or_slip();
+}
+
+bool DirectIsland::overlaps() const {
+  return std::any_of(contacts_.begin(), contacts_.end(), [](const DirectContact& contact) {
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      if (contact.frame.points[i].separation < -DirectContact::touching) return true;
+    }
+    return false;
+  });
+}
+
+/// Whether constraints may do work: by motors, or bodies that move as they are told.
+bool DirectIsland::is_driven() const {
+  return std::any_of(members_.joints.begin(), members_.joints.end(),
+                     [](const ActiveJoint* joint) { return joint->block.driven; }) ||
+         std::any_of(members_.bodies.begin(), members_.bodies.end(),
+                     [this](std::uint32_t body) { return !step_->data.bodies.pushable(body); });
+}
+
+/// Whether a body that cannot be pushed holds the island.
+bool DirectIsland::is_held() const {
+  const auto holds = [](const InverseMass& a, const InverseMass& b) { return !pushable(a) || !pushable(b); };
+  return std::any_of(contacts_.begin(), contacts_.end(),
+                     [&](const DirectContact& contact) { return holds(contact.mass_a, contact.mass_b); }) ||
+         std::any_of(members_.joints.begin(), members_.joints.end(),
+                     [&](const ActiveJoint* joint) { return holds(joint->block.inv_mass_a, joint->block.inv_mass_b); });
 }
 
 void DirectIsland::note_press() {
@@ -614,7 +696,7 @@ void DirectIsland::relax(Real h) {
       const Vec2 pressed = contact.pressing[i];
       const bool near_by = contact.frame.points[i].separation <= DirectContact::touching;
       const bool struck = ConstraintSystem::speed(row, velocity) < -slow_;
-      if (contact.struck || (pressed.x == 0 && (!near_by || struck))) {
+      if (contact.waits[i] || (pressed.x == 0 && (!near_by || struck))) {
         row.mass_a = row.mass_b = {};
         continue;
       }

@@ -11,6 +11,7 @@
 #include "direct/constraint_system.h"
 #include "direct/touch.h"
 #include "joints/joint_set.h"
+#include "solver/energy_bound.h"
 #include "solver/motion.h"
 #include "solver/partition.h"
 #include "solver/solver.h"
@@ -24,9 +25,11 @@ struct DirectContact {
   InverseMass mass_a, mass_b;
   std::size_t count = 0;
   Real static_friction = 0, dynamic_friction = 0, restitution = 0;
-  bool slips = false;     // slides, so that the dynamic coefficient counts
-  bool struck = false;    // in the present impact, or in one at the end of the interval
-  bool may_join = false;  // with another contact of its body on the ground
+  bool slips = false;           // slides, so that the dynamic coefficient counts
+  bool struck = false;          // in the present impact
+  std::array<bool, 2> waits{};  // of each point: for an impact at the end of the interval
+  bool found_again = false;     // within the step
+  bool joins = false;           // the ground has other shapes here
   Touch touch;
   TouchFrame frame;                 // at the present poses
   TouchFrame pressed_at;            // where `pressing` acted
@@ -94,6 +97,11 @@ class DirectIsland {
   // Impulses.
   void kick(Real h);
   bool press(Real h);
+  void press_as_linear(Real h);
+  void list_for_press(Real h);
+  bool overlaps() const;
+  bool is_driven() const;
+  bool is_held() const;
   void note_press();
   void drift(Real h);
   void relax(Real h);
@@ -110,6 +118,8 @@ class DirectIsland {
   bool let_go();
   void push(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse);
   void note_velocities(std::vector<Velocity>& to) const;
+  void let_wait(DirectContact& contact, bool struck) const;
+  void restore_velocities();
   void note_loads(Real h);
 
   // Impacts.
@@ -132,6 +142,7 @@ class DirectIsland {
   bool tall_ = false;  // the island is taller than wide
   std::vector<DirectContact> contacts_;
   ConstraintSystem system_;
+  EnergyBound bound_;                      // where impulses were not found
   std::vector<std::uint32_t> joint_rows_;  // first of each joint in the system
   std::vector<Velocity> before_;           // of the island's bodies
   std::vector<Velocity> by_forces_;        // what forces changed in the interval, of the island's bodies

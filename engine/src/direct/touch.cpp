@@ -130,8 +130,8 @@ Vec2 Touch::direction(Vec2 cores, const Displacement& a, const Displacement& b) 
   if (normal_of_ == NormalOf::a) return {1 + a.drop, a.sine};
   if (normal_of_ == NormalOf::b) return {1 + b.drop, b.sine};
   if (normal_of_ == NormalOf::both) return normalized(Vec2{2 + a.drop + b.drop, a.sine + b.sine});
-  if (radius_a_ + radius_b_ == 0 || !(cores.x > std::abs(cores.y))) return {1, 0};
-  return normalized(cores);
+  const bool round = radius_a_ + radius_b_ > 0 && apart_[0].x > 0;
+  return round && cores != Vec2{} ? normalized(cores) : Vec2{1, 0};
 }
 
 TouchFrame Touch::at(const Motion& motion_a, const Motion& motion_b) const {

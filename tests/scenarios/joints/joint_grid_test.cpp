@@ -43,7 +43,7 @@ std::size_t rank(std::vector<std::vector<double>> rows) {
 // all discs that are not fixed. Of full rank, they leave no motion.
 TEST(JointGrid, IsRigidForAnyNumberOfDiscs) {
   const Scenario& family = *Catalog<Scenario>::find("joint-grid");
-  for (const double side : {2.0, 3.0, 5.0, 7.0}) {
+  for (const double side : {3.0, 5.0, 7.0}) {
     const Scene scene = family.scene(complete(family, {{"side", side}}));
     std::vector<std::size_t> first(scene.bodies.size(), 0);
     std::size_t unknowns = 0;

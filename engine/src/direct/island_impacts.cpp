@@ -13,6 +13,8 @@ constexpr Real together = static_cast<Real>(0.0005);  // m, gap up to which both
 constexpr Real slides = static_cast<Real>(1e-4);      // m/s, what slides faster when it is struck has sliding friction
 /// m, gap that is none: less than rounding leaves of an advance to the time of an impact.
 constexpr Real no_gap = static_cast<Real>(sizeof(Real) == 8 ? 1e-13 : 1e-6);
+/// Of an interval: an impact that comes later by less is at its end, so that nothing brakes it before.
+constexpr Real at_the_end = static_cast<Real>(1e-9);
 
 }  // namespace
 
@@ -96,9 +98,9 @@ std::optional<DirectIsland::Impact> DirectIsland::impact_of(std::uint32_t index,
         parts = speed <= 0;
         if (!parts) t = std::max(t + there.points[i].separation / speed, Real{0});
       }
-      if (parts || t > within) continue;
-      one.time = t;
-      one.speed = closing(contact, frame_at(t), i, t);
+      if (parts || t > (1 + at_the_end) * within) continue;
+      one.time = std::min(t, within);
+      one.speed = closing(contact, frame_at(one.time), i, one.time);
     }
     if (one.speed <= slow_) continue;
     if (!first || one.time < first->time || (one.time == first->time && one.speed > first->speed)) first = one;
