@@ -1,0 +1,129 @@
+#include "direct/constraint_system.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "../support.h"
+
+namespace impulse::inline IMPULSE_PRECISION::constraint_system_test {
+namespace {
+
+constexpr Real tolerance = sizeof(Real) == 8 ? static_cast<Real>(1e-12) : static_cast<Real>(1e-4);
+
+/// A point that body b rests on, `arm` beside its centre; body 0 does not move.
+Constraint point(std::uint32_t b, Real arm) {
+  Constraint row;
+  row.b = b;
+  row.mass_b = {1, 1};
+  row.axis = {0, 1};
+  row.arm_b = arm;
+  row.law = Law::pushes;
+  return row;
+}
+
+Constraint friction(std::uint32_t first, std::uint32_t count, Real coefficient) {
+  Constraint row = point(1, 0);
+  row.axis = {1, 0};
+  row.law = Law::rubs;
+  row.first = first;
+  row.count = count;
+  row.friction = coefficient;
+  return row;
+}
+
+TEST(ConstraintSystem, SharesALoadByTheLawOfTheLever) {
+  ConstraintSystem system;
+  system.add(point(1, -1));
+  system.add(point(1, 3));
+  std::vector<Velocity> velocity{{}, {{0, -4}, 0}};
+  EXPECT_TRUE(system.solve(velocity));
+  EXPECT_NEAR(system[0].impulse, 3, tolerance);
+  EXPECT_NEAR(system[1].impulse, 1, tolerance);
+  EXPECT_NEAR(velocity[1].v.y, 0, tolerance);
+}
+
+TEST(ConstraintSystem, LetsGoWhatWouldPull) {
+  ConstraintSystem system;
+  system.add(point(1, 1));
+  system.add(point(1, 3));
+  std::vector<Velocity> velocity{{}, {{0, -4}, 0}};
+  EXPECT_TRUE(system.solve(velocity));
+  EXPECT_EQ(system[1].impulse, 0);
+  EXPECT_NEAR(system[0].impulse, 2, tolerance);
+  EXPECT_GT(ConstraintSystem::speed(system[1], velocity), 0);
+}
+
+TEST(ConstraintSystem, SticksWithinTheConeAndSlidesAtItsEdge) {
+  for (const double speed : {1., 3.}) {
+    ConstraintSystem system;
+    system.add(point(1, 0));
+    system.add(friction(0, 1, real(.5)));
+    std::vector<Velocity> velocity{{}, {{real(speed), -4}, 0}};
+    EXPECT_TRUE(system.solve(velocity));
+    EXPECT_NEAR(velocity[1].v.x, std::max(speed - 2, 0.), tolerance);
+  }
+}
+
+// Three points in a row do not say how they share a load. Changes are weighed by inverse masses of 2, 1 and 2.
+TEST(ConstraintSystem, ChangesImpulsesLeastFromTheGuess) {
+  ConstraintSystem system;
+  for (const double arm : {-1., 0., 1.}) system.add(point(1, real(arm)));
+  for (Constraint& row : system.all()) row.impulse = 1;
+  std::vector<Velocity> velocity{{}, {{0, -6}, 0}};
+  EXPECT_TRUE(system.solve(velocity));
+  EXPECT_NEAR(system[0].impulse, 1.75, 1e-3);
+  EXPECT_NEAR(system[1].impulse, 2.5, 1e-3);
+  EXPECT_NEAR(system[2].impulse, 1.75, 1e-3);
+}
+
+// A column of ten: each bears what stands on it, whatever the order of the list.
+TEST(ConstraintSystem, SolvesAColumnAtOnceInAnyOrder) {
+  for (const bool backwards : {false, true}) {
+    ConstraintSystem system;
+    for (std::uint32_t i = 0; i < 10; ++i) {
+      const std::uint32_t upper = backwards ? 10 - i : i + 1;
+      Constraint row = point(upper, 0);
+      row.a = upper - 1;
+      if (row.a > 0) row.mass_a = {1, 1};
+      row.place = static_cast<Real>(upper);
+      system.add(row);
+    }
+    std::vector<Velocity> velocity(11, Velocity{{0, -1}, 0});
+    velocity[0] = {};
+    EXPECT_TRUE(system.solve(velocity));
+    for (const Constraint& row : system.all()) {
+      EXPECT_NEAR(row.impulse, static_cast<Real>(11 - row.b), 20 * tolerance);
+    }
+  }
+}
+
+// Two equations that contradict each other: bounded, and said.
+TEST(ConstraintSystem, SaysWhatItCannotSolve) {
+  ConstraintSystem system;
+  for (const double bias : {-1., 1.}) {
+    Constraint row = point(1, 0);
+    row.law = Law::holds;
+    row.bias = real(bias);
+    system.add(row);
+  }
+  std::vector<Velocity> velocity{{}, {}};
+  EXPECT_FALSE(system.solve(velocity));
+  EXPECT_LT(std::abs(velocity[1].v.y), 1.5);
+}
+
+TEST(ConstraintSystem, UndoesWhatItSolved) {
+  ConstraintSystem system;
+  system.add(point(1, real(.3)));
+  const std::vector<Velocity> before{{}, {{1, -4}, 2}};
+  std::vector<Velocity> velocity = before;
+  EXPECT_TRUE(system.solve(velocity));
+  system.undo(velocity);
+  EXPECT_EQ(velocity[1].v, before[1].v);
+  EXPECT_EQ(velocity[1].w, before[1].w);
+}
+
+}  // namespace
+}  // namespace impulse::inline IMPULSE_PRECISION::constraint_system_test

@@ -1,0 +1,103 @@
+// Small islands under the default method, in double precision: see most_direct in accurate.cpp.
+#include "direct/direct_island.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "../support.h"
+
+namespace impulse::inline IMPULSE_PRECISION::direct_island_test {
+namespace {
+
+constexpr bool is_double = sizeof(Real) == 8;
+
+Settings falling() {
+  Settings settings;
+  settings.gravity = {0, -10};
+  return settings;
+}
+
+double kinetic(const Body& body) {
+  const double v = static_cast<double>(length(body.velocity()));
+  const double w = static_cast<double>(body.angular_velocity());
+  return static_cast<double>(body.mass().mass) * v * v / 2 + static_cast<double>(body.mass().inertia) * w * w / 2;
+}
+
+// Housner (1963): a block that lands on its other corner keeps 1 - 1.5 sin^2 a of its spin, whenever in a sub-step that
+// is; the corner that it stood on bears it until then.
+TEST(DirectIsland, KeepsHousnersShareOfTheSpinOfARockingBlock) {
+  if (!is_double) GTEST_SKIP() << "islands are swept in single precision";
+  const double slenderness = std::atan(.4);
+  for (int phase = 0; phase < 10; ++phase) {
+    World world(falling());
+    const Material rough{1, 2, 2, 0};
+    add_floor(world, rough);
+    const double tilt = .1 + .003 * phase;
+    const double radius = std::hypot(.4, 1);
+    BodyDef def = at(-radius * std::sin(slenderness - tilt), radius * std::cos(slenderness - tilt), 0, 0, 0, tilt);
+    const BodyId block = world.create_body(def, Shape::box({real(.4), 1}), rough);
+    double before = 0;
+    double after = 0;
+    for (int i = 0; i < 200 && after == 0; ++i) {
+      const double was = static_cast<double>(world.body(block).angle());
+      const double energy = kinetic(world.body(block)) + 10 * static_cast<double>(world.body(block).mass().mass) *
+                                                             static_cast<double>(world.body(block).position().y);
+      world.step();
+      const double now = static_cast<double>(world.body(block).angle());
+      const double left = kinetic(world.body(block)) + 10 * static_cast<double>(world.body(block).mass().mass) *
+                                                           static_cast<double>(world.body(block).position().y);
+      if (was > 0 && now < 0) {
+        const double flat = 10 * static_cast<double>(world.body(block).mass().mass);
+        before = energy - flat;
+        after = left - flat;
+      }
+    }
+    const double kept = 1 - 1.5 * std::pow(std::sin(slenderness), 2);
+    EXPECT_NEAR(after / before, kept * kept, 1e-4) << phase;
+  }
+}
+
+// A box that falls on a resting one does not hop, whatever the height: restitution is 0.
+TEST(DirectIsland, LetsABoxLandOnARestingOneWithoutAHop) {
+  if (!is_double) GTEST_SKIP() << "islands are swept in single precision";
+  for (int drop = 0; drop < 40; ++drop) {
+    World world(falling());
+    add_floor(world);
+    world.create_body(at(0, .5), Shape::box({real(.5), real(.5)}));
+    const BodyId upper = world.create_body(at(.1, 1.5 + .05 * drop), Shape::box({real(.5), real(.5)}));
+    double highest = 0;
+    bool landed = false;
+    for (int i = 0; i < 90; ++i) {
+      world.step();
+      const double height = static_cast<double>(world.body(upper).position().y) - 1.5;
+      landed = landed || height < 1e-9;
+      if (landed) highest = std::max(highest, std::abs(height));
+    }
+    EXPECT_TRUE(landed) << drop;
+    EXPECT_LT(highest, 1e-9) << drop;
+  }
+}
+
+// Contacts of bodies between joints push only, and joints stay closed, through an impact.
+TEST(DirectIsland, HoldsJointsThroughAnImpact) {
+  if (!is_double) GTEST_SKIP() << "islands are swept in single precision";
+  World world(falling());
+  add_floor(world, frictionless());
+  const BodyId a = world.create_body(at(0, 2, 0, 0, 1), Shape::box({real(.5), real(.1)}), frictionless());
+  const BodyId b = world.create_body(at(1, 2), Shape::box({real(.5), real(.1)}), frictionless());
+  world.create_joint(RevoluteJoint{.a = a, .b = b, .anchor = {real(.5), 2}});
+  for (int i = 0; i < 120; ++i) {
+    world.step();
+    const auto end = [&](BodyId id, double side) {
+      return world.body(id).position() + Rotation(world.body(id).angle()) * Vec2{real(side), 0};
+    };
+    ASSERT_LT(length(end(a, .5) - end(b, -.5)), 1e-9) << i;
+    for (const ContactInfo& contact : world.contacts()) ASSERT_GE(contact.normal_impulse, 0) << i;
+  }
+}
+
+}  // namespace
+}  // namespace impulse::inline IMPULSE_PRECISION::direct_island_test

@@ -1,0 +1,86 @@
+#include "direct/touch.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "../support.h"
+#include "bodies/body_set.h"
+#include "narrow_phase/collide.h"
+
+namespace impulse::inline IMPULSE_PRECISION::touch_test {
+namespace {
+
+constexpr Real tolerance = 64 * round_off;
+
+struct Pair {
+  BodySet bodies;
+  Contact contact;
+
+  Pair(const Shape& a, Vec2 at_a, const Shape& b, Vec2 at_b) {
+    contact.body_a = add(a, at_a);
+    contact.body_b = add(b, at_b);
+    const Pose& pose_a = bodies.pose[contact.body_a];
+    const Pose& pose_b = bodies.pose[contact.body_b];
+    const Manifold m = collide(a, pose_a, b, pose_b, 1);
+    contact.radius_a = a.radius();
+    contact.radius_b = b.radius();
+    contact.normal = m.normal;
+    contact.count = m.count;
+    contact.found_a = pose_a;
+    contact.found_b = pose_b;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+      contact.points[i].arm_a = m.points[i].point - pose_a.p;
+      contact.points[i].arm_b = m.points[i].point - pose_b.p;
+      contact.found_separation[i] = m.points[i].separation;
+    }
+  }
+  std::uint32_t add(const Shape& shape, Vec2 where) {
+    BodyDef def;
+    def.position = where;
+    bodies.add(def, std::array{Part{shape, {}}});
+    return static_cast<std::uint32_t>(bodies.size() - 1);
+  }
+  Touch touch() const { return {contact, bodies, contact.found_a, contact.found_b}; }
+};
+
+Motion moved(Vec2 by, double turn = 0) {
+  Motion motion;
+  motion.advance({by, real(turn)}, 1);
+  return motion;
+}
+
+// The corner is at (1, 1); the disc starts above and beside it.
+TEST(Touch, OfADiscAndACornerIsTheirDistanceWhereverTheDiscGoes) {
+  const Pair pair(Shape::box({1, 1}), {0, 0}, Shape::circle(real(.5)), {real(1.3), real(1.5)});
+  for (const Vec2 by : {Vec2{}, Vec2{real(.4), real(-.2)}, Vec2{real(.2), real(-.9)}}) {
+    const Vec2 apart = Vec2{real(.3), real(.5)} + by;
+    const Real gap = pair.touch().gap(0, moved({}), moved(by));
+    EXPECT_NEAR(gap, length(apart) - real(.5), tolerance);
+    EXPECT_NEAR(length(pair.touch().at(moved({}), moved(by)).normal - normalized(apart)), 0, tolerance);
+  }
+}
+
+TEST(Touch, OfAFaceTurnsWithItsBody) {
+  const Pair pair(Shape::box({2, 1}), {0, 0}, Shape::circle(real(.5)), {0, real(1.6)});
+  const TouchFrame frame = pair.touch().at(moved({}, .1), moved({}));
+  EXPECT_NEAR(frame.normal.x, -std::sin(.1), tolerance);
+  EXPECT_NEAR(frame.normal.y, std::cos(.1), tolerance);
+  EXPECT_NEAR(frame.points[0].separation, real(1.6 * std::cos(.1) - 1.5), tolerance);
+}
+
+// An impulse that acts on two bodies in two places would change their angular momentum.
+TEST(Touch, LetsBothArmsEndInOnePlace) {
+  const Pair pair(Shape::box({2, 1}), {0, 0}, Shape::box({real(.5), real(.5)}), {real(.2), real(1.5)});
+  const TouchFrame frame = pair.touch().at(moved({}, .05), moved({real(.1), real(.02)}, -.1));
+  const Vec2 tangent = perpendicular(frame.normal);
+  for (const PointArms& p : frame.points) {
+    const Vec2 on_a = p.dot_a * frame.normal - p.cross_a * tangent;
+    const Vec2 on_b = Vec2{real(.3), real(1.52)} + p.dot_b * frame.normal - p.cross_b * tangent;
+    EXPECT_NEAR(length(on_a - on_b), 0, tolerance);
+  }
+}
+
+}  // namespace
+}  // namespace impulse::inline IMPULSE_PRECISION::touch_test
