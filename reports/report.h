@@ -62,7 +62,9 @@ struct TruthCheck {
   double scale = 0;
   bool passed = false;
   bool reported = true;  // false if the engine does not report the quantity: neither passed nor failed
-  bool idle = false;     // whether bodies move, and it would pass if all of them stayed at the start: nothing was asked
+  bool idle = false;     // whether nothing is asked: bodies move, and it would pass if all of them stayed at the start;
+                         // its body is not dynamic; or is yet to touch something, which it will by a reference
+  bool converged = false;  // by a converged reference
   std::string source;
   std::optional<Spread> spread = std::nullopt;  // over all phases, if there are several; the rest is the worst phase's
 };
@@ -86,8 +88,9 @@ struct RunRecord {
   std::string variant;
   Parameters parameters;
   std::string engine;
-  std::string method;  // settings that differ from the engine's defaults, "key=value,..."; "" for the defaults
-  bool exact = false;  // a closed form
+  std::string method;      // settings that differ from the engine's defaults, "key=value,..."; "" for the defaults
+  bool exact = false;      // a closed form, or a converged reference
+  bool converged = false;  // judged by a converged reference, or it is one
   double dt = 0;
   Status status = Status::ok;
   std::string reason;
@@ -112,6 +115,15 @@ bool is_evidence(const TruthCheck&);
 bool is_judged(const InvariantCheck&);
 /// Whether the invariant was tested: something happened by which a wrong engine would have broken it.
 bool is_evidence(const InvariantCheck&);
+
+/// What of a run is not a test, and the share of its scale that is allowed: its reported checks that are no evidence,
+/// and its invariants whose tolerance is too large for what an engine without the law would have shown. Where that is
+/// nothing, the run never met the law.
+struct NotATest {
+  std::string what;  // "y of box at 2 s", "energy"
+  double share = 0;
+};
+std::vector<NotATest> not_tests(const RunRecord&);
 
 /// The largest relative_error of a run's reported checks; nullopt if there is none.
 std::optional<double> worst_relative_error(const RunRecord&);

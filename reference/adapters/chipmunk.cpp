@@ -303,6 +303,9 @@ class Chipmunk : public Simulation {
 };
 
 std::string unsupported(const Scene& scene, const Settings&) {
+  for (const Body& body : scene.bodies) {
+    if (body.bullet) return "has no continuous collision, which bullet \"" + body.name + "\" asks for";
+  }
   for (const Joint& joint : scene.joints) {
     const auto* slider = std::get_if<Prismatic>(&joint);
     if (slider == nullptr) continue;
@@ -357,7 +360,7 @@ const std::vector<std::string> caveats{
     "nothing pushes until bodies overlap by the collision slop (option slop): bodies that start apart may come to rest "
     "that deep",
     "overlap is removed slowly, a tenth of it per 1/60 s",
-    "no continuous collision: fast bodies pass through thin ones, and bullet has no effect",
+    "no continuous collision: fast bodies pass through thin ones, and a scene with a bullet is not supported",
     "joints are held by velocities and a bias alone, without projection: they yield a little and recover",
     "a soft distance joint is an explicit spring with a damper of its own",
     "contact impulses are not sums over the step: the first touch after a separation still includes what the pair "

@@ -71,6 +71,9 @@ const Catalog<Control>::Entry unlimited{in_altered_scene("unlimited", "joints ha
   }
 })};
 
+const Catalog<Control>::Entry jointless{
+    in_altered_scene("jointless", "joints hold nothing together", [](Scene& scene) { scene.joints.clear(); })};
+
 const Catalog<Control>::Entry pathless{
     in_altered_scene("pathless", "kinematic bodies leave their paths and go straight on", [](Scene& scene) {
       for (Body& body : scene.bodies) body.path.reset();

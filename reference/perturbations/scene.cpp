@@ -129,6 +129,54 @@ const Catalog<Perturbation>::Entry anchors{
                return any;
              })};
 
+// Rails and welds hold their bodies as they start, wherever their anchors are: those are no parameters of a motion.
+const Catalog<Perturbation>::Entry rail_axis{of_scene(
+    "rail axis", "the direction of rails",
+    [](Scene& scene, double error) {
+      bool any = false;
+      for (Joint& joint : scene.joints) {
+        auto* slider = std::get_if<Prismatic>(&joint);
+        if (slider == nullptr) continue;
+        slider->axis = rotated(slider->axis, error);
+        any = true;
+      }
+      return any;
+    },
+    "rad")};
+
+Distance* rod_in(Joint& joint) {
+  auto* rod = std::get_if<Distance>(&joint);
+  return rod != nullptr && rod->stiffness == 0 ? rod : nullptr;
+}
+
+const Catalog<Perturbation>::Entry rod_anchors{of_scene(
+    "rod anchors", "the distances of a rod's ends from the centres of mass of the bodies that it holds",
+    [](Scene& scene, double error) {
+      bool any = false;
+      for (Joint& joint : scene.joints) {
+        Distance* rod = rod_in(joint);
+        if (rod == nullptr) continue;
+        const double before = length(rod->anchor_b - rod->anchor_a);
+        for (const auto& [body, anchor] : {std::pair{rod->a, &rod->anchor_a}, std::pair{rod->b, &rod->anchor_b}}) {
+          if (scene.bodies[body].type != BodyType::dynamic) continue;
+          const Vec arm = *anchor - start_of(scene.bodies[body]).position;
+          *anchor = *anchor + error * arm;
+          any = any || arm != Vec{};
+        }
+        rod->length += length(rod->anchor_b - rod->anchor_a) - before;
+      }
+      return any;
+    })};
+
+const Catalog<Perturbation>::Entry rod_length{
+    of_scene("rod length", "the length of rods", [](Scene& scene, double error) {
+      bool any = false;
+      for (Joint& joint : scene.joints) {
+        if (Distance* rod = rod_in(joint)) any = scale(rod->length, error) || any;
+      }
+      return any;
+    })};
+
 const Catalog<Perturbation>::Entry limits{
     of_scene("joint limits", "the angles and ways at which hinges and sliders stop, from their start",
              [](Scene& scene, double error) {
@@ -183,17 +231,25 @@ const Catalog<Perturbation>::Entry path_amplitude{
       return any;
     })};
 
-const Catalog<Perturbation>::Entry stiffness{
-    of_scene("spring stiffness", "the stiffness of springs and of soft joints", [](Scene& scene, double error) {
-      bool any = false;
-      for (Force& force : scene.forces) {
-        if (auto* spring = std::get_if<Spring>(&force)) any = scale(spring->stiffness, error) || any;
-      }
-      for (Joint& joint : scene.joints) {
-        if (auto* spring = std::get_if<Distance>(&joint)) any = scale(spring->stiffness, error) || any;
-      }
-      return any;
-    })};
+// Of springs between bodies, as forces and as joints.
+bool each_spring(Scene& scene, double Spring::*of_force, double Distance::*of_joint, double error) {
+  bool any = false;
+  for (Force& force : scene.forces) {
+    if (auto* spring = std::get_if<Spring>(&force)) any = scale(spring->*of_force, error) || any;
+  }
+  for (Joint& joint : scene.joints) {
+    if (auto* spring = std::get_if<Distance>(&joint)) any = scale(spring->*of_joint, error) || any;
+  }
+  return any;
+}
+
+const Catalog<Perturbation>::Entry stiffness{of_scene(
+    "spring stiffness", "the stiffness of springs and of soft joints",
+    [](Scene& scene, double error) { return each_spring(scene, &Spring::stiffness, &Distance::stiffness, error); })};
+
+const Catalog<Perturbation>::Entry damping{of_scene(
+    "spring damping", "the damping of springs and of soft joints",
+    [](Scene& scene, double error) { return each_spring(scene, &Spring::damping, &Distance::damping, error); })};
 
 }  // namespace
 }  // namespace plumb::scene_perturbations

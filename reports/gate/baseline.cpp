@@ -52,10 +52,15 @@ BaselineRun baseline_run_of(const RunRecord& run) {
                   .bits = run.trace ? fmt::format("{:016x}", hash_of(*run.trace)) : ""};
   for (const auto& [name, measured] : run.metrics) {
     // The horizon needs an ensemble of runs, which `plumb check` does not make.
-    if (name != horizon_note().name) add_number(all.numbers, name, {measured.unit, measured.value});
+    if (name == horizon_note().name) continue;
+    BaselineNumber number{measured.unit, measured.value};
+    if (run.converged && name.starts_with("truth_")) number.bound = unbounded;
+    add_number(all.numbers, name, number);
   }
   for (const TruthCheck& check : run.truth) {
-    add_number(all.numbers, name_of_check(check), {check.unit, check.error, status_of(check), check.tolerance});
+    BaselineNumber number{check.unit, check.error, status_of(check), check.tolerance};
+    if (check.converged) number.bound = unbounded;
+    add_number(all.numbers, name_of_check(check), number);
   }
   for (const InvariantCheck& check : run.invariants) {
     add_number(all.numbers, "invariant: " + check.name, {check.unit, check.value, check.status, check.tolerance});
@@ -71,6 +76,7 @@ Baseline baseline_of(const Report& report) {
   }
   for (const RunRecord& run : report.runs) {
     baseline.dt = run.dt;
+    if (run.exact && run.converged) continue;
     baseline.runs.emplace(key_of(run), baseline_run_of(run));
   }
   return baseline;

@@ -67,10 +67,11 @@ struct Baseline {
 /// The entries of an environment that determine the bits of a result: architecture, compiler, flags and libm.
 std::map<std::string, std::string> platform_of(const std::map<std::string, std::string>& environment);
 
-/// The numbers of one run, without bounds.
+/// The numbers of one run, without bounds, but for those that depend on a converged reference: how long it is valid may
+/// differ from platform to platform, and with it when it is compared with.
 BaselineRun baseline_run_of(const RunRecord&);
 
-/// The runs of a report, without bounds.
+/// The same of the runs of a report, without converged references themselves.
 Baseline baseline_of(const Report&);
 
 }  // namespace plumb

@@ -7,12 +7,11 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "reports/judge/mechanics.h"
-#include "reports/run/case_run.h"
+#include "reports/run/case_truth.h"
 #include "reports/system/jobs.h"
 #include "scenarios/images.h"
 #include "scenarios/scene/mass.h"
@@ -87,28 +86,8 @@ void set_bounds(BaselineRun& run, const std::vector<BaselineRun>& perturbed, con
   }
 }
 
-// The closed form of a case with its trace. The pointers in `known` are valid as long as this object exists.
-class KnownAnswer {
- public:
-  KnownAnswer(const Case& one_case, double dt) {
-    if (one_case.closed_form == nullptr) return;
-    const EngineConfig closed_form{one_case.closed_form, complete(*one_case.closed_form, {})};
-    const Outcome outcome = run(*one_case.scene, closed_form, dt);
-    if (outcome.status != Status::ok) return;
-    truth_.emplace(*one_case.closed_form, *one_case.scene);
-    known_ = {&*truth_, outcome.trace};
-  }
-  KnownAnswer(const KnownAnswer&) = delete;
-  KnownAnswer& operator=(const KnownAnswer&) = delete;
-  ~KnownAnswer() = default;
-  const ReferenceRun& known() const { return known_; }
-
- private:
-  std::optional<Truth> truth_;
-  ReferenceRun known_;
-};
-
-void find_bounds_of_run(const Case& one_case, const EngineConfig& config, double dt, BaselineRun& baseline_run) {
+void find_bounds_of_run(const Case& one_case, const EngineConfig& config, double dt, const CaseTruth& truth,
+                        BaselineRun& baseline_run) {
   const Outcome outcome = run(*one_case.scene, config, dt);
   if (!outcome.trace || outcome.status != Status::ok) return;
   const Stepping stepping = config.engine->stepping(config.settings, dt);
@@ -116,13 +95,12 @@ void find_bounds_of_run(const Case& one_case, const EngineConfig& config, double
   std::vector<BaselineRun> perturbed_results;
   // A closed form is evaluated, not stepped, so differences do not grow in it.
   if (!config.engine->exact) {
-    const KnownAnswer answer(one_case, dt);
     const double size = perturbation_of(*one_case.scene, stepping);
     for (int seed = 1; seed <= perturbed_runs; ++seed) {
       Case next = one_case;
       next.scene = std::make_shared<const Scene>(perturbed(*one_case.scene, size, static_cast<std::uint64_t>(seed)));
       perturbed_results.push_back(
-          baseline_run_of(judged_record(next, config, dt, run_case(next, config, dt), answer.known())));
+          baseline_run_of(judged_record(next, config, dt, run_case(next, config, dt), truth.reference())));
     }
   }
   set_bounds(baseline_run, perturbed_results, rounding, dt);
@@ -146,17 +124,19 @@ void find_bounds(const Plan& plan, Baseline& baseline, const Progress& progress)
       if (found != baseline.runs.end()) todo.push_back({&one_case, config, &found->second});
     }
   }
+  CaseTruths truths(plan.dt, plan.refine);
   std::mutex reporting;
   std::size_t done = 0;
   do_all(todo.size(), plan.jobs, [&](std::size_t i) {
     const Job& job = todo[i];
+    const Case& one_case = *job.one_case;
     {
       const std::lock_guard alone(reporting);
-      progress(fmt::format("{} {}: perturbed runs of {}", job.one_case->scenario->name, job.one_case->variant,
+      progress(fmt::format("{} {}: perturbed runs of {}", one_case.scenario->name, one_case.variant,
                            job.config.engine->name),
                done++, todo.size());
     }
-    find_bounds_of_run(*job.one_case, job.config, plan.dt, *job.run);
+    find_bounds_of_run(one_case, job.config, plan.dt, truths.of(one_case), *job.run);
   });
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reports/run/converged_checks.h"
 #include "reports/run/selection.h"
 #include "reports/system/command_options.h"
 #include "reports/system/environment.h"
@@ -100,6 +101,7 @@ Plan plan_of(const Baseline& baseline, const GateOptions& options) {
                           options.engines.empty() ? engine_words_of(baseline) : options.engines);
   plan.dt = baseline.dt;
   plan.jobs = options.jobs;
+  plan.refine = usual_budget;
   plan.timed = false;
   if (some) check_cases(baseline, plan);
   if (!options.engines.empty()) check_engines(baseline, plan);

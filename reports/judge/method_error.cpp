@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "reference/scene_facts.h"
+#include "reports/judge/jams.h"
 #include "reports/judge/overlap.h"
 #include "scenarios/allowance.h"
 #include "scenarios/scene/joints.h"
@@ -83,37 +84,51 @@ struct BodyStress {
   double radius = 0;   // m
   double damping = 0;  // 1/s
   double smooth = 0, bends = 0, jolts = 0, pushed = 0, carried = 0, changes = 0;
-  std::array<double, 3> acceleration{}, rate{};  // of both coordinates and the rim
-  std::optional<bool> touched;                   // in the step before
-  int alike = 0;                                 // steps since that changed
+  double jammed = 0, turned = 0, turning = 0;  // turning: m/s^2, the changes in jams, each times the rotation
+  std::optional<bool> touched;                 // in the step before
+  int alike = 0;                               // steps since that changed
 
   void add(const BodyState& before, const BodyState& after, bool touches, double load, double dt) {
-    const std::array<double, 3> change{after.velocity.x - before.velocity.x, after.velocity.y - before.velocity.y,
-                                       radius * (after.angular_velocity - before.angular_velocity)};
+    const Triple change{after.velocity.x - before.velocity.x, after.velocity.y - before.velocity.y,
+                        radius * (after.angular_velocity - before.angular_velocity)};
     const double size = length_of(change);
     carried += changes * dt;
     changes += size + load;
     (touches ? pushed : smooth) += size;
     alike = touched == touches ? alike + 1 : 0;
-    const std::array<double, 3> now = scaled_by(1 / dt, change);
-    const std::array<double, 3> bend = minus(now, acceleration);
-    const std::array<double, 3> rate_now = scaled_by(1 / dt, bend);
-    if (alike > 0) bends += length_of(bend);
-    if (alike > 1) jolts += length_of(minus(rate_now, rate));
+    const Triple now = scaled_by(1 / dt, change);
+    const Triple rate_now = scaled_by(1 / dt, minus(now, acceleration));
+    if (alike > 0) bends += change_to(now, smooth_acceleration);
+    if (alike > 1) jolts += change_to(rate_now, smooth_rate);
     // What damps and what drives may balance, and each is still integrated with an error.
     const double path = dt * std::hypot(length(after.velocity), radius * after.angular_velocity);
     bends += damping * damping * path;
     jolts += damping * damping * damping * path;
     acceleration = now;
-    rate = rate_now;
     touched = touches;
   }
 
+  void add_jam(double change, double spin, double dt, bool first) {
+    turned += turning * dt;
+    turning += change * spin;
+    if (!first) jammed += change;
+  }
+
  private:
-  using Triple = std::array<double, 3>;
+  using Triple = std::array<double, 3>;  // of both coordinates and the rim
+
+  // The size of the change since the last one that no contact began or ended in.
+  static double change_to(const Triple& now, std::optional<Triple>& last) {
+    const double size = last ? length_of(minus(now, *last)) : 0;
+    last = now;
+    return size;
+  }
   static double length_of(const Triple& a) { return std::hypot(a[0], a[1], a[2]); }
   static Triple scaled_by(double factor, const Triple& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
   static Triple minus(const Triple& a, const Triple& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+  Triple acceleration{};  // in the step before
+  std::optional<Triple> smooth_acceleration, smooth_rate;
 };
 
 }  // namespace
@@ -136,6 +151,7 @@ std::vector<Stress> stress_along(const Scene& scene, const Trace& trace) {
   const int connected = rows.longest();
   if (connected > stress.joints) stress.contacts = connected;
   std::vector<Stress> along{stress};
+  const std::vector<std::vector<double>> jams = jams_in(scene, trace);
   std::vector<bool> touches(scene.bodies.size());
   bool touched = false;
   for (std::size_t moment = 1; moment < trace.size(); ++moment) {
@@ -159,6 +175,7 @@ std::vector<Stress> stress_along(const Scene& scene, const Trace& trace) {
       const double fall = length(scene.gravity) * dt;
       const bool held = touches[i] || !scene.joints.empty();
       bodies[i].add(trace.states(moment - 1)[i], trace.states(moment)[i], touches[i] || spreads, held ? fall : 0, dt);
+      bodies[i].add_jam(jams[moment][i], std::abs(trace.states(moment)[i].angular_velocity), dt, moment == 1);
       const double hit = bodies[i].pushed - before;
       if (hit > 2 * fall && (stress.slowest == 0 || hit < stress.slowest)) stress.slowest = hit;
       stress.smooth = std::max(stress.smooth, bodies[i].smooth);
@@ -166,6 +183,8 @@ std::vector<Stress> stress_along(const Scene& scene, const Trace& trace) {
       stress.jolts = std::max(stress.jolts, bodies[i].jolts);
       stress.pushed = std::max(stress.pushed, bodies[i].pushed);
       stress.carried = std::max(stress.carried, bodies[i].carried);
+      stress.jammed = std::max(stress.jammed, bodies[i].jammed);
+      stress.turned = std::max(stress.turned, bodies[i].turned);
     }
     along.push_back(stress);
   }
@@ -175,13 +194,15 @@ std::vector<Stress> stress_along(const Scene& scene, const Trace& trace) {
 MethodError method_error(const Stepping& s, const Stress& stress, bool bounces) {
   const bool second = s.order >= 2 && s.drift == 0;
   const double smooth = second ? s.h * s.h / 3 * stress.bends : std::max(std::abs(s.drift), 0.5) * s.h * stress.smooth;
-  const double late = std::max(lag(s), s.order_in_contact >= 2 ? 0 : s.h / 2) * stress.pushed;
+  const double found_late = std::max(lag(s), s.order_in_contact >= 2 ? 0 : s.h / 2);
+  const double late = found_late * (stress.pushed - stress.jammed);
+  const double jams = s.dt * (stress.jammed + stress.turned);
   const double gaps = s.contact_gap() * stress.contacts + s.joint_slop * stress.joints;
   const bool stops = bounces && stress.slowest > 0 && stress.slowest < 2 * s.restitution_threshold;
   const double stopped = stops ? s.restitution_threshold : 0;
   const double speed = (stress.contacts > 0 ? s.creep : 0) + stopped;
   const double left = unsolved(s, std::max({stress.contacts, stress.joints, 1})) * stress.carried;
-  return {.place = smooth + late + gaps + speed * stress.touched + left,
+  return {.place = smooth + late + jams + gaps + speed * stress.touched + left,
           .speed = (second ? s.h * s.h / 6 * stress.jolts : s.h / 2 * stress.bends) + stopped};
 }
 

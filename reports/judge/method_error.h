@@ -14,11 +14,13 @@ namespace plumb {
 /// of the rim.
 struct Stress {
   double smooth = 0;   // m/s, the sum of all changes of velocity while nothing pushed the body
-  double bends = 0;    // m/s^2, the sum of all changes of acceleration but those as a contact begins or ends
+  double bends = 0;    // m/s^2, the sum of all changes of acceleration, from before to after a contact begins or ends
   double jolts = 0;    // m/s^3, the same of its rate of change
   double pushed = 0;   // m/s, the sum of all changes of velocity by contacts
   double carried = 0;  // m, the sum of all changes of velocity, and of gravity's that contacts and joints take away,
                        // each times the time since
+  double jammed = 0;   // m/s, the sum of all changes of velocity in jams (see jams.h), but for the first step's
+  double turned = 0;  // m/s, the sum of all changes in jams, each times its body's rotation in rad/s and the time since
   double slowest = 0;  // m/s, the smallest change of velocity at an impact; 0: none
   double touched = 0;  // s, since the first contact
   int contacts = 0;    // in a row, at most: from a fixed body, or across a group that touches none
@@ -38,6 +40,9 @@ struct MethodError {
 ///   symplectic Euler, g t h/2, is such a sum), or as its drift states; one of second order is off by h^2/6 times the
 ///   changes of acceleration in position, and by as much through its velocity;
 /// - contact: a change of velocity is late by up to the lag of an impact, or by the h/2 of first order;
+/// - jams: nothing approaches, so their time is not solved for even by a method that solves for times of impact. One
+///   begins at a step, up to dt late but for the first, and its contact keeps the normal and arms found there, which
+///   turn by w dt in the step: so much of the change of velocity has the wrong direction, for the time since;
 /// - skin and slop, at every contact or joint in a row;
 /// - creep, and impacts below the restitution threshold, times the time since;
 /// - what the iterations leave of a change of velocity (see `unsolved`), times the time since.

@@ -91,16 +91,23 @@ const char* subject_of(const TruthCheck& check) {
   return found == subjects.end() ? check.quantity.c_str() : found->second;
 }
 
-// Whether every quantity has a check that is evidence, and one of these is about the motion.
+// Whether each check of a value is evidence, or one of the same quantity at that time or later is, and one is about the
+// motion. What is known of a quantity before the time of a question says nothing about what happens until then. A bound
+// on one side can be missed, but many motions keep it.
 bool has_power(std::span<const TruthCheck> truth) {
-  std::map<std::string_view, bool> subjects;
+  std::map<std::string_view, double> evident_until;  // s, by subject
   bool moving = false;
   for (const TruthCheck& check : truth) {
-    bool& evident = subjects[subject_of(check)];
-    evident = evident || is_evidence(check);
-    moving = moving || (is_evidence(check) && !check.idle);
+    if (!is_evidence(check) || check.relation != Relation::equal) continue;
+    double& until = evident_until.try_emplace(subject_of(check), check.time).first->second;
+    until = std::max(until, check.time);
+    moving = moving || !check.idle;
   }
-  return moving && std::all_of(subjects.begin(), subjects.end(), [](const auto& one) { return one.second; });
+  return moving && std::all_of(truth.begin(), truth.end(), [&](const TruthCheck& check) {
+           if (check.relation != Relation::equal) return true;
+           const auto evident = evident_until.find(subject_of(check));
+           return evident != evident_until.end() && evident->second >= check.time;
+         });
 }
 
 // Of two phases of a run.
@@ -135,7 +142,9 @@ std::vector<TruthCheck> check_expectations(const Scene& scene, std::span<const E
   const Trace still = motionless(scene);
   for (const Expectation& expectation : expectations) {
     checks.push_back(check(scene, expectation, trace, stepping, truth, scales));
-    checks.back().idle = moving && check(scene, expectation, still, stepping, truth, scales).passed;
+    const bool prescribed =
+        !expectation.body.empty() && scene.bodies[index_of(scene, expectation.body)].type != BodyType::dynamic;
+    checks.back().idle = prescribed || (moving && check(scene, expectation, still, stepping, truth, scales).passed);
   }
   return checks;
 }

@@ -37,8 +37,8 @@ Judgement judge_phases(const Scene&, std::span<const Expectation>, const Trace&,
 /// wrong if an invariant is broken, whatever the truth says, or a truth check fails. Otherwise, where bodies move and
 /// every truth check would pass if they did not (energy, for example), nothing was asked about the motion, and it is
 /// judged as if there were no truth. With truth: coarse if one check is farther off than `right_share` of its scale;
-/// right if every quantity that they ask about has evidence, which a quantity that is not reported never has; else no
-/// evidence. Without: plausible if an invariant was tested, else no evidence.
+/// right if every quantity whose value they ask for has evidence at that time or later, which one that is not reported
+/// never has; else no evidence. Without: plausible if an invariant was tested, else no evidence.
 Verdict verdict_of(std::span<const TruthCheck> truth, std::span<const InvariantCheck>);
 
 }  // namespace plumb

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <memory>
-#include <optional>
 
 #include "reports/judge/scale.h"
 #include "reports/prove/progress.h"
 #include "reports/run/case_run.h"
-#include "reports/run/converged_checks.h"
 #include "reports/system/jobs.h"
 #include "scenarios/scene/vec.h"
 
@@ -46,70 +42,29 @@ ControlRun control_run(const Case& one_case, const JudgedRun& right, const Judge
   return run;
 }
 
-// Judges a case by its converged reference, too, as `plumb run` does. It is made when it is first asked for.
-class ByReference {
- public:
-  ByReference(const Case& one_case, double dt) : case_(one_case), dt_(dt) {}
-
-  /// The run as judged, with the checks of the reference.
-  JudgedRun judged(JudgedRun run, const EngineConfig& stated, const CaseRun& of) {
-    if (!checks_) make();
-    if (!*checks_ || run.status != Status::ok) return run;
-    Judgement& judgement = run.judgement;
-    auto more = (*checks_)->of(stated.engine->stepping(stated.settings, dt_), *of.outcome.trace);
-    std::ranges::move(more, std::back_inserter(judgement.checks));
-    if (judgement.verdict != Verdict::wrong) judgement.verdict = verdict_of(judgement.checks, judgement.invariants);
-    return run;
-  }
-
-  /// s, how long the motion is known; for ever without a reference that was asked.
-  double valid_until() const { return valid_until_; }
-
- private:
-  void make() {
-    checks_.emplace(nullptr);
-    reference_ = converged_reference(case_, dt_, usual_budget);
-    if (!reference_ || !reference_->engine.unsupported(*case_.scene, {}).empty()) return;
-    *checks_ = std::make_unique<const ConvergedChecks>(*case_.scene, *reference_, dt_);
-    valid_until_ = reference_->answer->valid_until();
-  }
-
-  const Case& case_;
-  double dt_;
-  double valid_until_ = unbounded;  // s
-  std::optional<ConvergedTruth> reference_;
-  std::optional<std::unique_ptr<const ConvergedChecks>> checks_;  // null if there is no reference
-};
-
 // By statement, then by control; empty where our engine cannot run the case.
 using CaseRuns = std::vector<std::vector<ControlRun>>;
 
 CaseRuns runs_of(const Case& one_case, const std::vector<Control>& controls, const std::vector<EngineConfig>& stated,
-                 double dt) {
+                 double dt, const CaseTruth& truth) {
   const Engine& ours = *Catalog<Engine>::find("impulse");
   const Settings settings = complete(ours, {});
   CaseRuns all(stated.size());
   const CaseRun right = run_case(one_case, {&ours, settings}, dt);
   if (right.outcome.status != Status::ok) return all;
   // A motion that is wrong is no standard for others.
-  if (judge_run(one_case, {&ours, settings}, dt, right).judgement.verdict == Verdict::wrong) return all;
+  if (judge_run(one_case, {&ours, settings}, dt, right, truth).judgement.verdict == Verdict::wrong) return all;
   std::vector<JudgedRun> right_by;
-  for (const EngineConfig& one : stated) right_by.push_back(judge_run(one_case, one, dt, right));
-  ByReference reference(one_case, dt);
+  for (const EngineConfig& one : stated) right_by.push_back(judge_run(one_case, one, dt, right, truth));
   for (const Control& control : controls) {
     const Engine engine = engine_of(control);
     const CaseRun run = run_case(one_case, {&engine, settings}, dt);
-    const double difference = run.outcome.status == Status::ok
-                                  ? largest_difference(one_case, *right.outcome.trace, *run.outcome.trace, unbounded)
-                                  : unbounded;
+    const double difference =
+        run.outcome.status == Status::ok
+            ? largest_difference(one_case, *right.outcome.trace, *run.outcome.trace, truth.valid_until())
+            : unbounded;
     for (std::size_t s = 0; s < stated.size(); ++s) {
-      const JudgedRun judged = judge_run(one_case, stated[s], dt, run);
-      all[s].push_back(control_run(one_case, right_by[s], judged, difference));
-      if (all[s].back().unmasking != Unmasking::passes) continue;
-      const JudgedRun right_again = reference.judged(right_by[s], stated[s], right);
-      const double known =
-          largest_difference(one_case, *right.outcome.trace, *run.outcome.trace, reference.valid_until());
-      all[s].back() = control_run(one_case, right_again, reference.judged(judged, stated[s], run), known);
+      all[s].push_back(control_run(one_case, right_by[s], judge_run(one_case, stated[s], dt, run, truth), difference));
     }
   }
   return all;
@@ -174,13 +129,13 @@ double largest_difference(const Case& one_case, const Trace& right, const Trace&
 }
 
 std::vector<ControlReport> prove_controls(const std::vector<Control>& controls, const std::vector<Case>& cases,
-                                          const std::vector<EngineConfig>& stated, double dt, int jobs,
+                                          const std::vector<EngineConfig>& stated, CaseTruths& truths, int jobs,
                                           const Progress& progress) {
   ProgressCounter counter(progress, cases.size());
   std::vector<CaseRuns> runs(cases.size());
   do_all(cases.size(), jobs, [&](std::size_t c) {
     counter.begin(label_of(cases[c]));
-    runs[c] = runs_of(cases[c], controls, stated, dt);
+    runs[c] = runs_of(cases[c], controls, stated, truths.dt(), truths.of(cases[c]));
   });
   std::vector<ControlReport> reports;
   for (std::size_t s = 0; s < stated.size(); ++s) {

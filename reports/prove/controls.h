@@ -56,11 +56,10 @@ struct ControlReport {
 /// asks about loads and `right` reports some.
 double largest_difference(const Case&, const Trace& right, const Trace& other, double until);
 
-/// Runs every control on every case, and judges each run by the statement of each engine; one that passes also by the
-/// case's converged reference, if it has one, as `plumb run` does. One report for each statement. The result does not
-/// depend on `jobs`.
+/// Runs every control on every case, and judges each run by the statement of each engine. One report for each
+/// statement. The result does not depend on `jobs`.
 std::vector<ControlReport> prove_controls(const std::vector<Control>&, const std::vector<Case>&,
-                                          const std::vector<EngineConfig>& stated, double dt, int jobs,
+                                          const std::vector<EngineConfig>& stated, CaseTruths&, int jobs,
                                           const Progress&);
 
 /// A summary line, a table of the controls with the best detection of each, and every pass. `each_case`: also what

@@ -1,10 +1,7 @@
 #include "reports/prove/detection.h"
 
 #include <limits>
-#include <optional>
 #include <utility>
-
-#include "reports/judge/observe.h"
 
 namespace plumb {
 namespace {
@@ -59,23 +56,18 @@ Detection unrepeatable(const Case& one_case) {
 
 }  // namespace
 
-JudgedRun judge_run(const Case& one_case, const EngineConfig& stated, double dt, const CaseRun& runs) {
+JudgedRun judge_run(const Case& one_case, const EngineConfig& stated, double dt, const CaseRun& runs,
+                    const CaseTruth& truth) {
   const auto& [outcome, shifted] = runs;
   JudgedRun judged{.status = outcome.status, .reason = outcome.reason};
   if (outcome.trace) judged.bits = hash_of(*outcome.trace);
   if (outcome.status != Status::ok) return judged;
-  const Scene& scene = *one_case.scene;
-  std::optional<Truth> truth;
-  const Engine* closed_form = one_case.closed_form;
-  if (closed_form != nullptr && closed_form->unsupported(scene, complete(*closed_form, {})).empty()) {
-    truth.emplace(*closed_form, scene);
-  }
-  judged.judgement = judge_case(one_case, stated, dt, *outcome.trace, shifted, truth ? &*truth : nullptr);
+  judged.judgement = judge_case(one_case, stated, dt, *outcome.trace, shifted, truth.reference());
   return judged;
 }
 
-JudgedRun judge_two_runs(const Case& one_case, const EngineConfig& config, double dt) {
-  JudgedRun judged = judge_run(one_case, config, dt, run_case(one_case, config, dt));
+JudgedRun judge_two_runs(const Case& one_case, const EngineConfig& config, double dt, const CaseTruth& truth) {
+  JudgedRun judged = judge_run(one_case, config, dt, run_case(one_case, config, dt), truth);
   if (judged.status != Status::ok) return judged;
   const Outcome again = run(*one_case.scene, config, dt, one_case.first_step);
   judged.repeatable = again.trace && hash_of(*again.trace) == judged.bits;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/judge/verdict.h"
-#include "reports/run/case_run.h"
+#include "reports/run/case_truth.h"
 
 namespace plumb {
 
@@ -18,12 +18,12 @@ struct JudgedRun {
   bool repeatable = true;  // a second run, if there was one, had the same bits
 };
 
-/// Judges a case that was run, with its phases, by its truths and invariants. `stated` is the engine whose stepping
-/// the tolerances are those of; it need not be the one that ran.
-JudgedRun judge_run(const Case&, const EngineConfig& stated, double dt, const CaseRun&);
+/// Judges a case that was run, with its phases, by its truths and invariants, as `plumb run` does. `stated` is the
+/// engine whose stepping the tolerances are those of; it need not be the one that ran.
+JudgedRun judge_run(const Case&, const EngineConfig& stated, double dt, const CaseRun&, const CaseTruth&);
 
 /// Runs a case twice, and in all its phases, and judges it by its truths and invariants.
-JudgedRun judge_two_runs(const Case&, const EngineConfig&, double dt);
+JudgedRun judge_two_runs(const Case&, const EngineConfig&, double dt, const CaseTruth&);
 
 /// What shows a fault. The first three need no earlier result; `bits` says only that something changed.
 enum class DetectionKind { truth, invariant, repeat, bits };

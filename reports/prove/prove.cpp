@@ -49,8 +49,8 @@ class RightEngines {
   std::vector<Settings> settings_;
 };
 
-std::vector<CleanRun> runs_of(const std::vector<Variation>& variations, const std::vector<Case>& cases, double dt,
-                              int jobs, const Progress& progress) {
+std::vector<CleanRun> runs_of(const std::vector<Variation>& variations, const std::vector<Case>& cases,
+                              CaseTruths& truths, int jobs, const Progress& progress) {
   const Engine& ours = *Catalog<Engine>::find("impulse");
   std::vector<std::vector<Detection>> found(variations.size() * cases.size());
   ProgressCounter counter(progress, found.size());
@@ -58,7 +58,8 @@ std::vector<CleanRun> runs_of(const std::vector<Variation>& variations, const st
     const Variation& variation = variations[i / cases.size()];
     const Case one_case = variation.of(cases[i % cases.size()]);
     counter.begin(variation.text() + ": " + label_of(one_case));
-    found[i] = false_alarms(one_case, judge_two_runs(one_case, {&ours, complete(ours, variation.settings)}, dt));
+    const EngineConfig config{&ours, complete(ours, variation.settings)};
+    found[i] = false_alarms(one_case, judge_two_runs(one_case, config, truths.dt(), truths.of(one_case)));
   });
   std::vector<CleanRun> runs;
   for (std::size_t r = 0; r < variations.size(); ++r) {
@@ -72,8 +73,7 @@ std::vector<CleanRun> runs_of(const std::vector<Variation>& variations, const st
 
 }  // namespace
 
-std::vector<Case> cases_to_prove_by(double dt) {
-  std::vector<Case> cases = default_cases(true);
+std::vector<Case> cases_to_prove_by(std::vector<Case> cases, double dt) {
   std::erase_if(cases, [dt](const Case& one) { return size_of(one, dt) > largest_case; });
   std::stable_partition(cases.begin(), cases.end(), [](const Case& one) { return one.scenario->canonical; });
   return cases;
@@ -106,15 +106,15 @@ std::vector<std::string> FaultResult::scenarios() const {
   return names;
 }
 
-std::vector<FaultResult> prove(const std::vector<Fault>& faults, const std::vector<Case>& cases, double dt, int jobs,
-                               const Progress& progress) {
+std::vector<FaultResult> prove(const std::vector<Fault>& faults, const std::vector<Case>& cases, CaseTruths& truths,
+                               int jobs, const Progress& progress) {
   const RightEngines right(faults);
   ProgressCounter counter(progress, (right.size() + faults.size()) * cases.size());
   std::vector<JudgedRun> right_runs(right.size() * cases.size());
   do_all(right_runs.size(), jobs, [&](std::size_t i) {
     const Case& one_case = cases[i % cases.size()];
     counter.begin(label_of(one_case));
-    right_runs[i] = judge_two_runs(one_case, right.config(i / cases.size()), dt);
+    right_runs[i] = judge_two_runs(one_case, right.config(i / cases.size()), truths.dt(), truths.of(one_case));
   });
 
   std::vector<Engine> faulty;
@@ -126,7 +126,8 @@ std::vector<FaultResult> prove(const std::vector<Fault>& faults, const std::vect
     counter.begin(faults[f].name + ": " + label_of(cases[c]));
     const JudgedRun& right_run = right_runs[right.number_of(faults[f]) * cases.size() + c];
     if (right_run.status != Status::ok) return;
-    found[i] = detections(cases[c], right_run, judge_two_runs(cases[c], {&faulty[f], settings_of(faults[f])}, dt));
+    const EngineConfig config{&faulty[f], settings_of(faults[f])};
+    found[i] = detections(cases[c], right_run, judge_two_runs(cases[c], config, truths.dt(), truths.of(cases[c])));
   });
 
   std::vector<FaultResult> results;
@@ -195,15 +196,15 @@ std::string Variation::text() const {
   return text;
 }
 
-CleanRun default_run(const std::vector<Case>& cases, double dt, int jobs, const Progress& progress) {
-  return runs_of({Variation{}}, cases, dt, jobs, progress).front();
+CleanRun default_run(const std::vector<Case>& cases, CaseTruths& truths, int jobs, const Progress& progress) {
+  return runs_of({Variation{}}, cases, truths, jobs, progress).front();
 }
 
-std::vector<CleanRun> clean_runs(int count, const std::vector<Case>& cases, double dt, int jobs,
+std::vector<CleanRun> clean_runs(int count, const std::vector<Case>& cases, CaseTruths& truths, int jobs,
                                  const Progress& progress) {
   std::vector<Variation> variations;
   for (int seed = 1; seed <= count; ++seed) variations.push_back(variation_of(static_cast<std::uint64_t>(seed)));
-  return runs_of(variations, cases, dt, jobs, progress);
+  return runs_of(variations, cases, truths, jobs, progress);
 }
 
 }  // namespace plumb

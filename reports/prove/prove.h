@@ -11,8 +11,8 @@
 /// Tests the harness itself: it must tell our engine with a fault from the right one, and must not fault the right one.
 namespace plumb {
 
-/// The cases of all scenarios that are small enough to be run for every fault, canonical scenarios first.
-std::vector<Case> cases_to_prove_by(double dt);
+/// Those of some cases that are small enough to be run for every fault, canonical scenarios first.
+std::vector<Case> cases_to_prove_by(std::vector<Case>, double dt);
 
 /// What was found of one fault.
 struct FaultResult {
@@ -30,7 +30,7 @@ struct FaultResult {
 };
 
 /// Runs every case with every fault and with the right engines. The result does not depend on `jobs`.
-std::vector<FaultResult> prove(const std::vector<Fault>&, const std::vector<Case>&, double dt, int jobs,
+std::vector<FaultResult> prove(const std::vector<Fault>&, const std::vector<Case>&, CaseTruths&, int jobs,
                                const Progress&);
 
 /// A small set of scenarios that together catch every fault that is caught. Found greedily: each round takes the
@@ -59,9 +59,9 @@ struct CleanRun {
 };
 
 /// Our engine with its default settings in these cases as they are. Whatever it fails is a false alarm.
-CleanRun default_run(const std::vector<Case>&, double dt, int jobs, const Progress&);
+CleanRun default_run(const std::vector<Case>&, CaseTruths&, int jobs, const Progress&);
 
 /// Clean runs with the seeds 1 ... count. Whatever they fail is a false alarm, whether or not the default fails it too.
-std::vector<CleanRun> clean_runs(int count, const std::vector<Case>&, double dt, int jobs, const Progress&);
+std::vector<CleanRun> clean_runs(int count, const std::vector<Case>&, CaseTruths&, int jobs, const Progress&);
 
 }  // namespace plumb

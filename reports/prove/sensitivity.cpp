@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <set>
 
-#include "reports/judge/observe.h"
-#include "reports/run/case_run.h"
 #include "reports/system/jobs.h"
 
 namespace plumb {
@@ -19,7 +16,7 @@ constexpr std::size_t most_followed = 10;
 // is not held there.
 struct JudgedCase {
   const Case* one = nullptr;
-  std::unique_ptr<const Truth> truth;
+  const CaseTruth* truth = nullptr;
   std::vector<JudgedRun> right;
   std::string unstable;  // the first check, by our own statement, that held without such an error
 };
@@ -40,7 +37,7 @@ std::vector<JudgedRun> judged_by_all(const JudgedCase& of, const Outcome& outcom
   for (const EngineStatement& statement : statements) {
     JudgedRun judged{.status = outcome.status, .reason = outcome.reason};
     if (outcome.status == Status::ok) {
-      judged.judgement = judge_case(*of.one, statement.config, dt, *outcome.trace, {}, of.truth.get());
+      judged.judgement = judge_case(*of.one, statement.config, dt, *outcome.trace, {}, of.truth->reference());
     }
     all.push_back(std::move(judged));
   }
@@ -58,12 +55,9 @@ void hold_in_both(JudgedRun& right, const JudgedRun& also) {
   }
 }
 
-JudgedCase judged_case(const Case& one, const std::vector<EngineStatement>& statements, double dt) {
-  JudgedCase judged{.one = &one};
-  const Engine* closed_form = one.closed_form;
-  if (closed_form != nullptr && closed_form->unsupported(*one.scene, complete(*closed_form, {})).empty()) {
-    judged.truth = std::make_unique<const Truth>(*closed_form, *one.scene);
-  }
+JudgedCase judged_case(const Case& one, const std::vector<EngineStatement>& statements, CaseTruths& truths) {
+  const double dt = truths.dt();
+  JudgedCase judged{.one = &one, .truth = &truths.of(one)};
   const Engine& ours = *Catalog<Engine>::find("impulse");
   const Outcome outcome = run(*one.scene, {&ours, complete(ours, {})}, dt, one.first_step);
   judged.right = judged_by_all(judged, outcome, statements, dt);
@@ -217,12 +211,12 @@ std::vector<Perturbation> all_perturbations() {
 }
 
 Sensitivities sensitivities(const std::vector<Perturbation>& parameters, const std::vector<Case>& cases,
-                            const std::vector<EngineStatement>& statements, double dt, int jobs,
+                            const std::vector<EngineStatement>& statements, CaseTruths& truths, int jobs,
                             const Progress& progress) {
   const std::size_t all = parameters.size() + 1;
   progress("our engine as it is", 0, all);
   std::vector<JudgedCase> judged(cases.size());
-  do_all(cases.size(), jobs, [&](std::size_t c) { judged[c] = judged_case(cases[c], statements, dt); });
+  do_all(cases.size(), jobs, [&](std::size_t c) { judged[c] = judged_case(cases[c], statements, truths); });
   Sensitivities found;
   for (const JudgedCase& of : judged) {
     if (of.unstable.empty()) continue;
@@ -231,7 +225,7 @@ Sensitivities sensitivities(const std::vector<Perturbation>& parameters, const s
   }
   for (const Perturbation& parameter : parameters) {
     progress(parameter.name, found.parameters.size() + 1, all);
-    found.parameters.push_back(Search(parameter, judged, statements, dt, jobs).result());
+    found.parameters.push_back(Search(parameter, judged, statements, truths.dt(), jobs).result());
   }
   return found;
 }

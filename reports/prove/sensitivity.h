@@ -60,6 +60,6 @@ struct Sensitivities {
 /// with its default settings and is judged by the truth of the case as it is. Only checks count that our engine passes
 /// as it is and with errors of round-off size. The result does not depend on `jobs`.
 Sensitivities sensitivities(const std::vector<Perturbation>&, const std::vector<Case>&,
-                            const std::vector<EngineStatement>&, double dt, int jobs, const Progress&);
+                            const std::vector<EngineStatement>&, CaseTruths&, int jobs, const Progress&);
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace plumb {
@@ -49,8 +50,9 @@ CaseRun run_case(const Case& test_case, const EngineConfig& config, double dt) {
   return all;
 }
 
-Questions questions_of(const Case& test_case, const Truth* truth) {
-  Questions questions;
+Questions questions_of(const Case& test_case, const ReferenceRun& reference) {
+  const Truth* truth = reference.truth;
+  Questions questions{.known = reference.converged != nullptr && reference.converged->knows_contact()};
   for (Expectation& one : test_case.scenario->expectations(test_case.parameters)) {
     const double time = one.time.value_or(test_case.scene->duration);
     // Without a closed form, a value that nobody states is a fault of the scenario, which `judge` shows.
@@ -60,7 +62,7 @@ Questions questions_of(const Case& test_case, const Truth* truth) {
       questions.answered.push_back(std::move(one));
     } else {
       // Like what an engine does not report: it counts neither way, and is no evidence.
-      questions.open.push_back({.quantity = name_of(one.quantity), .reported = false, .idle = true});
+      questions.open.push_back({.quantity = name_of(one.quantity), .time = time, .reported = false, .idle = true});
     }
   }
   if (!questions.open.empty()) {
@@ -75,12 +77,14 @@ Questions questions_of(const Case& test_case, const Truth* truth) {
 Verdict Questions::verdict(std::span<const TruthCheck> checks, std::span<const InvariantCheck> invariants) const {
   std::vector<TruthCheck> all(checks.begin(), checks.end());
   all.insert(all.end(), open.begin(), open.end());
-  return verdict_of(all, invariants);
+  const Verdict verdict = verdict_of(all, invariants);
+  return verdict == Verdict::plausible && known ? Verdict::no_evidence : verdict;
 }
 
 Judgement judge_case(const Case& test_case, const EngineConfig& config, double dt, const Trace& trace,
-                     std::span<const Outcome> shifted, const Truth* truth) {
-  const Questions questions = questions_of(test_case, truth);
+                     std::span<const Outcome> shifted, const ReferenceRun& reference) {
+  const Truth* truth = reference.truth;
+  const Questions questions = questions_of(test_case, reference);
   const Stepping stepping = config.engine->stepping(config.settings, dt);
   Judgement judgement;
   if (test_case.scenario->phased) {
@@ -90,7 +94,11 @@ Judgement judge_case(const Case& test_case, const EngineConfig& config, double d
   } else {
     judgement = judge(*test_case.scene, questions.answered, trace, stepping, truth);
   }
-  if (judgement.verdict == Verdict::right)
+  if (const ConvergedChecks* converged = reference.converged) {
+    std::ranges::move(converged->of(stepping, trace), std::back_inserter(judgement.checks));
+    for (TruthCheck& one : judgement.checks) one.idle = one.idle || converged->precedes_touch(one.body, one.time);
+  }
+  if (judgement.verdict == Verdict::right || (reference.converged != nullptr && judgement.verdict != Verdict::wrong))
     judgement.verdict = questions.verdict(judgement.checks, judgement.invariants);
   return judgement;
 }
@@ -121,15 +129,21 @@ RunRecord judged_record(const Case& test_case, const EngineConfig& config, doubl
                         const ReferenceRun& reference) {
   RunRecord record = record_of(test_case, config, dt, runs.outcome);
   if (record.status != Status::ok) return record;
+  record.converged = reference.converged != nullptr;
   record.metrics = measure(reference.context(*test_case.scene, *record.trace));
-  if (const std::string open = questions_of(test_case, reference.truth).reason; !open.empty()) {
-    record.reason += (record.reason.empty() ? "" : "; ") + open;
-  }
-  Judgement judgement = judge_case(test_case, config, dt, *record.trace, runs.shifted, reference.truth);
+  const Questions questions = questions_of(test_case, reference);
+  add_reason(record, questions.reason);
+  Judgement judgement = judge_case(test_case, config, dt, *record.trace, runs.shifted, reference);
+  if (reference.converged != nullptr && judgement.checks.size() == questions.answered.size())
+    add_reason(record, "no converged truth for a method of this order and step");
   record.truth = std::move(judgement.checks);
   record.invariants = std::move(judgement.invariants);
   record.verdict = judgement.verdict;
   return record;
+}
+
+void add_reason(RunRecord& record, const std::string& reason) {
+  if (!reason.empty()) record.reason += (record.reason.empty() ? "" : "; ") + reason;
 }
 
 }  // namespace plumb

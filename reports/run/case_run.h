@@ -8,6 +8,7 @@
 #include "reports/judge/metric.h"
 #include "reports/judge/verdict.h"
 #include "reports/report.h"
+#include "reports/run/converged_checks.h"
 #include "reports/run/run.h"
 
 /// Runs a case with one engine, in several phases if its scenario asks for them, and then judges the runs.
@@ -40,26 +41,30 @@ struct Questions {
   std::vector<Expectation> answered;  // with a stated value, or one of the closed form
   std::vector<TruthCheck> open;       // the quantities of the others, as checks that nothing is reported for
   std::string reason;                 // why these are open; "" if none is
+  bool known = false;                 // whether a converged reference knows what the scene is for
 
   /// That of the checks of what is answered (see `verdict_of`): right only if they ask about every open quantity, too.
+  /// Where it is known how the scene goes on, an engine is not plausible for want of checks that could tell its errors
+  /// from a wrong motion: there is no evidence.
   Verdict verdict(std::span<const TruthCheck>, std::span<const InvariantCheck>) const;
 };
 
-/// `truth` may be null: then the closed form does not handle the scene.
-Questions questions_of(const Case&, const Truth* truth);
-
-/// Judges a case by its trace and by its other phases (see `judge_phases`), as far as its questions are answered. Runs
-/// nothing. `truth` may be null.
-Judgement judge_case(const Case&, const EngineConfig&, double dt, const Trace&, std::span<const Outcome> shifted,
-                     const Truth* truth);
-
-/// The reference solution of a case; both are null if there is none.
+/// The reference solution of a case; all are null if there is none.
 struct ReferenceRun {
   const Truth* truth = nullptr;
   std::shared_ptr<const Trace> trace = nullptr;  // with the steps of the runs that are compared with it
+  const ConvergedChecks* converged = nullptr;    // of a converged reference
 
   MetricContext context(const Scene&, const Trace&) const;
 };
+
+/// Its truth may be null: then the closed form does not handle the scene.
+Questions questions_of(const Case&, const ReferenceRun&);
+
+/// Judges a case by its trace and by its other phases (see `judge_phases`), as far as its questions are answered, and
+/// by its converged reference. Runs nothing; looks at no trace of the reference.
+Judgement judge_case(const Case&, const EngineConfig&, double dt, const Trace&, std::span<const Outcome> shifted,
+                     const ReferenceRun&);
 
 /// The record of a run before it is measured: what ran and how it ended.
 RunRecord record_of(const Case&, const EngineConfig&, double dt, const Outcome&);
@@ -67,5 +72,8 @@ RunRecord record_of(const Case&, const EngineConfig&, double dt, const Outcome&)
 /// The record of a case, measured and judged. The case may start next to the one that the reference belongs to: the
 /// expected values are still the reference's.
 RunRecord judged_record(const Case&, const EngineConfig&, double dt, const CaseRun&, const ReferenceRun&);
+
+/// Adds a reason to those that a record has.
+void add_reason(RunRecord&, const std::string&);
 
 }  // namespace plumb

@@ -15,9 +15,10 @@
 namespace plumb {
 
 /// The reference that judges a case, of at most `budget` body-steps of each engine. nullopt if the budget is 0, where a
-/// closed form can be evaluated, and where the scenario says itself where a body that moves freely should be: it has
-/// tolerances derived for its own motion, which know of impacts, for example, what a general bound can't. That a body
-/// stays on one side of a place says nothing of the kind.
+/// closed form can be evaluated; where kinematic bodies follow paths, as engines are given their mean velocity in each
+/// step, which is no property of the method; and where the scenario says itself where a body that moves freely should
+/// be: it has tolerances derived for its own motion, which know of impacts and edges, for example, what a general bound
+/// can't. That a body stays on one side of a place says nothing of the kind.
 std::optional<ConvergedTruth> converged_reference(const Case&, double dt, std::size_t budget);
 
 /// Body-steps that a case gets unless a user says otherwise: less than a second a scene.
@@ -32,6 +33,14 @@ class ConvergedChecks {
  public:
   /// The truth and the scene must outlive it. `dt`, s, is the step of the runs and of the truth's times.
   ConvergedChecks(const Scene&, const ConvergedTruth&, double dt);
+
+  /// Whether the reference is valid beyond a first touch, or to its own end in a scene without any: whether it knows
+  /// what the scene is for.
+  bool knows_contact() const;
+
+  /// Whether at that time, s, a body is yet to touch something for the first time, which it will; with "", any body.
+  /// What is asked before asks nothing about what the scene is for.
+  bool precedes_touch(const std::string& body, double time) const;
 
   /// None if the method's error can nowhere be told from a wrong motion.
   std::vector<TruthCheck> of(const Stepping&, const Trace&) const;
@@ -50,6 +59,8 @@ class ConvergedChecks {
   std::vector<Question> questions() const;
   /// The reference's error plus the method's; infinite where none can be given.
   double tolerance(const Question&, const Moment&, const Stepping&) const;
+  /// J, by how much the truth's energy changes up to a moment in the time by which an impact may be late.
+  double energy_lag(std::size_t index, double late) const;
   std::string source(const Question&, const Moment&, const Stepping&) const;
 
   const Scene& scene_;
@@ -57,7 +68,9 @@ class ConvergedChecks {
   Truth truth_;
   Scales scales_;
   Growth growth_;
-  std::vector<Moment> moments_;  // latest first
+  std::vector<double> touches_;   // s, by body: its first; infinite without one
+  std::vector<Moment> moments_;   // latest first
+  std::vector<double> energies_;  // J, of the truth, at its times
 };
 
 /// The most bodies that are checked.

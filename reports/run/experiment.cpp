@@ -11,8 +11,8 @@
 #include "reports/compare/comparator.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
-#include "reports/run/case_judge.h"
 #include "reports/run/case_run.h"
+#include "reports/run/case_truth.h"
 #include "reports/run/horizon.h"
 #include "reports/run/relations.h"
 #include "reports/run/statement.h"
@@ -28,6 +28,14 @@ struct TimeSpent {
   double wall = 0, stepping = 0;  // s
 };
 
+std::string converged_words(const ConvergedTruth& truth, double duration) {
+  const Converged& answer = *truth.answer;
+  const std::string until = answer.reason().empty()
+                                ? fmt::format("to the end, {:.4g} s", duration)
+                                : fmt::format("until {:.4g} s: {}", answer.valid_until(), answer.reason());
+  return fmt::format("converged to {:.1g} m, confirmed by {}, {}", answer.largest_error(), truth.confirmed_by, until);
+}
+
 // All runs of one case: the reference first, if there is one.
 class CaseExperiment {
  public:
@@ -35,15 +43,32 @@ class CaseExperiment {
 
   // With a converged reference (see `converged_reference`) of that many body-steps; 0: none.
   void run_reference(std::size_t budget) {
-    judge_ = std::make_unique<CaseJudge>(case_, dt_, budget);
-    if (judge_->reference()) records_.push_back(*judge_->reference());
+    truth_ = std::make_unique<const CaseTruth>(case_, dt_, budget);
+    const Engine* engine = truth_->engine();
+    if (engine == nullptr) return;
+    const EngineConfig config{engine, complete(*engine, {})};
+    RunRecord record = record_of(case_, config, dt_, truth_->outcome());
+    if (record.status == Status::ok) {
+      reference_ = truth_->reference();
+      record.metrics = measure(reference_.context(*case_.scene, *record.trace));
+      if (const ConvergedTruth* converged = truth_->converged()) {
+        record.converged = true;
+        record.reason = converged_words(*converged, case_.scene->duration);
+        record.metrics["truth_estimate_max"] = {converged->answer->largest_error(), "m"};
+        record.metrics["truth_until"] = {converged->answer->valid_until(), "s"};
+      } else {
+        record.invariants = check_invariants({*case_.scene, *record.trace, engine->stepping(config.settings, dt_)});
+      }
+      record.verdict = Verdict::right;  // by definition; the formula has tests of its own
+    }
+    records_.push_back(std::move(record));
   }
 
   void run_engine(const EngineConfig& config, bool relations, bool explain) {
     const CaseRun runs = run_case(case_, config, dt_);
     add_time(runs.outcome);
     for (const Outcome& shifted : runs.shifted) add_time(shifted);
-    RunRecord record = judge_->judged(config, runs);
+    RunRecord record = judged_record(case_, config, dt_, runs, reference_);
     if (record.status == Status::ok) runnable_.push_back(config);
     if (explain && record.verdict == Verdict::wrong) add_reason(record, cure_of(config));
     if (record.status == Status::ok && relations) judge_by_relations(config, record);
@@ -51,13 +76,13 @@ class CaseExperiment {
   }
 
   void compare_engines(int ensemble, std::size_t budget) {
-    comparisons_ = compare(records_, judge_->truth());
+    comparisons_ = compare(records_, reference_.truth);
     if (ensemble > 0) compare_beyond_horizon(case_, runnable_, dt_, ensemble, budget, records_, comparisons_);
   }
 
   const Case& test_case() const { return case_; }
   /// The converged reference; null if there is none.
-  const Engine* refined() const { return judge_->refined(); }
+  const Engine* refined() const { return truth_->converged() != nullptr ? truth_->engine() : nullptr; }
   const TimeSpent& time_spent() const { return spent_; }
   std::vector<RunRecord>& records() { return records_; }
   std::vector<Comparison>& comparisons() { return comparisons_; }
@@ -69,7 +94,7 @@ class CaseExperiment {
   std::string cure_of(const EngineConfig& config) const {
     const auto more = with_more_iterations(config, dt_);
     if (!more) return "";
-    const Verdict cured = judge_->judged(more->config, run_case(case_, more->config, dt_), config).verdict;
+    const Verdict cured = judged_record(case_, config, dt_, run_case(case_, more->config, dt_), reference_).verdict;
     for (const Verdict passes : {Verdict::right, Verdict::coarse, Verdict::plausible}) {
       if (cured == passes) {
         return fmt::format("not converged at {}: {} with {} iterations", more->before, name_of(passes), more->after);
@@ -85,7 +110,8 @@ class CaseExperiment {
       record.metrics[relation.check.name] = {relation.share, "1"};
       record.invariants.push_back(std::move(relation.check));
     }
-    judge_->judge_again(record);
+    if (record.verdict == Verdict::wrong) return;
+    record.verdict = questions_of(case_, reference_).verdict(record.truth, record.invariants);
   }
 
   void add_time(const Outcome& outcome) {
@@ -97,7 +123,8 @@ class CaseExperiment {
   double dt_;
   SceneGrowth growth_;
   TimeSpent spent_;
-  std::unique_ptr<CaseJudge> judge_;
+  std::unique_ptr<const CaseTruth> truth_;
+  ReferenceRun reference_;
   std::vector<RunRecord> records_;
   std::vector<Comparison> comparisons_;
   std::vector<EngineConfig> runnable_;

@@ -16,6 +16,7 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t steps_per_moment = 2;
+constexpr std::size_t steps_to_tell = 4;  // a change of acceleration by a contact
 constexpr int random_directions = 3;
 constexpr double displacement_shares[] = {1e-5, 1e-3, 1e-2, 1e-1};  // of the smallest body
 
@@ -25,12 +26,12 @@ double rim_of(const Scene& scene, const Body& body) {
   return radius > 0 ? radius : smallest_body(scene);
 }
 
+}  // namespace
+
 EngineConfig our_config() {
   const Engine& ours = *Catalog<Engine>::find("impulse");
   return {&ours, complete(ours, {{"precision", "double"}})};
 }
-
-}  // namespace
 
 Scene displaced(const Scene& scene, double size, std::uint64_t seed) {
   Scene moved = perturbed(scene, size, seed);
@@ -72,6 +73,10 @@ Growth::Growth(const Scene& scene, double dt, double until) : dt_(dt), bodies_(s
     if (step > 0 && fine[step].pushed == fine[step - 1].pushed) force = std::max(force, weight + together);
     if (step % steps_per_moment != 0) continue;
     stress_.push_back(fine[step]);
+    // A change of acceleration by a contact is known some steps after it.
+    const Stress& later = fine[std::min(step + steps_to_tell, fine.size() - 1)];
+    stress_.back().bends = later.bends;
+    stress_.back().jolts = later.jolts;
     force_.push_back(force);
     momentum_.push_back(momentum);
   }

@@ -19,6 +19,9 @@ struct PoseShift {
   double energy = 0;  // J, of the scene
 };
 
+/// Our engine in double precision, with default settings.
+EngineConfig our_config();
+
 /// Every dynamic body moved at random by up to `size`, m, and turned so that its rim moves as much.
 Scene displaced(const Scene&, double size, std::uint64_t seed);
 

@@ -79,7 +79,10 @@ Json of(const RunRecord& run) {
           {"verdict", name_of(run.verdict)},
           {"metrics", of(run.metrics)},
           {"truth", list(run.truth, [](const TruthCheck& check) { return of(check); })},
-          {"invariants", list(run.invariants, [](const InvariantCheck& check) { return of(check); })}};
+          {"invariants", list(run.invariants, [](const InvariantCheck& check) { return of(check); })},
+          {"not_a_test", list(not_tests(run), [](const NotATest& one) {
+             return Json{{"what", one.what}, {"share", one.share}};
+           })}};
 }
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }

@@ -36,10 +36,13 @@ std::string grade_table(const std::vector<EngineSummary>& engines) {
   std::vector<std::vector<std::string>> rows{{"engine", "checks"}};
   for (const double grade : grades) rows[0].push_back(fmt::format("within {:g} %", 100 * grade));
   rows[0].emplace_back("not a test");
+  rows[0].emplace_back("laws");
+  rows[0].emplace_back("not a test");
   for (const EngineSummary& engine : engines) {
     rows.push_back({engine.engine, std::to_string(engine.checks)});
     for (const int within : engine.within) rows.back().push_back(share_of(within, engine.checks));
-    rows.back().push_back(std::to_string(engine.checks - engine.evident));
+    for (const int count : {engine.untested, engine.laws, engine.untested_laws})
+      rows.back().push_back(std::to_string(count));
   }
   return markdown_table(rows, Cells::numbers);
 }
@@ -71,6 +74,25 @@ std::string relation_table(const Report& report, const std::vector<EngineSummary
          "of "
          "scale, and in how many they differ by more than round-off, the method or its thresholds explain.\n\n" +
          markdown_table(rows, Cells::numbers);
+}
+
+// By engine and case, with the tolerances in percent of scale.
+std::string lists_of_not_tests(const Report& report, const std::vector<EngineSummary>& engines) {
+  std::string text;
+  for (const EngineSummary& engine : engines) {
+    std::vector<std::vector<std::string>> rows{{"case", "tolerance, % of scale"}};
+    for (const RunRecord& run : report.runs) {
+      if (run.exact || label_of(run.engine, run.method) != engine.engine) continue;
+      std::string all;
+      for (const NotATest& one : not_tests(run))
+        all += fmt::format("{}{}: {}", all.empty() ? "" : ", ", one.what, percent(one.share));
+      if (!all.empty()) rows.push_back({run.scenario + (run.variant.empty() ? "" : ":" + run.variant), all});
+    }
+    if (rows.size() > 1)
+      text +=
+          fmt::format("\n## Not a test for {}\n\n{}", markdown_cell(engine.engine), markdown_table(rows, Cells::words));
+  }
+  return text;
 }
 
 std::string of(const RelativeDifference& difference) {
@@ -114,10 +136,11 @@ std::string text_of(const Report& report) {
   }
   text +=
       "\n## How far from the truth\n\nThe shares of the checks whose error is within so much of the scene's own scale: "
-      "the same ruler for every engine. A check is not a test if its tolerance is more than 5 % of its scale.\n\n";
+      "the same ruler for every engine. A check is not a test if its tolerance is more than 5 % of its scale, nor is a "
+      "law; its scale is what an engine without it would have shown.\n\n";
   text += grade_table(engines);
   text += "\n## Whether the method explains it\n\nCases by verdict.\n\n";
-  return text + verdict_table(engines) + relation_table(report, engines);
+  return text + verdict_table(engines) + relation_table(report, engines) + lists_of_not_tests(report, engines);
 }
 
 const Catalog<Writer>::Entry entry{

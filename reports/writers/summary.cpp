@@ -13,8 +13,13 @@ void add(const RunRecord& run, EngineSummary& to) {
   for (const TruthCheck& check : run.truth) {
     if (!check.reported) continue;
     ++to.checks;
-    to.evident += is_evidence(check) ? 1 : 0;
+    to.untested += is_evidence(check) ? 0 : 1;
     for (std::size_t i = 0; i < grades.size(); ++i) to.within[i] += relative_error(check) <= grades[i] ? 1 : 0;
+  }
+  for (const InvariantCheck& check : run.invariants) {
+    if (check.status == CheckStatus::not_reported || check.scale == 0) continue;
+    ++to.laws;
+    to.untested_laws += is_evidence(check) ? 0 : 1;
   }
 }
 
@@ -125,8 +130,8 @@ std::string in_words(const TruthCheck& check) {
   const std::string phases = !check.spread ? ""
                                            : fmt::format(" (worst of {} phases; off by {:.2g} ... {:.2g})",
                                                          check.spread->phases, check.spread->min, check.spread->max);
-  return what + fmt::format("{:.6g}, expected {}{:.6g} +- {:.2g} {}{}", check.measured, side, check.expected,
-                            check.tolerance, check.unit, phases);
+  return what + fmt::format("{:.6g}, expected {}{:.6g} +- {:.2g} {}, off by {:.3g} % of scale{}", check.measured, side,
+                            check.expected, check.tolerance, check.unit, 100 * relative_error(check), phases);
 }
 
 std::string in_words(const InvariantCheck& check) {

@@ -20,7 +20,9 @@ struct EngineSummary {
   std::string engine;                       // label, see label_of
   std::map<Verdict, int> verdicts;          // how many cases
   int checks = 0;                           // reported checks against the truth
-  int evident = 0;                          // those that could fail, see is_evidence
+  int laws = 0;                             // invariants that the runs met, see not_tests
+  int untested = 0;                         // checks that are not a test
+  int untested_laws = 0;                    // the same of invariants
   std::array<int, grades.size()> within{};  // those whose relative error is at most each grade
 };
 
@@ -66,7 +68,7 @@ std::string short_number(const std::optional<double>&);
 /// "impulse and box2d are within 1 % of the scene's energy in 60 of 97 cases. ..."
 std::string in_one_sentence(const Pair&, const std::vector<const Comparison*>&);
 
-/// "y of box at 1 s: 4.9, expected 5 +- .01 m".
+/// "y of box at 1 s: 4.9, expected 5 +- .01 m, off by 2 % of scale".
 std::string in_words(const TruthCheck&);
 
 /// Of a broken one: "breaks energy at 0.4 s: 2.4, tolerance .01 J (240 times)".

@@ -96,11 +96,11 @@ const Catalog<Scenario>::Entry entry{
 namespace plumb::scenarios::lost_support {
 namespace {
 
-constexpr double duration = 2.5;  // s
-constexpr double radius = 0.3;    // m
-constexpr double place = 1.07;    // m, of the disc: its support ends between two steps
-constexpr double speed = 12;      // m/s: speed^2 > g radius, so that the plank's edge leaves the disc behind
-constexpr Vec plank{4, 1};        // m
+constexpr double duration = 3;  // s: it falls for so long that what may be late is little
+constexpr double radius = 0.3;  // m
+constexpr double place = 1.07;  // m, of the disc: its support ends between two steps
+constexpr double speed = 12;    // m/s: speed^2 > g radius, so that the plank's edge leaves the disc behind
+constexpr Vec plank{4, 3};      // m
 
 constexpr double moment =
     disturbed::rest + (place + plank.x / 2) / speed;  // s, at which the edge passes the disc's centre

@@ -182,6 +182,10 @@ std::vector<Expectation> expectations(const Parameters& p) {
     return spin * found_off(s, v) + (allowed.overlap(s) + s.joint_slop) / d + about(s) * after + allowed.exact(s);
   };
   const auto leaves = [=](const Stepping& s) { return slower * jump(s) + allowed.exact(s); };
+  const auto on_circle = [=](const Stepping& s) {
+    const double k = spin * s.h;
+    return to_center * (turn(s) + k * k / 2) + s.joint_slop;
+  };
   return {{.body = "rod",
            .quantity = Quantity::angular_velocity,
            .expected = spin,
@@ -197,6 +201,11 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .expected = spin * after,
            .allowed = turn,
            .source = "the jump of the spin times the lag, the overlap, slop"},
+          {.body = "rod",
+           .quantity = Quantity::x,
+           .expected = to_center * (std::cos(spin * after) - 1),
+           .allowed = on_circle,
+           .source = "on its circle about the hinge; the angle's error, a step along the tangent, slop"},
           {.body = "disc",
            .quantity = Quantity::y,
            .expected = built.bodies[1].position.y + v * duration - slower * after,

@@ -113,11 +113,14 @@ const Catalog<Scenario>::Entry entry{
     {.name = "soft-joint",
      .question = "Does a soft distance joint swing and die out with the stiffness and damping of the scene?",
      .parameters =
-         {{.name = "frequency", .value = 2, .min = 0.5, .max = 20, .unit = "rad/s", .about = "sqrt(k/m), undamped"},
+         {{.name = "frequency", .value = 2, .min = 0.1, .max = 20, .unit = "rad/s", .about = "sqrt(k/m), undamped"},
           {.name = "damping", .value = 0.1, .min = 0, .max = 0.8, .about = "as a share of the critical one"},
           {.name = "ratio", .value = 3, .min = 0.1, .max = 10, .about = "mass of the right disc over that of the left"},
           {.name = "amplitude", .value = 0.8, .min = 0.1, .max = 1, .unit = "m", .about = "at the start"}},
-     .variants = {{"damped", {}}, {"undamped", {{"damping", 0}}}, {"strongly", {{"damping", 0.5}, {"frequency", 5}}}},
+     .variants = {{"damped", {}},
+                  {"undamped", {{"damping", 0}}},
+                  {"strongly", {{"damping", 0.5}, {"frequency", 5}}},
+                  {"slowly", {{"damping", 0.7}, {"frequency", 0.2}}}},
      .scene = scene,
      .expectations = expectations,
      .smoothness = [](const Parameters&) { return Smoothness::free; }}};

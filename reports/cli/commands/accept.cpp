@@ -11,6 +11,7 @@
 #include "reports/gate/compare.h"
 #include "reports/gate/options.h"
 #include "reports/gate/writers.h"
+#include "reports/run/converged_checks.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "reports/system/terminal.h"
@@ -48,6 +49,7 @@ Scope scope_of(const Accept& options, const std::optional<Baseline>& before) {
   if (before) scope.plan.dt = before->dt;
   if (!options.dt.empty()) scope.plan.dt = parse_dt(options.dt);
   scope.plan.jobs = gate.jobs;
+  scope.plan.refine = usual_budget;
   scope.plan.timed = false;
   return scope;
 }

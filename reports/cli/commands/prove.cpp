@@ -87,17 +87,18 @@ Progress shown_on(const ProgressLine& line) {
 int prove_faults(const Options& options) {
   const double dt = parse_dt(options.dt);
   const std::vector<Fault> faults = chosen_from(all_faults(), "fault", options.names);
-  const std::vector<Case> cases = options.scenarios.empty() ? cases_to_prove_by(dt) : cases_of(options.scenarios);
+  const std::vector<Case> all = options.scenarios.empty() ? default_cases(true) : cases_of(options.scenarios);
+  const std::vector<Case> cases = options.scenarios.empty() ? cases_to_prove_by(all, dt) : all;
+  CaseTruths truths(dt);
   Output output(options.out);
   ProveReport report;
   {
     const ProgressLine line;
-    report.faults = prove(faults, cases, dt, options.jobs, shown_on(line));
+    report.faults = prove(faults, cases, truths, options.jobs, shown_on(line));
     if (options.clean > 0) {
+      report.clean = clean_runs(options.clean, cases, truths, options.jobs, shown_on(line));
       // The cases that are too large to be run for every fault as well.
-      const std::vector<Case> all = options.scenarios.empty() ? default_cases(true) : cases;
-      report.clean = clean_runs(options.clean, cases, dt, options.jobs, shown_on(line));
-      report.clean.insert(report.clean.begin(), default_run(all, dt, options.jobs, shown_on(line)));
+      report.clean.insert(report.clean.begin(), default_run(all, truths, options.jobs, shown_on(line)));
     }
   }
   report.cases = cases.size();
@@ -109,12 +110,14 @@ int prove_faults(const Options& options) {
 int measure_sensitivity(const Options& options) {
   const double dt = parse_dt(options.dt);
   const auto parameters = chosen_from(all_perturbations(), "parameter", options.names);
-  const std::vector<Case> cases = options.scenarios.empty() ? cases_to_prove_by(dt) : cases_of(options.scenarios);
+  const std::vector<Case> cases =
+      options.scenarios.empty() ? cases_to_prove_by(default_cases(true), dt) : cases_of(options.scenarios);
+  CaseTruths truths(dt);
   Output output(options.out);
   SensitivityReport report{.statements = engine_statements(), .cases = cases.size(), .dt = dt};
   {
     const ProgressLine line;
-    report.found = sensitivities(parameters, cases, report.statements, dt, options.jobs, shown_on(line));
+    report.found = sensitivities(parameters, cases, report.statements, truths, options.jobs, shown_on(line));
   }
   fmt::print("{}", options.markdown ? markdown_of(report) : text_of(report));
   output.finish(to_json(report));
@@ -122,7 +125,7 @@ int measure_sensitivity(const Options& options) {
 }
 
 int prove_by_controls(const Options& options) {
-  const double dt = parse_dt(options.dt);
+  CaseTruths truths(parse_dt(options.dt));
   std::vector<Control> all;
   for (const Control* control : Catalog<Control>::all()) all.push_back(*control);
   const std::vector<Control> controls = chosen_from(all, "control", options.names);
@@ -133,7 +136,7 @@ int prove_by_controls(const Options& options) {
   std::vector<ControlReport> reports;
   {
     const ProgressLine line;
-    reports = prove_controls(controls, cases, stated, dt, options.jobs, shown_on(line));
+    reports = prove_controls(controls, cases, stated, truths, options.jobs, shown_on(line));
   }
   std::size_t passes = 0;
   for (const ControlReport& report : reports) {

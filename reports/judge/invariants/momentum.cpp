@@ -218,11 +218,14 @@ std::vector<BodyState> mean_motion(std::span<const BodyState> then, std::span<co
 //   rounding errors of the largest so far may come out in any later step; a body that was pushed out of another within
 //   a step had at least the velocity of its way. No velocity at a contact is smaller than what the rounding of a place
 //   makes of its gap, u |x| / h. The reported time, n dt, is rounded too, and with it dt, their difference.
+// Where what is reported is not the sum over a step, only that of a body without a contact is known, zero; and only if
+// the method solves once a step, so that no contact can have come and gone.
 std::optional<InvariantCheck> check_bodies(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   const std::vector<bool> known = known_bodies(scene);
   if (std::find(known.begin(), known.end(), true) == known.end()) return std::nullopt;
-  if (auto cannot = without_contacts(context, true)) return cannot;
+  const bool one_solve = stepping.h == stepping.dt;
+  if (auto cannot = without_contacts(context, !one_solve)) return cannot;
   const AppliedForces forces(scene);
   const auto masses = forces.masses();
   std::vector<double> largest(scene.bodies.size());
@@ -259,7 +262,7 @@ std::optional<InvariantCheck> check_bodies(const InvariantContext& context) {
       }
     }
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      if (!known[i]) continue;
+      if (!known[i] || (!stepping.whole_impulses && contacts[i] > 0)) continue;
       const double mass = masses[i].mass;
       const Vec force = 0.5 * (before[i].force + after[i].force);
       const Vec missing = mass * (now[i].velocity - then[i].velocity) - received[i] - dt * force;

@@ -44,7 +44,7 @@ ModelError::ModelError(Case problem, EngineConfig full, double dt, double tolera
 void ModelError::find() {
   if (std::exchange(found_, true)) return;
   reference_.find();
-  judge_ = std::make_unique<CaseJudge>(problem_, dt_, usual_budget);
+  judging_truth_ = std::make_unique<const CaseTruth>(problem_, dt_, usual_budget);
   for (const Case& phase : phases_) {
     const Engine* engine = reference_.engine();
     if (engine == nullptr) break;
@@ -52,7 +52,7 @@ void ModelError::find() {
   }
   const CaseRun full = run_case(problem_, full_, dt_);
   for (const Outcome* outcome : outcomes_of(full)) fulls_.push_back(outcome->trace);
-  const RunRecord record = judge_->judged(full_, full);
+  const RunRecord record = judged_record(problem_, full_, dt_, full, judging_truth_->reference());
   full_complaints_ = complaints_of(record);
   full_overlap_ = overlap_in(record);
   const double end = problem_.scene->duration;
@@ -102,7 +102,7 @@ ModelError::Result ModelError::of(const EngineConfig& model) const {
                                  : std::sqrt(squares / static_cast<double>(outcomes.size()));
   result.change = std::max(largest_difference, truths_.empty() ? 0.0 : result.error - full_error_);
   if (model.settings == full_.settings) return result;
-  const RunRecord record = judge_->judged(model, runs);
+  const RunRecord record = judged_record(problem_, model, dt_, runs, judging_truth_->reference());
   result.breaks = worse_than_full(record);
   if (chaotic_) {
     result.different = difference_in_statistics(model, overlap_in(record));

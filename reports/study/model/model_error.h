@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/compare/ensembles.h"
-#include "reports/run/case_judge.h"
+#include "reports/run/case_truth.h"
 #include "reports/run/run.h"
 #include "reports/study/reference_solution.h"
 
@@ -82,7 +82,7 @@ class ModelError {
   std::vector<Case> phases_;
   std::vector<std::shared_ptr<const Trace>> truths_;  // by phase
   std::vector<std::shared_ptr<const Trace>> fulls_;   // by phase
-  std::unique_ptr<CaseJudge> judge_;
+  std::unique_ptr<const CaseTruth> judging_truth_;
   std::vector<Complaint> full_complaints_;
   double full_overlap_ = 0;  // m
   double full_error_ = 0;    // m

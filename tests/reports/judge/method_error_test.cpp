@@ -51,6 +51,28 @@ TEST(MethodError, LosesTheSpeedOfAnImpactBelowTheThreshold) {
   }
 }
 
+// At rest until it is hit, and then on a circle: no contact explains that its acceleration goes on.
+TEST(MethodError, CountsAChangeOfAccelerationFromBeforeToAfterAContact) {
+  const std::vector<Stress> all = stress_of("hinged-hit:e=0.5");
+  const double moment = 0.393;  // s, of the impact
+  const auto before = static_cast<std::size_t>(moment / dt);
+  EXPECT_EQ(all[before].bends, 0);
+  EXPECT_EQ(all[before].jolts, 0);
+  EXPECT_GT(all[before + 4].bends, 1);
+  EXPECT_GT(all[before + 5].jolts, 1);
+}
+
+TEST(MethodError, TurnsTheChangeOfVelocityInAJamByTheRotationOfAStep) {
+  const Stress jammed = stress_of("painleve-rod:mu=2")[12];
+  EXPECT_EQ(jammed.jammed, 0) << "it jams in the first step: no method is late";
+  EXPECT_NEAR(jammed.turned, 4.16 * 3.17 * 11 * dt, 0.2);
+  Stress without = jammed;
+  without.turned = 0;
+  const double error =
+      method_error(second_order, jammed, false).place - method_error(second_order, without, false).place;
+  EXPECT_NEAR(error, dt * jammed.turned, 1e-12);
+}
+
 TEST(MethodError, HalvesWithTheStepAtFirstOrderAndQuartersAtSecond) {
   const Stress swinging = stress_of("double-pendulum:wild")[60];
   Stepping half = first_order;

@@ -122,7 +122,7 @@ TEST(Judge, AppliesABoundOnOneSideOnly) {
     one.relation = relation;
     return judge(scene, std::span(&one, 1), fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5}, nullptr);
   };
-  EXPECT_EQ(judged(Relation::at_least, 2, 0).verdict, Verdict::right);
+  EXPECT_EQ(judged(Relation::at_least, 2, 0).verdict, Verdict::no_evidence) << "many other motions are above it, too";
   EXPECT_EQ(judged(Relation::at_least, 7.25, 0.25).verdict, Verdict::coarse);
   EXPECT_EQ(judged(Relation::at_least, 7.25, 0.2).verdict, Verdict::wrong);
   // A box that never moved would be below these as well.
@@ -204,6 +204,17 @@ TEST(VerdictOf, IsPlausibleOnlyIfAnInvariantWasTested) {
                                          {.status = CheckStatus::held, .tolerance = 0.1, .scale = 1}};
   EXPECT_EQ(verdict_of({}, idle), Verdict::no_evidence);
   EXPECT_EQ(verdict_of({}, {}), Verdict::no_evidence);
+}
+
+// What is known of a quantity before something happens says nothing about what that does to it.
+TEST(VerdictOf, AsksForEvidenceAtTheTimeOfTheQuestionOrLater) {
+  const TruthCheck before{.quantity = "energy", .time = 0.1, .tolerance = 0.01, .scale = 1, .passed = true};
+  const TruthCheck vague{.quantity = "energy", .time = 1, .tolerance = 0.1, .scale = 1, .passed = true};
+  TruthCheck after = before;
+  after.time = 1;
+  EXPECT_EQ(verdict_of(std::vector{before}, {}), Verdict::right);
+  EXPECT_EQ(verdict_of(std::vector{before, vague}, {}), Verdict::no_evidence);
+  EXPECT_EQ(verdict_of(std::vector{vague, after}, {}), Verdict::right);
 }
 
 TEST(VerdictOf, AsksForEvidenceOfEveryQuantity) {

@@ -25,7 +25,8 @@ void silent(const std::string&, std::size_t, std::size_t) {}
 
 ControlReport report_of(const Control& control, const std::string& scenario, const std::string& stated = "impulse",
                         int jobs = 1) {
-  return prove_controls({control}, parse_cases(scenario), {parse_engine(stated)}, dt, jobs, silent).front();
+  CaseTruths truths(dt);
+  return prove_controls({control}, parse_cases(scenario), {parse_engine(stated)}, truths, jobs, silent).front();
 }
 
 ControlRun run_of(const std::string& control, const std::string& scenario, const std::string& stated = "impulse") {
@@ -39,7 +40,7 @@ Control right_engine() { return {.name = "right", .about = "the engine as it is"
 TEST(Controls, IncludeEveryLawThatAnEngineMayLack) {
   for (const char* name : {"frozen", "stopped", "coasting", "weightless", "half-gravity", "frictionless",
                            "no-restitution", "all-restitution", "no-rotation", "hoop-for-disc", "late", "teleporting",
-                           "no-contacts", "forgetful", "unpowered", "unlimited", "pathless"}) {
+                           "no-contacts", "forgetful", "unpowered", "unlimited", "pathless", "jointless"}) {
     ASSERT_THAT(Catalog<Control>::find(name), NotNull()) << name;
     EXPECT_NE(Catalog<Control>::find(name)->about, "") << name;
   }
@@ -78,7 +79,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Unmasked{"unpowered", "motor:slow"}, Unmasked{"unpowered", "motor-arm:holds"},
                       Unmasked{"unpowered", "four-bar:3rad/s"}, Unmasked{"unlimited", "rail-stop:slides"},
                       Unmasked{"unlimited", "joint-stop:60deg"}, Unmasked{"pathless", "juggler:orbit"},
-                      Unmasked{"frictionless", "stick-slip:slow"}, Unmasked{"frozen", "catenary:seven"}),
+                      Unmasked{"frictionless", "stick-slip:slow"}, Unmasked{"frozen", "catenary:seven"},
+                      Unmasked{"jointless", "cantilever:four"}, Unmasked{"jointless", "hanging-chain:still"},
+                      Unmasked{"jointless", "joint-grid:seven"}, Unmasked{"jointless", "rope-bridge:light"},
+                      Unmasked{"jointless", "rope-bridge:heavy"}),
     [](const auto& of) {
       std::string name = std::string(of.param.control) + '_' + of.param.scenario;
       std::erase_if(name, [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) == 0; });
@@ -144,8 +148,9 @@ TEST(ProveControls, CountsARightVerdictOnAnotherMotionAsAPass) {
     scene.forces.push_back(Constant{.body = 1, .torque = 1});
     return build_ours(scene, settings);
   };
+  CaseTruths truths(dt);
   const ControlReport report = prove_controls({{.name = "turning", .about = "is turned", .build = turning}}, {one_case},
-                                              {{&lenient, complete(lenient, {})}}, dt, 1, silent)
+                                              {{&lenient, complete(lenient, {})}}, truths, 1, silent)
                                    .front();
   EXPECT_GT(report.results[0].runs.at(0).difference, right_share);
   EXPECT_EQ(report.results[0].runs.at(0).unmasking, Unmasking::passes) << text_of(report, true);

@@ -30,7 +30,8 @@ Fault fault_called(const std::string& name) {
 }
 
 FaultResult result_of(const Fault& fault, const std::string& scenario) {
-  return prove({fault}, parse_cases(scenario), dt, 1, silent).front();
+  CaseTruths truths(dt);
+  return prove({fault}, parse_cases(scenario), truths, 1, silent).front();
 }
 
 TEST(Faults, AreAtLeastFortyWithUniqueNamesAndDescriptions) {
@@ -119,19 +120,22 @@ TEST(Prove, CatchesARunThatFails) {
 
 TEST(Prove, IsTheSameForAnyNumberOfJobs) {
   const std::vector<Fault> faults{fault_called("energy-leak"), fault_called("restitution-2-percent")};
-  const auto one = prove(faults, parse_cases("bounce"), dt, 1, silent);
-  const auto four = prove(faults, parse_cases("bounce"), dt, 4, silent);
+  CaseTruths truths(dt);
+  const auto one = prove(faults, parse_cases("bounce"), truths, 1, silent);
+  const auto four = prove(faults, parse_cases("bounce"), truths, 4, silent);
   EXPECT_EQ(to_json({.faults = one}), to_json({.faults = four}));
 }
 
 TEST(CleanRuns, RaiseNoFalseAlarm) {
-  const auto clean = clean_runs(4, parse_cases("spinning-obb"), dt, 1, silent);
+  CaseTruths truths(dt);
+  const auto clean = clean_runs(4, parse_cases("spinning-obb"), truths, 1, silent);
   ASSERT_THAT(clean, SizeIs(4));
   for (const CleanRun& run : clean) EXPECT_THAT(run.false_alarms, IsEmpty()) << run.settings;
 }
 
 TEST(CleanRuns, IncludeTheDefaultSettings) {
-  const CleanRun run = default_run(parse_cases("spinning-obb"), dt, 1, silent);
+  CaseTruths truths(dt);
+  const CleanRun run = default_run(parse_cases("spinning-obb"), truths, 1, silent);
   EXPECT_EQ(run.seed, 0U);
   EXPECT_EQ(run.settings, "default settings");
   EXPECT_THAT(run.false_alarms, IsEmpty());
@@ -158,10 +162,11 @@ Scenario impossible_scenario() {
 TEST(CleanRuns, CountWhatTheDefaultFailsItself) {
   const Scenario impossible = impossible_scenario();
   const std::vector<Case> cases{case_of(impossible)};
-  const CleanRun own = default_run(cases, dt, 1, silent);
+  CaseTruths truths(dt);
+  const CleanRun own = default_run(cases, truths, 1, silent);
   ASSERT_THAT(own.false_alarms, SizeIs(1));
   EXPECT_EQ(own.false_alarms.front().kind, DetectionKind::truth);
-  EXPECT_THAT(clean_runs(1, cases, dt, 1, silent).front().false_alarms, SizeIs(1));
+  EXPECT_THAT(clean_runs(1, cases, truths, 1, silent).front().false_alarms, SizeIs(1));
 
   const ProveReport report{.clean = {own}, .cases = 1};
   EXPECT_FALSE(report.passed());

@@ -31,7 +31,9 @@ Perturbation parameter_called(const std::string& name) {
 }
 
 Sensitivity sensitivity_to(const std::string& parameter, const std::vector<Case>& cases, int jobs = 1) {
-  return sensitivities({parameter_called(parameter)}, cases, engine_statements(), dt, jobs, silent).parameters.front();
+  CaseTruths truths(dt);
+  return sensitivities({parameter_called(parameter)}, cases, engine_statements(), truths, jobs, silent)
+      .parameters.front();
 }
 
 constexpr double speed = 4;         // m/s
@@ -108,10 +110,11 @@ TEST(Perturbations, OfSizeZeroAreNotSeen) {
   const Engine& ours = *Catalog<Engine>::find("impulse");
   for (const std::string name : {"head-on", "stopping-distance", "pendulum"}) {
     const Case one = parse_cases(name).front();
-    const JudgedRun right = judge_two_runs(one, {&ours, complete(ours, {})}, dt);
+    const CaseTruth truth(one, dt, usual_budget);
+    const JudgedRun right = judge_two_runs(one, {&ours, complete(ours, {})}, dt, truth);
     for (const Perturbation& parameter : all_perturbations()) {
       const Engine engine = perturbed_engine(parameter, 0);
-      const JudgedRun same = judge_two_runs(one, {&engine, complete(engine, {})}, dt);
+      const JudgedRun same = judge_two_runs(one, {&engine, complete(engine, {})}, dt, truth);
       EXPECT_THAT(physics_detections(one, right, same), SizeIs(0)) << parameter.name << " in " << name;
     }
   }

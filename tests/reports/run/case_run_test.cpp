@@ -45,7 +45,7 @@ TEST(Phases, EndWithTheScene) {
 Judgement judged(const Case& test_case, const EngineConfig& config) {
   const Truth truth(*test_case.closed_form, *test_case.scene);
   const CaseRun runs = run_case(test_case, config, dt);
-  return judge_case(test_case, config, dt, *runs.outcome.trace, runs.shifted, &truth);
+  return judge_case(test_case, config, dt, *runs.outcome.trace, runs.shifted, {.truth = &truth});
 }
 
 // An impact that is noticed at the end of its step is late by anything from zero to a step; one whose time is computed
@@ -132,13 +132,14 @@ TEST(JudgeCase, CallsABrokenLawWrongWhereTheClosedFormDoesNotReach) {
   altered.scene = std::make_shared<const Scene>(scene);
   const EngineConfig config = parse_engine("impulse");
   const CaseRun slower = run_case(altered, config, dt);
-  EXPECT_EQ(judge_case(test_case, config, dt, *slower.outcome.trace, slower.shifted, &truth).verdict, Verdict::wrong);
+  EXPECT_EQ(judge_case(test_case, config, dt, *slower.outcome.trace, slower.shifted, {.truth = &truth}).verdict,
+            Verdict::wrong);
 }
 
 TEST(Questions, AreNotAnsweredByTheOthersAlone) {
   const Case test_case = parse_case(lands_twice);
   const Truth truth(*test_case.closed_form, *test_case.scene);
-  const Questions questions = questions_of(test_case, &truth);
+  const Questions questions = questions_of(test_case, {.truth = &truth});
   ASSERT_EQ(questions.open.size(), 4u);
   const TruthCheck exact{.quantity = "vy", .tolerance = 1e-6, .scale = 1, .passed = true};
   EXPECT_EQ(verdict_of({&exact, 1}, {}), Verdict::right);
@@ -155,7 +156,7 @@ TEST(Questions, OfEveryVariantOfTheCatalogueAreAnswered) {
     if (test_case.closed_form->unsupported(*test_case.scene, {}).empty()) {
       truth.emplace(*test_case.closed_form, *test_case.scene);
     }
-    const Questions questions = questions_of(test_case, truth ? &*truth : nullptr);
+    const Questions questions = questions_of(test_case, {.truth = truth ? &*truth : nullptr});
     EXPECT_EQ(questions.reason, "") << test_case.scenario->name << " " << test_case.variant;
   }
 }

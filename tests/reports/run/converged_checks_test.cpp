@@ -53,6 +53,7 @@ TEST_F(DoublePendulum, FindsOurEngineRight) {
 }
 
 TEST_F(DoublePendulum, EveryCheckIsEvidence) {
+  EXPECT_TRUE(checks_.knows_contact()) << "nothing ever touches";
   for (const Stepping& stepping : {stepping_of(ours_), first_order}) {
     const auto checks = judged(scene_, stepping);
     EXPECT_FALSE(checks.empty());
@@ -82,6 +83,20 @@ TEST_F(DoublePendulum, StopsAnEngineWithWrongGravity) {
   EXPECT_FALSE(all_pass(judged(heavier, stepping_of(ours_))));
   heavier.gravity.y *= 1.3;
   EXPECT_FALSE(all_pass(judged(heavier, first_order)));
+}
+
+// The reference of the billiard ends at the first impact, a tenth of a second after the start.
+TEST(ConvergedChecks, AskNothingBeforeTheirBodyTouchesAnything) {
+  const Case one = parse_cases("billiard:table").front();
+  const auto truth = converged_reference(one, frame, usual_budget);
+  ASSERT_TRUE(truth);
+  const ConvergedChecks checks(*one.scene, *truth, frame);
+  EXPECT_FALSE(checks.knows_contact());
+  const EngineConfig ours = parse_engine("impulse");
+  const auto all = checks.of(ours.engine->stepping(ours.settings, frame), *run(*one.scene, ours, frame).trace);
+  EXPECT_FALSE(all.empty());
+  for (const TruthCheck& check : all)
+    EXPECT_TRUE(checks.precedes_touch(check.body, check.time)) << check.body << " " << check.quantity;
 }
 
 TEST_F(DoublePendulum, HasNothingToSayAboutAMethodWithHugeErrors) {

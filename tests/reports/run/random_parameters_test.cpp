@@ -76,7 +76,7 @@ std::vector<std::string> wrong_by(const std::string& engine) {
   std::vector<std::string> wrong;
   for (const std::string& word : drawn_cases()) {
     const Case one = parse_case(word);
-    const JudgedRun run = judge_run(one, config, dt, run_case(one, config, dt));
+    const JudgedRun run = judge_run(one, config, dt, run_case(one, config, dt), CaseTruth(one, dt, 0));
     if (run.status == Status::failed || (run.status == Status::ok && run.judgement.verdict == Verdict::wrong)) {
       wrong.push_back(word);
     }
@@ -137,7 +137,7 @@ TEST(RandomParameters, FindAnEngineWithoutGravityWrong) {
     altered.scene = std::make_shared<const Scene>(scene);
     const EngineConfig config = parse_engine("impulse");
     const CaseRun run = run_case(altered, config, dt);
-    if (judge_run(one, config, dt, run).judgement.verdict == Verdict::wrong) ++wrong;
+    if (judge_run(one, config, dt, run, CaseTruth(one, dt, 0)).judgement.verdict == Verdict::wrong) ++wrong;
   }
   EXPECT_GT(wrong, 30);
 }

@@ -110,7 +110,7 @@ TEST(MoreIterations, CureBox2DOfARodThatJams) {
       .cases = parse_cases("painleve-rod:mu=2"), .configs = {parse_engine("box2d")}, .timed = false, .explain = true};
   const Report report = run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {});
   ASSERT_EQ(report.runs.back().verdict, Verdict::wrong);
-  EXPECT_THAT(report.runs.back().reason, HasSubstr("not converged at 8/3: plausible with 256/96 iterations"));
+  EXPECT_THAT(report.runs.back().reason, HasSubstr("not converged at 8/3: coarse with 256/96 iterations"));
 }
 
 }  // namespace

@@ -22,6 +22,21 @@ TEST(Junit, HasACaseForEachEngineInEachScene) {
   EXPECT_THAT(text, Not(HasSubstr("name=\"sliding\""))) << "closed forms are not on trial";
 }
 
+TEST(Junit, SaysHowFarOffACheckIsByBothRulers) {
+  Report report = sample_report();
+  report.runs[1].truth = {{.quantity = "y",
+                           .unit = "m",
+                           .time = 2,
+                           .expected = 1,
+                           .measured = 1.5,
+                           .error = 0.5,
+                           .tolerance = 0.1,
+                           .scale = 4}};
+  std::string why_not;
+  EXPECT_THAT(*Catalog<Writer>::find("junit")->text(report, why_not),
+              HasSubstr("y at 2 s: 1.5, expected 1 +- 0.1 m, off by 12.5 % of scale"));
+}
+
 TEST(Junit, PassesWhatHoldsAndSkipsWhatDidNotRun) {
   const std::vector<TestCase> cases{{"s", "a", ""}, {"s", "b", "", "has no joints"}, {"s", "c", "is off"}};
   const std::string text = junit("name", cases);

@@ -33,9 +33,19 @@ TEST(Markdown, CountsChecksAndVerdictsOfEachEngine) {
   report.runs[1].truth = {{.quantity = "y", .error = 0.005, .tolerance = 0.01, .scale = 1, .passed = true},
                           {.quantity = "y", .error = 0.5, .tolerance = 1, .scale = 1, .passed = true}};
   const std::string text = text_of(report);
-  EXPECT_THAT(text, HasSubstr("iterations=1000 | 2 | 50 % | 50 % | 0 % | 0 % | 1 |"));
+  EXPECT_THAT(text, HasSubstr("iterations=1000 | 2 | 50 % | 50 % | 0 % | 0 % | 1 | 0 | 0 |"));
   EXPECT_THAT(text, HasSubstr("| engine | wrong | failed |"));
   EXPECT_THAT(text, HasSubstr("| lost | 0 | 1 |"));
+}
+
+TEST(Markdown, ListsWhatIsNotATestByCase) {
+  Report report = sample_report();
+  report.runs[1].truth = {{.body = "box", .quantity = "y", .time = 2, .error = 0.5, .tolerance = 1, .scale = 4}};
+  report.runs[1].invariants = {{.name = "energy", .tolerance = 0.5, .scale = 2}, {.name = "overlap", .scale = 2}};
+  const std::string text = text_of(report);
+  EXPECT_THAT(text, HasSubstr("## Not a test for an engine with a rather long name"));
+  EXPECT_THAT(text, HasSubstr("| slide:on ice | y of box at 2 s: 25, energy: 25 |"));
+  EXPECT_THAT(text, Not(HasSubstr("## Not a test for lost")));
 }
 
 TEST(Markdown, SaysWhichEngineKeepsWhichRelationIfTheyWereChecked) {

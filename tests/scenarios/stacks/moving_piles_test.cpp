@@ -19,9 +19,11 @@ TEST(SlidingPyramid, SlidesFreelyWithoutFrictionAndHardlyAtTheAngleOfFriction) {
     return std::hypot(*all[0].expected - start.x, *all[1].expected - start.y);
   };
   const double degree = std::acos(-1) / 180;
-  EXPECT_NEAR(slid(30, 0), 10 * 0.5 / 2, 1e-12);
-  EXPECT_NEAR(slid(12, 0.2), 5 * std::abs(std::sin(12 * degree) - 0.2 * std::cos(12 * degree)), 1e-12);
-  EXPECT_LT(slid(12, 0.2), 0.1);
+  constexpr double duration = 1.5;
+  EXPECT_NEAR(slid(30, 0), 10 * 0.5 / 2 * duration * duration, 1e-12);
+  EXPECT_NEAR(slid(12, 0.2), 5 * duration * duration * std::abs(std::sin(12 * degree) - 0.2 * std::cos(12 * degree)),
+              1e-12);
+  EXPECT_LT(slid(12, 0.2), 0.2);
 }
 
 }  // namespace
