@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "reports/judge/observe.h"
-#include "reports/run/selection.h"
+#include "reports/run/catalog_case.h"
 #include "reports/system/files.h"
 #include "scenarios/tracker/reported.h"
 
@@ -41,7 +41,7 @@ struct FileExpectations {
 Case named_case(const StatedTruth& truth, const std::string& context) {
   if (Catalog<Scenario>::find(truth.tolerance_of.substr(0, truth.tolerance_of.find(':'))) == nullptr)
     throw std::invalid_argument(context + "is no scenario; see plumb list");
-  return parse_case(truth.tolerance_of);
+  return catalog_case(truth.tolerance_of);
 }
 
 // Takes the tolerance of the case that a truth names, whose value is that of its scene.

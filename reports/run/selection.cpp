@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -25,29 +23,6 @@ constexpr std::string_view in_process =
     "in-process";  // before an engine's name: in Plumb's process, whatever it may do
 constexpr std::string_view in_a_process = "isolated";  // likewise: in a process of its own
 
-// The text before and after the first `mark`; all of it before, if there is none.
-std::pair<std::string, std::string> split(std::string_view text, char mark) {
-  const auto position = text.find(mark);
-  if (position == std::string_view::npos) return {std::string(text), ""};
-  return {std::string(text.substr(0, position)), std::string(text.substr(position + 1))};
-}
-
-std::vector<std::string> split_at_commas(std::string_view text) {
-  std::vector<std::string> all;
-  while (!text.empty()) {
-    all.push_back(split(text, ',').first);
-    text.remove_prefix(std::min(text.size(), all.back().size() + 1));
-  }
-  return all;
-}
-
-// "key=value"; throws std::invalid_argument for anything else.
-std::pair<std::string, std::string> parse_assignment(const std::string& context, const std::string& text) {
-  auto both = split(text, '=');
-  if (!both.first.empty() && !both.second.empty()) return both;
-  throw std::invalid_argument(fmt::format("{}: \"{}\" should read key=value", context, text));
-}
-
 // "key=value", or one word that is a choice, but not the default, of exactly one option.
 std::pair<std::string, std::string> parse_setting(const Engine& engine, const std::string& text) {
   std::vector<std::string> keys;
@@ -60,51 +35,6 @@ std::pair<std::string, std::string> parse_setting(const Engine& engine, const st
   if (keys.size() == 1) return {keys.front(), text};
   throw std::invalid_argument(
       fmt::format("{}: \"{}\" may mean {}={}", engine.name, text, fmt::join(keys, fmt::format("={} or ", text)), text));
-}
-
-double parse_decimal(std::string_view what, std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(number)) return number;
-  throw std::invalid_argument(std::string(what) + ": \"" + std::string(text) +
-                              "\" is not a number; write 0.01 or 1/60");
-}
-
-template <class T>
-const T& find_entry(const char* kind, const std::string& name, bool (*offered)(const T&)) {
-  const T* found = Catalog<T>::find(name);
-  if (found != nullptr && offered(*found)) return *found;
-  std::vector<std::string> names;
-  for (const T* entry : Catalog<T>::all()) {
-    if (offered(*entry)) names.push_back(entry->name);
-  }
-  throw std::invalid_argument(unknown(kind, name, names));
-}
-
-const Engine* closed_form_of(const Scenario& scenario) {
-  if (scenario.closed_form.empty()) return nullptr;
-  const Engine* closed_form = Catalog<Engine>::find(scenario.closed_form);
-  if (closed_form != nullptr) return closed_form;
-  throw std::logic_error(scenario.name + ": unknown closed form \"" + scenario.closed_form + "\"");
-}
-
-Case case_of(const Scenario& scenario, const std::string& label, const Parameters& changes) {
-  const Parameters parameters = complete(scenario, changes);
-  return {.scenario = &scenario,
-          .variant = label,
-          .parameters = parameters,
-          .scene = std::make_shared<const Scene>(scenario.scene(parameters)),
-          .closed_form = closed_form_of(scenario)};
-}
-
-const Scenario& find_scenario(const std::string& name) {
-  return find_entry<Scenario>("scenario", name, [](const Scenario&) { return true; });
-}
-
-std::vector<Case> all_variants(const Scenario& scenario) {
-  std::vector<Case> cases;
-  for (const Variant& variant : scenario.variants) cases.push_back(case_of(scenario, variant.label, variant.changes));
-  return cases;
 }
 
 // "": all.
@@ -160,55 +90,15 @@ EngineConfig parse_program(std::string_view word) {
 
 }  // namespace
 
-double parse_number(std::string_view what, std::string_view text) {
-  const auto [numerator, denominator] = split(text, '/');
-  if (denominator.empty()) return parse_decimal(what, text);
-  const double divisor = parse_decimal(what, denominator);
-  if (divisor == 0) throw std::invalid_argument(std::string(what) + ": \"" + std::string(text) + "\" divides by zero");
-  return parse_decimal(what, numerator) / divisor;
-}
-
-double parse_dt(std::string_view text) {
-  const double dt = parse_number("--dt", text);
-  if (dt > 0 && dt <= 1) return dt;
-  throw std::invalid_argument("--dt: \"" + std::string(text) + "\" must be above 0 and at most 1 s");
-}
-
 std::vector<Case> parse_cases(std::string_view word) {
   if (is_scene_file(word)) return {case_of_file(std::string(word))};
   const auto [name, rest] = split(word, ':');
-  if (name == tracker) return parse_reported(rest);
-  const Scenario& scenario = find_scenario(name);
-  if (rest.empty()) return all_variants(scenario);
-  for (const Variant& variant : scenario.variants) {
-    if (variant.label == rest) return {case_of(scenario, variant.label, variant.changes)};
-  }
-  if (rest.find('=') == std::string::npos) {
-    std::vector<std::string> labels;
-    for (const Variant& variant : scenario.variants) labels.push_back(variant.label);
-    throw std::invalid_argument(name + ": " + unknown("variant", rest, labels) + " Or write parameter=value.");
-  }
-  Parameters changes;
-  for (const std::string& piece : split_at_commas(rest)) {
-    const auto [key, value] = parse_assignment(name, piece);
-    changes[key] = parse_number(fmt::format("{}: {}", name, key), value);
-  }
-  return {case_of(scenario, rest, changes)};
+  return name == tracker ? parse_reported(rest) : catalog_cases(word);
 }
 
 Case parse_case(std::string_view word) {
   const auto [name, rest] = split(word, ':');
-  if (!rest.empty()) return parse_cases(word).front();
-  return case_of(find_scenario(name), "", {});
-}
-
-std::vector<Case> default_cases(bool all) {
-  std::vector<Case> cases;
-  for (const Scenario* scenario : Catalog<Scenario>::all()) {
-    if (!all && !scenario->canonical) continue;
-    for (Case& one : all_variants(*scenario)) cases.push_back(std::move(one));
-  }
-  return cases;
+  return rest.empty() ? catalog_case(word) : parse_cases(word).front();
 }
 
 EngineConfig parse_engine(std::string_view word) {

@@ -5,18 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/run/catalog_case.h"
 #include "reports/run/experiment.h"
 #include "reports/run/run.h"
 
 /// Parses the words of a command line that select cases and engines. The parsers throw std::invalid_argument, which
 /// suggests the nearest name for an unknown one.
 namespace plumb {
-
-/// A number, or a fraction of two: "0.01", "1/60".
-double parse_number(std::string_view what, std::string_view text);
-
-/// The same for a time step, which must be > 0 and <= 1 s.
-double parse_dt(std::string_view text);
 
 /// "NAME": all variants of a scenario. "NAME:LABEL": one of them. "NAME:parameter=value,...": a variant of your
 /// own. "FILE.json": the case of that scene file. "tracker", "tracker:NAME": what users of engines reported, or one of
@@ -25,9 +20,6 @@ std::vector<Case> parse_cases(std::string_view word);
 
 /// One case of the catalog: "NAME" means the defaults of its parameters.
 Case parse_case(std::string_view word);
-
-/// Every variant of the canonical scenarios, or of all scenarios.
-std::vector<Case> default_cases(bool all);
 
 /// "NAME" or "NAME:key=value,...": an engine and its settings. "NAME:word" sets the one option that has this choice.
 /// "exec:COMMAND" or "exec:COMMAND:key=value,...": an engine that is a program of its own. Engines that Plumb does not

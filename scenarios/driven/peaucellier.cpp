@@ -53,7 +53,7 @@ Pose pose(double angle, double turn) {
           {{line, line * along.y / along.x}, {0, line * turn / 2 / (along.x * along.x)}}};
 }
 
-double widest(const Parameters& p) { return p.at("sweep") * degree; }
+double widest(const Parameters& p) { return p.at("swing") * degree; }
 double turn_of(const Parameters& p) { return 2 * widest(p) / duration; }
 double angle_at(const Parameters& p, double t) { return widest(p) * (2 * t / duration - 1); }
 Pose pose_at(const Parameters& p, double t) { return pose(angle_at(p, t), turn_of(p)); }
@@ -170,7 +170,7 @@ const Catalog<Scenario>::Entry entry{
     {.name = "peaucellier",
      .question = "Does Peaucellier's linkage draw a straight line?",
      .parameters =
-         {{.name = "sweep", .value = 60, .min = 20, .max = 70, .unit = "deg", .about = "of the crank to either side"}},
+         {{.name = "swing", .value = 60, .min = 20, .max = 70, .unit = "deg", .about = "of the crank to either side"}},
      .variants = {{"draws", {}}},
      .scene = scene,
      .expectations = expectations}};

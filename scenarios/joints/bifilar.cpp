@@ -27,7 +27,7 @@ Scene scene(const Parameters& p) {
   const double a = amplitude(p);
   const double l = length(p);
   Scene scene{.name = "bifilar",
-              .about = "A bar hangs on two parallel rods of equal length.",
+              .about = "A bar swings from two parallel rods of equal length.",
               .gravity = {0, -gravity},
               .duration = period};
   Body bar = box("bar", centre(l, a), size, {});

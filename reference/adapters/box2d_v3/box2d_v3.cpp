@@ -359,7 +359,8 @@ const std::vector<std::string> caveats{
     "contacts and joints are damped springs, contacts of 30 Hz or 60 Hz on fixed bodies: they do not converge with the "
     "step, and a load presses boxes a few millimetres into each other",
     "nothing bounces below a closing speed of 1 m/s (option restitution)",
-    "restitution acts once, at the end of the step, without friction: an impact that slips rubs with mu m v, not mu (1 "
+    "restitution acts once, at the end of the step, without friction, which takes mu m v from an impact that slips, "
+    "not mu (1 "
     "+ e) m v",
     "rotations advance by atan(w h): fast spins lose (w h)^2/3 of their angle",
     "damping c divides velocities by 1 + c h each sub-step; the scene means e^(-c h)",

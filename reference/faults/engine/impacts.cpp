@@ -1,4 +1,4 @@
-// Mistakes that our engine once made, put back: impulses that act with the arms or along the normals of another moment.
+// Mistakes that our engine once made: impulses that act with the arms or along the normals of another moment.
 
 #include <algorithm>
 #include <cmath>

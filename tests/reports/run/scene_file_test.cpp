@@ -108,7 +108,8 @@ TEST_F(SceneFileCase, LeavesOutTheTruthsOfAnExportedSceneThatWasChanged) {
   file.scene.bodies[1].linear_damping = 1;
   file.truth.push_back({.body = "arm", .quantity = Quantity::angle, .value = 1, .tolerance = 3, .source = "mine"});
   const Case changed = case_of_file(write(write_scene(file)));
-  EXPECT_THAT(changed.left_out, ::testing::ElementsAre(HasSubstr("this scene differs from motor-arm:holds, whose values")));
+  EXPECT_THAT(changed.left_out,
+              ::testing::ElementsAre(HasSubstr("this scene differs from motor-arm:holds, whose values")));
   ASSERT_EQ(changed.scenario->expectations({}).size(), 1u);
   EXPECT_EQ(changed.scenario->expectations({})[0].source, "mine");
 }

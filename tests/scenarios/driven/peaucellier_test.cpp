@@ -9,15 +9,15 @@ namespace {
 
 using statement_of::Of;
 
-Scene scene_of(double sweep) {
+Scene scene_of(double swing) {
   const Scenario& family = *Catalog<Scenario>::find("peaucellier");
-  return family.scene(complete(family, {{"sweep", sweep}}));
+  return family.scene(complete(family, {{"swing", swing}}));
 }
 
 // Every bar has its length at the start, and its ends move across it only.
 TEST(Peaucellier, StartsWithRigidBars) {
-  for (const double sweep : {20.0, 60.0, 70.0}) {
-    const Scene scene = scene_of(sweep);
+  for (const double swing : {20.0, 60.0, 70.0}) {
+    const Scene scene = scene_of(swing);
     const auto velocity_at = [&](std::size_t body, Vec at) {
       const Body& of = scene.bodies[body];
       const double w = of.angular_velocity;

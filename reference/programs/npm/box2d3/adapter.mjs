@@ -255,7 +255,7 @@ serve({
     'float arithmetic',
     'contacts are damped springs of at most 30 Hz, 60 Hz on fixed bodies: they do not converge with the step',
     'nothing bounces below a closing speed of 1 m/s (option restitution)',
-    'restitution acts once, at the end of the step, without friction: an impact that slips rubs with mu m v only',
+    'restitution acts once, at the end of the step, without friction, which takes mu m v from an impact that slips only',
     'rotations advance by atan(w h): fast spins lose some of their angle',
     'damping c divides velocities by 1 + c h each sub-step; the scene means e^(-c h)',
     'nothing moves faster than 400 m/s or turns by more than an eighth turn in a sub-step',

@@ -229,7 +229,7 @@ serve({
     'float arithmetic',
     'contacts are damped springs of 30 Hz, 60 Hz on fixed bodies: they do not converge with the step',
     'restitution acts once, at the end of a step, on contacts that carried nothing in the step before; that of 1 always',
-    'restitution acts without friction: an impact that slips rubs with mu m v, not mu (1 + e) m v',
+    'restitution acts without friction, which takes mu m v from an impact that slips, not mu (1 + e) m v',
     'rotations advance by atan(w h): fast spins lose some of their angle',
     'damping c divides velocities by 1 + c dt; the scene means e^(-c dt)',
     'nothing moves faster than 400 m/s',

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "bodies/body_set.h"
-#include "direct/constraint_system.h"
-#include "direct/touch.h"
 #include "joints/joint_set.h"
+#include "solver/constraint_system.h"
 #include "solver/energy_bound.h"
 #include "solver/motion.h"
 #include "solver/partition.h"
 #include "solver/solver.h"
+#include "solver/touch.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -1,5 +1,5 @@
 // Small islands under the default method, in double precision: see most_direct in accurate.cpp.
-#include "direct/direct_island.h"
+#include "solver/direct_island.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "direct/touch.h"
+#include "solver/touch.h"
 
 #include <gtest/gtest.h>
 

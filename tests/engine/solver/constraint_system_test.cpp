@@ -1,4 +1,4 @@
-#include "direct/constraint_system.h"
+#include "solver/constraint_system.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "direct/constraint_system.h"
+#include "solver/constraint_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,21 +9,21 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::uint32_t nothing_slips = ~std::uint32_t{0};
 
 /// Of the largest term of a rate, what rounding may leave of it.
-constexpr Real may_remain = 64 * std::numeric_limits<Real>::epsilon();
+constexpr Real rates_round_by = 64 * std::numeric_limits<Real>::epsilon();
 
 /// Compliance, as a fraction of a constraint's own inverse mass, that decides between equal ways to share a load. It
 /// does not stay: what it leaves is solved in the next round.
-constexpr Real least_change = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-4);
+constexpr Real least_compliance = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-4);
 
 /// The same, but it stays: tried one after the other until the laws can be met. At the first, bodies that rest sink by
 /// 1e-6 of what gravity moves them by in a sub-step.
 constexpr std::array<Real, 4> compliances{0, static_cast<Real>(1e-6), static_cast<Real>(1e-4), static_cast<Real>(1e-2)};
 
 /// The change of the rate of p for a unit impulse along q, through the bodies that both act on.
-Real coupling(const Constraint& p, const Constraint& q) {
+Real response(const Constraint& p, const Constraint& q) {
   const auto through = [&](const InverseMass& mass, Real arm_p, Real arm_q) {
     return mass.m * dot(p.axis, q.axis) + mass.i * arm_p * arm_q;
   };
@@ -98,12 +98,12 @@ bool ConstraintSystem::drove(const std::vector<Velocity>& velocity) const {
     work += impulse * (before + speed(row, velocity)) / 2;
     size += std::abs(impulse * before);
   }
-  return work > may_remain * size;
+  return work > rates_round_by * size;
 }
 
 void ConstraintSystem::weigh(std::size_t i) {
   const Constraint& row = rows_[i];
-  const Real own = coupling(row, row);
+  const Real own = response(row, row);
   compliance_[i] = compliances[softness_] * own;
   mass_[i] = own > 0 && !row.fixed ? 1 / (own + compliance_[i]) : Real{0};
 }
@@ -129,7 +129,7 @@ void ConstraintSystem::begin(std::vector<Velocity>& velocity) {
     start_.clear();
     for (const Constraint& row : rows_) start_.emplace_back(velocity[row.a], velocity[row.b]);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (std::abs(rows_[i].impulse) <= may_remain * scale_ * mass_[i]) rows_[i].impulse = 0;
+      if (std::abs(rows_[i].impulse) <= rates_round_by * scale_ * mass_[i]) rows_[i].impulse = 0;
       if (rows_[i].impulse != rows_[i].given) change(i, rows_[i].impulse - rows_[i].given, velocity);
     }
   }
@@ -245,7 +245,7 @@ void ConstraintSystem::place_friction(std::vector<Velocity>& velocity) {
 
 /// The rows that are solved for, neighbours beside each other, and the friction that follows them.
 void ConstraintSystem::choose_unknowns() {
-  friction_of_.assign(rows_.size(), none);
+  friction_of_.assign(rows_.size(), nothing_slips);
   free_.clear();
   for (std::uint32_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
@@ -261,7 +261,7 @@ void ConstraintSystem::choose_unknowns() {
   for (const std::uint32_t i : free_) {
     const std::uint32_t friction = friction_of_[i];
     slips_.push_back(friction);
-    slope_.push_back(friction == none                     ? Real{0}
+    slope_.push_back(friction == nothing_slips            ? Real{0}
                      : state_[friction] == State::forward ? rows_[friction].friction
                                                           : -rows_[friction].friction);
   }
@@ -278,12 +278,12 @@ std::size_t ConstraintSystem::bandwidth() {
   };
   each_body([this](std::uint32_t body, std::uint32_t) {
     if (body >= first_of_.size()) first_of_.resize(body + 1);
-    first_of_[body] = none;
+    first_of_[body] = nothing_slips;
   });
   std::uint32_t most = 0;
   each_body([&](std::uint32_t body, std::uint32_t k) {
     std::uint32_t& first = first_of_[body];
-    if (first == none) first = k;
+    if (first == nothing_slips) first = k;
     most = std::max(most, k - first);
   });
   return most;
@@ -304,10 +304,10 @@ bool ConstraintSystem::factor() {
     Real* entries = row_at(i);
     const std::size_t end = std::min(n, i + band_ + 1);
     for (std::size_t j = i > band_ ? i - band_ : 0; j < end; ++j) {
-      entries[j] = coupling(row, rows_[free_[j]]);
-      if (slips_[j] != none) entries[j] += slope_[j] * coupling(row, rows_[slips_[j]]);
+      entries[j] = response(row, rows_[free_[j]]);
+      if (slips_[j] != nothing_slips) entries[j] += slope_[j] * response(row, rows_[slips_[j]]);
     }
-    entries[i] += compliance_[free_[i]] + least_change / mass_[free_[i]];
+    entries[i] += compliance_[free_[i]] + least_compliance / mass_[free_[i]];
   }
   pivot_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -369,7 +369,7 @@ bool ConstraintSystem::newton(std::vector<Velocity>& velocity) {
   substitute();
   for (std::size_t i = 0; i < free_.size(); ++i) {
     give(free_[i], right_[i], velocity);
-    if (slips_[i] != none) give(slips_[i], slope_[i] * right_[i], velocity);
+    if (slips_[i] != nothing_slips) give(slips_[i], slope_[i] * right_[i], velocity);
   }
   return true;
 }
@@ -436,7 +436,7 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
   if (rows_.empty()) return true;
   begin(velocity);
   place_friction(velocity);
-  const Real enough = may_remain * scale_;
+  const Real enough = rates_round_by * scale_;
   if (broken_by(velocity) <= enough) return true;
   constexpr int sweeps = 15;
   while (!iterate(enough, velocity)) {

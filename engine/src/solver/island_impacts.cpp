@@ -2,15 +2,15 @@
 #include <cmath>
 #include <limits>
 
-#include "direct/direct_island.h"
+#include "solver/direct_island.h"
 
 /// Impacts of a small island. Each comes at its own time: bodies advance to it, and their velocities change there.
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real together = static_cast<Real>(0.0005);  // m, gap up to which both points of a contact are struck
-constexpr Real slides = static_cast<Real>(1e-4);      // m/s, what slides faster when it is struck has sliding friction
+constexpr Real struck_together = static_cast<Real>(0.0005);  // m, gap up to which both points of a contact are struck
+constexpr Real slides_at = static_cast<Real>(1e-4);  // m/s, what slides faster when it is struck has sliding friction
 /// m, gap that is none: less than rounding leaves of an advance to the time of an impact.
 constexpr Real no_gap = static_cast<Real>(sizeof(Real) == 8 ? 1e-13 : 1e-6);
 /// Of an interval: an impact that comes later by less is at its end, so that nothing brakes it before.
@@ -139,7 +139,7 @@ void DirectIsland::strike(std::uint32_t index) {
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
     DirectContact& contact = contacts_[c];
     contact.struck = c == index || !alone;
-    if (contact.struck) list_struck(contact, c == index ? together : DirectContact::touching);
+    if (contact.struck) list_struck(contact, c == index ? struck_together : DirectContact::touching);
   }
   for (const ActiveJoint* joint : members_.joints) {
     const JointBlock& block = joint->block;
@@ -172,14 +172,14 @@ void DirectIsland::list_struck(DirectContact& contact, Real reach) {
   contact.struck = any;
   if (!any) return;
   // What slides when it is struck slides until friction has stopped it.
-  const bool slips = std::exchange(contact.slips, slide > slides);
+  const bool slips = std::exchange(contact.slips, slide > slides_at);
   list_contact(contact);
   contact.slips = slips;
   for (std::size_t i = 0; i < contact.count; ++i) {
     Constraint& row = system_[contact.row + i];
     const Real v = ConstraintSystem::speed(row, velocity);
     if (contact.frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
-    if (v < -slow_ || reach == together) row.bias = contact.restitution * std::min(v, Real{0});
+    if (v < -slow_ || reach == struck_together) row.bias = contact.restitution * std::min(v, Real{0});
   }
 }
 

@@ -1,4 +1,4 @@
-#include "direct/direct_island.h"
+#include "solver/direct_island.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real far = static_cast<Real>(0.002);  // m, that bodies slide before their contact is found again
-constexpr Real near = static_cast<Real>(0.05);  // m, gap up to which points are sought
+constexpr Real slid_far = static_cast<Real>(0.002);      // m, that bodies slide before their contact is found again
+constexpr Real sought_within = static_cast<Real>(0.05);  // m, gap up to which points are sought
 /// Of a sub-step: intervals are not halved further.
 constexpr Real shortest = Real{1} / 16;
 /// m, by which an overlap is pushed apart in a sub-step. Bodies that start in each other part without being shot out.
@@ -253,7 +253,7 @@ bool DirectIsland::find(DirectContact& contact) {
   const Motion& a = step_->motion[contact.a];
   const Motion& b = step_->motion[contact.b];
   if (contact.joins ||
-      contact.touch.moved(a, b, bodies.bounding_radius[contact.a], bodies.bounding_radius[contact.b]) < far) {
+      contact.touch.moved(a, b, bodies.bounding_radius[contact.a], bodies.bounding_radius[contact.b]) < slid_far) {
     return false;
   }
   Contact& found = data.contacts[contact.contact];
@@ -262,7 +262,7 @@ bool DirectIsland::find(DirectContact& contact) {
   const Shape& shape_a = bodies.detail[contact.a].parts[found.part_a].shape;
   const Shape& shape_b = bodies.detail[contact.b].parts[found.part_b].shape;
   const auto found_within = [&](Real t) {
-    return collide(shape_a, pose_a, shape_b, pose_b, speculative_gap(bodies, contact.a, contact.b, {near, t}));
+    return collide(shape_a, pose_a, shape_b, pose_b, speculative_gap(bodies, contact.a, contact.b, {sought_within, t}));
   };
   Manifold m = found_within(h_);
   if (m.count == 0) m = found_within(data.settings.dt);
