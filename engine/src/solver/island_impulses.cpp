@@ -1,0 +1,461 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/direct_island.h"
+
+/// The impulses of a small island's contacts and joints before and after the drift.
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// m, by which an overlap is pushed apart in a sub-step. Bodies that start in each other part without being shot out.
+constexpr Real most_push = static_cast<Real>(0.001);
+/// m, by which gaps and joints may be off after the drift.
+constexpr Real exact = static_cast<Real>(sizeof(Real) == 8 ? 1e-12 : 1e-6);
+
+/// m, by which a point of body b slides along the tangent past body a while they move by these.
+Real slip(const TouchFrame& frame, const PointArms& p, const Motion& a, const Motion& b) {
+  const Real centres = dot(perpendicular(frame.normal), b.d - a.d);
+  const Real core_b = b.sine * p.turn_b - b.drop * p.cross_b;
+  const Real core_a = a.sine * p.turn_a - a.drop * p.cross_a;
+  return centres + (core_b + b.turn * (p.dot_b - p.turn_b)) - (core_a + a.turn * (p.dot_a - p.turn_a));
+}
+
+}  // namespace
+
+void DirectIsland::kick(Real h) {
+  for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
+    const std::uint32_t body = members_.bodies[i];
+    const Velocity& by = step_->acceleration[body];
+    for (Velocity* velocity : {&step_->data.bodies.velocity[body], &by_forces_[i]}) {
+      velocity->v += h / 2 * by.v;
+      velocity->w += h / 2 * by.w;
+    }
+  }
+}
+
+/// m, along the longer side of the island: between bodies that are pushed.
+Real DirectIsland::place_of(std::uint32_t a, std::uint32_t b) const {
+  const BodySet& bodies = step_->data.bodies;
+  const auto at = [&](std::uint32_t body) { return tall_ ? step_->start[body].p.y : step_->start[body].p.x; };
+  if (!bodies.pushable(a)) return at(b);
+  return bodies.pushable(b) ? (at(a) + at(b)) / 2 : at(a);
+}
+
+void DirectIsland::list_contact(DirectContact& contact) {
+  Constraint row;
+  row.a = contact.a;
+  row.b = contact.b;
+  row.place = place_of(contact.a, contact.b);
+  row.mass_a = contact.mass_a;
+  row.mass_b = contact.mass_b;
+  row.axis = contact.frame.normal;
+  row.law = Law::pushes;
+  contact.row = static_cast<std::uint32_t>(system_.all().size());
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    row.arm_a = contact.frame.points[i].cross_a;
+    row.arm_b = contact.frame.points[i].cross_b;
+    system_.add(row);
+  }
+  contact.friction_row = DirectContact::no_row;
+  if (!(contact.friction() > 0)) return;
+  row.axis = perpendicular(contact.frame.normal);
+  row.law = Law::rubs;
+  row.first = contact.row;
+  row.count = static_cast<std::uint32_t>(contact.count);
+  row.friction = contact.friction();
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    row.point_a[i] = contact.frame.points[i].dot_a;
+    row.point_b[i] = contact.frame.points[i].dot_b;
+  }
+  contact.friction_row = system_.add(row);
+}
+
+void DirectIsland::list_joint(const JointBlock& block) {
+  joint_rows_.push_back(static_cast<std::uint32_t>(system_.all().size()));
+  const auto add = [&](const JointRow& from, Law law) {
+    Constraint row;
+    row.a = block.a;
+    row.b = block.b;
+    row.place = place_of(block.a, block.b);
+    row.mass_a = block.inv_mass_a;
+    row.mass_b = block.inv_mass_b;
+    row.axis = from.axis;
+    row.arm_a = from.arm_a;
+    row.arm_b = from.arm_b;
+    row.law = law;
+    system_.add(row);
+  };
+  for (int i = 0; i < block.equations; ++i) add(block.equation[static_cast<std::size_t>(i)], Law::holds);
+  for (int i = 0; i < block.stops; ++i) add(block.stop[static_cast<std::size_t>(i)], Law::pushes);
+  if (block.driven) add(block.motor, Law::drives);
+}
+
+/// Sets the biases so that gaps, slips and the errors of joints after a drift at the present velocities vanish if they
+/// are linear.
+void DirectIsland::bias_press(Real h) {
+  const std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  const auto set = [&](std::uint32_t at, Real miss) {
+    system_[at].bias = miss / h - ConstraintSystem::speed(system_[at], velocity);
+  };
+  for (const DirectContact& contact : contacts_) {
+    const Motion a = motion_after(contact.a, h);
+    const Motion b = motion_after(contact.b, h);
+    const bool rubs = contact.friction_row != DirectContact::no_row;
+    Motion by_a, by_b;
+    if (rubs) {
+      by_a.advance(velocity[contact.a], h);
+      by_b.advance(velocity[contact.b], h);
+    }
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      const PointArms& p = contact.frame.points[i];
+      const std::uint32_t at = contact.row + static_cast<std::uint32_t>(i);
+      const Real miss = contact.touch.gap(i, a, b) - least_gap(p.separation, h);
+      // What comes to touch at the end by rounding is not stopped.
+      set(at, system_[at].impulse == 0 && miss > -exact ? std::max(miss, Real{0}) : miss);
+      if (!rubs) continue;
+      Constraint& row = system_[contact.friction_row];
+      const Real speed = dot(row.axis, velocity[contact.b].v - velocity[contact.a].v) +
+                         velocity[contact.b].w * row.point_b[i] - velocity[contact.a].w * row.point_a[i];
+      row.point_bias[i] = slip(contact.frame, p, by_a, by_b) / h - speed;
+    }
+  }
+  for (std::size_t j = 0; j < members_.joints.size(); ++j) {
+    const JointBlock& now = members_.joints[j]->block;
+    const JointBlock there = ahead(*members_.joints[j], h);
+    std::uint32_t at = joint_rows_[j];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(there.equations); ++i) {
+      set(at++, there.equation[i].error - least_error(now.equation[i].error, h));
+    }
+    for (int i = 0; i < there.stops; ++i) set(at++, there.stop[static_cast<std::size_t>(i)].error);
+    if (there.driven) system_[at].bias = -there.motor_speed;
+  }
+}
+
+/// m, what a gap may be after the drift: an overlap is pushed apart bit by bit.
+Real DirectIsland::least_gap(Real now, Real h) const { return std::min(least_error(now, h), Real{0}); }
+
+/// m or rad, what the error of a joint may be after the drift: it is mended bit by bit.
+Real DirectIsland::least_error(Real now, Real h) const {
+  const Real most = most_push * (h / h_);
+  return now - clamp(now, -most, most);
+}
+
+/// m, by how much gaps and errors of joints that act will be off after the drift.
+Real DirectIsland::missed(Real h) const {
+  Real most = 0;
+  for (const DirectContact& contact : contacts_) {
+    const Motion a = motion_after(contact.a, h);
+    const Motion b = motion_after(contact.b, h);
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      if (contact.waits[i]) continue;
+      const Real gap = contact.touch.gap(i, a, b) - least_gap(contact.frame.points[i].separation, h);
+      most = std::max(most, system_[contact.row + i].impulse > 0 ? std::abs(gap) : -gap);
+    }
+  }
+  for (const ActiveJoint* joint : members_.joints) {
+    const JointBlock there = ahead(*joint, h);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(there.equations); ++i) {
+      const Real error = there.equation[i].error - least_error(joint->block.equation[i].error, h);
+      most = std::max(most, std::abs(error));
+    }
+  }
+  return most;
+}
+
+/// Contacts that slide have the dynamic coefficient from now on; those that stick again the static one. Returns whether
+/// some began to slide.
+bool DirectIsland::stick_or_slip() {
+  bool broke = false;
+  for (DirectContact& contact : contacts_) {
+    if (contact.static_friction == contact.dynamic_friction || contact.friction_row == DirectContact::no_row) continue;
+    Constraint& row = system_[contact.friction_row];
+    Real load = 0;
+    for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
+    const bool slips = load > 0 && std::abs(row.impulse) >= row.friction * load;
+    broke = broke || (slips && !contact.slips);
+    contact.slips = slips;
+    row.friction = contact.friction();
+  }
+  return broke;
+}
+
+/// N s, the impulse of a point along normal and tangent: friction is shared as the load is.
+Vec2 DirectIsland::solved(const DirectContact& contact, std::size_t point) const {
+  Real load = 0;
+  for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
+  const Real normal = system_[contact.row + point].impulse;
+  if (contact.friction_row == DirectContact::no_row) return {normal, 0};
+  const Real share = load > 0 ? normal / load : 1 / static_cast<Real>(contact.count);
+  return {normal, system_[contact.friction_row].impulse * share};
+}
+
+void DirectIsland::note(DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse) {
+  contact.total[point] += impulse;
+  contact.acted += impulse.x * frame.normal + impulse.y * perpendicular(frame.normal);
+  const PointArms& p = frame.points[point];
+  contact.turned_a += impulse.x * p.cross_a + impulse.y * p.dot_a;
+  contact.turned_b += impulse.x * p.cross_b + impulse.y * p.dot_b;
+}
+
+/// Applies an impulse along normal and tangent.
+void DirectIsland::push(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse) {
+  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  const PointArms& at = frame.points[point];
+  const Vec2 world = impulse.x * frame.normal + impulse.y * perpendicular(frame.normal);
+  if (pushable(contact.mass_a)) {
+    velocity[contact.a].v -= contact.mass_a.m * world;
+    velocity[contact.a].w -= contact.mass_a.i * (impulse.x * at.cross_a + impulse.y * at.dot_a);
+  }
+  if (pushable(contact.mass_b)) {
+    velocity[contact.b].v += contact.mass_b.m * world;
+    velocity[contact.b].w += contact.mass_b.i * (impulse.x * at.cross_b + impulse.y * at.dot_b);
+  }
+}
+
+/// What lets go after the drift should not have been pressed: its impulse is taken back where it acted. Returns whether
+/// there was any.
+bool DirectIsland::let_go() {
+  const auto lets_go = [this](const DirectContact& contact) {
+    Real pressed = 0;
+    Real left = 0;
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      pressed += contact.pressing[i].x;
+      left += system_[contact.row + i].impulse;
+    }
+    return pressed > 0 && left == 0 && contact.pressed_at.normal != contact.frame.normal;
+  };
+  bool any = false;
+  for (DirectContact& contact : contacts_) {
+    contact.struck = lets_go(contact);
+    any = any || contact.struck;
+  }
+  if (!any) return false;
+  system_.restart(step_->data.bodies.velocity);
+  for (DirectContact& contact : contacts_) {
+    if (!contact.struck) continue;
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      push(contact, contact.pressed_at, i, -contact.pressing[i]);
+      note(contact, contact.pressed_at, i, -contact.pressing[i]);
+      contact.pressing[i] = {};
+      Constraint& row = system_[contact.row + i];
+      row.mass_a = row.mass_b = {};
+      row.given = row.impulse = 0;
+    }
+    if (contact.friction_row == DirectContact::no_row) continue;
+    system_[contact.friction_row].given = system_[contact.friction_row].impulse = 0;
+  }
+  return true;
+}
+
+/// Lists what may act before the drift, with the impulses of the last interval as guesses.
+void DirectIsland::list_for_press(Real h) {
+  const Real share = h / last_;
+  system_.clear();
+  joint_rows_.clear();
+  for (DirectContact& contact : contacts_) {
+    list_contact(contact);
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      Constraint& row = system_[contact.row + i];
+      if (contact.waits[i]) {
+        row.mass_a = row.mass_b = {};
+        continue;
+      }
+      row.impulse = share * contact.pressed[i].x;
+      if (contact.friction_row == DirectContact::no_row) continue;
+      system_[contact.friction_row].impulse += share * contact.pressed[i].y;
+    }
+  }
+  for (ActiveJoint* joint : members_.joints) {
+    list_joint(joint->block);
+    std::size_t at = joint_rows_.back();
+    for_each_row(joint->block, [&](const JointRow& row) { system_[at++].impulse = share * row.half; });
+    if (joint->block.driven) system_[at - 1].most = h / 2 * joint->block.motor_strength;
+  }
+}
+
+/// Impulses before the drift, after which nothing overlaps, what sticks has not slid, and joints hold. False if there
+/// are none in reach: gaps and errors are too far from linear, as of a chain that hangs straight.
+bool DirectIsland::press(Real h) {
+  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  const Real before = kinetic_energy(members_.bodies, step_->data.bodies);
+  list_for_press(h);
+  constexpr int rounds = 12;
+  Real off = 0;
+  for (int round = 0; round < rounds; ++round) {
+    bias_press(h);
+    system_.solve(velocity);
+    if (round == 0 && stick_or_slip()) {
+      bias_press(h);
+      system_.solve(velocity);
+    }
+    off = missed(h);
+    if (off <= exact) break;
+  }
+  // Constraints that hold already only turn velocities.
+  constexpr Real gain = static_cast<Real>(0.1);
+  return off <= DirectContact::touching &&
+         (overlaps() || is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= (1 + gain) * before);
+}
+
+/// The same for gaps and errors that change as they do now.
+void DirectIsland::press_as_linear(Real h) {
+  list_for_press(h);
+  for (const DirectContact& contact : contacts_) {
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      const Real gap = contact.frame.points[i].separation;
+      system_[contact.row + i].bias = (gap - least_gap(gap, h)) / h;
+    }
+  }
+  for (std::size_t j = 0; j < members_.joints.size(); ++j) {
+    const JointBlock& block = members_.joints[j]->block;
+    std::uint32_t at = joint_rows_[j];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.equations); ++i) {
+      system_[at++].bias = (block.equation[i].error - least_error(block.equation[i].error, h)) / h;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
+      system_[at++].bias = (block.stop[i].error - least_gap(block.stop[i].error, h)) / h;
+    }
+    if (block.driven) system_[at].bias = -block.motor_speed;
+  }
+  system_.solve(step_->data.bodies.velocity);
+  stick_or_slip();
+}
+
+bool DirectIsland::overlaps() const {
+  return std::any_of(contacts_.begin(), contacts_.end(), [](const DirectContact& contact) {
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      if (contact.frame.points[i].separation < -DirectContact::touching) return true;
+    }
+    return false;
+  });
+}
+
+/// Whether constraints may do work: by motors, or bodies that move as they are told.
+bool DirectIsland::is_driven() const {
+  return std::any_of(members_.joints.begin(), members_.joints.end(),
+                     [](const ActiveJoint* joint) { return joint->block.driven; }) ||
+         std::any_of(members_.bodies.begin(), members_.bodies.end(),
+                     [this](std::uint32_t body) { return !step_->data.bodies.pushable(body); });
+}
+
+/// Whether a body that cannot be pushed holds the island.
+bool DirectIsland::is_held() const {
+  const auto holds = [](const InverseMass& a, const InverseMass& b) { return !pushable(a) || !pushable(b); };
+  return std::any_of(contacts_.begin(), contacts_.end(),
+                     [&](const DirectContact& contact) { return holds(contact.mass_a, contact.mass_b); }) ||
+         std::any_of(members_.joints.begin(), members_.joints.end(),
+                     [&](const ActiveJoint* joint) { return holds(joint->block.inv_mass_a, joint->block.inv_mass_b); });
+}
+
+void DirectIsland::note_press() {
+  for (DirectContact& contact : contacts_) {
+    contact.pressed_at = contact.frame;
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      contact.pressing[i] = solved(contact, i);
+      note(contact, contact.frame, i, contact.pressing[i]);
+    }
+  }
+  pressing_joints_.clear();
+  for (std::size_t j = 0; j < members_.joints.size(); ++j) {
+    std::size_t at = joint_rows_[j];
+    for_each_row(members_.joints[j]->block,
+                 [&](const JointRow&) { pressing_joints_.push_back(system_[at++].impulse); });
+  }
+}
+
+void DirectIsland::drift(Real h) {
+  BodySet& bodies = step_->data.bodies;
+  for (const std::uint32_t body : members_.bodies) step_->motion[body].advance(bodies.velocity[body], h);
+  if (!members_.varies) return;
+  for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
+    const std::uint32_t body = members_.bodies[i];
+    bodies.pose[body] = step_->motion[body].from(step_->start[body]);
+    // What constraints give after the drift is about what they gave before.
+    const Velocity& now = bodies.velocity[body];
+    Velocity& held = step_->held[body];
+    held.v = now.v + (now.v - before_[i].v - by_forces_[i].v);
+    held.w = now.w + (now.w - before_[i].w - by_forces_[i].w);
+    step_->later[body].v = held.v + h / 2 * step_->acceleration[body].v;
+    step_->later[body].w = held.w + h / 2 * step_->acceleration[body].w;
+  }
+  step_->data.forces.accelerations(bodies, members_.bodies, members_.pulls, h / 2, step_->held, step_->later,
+                                   step_->acceleration);
+}
+
+/// Impulses after the drift, so that what pushes no longer approaches, and joints stay as they are. They may take back
+/// what was pressed too much.
+void DirectIsland::relax(Real h) {
+  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  const Real share = h / last_;
+  const auto start = [&](Constraint& row, Real given, Real guess) {
+    row.given = given;
+    row.impulse = guess;
+  };
+  system_.clear();
+  joint_rows_.clear();
+  for (DirectContact& contact : contacts_) {
+    list_contact(contact);
+    Vec2 given, guess;
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      Constraint& row = system_[contact.row + i];
+      const Vec2 pressed = contact.pressing[i];
+      const bool near_by = contact.frame.points[i].separation <= DirectContact::touching;
+      const bool struck = ConstraintSystem::speed(row, velocity) < -slow_;
+      if (contact.waits[i] || (pressed.x == 0 && (!near_by || struck))) {
+        row.mass_a = row.mass_b = {};
+        continue;
+      }
+      // As much more as the last time.
+      const Vec2 total = pressed + share * (contact.impulse[i] - contact.pressed[i]);
+      start(row, pressed.x, std::max(total.x, Real{0}));
+      given += pressed;
+      guess += total;
+    }
+    if (contact.friction_row != DirectContact::no_row) start(system_[contact.friction_row], given.y, guess.y);
+  }
+  auto pressing = pressing_joints_.begin();
+  for (ActiveJoint* joint : members_.joints) {
+    JointBlock& block = joint->block;
+    list_joint(block);
+    std::size_t at = joint_rows_.back();
+    for_each_row(block, [&](const JointRow& row) {
+      start(system_[at++], *pressing, *pressing + share * (row.impulse - row.half));
+      ++pressing;
+    });
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
+      Constraint& row = system_[joint_rows_.back() + static_cast<std::size_t>(block.equations) + i];
+      if (block.stop[i].error <= DirectContact::touching || row.given != 0) continue;
+      row.mass_a = row.mass_b = {};
+      row.impulse = 0;
+    }
+    if (block.driven) {
+      system_[at - 1].most = h * block.motor_strength;
+      system_[at - 1].bias = -block.motor_speed;
+    }
+  }
+  system_.solve(velocity);
+  if (stick_or_slip()) system_.solve(velocity);
+  if (let_go()) system_.solve(velocity);
+  const bool tells = 8 * h >= h_;  // guesses for the next interval
+  for (DirectContact& contact : contacts_) {
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      const Vec2 impulse = solved(contact, i);
+      note(contact, contact.frame, i, impulse - contact.pressing[i]);
+      if (!tells) continue;
+      contact.impulse[i] = impulse;
+      contact.pressed[i] = contact.pressing[i];
+    }
+  }
+  if (!tells) return;
+  pressing = pressing_joints_.begin();
+  for (std::size_t j = 0; j < members_.joints.size(); ++j) {
+    std::size_t at = joint_rows_[j];
+    for_each_row(members_.joints[j]->block, [&](JointRow& row) {
+      row.impulse = system_[at++].impulse;
+      row.half = *pressing++;
+    });
+  }
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION
