@@ -116,14 +116,15 @@ JobOutput cut_down(const Search& search, const Lead& lead) {
   Scene scene = drawn(kind, search.seed, std::stoi(lead.scene.substr(slash + 1)));
   const Suspect& suspect = search.suspect(lead.engine);
   const Judges judges = Judges::of_reason(lead.reason);
-  const Trial trial{.fails = [&](const Scene& candidate) -> std::optional<Complaint> {
-                      const auto opinions = judged_apart(candidate, kind.posed, {&suspect, 1}, judges, search.limits);
-                      const Complaint* same = opinions.front().of(lead.reason);
-                      return same == nullptr ? std::nullopt : std::optional(*same);
-                    },
-                    .states = [&](const Scene& candidate,
-                                  double time) { return states_apart(candidate, suspect, time, search.limits); },
-                    .stated = stated_by(suspect.config.engine->stepping(suspect.config.settings, search_step))};
+  const CutTrial trial{
+      .fails = [&](const Scene& candidate) -> std::optional<Complaint> {
+        const auto opinions = judged_apart(candidate, kind.posed, {&suspect, 1}, judges, search.limits);
+        const Complaint* same = opinions.front().of(lead.reason);
+        return same == nullptr ? std::nullopt : std::optional(*same);
+      },
+      .states = [&](const Scene& candidate,
+                    double time) { return states_apart(candidate, suspect, time, search.limits); },
+      .stated = stated_by(suspect.config.engine->stepping(suspect.config.settings, search_step))};
   const auto first = trial.fails(scene);
   if (!first) throw std::runtime_error("the second run of the scene did not fail: the engine is not deterministic");
   Shrunk shrunk = shrink(scene, *first, trial, search.budget);

@@ -25,7 +25,7 @@ std::string text_of(const Scene& scene) {
 
 class Shrinker {
  public:
-  Shrinker(const Scene& scene, const Complaint& complaint, const Trial& trial, int budget)
+  Shrinker(const Scene& scene, const Complaint& complaint, const CutTrial& trial, int budget)
       : best_{scene, complaint, 0},
         start_(contradictions(scene)),
         least_ratio_(std::min(complaint.ratio, clearly)),
@@ -80,14 +80,14 @@ class Shrinker {
   Shrunk best_;
   Contradictions start_;
   double least_ratio_, least_value_;
-  const Trial& trial_;
+  const CutTrial& trial_;
   int budget_;
   std::set<std::string> tried_;
 };
 
 }  // namespace
 
-Shrunk shrink(const Scene& scene, const Complaint& complaint, const Trial& trial, int budget) {
+Shrunk shrink(const Scene& scene, const Complaint& complaint, const CutTrial& trial, int budget) {
   std::vector<const Cut*> cuts = Catalog<Cut>::all();
   std::ranges::stable_sort(cuts, {}, &Cut::order);
   Shrinker shrinker(scene, complaint, trial, budget);

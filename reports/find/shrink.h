@@ -31,7 +31,7 @@ struct Cut {
 };
 
 /// An engine, and the reason for which scenes fail in it.
-struct Trial {
+struct CutTrial {
   /// Runs a scene and returns by what it fails for the reason; nullopt if it does not.
   std::function<std::optional<Complaint>(const Scene&)> fails;
   /// The states that the run of a scene reaches at a time, s; empty if it does not get there.
@@ -50,6 +50,6 @@ struct Shrunk {
 /// The smallest scene that at most `budget` runs find. It never starts with bodies deeper in each other, or with joints
 /// moving further apart, than the given one, but for what the engine states where it starts from a state of a run, and
 /// stays clearly wrong: off by twice what is allowed if it was, and by a hundredth of what it was.
-Shrunk shrink(const Scene&, const Complaint&, const Trial&, int budget);
+Shrunk shrink(const Scene&, const Complaint&, const CutTrial&, int budget);
 
 }  // namespace plumb

@@ -34,7 +34,7 @@ const Scene& heap() {
 TEST(Shrink, KeepsTheTwoBodiesThatMatterAndNothingElse) {
   const std::string a = heap().bodies[5].name;
   const std::string b = heap().bodies[17].name;
-  const Trial both_there{[&](const Scene& scene) -> std::optional<Complaint> {
+  const CutTrial both_there{[&](const Scene& scene) -> std::optional<Complaint> {
     const auto has = [&](const std::string& name) {
       return std::ranges::any_of(scene.bodies,
                                  [&](const Body& one) { return one.name == name && one.type == BodyType::dynamic; });
@@ -51,7 +51,7 @@ TEST(Shrink, KeepsTheTwoBodiesThatMatterAndNothingElse) {
 
 TEST(Shrink, StaysWithinItsBudget) {
   int runs = 0;
-  const Trial never{[&](const Scene&) -> std::optional<Complaint> {
+  const CutTrial never{[&](const Scene&) -> std::optional<Complaint> {
     ++runs;
     return std::nullopt;
   }};
@@ -61,7 +61,7 @@ TEST(Shrink, StaysWithinItsBudget) {
 }
 
 TEST(Shrink, DoesNotTradeAClearFailureForOneAtTheLimit) {
-  const Trial barely{[](const Scene&) { return std::optional(off_by(1.01)); }};
+  const CutTrial barely{[](const Scene&) { return std::optional(off_by(1.01)); }};
   EXPECT_EQ(shrink(heap(), off_by(10), barely, 50).scene.bodies.size(), heap().bodies.size());
   EXPECT_LT(shrink(heap(), off_by(1.01), barely, 50).scene.bodies.size(), heap().bodies.size());
 }
@@ -72,14 +72,14 @@ TEST(Shrink, DoesNotTradeALargeErrorForNextToNothing) {
     one.value = value;
     return one;
   };
-  const Trial tiny{[&](const Scene&) { return std::optional(off_by_joules(1e-6)); }};
+  const CutTrial tiny{[&](const Scene&) { return std::optional(off_by_joules(1e-6)); }};
   EXPECT_EQ(shrink(heap(), off_by_joules(1), tiny, 50).scene.bodies.size(), heap().bodies.size());
 }
 
 TEST(Shrink, NeverPutsBodiesIntoEachOther) {
   for (const char* name : {"tower", "drop", "chain", "door"}) {
     const Scene scene = drawn(*Catalog<Kind>::find(name), 1, 1);
-    const Trial moving{[](const Scene& one) {
+    const CutTrial moving{[](const Scene& one) {
       const bool moves = std::ranges::any_of(one.bodies, [](const Body& b) { return b.type == BodyType::dynamic; });
       return moves ? std::optional(off_by(10)) : std::nullopt;
     }};
@@ -95,16 +95,16 @@ TEST(Shrink, StartsFromWhatTheRunReachedShortlyBeforeTheFailure) {
     const Vec at{ball.position.x, ball.position.y + t * (ball.velocity.y - t * standard_gravity / 2)};
     return std::vector<BodyState>{{.position = at, .velocity = {0, ball.velocity.y - t * standard_gravity}}};
   };
-  const Trial trial{.fails = [&](const Scene& scene) -> std::optional<Complaint> {
-                      if (scene.bodies[0].type == BodyType::fixed) return std::nullopt;
-                      if (scene.gravity != Vec{0, -standard_gravity}) return std::nullopt;
-                      for (double t = 0; t <= scene.duration; t += 1.0 / 60) {
-                        const BodyState ball = reached(scene, t).front();
-                        if (ball.position.y < 4 && ball.velocity.y < -4) return off_by(10, t);
-                      }
-                      return std::nullopt;
-                    },
-                    .states = reached};
+  const CutTrial trial{.fails = [&](const Scene& scene) -> std::optional<Complaint> {
+                         if (scene.bodies[0].type == BodyType::fixed) return std::nullopt;
+                         if (scene.gravity != Vec{0, -standard_gravity}) return std::nullopt;
+                         for (double t = 0; t <= scene.duration; t += 1.0 / 60) {
+                           const BodyState ball = reached(scene, t).front();
+                           if (ball.position.y < 4 && ball.velocity.y < -4) return off_by(10, t);
+                         }
+                         return std::nullopt;
+                       },
+                       .states = reached};
   const Shrunk shrunk = shrink(fall, off_by(10, 0.46), trial, 400);
   EXPECT_LE(shrunk.scene.duration, 0.1);
   EXPECT_LT(shrunk.scene.bodies[0].position.y, 4.5);
@@ -119,7 +119,7 @@ TEST(Shrink, TakesALaterStartOnlyAsFarFromItsContactsAsTheEngineStates) {
     return both && one.bodies[1].position.y < 0.495 ? std::optional(off_by(10, 0.2)) : std::nullopt;
   };
   const auto overlap_of = [&](double stated) {
-    const Trial trial{.fails = sunk, .states = deep, .stated = {.overlap = stated}};
+    const CutTrial trial{.fails = sunk, .states = deep, .stated = {.overlap = stated}};
     return contradictions(shrink(scene, off_by(10, 0.2), trial, 300).scene).overlap;
   };
   EXPECT_LE(overlap_of(0.001), 1e-9);
