@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <ostream>
 #include <string>
 
@@ -16,7 +18,7 @@ inline void PrintTo(const ProgramFault& fault, std::ostream* out) { *out << faul
 
 /// "exec:sh .../faulty.sh FAULT"; `source`: the folder of Plumb's sources.
 inline std::string faulty_program(const std::string& source, const std::string& fault) {
-  return "exec:sh " + source + "/tests/reference/programs/faulty.sh " + fault;
+  return fmt::format("exec:sh {}/tests/reference/programs/faulty.sh {}", source, fault);
 }
 
 constexpr ProgramFault program_faults[] = {
