@@ -489,7 +489,8 @@ std::vector<TestedEngine> installed() {
   if (folder == nullptr) return all;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::filesystem::path adapter = entry.path() / "adapter.mjs";
-    if (std::filesystem::exists(adapter)) all.push_back({"node " + adapter.string(), {}});
+    const bool half_installed = entry.path().filename().string().find(".part-") != std::string::npos;
+    if (!half_installed && std::filesystem::exists(adapter)) all.push_back({"node " + adapter.string(), {}});
   }
   std::ranges::sort(all, {}, &TestedEngine::name);
   return all;

@@ -60,7 +60,7 @@ TEST(ModelError, ComparesWithTheFullModelIfTheReferenceSolutionEnds) {
 TEST(ModelError, JudgesChaoticScenesByStatistics) {
   const ErrorsIn errors("rain:count=50,seed=2");
   ASSERT_TRUE(errors.chaotic());
-  const ModelError::Result other = errors.of(parse_engine("impulse:substeps=1"));
+  const ModelError::Result other = errors.of(parse_engine("impulse:substeps=2"));
   EXPECT_GT(other.change, 1e-4) << "single motions differ";
   EXPECT_TRUE(errors.within_tolerance(other)) << other.different << other.breaks;
   const ModelError::Result falling = errors.of(parse_engine("impulse:contacts=off"));
