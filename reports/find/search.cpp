@@ -67,7 +67,8 @@ std::shared_ptr<const Search> search_of(const Json& configuration) {
   auto search = std::make_shared<Search>();
   search->suspects = parse_suspects(configuration.at("engines").get<std::vector<std::string>>());
   search->others = parse_suspects(std::vector<std::string>{});
-  std::ranges::stable_partition(search->others, [](const Suspect& one) { return one.name == ours; });
+  std::stable_partition(search->others.begin(), search->others.end(),
+                        [](const Suspect& one) { return one.name == ours; });
   search->kinds = kinds_named(configuration.at("kinds"));
   search->seed = configuration.at("seed");
   search->count = configuration.at("count");
