@@ -58,15 +58,20 @@ export function unfold_around(element: Element): void {
   for (let around = element.closest("details"); around; around = around.parentElement?.closest("details") ?? null) around.open = true;
 }
 
+const patience = 1000; // ms between parts in a browser that is never idle, such as one of a busy machine
+
 /** Creates the remaining parts while the browser is idle. Browsers without requestIdleCallback create them on opening. */
 export function make_when_idle(): void {
-  globalThis.requestIdleCallback?.((idle) => {
-    for (const details of unmade.keys()) {
-      if (holding.has(details)) continue;
-      if (idle.timeRemaining() <= 0) return make_when_idle();
-      make(details);
-    }
-  });
+  globalThis.requestIdleCallback?.(
+    (idle) => {
+      for (const details of unmade.keys()) {
+        if (holding.has(details)) continue;
+        make(details);
+        if (idle.timeRemaining() <= 0) return make_when_idle();
+      }
+    },
+    { timeout: patience },
+  );
 }
 
 /** Opens everything; returns a function that closes it again. */

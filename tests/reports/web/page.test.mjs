@@ -137,6 +137,16 @@ test("folded parts exist, so that they can be searched, once the browser was idl
   await page.close();
 });
 
+test("folded parts exist even in a browser that never has time left", async () => {
+  const { page, go } = await open_blank({ fresh: true });
+  await page.addInitScript(() => {
+    window.requestIdleCallback = (then, { timeout }) => setTimeout(() => then({ didTimeout: true, timeRemaining: () => 0 }), timeout / 100);
+  });
+  await go(reports["the sample"]);
+  await until(() => page.locator("article details:not([open]) table").count(), (made) => made >= 4);
+  await page.close();
+});
+
 test("the invariants have a row for each run, and a broken one says where", async () => {
   const data = sample();
   const run = data.report.runs.find(({ scenario, engine }) => scenario === "stacking" && engine === "impulse");
