@@ -14,6 +14,13 @@
 extern "C" {
 #endif
 
+/* C may pass a number that no constant has; C++ may read it only from an enum of a fixed type. */
+#ifdef __cplusplus
+#define IMPULSE_AN_INT : int
+#else
+#define IMPULSE_AN_INT
+#endif
+
 typedef enum impulse_status {
   IMPULSE_OK = 0,
   IMPULSE_INVALID,    /* an argument is out of its range */
@@ -35,8 +42,8 @@ typedef struct impulse_vec2 {
 
 typedef struct impulse_world impulse_world;
 
-typedef enum impulse_solver { IMPULSE_ACCURATE, IMPULSE_SOFT_STEP } impulse_solver;
-typedef enum impulse_continuous {
+typedef enum impulse_solver IMPULSE_AN_INT { IMPULSE_ACCURATE, IMPULSE_SOFT_STEP } impulse_solver;
+typedef enum impulse_continuous IMPULSE_AN_INT {
   IMPULSE_CONTINUOUS_OFF,
   IMPULSE_CONTINUOUS_AUTOMATIC,
   IMPULSE_CONTINUOUS_ON
@@ -80,7 +87,7 @@ typedef struct impulse_layers {
   uint32_t category, mask;
 } impulse_layers;
 
-typedef enum impulse_shape_type {
+typedef enum impulse_shape_type IMPULSE_AN_INT {
   IMPULSE_CIRCLE,
   IMPULSE_BOX,
   IMPULSE_POLYGON,
@@ -120,7 +127,7 @@ typedef struct impulse_body_id {
   uint32_t index, generation;
 } impulse_body_id;
 
-typedef enum impulse_body_type { IMPULSE_FIXED, IMPULSE_KINEMATIC, IMPULSE_DYNAMIC } impulse_body_type;
+typedef enum impulse_body_type IMPULSE_AN_INT { IMPULSE_FIXED, IMPULSE_KINEMATIC, IMPULSE_DYNAMIC } impulse_body_type;
 
 typedef struct impulse_body_def {
   impulse_body_type type;
@@ -177,7 +184,7 @@ typedef struct impulse_joint_id {
   uint32_t index, generation;
 } impulse_joint_id;
 
-typedef enum impulse_joint_type {
+typedef enum impulse_joint_type IMPULSE_AN_INT {
   IMPULSE_REVOLUTE,
   IMPULSE_DISTANCE,
   IMPULSE_PRISMATIC,
@@ -239,7 +246,11 @@ typedef struct impulse_overlap {
   impulse_part_id sensor, visitor;
 } impulse_overlap;
 
-typedef enum impulse_events { IMPULSE_BEGUN, IMPULSE_LASTING, IMPULSE_ENDED } impulse_events; /* LASTING: all now */
+typedef enum impulse_events IMPULSE_AN_INT {
+  IMPULSE_BEGUN,
+  IMPULSE_LASTING, /* all now */
+  IMPULSE_ENDED
+} impulse_events;
 
 impulse_status impulse_contacts(const impulse_world* world, impulse_contact* into, size_t capacity, size_t* count);
 /* Needs contact_events in the settings. */
