@@ -12,11 +12,12 @@ constexpr double thick = 0.2;  // m
 constexpr double height = 1;   // m
 
 // s. The first one takes about 1/push to fall, and the wave runs on at about sqrt(g h) (Stronge, Proc. R. Soc. A 409
-// (1987); Efthimiou and Johnson, SIAM Rev. 49 (2007)). So short a time asks for its speed, too: at half the gravity the
+// (1987); Efthimiou and Johnson, SIAM Rev. 49 (2007)). The last one needs half a second to fall, and some engines half
+// as much again to push it out of the ground. So short a time asks for the wave's speed, too: at half the gravity the
 // last one still stands.
 double duration(const Parameters& p) {
   const double wave = p.at("count") * p.at("spacing") / std::sqrt(standard_gravity * height);
-  return whole_steps(wave + 1 / p.at("push") + 0.5);
+  return whole_steps(wave + 1 / p.at("push") + 0.75);
 }
 
 std::string name(int i) { return "domino " + std::to_string(i); }
