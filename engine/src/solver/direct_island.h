@@ -27,6 +27,7 @@ struct DirectContact {
   Real static_friction = 0, dynamic_friction = 0, restitution = 0;
   bool slips = false;           // slides, so that the dynamic coefficient counts
   bool struck = false;          // in the present impact
+  int approached = 0;           // intervals of this sub-step that should have ended with its impact, since the last one
   std::array<bool, 2> waits{};  // of each point: for an impact at the end of the interval
   bool found_again = false;     // within the step
   bool joins = false;           // the ground has other shapes here

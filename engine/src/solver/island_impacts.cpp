@@ -13,15 +13,19 @@ constexpr Real struck_together = static_cast<Real>(0.0005);  // m, gap up to whi
 constexpr Real slides_at = static_cast<Real>(1e-4);  // m/s, what slides faster when it is struck has sliding friction
 /// m, gap that is none: less than rounding leaves of an advance to the time of an impact.
 constexpr Real no_gap = static_cast<Real>(sizeof(Real) == 8 ? 1e-13 : 1e-6);
-/// Of an interval: an impact that comes later by less is at its end, so that nothing brakes it before.
+/// Of an interval: an impact that comes later by less is at its end, so that nothing brakes it before; and one that
+/// comes sooner is now.
 constexpr Real at_the_end = static_cast<Real>(1e-9);
+constexpr int most_approaches = 4;  // what is still ahead after so many is braked by others, and borne like what rests
 
 }  // namespace
 
 void DirectIsland::substep() {
   refresh();
-  const std::size_t most = 64 + 16 * contacts_.size();
-  constexpr std::size_t most_elastic = 5000;  // these end by themselves
+  for (DirectContact& contact : contacts_) contact.approached = 0;
+  // Of going to an impact and of resolving it. Elastic ones end by themselves.
+  const std::size_t most = 128 + 32 * contacts_.size();
+  constexpr std::size_t most_elastic = 10000;
   std::size_t count = 0;
   std::size_t elastic = 0;
   Real left = h_;
@@ -29,14 +33,19 @@ void DirectIsland::substep() {
     Real now = std::min({left, longest(), solvable_});
     std::optional<Impact> next;
     if (count < most && elastic < most_elastic) next = next_impact(now);
-    if (next && !(next->time > 0)) {
+    if (next) {
       ++(contacts_[next->contact].restitution < 1 ? count : elastic);
-      strike(next->contact);
-      continue;
+      // What is nearer than time can tell is struck now: another contact may keep it from ever coming nearer.
+      if (!(next->time > at_the_end * h_)) {
+        contacts_[next->contact].approached = 0;
+        strike(next->contact);
+        continue;
+      }
+      now = next->time;
     }
-    if (next) now = next->time;
     if (advance(now, next ? next->contact : DirectContact::no_row)) {
       left -= now;
+      if (next) ++contacts_[next->contact].approached;
     } else {
       solvable_ = now / 2;
     }
@@ -58,6 +67,7 @@ Real DirectIsland::longest() const {
 std::optional<DirectIsland::Impact> DirectIsland::next_impact(Real within) const {
   std::optional<Impact> first;
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
+    if (contacts_[c].approached > most_approaches) continue;
     const std::optional<Impact> one = impact_of(c, within);
     if (!one) continue;
     const bool earlier = !first || one->time < first->time || (one->time == first->time && one->speed > first->speed);
