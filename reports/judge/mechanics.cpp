@@ -216,12 +216,17 @@ std::vector<WrenchError> AppliedForces::change_in(std::span<const BodyState> the
   if (std::all_of(forces_.begin(), forces_.end(), is_constant)) return errors;
   const std::vector<Wrench> start = at(then);
   const std::vector<Wrench> end = at(now);
+  const std::vector<Wrench> halfway = at(moved_on(then, dt / 2));
   const std::vector<Wrench> ahead = at(moved_on(then, dt));
   const std::vector<Wrench> behind = at(moved_on(now, -dt));
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    errors[i].force = length(end[i].force - start[i].force) +
+    const double force = length(end[i].force - start[i].force) / 2;
+    const double torque = std::abs(end[i].torque - start[i].torque) / 2;
+    const Vec mean = 0.5 * (start[i].force + end[i].force);
+    const double mean_torque = (start[i].torque + end[i].torque) / 2;
+    errors[i].force = force + std::max(force, length(halfway[i].force - mean)) +
                       (length(ahead[i].force - start[i].force) + length(end[i].force - behind[i].force)) / 8;
-    errors[i].torque = std::abs(end[i].torque - start[i].torque) +
+    errors[i].torque = torque + std::max(torque, std::abs(halfway[i].torque - mean_torque)) +
                        (std::abs(ahead[i].torque - start[i].torque) + std::abs(end[i].torque - behind[i].torque)) / 8;
   }
   return errors;

@@ -129,5 +129,30 @@ TEST(MomentumInvariant, KnowsThatASpringTurnsWithinAStep) {
   EXPECT_EQ(status("momentum", scene, turning(0.99), rounded_exact), CheckStatus::broken);
 }
 
+// Four sub-steps under one force, which is taken where they begin on average if velocities last.
+TEST(MomentumInvariant, KnowsThatAForceMayBeTakenAhead) {
+  constexpr double w = 10;  // rad/s
+  constexpr int substeps = 4;
+  const Stepping stepping{.dt = dt, .h = dt / substeps, .drift = 0.5, .impact_lag = 0, .epsilon = 1e-16};
+  Scene scene{.gravity = {}, .bodies = {{.name = "disc", .shapes = {{Circle{.radius = 1}, {.density = 1}}}}}};
+  const double mass = mass_of(scene.bodies[0]).mass;
+  scene.forces.push_back(Spring{.b = 0, .stiffness = w * w * mass, .length = 0});
+  const auto swinging = [&](double ahead) {
+    Trace trace(1);
+    BodyState disc{.position = {1, 0}};
+    for (int i = 0; i <= 200; ++i) {
+      trace.record(i * dt, {{disc}}, {});
+      const double acceleration = -w * w * (disc.position.x + ahead * dt * disc.velocity.x);
+      for (int k = 0; k < substeps; ++k) {
+        disc.velocity.x += dt / substeps * acceleration;
+        disc.position.x += dt / substeps * disc.velocity.x;
+      }
+    }
+    return trace;
+  };
+  EXPECT_EQ(status("momentum", scene, swinging(3.0 / 8), stepping), CheckStatus::held);
+  EXPECT_EQ(status("momentum", scene, swinging(11.0 / 8), stepping), CheckStatus::broken);
+}
+
 }  // namespace
 }  // namespace plumb::momentum_test
