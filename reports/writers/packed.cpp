@@ -15,10 +15,8 @@ namespace {
 constexpr double most_steps = 1125899906842624.0;
 
 std::int64_t in_steps(double value, double step) {
-  const double steps = value / step;
-  if (!(std::abs(steps) < most_steps))
-    throw std::invalid_argument("a packed value must be finite and within 2^50 steps");
-  return std::llround(steps);
+  if (!Numbers::holds(value, step)) throw std::invalid_argument("a packed value must be finite and within 2^50 steps");
+  return std::llround(value / step);
 }
 
 std::string deflated(std::string_view bytes) {
@@ -34,6 +32,8 @@ std::string deflated(std::string_view bytes) {
 }
 
 }  // namespace
+
+bool Numbers::holds(double value, double step) { return std::abs(value / step) < most_steps; }
 
 void Numbers::put(std::int64_t value) {
   auto rest = static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);

@@ -16,11 +16,14 @@ class Numbers {
 
   /// For columns that change smoothly: each value, rounded to whole steps, minus its linear extrapolation from the two
   /// values before it (zero before the first). The reader is off by at most half a step, without accumulation. Throws
-  /// std::invalid_argument for a value that is not finite or exceeds 2^50 steps.
+  /// std::invalid_argument for a value that it does not hold.
   void put_smooth(std::span<const double> values, double step);
 
   /// For columns that are constant or jump: each value minus the one before it.
   void put_steady(std::span<const double> values, double step);
+
+  /// Whether a column may have such a value: it is finite and within 2^50 steps.
+  static bool holds(double value, double step);
 
   std::string_view bytes() const { return bytes_; }
 

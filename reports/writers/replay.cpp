@@ -213,6 +213,8 @@ class RunReplay {
     std::array<double, 4> values;
   };
 
+  static bool can_be_shown(Vec v, double step) { return Numbers::holds(v.x, step) && Numbers::holds(v.y, step); }
+
   // The k-th point between two bodies, in the order in which the engine reports them.
   using Place = std::tuple<std::size_t, std::size_t, std::size_t>;
 
@@ -224,7 +226,7 @@ class RunReplay {
         const Vec along = contact.normal_impulse * contact.normal;
         const Vec across = contact.tangent_impulse * Vec{-contact.normal.y, contact.normal.x};
         Vec on_second = along + across;
-        if (!std::isfinite(on_second.x + on_second.y + contact.point.x + contact.point.y)) continue;
+        if (!can_be_shown(contact.point, steps_.length) || !can_be_shown(on_second, steps_.impulse)) continue;
         const auto pair = std::minmax(contact.a, contact.b);
         if (contact.a > contact.b) on_second = -1.0 * on_second;
         places[{pair.first, pair.second, points[pair]++}].push_back(

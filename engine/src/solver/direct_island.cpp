@@ -158,20 +158,22 @@ void DirectIsland::end() {
 }
 
 /// N s, of each point along the normal and tangent of the step's end, that act on the bodies as all impulses of the
-/// step did: if the normal turned meanwhile, they get the mean one, and points where they turn the bodies as much.
+/// step did: if the normal turned meanwhile, they get the mean one, and points where they turn the bodies as much. None
+/// if all that is left of opposite ones is rounding, which has no direction.
 std::array<Vec2, 2> DirectIsland::reported(const DirectContact& contact, Contact& to) {
   std::array<Vec2, 2> total = contact.total;
   const Vec2 sum = total[0] + total[1];
   const Real effect = length(contact.acted);
   const Real all = length(sum);
-  if (effect == 0) return total;
+  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+  if (effect <= rounding * contact.given) return {};
   const Real share = effect / static_cast<Real>(contact.count);
   for (std::size_t i = 0; i < contact.count; ++i) {
     total[i] = all > 0 ? (effect / all) * total[i] : Vec2{share, 0};
   }
   const Vec2 along = all > 0 ? sum : Vec2{1, 0};
   const Vec2 normal = normalized(Rotation(along.x, along.y).inverse() * contact.acted);
-  if (length(normal - to.normal) <= 64 * std::numeric_limits<Real>::epsilon()) return total;
+  if (length(normal - to.normal) <= rounding) return total;
   to.normal = normal;
   forget_place(to);
   const Real pushes = total[0].x + total[1].x;

@@ -39,6 +39,7 @@ struct DirectContact {
   std::array<Vec2, 2> pressing{};   // the same in this interval
   std::array<Vec2, 2> total{};      // in this step, blows included
   Vec2 acted;                       // N s, of all points in this step, in the world's frame
+  Real given = 0;                   // N s, the same, added up without their directions
   Real turned_a = 0, turned_b = 0;  // N m s, the moments of these about the bodies' centres
   std::uint32_t row = 0;            // of the first point in the system
   std::uint32_t friction_row = 0;   // or no_row

@@ -193,6 +193,7 @@ Vec2 DirectIsland::solved(const DirectContact& contact, std::size_t point) const
 void DirectIsland::note(DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse) {
   contact.total[point] += impulse;
   contact.acted += impulse.x * frame.normal + impulse.y * perpendicular(frame.normal);
+  contact.given += length(impulse);
   const PointArms& p = frame.points[point];
   contact.turned_a += impulse.x * p.cross_a + impulse.y * p.dot_a;
   contact.turned_b += impulse.x * p.cross_b + impulse.y * p.dot_b;

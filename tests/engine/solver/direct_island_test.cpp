@@ -81,6 +81,20 @@ TEST(DirectIsland, LetsABoxLandOnARestingOneWithoutAHop) {
   }
 }
 
+// Pushed one way and then as far back: what is left of both impulses is rounding, and no place is where it acts.
+TEST(DirectIsland, ReportsNoContactPointFarFromTheBodies) {
+  World world(falling());
+  const double tilt = .3490658503988659;
+  BodyDef ground = at(0, 0, 0, 0, 0, tilt);
+  ground.type = BodyType::fixed;
+  world.create_body(ground, Shape::box({30, real(.5)}), Material{1, real(.2), real(.2), 0});
+  world.create_body(at(0, 0, 0, 0, 0, tilt), Shape::box({real(.5), real(.5)}), Material{1, real(.2), real(.2), 0});
+  for (int i = 0; i < 30; ++i) {
+    world.step();
+    for (const ContactInfo& contact : world.contacts()) EXPECT_LT(length(contact.point), 40) << i;
+  }
+}
+
 // Contacts of bodies between joints push only, and joints stay closed, through an impact.
 TEST(DirectIsland, HoldsJointsThroughAnImpact) {
   if (!is_double) GTEST_SKIP() << "islands are swept in single precision";

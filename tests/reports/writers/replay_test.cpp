@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "sample.h"
@@ -88,6 +89,29 @@ TEST(Replay, ContactsComeBackWithTheirImpulseOnTheSecondBody) {
   EXPECT_EQ(reading.steady(1, impulse)[0], 0);
   EXPECT_NEAR(reading.steady(1, impulse)[0], 1, impulse);
   EXPECT_TRUE(reading.ended());
+}
+
+// What engines say of contacts is not checked; it must not cost the report.
+TEST(Replay, LeavesOutContactsThatAreNowhereOrHaveNoImpulse) {
+  const Report report = rolling(20);
+  Trace altered(3);
+  for (std::size_t i = 0; i < report.runs[0].trace->size(); ++i) {
+    const Trace& trace = *report.runs[0].trace;
+    std::vector<ContactState> contacts(trace.contacts(i).begin(), trace.contacts(i).end());
+    for (ContactState& contact : contacts) {
+      if (i == 9) contact.point = {1e300, 0};
+      if (i == 5) contact.normal_impulse = std::numeric_limits<double>::infinity();
+    }
+    altered.record(trace.time(i), trace.states(i), contacts);
+  }
+  Report other = report;
+  other.runs[0].trace = std::make_shared<const Trace>(altered);
+  const Json run = run_of(other);
+  Reading reading(unpacked(run["touches"].get<std::string>()));
+  EXPECT_EQ(reading.next(), 1) << "place";
+  EXPECT_EQ(reading.next(), 1) << "stay";
+  EXPECT_EQ(reading.next(), 3);
+  EXPECT_EQ(reading.next(), 2) << "moments";
 }
 
 TEST(Replay, ThinsWhatIsTooLongAndSaysHowFarOffItIsBetween) {
