@@ -77,13 +77,18 @@ bool is_evidence(const InvariantCheck& check) {
   return is_judged(check) && check.scale > 0 && check.tolerance <= evidence_share * check.scale;
 }
 
-std::vector<NotATest> not_tests(const RunRecord& run) {
+std::vector<NotATest> not_tests(const std::vector<TruthCheck>& truth) {
   std::vector<NotATest> all;
-  for (const TruthCheck& check : run.truth) {
+  for (const TruthCheck& check : truth) {
     if (!check.reported || is_evidence(check)) continue;
     const std::string of = check.body.empty() ? "" : " of " + check.body;
     all.push_back({fmt::format("{}{} at {:.4g} s", check.quantity, of, check.time), check.tolerance / check.scale});
   }
+  return all;
+}
+
+std::vector<NotATest> not_tests(const RunRecord& run) {
+  std::vector<NotATest> all = not_tests(run.truth);
   for (const InvariantCheck& check : run.invariants) {
     if (check.status == CheckStatus::not_reported || check.scale == 0 || is_evidence(check)) continue;
     all.push_back({check.name, check.tolerance / check.scale});

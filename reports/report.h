@@ -123,6 +123,7 @@ struct NotATest {
   std::string what;  // "y of box at 2 s", "energy"
   double share = 0;
 };
+std::vector<NotATest> not_tests(const std::vector<TruthCheck>&);
 std::vector<NotATest> not_tests(const RunRecord&);
 
 /// The largest relative_error of a run's reported checks; nullopt if there is none.

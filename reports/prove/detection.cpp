@@ -108,4 +108,11 @@ std::vector<Detection> false_alarms(const Case& one_case, const JudgedRun& run) 
   return all;
 }
 
+std::vector<LooseTruth> loose_truths(const Case& one_case, const JudgedRun& run) {
+  std::vector<LooseTruth> all;
+  for (NotATest& one : not_tests(run.judgement.checks))
+    all.push_back({one_case.scenario->name, one_case.variant, std::move(one)});
+  return all;
+}
+
 }  // namespace plumb

@@ -52,4 +52,12 @@ std::vector<Detection> physics_detections(const Case&, const JudgedRun& right, c
 /// Everything that a run of the right engine fails; each is a false alarm. Includes `repeat`.
 std::vector<Detection> false_alarms(const Case&, const JudgedRun&);
 
+/// A truth of a run that no engine could fail.
+struct LooseTruth {
+  std::string scenario;
+  std::string variant;
+  NotATest check;
+};
+std::vector<LooseTruth> loose_truths(const Case&, const JudgedRun&);
+
 }  // namespace plumb

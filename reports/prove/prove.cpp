@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -52,20 +53,28 @@ class RightEngines {
 std::vector<CleanRun> runs_of(const std::vector<Variation>& variations, const std::vector<Case>& cases,
                               CaseTruths& truths, int jobs, const Progress& progress) {
   const Engine& ours = *Catalog<Engine>::find("impulse");
-  std::vector<std::vector<Detection>> found(variations.size() * cases.size());
+  struct Found {
+    std::vector<Detection> alarms;
+    std::vector<LooseTruth> loose;
+  };
+  std::vector<Found> found(variations.size() * cases.size());
   ProgressCounter counter(progress, found.size());
   do_all(found.size(), jobs, [&](std::size_t i) {
     const Variation& variation = variations[i / cases.size()];
     const Case one_case = variation.of(cases[i % cases.size()]);
     counter.begin(variation.text() + ": " + label_of(one_case));
     const EngineConfig config{&ours, complete(ours, variation.settings)};
-    found[i] = false_alarms(one_case, judge_two_runs(one_case, config, truths.dt(), truths.of(one_case)));
+    const JudgedRun judged = judge_two_runs(one_case, config, truths.dt(), truths.of(one_case));
+    found[i].alarms = false_alarms(one_case, judged);
+    if (variation.seed == 0) found[i].loose = loose_truths(one_case, judged);
   });
   std::vector<CleanRun> runs;
   for (std::size_t r = 0; r < variations.size(); ++r) {
     runs.push_back({variations[r].seed, variations[r].text(), {}});
     for (std::size_t c = 0; c < cases.size(); ++c) {
-      for (Detection& one : found[r * cases.size() + c]) runs.back().false_alarms.push_back(std::move(one));
+      Found& of_case = found[r * cases.size() + c];
+      std::ranges::move(of_case.alarms, std::back_inserter(runs.back().false_alarms));
+      std::ranges::move(of_case.loose, std::back_inserter(runs.back().loose));
     }
   }
   return runs;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -69,6 +70,17 @@ std::string false_alarms_text(const ProveReport& report) {
   return text;
 }
 
+std::string loose_truths_text(const ProveReport& report) {
+  std::string text;
+  for (const CleanRun& run : report.clean) {
+    for (const LooseTruth& one : run.loose) {
+      text += fmt::format("NOT A TEST in {} {}, {}: {:.2g} of its scale is allowed, more than {:g} %\n", one.scenario,
+                          one.variant, one.check.what, one.check.share, 100 * evidence_share);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::size_t ProveReport::caught() const {
@@ -86,7 +98,14 @@ std::size_t ProveReport::runs_with_false_alarms() const {
       std::count_if(clean.begin(), clean.end(), [](const CleanRun& run) { return !run.false_alarms.empty(); }));
 }
 
-bool ProveReport::passed() const { return caught() == faults.size() && runs_with_false_alarms() == 0; }
+std::size_t ProveReport::loose_truths() const {
+  return std::accumulate(clean.begin(), clean.end(), std::size_t{0},
+                         [](std::size_t sum, const CleanRun& run) { return sum + run.loose.size(); });
+}
+
+bool ProveReport::passed() const {
+  return caught() == faults.size() && runs_with_false_alarms() == 0 && loose_truths() == 0;
+}
 
 std::string text_of(const ProveReport& report) {
   std::string text = fmt::format(
@@ -98,7 +117,7 @@ std::string text_of(const ProveReport& report) {
   for (const FaultResult& result : report.faults) text += line_of(result);
   text += fmt::format("\nThe fewest scenarios that catch them all: {}.\n",
                       fmt::join(fewest_scenarios(report.faults), ", "));
-  return text + false_alarms_text(report);
+  return text + false_alarms_text(report) + loose_truths_text(report);
 }
 
 Json to_json(const ProveReport& report) {
@@ -112,12 +131,20 @@ Json to_json(const ProveReport& report) {
                       {"detections", json_of(result.detections)}});
   }
   Json clean = Json::array();
+  Json loose = Json::array();
   for (const CleanRun& run : report.clean) {
     clean.push_back({{"seed", run.seed}, {"settings", run.settings}, {"false_alarms", json_of(run.false_alarms)}});
+    for (const LooseTruth& one : run.loose) {
+      loose.push_back({{"scenario", one.scenario},
+                       {"variant", one.variant},
+                       {"what", one.check.what},
+                       {"share", number_or_null(one.check.share)}});
+    }
   }
   return {{"caught", report.caught()}, {"false_alarms", report.runs_with_false_alarms()},
           {"cases", report.cases},     {"fewest_scenarios", fewest_scenarios(report.faults)},
-          {"faults", faults},          {"clean", clean}};
+          {"faults", faults},          {"clean", clean},
+          {"not_a_test", loose}};
 }
 
 std::string ratio_text(double ratio) {

@@ -17,12 +17,13 @@ struct ProveReport {
   std::size_t caught() const;
   std::size_t caught_by_physics() const;
   std::size_t runs_with_false_alarms() const;
-  /// Whether every fault was caught and there is no false alarm.
+  std::size_t loose_truths() const;
+  /// Whether every fault was caught, there is no false alarm, and our engine could fail each truth.
   bool passed() const;
 };
 
-/// A summary line, a table of faults with the best detection of each, the fewest scenarios, and of each check that
-/// raised a false alarm the worst one.
+/// A summary line, a table of faults with the best detection of each, the fewest scenarios, of each check that raised a
+/// false alarm the worst one, and the truths that our engine cannot fail.
 std::string text_of(const ProveReport&);
 
 nlohmann::ordered_json to_json(const ProveReport&);

@@ -47,7 +47,7 @@ std::string text_of(const SensitivityReport& report) {
   for (const Sensitivity& one : report.found.parameters) {
     for (std::size_t s = 0; s < report.statements.size(); ++s) {
       const std::optional<Sighting>& seen = one.sighted[s];
-      text += fmt::format("{:<20}{:<10}{:<18}{:<34}{:<28}{:<10}{}\n", s == 0 ? one.parameter.name : "",
+      text += fmt::format("{:<20}{:<10}{:<18}{:<33} {:<27} {:<10}{}\n", s == 0 ? one.parameter.name : "",
                           report.statements[s].engine, error_text(one.parameter, seen),
                           seen ? case_text(seen->detection) : fmt::format("none of {} cases", one.cases),
                           seen ? seen->detection.metric : "", seen ? name_of(seen->detection.kind) : "",

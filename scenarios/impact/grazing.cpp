@@ -15,7 +15,7 @@ namespace {
 constexpr double length = 3;     // m, of the spring at rest
 constexpr double radius = 0.25;  // m
 constexpr double stop = 1;       // m, from where the spring is at rest to where the disc meets the wall
-constexpr int impacts = 3;
+constexpr int impacts = 2;
 
 // A disc on a spring swings by A_n after n impacts on a wall at d: it meets it with v^2 = w^2 (A^2 - d^2) and leaves it
 // with e v, so that A^2 - d^2 = e^(2n) (A_0^2 - d^2) (Shaw, Holmes, J. Sound Vib. 90, 1983). The square root makes the
@@ -141,7 +141,7 @@ const Catalog<Scenario>::Entry entry{
     {.name = "grazing",
      .question = "Does a disc on a spring that just reaches a wall lose what a grazing impact takes, and else nothing?",
      .parameters = {{.name = "reach",
-                     .value = 1.1,
+                     .value = 1.2,
                      .min = 0.9,
                      .max = 1.4,
                      .about = "amplitude at the start over the distance of the wall"},

@@ -15,7 +15,7 @@ namespace plumb::scenarios::rocking_block {
 namespace {
 
 constexpr double gravity = 10;  // m/s^2
-constexpr double h = 1;         // m, half the block's height
+constexpr double h = 4;         // m, half the block's height
 constexpr double friction = 2;  // at which the corners stick
 constexpr int parts = 200;      // of a swing, for quadrature and integration
 
@@ -260,7 +260,7 @@ const Catalog<Scenario>::Entry entry{
                      .min = 0.3,
                      .max = 0.9,
                      .about = "at the start, as a share of that at which the block falls over"},
-                    {.name = "impacts", .value = 10, .min = 1, .max = 10, .about = "until the end", .whole = true}},
+                    {.name = "impacts", .value = 11, .min = 1, .max = 11, .about = "until the end", .whole = true}},
      .variants = {{"slender", {}}, {"stocky", {{"slenderness", 0.4}, {"impacts", 4}}}},
      .scene = scene,
      .expectations = expectations}};

@@ -11,7 +11,7 @@
 namespace plumb::scenarios::soft_joint {
 namespace {
 
-constexpr double length = 2;  // m, of the joint at rest
+constexpr double length = 1.5;  // m, of the joint at rest
 
 // The stretch of a damped oscillator that is let go: s'' + 2 c w s' + w^2 s = 0.
 struct Stretch {
@@ -120,7 +120,7 @@ const Catalog<Scenario>::Entry entry{
      .variants = {{"damped", {}},
                   {"undamped", {{"damping", 0}}},
                   {"strongly", {{"damping", 0.5}, {"frequency", 5}}},
-                  {"slowly", {{"damping", 0.7}, {"frequency", 0.2}}}},
+                  {"slowly", {{"damping", 0.7}, {"frequency", 0.15}, {"amplitude", 1}, {"ratio", 10}}}},
      .scene = scene,
      .expectations = expectations,
      .smoothness = [](const Parameters&) { return Smoothness::free; }}};

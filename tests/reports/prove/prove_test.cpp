@@ -174,6 +174,26 @@ TEST(CleanRuns, CountWhatTheDefaultFailsItself) {
   EXPECT_THAT(text_of(report), HasSubstr("FALSE ALARM in spinning-obb flight"));
 }
 
+TEST(CleanRuns, TellEachTruthThatTheDefaultCannotFail) {
+  Scenario loose = impossible_scenario();
+  const auto impossible = loose.expectations;
+  loose.expectations = [impossible](const Parameters& p) {
+    std::vector<Expectation> all = impossible(p);
+    all.front().within = 1e7;
+    return all;
+  };
+  CaseTruths truths(dt);
+  const CleanRun own = default_run({case_of(loose)}, truths, 1, silent);
+  EXPECT_THAT(own.false_alarms, IsEmpty());
+  ASSERT_THAT(own.loose, SizeIs(1));
+  EXPECT_GT(own.loose.front().check.share, 1);
+  EXPECT_THAT(clean_runs(1, {case_of(loose)}, truths, 1, silent).front().loose, IsEmpty());
+
+  const ProveReport report{.clean = {own}, .cases = 1};
+  EXPECT_FALSE(report.passed());
+  EXPECT_THAT(text_of(report), HasSubstr("NOT A TEST in spinning-obb flight, x of "));
+}
+
 TEST(CleanRuns, CountARunThatFailsOrDoesNotRepeat) {
   const Case one = parse_cases("spinning-obb:flight").front();
   EXPECT_THAT(false_alarms(one, {.status = Status::failed, .reason = "diverged"}),
