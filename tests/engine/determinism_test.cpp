@@ -224,7 +224,7 @@ TEST(Determinism, TenScenesEndInTheSameBitsWithEveryCompiler) {
     hash.add(world);
     RecordProperty("state", std::to_string(hash.value()));
   }
-  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0xc4f36fdaf0393a39U : 0x42f322c035e62bc1U;
+  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0xd5dc72ea84a108f1U : 0x42f322c035e62bc1U;
   EXPECT_EQ(hash.value(), expected) << std::hex << "0x" << hash.value();
 }
 
@@ -240,7 +240,7 @@ std::uint64_t hash_of_piles() {
 }
 
 TEST(Determinism, PilesEndInTheSameBitsWithEveryCompiler) {
-  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x2b28ef6b50bd42bfU : 0x455d4cee1c51df98U;
+  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x40229d6660595e2aU : 0x455d4cee1c51df98U;
   const std::uint64_t hash = hash_of_piles();
   EXPECT_EQ(hash, expected) << std::hex << "0x" << hash;
 }

@@ -45,8 +45,7 @@ void DirectIsland::begin() {
     fastest = std::max(fastest, length(step_->acceleration[body].v));
   }
   tall_ = most.y - least.y > most.x - least.x;
-  // What falls onto a contact from rest within a sub-step is pressed on, not struck.
-  slow_ = static_cast<Real>(2.4) * fastest * h_ + static_cast<Real>(1e-4);
+  gained_ = fastest * h_;
   begin_contacts();
   const Real share = 1 / static_cast<Real>(substeps_);
   for (ActiveJoint* joint : members_.joints) {
@@ -197,11 +196,19 @@ void DirectIsland::note_velocities(std::vector<Velocity>& to) const {
   for (const std::uint32_t body : members_.bodies) to.push_back(step_->data.bodies.velocity[body]);
 }
 
+/// What rebounds does so until it is as slow as a body at rest may get in two sub-steps. What does not is struck at any
+/// speed: pressed instead, it would lose its speed at the sub-step's end, wherever its other points have gone by then.
+Real DirectIsland::slow(const DirectContact& contact) const {
+  constexpr Real elastic = static_cast<Real>(2.4);
+  constexpr Real inelastic = static_cast<Real>(0.1);
+  return (contact.restitution > 0 ? elastic : inelastic) * gained_ + no_speed;
+}
+
 /// Points that are struck at the end of the interval do nothing in it, but what the contact rests on does.
 void DirectIsland::let_wait(DirectContact& contact, bool struck) const {
   for (std::size_t i = 0; i < contact.count; ++i) {
     const bool apart = contact.frame.points[i].separation > DirectContact::touching;
-    contact.waits[i] = struck && (apart || closing(contact, contact.frame, i, 0) > slow_);
+    contact.waits[i] = struck && (apart || closing(contact, contact.frame, i, 0) > slow(contact));
   }
 }
 

@@ -121,6 +121,8 @@ class DirectIsland {
   void push(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse);
   void note_velocities(std::vector<Velocity>& to) const;
   void let_wait(DirectContact& contact, bool struck) const;
+  /// m/s, what closes more slowly is no impact.
+  Real slow(const DirectContact&) const;
   void restore_velocities();
   void note_loads(Real h);
 
@@ -140,7 +142,7 @@ class DirectIsland {
   Real h_ = 0;         // s, of a sub-step
   Real solvable_ = 0;  // s, the longest interval for which impulses were found in this step
   Real last_ = 0;      // s, of the interval that impulses are of
-  Real slow_ = 0;      // m/s, what closes more slowly is no impact
+  Real gained_ = 0;    // m/s, by which a body falls faster in a sub-step
   bool tall_ = false;  // the island is taller than wide
   std::vector<DirectContact> contacts_;
   ConstraintSystem system_;

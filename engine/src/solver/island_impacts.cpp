@@ -112,7 +112,7 @@ std::optional<DirectIsland::Impact> DirectIsland::impact_of(std::uint32_t index,
       one.time = std::min(t, within);
       one.speed = closing(contact, frame_at(one.time), i, one.time);
     }
-    if (one.speed <= slow_) continue;
+    if (one.speed <= slow(contact)) continue;
     if (!first || one.time < first->time || (one.time == first->time && one.speed > first->speed)) first = one;
   }
   return first;
@@ -189,7 +189,7 @@ void DirectIsland::list_struck(DirectContact& contact, Real reach) {
     Constraint& row = system_[contact.row + i];
     const Real v = ConstraintSystem::speed(row, velocity);
     if (contact.frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
-    if (v < -slow_ || reach == struck_together) row.bias = contact.restitution * std::min(v, Real{0});
+    if (v < -slow(contact) || reach == struck_together) row.bias = contact.restitution * std::min(v, Real{0});
   }
 }
 

@@ -402,7 +402,7 @@ void DirectIsland::relax(Real h) {
       Constraint& row = system_[contact.row + i];
       const Vec2 pressed = contact.pressing[i];
       const bool near_by = contact.frame.points[i].separation <= DirectContact::touching;
-      const bool struck = ConstraintSystem::speed(row, velocity) < -slow_;
+      const bool struck = ConstraintSystem::speed(row, velocity) < -slow(contact);
       if (contact.waits[i] || (pressed.x == 0 && (!near_by || struck))) {
         row.mass_a = row.mass_b = {};
         continue;

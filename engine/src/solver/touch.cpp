@@ -1,5 +1,6 @@
 #include "solver/touch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -57,6 +58,77 @@ Touch::Touch(const Contact& contact, const BodySet& bodies)
     arm_b_[i] = to * Vec2{arms.turn_b, -arms.cross_b};
     apart_[i] = to * Vec2{radius_a_ + radius_b_ + contact.found_separation[i], 0};
   }
+  trace(contact, bodies);
+}
+
+/// The outline that a disc touches: both ways along a face, or the sides of a corner.
+void Touch::trace(const Contact& contact, const BodySet& bodies) {
+  const Shape& a = bodies.detail[contact.body_a].parts[contact.part_a].shape;
+  const Shape& b = bodies.detail[contact.body_b].parts[contact.part_b].shape;
+  outline_.is_of_a = b.type() == ShapeType::circle;
+  if (outline_.is_of_a == (a.type() == ShapeType::circle)) return;
+  const Shape& shape = outline_.is_of_a ? a : b;
+  if (shape.type() == ShapeType::half_space) return;
+  const Rotation q = outline_.is_of_a ? contact.found_a.q : contact.found_b.q;
+  const Vec2 found = outline_.is_of_a ? arm_a_[0] : arm_b_[0];
+  const auto in_frame = [&](Vec2 v) {
+    const Vec2 world = q * v;
+    return Vec2{dot(normal_, world), dot(perpendicular(normal_), world)};
+  };
+  const auto corner = [&](int i) { return in_frame(shape.vertex(i % shape.count())) - found; };
+  const auto outward = [&](int i) { return in_frame(shape.normal(i)); };
+  const auto rounding = [&](Vec2 to) {
+    return 256 * std::numeric_limits<Real>::epsilon() * (length(to) + length(found) + 1);
+  };
+  const auto add = [&](std::size_t k, Vec2 end, Vec2 normal) {
+    outline_.reaches[k] = length(end);
+    outline_.along[k] = end / outline_.reaches[k];
+    outline_.outward[k] = normal;
+  };
+  const int count = shape.count();
+  for (int i = 0; i < count; ++i) {
+    outline_.at_corner = length(corner(i)) <= rounding(corner(i));
+    if (!outline_.at_corner) continue;
+    const int before = i + count - 1;
+    const bool either = count == 2;
+    add(0, corner(i + 1), either ? Vec2{} : outward(i));
+    add(1, corner(before), either ? Vec2{} : outward(before % count));
+    return;
+  }
+  // Where ground goes on beyond a face, the search has left out what the face's plane stands for.
+  if (contact.joins) return;
+  const Vec2 faces = outline_.is_of_a ? Vec2{1, 0} : Vec2{-1, 0};
+  for (int i = 0; i < count; ++i) {
+    const Vec2 from = corner(i);
+    const Vec2 to = corner(i + 1);
+    const bool between = dot(from, to) < 0 && std::abs(cross(from, to)) <= rounding(from) * length(to - from);
+    if (!between || dot(outward(i), faces) <= 0) continue;
+    add(0, to, outward(i));
+    add(1, from, outward(i));
+    return;
+  }
+}
+
+Touch::Nearest Touch::nearest(const Displacement& a, const Displacement& b) const {
+  const Displacement& turned = outline_.is_of_a ? a : b;
+  const Real side = outline_.is_of_a ? Real{1} : Real{-1};
+  const Vec2 centre = side * cores(0, a, b);
+  Nearest best;
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Vec2 along = outline_.along[k] + turned.change(outline_.along[k]);
+    const Real at = std::clamp(dot(centre, along), Real{0}, outline_.reaches[k]);
+    const Vec2 apart = centre - at * along;
+    const Real distance = length(apart);
+    if (!(distance < least)) continue;
+    least = distance;
+    const bool beside = (at > 0 || !outline_.at_corner) && at < outline_.reaches[k];
+    Vec2 normal = beside ? perpendicular(along) : normalized(apart);
+    const Vec2 outward = outline_.outward[k] + turned.change(outline_.outward[k]);
+    if (beside && dot(normal, outward == Vec2{} ? apart : outward) < 0) normal = -normal;
+    best = {at * along, side * apart, side * normal};
+  }
+  return best;
 }
 
 /// Which faces and corners make the contact, however its bodies are listed.
@@ -138,13 +210,15 @@ TouchFrame Touch::at(const Motion& motion_a, const Motion& motion_b) const {
   const Displacement a = since(found_a_, motion_a);
   const Displacement b = since(found_b_, motion_b);
   TouchFrame frame;
-  const Vec2 n = direction(cores(0, a, b), a, b);
+  const Nearest of_disc = outline_.known() ? nearest(a, b) : Nearest{};
+  const Vec2 n = outline_.known() ? of_disc.normal : direction(cores(0, a, b), a, b);
   const Vec2 t = perpendicular(n);
   frame.normal = n.x * normal_ + n.y * perpendicular(normal_);
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-    const Vec2 apart = cores(i, a, b);
+    const Vec2 apart = outline_.known() ? of_disc.apart : cores(i, a, b);
     Vec2 to_a = arm_a_[i] + a.change(arm_a_[i]);
     Vec2 to_b = arm_b_[i] + b.change(arm_b_[i]);
+    (outline_.is_of_a ? to_a : to_b) += of_disc.foot;
     const Real along = dot(t, apart);
     const Real share = normal_of_ == NormalOf::a ? Real{1} : normal_of_ == NormalOf::b ? Real{0} : Real{1} / 2;
     to_a += share * along * t;
@@ -164,6 +238,10 @@ TouchFrame Touch::at(const Motion& motion_a, const Motion& motion_b) const {
 Real Touch::gap(std::size_t point, const Motion& motion_a, const Motion& motion_b) const {
   const Displacement a = since(found_a_, motion_a);
   const Displacement b = since(found_b_, motion_b);
+  if (outline_.known()) {
+    const Nearest of_disc = nearest(a, b);
+    return dot(of_disc.normal, of_disc.apart) - (radius_a_ + radius_b_);
+  }
   return dot(direction(cores(0, a, b), a, b), cores(point, a, b)) - (radius_a_ + radius_b_);
 }
 

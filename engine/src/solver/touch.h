@@ -20,7 +20,8 @@ struct TouchFrame {
 
 /// The geometry of a contact as its bodies move on from where it was found: normals and arms follow them exactly, as
 /// long as the same features are nearest. A face's normal turns with its body, and the point on it follows the other
-/// body's corner; the normal of rounded shapes points from core to core; two corners keep theirs.
+/// body's corner; the normal of rounded shapes points from core to core; two corners keep theirs. A disc touches what
+/// is nearest of a face and its ends, or of a corner and the faces beside it.
 class Touch {
  public:
   Touch() = default;
@@ -50,7 +51,24 @@ class Touch {
   /// What the normal turns with.
   enum class NormalOf : std::uint8_t { between, a, b, both };
 
+  /// The straight pieces of a core's outline that begin at the point found, in the frame of the normal.
+  struct Outline {
+    std::array<Vec2, 2> along;      // unit
+    std::array<Real, 2> reaches{};  // m; 0 if there is no such piece
+    std::array<Vec2, 2> outward;    // unit; 0 beside the end of a segment, which a disc may pass on either side
+    bool is_of_a = false;
+    bool at_corner = false;  // was it found
+    bool known() const { return reaches[0] + reaches[1] > 0; }
+  };
+  struct Nearest {
+    Vec2 foot;   // m, from the point found
+    Vec2 apart;  // m, from the core of a to that of b
+    Vec2 normal;
+  };
+
   Touch(const Contact& contact, const BodySet& bodies);
+  void trace(const Contact& contact, const BodySet& bodies);
+  Nearest nearest(const Displacement& a, const Displacement& b) const;
   void find_owner(const Contact& contact, const BodySet& bodies);
   Vec2 cores(std::size_t point, const Displacement& a, const Displacement& b) const;
   Vec2 direction(Vec2 cores, const Displacement& a, const Displacement& b) const;
@@ -62,6 +80,7 @@ class Touch {
   // In the frame of the normal as found: arms of the cores' points.
   std::array<Vec2, 2> arm_a_, arm_b_;
   std::array<Vec2, 2> apart_;       // m, from the core of a to that of b
+  Outline outline_;                 // of what a disc touches
   Displacement found_a_, found_b_;  // from where the points were found to the start of the step
 };
 

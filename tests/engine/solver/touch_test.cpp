@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -51,15 +52,52 @@ Motion moved(Vec2 by, double turn = 0) {
   return motion;
 }
 
-// The corner is at (1, 1); the disc starts above and beside it.
-TEST(Touch, OfADiscAndACornerIsTheirDistanceWhereverTheDiscGoes) {
-  const Pair pair(Shape::box({1, 1}), {0, 0}, Shape::circle(real(.5)), {real(1.3), real(1.5)});
-  for (const Vec2 by : {Vec2{}, Vec2{real(.4), real(-.2)}, Vec2{real(.2), real(-.9)}}) {
-    const Vec2 apart = Vec2{real(.3), real(.5)} + by;
-    const Real gap = pair.touch().gap(0, moved({}), moved(by));
-    EXPECT_NEAR(gap, length(apart) - real(.5), tolerance);
-    EXPECT_NEAR(length(pair.touch().at(moved({}), moved(by)).normal - normalized(apart)), 0, tolerance);
+// The corner is at (1, 1); the disc starts above and beside it, or above the face that ends there, and goes from the
+// one to the other, either body listed first.
+TEST(Touch, OfADiscAndABoxIsTheirDistanceWhereverTheDiscGoes) {
+  for (const Vec2 start : {Vec2{real(.3), real(.5)}, Vec2{real(-.1), real(.6)}}) {
+    for (const Vec2 apart : {start, Vec2{real(.7), real(.3)}, Vec2{real(.2), real(.5)}, Vec2{real(-.2), real(.3)}}) {
+      const Vec2 to_disc{std::max(apart.x, Real{0}), apart.y};
+      const Shape box = Shape::box({1, 1});
+      const Shape disc = Shape::circle(real(.5));
+      const Vec2 at = Vec2{1, 1} + start;
+      const Pair first(box, {0, 0}, disc, at);
+      const Pair second(disc, at, box, {0, 0});
+      const TouchFrame frame = first.touch().at(moved({}), moved(apart - start));
+      const TouchFrame other = second.touch().at(moved(apart - start), moved({}));
+      EXPECT_NEAR(frame.points[0].separation, length(to_disc) - real(.5), tolerance);
+      EXPECT_NEAR(first.touch().gap(0, moved({}), moved(apart - start)), length(to_disc) - real(.5), tolerance);
+      EXPECT_NEAR(length(frame.normal - normalized(to_disc)), 0, tolerance);
+      EXPECT_NEAR(other.points[0].separation, frame.points[0].separation, tolerance);
+      EXPECT_NEAR(length(other.normal + frame.normal), 0, tolerance);
+    }
   }
+}
+
+// The side of the box below its corner, which the disc passes.
+TEST(Touch, OfADiscFollowsACornerToEitherFaceBesideIt) {
+  const Pair pair(Shape::box({1, 1}), {0, 0}, Shape::circle(real(.5)), {real(1.3), real(1.5)});
+  const TouchFrame beside = pair.touch().at(moved({}), moved({real(.2), real(-.9)}));
+  EXPECT_NEAR(beside.points[0].separation, 0, tolerance);
+  EXPECT_NEAR(length(beside.normal - Vec2{1, 0}), 0, tolerance);
+  EXPECT_NEAR(beside.points[0].cross_a, real(-.6), tolerance);
+  const TouchFrame turned = pair.touch().at(moved({}, .2), moved({}));
+  const Vec2 seen{real(1.3 * std::cos(.2) + 1.5 * std::sin(.2)), real(1.5 * std::cos(.2) - 1.3 * std::sin(.2))};
+  EXPECT_NEAR(turned.points[0].separation, length(seen - Vec2{1, 1}) - real(.5), tolerance);
+}
+
+// One that is thrown through a face overlaps it; it does not come out on the other side.
+TEST(Touch, OfADiscBehindAFaceIsAnOverlap) {
+  const Pair pair(Shape::box({1, real(.01)}), {0, 0}, Shape::circle(real(.1)), {0, real(.3)});
+  EXPECT_NEAR(pair.touch().gap(0, moved({}), moved({0, real(-.4)})), real(-.21), tolerance);
+}
+
+// Of ground that goes on the search has left out what the plane of the face stands for.
+TEST(Touch, OfAFaceThatOthersJoinIsWithItsPlane) {
+  Pair pair(Shape::box({1, 1}), {0, 0}, Shape::circle(real(.5)), {real(.9), real(1.6)});
+  pair.contact.joins = true;
+  EXPECT_NEAR(pair.touch().gap(0, moved({}), moved({real(.4), 0})), real(.1), tolerance);
+  EXPECT_NEAR(pair.touch().at(moved({}), moved({real(.4), 0})).normal.x, 0, tolerance);
 }
 
 TEST(Touch, OfAFaceTurnsWithItsBody) {
