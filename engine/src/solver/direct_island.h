@@ -127,6 +127,8 @@ class DirectIsland {
   void note_loads(Real h);
 
   // Impacts.
+  Real motors_reach(Real within);
+  std::vector<Real> motors_lack(Real time, const std::vector<Real>& works);
   std::optional<Impact> next_impact(Real within) const;
   std::optional<Impact> impact_of(std::uint32_t contact, Real within) const;
   Real closing(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Real t) const;

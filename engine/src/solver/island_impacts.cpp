@@ -4,7 +4,8 @@
 
 #include "solver/direct_island.h"
 
-/// Impacts of a small island. Each comes at its own time: bodies advance to it, and their velocities change there.
+/// What ends an interval of a small island before its sub-step does: an impact, which comes at its own time and changes
+/// velocities there, and a motor that reaches its speed.
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
@@ -30,7 +31,7 @@ void DirectIsland::substep() {
   std::size_t elastic = 0;
   Real left = h_;
   while (left > 0) {
-    Real now = std::min({left, longest(), solvable_});
+    Real now = motors_reach(std::min({left, longest(), solvable_}));
     std::optional<Impact> next;
     if (count < most && elastic < most_elastic) next = next_impact(now);
     if (next) {
@@ -61,6 +62,74 @@ Real DirectIsland::longest() const {
     fastest = std::max(fastest, std::abs(step_->data.bodies.velocity[body].w));
   }
   return fastest * h_ > turn ? std::max(turn / fastest, h_ / 8) : h_;
+}
+
+/// s, until the first motor that works with all its strength has its speed; `within` if that is later, or so soon or so
+/// late that what is left to do does not matter. By regula falsi, as forces hardly change.
+Real DirectIsland::motors_reach(Real within) {
+  const std::vector<Velocity>& velocity = step_->data.bodies.velocity;
+  const Real negligible = h_ / 64;
+  std::vector<Real> works;  // the direction of each motor's impulse, 0 of those that have their speed
+  bool any = false;
+  for (const ActiveJoint* joint : members_.joints) {
+    const JointBlock& block = joint->block;
+    const Real short_of =
+        block.driven ? block.motor_speed - rate(block.motor, velocity[block.a], velocity[block.b]) : Real{0};
+    works.push_back(std::abs(short_of) > no_speed ? std::copysign(Real{1}, short_of) : Real{0});
+    any = any || works.back() != 0;
+  }
+  if (!any) return within;
+  refresh();
+  for (DirectContact& contact : contacts_) let_wait(contact, false);
+  Real low = negligible;
+  Real high = within;
+  const std::vector<Real> now = motors_lack(low, works);
+  for (std::size_t j = 0; j < works.size(); ++j) {
+    if (now[j] <= 0) works[j] = 0;
+  }
+  const auto least = [&](Real t) {
+    const std::vector<Real> all = motors_lack(t, works);
+    return *std::min_element(all.begin(), all.end());
+  };
+  Real at_low = least(low);
+  Real at_high = least(high);
+  if (!(at_high < 0)) return within;
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds && high - low > negligible; ++round) {
+    const Real t = low + (high - low) * at_low / (at_low - at_high);
+    const Real there = least(t);
+    (there > 0 ? low : high) = t;
+    (there > 0 ? at_low : at_high) = there;
+  }
+  const Real reached = low + (high - low) * at_low / (at_low - at_high);
+  return within - reached > negligible ? reached : within;
+}
+
+/// N s or N m s, of each motor that works: what it needs to have its speed after a time, beyond what it can give in
+/// that; else infinite. Sought as what presses in an interval twice as long, whose half has the forces of all that
+/// time.
+std::vector<Real> DirectIsland::motors_lack(Real time, const std::vector<Real>& works) {
+  constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  note_velocities(before_);
+  by_forces_.assign(members_.bodies.size(), {});
+  kick(2 * time);
+  list_for_press(2 * time);
+  const auto motor = [&](std::size_t j) -> Constraint& {
+    const JointBlock& block = members_.joints[j]->block;
+    return system_[joint_rows_[j] + static_cast<std::size_t>(block.equations + block.stops)];
+  };
+  for (std::size_t j = 0; j < works.size(); ++j) {
+    if (works[j] != 0) motor(j).most = infinity;
+  }
+  bias_press(2 * time);
+  system_.solve(step_->data.bodies.velocity);
+  std::vector<Real> lacks;
+  for (std::size_t j = 0; j < works.size(); ++j) {
+    const Real gives = time * members_.joints[j]->block.motor_strength;
+    lacks.push_back(works[j] != 0 ? works[j] * motor(j).impulse - gives : infinity);
+  }
+  restore_velocities();
+  return lacks;
 }
 
 /// The first impact from now on, the fastest of several.

@@ -26,6 +26,40 @@ double kinetic(const Body& body) {
   return static_cast<double>(body.mass().mass) * v * v / 2 + static_cast<double>(body.mass().inertia) * w * w / 2;
 }
 
+// A wheel of inertia I that a motor of strength tau brings from rest to the rate w turns by w t - w^2 I/(2 tau),
+// whenever in a sub-step that is; a torque that helps it or brakes it shortens or lengthens that.
+TEST(DirectIsland, MotorsStopWorkingWhenTheyHaveTheirSpeed) {
+  if (!is_double) GTEST_SKIP() << "islands are swept in single precision";
+  for (const double torque : {0., -3., 30.}) {
+    for (int phase = 1; phase <= 20; ++phase) {
+      World world(falling());
+      BodyDef def;
+      def.layers = 0;
+      const BodyId wheel = world.create_body(def, Shape::circle(1));
+      def.type = BodyType::fixed;
+      const BodyId post = world.create_body(def, Shape::circle(real(.1)));
+      const double inertia = static_cast<double>(world.body(wheel).mass().inertia);
+      const double strength = 10;
+      const double takes = .0011 * phase;
+      const double speed = (strength + torque) / inertia * takes;
+      world.create_joint(RevoluteJoint{.a = post, .b = wheel, .motor = Motor{real(speed), real(strength)}});
+      world.add_force(ConstantForce{.body = wheel, .torque = real(torque)});
+      world.step();
+      world.step();
+      const double time = 2 / 60.;
+      // Beyond its strength a torque goes on turning the wheel faster.
+      const double faster = torque > strength ? (torque - strength) / inertia * (time - takes) : 0;
+      const double expected = speed * time - speed * takes / 2 + faster * (time - takes) / 2;
+      const double h = 1 / 240.;
+      EXPECT_NEAR(static_cast<double>(world.body(wheel).angle()), expected,
+                  2 * strength / inertia * std::pow(h / 64, 2) + 1e-12)
+          << torque << ' ' << phase;
+      EXPECT_NEAR(static_cast<double>(world.body(wheel).angular_velocity()), speed + faster,
+                  2 * strength / inertia * h / 64 + 1e-12);
+    }
+  }
+}
+
 // Housner (1963): a block that lands on its other corner keeps 1 - 1.5 sin^2 a of its spin, whenever in a sub-step that
 // is; the corner that it stood on bears it until then.
 TEST(DirectIsland, KeepsHousnersShareOfTheSpinOfARockingBlock) {
