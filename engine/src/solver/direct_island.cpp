@@ -6,6 +6,7 @@
 
 #include "narrow_phase/collide.h"
 #include "narrow_phase/margin.h"
+#include "solver/impact_row.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

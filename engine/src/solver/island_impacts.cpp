@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "joints/joint_rows.h"
 #include "solver/direct_island.h"
+#include "solver/impact_row.h"
 
 /// What ends an interval of a small island before its sub-step does: an impact, which comes at its own time and changes
 /// velocities there, and a motor that reaches its speed.
