@@ -265,6 +265,7 @@ bool DirectIsland::find(DirectContact& contact) {
   const std::array<ContactPoint, 2> last = found.points;
   const DirectContact before = contact;
   contact.impulse = contact.pressed = contact.pressing = contact.total = {};
+  contact.waits = {};
   contact.count = static_cast<std::size_t>(m.count);
   counts_changed_ = counts_changed_ || found.count != m.count;
   found.count = m.count;
@@ -279,14 +280,15 @@ bool DirectIsland::find(DirectContact& contact) {
     p.separation = found.found_separation[i] = m.points[i].separation;
     p.feature = m.points[i].feature;
   }
+  // To the point that is nearest now: which faces meet, and so the names of points, may be a matter of rounding.
   for (std::size_t j = 0; j < before.count; ++j) {
-    std::size_t i = 0;
-    while (i < contact.count && found.points[i].feature != last[j].feature) ++i;
-    if (i == contact.count) i = 0;
+    const auto away = [&](std::size_t i) { return length(found.points[i].arm_a - last[j].arm_a); };
+    const std::size_t i = contact.count == 2 && away(1) < away(0) ? 1 : 0;
     contact.impulse[i] += before.impulse[j];
     contact.pressed[i] += before.pressed[j];
     contact.pressing[i] += before.pressing[j];
     contact.total[i] += before.total[j];
+    contact.waits[i] = contact.waits[i] || before.waits[j];
   }
   contact.touch = Touch(found, bodies, a, b);
   contact.found_again = true;
