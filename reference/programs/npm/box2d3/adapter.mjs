@@ -234,16 +234,20 @@ const attach = {
 
 // Contacts are springs of the lesser of 30 Hz and an eighth of the sub-step's rate, twice that on fixed bodies. The slop
 // is their depth under one weight, 2.5 g/w^2 for a square on its like (two corners, each with half the weight and an
-// effective mass of m/5); that of joints likewise, with the lesser of 60 Hz and a quarter of that rate. Impacts bounce at the end of the step that finds
-// them. With k = w dt and V = v dt a force that is held over n sub-steps makes V' = V - k^2 y, x' = x + V - (1 + 1/n)/2
-// k^2 y. At y = x a spring would gain energy; at y = x + (1 - 1/n)/2 V the determinant is 1 and the trace 2 - k^2.
+// effective mass of m/5); that of joints likewise, at twice that frequency. Impacts bounce at the end of the step that
+// finds them, and its last relaxation brakes what would touch within a sub-step more. A contact keeps its points on both
+// bodies for a step. With k = w dt and V = v dt a force that is held over n sub-steps makes V' = V - k^2 y, x' = x + V -
+// (1 + 1/n)/2 k^2 y. At y = x a spring would gain energy; at y = x + (1 - 1/n)/2 V the determinant is 1 and the trace 2 -
+// k^2.
 function stepping({ substeps, restitution }, dt) {
   const h = dt / Number(substeps);
   const contact = Math.min(30, 0.125 / h);
+  const joint = 2 * contact;
   const sink = (hertz) => (2.5 * GRAVITY) / (2 * Math.PI * hertz) ** 2;
-  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps),
+  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps), impactLead: 1,
            slop: sink(contact), contactFrequency: contact, fixedContactFrequency: 2 * contact,
-           jointSlop: sink(Math.min(60, 0.25 / h)), iterations: 1,
+           jointSlop: sink(joint), jointFrequency: joint, heldAnchors: true,
+           tangentRotation: true, iterations: 1,
            restitutionThreshold: Number(restitution), wholeImpulses: false, springLimit: 2 };
 }
 
