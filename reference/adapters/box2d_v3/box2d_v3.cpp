@@ -343,7 +343,7 @@ Stepping stepping(const Settings& given, double dt) {
   stated.joint_frequency = 2 * stated.contact_frequency;
   stated.joint_slop = 2.5 * standard_gravity / (4 * contact_omega * contact_omega);
   stated.tangent_rotation = true;  // b2IntegrateRotation
-  stated.held_anchors = true;  // its sub-steps turn the arms that the step began with (solve_contact)
+  stated.held_anchors = true;      // its sub-steps turn the arms that the step began with (solve_contact)
   stated.creep = 0;
   stated.iterations = 1;  // restitution is applied once a step
   stated.restitution_threshold = std::stod(settings.at("restitution"));

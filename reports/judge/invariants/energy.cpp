@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <variant>
 
-#include "reference/scene_facts.h"
 #include "reports/judge/contacts.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/joint_geometry.h"
@@ -28,7 +28,8 @@
 //   (c = 0) and at rest (D = 0);
 // - the load on the contacts times their gap: a contact lifts its load when it takes up the gap. Where contacts hold
 // their
-//   points for a step, what turns by a in one is let down by r (1 - cos a), r its bounding radius, and lifted again;
+//   points for a step, what turns by a in one is let down by r (1 - cos a), where a part of that radius is round, and
+//   lifted again;
 // - round-off.
 // Joints that the method states to be springs hold energy, too: what H loses to them it may have back.
 // A method may be better than it states: if E itself does not rise, as in the exact motion, nothing is broken either.
@@ -76,6 +77,16 @@ DriveWork drive_work(const InvariantContext& context, std::size_t moment) {
     }
   }
   return done;
+}
+
+// m, the largest radius of a body's round parts: a corner that it turns on stays the same point of it.
+double roundness(const Body& body) {
+  double largest = 0;
+  for (const Shape& shape : body.shapes) {
+    if (const auto* circle = std::get_if<Circle>(&shape.geometry)) largest = std::max(largest, circle->radius);
+    if (const auto* capsule = std::get_if<Capsule>(&shape.geometry)) largest = std::max(largest, capsule->radius);
+  }
+  return largest;
 }
 
 // The load on all contacts, N: the largest mean over a quarter of a second, so that impacts do not count as loads. For
@@ -179,7 +190,7 @@ Balance balance_of(const InvariantContext& context, double drift, bool springs) 
       const BodyState& then = trace.states(moment - 1)[i];
       if (stepping.held_anchors) {
         const double turn = std::min(std::numbers::pi, dt * std::abs(possible[i].angular_velocity));
-        let_down = std::max(let_down, bounding_radius(scene.bodies[i]) * (1 - std::cos(turn)));
+        let_down = std::max(let_down, roundness(scene.bodies[i]) * (1 - std::cos(turn)));
       }
       const BodyStep step{0.5 * (before[i].force + wrenches[i].force), now.velocity - then.velocity,
                           (before[i].torque + wrenches[i].torque) / 2, now.angular_velocity - then.angular_velocity};
