@@ -53,6 +53,19 @@ inline double tower_sinks(const Stepping& s, double gravity, std::span<const dou
   return sinks;
 }
 
+/// m, by which a disc that turns at `spin`, rad/s, is let down at most where contacts hold their points for a step (see
+/// Stepping::held_anchors).
+inline double rolls_in(const Stepping& s, double radius, double spin) {
+  return s.held_anchors ? radius * (1 - std::cos(spin * s.dt)) : 0;
+}
+
+/// s, at most, for which the ground has not pressed such a disc at the end of a step: it falls as fast as its point
+/// rises, r w sin(w dt), or freely. `gravity` is that towards the ground. An acceleration by friction is missing for as
+/// long.
+inline double unpressed(const Stepping& s, double radius, double spin, double gravity) {
+  return s.held_anchors ? std::min(s.dt, radius * spin * std::sin(spin * s.dt) / gravity) : 0;
+}
+
 /// m/s, the speed that friction mu may yet have to take after t seconds of sliding: its impulse is mu times the normal
 /// one, which is short by m u while the body sinks in at u, on average slop/t.
 inline double still_sinking(const Stepping& s, double mu, double t) { return mu * s.slop / t; }

@@ -35,9 +35,11 @@ struct Stepping {
   /// Position error of free fall, as a factor of gravity * t * h: +1/2 for symplectic Euler, -1/2 for explicit Euler, 0
   /// if free fall is exact.
   double drift = 0;
-  int order = 0;             // order of convergence in h of smooth free motion; 0: not stated
-  int order_in_contact = 0;  // order of convergence in h of smooth sliding along a contact; 0: not stated
-  double impact_lag = 1;     // latest detection of an impact, in units of h; 0 if the time of impact is solved for
+  double damping_interval = 0;  // s, at which damping acts; 0: at every sub-step
+  int order = 0;                // order of convergence in h of smooth free motion; 0: not stated
+  int order_in_contact = 0;     // order of convergence in h of smooth sliding along a contact; 0: not stated
+  double impact_lag = 1;        // latest detection of an impact, in units of h; 0 if the time of impact is solved for
+  double impact_lead = 0;       // earliest braking of an approach before the bodies touch, likewise
 
   double skin = 0;        // m, the largest separation at which a contact at rest carries load
   double slop = 0;        // m, the overlap (of skins, if it has them) of a contact at rest that is left alone, or its
@@ -47,6 +49,12 @@ struct Stepping {
   /// load/(m w^2), w = 2 pi times this and m the effective mass of the two bodies at the point. 0: they are no springs.
   double contact_frequency = 0;
   double fixed_contact_frequency = 0;  // Hz, the same of contacts with what does not move
+  double joint_frequency = 0;          // Hz, the same of joints, whose anchors come apart by that
+  /// Whether a contact keeps its points on both bodies for a whole step, in which these turn: the lowest point of a
+  /// disc of radius r that turns by a rises by r (1 - cos a), and the disc is let down by as much.
+  bool held_anchors = false;
+  /// Whether a rotation goes along its tangent and is normalised, so that a sub-step turns by atan(w h).
+  bool tangent_rotation = false;
   double creep = 0;  // m/s, the largest sliding speed of a sticking contact whose friction bears all of gravity; if
                      // it bears a share of it, that share
   double rest_speed = 0;             // m/s, the largest speed at which a body may be put to sleep; 0: it never sleeps

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "reports/judge/mechanics.h"
-#include "scenarios/scene/mass.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb {
 
 JointGeometry::JointGeometry(const Scene& scene) {
   const std::vector<BodyState> start = initial_states(scene);
+  for (const Body& body : scene.bodies) masses_.push_back(mass_of(body));
   for (const Joint& joint : scene.joints) {
     const JointFacts facts = facts_of(joint);
     const auto local = [&](std::size_t body, Vec point) {
@@ -28,7 +28,7 @@ JointGeometry::JointGeometry(const Scene& scene) {
     if (facts.keeps == Keeps::line) ends.axis = rotated(1 / length(facts.axis) * facts.axis, -start[facts.a].angle);
     if (facts.limits != nullptr) ends.limits = *facts.limits;
     for (const std::size_t body : {facts.a, facts.b}) {
-      const double mass = mass_of(scene.bodies[body]).mass;
+      const double mass = masses_[body].mass;
       if (mass > 0) ends.rate += facts.stiffness / mass;
     }
     ends_.push_back(ends);
@@ -120,6 +120,46 @@ double JointGeometry::error(std::size_t index, std::span<const BodyState> states
       return 0;
   }
   return 0;
+}
+
+double JointGeometry::stored(std::size_t index, std::span<const BodyState> states, double frequency) const {
+  const Ends& joint = ends_[index];
+  if (joint.keeps == Keeps::line || joint.keeps == Keeps::spring) return 0;
+  const BodyState& a = states[joint.a];
+  const BodyState& b = states[joint.b];
+  const Vec arm_a = rotated(joint.at_a, a.angle);
+  const Vec arm_b = rotated(joint.at_b, b.angle);
+  const Vec apart = b.position + arm_b - a.position - arm_a;
+  double xx = 0;  // 1/kg, the inverse effective mass of the anchors
+  double xy = 0;
+  double yy = 0;
+  double about = 0;
+  for (const auto& [body, arm] : {std::pair{joint.a, arm_a}, std::pair{joint.b, arm_b}}) {
+    const Mass& mass = masses_[body];
+    const double inverse = mass.mass > 0 ? 1 / mass.mass : 0;
+    const double turns = mass.inertia > 0 ? 1 / mass.inertia : 0;
+    xx += inverse + turns * arm.y * arm.y;
+    xy -= turns * arm.x * arm.y;
+    yy += inverse + turns * arm.x * arm.x;
+    about += turns;
+  }
+  const double square = frequency * frequency;
+  if (joint.keeps == Keeps::rod) {
+    const double distance = length(apart);
+    if (distance == 0) return 0;
+    const Vec along = 1 / distance * apart;
+    const double inverse = xx * along.x * along.x + 2 * xy * along.x * along.y + yy * along.y * along.y;
+    const double longer = distance - joint.length;
+    return inverse > 0 ? square * longer * longer / inverse / 2 : 0;
+  }
+  const double determinant = xx * yy - xy * xy;
+  double sum = 0;
+  if (determinant > 0) {
+    sum = (yy * apart.x * apart.x - 2 * xy * apart.x * apart.y + xx * apart.y * apart.y) / determinant;
+  }
+  const double turned = b.angle - a.angle - joint.angle;
+  if (joint.keeps == Keeps::pose && about > 0) sum += turned * turned / about;
+  return square * sum / 2;
 }
 
 double JointGeometry::passes_limits(std::size_t index, std::span<const BodyState> states, double dt) const {

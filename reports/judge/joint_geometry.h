@@ -7,6 +7,7 @@
 
 #include "reference/simulation.h"
 #include "scenarios/scene/joints.h"
+#include "scenarios/scene/mass.h"
 #include "scenarios/scene/scene.h"
 
 /// The geometry of a scene's joints, from the scene and the states alone, by code that no engine shares.
@@ -50,6 +51,10 @@ class JointGeometry {
   std::optional<LimitRoom> room(std::size_t joint, std::span<const BodyState>) const;
   /// m, the distances of a joint's anchors from the centres of both bodies.
   std::pair<double, double> arms(std::size_t joint) const;
+  /// J, what a joint stores if it is a spring of that angular frequency, rad/s (see Stepping::joint_frequency): w^2 d
+  /// K^-1 d / 2 for the distance d of its anchors and their inverse effective mass K, and likewise for its angle if it
+  /// keeps that. Of hinges, welds and rods; 0 for others.
+  double stored(std::size_t joint, std::span<const BodyState>, double frequency) const;
   /// m/s^2, a bound of the acceleration by which joints hold any body: that of gravity, and w^2 r of every arm.
   double acceleration(std::span<const BodyState>, double gravity) const;
   /// rad/s, the fastest rotation of a body in a joint.
@@ -78,6 +83,7 @@ class JointGeometry {
   static double gap_beyond_limits(const Ends&, const BodyState& a, const BodyState& b);
 
   std::vector<Ends> ends_;
+  std::vector<Mass> masses_;
 };
 
 }  // namespace plumb

@@ -24,7 +24,11 @@ double path(double moved, double turned, double radius) { return moved + (turned
 }  // namespace
 
 Neighbours::Neighbours(const Scene& scene, const Trace& trace, const Stepping& stepping)
-    : trace_(trace), forces_(scene), contact_gap_(stepping.contact_gap()), overlap_(scene) {
+    : trace_(trace),
+      forces_(scene),
+      contact_gap_(stepping.contact_gap()),
+      lead_(stepping.impact_lead * stepping.h),
+      overlap_(scene) {
   for (const Body& body : scene.bodies) radii_.push_back(turning_radius(body));
 }
 
@@ -35,14 +39,16 @@ std::vector<BodyGap> Neighbours::in_step(std::size_t moment) const {
   const std::vector<Wrench> wrenches = forces_.at(then);
   std::vector<double> reach;
   for (std::size_t i = 0; i < radii_.size(); ++i) {
-    const double moved = length(now[i].position - then[i].position);
-    const double turned = std::abs(now[i].angle - then[i].angle);
+    const double ahead = dt + lead_;
+    const double moved = ahead / dt * length(now[i].position - then[i].position);
+    const double turned = ahead / dt * std::abs(now[i].angle - then[i].angle);
     const double mass = forces_.masses()[i].mass;
     const double fallen = mass > 0 ? dt * dt * length(wrenches[i].force) / mass : 0;
-    reach.push_back(contact_gap_ / 2 + fallen +
-                    std::max({path(moved, turned, radii_[i]),
-                              path(dt * length(then[i].velocity), dt * std::abs(then[i].angular_velocity), radii_[i]),
-                              path(dt * length(now[i].velocity), dt * std::abs(now[i].angular_velocity), radii_[i])}));
+    reach.push_back(
+        contact_gap_ / 2 + fallen +
+        std::max({path(moved, turned, radii_[i]),
+                  path(ahead * length(then[i].velocity), ahead * std::abs(then[i].angular_velocity), radii_[i]),
+                  path(ahead * length(now[i].velocity), ahead * std::abs(now[i].angular_velocity), radii_[i])}));
   }
   std::vector<BodyGap> met = overlap_.near(then, reach);
   if (!after_blows(met, then, now, dt, reach)) return met;
@@ -72,7 +78,7 @@ bool Neighbours::after_blows(std::span<const BodyGap> met, std::span<const BodyS
     if (!(mass.mass > 0) || blow[i] == 0) continue;
     const bool turned = then[i].angular_velocity != now[i].angular_velocity && mass.inertia > 0;
     const double spin = turned ? mass.mass * radii_[i] / mass.inertia * blow[i] : 0;
-    reach[i] += path(dt * blow[i], dt * spin, radii_[i]);
+    reach[i] += path((dt + lead_) * blow[i], (dt + lead_) * spin, radii_[i]);
     farther = true;
   }
   return farther;

@@ -18,9 +18,9 @@ class Neighbours {
 
   /// The parts whose gap at the start of the step that ends at `moment`, >= 1, is at most the gap of a contact at rest
   /// plus the distance that both bodies may move within the step: the larger of what they did move and what their
-  /// velocities before or after would give, and what the scene's forces add, F/m dt^2. What such a neighbour strikes
-  /// may be faster between two blows than before and after: its velocity changes by at most (1 + e) <= 2 times that at
-  /// which they meet, and its spin by m r / I times that.
+  /// velocities before or after would give, and what the scene's forces add, F/m dt^2. The step is longer by the stated
+  /// lead of impacts. What such a neighbour strikes may be faster between two blows than before and after: its velocity
+  /// changes by at most (1 + e) <= 2 times that at which they meet, and its spin by m r / I times that.
   std::vector<BodyGap> in_step(std::size_t moment) const;
 
  private:
@@ -31,6 +31,7 @@ class Neighbours {
   const Trace& trace_;
   AppliedForces forces_;
   double contact_gap_;
+  double lead_;                // s
   std::vector<double> radii_;  // m, about the centre of mass; infinite for a half-space
   Overlap overlap_;
 };

@@ -26,11 +26,18 @@ std::string statement(const Stepping& stepping) {
     add(fmt::format("order {} in free motion, in sub-steps of {:.3g} ms", stepping.order, stepping.h * mm));
   if (stepping.impact_lag > 0)
     add(fmt::format("finds impacts up to {:.3g} ms late", stepping.impact_lag * stepping.h * mm));
+  if (stepping.impact_lead > 0)
+    add(fmt::format("brakes an approach up to {:.3g} ms early", stepping.impact_lead * stepping.h * mm));
   if (stepping.skin > 0) add(fmt::format("bodies may rest {:.3g} mm apart", stepping.skin * mm));
   if (stepping.slop > 0) add(fmt::format("leaves overlaps of up to {:.3g} mm alone", stepping.slop * mm));
   if (stepping.contact_frequency > 0) {
     add(fmt::format("contacts are springs of {:.3g} Hz, {:.3g} Hz on what does not move, and overlap by their load",
                     stepping.contact_frequency, stepping.fixed_contact_frequency));
+  }
+  if (stepping.held_anchors) add("holds contact points on both bodies for a step, which lets rolling bodies sink in");
+  if (stepping.tangent_rotation) add("turns by atan(w h) in a sub-step");
+  if (stepping.joint_frequency > 0) {
+    add(fmt::format("joints are springs of {:.3g} Hz and open by their load", stepping.joint_frequency));
   }
   if (stepping.joint_slop > 0) add(fmt::format("joints may be open by {:.3g} mm", stepping.joint_slop * mm));
   if (stepping.creep > 0) add(fmt::format("what sticks may creep at {:.3g} mm/s", stepping.creep * mm));

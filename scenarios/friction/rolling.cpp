@@ -30,8 +30,9 @@ Scene scene(const Parameters& p) {
 // a/(arm
 // + r^2/(2 arm)), which are off by 4/9 g sin a gap/r and 2/9 g sin a gap/r^2; of one that slips the spin alone is off,
 // by gap/r of itself. While the disc sinks in by the slop at a speed u, the contact has given m u less impulse, and
-// friction mu times that less: a distance of mu slop is missing. A rolling disc may creep, by the share of its friction
-// in gravity.
+// friction mu times that less: a distance of mu slop is missing. Where contact points are held for a step, the disc
+// sinks in by rolls_in besides, and friction is missing for as long as it is unpressed. A rolling disc may creep, by
+// the share of its friction in gravity.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double angle = p.at("angle") * degree;
   const double mu = p.at("friction");
@@ -41,19 +42,23 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double acceleration = gravity * std::sin(angle) - friction;
   const double reach = radius + gravity * duration * duration;
   const double pull = gravity * std::sin(angle);
+  const double fastest = 2 * friction * duration / radius;  // rad/s
   const auto creep = [=](const Stepping& s) { return rolls ? s.creep * friction / gravity : 0; };
+  const auto gap = [=](const Stepping& s) { return s.contact_gap() + rolls_in(s, radius, fastest); };
+  const auto missing = [=](const Stepping& s) {
+    return (rolls ? 0 : still_sinking(s, mu, duration)) +
+           friction * unpressed(s, radius, fastest, gravity * std::cos(angle));
+  };
   const auto speed = [=](const Stepping& s) {
-    const double arm = rolls ? 4.0 / 9 * pull * s.contact_gap() / radius : 0;
-    return arm * duration + creep(s) + (rolls ? 0 : still_sinking(s, mu, duration)) + round_off(s, duration, reach);
+    const double arm = rolls ? 4.0 / 9 * pull * gap(s) / radius : 0;
+    return arm * duration + creep(s) + missing(s) + round_off(s, duration, reach);
   };
   const auto place = [=](const Stepping& s) {
-    return speed(s) * duration + drifted(s, acceleration, duration) + s.contact_gap() + mu * s.slop +
-           slid_late(s, pull);
+    return speed(s) * duration + drifted(s, acceleration, duration) + gap(s) + mu * s.slop + slid_late(s, pull);
   };
   const auto spin = [=](const Stepping& s) {
-    const double arm = (rolls ? 2.0 / 9 * pull : 2 * friction) * s.contact_gap() / (radius * radius);
-    const double sinks = rolls ? 0 : 2 / radius * still_sinking(s, mu, duration);
-    return arm * duration + sinks + round_off(s, duration, reach / radius);
+    const double arm = (rolls ? 2.0 / 9 * pull : 2 * friction) * gap(s) / (radius * radius);
+    return arm * duration + 2 / radius * missing(s) + round_off(s, duration, reach / radius);
   };
   const auto turn = [=](const Stepping& s) {
     return spin(s) * duration + 2 / radius * (drifted(s, friction, duration) + mu * s.slop + slid_late(s, friction));
@@ -103,23 +108,25 @@ Scene scene(const Parameters& p) {
 
 // Friction has no moment about a point of the ground, so the disc ends with 2 v/3 whatever the course of friction. Only
 // the lever arm matters: a contact point that is off by the gap makes that speed v/(1 + r^2/(2 arm^2)) and the spin
-// v/(arm + r^2/(2 arm)), which differ by 4/9 v gap/r and 2/9 v gap/r^2. Where the disc ends depends on more: the
+// v/(arm + r^2/(2 arm)), which differ by 4/9 v gap/r and 2/9 v gap/r^2. Where contact points are held for a step, the
+// gap is what the rolling disc sinks in besides. Where the disc ends depends on more: the
 // contact may be found a lag late; it drifts with the loss of v/3 and the gain of spin; and it is off in speed and spin
 // from when it rolls, in spin also for half of the time until then.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const double end = scene(p).duration;
   const double slips = v / (3 * p.at("friction") * gravity);  // s, for how long
-  const auto speed = [=](const Stepping& s) { return 4.0 / 9 * v * s.contact_gap() / radius + round_off(s, end, v); };
+  const auto gap = [=](const Stepping& s) { return s.contact_gap() + rolls_in(s, radius, 2 * v / (3 * radius)); };
+  const auto speed = [=](const Stepping& s) { return 4.0 / 9 * v * gap(s) / radius + round_off(s, end, v); };
   const auto spin = [=](const Stepping& s) {
-    return 2.0 / 9 * v * s.contact_gap() / (radius * radius) + round_off(s, end, v / radius);
+    return 2.0 / 9 * v * gap(s) / (radius * radius) + round_off(s, end, v / radius);
   };
   const auto late = [=, mu = p.at("friction")](const Stepping& s) {
     return v / 3 * std::abs(s.drift) * s.h + mu * s.slop + slid_late(s, mu * gravity);
   };
   const auto place = [=](const Stepping& s) { return late(s) + speed(s) * (end - slips) + round_off(s, end, v * end); };
   const auto turn = [=](const Stepping& s) {
-    const double arm = s.contact_gap() / radius * v / (3 * radius) * slips;
+    const double arm = gap(s) / radius * v / (3 * radius) * slips;
     return 2 / radius * late(s) + arm + spin(s) * (end - slips) + round_off(s, end, v * end / radius);
   };
   return {{.body = "disc",
@@ -176,8 +183,8 @@ Scene scene(const Parameters& p) {
 // contact may be found a lag late, after which all velocities are right again; that with the floor may open and close
 // meanwhile, but has no friction to matter. A contact point that is off by the gap changes the
 // lever arm. A rolling disc has a = A/(1 + 2 arm^2/r^2) and the spin 2 a arm/r^2, which are off by 4/3 gap/r and 1/3
-// gap/r of themselves; of one that slips the spin alone, by gap/r. It may creep, by the share of its friction in
-// gravity.
+// gap/r of themselves; of one that slips the spin alone, by gap/r. Where contact points are held for a step, it sinks
+// in and is unpressed as on a slope. It may creep, by the share of its friction in gravity.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Scene pushed = scene(p);
   const double disc_mass = mass_of(pushed.bodies[2]).mass;
@@ -189,19 +196,22 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double body = rolls ? rolling : most;
   const double board = (pull - disc_mass * body) / plank_mass;
   const double mu = p.at("friction");
+  const double fastest = 2 * body * duration / radius;  // rad/s
+  const auto gap = [=](const Stepping& s) { return s.contact_gap() + rolls_in(s, radius, fastest); };
+  const auto missing = [=](const Stepping& s) {  // m/s, of the disc
+    return (rolls ? 0 : still_sinking(s, mu, duration)) + body * unpressed(s, radius, fastest, gravity);
+  };
   const auto late = [=](const Stepping& s, double per_mass) {
-    const double arm = rolls ? 4.0 / 3 * s.contact_gap() / radius : 0;
+    const double arm = rolls ? 4.0 / 3 * gap(s) / radius : 0;
     const double creep = rolls ? s.creep * body / gravity : 0;
-    const double sinks = rolls ? 0 : per_mass / most * still_sinking(s, mu, duration);
-    return per_mass * arm * duration + creep + sinks + round_off(s, duration, board * duration);
+    return per_mass * arm * duration + creep + (body > 0 ? per_mass / body * missing(s) : 0) +
+           round_off(s, duration, board * duration);
   };
   const auto disc_speed = [=](const Stepping& s) { return late(s, body); };
   const auto plank_speed = [=](const Stepping& s) { return late(s, body * disc_mass / plank_mass); };
   const auto spin = [=](const Stepping& s) {
-    const double arm = (rolls ? 1.0 / 3 : 1) * s.contact_gap() / radius;
-    return 2 / radius *
-           (body * arm * duration + (rolls ? 0 : still_sinking(s, mu, duration)) +
-            round_off(s, duration, board * duration));
+    const double arm = (rolls ? 1.0 / 3 : 1) * gap(s) / radius;
+    return 2 / radius * (body * arm * duration + missing(s) + round_off(s, duration, board * duration));
   };
   const auto distance = [=](const Stepping& s, double speed, double acceleration) {
     return speed * duration + drifted(s, acceleration, duration) + slid_late(s, acceleration) + mu * s.slop +

@@ -32,7 +32,9 @@ Scene scene(const Parameters& p) {
 
 // Friction has no moment about a point of the ground, so I w0 = I w + m v r with v = w r: w = w0/3 whatever the course
 // of friction. A contact point that is off by the gap makes that w0/(1 + 2 arm^2/r^2), off by 4/9 w0 gap/r, and the
-// speed, that times the arm, off by w0 gap/9. Where the disc ends depends on more: the contact may be found a lag late;
+// speed, that times the arm, off by w0 gap/9. Where contact points are held for a step, the disc sinks in by rolls_in,
+// on average over the spins from w0 to w0/3, whose mean square is 13/27 w0^2. Where the disc ends depends on more: the
+// contact may be found a lag late;
 // it drifts with the gain of speed; its friction is short of mu times the slop while it sinks in; and it is off in
 // speed and spin from when it rolls, in spin also for half of the time until then.
 std::vector<Expectation> expectations(const Parameters& p) {
@@ -41,10 +43,11 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double end = scene(p).duration;
   const double slips = slips_for(p);
   const double v = spin * radius / 3;
-  const auto speed = [=](const Stepping& s) { return spin * s.contact_gap() / 9 + round_off(s, end, v); };
-  const auto about = [=](const Stepping& s) {
-    return 4.0 / 9 * spin * s.contact_gap() / radius + round_off(s, end, spin);
+  const auto gap = [=](const Stepping& s) {
+    return s.contact_gap() + rolls_in(s, radius, std::sqrt(13.0 / 27) * spin);
   };
+  const auto speed = [=](const Stepping& s) { return spin * gap(s) / 9 + round_off(s, end, v); };
+  const auto about = [=](const Stepping& s) { return 4.0 / 9 * spin * gap(s) / radius + round_off(s, end, spin); };
   const auto late = [=](const Stepping& s) {
     return v * std::abs(s.drift) * s.h + mu * s.slop + slid_late(s, mu * gravity);
   };

@@ -5,6 +5,7 @@
 
 #include "scenarios/allowance.h"
 #include "scenarios/parts.h"
+#include "scenarios/sag.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
@@ -60,13 +61,16 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// A chain that hangs straight down does not move, but each hinge may be off by its slop. Released from the side it has
-// no closed form.
+// A chain that hangs straight down does not move, but each hinge may be off by its slop, or give way by what hangs from
+// it where it is a spring. Released from the side it has no closed form.
 std::vector<Expectation> expectations(const Parameters& p) {
   if (p.at("angle") != 0) return {};
   const double hinges = p.at("links") + 1;
   const double reach = p.at("links") * length;
-  const auto place = [=](const Stepping& s) { return hinges * s.joint_slop + round_off(s, duration, reach + 1); };
+  const Scene chain = scene(p);
+  const auto place = [=](const Stepping& s) {
+    return hinges * s.joint_slop + sag(s, chain, chain.bodies.size() - 1) + round_off(s, duration, reach + 1);
+  };
   return {{.body = "load",
            .quantity = Quantity::y,
            .expected = -reach,
@@ -155,23 +159,29 @@ Scene scene(const Parameters& p) {
 }
 
 // Nothing moves. If each hinge lengthens the chain by its slop, the middle sinks by their sum divided by the sine of
-// the smallest slope, which is where the tilts of all planks add up. It does not move sideways because the scene is its
-// own mirror image.
+// the smallest slope, which is where the tilts of all planks add up. Hinges that are springs lengthen it by the pull of
+// the chain, along the planks, with the inverse mass 2/m. It does not move sideways because the scene is its own mirror
+// image.
 std::vector<Expectation> expectations(const Parameters& p) {
   const auto chain = catenary(p);
   const double hinges = half(p) + 1;
   const double least = chain[1].y / length;
   const double reach = length * half(p) + 1;
+  double pulls = 0;  // of all hinges of a half, in weights of a plank
+  const double level = (p.at("ratio") / 2 + 0.5) * chain[1].x / chain[1].y;
+  for (int j = 0; j <= half(p); ++j) pulls += std::hypot(level, p.at("ratio") / 2 + j);
+  const auto longer = [=](const Stepping& s) {
+    return hinges * s.joint_slop + spring_depth(s.joint_frequency, pulls * standard_gravity, 2);
+  };
   return {{.body = "load",
            .quantity = Quantity::y,
            .expected = 0,
-           .allowed =
-               [=](const Stepping& s) { return hinges * s.joint_slop / least + round_off(s, duration, reach) / least; },
-           .source = "equilibrium: H and the weights give each slope; one slop per hinge"},
+           .allowed = [=](const Stepping& s) { return longer(s) / least + round_off(s, duration, reach) / least; },
+           .source = "equilibrium: H and the weights give each slope; one slop or spring per hinge"},
           {.body = "load",
            .quantity = Quantity::x,
            .expected = 0,
-           .allowed = [=](const Stepping& s) { return hinges * s.joint_slop + round_off(s, duration, reach) / least; },
+           .allowed = [=](const Stepping& s) { return longer(s) + round_off(s, duration, reach) / least; },
            .source = "symmetry"}};
 }
 

@@ -3,6 +3,7 @@
 
 #include "scenarios/joints/swing.h"
 #include "scenarios/parts.h"
+#include "scenarios/sag.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 
@@ -105,12 +106,18 @@ Scene scene(const Parameters& p) {
 
 // Nothing moves. A weld may be off by the slop, and its segment turn by the slop over half its length; all that hangs
 // from it sinks by that angle times the distance: slop times 1, 3, 5 ... from the last weld back to the first, and once
-// for each weld.
+// for each weld. Where joints are springs, each gives way by what hangs from it.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double n = count(p);
+  const Scene beam = scene(p);
+  const std::size_t last = beam.bodies.size() - 1;
   const std::string tip = "segment " + std::to_string(count(p));
-  const auto turn = [=](const Stepping& s) { return 2 * n * s.joint_slop / size.x + round_off(s, duration, n); };
-  const auto place = [=](const Stepping& s) { return (n * n + n) * s.joint_slop + n * round_off(s, duration, n); };
+  const auto turn = [=](const Stepping& s) {
+    return 2 * n * s.joint_slop / size.x + sag_angle(s, beam, last) + round_off(s, duration, n);
+  };
+  const auto place = [=](const Stepping& s) {
+    return (n * n + n) * s.joint_slop + sag(s, beam, last) + n * round_off(s, duration, n);
+  };
   return {{.body = tip,
            .quantity = Quantity::y,
            .expected = 0,

@@ -2,6 +2,7 @@
 
 #include "scenarios/allowance.h"
 #include "scenarios/parts.h"
+#include "scenarios/sag.h"
 #include "scenarios/scenario.h"
 
 namespace plumb::scenarios::joint_grid {
@@ -42,15 +43,18 @@ Scene scene(const Parameters& p) {
 // Hinges on four sides leave the discs only one motion, in which each turns against its neighbours like meshed gears;
 // but the corners do not turn. (The hinges' equations for all velocities have full rank for 2 ... 7 discs per side.) So
 // nothing moves except by its slop in every hinge: a shift of one slop for each hinge on the way from the nearer
-// corner, and a sag like that of a beam whose columns turn by 2 slop/height each, (side/2)^2/2 of those in the middle.
+// corner, and a sag like that of a beam whose columns turn by 2 slop/height each, (side/2)^2/2 of those in the middle;
+// and what hinges that are springs give way.
 std::vector<Expectation> expectations(const Parameters& p) {
   const int side = static_cast<int>(p.at("side"));
+  const Scene net = scene(p);
   std::vector<Expectation> all;
   for (int column = 0; column < side; ++column) {
     const double hinges = side - 1 + std::min(column, side - 1 - column);
-    const double sag = side * side / (4.0 * (side - 1));
+    const double beam = side * side / (4.0 * (side - 1));
+    const auto body = static_cast<std::size_t>((side - 1) * side + column);
     const auto allowed = [=](const Stepping& s) {
-      return (hinges + sag) * s.joint_slop + round_off(s, duration, side * pitch);
+      return (hinges + beam) * s.joint_slop + sag(s, net, body) + round_off(s, duration, side * pitch);
     };
     const Vec start = place(side, side - 1, column);
     const std::string knot = name(side - 1, column);

@@ -61,11 +61,41 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
+// m, by which the storeys up to one, counted from 1, settle where contacts are springs. A card of weight W bears P; a
+// roof bears the feet of one pair, so that P = W + P' + half a roof for P' in the storey above, 0 in the highest. In
+// each storey its feet bear W + P, and its tops P and, against each other, (W/2 + P) tan a; as they come closer, it
+// settles by tan a of that. The inverse mass at a corner is 1/m + x^2/I, x its distance from the centre across the
+// push.
+double settles(const Stepping& s, const Measures& m, int levels, int storeys) {
+  const double card = length * thick;  // kg
+  const double card_inertia = card * (length * length + thick * thick) / 12;
+  const double span = m.apart - m.bearing / 5;
+  const double roof = span * thick;
+  const double roof_inertia = roof * (span * span + thick * thick) / 12;
+  const auto inverse = [](double mass, double inertia, double x) { return 1 / mass + x * x / inertia; };
+  const double foot = inverse(card, card_inertia, m.center.x);
+  const double top = inverse(card, card_inertia, m.center.x - m.bearing);
+  const double roof_end = inverse(roof, roof_inertia, span / 2);
+  const double roof_middle = inverse(roof, roof_inertia, length * std::sin(m.lean));
+  const double slope = std::tan(m.lean);
+  double sum = 0;
+  for (int storey = 1; storey <= storeys; ++storey) {
+    const double bears = (levels - storey) * (card + roof / 2) * standard_gravity;
+    const double weight = card * standard_gravity;
+    sum += storey == 1 ? spring_depth(s.fixed_contact_frequency, weight + bears, foot)
+                       : spring_depth(s.contact_frequency, weight + bears, foot + roof_middle);
+    sum += spring_depth(s.contact_frequency, bears, top + roof_end);
+    sum += slope *
+           spring_depth(s.contact_frequency, (weight / 2 + bears) * slope, 2 * inverse(card, card_inertia, m.center.y));
+  }
+  return sum;
+}
+
 // It stands if friction >= tan a: a card of weight W that carries P on its top needs a horizontal force of (W/2 + P)
 // tan a, of which its partner supplies (W/2) tan a and the roof, held by friction under P, P tan a; at its foot W + P
 // balances all of it. A storey may settle by a gap under the feet and a gap under the roof; and, as the tops come a gap
-// closer or the feet creep outwards, by tan a of that;
-// friction bears tan a of gravity.
+// closer or the feet creep outwards, by tan a of that; friction bears tan a of gravity. Contacts that are springs
+// settle by their load.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Measures m(p.at("lean") * degree);
   const double slope = std::tan(m.lean);
@@ -77,9 +107,9 @@ std::vector<Expectation> expectations(const Parameters& p) {
                    .quantity = Quantity::y,
                    .expected = card.position.y,
                    .allowed =
-                       [=, y = card.position.y](const Stepping& s) {
+                       [=, levels = levels_of(p), y = card.position.y](const Stepping& s) {
                          return storeys * ((2 + slope) * s.contact_gap() + slope * slope * s.creep * duration) +
-                                round_off(s, duration, y);
+                                settles(s, m, levels, static_cast<int>(storeys)) + round_off(s, duration, y);
                        },
                    .source = "equilibrium, as friction is above tan a; gaps and creep, storey by storey"});
   }

@@ -31,19 +31,25 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// As in "stacking": nothing moves, within one gap per contact below, and the lean of one slop per contact. To the side
-// that adds up as the square of the contacts, so of a tall tower a lower box is asked for.
+// As in "stacking": nothing moves, within one gap per contact below or, where contacts are springs, their depths, and
+// the lean of one slop per contact. To the side that adds up as the square of the contacts, so of a tall tower a lower
+// box is asked for.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double end = p.at("duration");
   std::vector<Expectation> all;
   for (int tower = 1; tower <= static_cast<int>(p.at("towers")); ++tower) {
     const double reach = tower * (apart + size) + 1;
     const int low = std::min(tower, highest_by_place);
+    const std::vector<double> masses(static_cast<std::size_t>(tower), size * size);
     all.push_back({.body = name(tower, tower),
                    .quantity = Quantity::y,
                    .expected = (tower - 0.5) * size,
-                   .allowed = [=](const Stepping& s) { return tower * s.contact_gap() + round_off(s, end, reach); },
-                   .source = "stands: one gap per contact below"});
+                   .allowed =
+                       [=](const Stepping& s) {
+                         return tower * s.contact_gap() + tower_sinks(s, standard_gravity, masses, masses.size()) +
+                                round_off(s, end, reach);
+                       },
+                   .source = "stands: one gap or depth of its spring per contact below"});
     all.push_back({.body = name(tower, tower),
                    .quantity = Quantity::angle,
                    .expected = 0,
@@ -96,17 +102,23 @@ Scene scene(const Parameters& p) {
 
 // The boxes fall together until the lowest is on the ground, then the next is on it, and so on: each impact is one of
 // two flat faces with e = 0, and ends in rest. Box k has come down by k times the gap. At rest it is within one gap of
-// the engine per contact below. It may still sink by that, on average as fast as in all of the time.
+// the engine, or the depth of a spring, per contact below. It may still sink by the gaps, on average as fast as in all
+// of the time.
 std::vector<Expectation> expectations(const Parameters& p) {
   const int boxes = static_cast<int>(p.at("boxes"));
+  const std::vector<double> masses(static_cast<std::size_t>(boxes), size * size);
   std::vector<Expectation> all;
   for (int k = 1; k <= boxes; ++k) {
     const double reach = (k + 1) * size + gravity * duration;
     all.push_back({.body = name(k),
                    .quantity = Quantity::y,
                    .expected = (k - 0.5) * size,
-                   .allowed = [=](const Stepping& s) { return k * s.contact_gap() + round_off(s, duration, reach); },
-                   .source = "lies on the one below; one gap per contact below"});
+                   .allowed =
+                       [=](const Stepping& s) {
+                         return k * s.contact_gap() + tower_sinks(s, gravity, masses, static_cast<std::size_t>(k)) +
+                                round_off(s, duration, reach);
+                       },
+                   .source = "lies on the one below; one gap or depth of its spring per contact below"});
     all.push_back(
         {.body = name(k),
          .quantity = Quantity::speed,

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -5,6 +6,7 @@
 #include "scenarios/allowance.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb::scenarios::pyramids {
 namespace {
@@ -24,20 +26,53 @@ std::vector<Body> pyramid_of(const std::string& prefix, int base, double x, Surf
   return boxes;
 }
 
+// m, by which the boxes of a row, counted from 1, sink where contacts are springs, `base` boxes in the lowest. A box
+// bears its own weight and half of what each of two above it bears; the sum takes the most loaded box of every row. On
+// the ground it stands on two corners, as in a tower. On two boxes it stands on four points, 1/2 m and 1/8 m from the
+// middles of the two bodies there: 1/m + r^2/I, I = m/6, of both is 3.59/m.
+double row_sinks(const Stepping& s, double mass, int base, int row) {
+  std::vector<double> most;  // in weights, by row from the apex
+  std::vector<double> borne{1};
+  for (int width = 1; width <= base; ++width) {
+    most.push_back(*std::max_element(borne.begin(), borne.end()));
+    std::vector<double> below(borne.size() + 1, 1);
+    for (std::size_t i = 0; i < borne.size(); ++i) {
+      below[i] += borne[i] / 2;
+      below[i + 1] += borne[i] / 2;
+    }
+    borne = below;
+  }
+  const double weight = mass * standard_gravity;
+  double sinks = 0;
+  for (int i = 1; i <= row; ++i) {
+    const double load = most[static_cast<std::size_t>(base - i)] * weight;
+    const double beside = 2 + 6 * (0.5 * 0.5 + 0.125 * 0.125);
+    sinks += i == 1 ? spring_depth(s.fixed_contact_frequency, load / 2, 2.5 / mass)
+                    : spring_depth(s.contact_frequency, load / 4, beside / mass);
+  }
+  return sinks;
+}
+
 // Every box of the pyramid stays at its height for `duration`, s, and the apex on its vertical. Every box rests on two
 // below it, to the outside of their middles on both sides, and carries its load the same way: all resultant forces lie
-// between the supports, and nothing moves. As in a tower, box by box up to row k: k gaps in height, and a lean of
-// slop/size per row, which moves the apex k (k+1)/2 slop to the side.
+// between the supports, and nothing moves. As in a tower, box by box up to row k: k gaps or depths of springs in
+// height, and a lean of slop/size per row, which moves the apex k (k+1)/2 slop to the side.
 std::vector<Expectation> pyramid_stands(const std::vector<Body>& pyramid, double duration) {
   std::vector<Expectation> all;
+  const int base = static_cast<int>(pyramid.back().position.y + 0.5);
   for (const Body& one : pyramid) {
     const double row = one.position.y + 0.5;
     const double reach = std::abs(one.position.x) + row;
+    const double mass = mass_of(one).mass;
     all.push_back({.body = one.name,
                    .quantity = Quantity::y,
                    .expected = one.position.y,
-                   .allowed = [=](const Stepping& s) { return row * s.contact_gap() + round_off(s, duration, reach); },
-                   .source = "equilibrium: does not move, within one gap per contact below"});
+                   .allowed =
+                       [=](const Stepping& s) {
+                         return row * s.contact_gap() + row_sinks(s, mass, base, static_cast<int>(row)) +
+                                round_off(s, duration, reach);
+                       },
+                   .source = "equilibrium: does not move, within one gap or depth of its spring per contact below"});
   }
   const Body& apex = pyramid.back();
   const double row = apex.position.y + 0.5;

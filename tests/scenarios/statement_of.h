@@ -40,7 +40,8 @@ inline Stepping positions_first() {
 inline Stepping soft() {
   Stepping s{.dt = 1.0 / 60, .h = 1.0 / 240, .drift = 0.5, .order = 1, .impact_lag = 8};
   s.contact_frequency = 30;
-  s.fixed_contact_frequency = 60;
+  s.fixed_contact_frequency = s.joint_frequency = 60;
+  s.held_anchors = true;
   s.iterations = 1;
   s.epsilon = 0x1p-24;
   s.spring_limit = 2;

@@ -331,6 +331,8 @@ Stepping stepping(const Settings& given, double dt) {
   stated.order = 1;
   // Impacts are found once a step, and bounce at the end of the step that finds them.
   stated.impact_lag = 2 * std::stod(settings.at("substeps"));
+  // The relaxation that ends a step brakes what would touch within a sub-step more.
+  stated.impact_lead = 1;
   // Shapes have no skin, and contacts are springs of the lesser of 30 Hz and an eighth of the sub-step's rate, twice
   // that on fixed bodies (b2World_Step). The slop is their depth under one weight, 2.5 g/w^2 for a square on its like
   // (two corners, each with half the weight and an effective mass of m/5). Joints are springs of twice that frequency.
@@ -338,7 +340,10 @@ Stepping stepping(const Settings& given, double dt) {
   stated.fixed_contact_frequency = 2 * stated.contact_frequency;
   const double contact_omega = 2 * std::numbers::pi * stated.contact_frequency;
   stated.slop = 2.5 * standard_gravity / (contact_omega * contact_omega);
+  stated.joint_frequency = 2 * stated.contact_frequency;
   stated.joint_slop = 2.5 * standard_gravity / (4 * contact_omega * contact_omega);
+  stated.tangent_rotation = true;  // b2IntegrateRotation
+  stated.held_anchors = true;      // its sub-steps turn the arms that the step began with (solve_contact)
   stated.creep = 0;
   stated.iterations = 1;  // restitution is applied once a step
   stated.restitution_threshold = std::stod(settings.at("restitution"));

@@ -28,6 +28,7 @@
 //   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
 //   move it by F/m dt^2 on the way there. At the contact a correction by C turns a body by at most C/2k (of r/(k^2 +
 //   r^2), the largest is 1/2k), which is C/2 in k dw;
+// - a rotation that goes along its tangent, by atan(w h) in a sub-step: (w h)^2/3 of the turn is missing;
 // - the rounding of positions and velocities: of the largest position so far, as one near the origin may be the
 //   difference of such.
 namespace plumb::invariants::displacement {
@@ -148,7 +149,9 @@ class Displacement {
     }
     if (of.inertia > 0) tolerance += dt * dt * gyration / of.inertia * std::abs(after.torque - before.torque);
     const double path = dt * std::max(length(then.velocity), length(now.velocity));
-    const double turn = dt * gyration * std::max(std::abs(then.angular_velocity), std::abs(now.angular_velocity));
+    const double spin = std::max(std::abs(then.angular_velocity), std::abs(now.angular_velocity));
+    const double turn = dt * gyration * spin;
+    if (stepping.tangent_rotation) tolerance += turn * spin * stepping.h * spin * stepping.h / 3;
     farthest_[body] = std::max({farthest_[body], length(then.position), length(now.position)});
     const double rounded =
         solver_rounding(stepping) * (farthest_[body] + path + gyration * std::abs(now.angle) + turn) +

@@ -23,9 +23,10 @@
 //
 // A limit of a joint gives an impulse only in a step in which the joint may reach it, and only away from it. The joint
 // may turn by the larger of what it did turn and what its velocities before or after would give, by what the forces
-// add, (F/(m r) + T/I) dt^2 at the arms r, and by the stated slop; a slider likewise, by r times that. Where the fit
-// lets one limit pull, the best fit without that one is the best one that is allowed, as the square of what is left is
-// convex in every impulse. If that lets another one pull, the first fit stays, which leaves less.
+// add, (F/(m r) + T/I) dt^2 at the arms r, and by the stated slop; a slider likewise, by r times that. The stated lead
+// of impacts makes the step longer. Where the fit lets one limit pull, the best fit without that one is the best one
+// that is allowed, as the square of what is left is convex in every impulse. If that lets another one pull, the first
+// fit stays, which leaves less.
 //
 // The tolerance covers:
 // - the forces, known at both ends of the step (see AppliedForces::change_in);
@@ -244,7 +245,8 @@ class FreeMotion {
     }
     const LimitRoom room = joints_.room(joint, then).value();
     const LimitRoom after = joints_.room(joint, now).value();
-    reach += std::max({std::abs(after.low - room.low), dt * std::abs(room.rate), dt * std::abs(after.rate)});
+    const double ahead = 1 + context_.stepping.impact_lead * context_.stepping.h / dt;
+    reach += ahead * std::max({std::abs(after.low - room.low), dt * std::abs(room.rate), dt * std::abs(after.rate)});
     return {.positive = room.low <= reach, .negative = room.high <= reach};
   }
 

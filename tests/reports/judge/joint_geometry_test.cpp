@@ -42,6 +42,27 @@ TEST(JointGeometry, MeasuresByHowMuchAJointIsViolated) {
   EXPECT_NEAR(error_at(point, {.position = rotated({2, 0}, 0.3), .angle = 0.3}), 0, 1e-15);
 }
 
+// A box of 1 kg and 1/6 kg m^2, 2 m from the anchor: a pull along the arm meets 1 kg, one across it 1/(1 + 6 2^2) kg.
+TEST(JointGeometry, StoresWhatASoftConstraintDoes) {
+  const auto stored = [](const Joint& joint, BodyState moved) {
+    const Scene scene = joined(joint);
+    std::vector<BodyState> states = initial_states(scene);
+    states[1] = moved;
+    return JointGeometry(scene).stored(0, states, 10);
+  };
+  const Joint hinge = Revolute{.a = 0, .b = 1};
+  const Joint weld = Weld{.a = 0, .b = 1};
+  const Joint rod = Distance{.a = 0, .b = 1, .anchor_b = {2, 0}, .length = 2};
+  const Joint rail = Prismatic{.a = 0, .b = 1, .axis = {1, 0}};
+  EXPECT_EQ(stored(hinge, {.position = {2, 0}}), 0);
+  EXPECT_DOUBLE_EQ(stored(hinge, {.position = {2.5, 0}}), 100 * 0.25 / 2);
+  EXPECT_DOUBLE_EQ(stored(hinge, {.position = {2, 0.5}}), 100 * 0.25 / 2 / 25);
+  EXPECT_NEAR(stored(hinge, {.position = rotated({2, 0}, 0.3), .angle = 0.3}), 0, 1e-12);
+  EXPECT_NEAR(stored(weld, {.position = rotated({2, 0}, 0.3), .angle = 0.3}), 100 * 0.09 / 6 / 2, 1e-12);
+  EXPECT_DOUBLE_EQ(stored(rod, {.position = {2.5, 0}}), 100 * 0.25 / 2);
+  EXPECT_EQ(stored(rail, {.position = {2.5, 0.5}}), 0) << "not known";
+}
+
 TEST(JointGeometry, HasLimitsThatAreMeasuredFromTheStart) {
   const Joint limited = Revolute{.a = 0, .b = 1, .limits = Limits{-0.2, 0.1}};
   const auto turned = [](double angle) { return BodyState{.position = rotated({2, 0}, angle), .angle = angle}; };

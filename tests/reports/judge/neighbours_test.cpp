@@ -51,6 +51,20 @@ TEST(Neighbours, MayBeThrownFromOneToTheNext) {
   EXPECT_EQ(found(1), 1u);
 }
 
+// What is braked up to half a step early, at 2 m/s, may touch what is 1 cm farther away.
+TEST(Neighbours, MayBeBrakedEarlyByTheStatedLead) {
+  const Scene scene = box_on_ground();
+  Stepping early = with_skin;
+  early.impact_lead = 0.5;
+  const auto found = [&](double height, const Stepping& stated) {
+    const Trace trace = forged(dt, {{box_at({0, 0.5 + height}, {0, -2})}, {box_at({0, 0.5 + height - 0.02})}});
+    return !Neighbours(scene, trace, stated).in_step(1).empty();
+  };
+  EXPECT_FALSE(found(0.0309, with_skin));
+  EXPECT_TRUE(found(0.0309, early));
+  EXPECT_FALSE(found(0.0311, early));
+}
+
 TEST(Neighbours, CountsWhatABodyDidMove) {
   const Trace jump = forged(dt, {{box_at({0, 0.6})}, {box_at({0, 0.5})}});
   EXPECT_FALSE(Neighbours(box_on_ground(), jump, with_skin).in_step(1).empty());

@@ -30,12 +30,18 @@ TEST(Statement, SaysInMillimetresHowFarContactsMayRestFromTouching) {
 TEST(Statement, SaysThatContactsAreSpringsAndVelocitiesDifferences) {
   Stepping stepping;
   stepping.impact_lag = 0;
+  stepping.h = 0.004;
+  stepping.impact_lead = 1;
   stepping.contact_frequency = 30;
-  stepping.fixed_contact_frequency = 60;
+  stepping.fixed_contact_frequency = stepping.joint_frequency = 60;
+  stepping.held_anchors = stepping.tangent_rotation = true;
   stepping.differenced_velocities = true;
   EXPECT_EQ(statement(stepping),
-            "contacts are springs of 30 Hz, 60 Hz on what does not move, and overlap by their load; keeps velocities "
-            "as differences of positions");
+            "brakes an approach up to 4 ms early; contacts are springs of 30 Hz, 60 Hz on what does not move, and "
+            "overlap by their load; holds contact "
+            "points on both bodies for a step, which lets rolling bodies sink in; turns by atan(w h) in a sub-step; "
+            "joints are springs of 60 Hz and open "
+            "by their load; keeps velocities as differences of positions");
 }
 
 TEST(MoreIterations, AreThoseThatAnEngineStates) {

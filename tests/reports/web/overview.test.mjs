@@ -38,6 +38,21 @@ test("engines whose code is not native are marked where times are compared", asy
   await page.close();
 });
 
+test("seven engines fit beside each other on a laptop", async () => {
+  const data = sample();
+  const box2d = data.report.engines.find(({ name }) => name === "box2d");
+  const runs = data.report.runs.filter(({ engine }) => engine === "box2d");
+  for (const name of ["box2d3", "chipmunk", "rapier", "planck", "matter"]) {
+    data.report.engines.push({ ...box2d, name });
+    data.report.runs.push(...runs.map((run) => ({ ...run, engine: name })));
+  }
+  const { page } = await open(await write(data), { width: 1280, height: 900 });
+  assert.equal((await heads(page)).length, 2 + 7);
+  const { whole, seen } = await page.locator(".verdicts-by-case").evaluate((table) => ({ whole: table.scrollWidth, seen: table.clientWidth }));
+  assert.ok(whole <= seen, `${whole} of ${seen} px`);
+  await page.close();
+});
+
 test("the chart of error against cost follows the filters", async () => {
   const { page } = await open(file, { hash: "#overview?engine=box2d" });
   await page.locator("#overview .canvas").first().scrollIntoViewIfNeeded();

@@ -63,5 +63,16 @@ TEST(CornerSpin, StopsAWallWithoutFriction) {
             (both - braked) * halfway / 2);
 }
 
+// The disc is let down by r (1 - cos w dt), on average as at sqrt(13/27) w0 while w falls from w0 to w0/3.
+TEST(SpinUp, LetsADiscSinkInThatSpinsOnHeldPoints) {
+  const Of speed{"spin-up", {}, "disc", Quantity::vx};
+  Stepping stated = statement_of::soft();
+  const double with = speed.allows(stated);
+  stated.held_anchors = false;
+  const double sinks = 0.5 * (1 - std::cos(std::sqrt(13. / 27) * 24 / 60));
+  EXPECT_NEAR(with - speed.allows(stated), 24 * sinks / 9, 1e-12);
+  EXPECT_LT(with, 4 * 0.02);
+}
+
 }  // namespace
 }  // namespace plumb::spun_disc_test

@@ -52,6 +52,41 @@ TEST(Stacking, WeighsWhatPressesASpring) {
   EXPECT_NEAR(sinks({"stacking", {{"boxes", 2}, {"ratio", 100}}, "box 2", Quantity::y}), 0.04442, 1e-5);
 }
 
+// The tallest of the row, of 18 boxes of half a metre: as above, whatever their size.
+TEST(TowerRow, KnowsHowFarATowerSinksByTheSpringsOfItsContacts) {
+  EXPECT_NEAR(sinks({"tower-row", {}, "box 18 of 18", Quantity::y}), (18. / 8 + 153) * 2.5 * 10 / 35530.58, 1e-6);
+}
+
+TEST(SettlingTower, KnowsHowFarATowerSinksByTheSpringsOfItsContacts) {
+  EXPECT_NEAR(sinks({"settling-tower", {}, "box 10", Quantity::y}), 0.03254, 1e-5);
+}
+
+// Box2D 3 lets the second row sink by 2.24 mm, the apex by 8.65 mm.
+TEST(Pyramid, KnowsHowFarEachRowSinksByTheSpringsOfItsContacts) {
+  const double second = sinks({"pyramid", {{"base", 10}}, "box 2.5", Quantity::y});
+  EXPECT_GT(second, 0.00224);
+  EXPECT_LT(second, 1.3 * 0.00224);
+  const double apex = sinks({"pyramid", {{"base", 10}}, "box 10.1", Quantity::y});
+  EXPECT_GT(apex, 0.00865);
+  EXPECT_LT(apex, 1.3 * 0.00865);
+}
+
+// Box2D 3 and Rapier tilt the top block by 5.9 mrad and lower it by 12.6 mm at 90 %.
+TEST(Overhang, KnowsHowFarBlocksTiltByTheSpringsOfTheirContacts) {
+  const Parameters most{{"fraction", 0.9}};
+  EXPECT_NEAR(sinks({"overhang", most, "block 1", Quantity::angle}), 0.00589, 1e-5);
+  EXPECT_NEAR(sinks({"overhang", most, "block 3", Quantity::angle}), 0.00308, 1e-5);
+  EXPECT_NEAR(sinks({"overhang", most, "block 1", Quantity::y}), 0.0126, 1e-4);
+}
+
+// Box2D 3 and Rapier lower the second storey's roof by 10.2 mm, and the first one's by 4 mm.
+TEST(CardHouse, KnowsHowFarStoreysSettleByTheSpringsOfTheirContacts) {
+  const double second = sinks({"card-house", {{"levels", 3}}, "2: roof 1", Quantity::y});
+  EXPECT_GT(second, 0.010 - 0.0042);
+  EXPECT_LT(second, 1.5 * 0.0102);
+  EXPECT_LT(sinks({"card-house", {{"levels", 3}}, "1: roof 1", Quantity::y}), second);
+}
+
 TEST(Arch, StopsACrownThatHasComeDownByItsThickness) {
   EXPECT_LT((Of{"arch", {}, "stone 10", Quantity::y}.allows_at_most()), 1.2 / 2);
 }

@@ -6,11 +6,14 @@
 // - No half-spaces: we build them from a segment, in a frame along it, so that float errors are errors along it.
 // - Contact impulses are the last sub-step's times the number of sub-steps. The package's totalNormalImpulse counts
 //   those before and after relaxing both: twice the weight at rest.
-import Box2D from 'box2d3-wasm';
-import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, tuned, turned, unwound } from './plumb_engine.mjs';
+import { b2, direct, listed, memory, refresh } from './embind.mjs';
+import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, tuned, turned,
+         unwound } from './plumb_engine.mjs';
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
-const b2 = await Box2D();
+
+const answer = b2._malloc(64); // where functions called directly write to
+const at = answer >> 2;
 
 // Handles on the engine's memory are given back as soon as they are read.
 const using = (handle, read) => {
@@ -18,15 +21,6 @@ const using = (handle, read) => {
   handle.delete();
   return value;
 };
-// Reading a field of a handle takes the engine longer than a step of a body, so we read what it points to: floats at
-// that many words from there. The memory moves when it grows.
-let floats = new Float32Array();
-let integers = new Int32Array();
-function words(handle) {
-  const { buffer } = b2.HEAPU8;
-  if (floats.buffer !== buffer) [floats, integers] = [new Float32Array(buffer), new Int32Array(buffer)];
-  return handle.$$.ptr >> 2;
-}
 // In words (box2d/types.h, box2d/collision.h): b2ContactData is a contact's id, two shapes' ids, whose first word is
 // their index, and a b2Manifold: the normal, a rolling impulse, two points and their count. A b2ManifoldPoint is a
 // point, its arms from A and B, separation, normal, tangent and total impulse, normal velocity and an id.
@@ -51,12 +45,13 @@ class World {
     if (friction !== 'geometric') b2.b2World_SetFrictionCallback(this.world, (a, _, b) => mixed[friction](a, b));
     if (restitution !== 'max') b2.b2World_SetRestitutionCallback(this.world, (a, _, b) => mixed[restitution](a, b));
     this.loads = scene.loads;
-    this.angles = scene.bodies.map(({ angle }) => angle);
+    this.read = scene.bodies.map(({ angle }) => [0, 0, angle, 0, 0, 0]);
     this.sinceRead = 0;
     this.owners = new Map(); // of the engine's shapes
     this.moving = scene.bodies.map(({ type }) => type !== 'static');
     try {
       this.bodies = scene.bodies.map((body) => this.add(body, scene.extent));
+      this.ids = this.bodies.map(idOf);
       for (const joint of scene.joints) this.join(joint, scene.bodies);
     } catch (error) {
       this.free();
@@ -150,17 +145,19 @@ class World {
   }
 
   states() {
-    this.read = this.bodies.map((body, i) => {
-      if (!this.moving[i] && this.read) return this.read[i];
-      const w = b2.b2Body_GetAngularVelocity(body);
-      const at = b2.b2Body_GetTransform(body);
-      const velocity = b2.b2Body_GetLinearVelocity(body);
-      const [p, v] = [words(at), words(velocity)];
-      this.angles[i] = unwound(Math.atan2(floats[p + 3], floats[p + 2]), this.angles[i] + w * this.sinceRead);
-      const state = [floats[p], floats[p + 1], this.angles[i], floats[v], floats[v + 1], w];
-      at.delete();
-      velocity.delete();
-      return state;
+    refresh();
+    const { floats } = memory;
+    this.ids.forEach((id, i) => {
+      if (!this.moving[i] && this.sinceRead) return;
+      const state = this.read[i]; // written anew: new ones would be garbage after each step
+      state[5] = direct.b2Body_GetAngularVelocity(id);
+      direct.b2Body_GetTransform(answer, id);
+      state[0] = floats[at];
+      state[1] = floats[at + 1];
+      state[2] = unwound(Math.atan2(floats[at + 3], floats[at + 2]), state[2] + state[5] * this.sinceRead);
+      direct.b2Body_GetLinearVelocity(answer, id);
+      state[3] = floats[at];
+      state[4] = floats[at + 1];
     });
     this.sinceRead = 0;
     return this.read;
@@ -168,25 +165,31 @@ class World {
 
   contacts() { // where the bodies were read last
     const all = [];
-    this.bodies.forEach((body, i) => {
-      const capacity = this.moving[i] ? b2.b2Body_GetContactCapacity(body) : 0;
-      if (!capacity) return; // an empty list takes the engine as long as a state
-      for (const contact of b2.b2Body_GetContactData(body, capacity)) {
-        const at = words(contact);
-        const [one, other] = [SHAPE_A, SHAPE_B].map((word) => this.owners.get(integers[at + word]));
-        // Two moving bodies both list it: it is told from its first.
-        if (one === i || !this.moving[one]) this.tell(at, one, other, all);
-        contact.delete();
-      }
+    const ends = []; // of each body's contacts among all
+    const contacts = listed((soFar) => this.ids.forEach((id, i) => {
+      const capacity = this.moving[i] ? direct.b2Body_GetContactCapacity(id) : 0;
+      if (capacity) direct.b2Body_GetContactData(answer, id, capacity);
+      ends.push(soFar.length);
+    }));
+    let i = 0;
+    contacts.forEach((address, k) => {
+      while (k >= ends[i]) ++i;
+      const contact = address >> 2;
+      const one = this.owners.get(memory.words[contact + SHAPE_A]);
+      const other = this.owners.get(memory.words[contact + SHAPE_B]);
+      // Two moving bodies both list it: it is told from its first.
+      if (one === i || !this.moving[one]) this.tell(contact, one, other, all);
+      b2._free(address);
     });
     return all;
   }
 
-  tell(at, one, other, all) {
+  tell(contact, one, other, all) {
     const [x, y] = this.read[one];
-    for (let i = 0, point = at + POINTS; i < integers[at + COUNT]; ++i, point += POINT) {
+    const { words, floats } = memory;
+    for (let i = 0, point = contact + POINTS; i < words[contact + COUNT]; ++i, point += POINT) {
       all.push([one, other, x + floats[point + ARM], y + floats[point + ARM + 1],
-                floats[at + NORMAL], floats[at + NORMAL + 1], this.substeps * floats[point + NORMAL_IMPULSE],
+                floats[contact + NORMAL], floats[contact + NORMAL + 1], this.substeps * floats[point + NORMAL_IMPULSE],
                 -this.substeps * floats[point + TANGENT_IMPULSE], // its tangent is the normal turned by -90 degrees
                 floats[point + SEPARATION]]);
     }
@@ -194,7 +197,17 @@ class World {
 
   free() {
     b2.b2DestroyWorld(this.world);
+    this.ids?.forEach(b2._free);
   }
+}
+
+// The address of a body's id, which has an index and two numbers of two bytes.
+function idOf({ index1, world0, generation }) {
+  const address = b2._malloc(8);
+  refresh();
+  memory.words[address >> 2] = index1;
+  memory.words[(address >> 2) + 1] = world0 | (generation << 16);
+  return address;
 }
 
 const attach = {
@@ -234,16 +247,20 @@ const attach = {
 
 // Contacts are springs of the lesser of 30 Hz and an eighth of the sub-step's rate, twice that on fixed bodies. The slop
 // is their depth under one weight, 2.5 g/w^2 for a square on its like (two corners, each with half the weight and an
-// effective mass of m/5); that of joints likewise, with the lesser of 60 Hz and a quarter of that rate. Impacts bounce at the end of the step that finds
-// them. With k = w dt and V = v dt a force that is held over n sub-steps makes V' = V - k^2 y, x' = x + V - (1 + 1/n)/2
-// k^2 y. At y = x a spring would gain energy; at y = x + (1 - 1/n)/2 V the determinant is 1 and the trace 2 - k^2.
+// effective mass of m/5); that of joints likewise, at twice that frequency. Impacts bounce at the end of the step that
+// finds them, and its last relaxation brakes what would touch within a sub-step more. A contact keeps its points on both
+// bodies for a step. With k = w dt and V = v dt a force that is held over n sub-steps makes V' = V - k^2 y, x' = x + V -
+// (1 + 1/n)/2 k^2 y. At y = x a spring would gain energy; at y = x + (1 - 1/n)/2 V the determinant is 1 and the trace 2 -
+// k^2.
 function stepping({ substeps, restitution }, dt) {
   const h = dt / Number(substeps);
   const contact = Math.min(30, 0.125 / h);
+  const joint = 2 * contact;
   const sink = (hertz) => (2.5 * GRAVITY) / (2 * Math.PI * hertz) ** 2;
-  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps),
+  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps), impactLead: 1,
            slop: sink(contact), contactFrequency: contact, fixedContactFrequency: 2 * contact,
-           jointSlop: sink(Math.min(60, 0.25 / h)), iterations: 1,
+           jointSlop: sink(joint), jointFrequency: joint, heldAnchors: true,
+           tangentRotation: true, iterations: 1,
            restitutionThreshold: Number(restitution), wholeImpulses: false, springLimit: 2 };
 }
 

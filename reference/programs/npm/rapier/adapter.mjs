@@ -212,12 +212,13 @@ function layersOf({ bodies }) {
 
 // As for Box2D 3, whose method this is. The slop is the depth of a contact's spring under one weight, 2.5 g/w^2 for a
 // square on its like (two corners, each with half the weight and an effective mass of m/5). A joint falls for one
-// sub-step before it is pulled back. Impacts bounce at the end of the step that finds them.
+// sub-step before it is pulled back. Impacts bounce at the end of the step that finds them, and the last solve of a step
+// brakes what would touch within a sub-step more. A contact keeps its points on both bodies for a step.
 function stepping({ substeps, iterations, sleep }, dt) {
   const h = dt / Number(substeps);
-  return { arithmetic: 'float', substep: h, drift: 0.5, order: 1, impactLag: 2 * Number(substeps),
-           slop: (2.5 * GRAVITY) / (2 * Math.PI * CONTACT) ** 2, contactFrequency: CONTACT,
-           fixedContactFrequency: 2 * CONTACT, jointSlop: GRAVITY * h * h, iterations: Number(iterations),
+  return { arithmetic: 'float', substep: h, drift: 0.5, dampingInterval: dt, order: 1, heldAnchors: true, tangentRotation: true,
+           impactLag: 2 * Number(substeps), impactLead: 1, slop: (2.5 * GRAVITY) / (2 * Math.PI * CONTACT) ** 2,
+           contactFrequency: CONTACT, fixedContactFrequency: 2 * CONTACT, jointSlop: GRAVITY * h * h, iterations: Number(iterations),
            wholeImpulses: sleep === 'off', springLimit: 2 };
 }
 

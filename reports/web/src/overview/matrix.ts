@@ -141,6 +141,9 @@ function head(key: Key, view: View): HTMLTableCellElement {
   return h("th", { scope: "col", "aria-sort": mine ? (down ? "descending" : "ascending") : "none" }, button);
 }
 
+/** So many engines fit beside each other on a laptop with verdict and number on one line; of more, the number is below. */
+const few = 4;
+
 export function matrix(model: Model, engines: Engine[], view: View, measure: Measure): HTMLElement {
   let above = "";
   const rows = ordered(model, sorting(view), measure).map((item) => {
@@ -159,6 +162,6 @@ export function matrix(model: Model, engines: Engine[], view: View, measure: Mea
   return h(
     "div",
     { class: "table verdicts-by-case", tabindex: "0", role: "group", "aria-label": caption },
-    h("table", { class: "matrix grouped" }, h("caption", {}, caption), h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows)),
+    h("table", { class: engines.length > few ? "matrix grouped many" : "matrix grouped" }, h("caption", {}, caption), h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows)),
   );
 }

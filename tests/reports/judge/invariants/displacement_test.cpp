@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <variant>
 
 #include "forged_runs.h"
@@ -53,6 +54,25 @@ TEST(DisplacementInvariant, IsBrokenByAnEngineThatFreezesAndKeepsItsVelocities) 
   EXPECT_EQ(status("displacement", box_on_ground(), frozen({1, 0}, 0), first_order), CheckStatus::broken);
   EXPECT_EQ(status("displacement", box_on_ground(), frozen({}, 1), first_order), CheckStatus::broken);
   EXPECT_EQ(status("displacement", box_on_ground(), frozen({}, 0), first_order), CheckStatus::held);
+}
+
+// At 9 rad/s in sub-steps of 1/240 s, atan(w h) is (w h)^2/3 = 4.7e-4 short of w h.
+TEST(DisplacementInvariant, AllowsRotationsAlongTheTangentIfTheyAreStated) {
+  constexpr double w = 9;
+  constexpr double h = dt / 4;
+  const auto turns = [&](double angle) {
+    std::vector<BodyState> then = box_at({0, 5});
+    then[1].angular_velocity = w;
+    std::vector<BodyState> now = then;
+    now[1].angle = angle;
+    return forged(dt, {{then}, {now}});
+  };
+  Stepping stated{.dt = dt, .h = h, .epsilon = 1e-16};
+  const Trace short_of_it = turns(4 * std::atan(w * h));
+  EXPECT_EQ(status("displacement", box_on_ground(), short_of_it, stated), CheckStatus::broken);
+  stated.tangent_rotation = true;
+  EXPECT_EQ(status("displacement", box_on_ground(), short_of_it, stated), CheckStatus::held);
+  EXPECT_EQ(status("displacement", box_on_ground(), turns(w * dt * 0.999), stated), CheckStatus::broken);
 }
 
 TEST(DisplacementInvariant, IsBrokenByATeleport) {

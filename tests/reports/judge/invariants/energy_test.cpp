@@ -27,6 +27,53 @@ TEST(EnergyInvariant, NeverRisesIfNothingActs) {
   EXPECT_DOUBLE_EQ(check.time, h);
 }
 
+// A box that swings through its hinge with the frequency of the hinge's spring, and one with twice the energy it gave.
+TEST(EnergyInvariant, CountsWhatJointsHoldThatAreStatedToBeSprings) {
+  Scene scene = box_on_ground();
+  scene.bodies[0].shapes.clear();
+  scene.joints.push_back(Revolute{.a = 0, .b = 1, .anchor = {0, 0.5}});
+  constexpr double w = 20;  // rad/s
+  const auto swings = [&](double factor) {
+    Trace trace(2);
+    for (int i = 0; i <= 100; ++i) {
+      const double t = i * h;
+      const double grown = t > 0.5 ? factor : 1;
+      trace.record(t, box_at({0.1 * std::sin(w * t), 0.5}, {grown * 0.1 * w * std::cos(w * t), 0}), {});
+    }
+    return trace;
+  };
+  Stepping springs = second_order;
+  springs.epsilon = 1e-12;
+  EXPECT_EQ(status("energy", scene, swings(1), springs), CheckStatus::broken);
+  springs.joint_frequency = w / (2 * std::acos(-1.0));
+  EXPECT_EQ(status("energy", scene, swings(1), springs), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, swings(1.5), springs), CheckStatus::broken);
+}
+
+// A disc of 10 N that turns at 6 rad/s is let down by .5 m (1 - cos .06) = .9 mm, and lifted by that again. A box is
+// not: it turns on a corner, which stays the same point of it.
+TEST(EnergyInvariant, CountsWhatHeldPointsLetDownAndLiftAgain) {
+  const Scene box = box_on_ground(0.5, {0, -10});
+  Scene disc = box;
+  disc.bodies[1].shapes[0] = {Circle{.radius = 0.5}, {.density = 4 / std::acos(-1.0)}};
+  const auto lifted = [](double height) {
+    std::vector<Moment> moments;
+    for (int i = 0; i < 100; ++i) {
+      std::vector<BodyState> states = box_at({0, i < 50 ? 0.5 : 0.5 + height});
+      states[1].angular_velocity = 6;
+      states[1].angle = 6 * h * i;
+      moments.push_back({states, {pushing(10 * h)}});
+    }
+    return forged(h, moments);
+  };
+  Stepping held = second_order;
+  EXPECT_EQ(status("energy", disc, lifted(0.0008), held), CheckStatus::broken);
+  held.held_anchors = true;
+  EXPECT_EQ(status("energy", disc, lifted(0.0008), held), CheckStatus::held);
+  EXPECT_EQ(status("energy", disc, lifted(0.0011), held), CheckStatus::broken);
+  EXPECT_EQ(status("energy", box, lifted(0.0008), held), CheckStatus::broken);
+}
+
 TEST(EnergyInvariant, AllowsRoundingAndNoMore) {
   Stepping rounded = second_order;
   rounded.epsilon = 1e-7;  // three roundings of m v^2 = 1 J

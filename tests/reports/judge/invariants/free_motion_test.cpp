@@ -175,6 +175,28 @@ Trace frozen(const Scene& scene) {
   return trace;
 }
 
+// It stops a step and a half before it would reach the limit.
+TEST(FreeMotionInvariant, LetsALimitBrakeEarlyByTheStatedLead) {
+  Scene scene = chain(1, 1);
+  const Trace swings = pendulum(scene, 1, 1);
+  constexpr std::size_t at = 10;
+  const BodyState& before = swings.states(at)[1];
+  const double reached = before.angle + dt * before.angular_velocity;
+  const double limit = before.angle + 1.5 * dt * before.angular_velocity - 1;
+  scene.joints = {Revolute{.a = 0, .b = 1, .limits = Limits{limit, 10}}};
+  Trace trace(2);
+  for (std::size_t i = 0; i <= at; ++i) {
+    trace.record(swings.time(i), std::vector<BodyState>(swings.states(i).begin(), swings.states(i).end()), {});
+  }
+  std::vector<BodyState> at_rest = initial_states(scene);
+  at_rest[1] = {.position = rotated({0, -0.5}, reached), .angle = reached};
+  trace.record(dt * (at + 1), at_rest, {});
+  Stepping stated = exact;
+  EXPECT_EQ(status("free_motion", scene, trace, stated), CheckStatus::broken);
+  stated.impact_lead = 1;
+  EXPECT_EQ(status("free_motion", scene, trace, stated), CheckStatus::held);
+}
+
 TEST(FreeMotionInvariant, IsBrokenByAChainThatHangsFrozenInMidSwing) {
   const Scene swinging = chain(30, 0.5);
   EXPECT_EQ(status("free_motion", swinging, frozen(swinging), first_order), CheckStatus::broken);
