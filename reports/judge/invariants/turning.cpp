@@ -27,7 +27,8 @@
 // of its mean, so that sum |J_k| <= S = |J|/cos(atan mu + delta). The tolerance covers
 // - that, R S;
 // - the arm turns with the body, and d with the normal: |p| w dt S, and r delta S;
-// - the impulse may act anywhere between the surfaces of both: the stated gap, or the overlap, times S;
+// - the impulse may act anywhere between the surfaces of both: the stated gap, or the overlap, times S; and where a
+//   method brakes early, the gap at the step's start, at which it takes its points;
 // - forces that change within the step, as in momentum_of_bodies, and round-off.
 // The normal is that of a face which the other touches away from its corners, delta = w dt of that body; or of a round
 // body on a corner or on another, V dt/r more. Two sharp corners may have any normal: no test. Nor is a body that
@@ -161,7 +162,9 @@ class Turning {
     const auto gap = [&](const BodyState& mine, const BodyState& its) {
       return gap_between(placed(own, mine.position, mine.angle), placed(other, its.position, its.angle));
     };
-    const double apart = std::max({stepping.contact_gap(), -gap(then, other_then), -gap(now, other_now)});
+    const double gap_then = gap(then, other_then);
+    double apart = std::max({stepping.contact_gap(), -gap_then, -gap(now, other_now)});
+    if (stepping.impact_lead > 0) apart = std::max(apart, gap_then);
     const double farthest = length(middle) + radius;
     const double expected = cross(arm, impulse);
     const double got = mass.inertia * (now.angular_velocity - then.angular_velocity) - dt * torque;

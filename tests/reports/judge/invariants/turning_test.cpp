@@ -44,6 +44,25 @@ TEST(TurningInvariant, IsBrokenByTheWrongInertia) {
   EXPECT_EQ(status("turning", box_on_ground(), landed(0.5, 1.1 * 6 * arm * 0.5), exact), CheckStatus::broken);
 }
 
+// A disc that is braked 4 mm above the ground, by impulses at the middle of the gap: their arm is 2 mm longer.
+TEST(TurningInvariant, TakesPointsBetweenSurfacesOfAMethodThatBrakesEarly) {
+  constexpr double gap = 0.004;
+  Scene scene = box_on_ground(0.5);
+  scene.bodies[1].shapes[0].geometry = Circle{.radius = 0.5};
+  const Mass mass = mass_of(scene.bodies[1]);
+  const auto braked = [&](double reach) {
+    std::vector<BodyState> then = box_at({0, 0.5 + gap}, {1, -5});
+    std::vector<BodyState> now = box_at({dt, 0.5}, {0.5, -4});
+    now[1].angular_velocity = -0.5 * mass.mass * reach / mass.inertia;
+    return forged(dt, {{then}, {now}});
+  };
+  Stepping stated = exact;
+  EXPECT_EQ(status("turning", scene, braked(0.5 + gap / 2), stated), CheckStatus::broken);
+  stated.impact_lead = 1;
+  EXPECT_EQ(status("turning", scene, braked(0.5 + gap / 2), stated), CheckStatus::held);
+  EXPECT_EQ(status("turning", scene, braked(0.5 + 4 * gap), stated), CheckStatus::broken);
+}
+
 // Flat on the ground, the load may be anywhere along its lower side: up to half a metre beside the centre.
 TEST(TurningInvariant, LetsTheLoadBeAnywhereUnderAFlatBox) {
   const auto pushed = [](double spin) {
