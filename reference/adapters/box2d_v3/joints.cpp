@@ -7,6 +7,7 @@
 #include <numbers>
 #include <variant>
 
+#include "reference/adapter.h"
 #include "reference/adapters/box2d_joints.h"
 #include "reference/scene_facts.h"
 #include "scenarios/scene/mass.h"
