@@ -80,7 +80,8 @@ World mixed_pile(const Settings& settings, unsigned seed) {
   add_floor(world);
   RandomShapes random(seed);
   for (int i = 0; i < 40; ++i) {
-    BodyDef def = at(i % 8 * 2.5, 2 + i / 8 * 3);
+    const int row = i / 8;
+    BodyDef def = at(i % 8 * 2.5, 2 + row * 3);
     def.angle = random.number(-3, 3);
     def.velocity = random.point(3);
     def.angular_velocity = random.number(-5, 5);
@@ -192,7 +193,8 @@ World hail(const Settings& settings) {
   add_floor(world, frictionless());
   RandomShapes random(5);
   for (int i = 0; i < 120; ++i) {
-    BodyDef def = at(i % 12 * 1.1, .8 + i / 12 * 1.2);
+    const int row = i / 12;
+    BodyDef def = at(i % 12 * 1.1, .8 + row * 1.2);
     def.angle = random.number(-3, 3);
     def.velocity = random.point(1);
     const Real a = random.number(.3, .5);
