@@ -11,7 +11,7 @@
 #include "contacts/contact_rows.h"
 #include "core/method_list.h"
 #include "islands/islands.h"
-#include "methods/lcp.h"
+#include "solver/lcp.h"
 #include "solver/motion.h"
 #include "solver/solver.h"
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "solver/lcp.h"
+
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
@@ -14,16 +16,10 @@ constexpr std::uint32_t nothing_slips = ~std::uint32_t{0};
 /// Of the largest term of a rate, what rounding may leave of it.
 constexpr Real rates_round_by = 64 * std::numeric_limits<Real>::epsilon();
 
-/// Compliance, as a fraction of a constraint's own inverse mass, that decides between equal ways to share a load. It
-/// does not stay: what it leaves is solved in the next round.
-constexpr Real least_compliance = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-4);
-
-/// The same, but it stays: tried one after the other until the laws can be met. At the first, bodies that rest sink by
-/// 1e-6 of what gravity moves them by in a sub-step.
-constexpr std::array<Real, 4> compliances{0, static_cast<Real>(1e-6), static_cast<Real>(1e-4), static_cast<Real>(1e-2)};
+}  // namespace
 
 /// The change of the rate of p for a unit impulse along q, through the bodies that both act on.
-Real response(const Constraint& p, const Constraint& q) {
+Real ConstraintSystem::response(const Constraint& p, const Constraint& q) {
   const auto through = [&](const InverseMass& mass, Real arm_p, Real arm_q) {
     return mass.m * dot(p.axis, q.axis) + mass.i * arm_p * arm_q;
   };
@@ -35,13 +31,10 @@ Real response(const Constraint& p, const Constraint& q) {
   return sum;
 }
 
-}  // namespace
-
 void ConstraintSystem::clear() {
   rows_.clear();
   state_.clear();
   factored_ = begun_ = false;
-  softness_ = 0;
 }
 
 std::uint32_t ConstraintSystem::add(const Constraint& constraint) {
@@ -57,7 +50,7 @@ Real ConstraintSystem::speed(const Constraint& row, const std::vector<Velocity>&
 
 Real ConstraintSystem::rate(std::size_t i, const std::vector<Velocity>& velocity) const {
   const Constraint& row = rows_[i];
-  return speed(row, velocity) + row.bias + compliance_[i] * (row.impulse - row.given);
+  return speed(row, velocity) + row.bias;
 }
 
 /// Bodies that cannot be pushed are not written: they may belong to other islands too.
@@ -104,14 +97,22 @@ bool ConstraintSystem::drove(const std::vector<Velocity>& velocity) const {
 void ConstraintSystem::weigh(std::size_t i) {
   const Constraint& row = rows_[i];
   const Real own = response(row, row);
-  compliance_[i] = compliances[softness_] * own;
-  mass_[i] = own > 0 && !row.fixed ? 1 / (own + compliance_[i]) : Real{0};
+  mass_[i] = own > 0 && !row.fixed ? 1 / own : Real{0};
+}
+
+/// How a constraint acts that has this impulse. What is at its bound stays there: a pile that slides goes on to slide.
+ConstraintSystem::State ConstraintSystem::guessed_state(const Constraint& row) const {
+  if (row.law == Law::holds) return State::holds;
+  if (row.impulse == 0) return State::off;
+  if (row.law == Law::pushes) return State::holds;
+  const Real most = row.law == Law::rubs ? row.friction * load(row) : row.most;
+  if (std::abs(row.impulse) < (1 - rates_round_by) * most) return State::holds;
+  return row.impulse > 0 ? State::forward : State::backward;
 }
 
 /// Notes the velocities, and in the first call applies the guesses.
 void ConstraintSystem::begin(std::vector<Velocity>& velocity) {
   mass_.resize(rows_.size());
-  compliance_.resize(rows_.size());
   scale_ = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
@@ -136,7 +137,7 @@ void ConstraintSystem::begin(std::vector<Velocity>& velocity) {
   if (state_.size() == rows_.size()) return;
   state_.resize(rows_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    state_[i] = rows_[i].law == Law::holds || rows_[i].impulse != 0 ? State::holds : State::off;
+    state_[i] = guessed_state(rows_[i]);
   }
   factored_ = false;
 }
@@ -307,7 +308,7 @@ bool ConstraintSystem::factor() {
       entries[j] = response(row, rows_[free_[j]]);
       if (slips_[j] != nothing_slips) entries[j] += slope_[j] * response(row, rows_[slips_[j]]);
     }
-    entries[i] += compliance_[free_[i]] + least_compliance / mass_[free_[i]];
+    entries[i] += least_compliance / mass_[free_[i]];
   }
   pivot_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -432,25 +433,43 @@ bool ConstraintSystem::iterate(Real enough, std::vector<Velocity>& velocity) {
   return false;
 }
 
+/// Friction that a guess puts beside its bound by rounding is at its bound.
+void ConstraintSystem::slide_on_the_cone(Real enough, std::vector<Velocity>& velocity) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Constraint& row = rows_[i];
+    if (row.law != Law::rubs || !(mass_[i] > 0)) continue;
+    const Real most = row.friction * load(row);
+    const Real short_of = most - std::abs(row.impulse);
+    if (std::abs(short_of) <= enough * mass_[i]) give(i, std::copysign(most, row.impulse) - row.impulse, velocity);
+  }
+}
+
 bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
   if (rows_.empty()) return true;
   begin(velocity);
   place_friction(velocity);
   const Real enough = rates_round_by * scale_;
-  if (broken_by(velocity) <= enough) return true;
-  constexpr int sweeps = 15;
-  while (!iterate(enough, velocity)) {
-    for (int i = 0; i < sweeps; ++i) sweep(velocity);
-    if (softness_ + 1 == compliances.size()) {
-      rebuild(velocity);
-      return false;
-    }
-    ++softness_;
-    factored_ = false;
-    for (std::size_t i = 0; i < rows_.size(); ++i) weigh(i);
+  if (broken_by(velocity) <= enough) {
+    slide_on_the_cone(enough, velocity);
+    return true;
   }
+  if (!iterate(enough, velocity) && !iterate_from_pivots(enough, velocity)) return false;
   finish(enough, velocity);
-  return softness_ == 0;
+  return true;
+}
+
+/// The same from what acts in the solution by pivoting; what that rounds may be left.
+bool ConstraintSystem::iterate_from_pivots(Real enough, std::vector<Velocity>& velocity) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const bool left = rows_[i].law == Law::holds && mass_[i] > 0 && std::abs(rate(i, velocity)) > enough;
+    if (left) return false;  // equations that Newton's method does not meet contradict each other, whatever else acts
+  }
+  if (!pivot(velocity)) return false;
+  for (std::size_t i = 0; i < rows_.size(); ++i) state_[i] = guessed_state(rows_[i]);
+  place_friction(velocity);
+  factored_ = factor();
+  last_ = state_;
+  return iterate(enough, velocity) || least_broken_ <= static_cast<Real>(lcp_round_off) * scale_;
 }
 
 void ConstraintSystem::restart(std::vector<Velocity>& velocity) {

@@ -51,8 +51,8 @@ struct Constraint {
 /// system; which do follows from its solution, and so on until no law is broken: Newton's method for nonsmooth
 /// equations (P. Alart and A. Curnier, A mixed formulation for frictional contact problems prone to Newton like
 /// solution methods, Comput. Methods Appl. Mech. Eng. 92 (1991)). Where masses do not say how constraints share a load,
-/// impulses change least from the guess. If Newton's method goes in circles, constraints yield a little, and sweeps
-/// (projected Gauss-Seidel) find another guess.
+/// impulses change least from the guess. If Newton's method goes in circles, the laws are solved as a linear
+/// complementarity problem by pivoting, and from there Newton's method goes on.
 class ConstraintSystem {
  public:
   void clear();
@@ -80,8 +80,14 @@ class ConstraintSystem {
   bool drove(const std::vector<Velocity>& velocity) const;
 
  private:
+  /// A fraction of a constraint's own inverse mass, by which it yields while it is solved for: that decides between
+  /// equal ways to share a load. It does not stay: what it leaves is solved in the next round.
+  static constexpr Real least_compliance = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-4);
+
   enum class State : std::uint8_t { off, holds, forward, backward };
 
+  static Real response(const Constraint& p, const Constraint& q);
+  State guessed_state(const Constraint& row) const;
   void begin(std::vector<Velocity>& velocity);
   void weigh(std::size_t i);
   Real rate(std::size_t i, const std::vector<Velocity>& velocity) const;
@@ -99,10 +105,14 @@ class ConstraintSystem {
   void substitute();
   bool newton(std::vector<Velocity>& velocity);
   bool iterate(Real enough, std::vector<Velocity>& velocity);
+  bool iterate_from_pivots(Real enough, std::vector<Velocity>& velocity);
+  std::vector<double> rates_without_equations(const std::vector<Velocity>& velocity) const;
+  bool pivot(std::vector<Velocity>& velocity);
   void sweep(std::vector<Velocity>& velocity);
   void keep(Real broken);
   void rebuild(std::vector<Velocity>& velocity);
   void go_back(std::vector<Velocity>& velocity) const;
+  void slide_on_the_cone(Real enough, std::vector<Velocity>& velocity);
   void finish(Real enough, std::vector<Velocity>& velocity);
 
   std::vector<Constraint> rows_;
@@ -110,8 +120,6 @@ class ConstraintSystem {
   std::vector<std::pair<Velocity, Velocity>> start_;  // of the bodies of each row
   std::vector<Real> mass_;                            // kg or kg m^2, effective, of each row alone
   Real scale_ = 0;                                    // m/s, the largest term of a rate: what rounding is measured by
-  std::size_t softness_ = 0;                          // see `compliances`
-  std::vector<Real> compliance_;                      // 1/kg or 1/(kg m^2), of each row
   std::vector<State> state_;                          // of each row
   std::vector<State> last_;                           // when the matrix was factored
   std::vector<std::uint32_t> free_;                   // rows whose impulses are solved for

@@ -18,7 +18,7 @@ constexpr Real slides_at = static_cast<Real>(1e-4);  // m/s, what slides faster 
 /// m, gap that is none: less than rounding leaves of an advance to the time of an impact.
 constexpr Real no_gap = static_cast<Real>(sizeof(Real) == 8 ? 1e-13 : 1e-6);
 /// Of an interval: an impact that comes later by less is at its end, so that nothing brakes it before; and one that
-/// comes sooner is now.
+/// comes sooner is now. Of a sub-step: no interval is shorter, in which gaps change by less than they are rounded by.
 constexpr Real at_the_end = static_cast<Real>(1e-9);
 constexpr int most_approaches = 4;  // what is still ahead after so many is braked by others, and borne like what rests
 
@@ -47,6 +47,7 @@ void DirectIsland::substep() {
       }
       now = next->time;
     }
+    if (left - now <= at_the_end * h_) now = left;
     if (advance(now, next ? next->contact : DirectContact::no_row)) {
       left -= now;
       if (next) ++contacts_[next->contact].approached;

@@ -285,13 +285,13 @@ bool DirectIsland::press(Real h) {
   Real off = 0;
   for (int round = 0; round < rounds; ++round) {
     bias_press(h);
-    system_.solve(velocity);
+    bool solved = system_.solve(velocity);
     if (round == 0 && stick_or_slip()) {
       bias_press(h);
-      system_.solve(velocity);
+      solved = system_.solve(velocity);
     }
     off = missed(h);
-    if (off <= exact) break;
+    if (off <= exact || !solved) break;
   }
   // Constraints that hold already only turn velocities.
   constexpr Real gain = static_cast<Real>(0.1);

@@ -1,4 +1,4 @@
-#include "methods/lcp.h"
+#include "solver/lcp.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,112 @@
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "solver/constraint_system.h"
+#include "solver/lcp.h"
+
+/// Where Newton's method goes in circles: the same laws as a linear complementarity problem.
+namespace impulse::inline IMPULSE_PRECISION {
+
+namespace {
+
+/// An unknown of the problem, never negative: an impulse along an axis or against it; or how fast a friction or a motor
+/// at its bound is overcome.
+struct Unknown {
+  enum class Kind : std::uint8_t { forward, backward, overcome } kind = Kind::forward;
+  std::uint32_t row = 0;
+  double sign() const { return kind == Kind::backward ? -1 : 1; }
+};
+
+}  // namespace
+
+/// The rates of all rows for unit impulses, and last for none, row by row; equations of joints are solved for their own
+/// impulses and left out of what others do.
+std::vector<double> ConstraintSystem::rates_without_equations(const std::vector<Velocity>& velocity) const {
+  const std::size_t n = rows_.size();
+  const std::size_t width = n + 1;
+  std::vector<double> rates(n * width, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(mass_[i] > 0)) continue;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (mass_[j] > 0) rates[i * width + j] = static_cast<double>(response(rows_[i], rows_[j]));
+    }
+    rates[i * width + n] = static_cast<double>(rate(i, velocity));
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (rows_[k].law != Law::holds || !(mass_[k] > 0)) continue;
+    const double* by = rates.data() + k * width;
+    const double own = by[k] + static_cast<double>(least_compliance / mass_[k]);
+    for (std::size_t i = 0; i < n; ++i) {
+      double* to = rates.data() + i * width;
+      const double factor = to[k] / own;
+      if (i == k || factor == 0) continue;
+      for (std::size_t j = 0; j < width; ++j) to[j] -= factor * by[j];
+    }
+  }
+  return rates;
+}
+
+/// D. E. Stewart and J. C. Trinkle, An implicit time-stepping scheme for rigid body dynamics with inelastic collisions
+/// and Coulomb friction, Int. J. Numer. Methods Eng. 39 (1996), in the plane, where it is exact. With j = f - b for
+/// what acts both ways, and s >= 0 how fast its bound is overcome,
+///
+///   f >= 0,  w + s >= 0,   b >= 0,  s - w >= 0,   most - f - b >= 0,  s >= 0,   one of each pair 0.
+///
+/// Friction acts where it was placed last. False, with nothing changed, if pivoting finds no solution.
+bool ConstraintSystem::pivot(std::vector<Velocity>& velocity) {
+  using Kind = Unknown::Kind;
+  std::vector<Unknown> unknowns;
+  std::vector<Real> before;
+  for (std::uint32_t i = 0; i < rows_.size(); ++i) {
+    before.push_back(rows_[i].impulse);
+    if (!(mass_[i] > 0)) continue;
+    rows_[i].impulse = 0;
+    if (rows_[i].law == Law::holds) continue;
+    unknowns.push_back({Kind::forward, i});
+    if (rows_[i].law == Law::pushes) continue;
+    unknowns.push_back({Kind::backward, i});
+    unknowns.push_back({Kind::overcome, i});
+  }
+  rebuild(velocity);
+
+  const std::vector<double> rates = rates_without_equations(velocity);
+  const std::size_t n = unknowns.size();
+  std::vector<double> m(n * n, 0);
+  std::vector<double> q(n, 0);
+  const auto coupling = [&](const Unknown& of, const Unknown& by) -> double {
+    const Constraint& row = rows_[of.row];
+    if (of.kind != Kind::overcome && by.kind != Kind::overcome) {
+      return of.sign() * by.sign() * rates[of.row * (rows_.size() + 1) + by.row];
+    }
+    if (of.kind != Kind::overcome) return of.row == by.row ? 1 : 0;
+    if (by.kind == Kind::overcome) return 0;
+    if (of.row == by.row) return -1;
+    const bool bears = row.law == Law::rubs && by.row >= row.first && by.row < row.first + row.count;
+    return bears ? static_cast<double>(row.friction) : 0;
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Unknown& of = unknowns[i];
+    const Constraint& row = rows_[of.row];
+    for (std::size_t j = 0; j < n; ++j) m[i * n + j] = coupling(of, unknowns[j]);
+    if (of.kind != Kind::overcome) {
+      q[i] = of.sign() * rates[of.row * (rows_.size() + 1) + rows_.size()];
+    } else {  // with the load of points whose impulses are fixed
+      q[i] = static_cast<double>(row.law == Law::rubs ? row.friction * load(row) : row.most);
+    }
+  }
+
+  const std::optional<std::vector<double>> solution = solve_lcp(m, q);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (!solution || rows_[i].law == Law::holds) rows_[i].impulse = before[i];
+  }
+  for (std::size_t i = 0; solution && i < n; ++i) {
+    const Unknown& of = unknowns[i];
+    if (of.kind != Kind::overcome) rows_[of.row].impulse += static_cast<Real>(of.sign() * (*solution)[i]);
+  }
+  rebuild(velocity);
+  return solution.has_value();
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION
