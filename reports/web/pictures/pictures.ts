@@ -37,15 +37,16 @@ function palette_of(style: string): Palette {
 
 /**
  * The light colours in place of the variables, which programs that print don't know; a viewer in dark mode replaces each
- * by its dark one.
+ * by its dark one. They are in capitals, which tells them from colours that are the same in both modes.
  */
 function coloured(svg: string, { light, dark }: Palette): string {
   const used = new Set<string>();
+  const printed = (name: string): string => light.get(name)?.toUpperCase() ?? "currentColor";
   const text = svg.replace(/var\((--[\w-]+)\)/g, (_, name: string) => {
     used.add(name);
-    return light.get(name) ?? "currentColor";
+    return printed(name);
   });
-  const darker = [...used].flatMap((name) => ["fill", "stroke", "color"].map((kind) => `[${kind}="${light.get(name)}"]{${kind}:${dark.get(name)}}`));
+  const darker = [...used].flatMap((name) => ["fill", "stroke", "color"].map((kind) => `[${kind}="${printed(name)}"]{${kind}:${dark.get(name)}}`));
   return text.replace("</style>", `@media screen and (prefers-color-scheme:dark){${darker.join("")}}</style>`);
 }
 
@@ -119,17 +120,28 @@ function placed(chart: Element, x: number, y: number): string {
   return copy.outerHTML;
 }
 
-/** The legend of the figure's case: marks and names, in as many rows as they need. */
+/** What a legend shows beside a name: the mark of a curve, or the colour and letter of a map's cells; "" of a button. */
+function mark_of(item: Element, x: number, y: number): string {
+  const mark = item.querySelector("svg");
+  if (mark) return placed(mark, x, y);
+  const cell = item.querySelector("i");
+  const [, fill, ink] = /background: ([^;]+); color: ([^;]+)/.exec(cell?.getAttribute("style") ?? "") ?? [];
+  if (!cell || !fill || !ink) return "";
+  return `<rect x="${x + 10}" y="${y}" width="24" height="18" fill="${fill}"/><text x="${x + 22}" y="${y + 13}" text-anchor="middle" fill="${ink}">${escaped(text_of(cell))}</text>`;
+}
+
+const name_in = (item: Element): string => text_of(item.querySelector("span")) || (item.lastChild?.textContent ?? "").trim();
+
+/** The legend of the figure's case or map: marks and names, in as many rows as they need. */
 function legend_of(figure: Element, width: number, top: number): { text: string; height: number } {
-  const near = figure.closest("article, section")?.querySelector(".legend:not(.outcomes)");
-  const items = [...(near?.children ?? [])];
+  const near = figure.closest("article, section")?.querySelector(".legend");
+  const items = [...(near?.children ?? [])].filter((item) => mark_of(item, 0, 0));
   let [x, y] = [pad, top];
   const text = items.map((item) => {
-    const name = text_of(item.querySelector("span"));
+    const name = name_in(item);
     const needed = 42 + per_letter * name.length + 20;
     if (x > pad && x + needed > width - pad) [x, y] = [pad, y + line + 2];
-    const mark = item.querySelector("svg");
-    const shown = `${mark ? placed(mark, x, y) : ""}<text x="${x + 42}" y="${y + 13}">${escaped(name)}</text>`;
+    const shown = `${mark_of(item, x, y)}<text x="${x + 42}" y="${y + 13}">${escaped(name)}</text>`;
     x += needed;
     return shown;
   });

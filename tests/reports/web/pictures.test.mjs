@@ -51,6 +51,7 @@ test("pictures are well-formed, have a title, and stand alone", async () => {
 test("names are text in pictures, and safe in file names", () => {
   const text = text_of("energy-of-the-whole-scene");
   assert.ok(text.includes("&#60;img src=x onerror=alert(1)&#62;"));
+  assert.ok(!text.includes(">All<"), "a button is no curve");
   for (const one of names) assert.match(one, /^[a-z0-9.=+-]+\.svg$/);
 });
 
