@@ -248,7 +248,7 @@ std::string in_words(const EngineSummary& one, std::size_t width) {
   for (const auto& [verdict, count] : one.verdicts) line += fmt::format(" {} {},", count, name_of(verdict));
   line.pop_back();
   if (one.checks > 0) {
-    line += fmt::format("; of {} checks {} within 1 % of scale, {} within 0.01 %; {} not a test, and {} of {} laws",
+    line += fmt::format("; of {} checks {} within 1 % of scale, {} within 0.01 %; not a test: {} checks, {} of {} laws",
                         one.checks, share_of(one.within[1], one.checks), share_of(one.within[3], one.checks),
                         one.untested, one.untested_laws, one.laws);
   }
