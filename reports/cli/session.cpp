@@ -58,7 +58,7 @@ void warn_about_files(std::span<const Case> cases) {
   for (const Case& one : cases) {
     if (one.from_file == nullptr || one.variant == tracker) continue;
     std::vector<std::string> warnings = warnings_about(*one.scene);
-    warnings.insert(warnings.end(), one.left_out.begin(), one.left_out.end());
+    warnings.insert(warnings.end(), one.doubts.begin(), one.doubts.end());
     for (const std::string& warning : warnings)
       fmt::print(stderr, "plumb: warning: {}: {}\n", printable(one.variant, one.variant.npos), warning);
   }
@@ -125,7 +125,8 @@ void Session::print(const Report& report, const OutputFolder::Written& written) 
     return;
   }
   fmt::print("{}", console_text(report, {.colour = wants_colour(), .verbose = verbose, .width = terminal_width(100)}));
-  fmt::print("{:.1f} % of the runs' time was spent outside step.\n", 100 * report.clock.at("outside_step"));
+  if (verbose)
+    fmt::print("{:.1f} % of the runs' time was spent outside step.\n", 100 * report.clock.at("outside_step"));
   for (const auto& file : written.files) fmt::print("{}\n", printable(file.string(), std::string::npos));
   for (const auto& [file, why] : written.skipped) fmt::print("No {}: {}.\n", file, why);
 }

@@ -32,7 +32,10 @@ class CauseSearch {
 
   ContactCause find() const {
     const std::vector<BodyPair> pairs = connected_pairs();
-    if (pairs.empty()) return {.advice = no_contact_advice()};
+    if (pairs.empty()) {
+      ContactCause cause = unreported_impact();
+      return cause.advice.empty() ? ContactCause{.advice = no_contact_advice()} : cause;
+    }
     if (const ComparedRun* silent = run_without_contacts()) {
       return {
           .stage = Stage::not_reported,
@@ -101,6 +104,36 @@ class CauseSearch {
     return b_.trace->has_contacts() ? nullptr : &b_;
   }
 
+  // Either run may notice an impact late; by this step, the late one has noticed what happened in `step_`.
+  std::size_t noticed_by(double dt) const {
+    const double lag = std::max(a_.stepping.impact_lag * a_.stepping.h, b_.stepping.impact_lag * b_.stepping.h);
+    return step_ + 1 + static_cast<std::size_t>(std::ceil(lag / dt));
+  }
+
+  // An impact in a run that reports no contacts, as a closed form: the body's velocity jumps, and in the other run the
+  // body is struck soon after.
+  ContactCause unreported_impact() const {
+    const ComparedRun* silent = run_without_contacts();
+    if (silent == nullptr) return {};
+    const ComparedRun& other = silent == &a_ ? b_ : a_;
+    const Vec jump = silent->trace->states(step_)[body_].velocity - silent->trace->states(step_ - 1)[body_].velocity;
+    if (length(jump) <= length(scene_.gravity) * other.stepping.dt + tolerance_.velocity) return {};
+    const std::size_t soon = noticed_by(other.stepping.dt);
+    for (std::size_t k = step_ + 1; k <= soon && k < other.trace->size(); ++k) {
+      for (const auto& [pair, contacts] : contacts_by_pair(other.trace->contacts(k))) {
+        if ((pair.first != body_ && pair.second != body_) || !contacts.acts(tolerance_.position)) continue;
+        return {
+            .stage = Stage::event_time,
+            .other = name(pair.first == body_ ? pair.second : pair.first),
+            .advice = fmt::format(
+                "In {}, which reports no contacts, the velocity of {} jumps in step {}; in {}, {} and {} collide in "
+                "step {}: look at how each finds the time of impact.",
+                silent->name, name(body_), step_, other.name, name(pair.first), name(pair.second), k)};
+      }
+    }
+    return {};
+  }
+
   // An impact that was not there a step before, and that the other run has soon after.
   ContactCause later_impact(BodyPair pair) const {
     const bool first_is_a = acts(in_a_, pair);
@@ -108,9 +141,7 @@ class CauseSearch {
     const ComparedRun& early = first_is_a ? a_ : b_;
     const ComparedRun& late = first_is_a ? b_ : a_;
     if (acts(contacts_by_pair(early.trace->contacts(step_ - 1)), pair)) return {};
-    // Either run may notice an impact late by this much.
-    const double lag = std::max(a_.stepping.impact_lag * a_.stepping.h, b_.stepping.impact_lag * b_.stepping.h);
-    const auto soon = step_ + 1 + static_cast<std::size_t>(std::ceil(lag / early.stepping.dt));
+    const std::size_t soon = noticed_by(early.stepping.dt);
     for (std::size_t k = step_ + 1; k <= soon && k < late.trace->size(); ++k) {
       if (!acts(contacts_by_pair(late.trace->contacts(k)), pair)) continue;
       ContactCause cause = cause_at(pair, Stage::event_time);

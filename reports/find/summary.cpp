@@ -174,8 +174,9 @@ Findings conclude_search(const Json& configuration, const std::vector<JobResult>
   Json found_json = Json::array();
   for (const Told& one : told) found_json.push_back(json_of(one));
 
-  const std::string head = fmt::format("{} scenes, {} findings, half of them with at most {} moving bodies.\n", scenes,
-                                       told.size(), median_moving(told)) +
+  const std::string sizes =
+      told.empty() ? "" : fmt::format(", half of them with at most {} moving bodies", median_moving(told));
+  const std::string head = fmt::format("{} scenes, {} findings{}.\n", scenes, told.size(), sizes) +
                            faults_sentence(engines) + closed_forms_sentence(engines) +
                            hurried_sentence(opinions, configuration.at("run_limit")) + lost_sentence(results);
   const std::string alike = fmt::format(

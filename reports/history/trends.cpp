@@ -200,10 +200,11 @@ std::string text_of(const std::vector<SnapshotHead>& heads, const std::vector<Tr
   if (!since.empty()) {
     const auto shown =
         std::count_if(heads.begin(), heads.end(), [&](const SnapshotHead& head) { return head.at >= since; });
-    text += fmt::format("{} change{} in {} snapshot{} since {}. In all ", lines.size(), lines.size() == 1 ? "" : "s",
+    text += fmt::format("{} change{} in {} snapshot{} since {}. In all: ", lines.size(), lines.size() == 1 ? "" : "s",
                         shown, shown == 1 ? "" : "s", since);
   }
-  text += fmt::format("{} snapshots; {} of {} series never change.", heads.size(), unchanged, trends.size());
+  text += fmt::format("{} snapshot{}; {} of {} series never change.", heads.size(), heads.size() == 1 ? "" : "s",
+                      unchanged, trends.size());
   if (longest >= 2 * least_values) {
     text += fmt::format(" Chance alone would let about {1:.1g} of {0} series of step times look changed.", noisy,
                         noisy * change_level);

@@ -19,7 +19,13 @@ double still_bodies(const Scene& scene, std::span<const BodyState> states) {
   return count;
 }
 
+bool has_something_to_rest_on(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const Body& body) { return body.type == BodyType::fixed && !body.shapes.empty(); });
+}
+
 std::optional<double> time_to_rest(const Scene& scene, const Trace& trace) {
+  if (!has_something_to_rest_on(scene)) return std::nullopt;
   const auto all_still = [&](std::size_t moment) {
     const auto states = trace.states(moment);
     for (std::size_t i = 0; i < states.size(); ++i) {

@@ -19,7 +19,10 @@ bool is_still(const BodyState&);
 /// The number of dynamic bodies that are still.
 double still_bodies(const Scene&, std::span<const BodyState>);
 
-/// s, the time from which all dynamic bodies are still until the end; nullopt if one still moves at the end.
+bool has_something_to_rest_on(const Scene&);
+
+/// s, the time from which all dynamic bodies are still until the end; nullopt if one still moves at the end, or nothing
+/// fixed is there to rest on.
 std::optional<double> time_to_rest(const Scene&, const Trace&);
 
 /// m/s, the speed of the fastest dynamic body; 0 if there is none.

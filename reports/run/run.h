@@ -23,7 +23,7 @@ struct Case {
   const Engine* closed_form = nullptr;                  // null if there is none
   double first_step = 1;                                // its length in units of dt, > 0; see case_run.h
   std::shared_ptr<const Scenario> from_file = nullptr;  // owns `scenario` if no catalog does
-  std::vector<std::string> left_out = {};               // of the file's truths, and why
+  std::vector<std::string> doubts = {};                 // about the file's truths
 };
 
 /// An engine and its settings.

@@ -248,7 +248,7 @@ std::string in_words(const EngineSummary& one, std::size_t width) {
   for (const auto& [verdict, count] : one.verdicts) line += fmt::format(" {} {},", count, name_of(verdict));
   line.pop_back();
   if (one.checks > 0) {
-    line += fmt::format("; of {} checks {} within 1 % of scale, {} within 0.01 %; {} not a test, and {} of {} laws",
+    line += fmt::format("; of {} checks {} within 1 % of scale, {} within 0.01 %; not a test: {} checks, {} of {} laws",
                         one.checks, share_of(one.within[1], one.checks), share_of(one.within[3], one.checks),
                         one.untested, one.untested_laws, one.laws);
   }
@@ -268,6 +268,34 @@ std::string relations_text(const Report& report, std::size_t width) {
   std::string text;
   for (const auto& [engine, line] : lines) text += wrapped(line, 0, width);
   return text;
+}
+
+std::string quoted_if_needed(const std::string& word) {
+  return word.find(' ') == std::string::npos ? word : "'" + word + "'";
+}
+
+// How to find out why a run is wrong, of the first such engine that a command line names by its name; "" if there is
+// none.
+std::string why_text(const Report& report, std::size_t width) {
+  for (const RunRecord& run : report.runs) {
+    if (run.exact || run.verdict != Verdict::wrong) continue;
+    const auto note = std::ranges::find(report.engines, run.engine, &EngineNote::name);
+    const bool by_name = note == report.engines.end() || note->word.empty() || note->word == run.engine;
+    const bool closed_form = std::ranges::any_of(report.runs, [&](const RunRecord& other) {
+      return other.exact && same_case(other, run) && other.metrics.count("truth_estimate_max") == 0;
+    });
+    const std::string label = label_of(run.engine, run.method);
+    const std::string other = closed_form ? "exact" : "impulse";
+    if (!by_name || label == other) continue;
+    const std::string name = run.variant.empty()              ? run.scenario
+                             : run.variant.ends_with(".json") ? run.variant
+                                                              : run.scenario + ":" + run.variant;
+    return wrapped(fmt::format("Why? plumb diff {} {} {} finds the first step that differs; plumb show {} says what it "
+                               "does differently.",
+                               quoted_if_needed(name), other, quoted_if_needed(label), quoted_if_needed(run.engine)),
+                   0, width);
+  }
+  return "";
 }
 
 // Programs that bear another name than they say, because another program bears that.
@@ -295,7 +323,8 @@ std::string console_text(const Report& report, const ConsoleOptions& options) {
   if (!report.runs.empty()) text += wrapped(legend, 0, options.width) + "\n";
   text += key_table(report, options.width);
   for (const EngineSummary& one : engine_summaries(report)) text += in_words(one, options.width);
-  return text + relations_text(report, options.width) + renamed_text(report, options.width);
+  return text + relations_text(report, options.width) + renamed_text(report, options.width) +
+         why_text(report, options.width);
 }
 
 }  // namespace plumb

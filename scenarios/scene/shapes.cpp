@@ -226,9 +226,10 @@ Geometry mapped_kind(const HalfSpace& half_space, const FrameMap& map) {
 }
 
 Geometry read_half_space(const JsonReader& in) {
-  check_keys(in, {"normal", "offset"});
-  const HalfSpace half_space{.normal = in["normal"].vector(limits::factor),
-                             .offset = in["offset"].number(limits::coordinate)};
+  check_keys(in, {}, {"normal", "offset"});
+  const HalfSpace level;
+  const HalfSpace half_space{.normal = in.vector("normal", level.normal, limits::factor),
+                             .offset = in.number("offset", level.offset, limits::coordinate)};
   if (std::abs(length(half_space.normal) - 1) > flat) in["normal"].refuse("expected a direction of length 1");
   return half_space;
 }

@@ -14,15 +14,7 @@ namespace {
 // The part of the run, at its end, over which the residual speed is averaged.
 constexpr double final_part = 0.1;
 
-bool has_something_to_rest_on(const Scene& scene) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [](const Body& body) { return body.type == BodyType::fixed && !body.shapes.empty(); });
-}
-
-std::optional<double> settling_time(const MetricContext& context) {
-  if (!has_something_to_rest_on(context.scene)) return std::nullopt;
-  return time_to_rest(context.scene, context.trace);
-}
+std::optional<double> settling_time(const MetricContext& context) { return time_to_rest(context.scene, context.trace); }
 
 std::optional<double> residual_speed(const MetricContext& context) {
   if (!has_something_to_rest_on(context.scene)) return std::nullopt;

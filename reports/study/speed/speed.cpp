@@ -225,10 +225,11 @@ std::string orders_text(const Json& orders) {
   for (const Json& order : orders) {
     if (order.at("stated").is_number()) ++counts[order.at("finding")];
   }
+  if (counts.empty()) return "";
   std::string text = "Stated orders of convergence:";
   for (const auto& [finding, count] : counts)
     text += fmt::format("{} {} {}", &finding == &counts.begin()->first ? "" : ",", count, finding);
-  text += counts.empty() ? " none.\n" : ".\n";
+  text += ".\n";
   for (const Json& order : orders) {
     if (order.at("finding") != "not as stated") continue;
     text += fmt::format("  {} {}: {} {}{}{}: measured {:.2f} +- {:.2f}, stated {}\n",

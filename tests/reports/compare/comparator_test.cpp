@@ -24,6 +24,20 @@ RunRecord record(const std::string& engine, std::initializer_list<double> xs, Ve
           .trace = trace};
 }
 
+// The same, with something to rest on.
+RunRecord on_ground(RunRecord run) {
+  Scene scene = *run.scene;
+  scene.bodies.push_back({.name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{}}}});
+  const auto trace = std::make_shared<Trace>(2);
+  for (std::size_t i = 0; i < run.trace->size(); ++i) {
+    const BodyState states[] = {run.trace->states(i)[0], {}};
+    trace->record(run.trace->time(i), states, {});
+  }
+  run.scene = std::make_shared<const Scene>(scene);
+  run.trace = trace;
+  return run;
+}
+
 TEST(Compare, ComparesEveryTwoEnginesAndAllWithTheTruth) {
   RunRecord truth = record("exact", {0, 0}, Verdict::right);
   truth.exact = true;
@@ -70,7 +84,7 @@ TEST(Compare, DividesDifferencesByTheScalesOfTheScene) {
 
 TEST(Compare, SaysWhichRunCameToRestAndWhen) {
   const auto key = [](std::initializer_list<double> a, std::initializer_list<double> b) {
-    return *compare(std::vector{record("ours", a), record("rival", b)}, nullptr).at(0).key;
+    return *compare(std::vector{on_ground(record("ours", a)), on_ground(record("rival", b))}, nullptr).at(0).key;
   };
   const KeyDifferences one = key({5, 5, 0, 0}, {5, 0, 0, 5});
   EXPECT_EQ(one.rest_a, 2);

@@ -113,6 +113,24 @@ TEST(CompareTraces, BlamesTheIntegrationOfABodyThatNothingTouches) {
   EXPECT_THAT(found.advice, HasSubstr("Nothing touches high"));
 }
 
+// As a closed form, which reports no contacts and finds an impact in the step in which it is.
+TEST(CompareTraces, BlamesTheTimeOfAnImpactThatOneRunDoesNotReport) {
+  const Edit silent = [](std::size_t step, auto& states, auto& contacts) {
+    contacts.clear();
+    if (step >= 3) shift(states, 5);
+  };
+  const Edit late = [](std::size_t step, auto& states, auto& contacts) {
+    if (step < 4) contacts.clear();
+    if (step >= 4) shift(states, 5);
+  };
+  const Divergence found = divergence_of(silent, late);
+  EXPECT_EQ(found.stage, Stage::event_time);
+  EXPECT_EQ(found.step, 3u);
+  EXPECT_EQ(found.other, "low");
+  EXPECT_THAT(found.advice,
+              HasSubstr("the velocity of high jumps in step 3; in other, low and high collide in step 4"));
+}
+
 TEST(CompareTraces, BlamesTheContactSetIfBodiesTouchInOneRunOnly) {
   const Divergence found = divergence_of(nullptr, [](std::size_t step, auto& states, auto& contacts) {
     if (step < 4) return;

@@ -76,6 +76,14 @@ TEST_F(SceneFileCase, IsJudgedByItsTruthsForEveryEngine) {
   }
 }
 
+TEST_F(SceneFileCase, DoubtsATruthThatItsClosedFormContradicts) {
+  EXPECT_THAT(case_of_file(write(falling)).doubts, ::testing::IsEmpty());
+  std::string changed = falling;
+  changed.replace(changed.find("-10]"), 4, "-20]");
+  EXPECT_THAT(case_of_file(write(changed)).doubts,
+              ::testing::ElementsAre(HasSubstr("truth[0].value: -5, but -10 by the closed form \"ballistic\"")));
+}
+
 // Several closed forms recognise bounce; that of the first impact ends at the second.
 TEST(FindClosedForm, FindsTheOneThatIsValidLongest) {
   const Engine* found = find_closed_form(*parse_case("bounce").scene);
@@ -104,11 +112,11 @@ TEST_F(SceneFileCase, LeavesOutTheTruthsOfAnExportedSceneThatWasChanged) {
   const Case built_in = parse_case("motor-arm:holds");
   SceneFile file{*built_in.scene, truths_of(built_in).truth};
   file.scene.name = "door";
-  EXPECT_THAT(case_of_file(write(write_scene(file))).left_out, ::testing::IsEmpty());
+  EXPECT_THAT(case_of_file(write(write_scene(file))).doubts, ::testing::IsEmpty());
   file.scene.bodies[1].linear_damping = 1;
   file.truth.push_back({.body = "arm", .quantity = Quantity::angle, .value = 1, .tolerance = 3, .source = "mine"});
   const Case changed = case_of_file(write(write_scene(file)));
-  EXPECT_THAT(changed.left_out,
+  EXPECT_THAT(changed.doubts,
               ::testing::ElementsAre(HasSubstr("this scene differs from motor-arm:holds, whose values")));
   ASSERT_EQ(changed.scenario->expectations({}).size(), 1u);
   EXPECT_EQ(changed.scenario->expectations({})[0].source, "mine");

@@ -81,6 +81,7 @@ for (const width of [360, 1280]) {
     await draw_all(page);
     assert.deepEqual(trouble, []);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
+    assert.match(await page.locator("h1").innerText(), /^Of 19 random scenes, box2d is wrong in \d+ and impulse in \d+: 3 findings\.?$/);
     const told = await page.locator("#found").textContent(); // of what is laid out near the screen only, too
     assert.match(told, /\.\/plumb run out\/found\/box2d\.json --engine box2d --engine impulse --relations/);
     assert.match(told, /\.\/plumb run out\/found\/exec-python3-mine-py\.json --engine "exec:python3 mine\.py" --engine impulse(?! --rel)/);

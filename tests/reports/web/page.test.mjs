@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { after, test } from "node:test";
 import { close, draw_all, open, open_blank, until, write } from "./browser.mjs";
 import { pack } from "./pack.mjs";
-import { sample } from "./sample.mjs";
+import { long_sample, sample } from "./sample.mjs";
 import { study_sample } from "./study_sample.mjs";
 
 after(close);
@@ -265,20 +265,6 @@ test("short forms of studies are part of the report: ids are unique, and every l
   assert.deepEqual(trouble, []);
   await page.close();
 });
-
-/** A report with many cases: copies of a chapter of the sample. */
-function long_sample() {
-  const data = sample();
-  const { report } = data;
-  const [first] = report.scenarios;
-  const copies = ["runs", "comparisons"].map((name) => [report, name]);
-  for (const [of, name] of [...copies, [report.timings, "steps"], [data, "series"], [data, "replays"]]) {
-    const own = of[name].filter(({ scenario }) => scenario === first.name);
-    for (let k = 0; k < 20; ++k) of[name].push(...own.map((one) => ({ ...one, scenario: `${first.name}-${k}` })));
-  }
-  for (let k = 0; k < 20; ++k) report.scenarios.push({ ...first, name: `${first.name}-${k}`, group: k % 2 ? "odd" : "even" });
-  return data;
-}
 
 test("a long report makes its cases when they are opened, by a link, the search field or a click", async () => {
   const { page, trouble } = await open(await write(long_sample()));

@@ -153,3 +153,17 @@ export function sample(scenario = "free-fall") {
   );
   return page;
 }
+
+/** A report with many cases: copies of a chapter of the sample. */
+export function long_sample() {
+  const data = sample();
+  const { report } = data;
+  const [first] = report.scenarios;
+  const copies = ["runs", "comparisons"].map((name) => [report, name]);
+  for (const [of, name] of [...copies, [report.timings, "steps"], [data, "series"], [data, "replays"]]) {
+    const own = of[name].filter(({ scenario }) => scenario === first.name);
+    for (let k = 0; k < 20; ++k) of[name].push(...own.map((one) => ({ ...one, scenario: `${first.name}-${k}` })));
+  }
+  for (let k = 0; k < 20; ++k) report.scenarios.push({ ...first, name: `${first.name}-${k}`, group: k % 2 ? "odd" : "even" });
+  return data;
+}

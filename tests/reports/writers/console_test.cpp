@@ -74,6 +74,18 @@ TEST(Console, ComparesTheFirstTwoEnginesThatRan) {
   EXPECT_THAT(console_text(report, {.width = 160}), Not(HasSubstr("a: ")));
 }
 
+TEST(Console, SaysHowToFindOutWhyARunIsWrong) {
+  Report report = sample_report();
+  report.runs[1].engine = "slow";
+  report.runs[1].method = "";
+  const auto said = [&] { return console_text(report, {.width = 1000}); };
+  EXPECT_THAT(said(), HasSubstr("Why? plumb diff 'slide:on ice' exact slow finds the first step that differs"));
+  report.runs[0].metrics["truth_estimate_max"] = {1e-9, "m"};
+  EXPECT_THAT(said(), HasSubstr("plumb diff 'slide:on ice' impulse slow"));
+  report.runs[1].verdict = Verdict::coarse;
+  EXPECT_THAT(said(), Not(HasSubstr("Why?")));
+}
+
 TEST(Console, CountsChecksByTheirErrorRelativeToScale) {
   Report report = sample_report();
   const TruthCheck near{.quantity = "y", .unit = "m", .error = 0.005, .tolerance = 0.01, .scale = 1, .passed = true};
@@ -83,8 +95,8 @@ TEST(Console, CountsChecksByTheirErrorRelativeToScale) {
   report.runs[1].truth[1].error = 0.00005;
   std::string text = console_text(report);
   std::replace(text.begin(), text.end(), '\n', ' ');
-  EXPECT_THAT(text,
-              HasSubstr("of 3 checks 100 % within 1 % of scale, 33 % within 0.01 %; 1 not a test, and 0 of 0 laws"));
+  EXPECT_THAT(
+      text, HasSubstr("of 3 checks 100 % within 1 % of scale, 33 % within 0.01 %; not a test: 1 checks, 0 of 0 laws"));
 }
 
 TEST(Console, SaysOnWhichSideAValueMustBeAndWhatIsNotReported) {

@@ -65,10 +65,13 @@ TEST(ReadScene, ReadsEveryFeature) {
 
 TEST(ReadScene, UsesDefaultsForAbsentMembers) {
   const Scene scene = read_scene(R"({"plumb": 1, "name": "least", "gravity": [0, -10], "duration": 1, "bodies": [
-      {"name": "disc", "type": "dynamic", "position": [0, 0], "shapes": [{"type": "circle", "radius": 1}]}]})",
+      {"name": "disc", "type": "dynamic", "position": [0, 0], "shapes": [{"type": "circle", "radius": 1}]},
+      {"name": "ground", "type": "static", "shapes": [{"type": "halfspace"}]}]})",
                                  "least.json")
                           .scene;
-  Scene expected{.name = "least", .bodies = {disc("disc", {0, 0}, 1, {})}};
+  const Body ground{
+      .name = "ground", .type = BodyType::fixed, .shapes = {{.geometry = HalfSpace{.normal = {0, 1}, .offset = 0}}}};
+  Scene expected{.name = "least", .bodies = {disc("disc", {0, 0}, 1, {}), ground}};
   EXPECT_EQ(SceneBits::of({scene, {}}), SceneBits::of({expected, {}}));
 }
 

@@ -13,7 +13,10 @@ export interface Pane {
   y: number;
   width: number;
   height: number;
+  head: number; // of the height, for the name: nothing is placed there, though what is zoomed in may reach into it
 }
+
+const middle = ({ y, height, head }: Pane): number => y + head + (height - head) / 2;
 
 const margin = 0.06; // of the pane, around the bounds
 const most_zoom = 1000;
@@ -29,7 +32,7 @@ export class Camera {
   scale(pane: Pane): number {
     const { left, bottom, right, top } = this.bounds;
     const used = 1 - 2 * margin;
-    return this.zoom * Math.min((used * pane.width) / (right - left), (used * pane.height) / (top - bottom));
+    return this.zoom * Math.min((used * pane.width) / (right - left), (used * (pane.height - pane.head)) / (top - bottom));
   }
 
   /** m, the point in the middle of the pane */
@@ -52,9 +55,9 @@ export class Camera {
   }
 
   /** The point at (x, y) stays in place. */
-  zoom_by(factor: number, pane: Pane, x = pane.x + pane.width / 2, y = pane.y + pane.height / 2): void {
+  zoom_by(factor: number, pane: Pane, x = pane.x + pane.width / 2, y = middle(pane)): void {
     const right = x - pane.x - pane.width / 2;
-    const down = y - pane.y - pane.height / 2;
+    const down = y - middle(pane);
     const before = this.scale(pane);
     this.zoom = Math.min(most_zoom, Math.max(1 / 8, this.zoom * factor));
     const after = this.scale(pane);
@@ -76,7 +79,7 @@ export class View {
     this.scale = camera.scale(pane);
     const { x, y } = camera.centre();
     this.origin_x = pane.x + pane.width / 2 - x * this.scale;
-    this.origin_y = pane.y + pane.height / 2 + y * this.scale;
+    this.origin_y = middle(pane) + y * this.scale;
   }
 
   x(metres: number): number {

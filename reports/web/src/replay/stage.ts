@@ -13,16 +13,19 @@ export interface Showing extends Shown {
 }
 
 const least_pane = 200; // px wide
+const name_height = 28; // px, at the usual size of type
 
-function grid(count: number, width: number, height: number): Pane[] {
+/** As few rows as fit, each as full as the others can be. */
+function grid(count: number, width: number, height: number, head: number): Pane[] {
   const most = Math.max(1, Math.floor(width / least_pane));
-  const columns = Math.min(count, most);
-  const rows = Math.ceil(count / columns);
+  const rows = Math.ceil(count / most);
+  const columns = Math.ceil(count / rows);
   return Array.from({ length: count }, (_, i) => ({
     x: ((i % columns) * width) / columns,
     y: (Math.floor(i / columns) * height) / rows,
     width: width / columns,
     height: height / rows,
+    head,
   }));
 }
 
@@ -112,7 +115,7 @@ export class Stage {
     const engines = films.filter(({ engine }) => !engine.exact);
     const split = side_by_side && engines.length > 1;
     const parts = split ? engines.map((film) => [...truths, film]) : [films];
-    this.panes = grid(parts.length, width, height);
+    this.panes = grid(parts.length, width, height, split ? name_height * type_scale() : 0);
     context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
     context.clearRect(0, 0, width, height);
     context.font = `${13 * type_scale()}px ${getComputedStyle(this.canvas).fontFamily}`;
@@ -154,7 +157,7 @@ export class Stage {
   }
 
   private pane_at(x: number, y: number): Pane {
-    const whole = { x: 0, y: 0, width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+    const whole = { x: 0, y: 0, width: this.canvas.clientWidth, height: this.canvas.clientHeight, head: 0 };
     return this.panes.find((pane) => x >= pane.x && x < pane.x + pane.width && y >= pane.y && y < pane.y + pane.height) ?? whole;
   }
 

@@ -44,7 +44,7 @@ export function baseline(study: Study): StudyView {
   const more = regressions.length - most_shown;
   const about = `${study.about}: ${count(runs, "run")} that are also in ${String(study.configuration["baseline"])}. ${notes.join(" ")}`;
   const content = () => h(
-    "section",
+    "div",
     { id: slug("changes") },
     h("p", { class: "lede" }, about),
     regressions.length ? table("What changed since the baseline", heads, regressions.slice(0, most_shown).map(row)) : null,

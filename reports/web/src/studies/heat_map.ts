@@ -42,7 +42,7 @@ export function outcome_legend(outcomes: Outcome[]): HTMLElement {
 }
 
 const height = 250;
-const least_for_letters = 10; // px, of a cell
+const least_for_letters = 12; // px, of a cell
 
 interface Rect {
   cell: Cell;
@@ -167,7 +167,7 @@ export function heat_map(map: StabilityMap, panel: Panel, note: string): HTMLEle
               y: ({ y1, y2 }: Rect) => (panel.y?.logarithmic ? Math.sqrt(y1 * y2) : (y1 + y2) / 2),
               text: ({ cell }: Rect) => outcome_letter(cell.outcome),
               fill: ({ cell }: Rect) => outcome_look(cell.outcome).ink,
-              fontSize: 9 * size,
+              fontSize: 11 * size,
               className: "letters",
               ariaHidden: "true",
             })

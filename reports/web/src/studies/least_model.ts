@@ -25,7 +25,7 @@ export interface Least {
   error: number | null; // m
   change: number; // m
   cheaper: Spread; // cost of the full model / its own
-  auto_cheaper: Spread;
+  auto_cheaper: Spread | null; // null: not timed
   dropped: { feature: string; without: string }[];
 }
 

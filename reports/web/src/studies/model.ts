@@ -99,7 +99,7 @@ function overview(model: LeastModels): HTMLElement {
       h("td", { "data-label": "full model" }, cost_of(item.cost)),
       h("td", { "data-label": "least model" }, item.least ? h("strong", {}, factor(item.least.cheaper)) : "\u2013"),
       h("td", { "data-label": "added error" }, item.least ? added(item, item.least.change) : "\u2013"),
-      h("td", { "data-label": "impulse:auto" }, item.least ? factor(item.least.auto_cheaper) : "\u2013"),
+      h("td", { "data-label": "impulse:auto" }, item.least?.auto_cheaper ? factor(item.least.auto_cheaper) : "\u2013"),
       h("td", { "data-label": "as accurate" }, h("span", { class: "badge", "data-verdict": item.chosen?.within ? "right" : "wrong" }, item.chosen?.within ? "yes" : "no")),
     ),
   );
@@ -165,7 +165,10 @@ function least_of(item: ModelCase, dt: string): HTMLElement {
   if (!item.least) return h("p", { class: "absence" }, no_least(item));
   const { line, dropped, cheaper, change } = item.least;
   const cut = item.complete ? "" : " The search ran out of time: it may not be the least; --time-limit gives it more.";
-  if (!dropped.length) return h("p", {}, `No feature that costs time is redundant: the full model is the least.${cut}`);
+  if (!dropped.length) {
+    const none = item.complete ? "No feature that costs time is redundant: the full model is the least." : "No cheaper model was found in time.";
+    return h("p", {}, `${none}${cut}`);
+  }
   const removed = dropped.map(({ feature, without }) => h("li", {}, h("strong", {}, feature), `: without ${without}`));
   return h(
     "div",
@@ -209,7 +212,7 @@ function sentence(model: LeastModels): string {
   const [first] = found;
   if (!others.length) {
     if (!only.least) return `${name_of(only)}: ${no_least(only)}`;
-    if (!first) return `${name_of(only)}: the full model is the least${unknown}.`;
+    if (!first) return `${name_of(only)}: ${only.complete ? "the full model is the least" : "no cheaper model was found"}${unknown}.`;
     return `${name_of(only)}: ${first.least.line} is ${number(first.least.cheaper.median, "", 2)} times cheaper than the full model and as good${unknown}.`;
   }
   const factors = found.map(({ least }) => least.cheaper.median).sort((a, b) => a - b);

@@ -91,6 +91,34 @@ TEST(ModelFindings, GiveCostsRelativeToTheFullModelAndBrokenPromises) {
   EXPECT_THAT(found.text, ::testing::HasSubstr("as accurate as the full model in 0 of 1 cases"));
 }
 
+// A drop of one feature that costs from `low` to `high`, where the full model costs 10 to 11 ms.
+std::string told_of_a_cut_search(double low, double high, bool within) {
+  const auto timed = [](JobResult result, double from, double to) {
+    result.output.times.update({{"low", from}, {"high", to}});
+    return result;
+  };
+  const Json quartiles{{"median", 1}, {"low", 1}, {"high", 1}};
+  JobResult least = fake("least", {{"role", "least"}, {"complete", false}}, 0);
+  least.output.times = {
+      {"line", "impulse"},       {"error", 0}, {"change", 0}, {"cheaper", quartiles}, {"auto_cheaper", quartiles},
+      {"dropped", Json::array()}};
+  const Json drop{
+      {"role", "drop"},   {"setting", "a=off"}, {"feature", "a"}, {"without", "it"}, {"line", "impulse:a=off"},
+      {"within", within}, {"error", 0},         {"change", 0},    {"breaks", ""}};
+  const std::vector<JobResult> results{timed(fake("full", {{"role", "full"}}, 0.0105), 0.010, 0.011),
+                                       timed(fake("a=off", drop, (low + high) / 2), low, high), least};
+  return study().plan(configuration({"spring:w=4"})).conclude(results).text;
+}
+
+TEST(ModelFindings, NameTheCheapestSingleDropWhereTheSearchHadNoTimeToFindIt) {
+  EXPECT_THAT(told_of_a_cut_search(0.005, 0.006, true),
+              ::testing::HasSubstr("1.9 times cheaper than the full model: --engine impulse:a=off"));
+  EXPECT_THAT(told_of_a_cut_search(0.005, 0.006, false), ::testing::HasSubstr("nothing cheaper was found in time"))
+      << "loses something";
+  EXPECT_THAT(told_of_a_cut_search(0.009, 0.0105, true), ::testing::HasSubstr("nothing cheaper was found in time"))
+      << "noise";
+}
+
 // A crashed job has a key but no values.
 TEST(ModelFindings, AreFoundEvenIfSomeJobsCrashed) {
   const std::vector<JobResult> results{fake("full", {{"role", "full"}}, 2e-3),
