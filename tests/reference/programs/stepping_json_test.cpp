@@ -44,6 +44,7 @@ TEST(SteppingJson, ComesBackAsItWasStated) {
                         .damping_interval = dt,
                         .impact_lag = 8,
                         .slop = 0.005,
+                        .angular_slop = 0.035,
                         .held_anchors = true,
                         .position_iterations = 3,
                         .epsilon = 0x1p-24,
@@ -52,7 +53,7 @@ TEST(SteppingJson, ComesBackAsItWasStated) {
   const nlohmann::ordered_json written = stepping_as_json(stated);
   const Stepping back = read_back(nlohmann::json::parse(written.dump()));
   EXPECT_EQ(back.dt, dt);
-  EXPECT_EQ(back.slop, 0.005);
+  EXPECT_EQ(back.angular_slop, 0.035);
   EXPECT_EQ(back.position_iterations, 3);
   EXPECT_EQ(stepping_as_json(back), written);
 }

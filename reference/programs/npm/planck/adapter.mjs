@@ -150,11 +150,13 @@ const parts = {
 
 // Two polygons touch when their skins do. The overlap of the skins that is left alone is the slop, so that they come to
 // rest between skin - slop and skin apart, circles between 0 and the slop in each other; it is also the error below
-// which a joint's position counts as solved. Friction bounds the sum of the impulses, and can hold a body completely.
+// which a joint's position counts as solved. A hinge is pushed back to two degrees past its limit. Friction bounds the
+// sum of the impulses, and can hold a body completely.
 function stepping({ velocity, position, restitution }) {
   return { arithmetic: 'double', drift: 0.5, order: 1, skin: 2 * SKIN, slop: Settings.linearSlop,
-           jointSlop: Settings.linearSlop, iterations: Number(velocity), positionIterations: Number(position),
-           restitutionThreshold: Number(restitution), wholeImpulses: true, springLimit: 2 };
+           jointSlop: Settings.linearSlop, angularSlop: Settings.angularSlop, iterations: Number(velocity),
+           positionIterations: Number(position), restitutionThreshold: Number(restitution), wholeImpulses: true,
+           springLimit: 2 };
 }
 
 serve({
