@@ -10,7 +10,7 @@ process.stdout.write = process.stderr.write.bind(process.stderr); // what the en
  * Answers Plumb until it says end.
  * @param hello     object: name, version, and if you like about, source, language and execution (of what steps), caveats,
  *                  options
- * @param stepping  (options, dt) => object of what the engine states about itself; see reference/README.md
+ * @param stepping  (options, dt) => object of what the engine states of its steps; see engine.schema.json
  * @param build     (scene, masses, options) => a world with
  *                  step(dt)    advances by dt seconds; the only call that is timed
  *                  states()    [x, y, angle, vx, vy, angular velocity] for each body, of its centre of mass
