@@ -41,10 +41,11 @@ struct Stepping {
   double impact_lag = 1;        // latest detection of an impact, in units of h; 0 if the time of impact is solved for
   double impact_lead = 0;       // earliest braking of an approach before the bodies touch, likewise
 
-  double skin = 0;        // m, the largest separation at which a contact at rest carries load
-  double slop = 0;        // m, the overlap (of skins, if it has them) of a contact at rest that is left alone, or its
-                          // compliance under one weight: points of one contact rest at most that far from level
-  double joint_slop = 0;  // m, the distance between the anchors of a joint at rest, likewise
+  double skin = 0;          // m, the largest separation at which a contact at rest carries load
+  double slop = 0;          // m, the overlap (of skins, if it has them) of a contact at rest that is left alone, or its
+                            // compliance under one weight: points of one contact rest at most that far from level
+  double joint_slop = 0;    // m, the distance between the anchors of a joint at rest, likewise
+  double angular_slop = 0;  // rad, by which a hinge at rest may be past its limit
   /// Hz, of contacts that are damped springs, which a smaller step does not make stiffer: at rest they overlap by
   /// load/(m w^2), w = 2 pi times this and m the effective mass of the two bodies at the point. 0: they are no springs.
   double contact_frequency = 0;

@@ -16,7 +16,7 @@ def serve(hello, stepping, build):
 
     hello     dict: name, version, and if you like about, source, language and execution (of what steps), caveats,
               options
-    stepping  stepping(options, dt): dict of what the engine states about itself; see reference/README.md
+    stepping  stepping(options, dt): dict of what the engine states of its steps; see engine.schema.json
     build     build(scene, masses, options): a world with
               step(dt)    advances by dt seconds; the only call that is timed
               states()    [x, y, angle, vx, vy, angular velocity] for each body, of its centre of mass

@@ -282,9 +282,9 @@ class Programs {
                      [](std::string_view answer) { return protocol::read_hello(answer); });
       program.give_back(std::move(process));
     } catch (const std::exception& error) {
-      throw std::invalid_argument(
-          fmt::format("{}: asked who it is, {}. See the protocol in reference/README.md, or try plumb engine check",
-                      word, error.what()));
+      throw std::invalid_argument(fmt::format(
+          "{}: asked who it is, {}. See the protocol in reference/programs/README.md, or try plumb engine check", word,
+          error.what()));
     }
     const std::vector<Option> options = with_limits(identity.options);
     const Engine to_complete{.name = identity.name, .options = options};

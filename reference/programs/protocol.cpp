@@ -10,6 +10,7 @@
 
 #include "reference/programs/base64.h"
 #include "reference/programs/step_line.h"
+#include "reference/programs/stepping_json.h"
 #include "scenarios/scene/json_reader.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/scene_json.h"
@@ -161,7 +162,6 @@ Json settings_as_json(const Settings& settings) {
   return json;
 }
 
-constexpr Word<double> arithmetics[] = {{"float", 0x1p-24}, {"double", 0x1p-53}};
 const Word<ExecutionKind> executions[] = {{name_of(ExecutionKind::native), ExecutionKind::native},
                                           {name_of(ExecutionKind::webassembly), ExecutionKind::webassembly},
                                           {name_of(ExecutionKind::jit), ExecutionKind::jit},
@@ -207,61 +207,7 @@ Stepping read_stepping(std::string_view answer, double dt) {
   const JsonReader top(json, place);
   check_error(top);
   top.object({"stepping"});
-  const JsonReader in = top["stepping"];
-  const std::vector<const char*> optional{"substep",
-                                          "drift",
-                                          "dampingInterval",
-                                          "order",
-                                          "orderInContact",
-                                          "impactLag",
-                                          "impactLead",
-                                          "skin",
-                                          "slop",
-                                          "jointSlop",
-                                          "contactFrequency",
-                                          "fixedContactFrequency",
-                                          "jointFrequency",
-                                          "heldAnchors",
-                                          "tangentRotation",
-                                          "creep",
-                                          "restSpeed",
-                                          "restitutionThreshold",
-                                          "iterations",
-                                          "positionIterations",
-                                          "differencedVelocities",
-                                          "wholeImpulses",
-                                          "looksAhead",
-                                          "springLimit"};
-  in.object({"arithmetic"}, optional);
-  const auto size = [&](const char* key) { return in.number(key, 0, not_negative); };
-  const auto count = [&](const char* key) { return static_cast<int>(in.number(key, 0, {0, 1e6})); };
-  Stepping stated{.dt = dt,
-                  .h = in.number("substep", dt, {dt * 1e-6, dt}),
-                  .drift = in.number("drift", 0, {-1, 1}),
-                  .damping_interval = in.number("dampingInterval", 0, {0, dt}),
-                  .order = count("order"),
-                  .order_in_contact = count("orderInContact"),
-                  .impact_lag = in.number("impactLag", 1, {0, 1e3}),
-                  .impact_lead = in.number("impactLead", 0, {0, 1e3}),
-                  .skin = size("skin"),
-                  .slop = size("slop"),
-                  .joint_slop = size("jointSlop"),
-                  .contact_frequency = size("contactFrequency"),
-                  .fixed_contact_frequency = size("fixedContactFrequency"),
-                  .joint_frequency = size("jointFrequency"),
-                  .held_anchors = in.boolean("heldAnchors", false),
-                  .tangent_rotation = in.boolean("tangentRotation", false),
-                  .creep = size("creep"),
-                  .rest_speed = size("restSpeed"),
-                  .restitution_threshold = size("restitutionThreshold"),
-                  .iterations = count("iterations"),
-                  .position_iterations = count("positionIterations"),
-                  .epsilon = in["arithmetic"].one_of<double>(arithmetics),
-                  .differenced_velocities = in.boolean("differencedVelocities", false),
-                  .whole_impulses = in.boolean("wholeImpulses", false),
-                  .looks_ahead = in.boolean("looksAhead", false)};
-  if (in.has("springLimit")) stated.spring_limit = in["springLimit"].number(not_negative);
-  return stated;
+  return stepping_of(top["stepping"], dt);
 }
 
 std::string ask_build(const Scene& scene, const Settings& settings) {

@@ -11,7 +11,7 @@
 #include "reference/simulation.h"
 
 /// plumb-engine 1: how Plumb speaks with an engine that is a program. Each ask and each answer is one line of JSON in
-/// UTF-8. reference/programs/engine.schema.json defines them; reference/README.md explains them.
+/// UTF-8. reference/programs/engine.schema.json defines them; reference/programs/README.md explains them.
 ///
 /// Readers take an answer and throw std::invalid_argument if it is not what was asked for, naming the JSON path.
 namespace plumb::protocol {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "reference/programs/protocol.h"
+#include "reference/programs/stepping_json.h"
 #include "scenarios/scene/json_reader.h"
 #include "scenarios/scene/scene_json.h"
 
@@ -32,35 +33,6 @@ Json option_as_json(const Option& option) {
     return json;
   }
   for (const auto& [value, about] : option.choices) json["choices"].push_back({{"value", value}, {"about", about}});
-  return json;
-}
-
-Json stepping_as_json(const Stepping& stated) {
-  Json json{{"arithmetic", stated.epsilon > 1e-12 ? "float" : "double"},
-            {"substep", stated.h},
-            {"drift", stated.drift},
-            {"dampingInterval", stated.damping_interval},
-            {"order", stated.order},
-            {"orderInContact", stated.order_in_contact},
-            {"impactLag", stated.impact_lag},
-            {"impactLead", stated.impact_lead},
-            {"skin", stated.skin},
-            {"slop", stated.slop},
-            {"jointSlop", stated.joint_slop},
-            {"contactFrequency", stated.contact_frequency},
-            {"fixedContactFrequency", stated.fixed_contact_frequency},
-            {"jointFrequency", stated.joint_frequency},
-            {"heldAnchors", stated.held_anchors},
-            {"tangentRotation", stated.tangent_rotation},
-            {"creep", stated.creep},
-            {"restSpeed", stated.rest_speed},
-            {"restitutionThreshold", stated.restitution_threshold},
-            {"iterations", stated.iterations},
-            {"positionIterations", stated.position_iterations},
-            {"differencedVelocities", stated.differenced_velocities},
-            {"wholeImpulses", stated.whole_impulses},
-            {"looksAhead", stated.looks_ahead}};
-  if (stated.spring_limit) json["springLimit"] = *stated.spring_limit;
   return json;
 }
 
@@ -97,7 +69,8 @@ class Server {
       answers_.add(hello());
     } else if (is("stepping")) {
       const auto& how = ask["stepping"];
-      answers_.add({{"stepping", stepping_as_json(engine_.stepping(settings_of(how), how.at("dt").get<double>()))}});
+      answers_.add(
+          {{"stepping", protocol::stepping_as_json(engine_.stepping(settings_of(how), how.at("dt").get<double>()))}});
     } else if (is("build")) {
       answers_.add_line(build(ask["build"]));
     } else if (is("step")) {

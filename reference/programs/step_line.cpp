@@ -35,10 +35,12 @@ class Scanner {
   // A string without escapes.
   bool text(std::string_view& into) {
     if (!skip('"')) return false;
-    const char* const begin = at_;
-    at_ = std::find_if(at_, end_, [](char c) { return c == '"' || c == '\\'; });
-    into = {begin, static_cast<std::size_t>(at_ - begin)};
-    return skip('"');
+    const std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
+    const std::size_t length = rest.find('"');
+    if (length == std::string_view::npos) return false;
+    into = rest.substr(0, length);
+    at_ += length;
+    return into.find('\\') == std::string_view::npos && skip('"');
   }
 
   // JSON has less than from_chars: no "inf" and "nan", no leading zeros, and digits on both sides of a point.

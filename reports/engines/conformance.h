@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-/// What a program must do to be an engine (see reference/README.md), tried on it point by point.
+/// What a program must do to be an engine (see reference/programs/README.md), tried on it point by point.
 namespace plumb {
 
 struct ConformancePoint {

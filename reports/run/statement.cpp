@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace plumb {
 namespace {
@@ -40,6 +41,9 @@ std::string statement(const Stepping& stepping) {
     add(fmt::format("joints are springs of {:.3g} Hz and open by their load", stepping.joint_frequency));
   }
   if (stepping.joint_slop > 0) add(fmt::format("joints may be open by {:.3g} mm", stepping.joint_slop * mm));
+  if (stepping.angular_slop > 0) {
+    add(fmt::format("a hinge may rest {:.3g} degrees past its limit", stepping.angular_slop * 180 / std::numbers::pi));
+  }
   if (stepping.creep > 0) add(fmt::format("what sticks may creep at {:.3g} mm/s", stepping.creep * mm));
   if (stepping.rest_speed > 0) add(fmt::format("puts to sleep below {:.3g} m/s", stepping.rest_speed));
   if (stepping.restitution_threshold > 0)

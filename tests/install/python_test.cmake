@@ -1,8 +1,8 @@
-# Runs the engine that reference/README.md prints, and example.py, as programs.
+# Runs the engine that reference/programs/README.md prints, and example.py, as programs.
 include(${CMAKE_CURRENT_LIST_DIR}/readme.cmake)
 set(work ${BUILD}/python_example)
 file(REMOVE_RECURSE ${work})
-extract(reference/README.md "Engines in any language" python ${work}/drops.py)
+extract(reference/programs/README.md "Engines in any language" python ${work}/drops.py)
 file(COPY ${PROJECT}/reference/programs/plumb_engine.py ${PROJECT}/reference/programs/example.py DESTINATION ${work})
 
 foreach(engine drops example)

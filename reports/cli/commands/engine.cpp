@@ -117,7 +117,7 @@ const Catalog<Command>::Entry entry{
      .about = "Install engines in other languages, and check your own",
      .examples =
          "  plumb engine add rapier box2d3 && plumb run bounce --engine impulse --engine rapier\n"
-         "  plumb run bounce --engine \"exec:python3 mine.py\"      a program of yours; see reference/README.md\n"
+         "  plumb run bounce --engine \"exec:python3 mine.py\"      a program of yours: reference/programs/README.md\n"
          "  plumb engine check \"exec:python3 mine.py\"             what to mend in it\n",
      .attach = attach}};
 

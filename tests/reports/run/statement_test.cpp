@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <numbers>
+
 #include "../fakes.h"
 #include "reports/run/experiment.h"
 #include "reports/run/selection.h"
@@ -42,6 +44,14 @@ TEST(Statement, SaysThatContactsAreSpringsAndVelocitiesDifferences) {
             "points on both bodies for a step, which lets rolling bodies sink in; turns by atan(w h) in a sub-step; "
             "joints are springs of 60 Hz and open "
             "by their load; keeps velocities as differences of positions");
+}
+
+TEST(Statement, SaysHowFarJointsGiveWay) {
+  Stepping stepping;
+  stepping.impact_lag = 0;
+  stepping.joint_slop = 0.005;
+  stepping.angular_slop = std::numbers::pi / 90;
+  EXPECT_EQ(statement(stepping), "joints may be open by 5 mm; a hinge may rest 2 degrees past its limit");
 }
 
 TEST(MoreIterations, AreThoseThatAnEngineStates) {

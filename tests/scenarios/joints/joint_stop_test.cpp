@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "scenarios/integrate.h"
 #include "tests/scenarios/statement_of.h"
@@ -39,6 +40,18 @@ TEST(JointStop, LeavesTheRodOnItsCircle) {
 // One that rebounds or passes is farther off than a hundredth of a radian at almost every moment.
 TEST(JointStop, StopsAHingeWithoutALimit) {
   EXPECT_LT((Of{"joint-stop", {}, "rod", Quantity::angle}.allows_at_most()), 0.01);
+}
+
+// Of 5 mm, a metre from the hinge, and of 2 degrees: a hinge that rests 3 degrees past its limit is wrong, and so is
+// one of 2 degrees that states no such slop.
+TEST(JointStop, AllowsTheAngleThatAHingeStatesToLeavePastItsLimitAndNoMore) {
+  const Of angle{"joint-stop", {}, "rod", Quantity::angle};
+  constexpr double degree = std::numbers::pi / 180;
+  Stepping stated = statement_of::skinned();
+  EXPECT_LT(angle.allows(stated), 2 * degree);
+  stated.angular_slop = 2 * degree;
+  EXPECT_GT(angle.allows(stated), 2 * degree);
+  EXPECT_LT(angle.allows(stated), 3 * degree);
 }
 
 }  // namespace

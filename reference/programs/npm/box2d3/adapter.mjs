@@ -7,8 +7,8 @@
 // - Contact impulses are the last sub-step's times the number of sub-steps. The package's totalNormalImpulse counts
 //   those before and after relaxing both: twice the weight at rest.
 import { b2, direct, listed, memory, refresh } from './embind.mjs';
-import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, tuned, turned,
-         unwound } from './plumb_engine.mjs';
+import { NotSupported, centered, corners, mixed, moved, onOff, plus, serve, tuned, turned, unwound,
+         writeContact } from './plumb_engine.mjs';
 
 const GRAVITY = 10; // m/s^2, to which what a body sinks in is stated
 
@@ -46,6 +46,7 @@ class World {
     if (restitution !== 'max') b2.b2World_SetRestitutionCallback(this.world, (a, _, b) => mixed[restitution](a, b));
     this.loads = scene.loads;
     this.read = scene.bodies.map(({ angle }) => [0, 0, angle, 0, 0, 0]);
+    this.rows = []; // of contacts
     this.sinceRead = 0;
     this.owners = new Map(); // of the engine's shapes
     this.moving = scene.bodies.map(({ type }) => type !== 'static');
@@ -164,7 +165,6 @@ class World {
   }
 
   contacts() { // where the bodies were read last
-    const all = [];
     const ends = []; // of each body's contacts among all
     const contacts = listed((soFar) => this.ids.forEach((id, i) => {
       const capacity = this.moving[i] ? direct.b2Body_GetContactCapacity(id) : 0;
@@ -172,27 +172,30 @@ class World {
       ends.push(soFar.length);
     }));
     let i = 0;
+    let count = 0;
     contacts.forEach((address, k) => {
       while (k >= ends[i]) ++i;
       const contact = address >> 2;
       const one = this.owners.get(memory.words[contact + SHAPE_A]);
       const other = this.owners.get(memory.words[contact + SHAPE_B]);
       // Two moving bodies both list it: it is told from its first.
-      if (one === i || !this.moving[one]) this.tell(contact, one, other, all);
+      if (one === i || !this.moving[one]) count = this.tell(contact, one, other, count);
       b2._free(address);
     });
-    return all;
+    this.rows.length = count;
+    return this.rows;
   }
 
-  tell(contact, one, other, all) {
+  tell(contact, one, other, count) {
     const [x, y] = this.read[one];
     const { words, floats } = memory;
     for (let i = 0, point = contact + POINTS; i < words[contact + COUNT]; ++i, point += POINT) {
-      all.push([one, other, x + floats[point + ARM], y + floats[point + ARM + 1],
-                floats[contact + NORMAL], floats[contact + NORMAL + 1], this.substeps * floats[point + NORMAL_IMPULSE],
-                -this.substeps * floats[point + TANGENT_IMPULSE], // its tangent is the normal turned by -90 degrees
-                floats[point + SEPARATION]]);
+      writeContact(this.rows, count++, one, other, x + floats[point + ARM], y + floats[point + ARM + 1],
+                   floats[contact + NORMAL], floats[contact + NORMAL + 1], this.substeps * floats[point + NORMAL_IMPULSE],
+                   -this.substeps * floats[point + TANGENT_IMPULSE], // its tangent is the normal turned by -90 degrees
+                   floats[point + SEPARATION]);
     }
+    return count;
   }
 
   free() {

@@ -6,7 +6,7 @@
 // - Bodies never sleep.
 import { BoxShape, CircleShape, DistanceJoint, EdgeShape, PolygonShape, PrismaticJoint, RevoluteJoint, Settings,
          WeldJoint, World as PlanckWorld, WorldManifold } from 'planck';
-import { NotSupported, centered, corners, mixed, onOff, plus, serve, tuned, turned } from './plumb_engine.mjs';
+import { NotSupported, centered, corners, mixed, onOff, plus, serve, tuned, turned, writeContact } from './plumb_engine.mjs';
 
 const SKIN = Settings.polygonRadius;
 const at = ([x, y]) => ({ x, y });
@@ -19,18 +19,28 @@ class World {
                                    continuousPhysics: options.continuous === 'on' });
     this.loads = scene.loads;
     this.met = new Map(); // where impulses act: before the bodies move
-    this.solved = [];     // in this step; a step has several if continuous collision acts
+    this.rows = [];       // of this step, which solves a contact several times if continuous collision acts
+    this.solved = [];     // the contact of each row
+    this.place = [];      // and which of its points
     const of = (contact) => [contact.getFixtureA().getUserData(), contact.getFixtureB().getUserData()];
     this.world.on('begin-contact', (contact) => {
       const [a, b] = of(contact);
       contact.setFriction(mixed[scene.mixing.friction](a.friction, b.friction));
       contact.setRestitution(mixed[scene.mixing.restitution](a.restitution, b.restitution));
     });
-    this.world.on('pre-solve', (contact) => this.met.set(contact, placed(contact)));
+    this.world.on('pre-solve', (contact) => {
+      if (!this.met.has(contact)) this.met.set(contact, new WorldManifold());
+      contact.getWorldManifold(this.met.get(contact));
+    });
     this.world.on('post-solve', (contact, { normalImpulses, tangentImpulses }) => {
+      const { normal, points, separations } = this.met.get(contact);
+      const [{ owner: a }, { owner: b }] = of(contact);
       const count = contact.v_pointCount; // of two points that hardly differ it solves one, and lists two impulses
-      this.solved.push({ contact, owners: of(contact).map(({ owner }) => owner), met: this.met.get(contact),
-                         normals: normalImpulses.slice(0, count), tangents: tangentImpulses.slice(0, count) });
+      for (let i = 0; i < count; ++i) {   // its tangent is the normal turned by -90 degrees
+        this.place.push(i);
+        writeContact(this.rows, this.solved.push(contact) - 1, a, b, points[i].x, points[i].y, normal.x, normal.y,
+                     normalImpulses[i], -tangentImpulses[i], separations[i]);
+      }
     });
     this.bodies = scene.bodies.map((body) => this.add(body, scene.extent));
     for (const joint of scene.joints) this.join(joint, scene.bodies);
@@ -76,7 +86,7 @@ class World {
   }
 
   step(dt) {
-    this.solved = [];
+    this.solved.length = this.place.length = 0;
     if (this.loads) {
       this.loads(this.states()).forEach(([x, y, torque], i) => {
         this.bodies[i].applyForceToCenter({ x, y }, true);
@@ -95,28 +105,20 @@ class World {
   }
 
   contacts() {
-    const all = [];
-    for (const { contact, owners, met, normals, tangents } of this.solved) {
-      left.pointCount = 0; // and it stays so if the bodies have come apart within the step
-      contact.getWorldManifold(left);
-      for (let i = 0; i < normals.length; ++i) { // its tangent is the normal turned by -90 degrees
-        const gap = i < left.pointCount ? left.separations[i] : met.gaps[i];
-        all.push([owners[0], owners[1], met.points[i][0], met.points[i][1], met.normal[0], met.normal[1], normals[i],
-                  -tangents[i], gap]);
+    this.rows.length = this.solved.length;
+    this.solved.forEach((contact, k) => {
+      const i = this.place[k];
+      if (i === 0) {
+        left.pointCount = 0; // and it stays so if the bodies have come apart within the step
+        contact.getWorldManifold(left);
       }
-    }
-    return all;
+      if (i < left.pointCount) this.rows[k][8] = left.separations[i];
+    });
+    return this.rows;
   }
 }
 
 const left = new WorldManifold(); // that the engine writes to
-
-function placed(contact) {
-  const manifold = contact.getWorldManifold(null);
-  const pair = ({ x, y }) => [x, y];
-  return manifold && { normal: pair(manifold.normal), points: manifold.points.map(pair),
-                       gaps: manifold.separations.slice(0, manifold.pointCount) };
-}
 
 const rectangle = (w, h, center, angle) => new BoxShape(w / 2, h / 2, at(center), angle);
 
@@ -150,11 +152,13 @@ const parts = {
 
 // Two polygons touch when their skins do. The overlap of the skins that is left alone is the slop, so that they come to
 // rest between skin - slop and skin apart, circles between 0 and the slop in each other; it is also the error below
-// which a joint's position counts as solved. Friction bounds the sum of the impulses, and can hold a body completely.
+// which a joint's position counts as solved. A hinge is pushed back to two degrees past its limit. Friction bounds the
+// sum of the impulses, and can hold a body completely.
 function stepping({ velocity, position, restitution }) {
   return { arithmetic: 'double', drift: 0.5, order: 1, skin: 2 * SKIN, slop: Settings.linearSlop,
-           jointSlop: Settings.linearSlop, iterations: Number(velocity), positionIterations: Number(position),
-           restitutionThreshold: Number(restitution), wholeImpulses: true, springLimit: 2 };
+           jointSlop: Settings.linearSlop, angularSlop: Settings.angularSlop, iterations: Number(velocity),
+           positionIterations: Number(position), restitutionThreshold: Number(restitution), wholeImpulses: true,
+           springLimit: 2 };
 }
 
 serve({

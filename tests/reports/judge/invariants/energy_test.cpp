@@ -129,7 +129,6 @@ TEST(EnergyInvariant, IsBrokenByExplicitEulerOnASpring) {
   EXPECT_EQ(status("energy", scene, on_a_spring(true), symplectic), CheckStatus::broken);
 }
 
-// An impact at 1 m/s that is noticed 1 cm late; lifting the box out takes m g v h.
 // Two boxes that turn about a hinge between them, whose energy oscillates by h^2/12 times the squares of the forces
 // that hold them.
 TEST(EnergyInvariant, CountsTheForcesOfJointsAndNotWhatTheyGain) {
@@ -159,6 +158,7 @@ TEST(EnergyInvariant, CountsTheForcesOfJointsAndNotWhatTheyGain) {
   EXPECT_EQ(status("energy", hinged, spinning(10), second_order), CheckStatus::broken) << "no matter how fast it gets";
 }
 
+// An impact at 1 m/s that is noticed 1 cm late; lifting the box out takes m g v h.
 TEST(EnergyInvariant, LetsALateImpactBePushedOut) {
   const Scene scene = box_on_ground(0.5, {0, -10});
   const auto lifted = [](double by) {
@@ -169,6 +169,21 @@ TEST(EnergyInvariant, LetsALateImpactBePushedOut) {
   EXPECT_EQ(status("energy", scene, lifted(0.99 * tolerance), symplectic), CheckStatus::held);
   EXPECT_EQ(status("energy", scene, lifted(1.01 * tolerance), symplectic), CheckStatus::broken);
   EXPECT_EQ(status("energy", scene, lifted(0.1 * tolerance), second_order), CheckStatus::broken);
+}
+
+// Pushed out in one step, stopped in the next: of 1 m/s, against 10 N, 10 N m/s h (|d| + lag) = 0.15 J.
+TEST(EnergyInvariant, LetsPositionsBePushedOutOneStepBeforeVelocitiesStop) {
+  const Scene scene = box_on_ground(0.5, {0, -10});
+  const auto lifted = [](double by, double speed) {
+    return forged(h,
+                  {{box_at({0, 0.5}, {0, -1})}, {box_at({0, 0.5 + by}, {0, -1})}, {box_at({0, 0.5 + by}, {0, speed})}});
+  };
+  Stepping separate = symplectic;
+  separate.position_iterations = 3;
+  EXPECT_EQ(status("energy", scene, lifted(0.0149, 0), separate), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, lifted(0.0151, 0), separate), CheckStatus::broken);
+  EXPECT_EQ(status("energy", scene, lifted(0.0149, -1), separate), CheckStatus::broken) << "it is never stopped";
+  EXPECT_EQ(status("energy", scene, lifted(0.0149, 0), symplectic), CheckStatus::broken) << "states no such positions";
 }
 
 TEST(EnergyInvariant, CountsTheWorkOfConstantForcesAndOfKinematicBodies) {
