@@ -1,4 +1,4 @@
-#include "shapes/convex_hull.h"
+#include "shapes/hull.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "../random_shapes.h"
 #include "../real_literal.h"
 
-namespace impulse::convex_hull_test {
+namespace impulse::hull_test {
 namespace {
 
 TEST(ConvexHull, TurnsLeftEverywhereAndContainsAllPoints) {
@@ -55,4 +55,4 @@ TEST(Width, IsTheLeastBetweenParallelLines) {
 }
 
 }  // namespace
-}  // namespace impulse::convex_hull_test
+}  // namespace impulse::hull_test
