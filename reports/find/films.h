@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/find/complaint.h"
-#include "reports/find/suspect.h"
+#include "reports/find/judge.h"
 #include "reports/judge/contacts.h"
 #include "reports/judge/relation.h"
 

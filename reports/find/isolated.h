@@ -7,7 +7,6 @@
 #include "reports/find/complaint.h"
 #include "reports/find/films.h"
 #include "reports/find/judge.h"
-#include "reports/find/suspect.h"
 
 namespace plumb {
 

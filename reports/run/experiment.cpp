@@ -12,7 +12,6 @@
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
 #include "reports/run/case_run.h"
-#include "reports/run/case_truth.h"
 #include "reports/run/horizon.h"
 #include "reports/run/relations.h"
 #include "reports/run/statement.h"

@@ -14,7 +14,6 @@
 #include "reports/run/case_run.h"
 #include "reports/run/selection.h"
 #include "reports/run/timings.h"
-#include "reports/study/failures.h"
 #include "reports/study/job.h"
 #include "reports/study/reference_solution.h"
 #include "reports/study/selection.h"
