@@ -5,7 +5,7 @@
 
 #include "reference/simulation.h"
 #include "reports/find/complaint.h"
-#include "reports/find/films.h"
+#include "reports/find/finding.h"
 #include "reports/find/judge.h"
 
 namespace plumb {

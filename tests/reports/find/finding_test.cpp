@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "reports/find/films.h"
 #include "reports/find/finding.h"
 #include "reports/find/summary.h"
 #include "reports/system/files.h"

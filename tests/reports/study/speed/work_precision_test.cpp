@@ -3,7 +3,6 @@
 #include <cmath>
 #include <vector>
 
-#include "reports/study/speed/convergence_order.h"
 #include "reports/study/speed/work_precision.h"
 
 namespace plumb::work_precision_test {
