@@ -23,7 +23,7 @@ done <<'WORDS'
 \bonlookers?\b|observer
 \boffences?\b|regression
 \bpacers?\b|timing worker
-\bwavers?\b|unstable|reports/gate/baseline_json.cpp tests/reports/gate/baseline_json_test.cpp
+\bwavers?\b|unstable|reports/gate/baseline.cpp tests/reports/gate/baseline_test.cpp
 \bleavers?\b|moved proxy
 \baskers?\b|batched query
 \bsymptoms?\b|finding
@@ -34,7 +34,7 @@ done <<'WORDS'
 how-manieth|index
 share of allowed|error / tolerance
 times allowed|error / tolerance
-revealed\b|not reported|reports/run/report_json.cpp tests/reports/gate/baseline_json_test.cpp tests/reports/history/snapshot_test.cpp tests/reports/run/report_json_test.cpp tests/reports/web
+revealed\b|not reported|reports/run/report_json.cpp tests/reports/gate/baseline_test.cpp tests/reports/history/snapshot_test.cpp tests/reports/run/report_json_test.cpp tests/reports/web
 \bhangs? on\b|depends on
 \btells? of\b|describes, reports
 \bdear\b|expensive

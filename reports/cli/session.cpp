@@ -11,7 +11,6 @@
 #include "reports/run/converged_checks.h"
 #include "reports/run/experiment.h"
 #include "reports/run/scene_file.h"
-#include "reports/run/scene_warnings.h"
 #include "reports/run/selection.h"
 #include "reports/system/command_options.h"
 #include "reports/system/environment.h"

@@ -9,9 +9,9 @@
 
 #include "reports/find/finding.h"
 #include "reports/find/isolated.h"
-#include "reports/find/tables.h"
 #include "reports/study/runner.h"
 #include "reports/system/files.h"
+#include "reports/system/layout.h"
 #include "reports/writers/junit.h"
 #include "reports/writers/output.h"
 #include "scenarios/scene/scene_json.h"

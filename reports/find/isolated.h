@@ -5,9 +5,8 @@
 
 #include "reference/simulation.h"
 #include "reports/find/complaint.h"
-#include "reports/find/films.h"
+#include "reports/find/finding.h"
 #include "reports/find/judge.h"
-#include "reports/find/suspect.h"
 
 namespace plumb {
 

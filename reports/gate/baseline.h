@@ -74,4 +74,16 @@ BaselineRun baseline_run_of(const RunRecord&);
 /// The same of the runs of a report, without converged references themselves.
 Baseline baseline_of(const Report&);
 
+/// Baselines as JSON files: sorted, with one line for each number, so that a diff shows the numbers that changed.
+
+std::string to_text(const Baseline&);
+
+/// Reads a baseline of this version or an older one. Throws std::invalid_argument, naming the file and the place in it,
+/// if it cannot be read.
+Baseline read_baseline(const std::string& path);
+
+/// Reads a baseline or a report.json. A report has neither bits nor bounds, and its scenarios are exactly its cases.
+/// Throws like read_baseline.
+Baseline read_results(const std::string& path);
+
 }  // namespace plumb

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "reports/judge/mechanics.h"
-#include "reports/run/case_truth.h"
+#include "reports/run/case_run.h"
 #include "reports/system/jobs.h"
 #include "scenarios/images.h"
 #include "scenarios/scene/mass.h"

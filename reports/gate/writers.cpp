@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "reports/gate/baseline_json.h"
+#include "reports/gate/baseline.h"
 #include "reports/gate/compare.h"
 #include "reports/system/files.h"
 #include "scenarios/catalog.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/judge/verdict.h"
-#include "reports/run/case_truth.h"
+#include "reports/run/case_run.h"
 
 namespace plumb {
 

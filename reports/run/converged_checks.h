@@ -8,7 +8,7 @@
 #include "reference/converged/converged.h"
 #include "reports/judge/observe.h"
 #include "reports/judge/scale.h"
-#include "reports/run/growth.h"
+#include "reports/run/horizon.h"
 #include "reports/run/run.h"
 
 /// Judges runs by a converged reference.
@@ -25,7 +25,7 @@ std::optional<ConvergedTruth> converged_reference(const Case&, double dt, std::s
 inline constexpr std::size_t usual_budget = 200'000;
 
 /// The checks of one scene: place and angle of up to `judged_bodies` bodies, spread evenly over the scene, and the
-/// energy. The tolerance is what the method states about itself, times how the scene amplifies it (see growth.h), plus
+/// energy. The tolerance is what the method states about itself, times how the scene amplifies it (see horizon.h), plus
 /// the error of the reference. Each quantity is checked at the latest time at which that is evidence, and less than
 /// half of what the truth changes up to then, so that no body can pass by standing still; and once in the first half of
 /// the time to there.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/judge/relation.h"
-#include "reports/run/growth.h"
+#include "reports/run/horizon.h"
 #include "reports/run/run.h"
 
 /// Runs the images of a scene and checks the metamorphic relations.

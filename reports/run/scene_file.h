@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reports/run/run.h"
+#include "scenarios/scene/scene.h"
 #include "scenarios/scene/scene_json.h"
 
 /// Cases from scene files, and the expectations of cases in the words of a scene file.
@@ -39,5 +40,10 @@ struct StatedTruths {
   std::vector<std::string> left_out;  // what a scene file cannot state, and why
 };
 StatedTruths truths_of(const Case&);
+
+/// What is allowed in a scene file but rarely meant, each with its place: "bodies[3]: starts 0.2 m inside bodies[0]".
+/// Bodies that start in each other, angles above a full turn, densities per volume, rigid joints that start stretched,
+/// and what takes minutes to run.
+std::vector<std::string> warnings_about(const Scene&);
 
 }  // namespace plumb

@@ -106,4 +106,13 @@ std::optional<Shard> slurm_shard(const EnvironmentLookup&);
 /// The units of jobs that belong to a shard: every n-th, so that expensive and cheap ones are spread.
 std::vector<std::span<const Job>> units_in(const Shard&, const std::vector<std::span<const Job>>& units);
 
+/// The engines that a study's tables lack: for each that failed in some of its jobs, or whose jobs crashed or exceeded
+/// their limits: in how many of how many, and in which first, and why. `why` says why the engine failed in a job that
+/// is done, "" if it did not. A key is "STUDY|WHAT|ENGINE|...".
+nlohmann::ordered_json failures_of(const std::vector<JobResult>&,
+                                   const std::function<std::string(const JobResult&)>& why);
+
+/// The same in words, a line each; "" if none failed.
+std::string failures_text(const nlohmann::ordered_json& failures);
+
 }  // namespace plumb

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
 /// The only clocks of reports.
 namespace plumb {
@@ -20,6 +21,11 @@ class Stopwatch {
 enum class CpuClock { none, thread, process };
 
 /// The CPU time so far, s; 0 for CpuClock::none.
-double cpu_seconds(CpuClock);
+inline double cpu_seconds(CpuClock clock) {
+  if (clock == CpuClock::none) return 0;
+  timespec now{};
+  clock_gettime(clock == CpuClock::thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 }  // namespace plumb

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Lines of text that fit a width, in columns.
 namespace plumb {
@@ -19,5 +21,50 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
 
 /// A name of at least `columns` columns, then text that is wrapped beside it.
 std::string beside(std::string_view name, std::size_t columns, std::string_view text, std::size_t width);
+
+/// A table of plain text: columns are as wide as their contents, and the least important are left out where they don't
+/// fit.
+class TextTable {
+ public:
+  struct Column {
+    std::string head;
+    int rank = 0;       // which go first if there is no room: the highest; 0: never
+    bool left = false;  // aligned; others are numbers
+  };
+  struct Cell {
+    std::string text;
+    const char* colour = "";  // an escape sequence; "": none
+  };
+
+  /// The first column is indented, and cut if nothing else helps.
+  TextTable(std::vector<Column> columns, std::size_t indent, std::size_t width);
+
+  /// Control characters are replaced.
+  void add(std::vector<Cell> row);
+  /// Whole lines between the rows.
+  void add_lines(std::string lines);
+
+  /// With the heads as the first line.
+  std::string text() const;
+
+ private:
+  struct Line {
+    std::vector<Cell> cells;
+    std::string whole;  // instead of cells
+  };
+  struct Layout {
+    std::vector<std::size_t> widths;  // of each column; 0: left out
+  };
+
+  Layout layout() const;
+  std::string line_of(const std::vector<Cell>& cells, const Layout& layout) const;
+
+  std::vector<Column> columns_;
+  std::size_t indent_, width_;
+  std::vector<Line> lines_;
+};
+
+/// A table for the console; the first row is its head: columns as wide as they need be, numbers not aligned.
+std::string plain_table(std::span<const std::vector<std::string>> rows);
 
 }  // namespace plumb

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "reports/system/layout.h"
-#include "reports/system/text_table.h"
 #include "reports/writers/summary.h"
 #include "scenarios/scene/json_reader.h"
 

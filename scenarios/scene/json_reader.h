@@ -14,6 +14,10 @@
 /// the file it is: "file: path: expected this, found that".
 namespace plumb {
 
+/// Why a scene file has no such word of another engine's format, and what to write instead: "motors are not in the
+/// format", for example. "" for any other word. Case, - and _ don't count.
+std::string foreign_word(std::string_view word);
+
 /// Parses a JSON text (RFC 8259, UTF-8). Throws std::invalid_argument with line and column if the text is not JSON, and
 /// with the path to the value for a duplicate key, a number beyond double precision, or nesting deeper than any of our
 /// formats needs.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scenarios/scene/foreign_words.h"
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reports/run/readout.h"
+#include "reports/run/run.h"
 #include "reports/timing/repetitions.h"
 
 namespace plumb::benchmarks {

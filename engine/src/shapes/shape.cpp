@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "shapes/convex_hull.h"
+#include "shapes/hull.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

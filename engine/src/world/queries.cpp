@@ -2,7 +2,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "shapes/shape_cast.h"
+#include "shapes/distance.h"
 #include "world/world_state.h"
 
 namespace impulse::inline IMPULSE_PRECISION {

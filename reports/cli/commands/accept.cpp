@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/gate/baseline_json.h"
+#include "reports/gate/baseline.h"
 #include "reports/gate/bounds.h"
 #include "reports/gate/compare.h"
 #include "reports/gate/options.h"

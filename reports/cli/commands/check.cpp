@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "reports/cli/command.h"
-#include "reports/gate/baseline_json.h"
+#include "reports/gate/baseline.h"
 #include "reports/gate/compare.h"
 #include "reports/gate/options.h"
 #include "reports/gate/timing.h"

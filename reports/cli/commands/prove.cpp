@@ -11,7 +11,6 @@
 #include "reports/prove/controls.h"
 #include "reports/prove/prove.h"
 #include "reports/prove/report.h"
-#include "reports/prove/sensitivity_report.h"
 #include "reports/run/selection.h"
 #include "reports/system/files.h"
 #include "reports/system/jobs.h"

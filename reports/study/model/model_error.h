@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/compare/ensembles.h"
-#include "reports/run/case_truth.h"
+#include "reports/run/case_run.h"
 #include "reports/run/run.h"
 #include "reports/study/reference_solution.h"
 

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "reports/report.h"
-#include "reports/study/failures.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
 #include "reports/study/selection.h"
@@ -18,7 +17,6 @@
 #include "reports/system/command_options.h"
 #include "reports/system/layout.h"
 #include "reports/system/terminal.h"
-#include "reports/system/text_table.h"
 #include "scenarios/scene/nearest.h"
 
 namespace plumb {

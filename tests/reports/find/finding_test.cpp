@@ -1,12 +1,10 @@
-#include "reports/find/finding.h"
-
 #include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
-#include "reports/find/ruler.h"
-#include "reports/find/tables.h"
+#include "reports/find/finding.h"
+#include "reports/find/summary.h"
 #include "reports/system/files.h"
+#include "reports/system/layout.h"
 #include "reports/writers/junit.h"
 #include "scenarios/parts.h"
 #include "scenarios/scene/scene_json.h"
@@ -105,6 +103,53 @@ TEST(Tables, ShowWhateverANameContainsAsText) {
   const std::vector<std::vector<std::string>> rows{{"x", "long head"}, {"a|b", "1"}};
   EXPECT_EQ(markdown_table(rows), "| x | long head |\n|---|---|\n| a&#124;b | 1 |\n");
   EXPECT_EQ(plain_table(rows), "x    long head\na|b  1\n");
+}
+
+// A ball falls on the ground beside one that does not get there.
+Scene two_balls() {
+  Scene scene{.name = "balls", .duration = 0.3};
+  scene.bodies = {level_ground({}), disc("low", {0, 0.6}, 0.5, {}), disc("high", {5, 3}, 0.5, {})};
+  return scene;
+}
+
+Complaint complaint(const char* judge, const char* what) { return {.judge = judge, .what = what, .time = 0.3}; }
+
+TEST(RunToShow, TellsWhichBodiesTouch) {
+  const Suspect impulse = parse_suspects("impulse").front();
+  const FailingRun shown = run_to_show(two_balls(), complaint("invariant", "energy"), impulse, {});
+  EXPECT_EQ(shown.touching, (std::vector<BodyPair>{{0, 1}}));
+  EXPECT_FALSE(shown.image.has_value());
+}
+
+TEST(RunToShow, FilmsAnEngineBesideAnotherInOneScene) {
+  const Suspect box2d = parse_suspects("box2d").front();
+  const Suspect impulse = parse_suspects("impulse").front();
+  const FailingRun shown = run_to_show(two_balls(), complaint("invariant", "energy"), box2d, {&impulse, 1});
+  ASSERT_EQ(shown.films.size(), 1U);
+  ASSERT_EQ(shown.films[0]["runs"].size(), 2U);
+  EXPECT_EQ(shown.films[0]["runs"][0]["engine"], "box2d");
+  EXPECT_EQ(shown.films[0]["runs"][1]["engine"], "impulse");
+}
+
+TEST(RunToShow, FilmsAnEngineBesideTheClosedFormThatKnowsTheScene) {
+  Scene scene{.name = "throw", .duration = 0.5, .bodies = {disc("ball", {}, 0.5, {})}};
+  const Suspect box2d = parse_suspects("box2d").front();
+  const FailingRun shown = run_to_show(scene, complaint("closed form", "y"), box2d, {});
+  ASSERT_EQ(shown.films[0]["runs"].size(), 2U);
+  EXPECT_TRUE(is_closed_form(shown.films[0]["runs"][1]["engine"].get<std::string>()));
+}
+
+TEST(RunToShow, FilmsASceneBesideItsImage) {
+  const Suspect impulse = parse_suspects("impulse").front();
+  for (const char* relation : {"mirror", "units", "halves", "stranger"}) {
+    const FailingRun shown = run_to_show(two_balls(), complaint("relation", relation), impulse, {});
+    ASSERT_TRUE(shown.image.has_value()) << relation;
+    ASSERT_EQ(shown.films.size(), 2U) << relation;
+    EXPECT_EQ(shown.films[0]["variant"], "scene");
+    EXPECT_EQ(shown.films[1]["variant"], std::string("image: ") + relation);
+    const FailingRun again = failing_run_of(as_json(shown));
+    EXPECT_EQ(as_json(again).dump(), as_json(shown).dump());
+  }
 }
 
 }  // namespace

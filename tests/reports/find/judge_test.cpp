@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/find/isolated.h"
-#include "reports/find/suspect.h"
 #include "reports/run/scene_file.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/find/admissible.h"
+#include "reports/find/shrink.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/joints.h"
 #include "scenarios/scene/scene_json.h"

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 
-#include "reports/find/admissible.h"
 #include "reports/find/edit.h"
 #include "reports/find/judge.h"
 #include "reports/find/kind.h"
-#include "reports/find/suspect.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"
 #include "scenarios/scene/vec.h"

@@ -10,7 +10,7 @@
 
 #include "../cli/commands/scene_files.h"
 #include "../writers/sample.h"
-#include "reports/gate/baseline_json.h"
+#include "reports/gate/baseline.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::writers_test {

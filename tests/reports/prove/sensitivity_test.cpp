@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "reports/prove/sensitivity_report.h"
+#include "reports/prove/report.h"
 #include "reports/run/selection.h"
 #include "scenarios/parts.h"
 

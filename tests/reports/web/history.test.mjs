@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, draw_all, open, write } from "./browser.mjs";
 import { sample } from "./sample.mjs";
+import { looks_right } from "./views.mjs";
 
 after(close);
 
@@ -53,20 +54,8 @@ const in_report = await write({ ...sample(), studies: [history().study] });
 const files = { "a page of its own": alone, "part of a report": in_report };
 if (process.env.PLUMB_HISTORY) files["the real history"] = process.env.PLUMB_HISTORY;
 
-for (const [name, file] of Object.entries(files)) {
-  for (const width of [360, 1280]) {
-    test(`the history fits ${width} px as ${name}, draws everything, and makes no requests`, async () => {
-      const { page, trouble } = await open(file, { width, colorScheme: width < 1000 ? "dark" : "light" });
-      await draw_all(page);
-      assert.ok((await page.locator(".canvas:has(svg)").count()) > 0);
-      assert.equal(await page.locator(".canvas:not(:has(svg))").count(), 0);
-      const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-      assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
-      assert.deepEqual(trouble, []);
-      await page.close();
-    });
-  }
-}
+const has_charts = async (page) => assert.ok((await page.locator(".canvas:has(svg)").count()) > 0);
+for (const [name, file] of Object.entries(files)) looks_right(`the history as ${name}`, file, { large: true, also: has_charts });
 
 test("changes are listed, the newest snapshot first, and the largest change of a snapshot first", async () => {
   const { page } = await open(alone);

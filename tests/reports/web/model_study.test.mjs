@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, draw_all, open, text_in, write } from "./browser.mjs";
+import { looks_right } from "./views.mjs";
 
 after(close);
 
@@ -65,22 +66,7 @@ function sample() {
 const pages = { "the sample": await write(sample()) };
 if (process.env.PLUMB_MODEL_STUDY) pages["the real study"] = process.env.PLUMB_MODEL_STUDY;
 
-for (const [name, file] of Object.entries(pages)) {
-  for (const colorScheme of ["light", "dark"]) {
-    for (const width of [360, 1280]) {
-      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and makes no requests`, async () => {
-        const { page, trouble } = await open(file, { width, colorScheme });
-        await draw_all(page);
-        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-        assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
-        const empty = await page.evaluate(() => [...document.querySelectorAll(".canvas")].filter((canvas) => !canvas.querySelector("svg")).length);
-        assert.equal(empty, 0);
-        assert.deepEqual(trouble, []);
-        await page.close();
-      });
-    }
-  }
-}
+for (const [name, file] of Object.entries(pages)) looks_right(name, file, { large: name === "the real study" });
 
 test("the head has the result, and the table says where impulse:auto is not as accurate", async () => {
   const { page } = await open(pages["the sample"]);

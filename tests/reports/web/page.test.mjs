@@ -5,36 +5,21 @@ import { close, draw_all, open, open_blank, until, write } from "./browser.mjs";
 import { pack } from "./pack.mjs";
 import { long_sample, sample } from "./sample.mjs";
 import { study_sample } from "./study_sample.mjs";
+import { looks_right } from "./views.mjs";
 
 after(close);
 
-const reports = { "the sample": await write(sample()) };
-if (process.env.PLUMB_REPORT) reports["the real report"] = process.env.PLUMB_REPORT;
+const sample_page = await write(sample());
 
-for (const [name, file] of Object.entries(reports)) {
-  for (const colorScheme of ["light", "dark"]) {
-    for (const width of [360, 1280, 2560]) {
-      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and makes no requests`, async () => {
-        const { page, trouble } = await open(file, { width, colorScheme });
-        await draw_all(page);
-        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-        assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
-        const empty = await page.evaluate(
-          () => [...document.querySelectorAll(".canvas")].filter((canvas) => !canvas.querySelector("svg") && canvas.previousSibling.textContent.indexOf("None") < 0).length,
-        );
-        assert.equal(empty, 0);
-        const background = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-        const brightness = Number(/\d+/.exec(background)[0]);
-        assert.equal(brightness < 128, colorScheme === "dark");
-        assert.deepEqual(trouble, []);
-        await page.close();
-      });
-    }
-  }
-}
+const studied = sample();
+studied.studies = [{ ...study_sample().study, command: "plumb study speed --dt 1/30" }];
+const screens = { widths: [360, 1280, 2560], accessible: true };
+looks_right("the sample with a study", await write(studied), screens);
+looks_right("a damaged report", await write("{"), { ...screens, large: true });
+if (process.env.PLUMB_REPORT) looks_right("the real report", process.env.PLUMB_REPORT, { ...screens, large: true });
 
 test("every engine has its line in each chart, and every run its mark against cost", async () => {
-  const { page } = await open(reports["the sample"]);
+  const { page } = await open(sample_page);
   await draw_all(page);
   const first = page.locator("article").first();
   const labels = (locator) => locator.evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort());
@@ -50,7 +35,7 @@ test("every engine has its line in each chart, and every run its mark against co
 });
 
 test("the tip at the pointer shows the value of every engine at that time", async () => {
-  const { page } = await open(reports["the sample"]);
+  const { page } = await open(sample_page);
   const chart = page.locator("article .charts svg").first();
   await page.locator(".charts").first().scrollIntoViewIfNeeded();
   await chart.hover();
@@ -59,7 +44,7 @@ test("the tip at the pointer shows the value of every engine at that time", asyn
 });
 
 test("the head has the result, and a case without a result has its reason", async () => {
-  const { page } = await open(reports["the sample"]);
+  const { page } = await open(sample_page);
   assert.equal(
     await page.locator("h1").innerText(),
     "box2d is the closest to the truth: within 1 % of scale in 100\u202f% of its checks, wrong in 1 of 3 cases. impulse is within it in 66\u202f%, wrong in 1.",
@@ -81,7 +66,7 @@ test("the head says so if nothing is wrong", async () => {
 });
 
 test("the speed of the fastest body is charted in each case, with who is at rest and when", async () => {
-  const { page } = await open(reports["the sample"]);
+  const { page } = await open(sample_page);
   const rest = page.locator("article").first().locator("figure", { hasText: "Speed of the fastest body" });
   await rest.scrollIntoViewIfNeeded();
   await until(() => rest.locator("g.line").count(), 3);
@@ -93,7 +78,7 @@ test("the speed of the fastest body is charted in each case, with who is at rest
 
 test("an address opens at its element", async () => {
   for (const hash of ["#stacking--10-boxes", "#stacking--10-boxes--box2d", "#method"]) {
-    const { page } = await open(reports["the sample"], { hash });
+    const { page } = await open(sample_page, { hash });
     await until(() => page.evaluate((id) => document.getElementById(id).getBoundingClientRect().top, hash.slice(1)), (top) => top >= 0 && top < 900);
     await page.close();
   }
@@ -132,7 +117,7 @@ test("a folded part is created when it is opened, for print, and for a link into
 });
 
 test("folded parts exist, so that they can be searched, once the browser was idle", async () => {
-  const { page } = await open(reports["the sample"]);
+  const { page } = await open(sample_page);
   await until(() => page.locator("article details:not([open]) table").count(), (made) => made >= 4);
   await page.close();
 });
@@ -142,7 +127,7 @@ test("folded parts exist even in a browser that never has time left", async () =
   await page.addInitScript(() => {
     window.requestIdleCallback = (then, { timeout }) => setTimeout(() => then({ didTimeout: true, timeRemaining: () => 0 }), timeout / 100);
   });
-  await go(reports["the sample"]);
+  await go(sample_page);
   await until(() => page.locator("article details:not([open]) table").count(), (made) => made >= 4);
   await page.close();
 });
@@ -162,7 +147,7 @@ test("the invariants have a row for each run, and a broken one says where", asyn
 });
 
 test("what an engine does differently stands beside its verdicts, folded", async () => {
-  const { page } = await open(reports["the sample"]);
+  const { page } = await open(sample_page);
   const verdict = page.locator("#free-fall--height-5--impulse");
   await verdict.locator("summary", { hasText: "What it does differently" }).click();
   assert.equal(await verdict.locator("details li").innerText(), "sinks <b>in</b>");
@@ -197,7 +182,7 @@ test("names and texts of a scene file are text, never markup", { skip: markup ? 
 });
 
 test("print has every chart and every table, none wider than the page", async () => {
-  const { page } = await open(reports["the sample"]);
+  const { page } = await open(sample_page);
   await page.emulateMedia({ media: "print" });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   assert.equal(await page.locator("details:not([open]):not(.keys)").count(), 0);

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, draw_all, open, text_in, write } from "./browser.mjs";
+import { looks_right } from "./views.mjs";
 
 after(close);
 
@@ -88,20 +89,7 @@ const pages = { "the sample": await write(sample()) };
 if (process.env.PLUMB_STABILITY) pages["the real study"] = process.env.PLUMB_STABILITY;
 
 for (const [name, file] of Object.entries(pages)) {
-  for (const colorScheme of ["light", "dark"]) {
-    for (const width of [360, 1280]) {
-      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and makes no requests`, async () => {
-        const { page, trouble } = await open(file, { width, colorScheme });
-        await draw_all(page);
-        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-        assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
-        const empty = await page.evaluate(() => [...document.querySelectorAll(".canvas")].filter((canvas) => !canvas.querySelector("svg")).length);
-        assert.equal(empty, 0);
-        assert.deepEqual(trouble, []);
-        await page.close();
-      });
-    }
-  }
+  looks_right(name, file, { large: name === "the real study" });
 
   test(`${name} draws every supported cell, and a boundary for every bracket`, async () => {
     const { page } = await open(file);

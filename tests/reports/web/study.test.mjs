@@ -2,31 +2,17 @@ import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, draw_all, drawn, open, text_in, until, write } from "./browser.mjs";
 import { study_sample } from "./study_sample.mjs";
+import { looks_right } from "./views.mjs";
 
 after(close);
 
-const pages = { "the sample": await write(study_sample()) };
-if (process.env.PLUMB_STUDY) pages["the real study"] = process.env.PLUMB_STUDY;
+const sample_page = await write(study_sample());
 
-for (const [name, file] of Object.entries(pages)) {
-  for (const colorScheme of ["light", "dark"]) {
-    for (const width of [360, 1280]) {
-      test(`${name} fits ${width} px in ${colorScheme}, draws everything, and makes no requests`, async () => {
-        const { page, trouble } = await open(file, { width, colorScheme });
-        await draw_all(page);
-        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-        assert.ok(inner <= outer, `${inner} px of page on ${outer} px of screen`);
-        const empty = await page.evaluate(() => [...document.querySelectorAll(".canvas")].filter((canvas) => !canvas.querySelector("svg")).length);
-        assert.equal(empty, 0);
-        assert.deepEqual(trouble, []);
-        await page.close();
-      });
-    }
-  }
-}
+looks_right("the sample", sample_page, { widths: [360, 1280, 2560], accessible: true });
+if (process.env.PLUMB_STUDY) looks_right("the real study", process.env.PLUMB_STUDY, { large: true });
 
 test("the head has the result in a sentence", async () => {
-  const { page } = await open(pages["the sample"]);
+  const { page } = await open(sample_page);
   const said = await page.locator("h1").innerText();
   assert.match(said, /^To 1\u202fmm, impulse is the fastest in 2 of 2 cases\. Cases in which an engine gets there: box2d \(WebAssembly\) in 2, impulse in 2 and never in 0\.$/);
   assert.match(await text_in(page.locator("article").first()), /impulse is the fastest to 1\u202fmm: 400\u202f\u00b5s for a simulated second; next is box2d \(WebAssembly\), 2\.0 times that, but the two run differently: no factor of method alone\. Never that accurate: never\./);
@@ -34,7 +20,7 @@ test("the head has the result in a sentence", async () => {
 });
 
 test("times are told apart by how code runs, and engines that failed are named", async () => {
-  const { page } = await open(pages["the sample"]);
+  const { page } = await open(sample_page);
   assert.match(await text_in(page.locator("#overall")), /factors between them are not of the methods alone/);
   assert.match(await text_in(page.locator("#overall tbody")), /box2d \(WebAssembly\)/);
   assert.match(await text_in(page.locator("#failures")), /<b>wild<\/b> failed in 1 of 1 job, first in heap\/plain: crashed: ended by signal 11/);
@@ -42,7 +28,7 @@ test("times are told apart by how code runs, and engines that failed are named",
 });
 
 test("every method has its curve in each case, and its mark over all cases", async () => {
-  const { page } = await open(pages["the sample"]);
+  const { page } = await open(sample_page);
   await draw_all(page);
   const labels = (locator) => locator.evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort());
   assert.deepEqual(await labels(page.locator("article").first().locator("g.line")), ["box2d", "impulse"]);
@@ -54,7 +40,7 @@ test("every method has its curve in each case, and its mark over all cases", asy
 });
 
 test("bounds differ from readings, and unreached targets are left out", async () => {
-  const { page } = await open(pages["the sample"]);
+  const { page } = await open(sample_page);
   const said = await text_in(page.locator("article").first().locator(".table").first());
   assert.match(said, /\u2264 300/);
   assert.match(said, /to 1\u202fcm/);
@@ -64,7 +50,7 @@ test("bounds differ from readings, and unreached targets are left out", async ()
 });
 
 test("in print the table of all runs shows the lines that its buttons copy", async () => {
-  const { page } = await open(pages["the sample"]);
+  const { page } = await open(sample_page);
   await page.emulateMedia({ media: "print" });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   const cells = page.locator('td[data-label="command line"]');
@@ -77,7 +63,7 @@ test("in print the table of all runs shows the lines that its buttons copy", asy
 });
 
 test("a click on a point copies its command line, and so does the table of all runs", async () => {
-  const { page, trouble } = await open(pages["the sample"]);
+  const { page, trouble } = await open(sample_page);
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => (window.copied = text) } }));
   await draw_all(page);
   const article = page.locator("article").nth(1);
@@ -101,7 +87,7 @@ test("a click on a point copies its command line, and so does the table of all r
 });
 
 test("a legend isolates a curve in all charts, adds others, and shows all again; axes follow", async () => {
-  const { page } = await open(pages["the sample"]);
+  const { page } = await open(sample_page);
   await draw_all(page);
   const article = page.locator("article").first();
   const curves = () => article.locator("g.line").evaluateAll((all) => all.map((mark) => mark.getAttribute("aria-description")).sort().join());
@@ -123,13 +109,13 @@ test("a legend isolates a curve in all charts, adds others, and shows all again;
 });
 
 test("unfinished jobs are listed as text", async () => {
-  const { page } = await open(pages["the sample"]);
+  const { page } = await open(sample_page);
   assert.match(await page.locator("#endings").innerText(), /<b>wild<\/b>.*crashed.*signal 11/s);
   await page.close();
 });
 
 test("orders have their interval, and exactness is in words", async () => {
-  const { page } = await open(pages["the sample"]);
+  const { page } = await open(sample_page);
   const said = await page.locator("#orders").innerText();
   assert.match(said, /1\.01 \u00b1 0\.02/);
   assert.match(said, /exact to round-off/);

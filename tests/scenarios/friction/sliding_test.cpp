@@ -1,7 +1,12 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "reports/run/run.h"
+#include "reports/run/selection.h"
+#include "scenarios/scene/mass.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::sliding_test {
@@ -50,6 +55,96 @@ TEST(Ladder, StopsOneThatDoesNotSlide) {
 
 TEST(FlushTiles, StopABoxThatAnInnerEdgeSlowsByATenth) {
   EXPECT_LT((Of{"flush-tiles", {}, "box", Quantity::vx}.allows_at_most()), 4 / 10.);
+}
+
+double speed(double press, double friction) {
+  return *Of{"pressed-box", {{"press", press}, {"friction", friction}}, "box", Quantity::vy}
+              .expectations()
+              .front()
+              .expected;
+}
+
+TEST(PressedBox, FallsFreelyWithoutFrictionAndNotAtAllFromTheLimitOn) {
+  EXPECT_NEAR(speed(20, 0), -10, 1e-12);
+  EXPECT_NEAR(speed(0.1, 0.5), -10 + 0.05, 1e-12);
+  EXPECT_NEAR(speed(20, 0.4999), 0, 0.01);
+  EXPECT_EQ(speed(20, 0.5001), 0);
+  EXPECT_EQ(speed(100, 0.5), 0);
+}
+
+TEST(PressedBox, StopsAFrictionlessOne) {
+  EXPECT_LT((Of{"pressed-box", {}, "box", Quantity::vy}.allows_at_most()), 10.0 / 20);
+  EXPECT_LT((Of{"pressed-box", {{"friction", 0.2}}, "box", Quantity::vy}.allows_at_most()), 4.0 / 2);
+}
+
+double expected(const Parameters& changes, Quantity quantity) {
+  return *Of{"limiting-friction", changes, "box", quantity}.expectations().front().expected;
+}
+
+// Coulomb's law in steps of 0.1 ms: at rest friction balances up to its static limit, and once the box moves it brakes
+// with the dynamic one.
+TEST(LimitingFriction, AgreesWithAnIntegrationOfCoulombsLaw) {
+  for (const double margin : {-0.05, -5e-5, 5e-5, 0.05}) {
+    for (const double dynamic : {0.0, 0.3, 0.45}) {
+      const Parameters changes{{"margin", margin}, {"dynamic", dynamic}};
+      const Scenario& family = *Catalog<Scenario>::find("limiting-friction");
+      const Scene scene = family.scene(complete(family, changes));
+      const double pull = std::get<Constant>(scene.forces[0]).force.x / mass_of(scene.bodies[1]).mass;
+      const Surface& rough = scene.bodies[1].shapes[0].surface;
+      double x = 0;
+      double v = 0;
+      constexpr double h = 1e-4;
+      for (int i = 0; i < 20000; ++i) {
+        const bool sticks = v == 0 && pull <= rough.static_friction * 10;
+        v += sticks ? 0 : h * (pull - rough.dynamic_friction * 10);
+        x += h * v;
+      }
+      EXPECT_NEAR(expected(changes, Quantity::vx), v, 1e-9) << margin << ' ' << dynamic;
+      EXPECT_NEAR(expected(changes, Quantity::x), x, 2e-3) << margin << ' ' << dynamic;
+    }
+  }
+}
+
+// Just beyond the limit the box is 6 m away at the end, just below it has not moved: a method that takes the wrong one
+// of the two coefficients is stopped.
+TEST(LimitingFriction, StopsTheWrongSideOfTheLimit) {
+  const double breaks = expected({}, Quantity::x);
+  EXPECT_NEAR(breaks, (0.6 * 10 * (1 + 5e-5) - 0.3 * 10) * 2, 1e-9);
+  const Stepping stated = statement_of::accurate();
+  EXPECT_LT((Of{"limiting-friction", {}, "box", Quantity::x}.allows(stated)), breaks / 100);
+  EXPECT_LT((Of{"limiting-friction", {{"margin", -5e-5}}, "box", Quantity::x}.allows(stated)), breaks / 100);
+}
+
+struct Speeds {
+  double expected = 0, measured = 0;  // m/s
+};
+
+// Soon after the jam, along the ground, of our engine with exact contacts.
+Speeds speeds_of(const char* word, double dt) {
+  const Case one = parse_cases(word).front();
+  const std::vector<Expectation> all = one.scenario->expectations(one.parameters);
+  const auto jam =
+      std::find_if(all.begin(), all.end(), [](const Expectation& of) { return of.quantity == Quantity::vx; });
+  if (jam == all.end()) return {};
+  Scene scene = *one.scene;
+  scene.duration = *jam->time;
+  const Outcome outcome = run(scene, parse_engine("impulse:solver=exact"), dt);
+  return {*jam->expected, outcome.trace->states(outcome.trace->size() - 1)[1].velocity.x};
+}
+
+// It jams in the first step, with arms that turn in it: an error of first order, at most 2.9 m/s times 3.2 rad/s dt.
+TEST(PainleveRod, MovesOnAfterTheJamAsARodWhoseFootStandsOrSlides) {
+  for (const char* word : {"painleve-rod:mu=2", "painleve-rod:mu=5"}) {
+    const auto error = [&](double dt) {
+      const Speeds speeds = speeds_of(word, dt);
+      EXPECT_GT(speeds.expected, 2) << word;
+      return std::abs(speeds.measured - speeds.expected);
+    };
+    constexpr double dt = 1.0 / 600;
+    EXPECT_LT(error(dt), 2.9 * 3.2 * dt) << word;
+    EXPECT_NEAR(error(dt) / error(dt / 4), 4, 0.1) << word;
+    EXPECT_NEAR(error(dt / 4) / error(dt / 16), 4, 0.1) << word;
+  }
 }
 
 }  // namespace

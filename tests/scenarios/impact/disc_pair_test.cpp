@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "reference/simulation.h"
+#include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 #include "tests/scenarios/statement_of.h"
 
@@ -105,6 +108,84 @@ TEST(DiscPair, StopsAFrictionlessOne) {
   EXPECT_GT(change, 2);
   EXPECT_LT(spin.allows(statement_of::accurate()), change / 100);
   EXPECT_LT(spin.allows_at_most(), change);
+}
+
+const Scenario& off_center() { return *Catalog<Scenario>::find("off-center"); }
+
+double expected(const Parameters& p, Quantity quantity) {
+  for (const Expectation& one : off_center().expectations(p)) {
+    if (one.quantity == quantity) return *one.expected;
+  }
+  ADD_FAILURE() << name_of(quantity);
+  return 0;
+}
+
+// first-impact looks for the landing itself, and solves for the impulse at the corner that it finds.
+TEST(OffCenter, AgreesWithTheClosedFormOfFirstImpactsForAPolygonInAnyFrame) {
+  const Engine& exact = *Catalog<Engine>::find("first-impact");
+  for (const double form : {0.0, 1.0}) {
+    const Parameters p = complete(off_center(), {{"form", form}});
+    const Scene scene = off_center().scene(p);
+    const std::unique_ptr<Simulation> motion = exact.build(scene, complete(exact, {}));
+    ASSERT_GT(motion->valid_until(), scene.duration) << "it lands again";
+    motion->step(scene.duration);
+    std::vector<BodyState> end(scene.bodies.size());
+    motion->read(end);
+    EXPECT_NEAR(expected(p, Quantity::x), end[1].position.x, 1e-12) << form;
+    EXPECT_NEAR(expected(p, Quantity::y), end[1].position.y, 1e-12) << form;
+    EXPECT_NEAR(expected(p, Quantity::vy), end[1].velocity.y, 1e-12) << form;
+    EXPECT_NEAR(expected(p, Quantity::angle), end[1].angle, 1e-12) << form;
+    EXPECT_NEAR(expected(p, Quantity::angular_velocity), end[1].angular_velocity, 1e-12) << form;
+  }
+}
+
+TEST(OffCenter, KeepsTheEnergyOfAnElasticImpact) {
+  for (const double form : {0.0, 1.0, 2.0}) {
+    const Parameters p = complete(off_center(), {{"form", form}, {"restitution", 1}});
+    const Mass mass = mass_of(off_center().scene(p).bodies[1]);
+    const double v = expected(p, Quantity::vy);
+    const double w = expected(p, Quantity::angular_velocity);
+    EXPECT_GT(std::abs(w), 0.1) << form;
+    EXPECT_NEAR(mass.mass * v * v + mass.inertia * w * w, mass.mass * p.at("speed") * p.at("speed"), 1e-12) << form;
+  }
+}
+
+// In steps of a microsecond, the velocity turned round where the disc is at the wall.
+TEST(Grazing, AgreesWithAnIntegrationInSmallSteps) {
+  for (const Parameters& changes :
+       std::vector<Parameters>{{}, {{"reach", 0.98}}, {{"reach", 1.4}, {"restitution", 0.9}, {"frequency", 6}}}) {
+    const Scenario& family = *Catalog<Scenario>::find("grazing");
+    const Parameters p = complete(family, changes);
+    const double w = p.at("frequency");
+    for (const Expectation& one : Of{"grazing", changes, "disc", Quantity::x}.expectations()) {
+      constexpr double h = 1e-6;
+      double x = -p.at("reach");
+      double v = 0;
+      for (double t = 0; t < *one.time; t += h) {
+        v -= h / 2 * w * w * x;
+        x += h * v;
+        v -= h / 2 * w * w * x;
+        if (x > 1 && v > 0) v *= -p.at("restitution");
+      }
+      EXPECT_NEAR(*one.expected, x, 2e-4);
+    }
+  }
+}
+
+// A^2 - d^2 falls by e^2: the second impact of one that reaches a fifth beyond is hardly felt.
+TEST(Grazing, ApproachesTheWallAndNeverFallsShortOfIt) {
+  const auto energies = Of{"grazing", {}, "", Quantity::energy}.expectations();
+  const auto missed = Of{"grazing", {{"reach", 1 - 1e-9}}, "", Quantity::energy}.expectations();
+  const double least = *missed.back().expected;
+  EXPECT_NEAR((*energies.back().expected - least) / (*energies.front().expected - least), std::pow(0.5, 2), 1e-6);
+}
+
+// At the first impact 1 - e^2 of what is beyond d^2 is lost.
+TEST(Grazing, StopsAWallThatIsNotThereOrTakesAll) {
+  const Expectation first = Of{"grazing", {}, "", Quantity::energy}.expectations().front();
+  const double whole = *first.expected * 1.44 / (1 + 0.25 * 0.44);
+  EXPECT_LT(first.allowed(statement_of::accurate()), (whole - *first.expected) / 3);
+  EXPECT_LT(first.allowed(statement_of::accurate()), *first.expected - whole / 1.44);
 }
 
 }  // namespace

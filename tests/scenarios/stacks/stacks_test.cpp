@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "scenarios/scenario.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::stacks_test {
@@ -97,6 +100,57 @@ TEST(Tumbler, StopsItemsThatDoNotFallAndItemsOutsideTheDrum) {
   EXPECT_LT(*falls.expectations().front().expected, -1);
   EXPECT_LT(falls.allows_at_most(), 0.01);
   EXPECT_LT((Of{"tumbler", {}, "item 1", Quantity::x}.allows_at_most()), 0.03);
+}
+
+Scene scene_of(const char* name) {
+  const Scenario& family = *Catalog<Scenario>::find(name);
+  return family.scene(complete(family, {}));
+}
+
+TEST(TowerRow, HasATowerOfEachHeight) {
+  EXPECT_EQ(scene_of("tower-row").bodies.size(), 1u + 18 * 19 / 2);
+  EXPECT_EQ(*Of({"tower-row", {}, "box 18 of 18", Quantity::y}).expectations().front().expected, 17.5 * 0.5);
+}
+
+// A tower that falls lies on the ground.
+TEST(TowerRow, StopsATowerThatFalls) {
+  EXPECT_LT((Of{"tower-row", {}, "box 18 of 18", Quantity::y}.allows_at_most()), 17.5 * 0.5 / 10);
+  EXPECT_LT((Of{"tower-row", {}, "box 1 of 1", Quantity::y}.allows_at_most()), 0.25);
+}
+
+// Each box starts above the one below it, and all gaps close.
+TEST(SettlingTower, ClosesEveryGap) {
+  const Scene scene = scene_of("settling-tower");
+  for (int k = 1; k <= 10; ++k) {
+    const std::string name = "box " + std::to_string(k);
+    const double rests = *Of({"settling-tower", {}, name, Quantity::y}).expectations().front().expected;
+    EXPECT_NEAR(scene.bodies[static_cast<std::size_t>(k)].position.y - rests, k * 0.02, 1e-12);
+  }
+}
+
+// Boxes that keep bouncing do so with up to sqrt(2 g k gap).
+TEST(SettlingTower, StopsBoxesThatBounceOrHang) {
+  EXPECT_LT((Of{"settling-tower", {}, "box 10", Quantity::speed}.allows_at_most()), 0.2);
+  EXPECT_LT((Of{"settling-tower", {}, "box 1", Quantity::y}.allows(statement_of::accurate())), 0.02 / 10);
+}
+
+// Without friction the pyramid falls along the slope with g sin a; at the angle of friction, tan a = mu, it coasts,
+// that is stands still.
+TEST(SlidingPyramid, SlidesFreelyWithoutFrictionAndHardlyAtTheAngleOfFriction) {
+  const Scenario& scenario = *Catalog<Scenario>::find("sliding-pyramid");
+  const auto slid = [&](double angle, double friction) {
+    const Parameters p = complete(scenario, {{"angle", angle}, {"friction", friction}});
+    const Scene scene = scenario.scene(p);
+    const Vec start = scene.bodies[1].position;
+    const auto all = scenario.expectations(p);
+    return std::hypot(*all[0].expected - start.x, *all[1].expected - start.y);
+  };
+  const double degree = std::acos(-1) / 180;
+  constexpr double duration = 1.5;
+  EXPECT_NEAR(slid(30, 0), 10 * 0.5 / 2 * duration * duration, 1e-12);
+  EXPECT_NEAR(slid(12, 0.2), 5 * duration * duration * std::abs(std::sin(12 * degree) - 0.2 * std::cos(12 * degree)),
+              1e-12);
+  EXPECT_LT(slid(12, 0.2), 0.2);
 }
 
 }  // namespace

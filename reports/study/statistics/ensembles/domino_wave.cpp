@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "reports/study/statistics/ensemble.h"
-#include "reports/study/statistics/ensembles/domino_model.h"
+#include "reports/study/statistics/ensembles/models.h"
 #include "scenarios/parts.h"
 #include "scenarios/random.h"
 

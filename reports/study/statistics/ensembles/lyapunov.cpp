@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "reports/study/statistics/ensemble.h"
-#include "reports/study/statistics/ensembles/double_pendulum.h"
+#include "reports/study/statistics/ensembles/models.h"
 #include "scenarios/parts.h"
 #include "scenarios/random.h"
 
