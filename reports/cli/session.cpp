@@ -45,6 +45,7 @@ Plan plan_of(const Session& session) {
   plan.dt = parse_dt(session.dt);
   plan.jobs = session.jobs;
   plan.refine = session.refinement();
+  plan.timed = !session.no_timings;
   plan.explain = true;
   plan.relations = session.relations;
   plan.ensemble = session.ensemble;
@@ -72,6 +73,7 @@ void Session::attach_to(CLI::App& app) {
            "seconds a scene");
   add.flag("--no-converged", no_converged, "Judge without converged references");
   add.excludes("--no-converged", "--converged");
+  add.flag("--no-timings", no_timings, "Judge without timing steps, which takes most of the time of large scenes");
   add.flag("--relations", relations,
            "Also run images of every scene (shifted, turned, mirrored ...) and check that they move alike");
   add.add("--ensemble", "N", ensemble, 0, 1000,
@@ -104,6 +106,7 @@ Report Session::conduct(const std::string& command, const std::function<void(Rep
   if (all) report.command.emplace_back("--all");
   if (converged) report.command.emplace_back("--converged");
   if (no_converged) report.command.emplace_back("--no-converged");
+  if (no_timings) report.command.emplace_back("--no-timings");
   if (relations) report.command.emplace_back("--relations");
   if (ensemble != Session().ensemble)
     report.command.insert(report.command.end(), {"--ensemble", std::to_string(ensemble)});

@@ -26,6 +26,7 @@ struct Session {
   bool all = false;
   bool converged = false;  // with a larger budget
   bool no_converged = false;
+  bool no_timings = false;
   bool relations = false;
   int ensemble = 16;
   std::vector<std::string> engines;

@@ -77,7 +77,7 @@ const Catalog<Scenario>::Entry entry{
                      .about = "discs side by side in the lowest row",
                      .whole = true},
                     {.name = "rows", .value = 8, .min = 1, .max = 100, .about = "number of rows", .whole = true}},
-     .variants = {{"eight", {}}},
+     .variants = {{"eight", {}}, {"ten", {{"wide", 10}, {"rows", 10}}}},
      .scene = scene,
      .expectations = expectations}};
 

@@ -34,7 +34,9 @@ Scene scene(const Parameters& p) {
               .gravity = {0, -gravity},
               .duration = duration,
               .mixing = {.friction = FrictionMixing::min}};
-  scene.bodies.push_back(half_space("slope", {.normal = up, .offset = 0}, surface(p.at("friction"), 0)));
+  Surface slippery = surface(p.at("friction"), 0);
+  slippery.static_friction += p.at("excess") * (std::tan(p.at("angle") * degree) - p.at("friction"));
+  scene.bodies.push_back(half_space("slope", {.normal = up, .offset = 0}, slippery));
   for (int row = 1; row <= base(p); ++row) {
     for (int place = 1; place <= base(p) - row + 1; ++place) {
       Body one = box(name_of(row, place), on_slope(p, place_of(base(p), row, place)), {1, 1}, surface(grip, 0));
@@ -49,7 +51,8 @@ Scene scene(const Parameters& p) {
 // the whole weight's normal part, is what decelerates the whole. Seen from the pyramid, gravity leans back by arctan mu
 // from the slope's normal. Each box rests on two, whose supports reach from 0.125 to 0.5 m on both sides of its middle,
 // and as long as mu times half its height is less than that, its load lies between them; between boxes the same lean
-// needs a friction of mu, less than their own.
+// needs a friction of mu, less than their own. More friction while sticking changes nothing, as the slope is too steep
+// for it, tan a > mu_s; by so much that no box of the lowest row, whatever its share of the load, can stick.
 //   contact   detected a lag late, so that friction misses mu g cos a lag of the speed;
 //   along     off by the drift of a, by what each row may creep on the one below, and by its lean of 2 gap/size per
 //   row; away      off by the gap for each contact below, and by the fall until it is found to touch.
@@ -97,8 +100,13 @@ const Catalog<Scenario>::Entry entry{
      .parameters =
          {{.name = "base", .value = 12, .min = 2, .max = 40, .about = "boxes in the lowest row", .whole = true},
           {.name = "angle", .value = 20, .min = 12, .max = 40, .unit = "deg", .about = "of the slope"},
-          {.name = "friction", .value = 0.1, .min = 0, .max = 0.2, .about = "of the slope"}},
-     .variants = {{"78 boxes", {}}, {"smooth", {{"friction", 0}}}},
+          {.name = "friction", .value = 0.1, .min = 0, .max = 0.2, .about = "of the slope"},
+          {.name = "excess",
+           .value = 0,
+           .min = 0,
+           .max = 0.5,
+           .about = "of its friction while sticking, as a share of what would hold the pile"}},
+     .variants = {{"78 boxes", {}}, {"smooth", {{"friction", 0}}}, {"sticky", {{"base", 7}, {"excess", 0.4}}}},
      .scene = scene,
      .expectations = expectations}};
 

@@ -54,7 +54,7 @@ CHANGES = [
     ("dropped factor", rf" [*/] {OPERAND}(?=[;,)]| [-+*/?:])", ""),
     ("dropped factor", rf"(?<=[ (]){OPERAND} \* (?={OPERAND})", ""),
     ("swapped operand", rf"(?<=[ (])({OPERAND}) - ({OPERAND})(?=[;,)])", r"\2 - \1"),
-    ("swapped operand", r"(?<=\w\()([\w.]+), ([\w.]+)(?=\))", r"\2, \1"),
+    ("swapped operand", r"(?<=\w\()(?<!\bm(?:in|ax)\()(?<!\bdot\()([\w.]+), ([\w.]+)(?=\))", r"\2, \1"),
     ("swapped operand", r"(?<=[\w\])])\.x\b", ".y"),
     ("swapped operand", r"(?<=[\w\])])\.y\b", ".x"),
     ("swapped operand", r"(?<=[\w\])])\.a\b", ".b"),
@@ -67,9 +67,11 @@ CHANGES = [
 ]
 CHANGES = [(kind, re.compile(pattern), to) for kind, pattern, to in CHANGES]
 
-# Texts, checks that no valid scene fails, compile-time matters, and what has no effect on a result.
-NO_PLACE = re.compile(r'^\s*(?:#|using |namespace |template|static_assert|assert|throw|//|friend |class |struct |enum )'
-                      r'|throw |invalid_argument|IMPULSE_STAGE|\.reserve\(|["]|^\s*[\w:<>]+ \w+\[[^\]]+\];')
+# Texts, checks that no valid scene fails, compile-time matters, and what has no effect on a result: memory to come, longer arrays.
+NO_PLACE = re.compile(r'^\s*(?:#|using |namespace |template|static_assert|assert|throw|//|friend |class |struct |enum |'
+                      r'(?:check|require)\w*\()'
+                      r'|throw |invalid_argument|IMPULSE_STAGE|prefetch|\.reserve\(|["]'
+                      r'|^\s*(?:(?:const|constexpr|static) )*[\w:<>]+[*&]? \w+(?:\[[^\]]+\])+(?:;| = \{)')
 
 
 def code_of(line):
@@ -100,7 +102,7 @@ def places_in(file, text):
     checking = False  # inside a statement that may throw: it checks input
     for number, line in enumerate(lines):
         following = lines[number + 1] if number + 1 < len(lines) else ""
-        checking = re.match(r"\s*(?:if|for) ", line) is not None and "throw " in following
+        checking = re.match(r"\s*(?:if|for) ", line) is not None and re.search(r"throw |\brefuse_", following) is not None
         if checking or line.lstrip().startswith("///"):
             continue
         places = [Place(file, number + 1, kind, line, changed) for kind, changed in changes_of(line)]

@@ -34,6 +34,10 @@ class Changes(unittest.TestCase):
         self.assertIn("x = cross(b, a);", after("swapped operand", "x = cross(a, b);"))
         self.assertIn("x = b - a;", after("swapped operand", "x = a - b;"))
 
+    def test_let_operands_be_that_commute(self):
+        for line in ("x = std::max(a, b);", "x = min(a, b);", "x = dot(a, b);"):
+            self.assertEqual([], after("swapped operand", line))
+
     def test_set_a_constant_off_by_two_percent(self):
         self.assertIn("constexpr Real deep = 0.0051;", after("constant", "constexpr Real deep = 0.005;"))
 
@@ -42,10 +46,12 @@ class Changes(unittest.TestCase):
         self.assertEqual([], changes_of("// x = a + b;"))
 
     def test_leave_alone_what_no_valid_scene_reaches(self):
-        for line in ('#include "a + b"', "static_assert(a < b);", "template <int a = 1 + 1>", 'say("a + b");',
-                     "Lanes impulses[4];"):
+        for line in ("check_def(def);", "require(id);", '#include "a + b"', "static_assert(a < b);", "template <int a = 1 + 1>", 'say("a + b");',
+                     "Lanes impulses[4];", "const Real* at[lane_count];", "Real separation[2][lane_count];",
+                     "constexpr Bin bin_of[3][3] = {"):
             self.assertEqual([], changes_of(line), line)
         self.assertEqual([], places_in("a.cpp", "  if (a < b) {\n    throw 1;\n  }"))
+        self.assertEqual([], places_in("a.cpp", "  if (a < 0)\n    refuse_force(\"negative\");"))
 
     def test_leave_declarations_alone(self):
         self.assertEqual([], changes_of("std::vector<Contact> contacts;"))

@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
 """The mutation score: of N small mistakes in engine/src, how many do the scenarios find?
 
-Draws places from a seed, makes one mistake at a time in a copy of the engine, builds that, runs every scenario with the
-default settings and then with sleeping and two workers, and says whether a truth or an invariant finds it: a verdict
-becomes wrong or failed, or coarse where the sound engine is right, or the program crashes, refuses or hangs. There is no
-baseline. What does not compile is drawn anew. Survivors come in four classes: a mistake in a line that no run enters (by a
-build that counts) is a scene to write, or dead code to delete; one in a line that runs enter but that changes no number needs
-a scene in which that line decides; one that changes runs but no verdict needs a truth or an invariant; and one that provably
-can't change anything (equivalent.json says why) is not counted.
+Draws places from a seed, makes one mistake at a time in a copy of the engine, builds that, runs every scenario and every
+reported case with the default settings and then with sleeping and two workers, and says whether a truth or an invariant finds
+it: a verdict becomes wrong or failed, or coarse where the sound engine is right, or the program crashes, refuses or hangs.
+There is no baseline. What does not compile is drawn anew. Survivors come in four classes: a mistake in a function that no run
+enters (by a build that counts) is a scene to write, or dead code to delete; one that runs enter but that changes no number
+needs a scene in which that line decides; one that changes runs but no verdict needs a truth or an invariant; and one that
+provably can't change anything (equivalent.json says why) is not counted.
 
-Not a test: a mutant takes some seconds of one core, and a survivor half a minute. What keeps it short: scenarios run in
-small groups, quick ones first, and the first that finds the mistake ends it; only objects that a mistake changes are made
-again, in one precision, for the instruction sets of this processor, at -O1, which changes no bit. Results go to a file and
-are continued after an interruption.
+Not a test: a mutant takes some seconds of one core, and a survivor up to a minute. What keeps it short: only scenarios that
+enter the function of the mistake run, in small groups, those first that found most per second, and the first group that finds
+the mistake ends it; converged references are made only where a case changes and has one; only objects with code of the
+function are made again, in one precision, for the instruction sets of this processor, at -O1, which changes no bit. Results
+go to a file and are continued after an interruption.
 
   cmake --build --preset release --target plumb
   tests/mutation/score.py --seed 1 --count 200
@@ -21,174 +22,104 @@ are continued after an interruption.
 import argparse
 import collections
 import dataclasses
-import hashlib
 import json
-import os
 import random
 import re
 import resource
-import shlex
 import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
 
+import entered
+from build import COUNTING, ROOT, Build, fail
 from places import Place, places_in
 
-ROOT = Path(__file__).resolve().parents[2]
-OBJECTS = "impulse_double_objects"  # scenarios run in double precision
 MEMORY = 4 << 30  # bytes that a mutant may take
-PATIENCE = 8  # times the sound engine's time, then a mutant hangs
-GROUP = 12  # scenarios that run before the next look at what they found
-LEVEL = "-O1"  # of optimisation: compiles in half of the time of -O2
-# Neither a scene nor the interface of a simulation can ask for these (chains, events, filters, what a game does to a body and when
-# it draws); and another method than the default.
-OUT_OF_REACH = ["src/world/debug_draw.cpp", "src/world/queries.cpp", "src/shapes/ray_cast.cpp", "src/core/stages.cpp",
-                "src/core/stages.h", "src/narrow_phase/chains.cpp", "src/contacts/touch_log.cpp", "src/world/body.cpp",
-                "src/world/clock.cpp", "src/solver/soft_step.cpp", "src/contacts/part_filter.h"]
-
-
-def fail(text):
-    sys.exit(f"score.py: {text}")
-
-
-def digest(paths):
-    whole = hashlib.sha256()
-    for path in paths:
-        whole.update(path.read_bytes())
-    return whole.hexdigest()[:16]
-
-
-def kernels_here():
-    """The instruction sets that the engine chooses on this processor: the widest, and AVX2 for what gathers more than it
-    computes. See engine/src/core/instruction_set.cpp and engine/src/contacts/contact_kernels.cpp."""
-    try:
-        flags = set(re.search(r"^flags\s*:(.*)$", Path("/proc/cpuinfo").read_text(), re.M).group(1).split())
-    except AttributeError:
-        return {"baseline"}
-    if {"avx512f", "avx512dq", "avx512vl", "avx512bw"} <= flags:
-        return {"avx512", "avx2"}
-    return {"avx2"} if "avx2" in flags else {"baseline"}
-
-
-class Build:
-    """A copy of the engine whose sources are compiled one by one and linked with the objects of an existing build."""
-
-    def __init__(self, built, work):
-        self.built, self.work = built, work
-        self.engine = work / "engine"
-        commands = subprocess.run(["ninja", "-C", built, "-t", "commands", "plumb"], check=True, text=True,
-                                  stdout=subprocess.PIPE).stdout.splitlines()
-        ours = [line for line in commands if f"/{OBJECTS}.dir/" in line and " -c " in line]
-        if not ours:
-            fail(f"{built} does not build {OBJECTS}")
-        self.link_command = next(line for line in reversed(commands) if re.search(r" -o \S*reports/plumb ", line))
-        self.kernels = {re.search(r"kernels_(\w+)\.cpp$", line).group(1): line for line in ours if "kernels_" in line}
-        self.plain = next(line for line in ours if "kernels_" not in line)
-        self.scenarios = scenarios(built / "reports/plumb")
-        self.update_copy()
-
-    def update_copy(self):
-        source = ROOT / "engine"
-        files = sorted(path for path in source.rglob("*") if path.suffix in (".cpp", ".h"))
-        self.base = digest(files)
-        stamp = self.work / "engine.sha"
-        if stamp.exists() and stamp.read_text() == self.base:
-            for path in files:  # undoes a mutant that was interrupted
-                copy = self.engine / path.relative_to(source)
-                if copy.read_bytes() != path.read_bytes():
-                    shutil.copyfile(path, copy)
-            return
-        for folder in (self.engine, self.work / "objects"):
-            shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(source, self.engine)
-        (self.work / "objects").mkdir()
-        stamp.write_text(self.base)
-
-    def units(self):
-        """Object name: its compile command without output."""
-        all_units = {}
-        for source in sorted((self.engine / "src").rglob("*.cpp")):
-            name = str(source.relative_to(self.engine / "src"))
-            if "lanes/" not in name and not name.startswith("c_api/"):  # kernels include the one, only float has the other
-                all_units[name.replace("/", "_")] = self.command(self.plain, source)
-        for name, line in self.kernels.items():
-            all_units[f"kernels_{name}"] = self.command(line, None)
-        return all_units
-
-    def command(self, line, source):
-        words = [word.replace(str(ROOT / "engine"), str(self.engine)) for word in shlex.split(line)]
-        while not words[0].endswith(("c++", "g++", "clang++")):
-            words.pop(0)  # a compiler launcher
-        for option in ("-o", "-MF", "-MT"):
-            at = words.index(option)
-            del words[at:at + 2]
-        if source:
-            words[-1] = str(source)
-        return [*words[:-1], LEVEL, words[-1]]
-
-    def compile(self, name, command, folder):
-        out = folder / f"{name}.o"
-        made = subprocess.run([*command, "-MF", str(out) + ".d", "-o", str(out)], cwd=self.built,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        return made.returncode == 0, made.stderr
-
-    def compile_missing(self):
-        for name, command in self.units().items():
-            if not (self.work / "objects" / f"{name}.o").exists():
-                print(f"compiling {name}", file=sys.stderr)
-                passed, said = self.compile(name, command, self.work / "objects")
-                if not passed:
-                    (self.work / "objects" / f"{name}.o").unlink(missing_ok=True)
-                    fail(f"the sound engine does not compile:\n{said}")
-
-    def users_of(self, file):
-        """The objects made from a file. Of the kernels only those that run here: the others are the same source."""
-        skipped = {f"kernels_{name}" for name in self.kernels if name not in kernels_here()}
-        path = str(self.engine / file)
-        return [name for name in self.units() if name not in skipped
-                and path in (self.work / "objects" / f"{name}.o.d").read_text().split()]
-
-    def link(self, program, changed, folder=None, options=()):
-        """`changed`: names of objects in the folder that replace those of the sound engine."""
-        ours = [str((folder if name in changed else self.work / "objects") / f"{name}.o") for name in self.units()]
-        words = [word for word in shlex.split(self.link_command) if f"/{OBJECTS}.dir/" not in word]
-        words = words[words.index("&&") + 1:]
-        words = words[:words.index("&&")]
-        words[words.index("-o") + 1] = str(program)
-        # First, since inline functions of other objects that include the engine's headers are the sound ones.
-        subprocess.run([words[0], *options, *ours, *words[1:]], cwd=self.built, check=True)
+PATIENCE = 8  # times the sound engine's processor time, and a second, then a mutant hangs
+GROUP = 8  # scenarios that run before the next look at what they found,
+GROUP_SECONDS = 0.5  # if they take no longer than this
+WAYS = ["impulse", "impulse:sleeping=on,workers=2,broad-phase=tree"]  # the next only if a mutant survives the last
+# What no scene can ask for, neither as a scene nor through the interface of a simulation: files, or functions of them.
+OUT_OF_REACH = {
+    # What a game does during a run: puts in and takes out bodies, joints, forces, motors; callbacks; copies of worlds.
+    "src/world/body.cpp": [],
+    "src/world/clock.cpp": [],
+    "src/contacts/part_filter.h": [],
+    "src/world/world.cpp": [
+        "operator=", "awake_contacts", "set_gravity", "remove_force", "destroy_joint", "set_motor", "set_limits",
+        "set_filter", "set_pre_solve", "bodies", "body_count", "awake_count", "copy", "State", "~CallbackScope",
+        "mark_held"],  # the last for other integrators
+    "src/bodies/body_set.cpp": ["remove", "destroy", "set_layers", "set_part_layers", "advance"],  # likewise
+    "src/bodies/body_set.h": ["advance"],
+    "src/bodies/force_field.cpp": ["refers_to", "remove", "forget", "free_slot"],
+    "src/contacts/contact_set.cpp": ["shown", "in_range", "pre_solve", "forget"],
+    "src/islands/sleep.cpp": ["put_to_sleep"],
+    "src/islands/sleep.h": ["copy"],
+    "src/joints/joint_models.cpp": ["with_motor", "with_limits"],
+    "src/joints/joint_set.cpp": ["remove", "set_motor", "set_limits", "forget", "free_slot", "impulse"],
+    "src/solver/resting_piles.cpp": ["copy"],
+    # What a game looks for and draws, materials by the engine's names, and what only tests ask for.
+    "src/world/debug_draw.cpp": [],
+    "src/world/queries.cpp": [],
+    "src/shapes/ray_cast.cpp": [],
+    "src/shapes/shape_cast.cpp": [],
+    "src/shapes/shape.cpp": ["contains", "chain"],
+    "src/contacts/touch_log.cpp": [],
+    "src/bodies/material.cpp": ["listed", "dashed", "find_material"],
+    "src/broad_phase/aabb_tree.cpp": ["height"],
+    "src/core/stages.cpp": [],
+    "src/core/stages.h": [],
+    # What the scene format leaves out: chains and sensors.
+    "src/narrow_phase/chains.cpp": [],
+    "src/world/sensors.cpp": [],
+    # Other methods than the default.
+    "src/solver/soft_step.cpp": [],
+    "src/bodies/integrator.cpp": [],
+    "src/contacts/contact_rows.cpp": ["solvable", "prepare_rows"],
+    "src/contacts/contact_rows.h": ["within_cone", "warm_start"],
+    # Single precision: in double, DirectIsland solves the islands that are as small as these.
+    "src/solver/contact_system.cpp": [],
+    "src/solver/contact_system.h": [],
+}
 
 
 def scenarios(plumb):
     listed = subprocess.run([plumb, "list"], check=True, text=True, stdout=subprocess.PIPE).stdout
-    return re.findall(r"^  ([a-z][\w-]*) ", listed[:listed.index("\nengines\n")], re.M)
+    return [*re.findall(r"^  ([a-z][\w-]*) ", listed[:listed.index("\nengines\n")], re.M), "tracker"]
 
 
-def stages(quickest_first):
-    """What a mutant is tried with: engine and options of plumb run. The next only if it survives the last; the last, with
-    converged references, only in the cases that it changed, because these take most of the time."""
-    groups = [quickest_first[at:at + GROUP] for at in range(0, len(quickest_first), GROUP)]
-    return [*(("impulse", [*group, "--no-converged"]) for group in groups), ("impulse", ["--all", "--no-converged"]),
-            ("impulse:sleeping=on,workers=2,broad-phase=tree", ["--all", "--no-converged"]), ("impulse", ["--all"])]
+def case_of(run):
+    """As plumb run takes it."""
+    reported = run["variant"] == "tracker"
+    return f"tracker:{run['scenario']}" if reported else f"{run['scenario']}:{run['variant']}"
 
 
-def run_stage(program, stage, folder, seconds, words):
-    """(report, reason): the runs of report.json by case, or why there is none."""
+def run_cases(program, way, cases, folder, words, seconds=None, options=("--no-converged",)):
+    """(runs of report.json by case, or why there are none; processor seconds)."""
     shutil.rmtree(folder, ignore_errors=True)
-    engine, of_stage = stage
+    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        if seconds:
+            resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+
     try:
-        ended = subprocess.run([program, "run", *of_stage, "--engine", engine, "--ensemble", "0", *words,
-                                "--out", folder], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds,
-                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
+        ended = subprocess.run([program, "run", *cases, *options, "--no-timings", "--engine", way, "--ensemble", "0", *words,
+                                "--out", folder], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=limit,
+                               timeout=60 + 10 * seconds if seconds else None)  # a deadlock takes no processor time
     except subprocess.TimeoutExpired:
-        return None, "hangs"
+        return "hangs", 0
+    now = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds_taken = now.ru_utime + now.ru_stime - spent.ru_utime - spent.ru_stime
+    if seconds and seconds_taken > seconds:
+        return "hangs", seconds_taken
     if ended.returncode not in (0, 1):
-        return None, f"crashes (exit code {ended.returncode})"
+        return f"crashes (exit code {ended.returncode})", seconds_taken
     report = json.loads((folder / "report.json").read_text())
     shutil.rmtree(folder)
-    return {f"{run['scenario']}:{run['variant']}": run for run in report["runs"] if run["engine"] == "impulse"}, ""
+    return {case_of(run): run for run in report["runs"] if run["engine"] == "impulse"}, seconds_taken
 
 
 def why(run):
@@ -200,70 +131,142 @@ def why(run):
 
 
 def kills(sound, mutant):
-    found = []
+    """By case, how a mutant's verdict is worse."""
+    found = {}
     for case, run in mutant.items():
         before, after = sound[case]["verdict"], run["verdict"]
         worse = after in ("wrong", "failed") and before not in ("wrong", "failed")
         worse = worse or (after == "coarse" and before == "right")
         worse = worse or (after == "not supported" and before != "not supported")
         if worse:
-            found.append(f"{case} {after}: {why(run)}" if after != "coarse" else f"{case} coarse")
+            found[case] = f"{after}: {why(run)}" if after != "coarse" else after
     return found
 
 
-def entered_lines(build, words):
-    """By file: the lines that any of the runs enters; remembered as long as the sound runs are."""
-    file, sound = build.work / "entered.json", build.work / "sound.json"
-    if file.exists() and file.stat().st_mtime > sound.stat().st_mtime:
-        return json.loads(file.read_text())
-    folder = build.work / "counting"
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir()
-    unused = [f"kernels_{name}" for name in build.kernels if name not in kernels_here()]
-    counted = [name for name in build.units() if name not in unused]
-    for name in counted:
-        passed, said = build.compile(name, [*build.units()[name], "--coverage"], folder)
-        if not passed:
-            fail(f"the sound engine does not compile with --coverage:\n{said}")
-    program = build.work / "plumb-counting"
-    build.link(program, counted, folder, ["--coverage"])
-    for stage in stages(build.scenarios)[-3:]:  # the others are parts of these
-        runs, reason = run_stage(program, stage, build.work / "out", None, words)
-        if runs is None:
-            fail(f"the engine that counts {reason}")
-    entered = collections.defaultdict(dict)
-    for name in counted:
-        counts = subprocess.run(["gcov", "--json-format", "--stdout", f"{name}.gcda"], cwd=folder, check=True,
-                                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
-        for source in json.loads(counts)["files"]:
-            path = Path(os.path.normpath(build.built / source["file"]))
-            if path.is_relative_to(build.engine):
-                of_file = entered[str(path.relative_to(build.engine))]
-                for line in source["lines"]:
-                    at = str(line["line_number"])
-                    of_file[at] = of_file.get(at, 0) + line["count"]
-    file.write_text(json.dumps(entered))
-    return entered
+class Sound:
+    """The engine without a mistake: by way, groups of scenarios, quick ones first, with their runs, processor seconds and
+    entered lines. Remembered in a file until the program changes."""
+
+    def __init__(self, build, words):
+        self.build, self.words = build, words
+        self.program = build.built / "reports/plumb"
+        self.converged_file = build.work / "converged.json"
+        file = build.work / "sound.json"
+        if not file.exists() or file.stat().st_mtime < self.program.stat().st_mtime:
+            self.converged_file.unlink(missing_ok=True)
+            build.link(build.work / "plumb-counting", build.running_units(), build.work / "counting", COUNTING)
+            file.write_text(json.dumps({way: self.measure(way) for way in WAYS}))
+        self.ways = json.loads(file.read_text())
+        self.converged = json.loads(self.converged_file.read_text()) if self.converged_file.exists() else {}
+
+    def run(self, program, way, cases, **options):
+        runs, seconds = run_cases(program, way, cases, self.build.work / "out", self.words, **options)
+        if isinstance(runs, str):
+            fail(f"the sound engine {runs} in {cases}")
+        return runs, seconds
+
+    def measure(self, way):
+        print(f"running every scenario in {way}", file=sys.stderr)
+        alone = {name: self.run(self.program, way, [name]) for name in scenarios(self.program)}
+        measured = []
+        for names in groups({name: seconds for name, (_, seconds) in alone.items()}):
+            runs = {case: run for name in names for case, run in alone[name][0].items()}
+            entered.reset(self.build)
+            if self.run(self.build.work / "plumb-counting", way, names)[0] != runs:
+                fail(f"{names} have other bits at another level of optimisation")
+            lines = {file: sorted(of_file) for file, of_file in entered.Counts(self.build).lines.items()}
+            measured.append({"names": names, "seconds": sum(alone[name][1] for name in names), "runs": runs, "lines": lines})
+        return measured
+
+    def referenced(self, cases):
+        """Of these cases those that converged references judge, with their runs."""
+        missing = [case for case in cases if case not in self.converged]
+        if missing:
+            self.converged |= self.run(self.program, WAYS[0], missing, options=())[0]
+            self.converged_file.write_text(json.dumps(self.converged))
+        plain = {case: run for group in self.ways[WAYS[0]] for case, run in group["runs"].items()}
+        return {case: self.converged[case] for case in cases if self.converged[case] != plain[case]}
 
 
-def is_entered(entered, place):
-    """A statement of several lines is counted at its first."""
-    counts = entered.get(place["file"], {})
-    counted = [int(line) for line in counts if int(line) <= place["line"]]
-    return bool(counted) and counts[str(max(counted))] > 0
+def groups(seconds):
+    """Scenarios that run before the next look at what they found; `seconds` by scenario."""
+    found = [[]]
+    for name in sorted(seconds, key=seconds.get):
+        if len(found[-1]) == GROUP or sum(seconds[other] for other in [*found[-1], name]) > GROUP_SECONDS:
+            found.append([])
+        found[-1].append(name)
+    return [names for names in found if names]
+
+
+class Mutant:
+    """One mistake, while it is made and tried."""
+
+    def __init__(self, build, sound, counts, place):
+        self.build, self.sound, self.place = build, sound, place
+        self.program = build.work / "plumb-mutant"
+        function = entered.function_around(counts, build, place)
+        self.objects = entered.objects_with(counts, function, place, build.users_of(place.file))
+        self.groups = {way: [group for group in sound.ways[way] if entered.enters(group["lines"], function, place)]
+                       for way in WAYS}
+
+    def compiles(self):
+        path = self.build.engine / self.place.file
+        text = path.read_text()
+        lines = text.split("\n")
+        lines[self.place.line - 1] = self.place.after
+        folder = self.build.work / "mutant"
+        folder.mkdir(exist_ok=True)
+        try:
+            path.write_text("\n".join(lines))
+            return not any(self.build.compile(name, folder) for name in self.objects)
+        finally:
+            path.write_text(text)
+
+    def outcome(self, found_before):
+        """`found_before`: how many mutants each scenario has found."""
+        if change_of(self.place) in equivalents() or not any(self.groups.values()):
+            return self.judged({}, [])
+        self.build.link(self.program, self.objects, self.build.work / "mutant")
+        changed = set()
+        for way in WAYS:
+            cost = {id(group): group["seconds"] / (1 + sum(found_before[name] for name in group["names"]))
+                    for group in self.groups[way]}
+            for group in sorted(self.groups[way], key=lambda group: cost[id(group)]):
+                found = self.run(way, group["names"], group["runs"], group["seconds"], changed)
+                if found:
+                    return self.judged(found, [])
+        referenced = self.sound.referenced(sorted(changed))
+        found = referenced and self.run(WAYS[0], sorted(referenced), referenced, 100, set(), options=())
+        return self.judged(found or {}, sorted(changed))
+
+    def run(self, way, cases, right, seconds, changed, **options):
+        """What these cases find; adds to the cases that changed."""
+        runs, _ = run_cases(self.program, way, cases, self.build.work / "out", self.sound.words, PATIENCE * (1 + seconds),
+                            **options)
+        if isinstance(runs, str):
+            return {cases[0]: runs}
+        changed |= {case for case in runs if runs[case] != right[case]}
+        return kills(right, runs)
+
+    def judged(self, found, changed):
+        return {"killed": bool(found), "by": found, "changed": changed, "entered": any(self.groups.values())}
+
+
+def change_of(place):
+    return place.file, place.before.strip(), place.after.strip()
 
 
 def equivalents():
-    """What was shown by hand to change nothing, by file, line of source and change."""
+    """The changes that were shown by hand to have no effect."""
     listed = json.loads((Path(__file__).parent / "equivalent.json").read_text())
-    return {(one["file"], one["before"].strip(), one["after"].strip()) for one in listed}
+    return {(one["file"], one["before"], one["after"]) for one in listed}
 
 
 class Draw:
     """The mutants of a seed. Each line of code with places is as likely as any other, then each kind, then each place."""
 
-    def __init__(self, engine, seed):
-        self.seed = seed
+    def __init__(self, engine, seed, counts):
+        self.seed, self.counts = seed, counts
         self.lines = []
         for path in sorted([*(engine / "src").rglob("*.cpp"), *(engine / "src").rglob("*.h")]):
             if path.parent.name != "c_api":  # the interface in C, which has tests of its own
@@ -273,75 +276,21 @@ class Draw:
         """None if no scene can reach the place that was drawn."""
         dice = random.Random(f"{self.seed} {index} {attempt}")
         places = dice.choice(self.lines)
-        if places[0].file in OUT_OF_REACH:
-            return None
         kind = dice.choice(sorted({place.kind for place in places}))
-        return dice.choice([place for place in places if place.kind == kind])
-
-
-def try_place(build, place, sound, options):
-    """The outcome of a mutant; None if it does not compile."""
-    path = build.engine / place.file
-    text = path.read_text()
-    lines = text.split("\n")
-    lines[place.line - 1] = place.after
-    folder = build.work / "mutant"
-    folder.mkdir(exist_ok=True)
-    users = build.users_of(place.file)
-    try:
-        path.write_text("\n".join(lines))
-        if not all(build.compile(name, build.units()[name], folder)[0] for name in users):
+        place = dice.choice([place for place in places if place.kind == kind])
+        functions = OUT_OF_REACH.get(place.file)
+        if functions is not None and (not functions or entered.name_around(self.counts, place) in functions):
             return None
-    finally:
-        path.write_text(text)
-    program = build.work / "plumb-mutant"
-    build.link(program, users, folder)
-    changed = set()
-    for right in sound:
-        engine, of_stage = right["stage"]
-        if right is sound[-1]:
-            if not changed:
-                break
-            of_stage = sorted(changed)
-        runs, reason = run_stage(program, (engine, of_stage), build.work / "out", PATIENCE * max(10, right["seconds"]),
-                                 options.words)
-        found = kills(right["runs"], runs) if runs else [reason]
-        if found:
-            return {"killed": True, "by": found, "changed": []}
-        changed |= {case for case in runs if runs[case] != right["runs"][case]}
-    return {"killed": False, "by": [], "changed": sorted(changed)}
+        return place
 
 
 def place_of(record):
     return Place(**{field.name: record[field.name] for field in dataclasses.fields(Place)})
 
 
-def sound_runs(build, words):
-    """Of the sound engine, by stage; remembered until the program it is linked from changes."""
-    file = build.work / "sound.json"
-    if file.exists() and file.stat().st_mtime > (build.built / "reports/plumb").stat().st_mtime:
-        return json.loads(file.read_text())
-    program = build.work / "plumb-sound"
-    build.link(program, [])
-    costs = {}
-
-    def run(stage):
-        begun = time.monotonic()
-        runs, reason = run_stage(program, stage, build.work / "out", None, words)
-        if runs is None:
-            fail(f"the sound engine {reason}")
-        return {"stage": stage, "seconds": time.monotonic() - begun, "runs": runs}
-
-    for name in build.scenarios:
-        costs[name] = run(("impulse", [name, "--no-converged"]))["seconds"]
-    sound = [run(stage) for stage in stages(sorted(build.scenarios, key=costs.get))]
-    file.write_text(json.dumps(sound))
-    return sound
-
-
-def summary(records, entered):
+def summary(records):
     same = equivalents()
-    alike = [one for one in records if (one["file"], one["before"].strip(), one["after"].strip()) in same]
+    alike = [one for one in records if change_of(place_of(one)) in same]
     judged = [one for one in records if one not in alike]
     killed = [one for one in judged if one["killed"]]
     print(f"\nMutation score: {len(killed)} of {len(judged)} killed, {100 * len(killed) / max(1, len(judged)):.0f} %.")
@@ -349,11 +298,11 @@ def summary(records, entered):
     for kind, count in sorted(kinds.items()):
         print(f"  {kind:<20}{sum(one['kind'] == kind for one in killed):>4} of {count}")
     silent = [one for one in judged if not one["killed"] and not one["changed"]]
-    unseen = [one for one in silent if not is_entered(entered, one)]
     for title, those in (
-            ("No run enters it: a scene to write, or dead code to delete", unseen),
+            ("No run enters its function: a scene to write, or dead code to delete",
+             [one for one in silent if not one["entered"]]),
             ("Runs enter it, but no number changes: a scene to write in which it decides",
-             [one for one in silent if one not in unseen]),
+             [one for one in silent if one["entered"]]),
             ("Changes runs, but no verdict: a truth or an invariant to write",
              [one for one in judged if not one["killed"] and one["changed"]]),
             ("Can change nothing, not counted (equivalent.json)", alike)):
@@ -381,8 +330,10 @@ def main():
 
     build = Build(options.build.resolve(), options.work.resolve())
     build.compile_missing()
-    sound = sound_runs(build, options.words)
-    draw = Draw(build.engine, options.seed)
+    sound = Sound(build, options.words)
+    entered.reset(build)
+    counts = entered.Counts(build)
+    draw = Draw(build.engine, options.seed, counts)
     results = options.work / f"seed-{options.seed}.jsonl"
     records = {}
     for line in results.read_text().splitlines() if results.exists() else []:
@@ -394,18 +345,20 @@ def main():
     for index in range(options.first, options.count):
         if index in records and not (options.retry and index in survived):
             continue
+        found_before = collections.Counter(case.split(":")[0] for record in records.values() for case in record["by"])
+        drawn = {place_of(record) for record in records.values()}
         for attempt in range(1000):
             place = place_of(records[index]) if index in records else draw.place(index, attempt)
-            outcome = try_place(build, place, sound, options) if place else None
-            if outcome is not None:
+            mutant = Mutant(build, sound, counts, place) if place and (index in records or place not in drawn) else None
+            if mutant and mutant.compiles():
                 break
-        record = {"engine": build.base, "index": index, **dataclasses.asdict(place), **outcome}
+        record = {"engine": build.base, "index": index, **dataclasses.asdict(place), **mutant.outcome(found_before)}
         records[index] = record
         with results.open("a") as file:
             file.write(json.dumps(record) + "\n")
         print(f"{index}: {'killed' if record['killed'] else 'SURVIVES'} engine/{place.file}:{place.line} ({place.kind})"
-              f" {record['by'][:1]}", file=sys.stderr)
-    summary([records[index] for index in sorted(records)], entered_lines(build, options.words))
+              f" {next(iter(record['by'].items()), '')}", file=sys.stderr)
+    summary([records[index] for index in sorted(records)])
 
 
 if __name__ == "__main__":

@@ -30,12 +30,6 @@ void AabbTree::give_back(std::uint32_t node) {
   free_ = node;
 }
 
-void AabbTree::clear() {
-  nodes_.clear();
-  root_ = none;
-  free_ = none;
-}
-
 // Descends while a child promises a lower cost than becoming the sibling of the node itself. `inherited` is the growth
 // of all boxes above.
 std::uint32_t AabbTree::best_sibling(const Aabb& bounds) const {

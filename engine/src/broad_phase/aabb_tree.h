@@ -19,7 +19,6 @@ class AabbTree {
   /// Returns the handle of the leaf, valid until it is removed.
   std::uint32_t insert(const Aabb& bounds, std::uint32_t item, bool moves);
   void remove(std::uint32_t leaf);
-  void clear();
 
   const Aabb& bounds(std::uint32_t leaf) const { return nodes_[leaf].bounds; }
   std::uint32_t item(std::uint32_t leaf) const { return nodes_[leaf].item; }

@@ -138,8 +138,8 @@ TEST(SettlingTower, StopsBoxesThatBounceOrHang) {
 // that is stands still.
 TEST(SlidingPyramid, SlidesFreelyWithoutFrictionAndHardlyAtTheAngleOfFriction) {
   const Scenario& scenario = *Catalog<Scenario>::find("sliding-pyramid");
-  const auto slid = [&](double angle, double friction) {
-    const Parameters p = complete(scenario, {{"angle", angle}, {"friction", friction}});
+  const auto slid = [&](double angle, double friction, double excess = 0) {
+    const Parameters p = complete(scenario, {{"angle", angle}, {"friction", friction}, {"excess", excess}});
     const Scene scene = scenario.scene(p);
     const Vec start = scene.bodies[1].position;
     const auto all = scenario.expectations(p);
@@ -151,6 +151,7 @@ TEST(SlidingPyramid, SlidesFreelyWithoutFrictionAndHardlyAtTheAngleOfFriction) {
   EXPECT_NEAR(slid(12, 0.2), 5 * duration * duration * std::abs(std::sin(12 * degree) - 0.2 * std::cos(12 * degree)),
               1e-12);
   EXPECT_LT(slid(12, 0.2), 0.2);
+  EXPECT_EQ(slid(20, 0.1, 0.5), slid(20, 0.1)) << "the friction of sticking is too little to hold it";
 }
 
 }  // namespace

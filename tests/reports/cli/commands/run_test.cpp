@@ -53,6 +53,19 @@ TEST_F(RunFile, MixesFilesWithScenarios) {
   EXPECT_THAT(report["command"].dump(), HasSubstr("f.json"));
 }
 
+TEST_F(RunFile, IsJudgedAlikeWithoutTimings) {
+  const auto report = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--engine", "impulse", "--out", at("out")});
+    EXPECT_EQ(say(words).code, 0);
+    return json(at("out/report.json"));
+  };
+  const Json timed = report({"run", "bounce:e=0.5"});
+  const Json untimed = report({"run", "bounce:e=0.5", "--no-timings"});
+  EXPECT_EQ(timed["runs"].dump(1), untimed["runs"].dump(1));
+  EXPECT_FALSE(timed["timings"]["steps"].empty());
+  EXPECT_TRUE(untimed["timings"]["steps"].empty());
+}
+
 TEST_F(RunFile, OrAScenarioIsReportedToo) {
   const Said said = say({"report", "bounce:e=0.5", "--engine", "impulse", "--no-studies", "--out", at("out")});
   EXPECT_EQ(said.code, 0) << said.err;
