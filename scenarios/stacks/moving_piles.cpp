@@ -52,7 +52,8 @@ Scene scene(const Parameters& p) {
 // from the slope's normal. Each box rests on two, whose supports reach from 0.125 to 0.5 m on both sides of its middle,
 // and as long as mu times half its height is less than that, its load lies between them; between boxes the same lean
 // needs a friction of mu, less than their own. More friction while sticking changes nothing, as the slope is too steep
-// for it, tan a > mu_s; by so much that no box of the lowest row, whatever its share of the load, can stick.
+// for it, tan a > mu_s. Near that limit the errors of the load decide whether a box sticks for a while; the parameter
+// ends half-way.
 //   contact   detected a lag late, so that friction misses mu g cos a lag of the speed;
 //   along     off by the drift of a, by what each row may creep on the one below, and by its lean of 2 gap/size per
 //   row; away      off by the gap for each contact below, and by the fall until it is found to touch.
