@@ -155,7 +155,7 @@ double slip_speed(const ContactState& contact, std::span<const BodyState> states
 // at the contact after the step or, if the gap is that of the start, before it; by what gravity adds, and by an impact
 // too slow to be told from a load; and by dt times the velocity that the impulses of others can give both bodies in an
 // impact (see hidden_changes). Its own impulse shows in V. Within the gap that the method states it may push, and the
-// correction of another contact may move the pair as far again.
+// correction of another contact may move the pair as far again. What may be rounding, as in push, is no impulse.
 std::optional<InvariantCheck> check_complementarity(const InvariantContext& context) {
   const auto& [scene, trace, stepping] = context;
   if (auto cannot = without_contacts(context, false)) return cannot;
@@ -167,8 +167,10 @@ std::optional<InvariantCheck> check_complementarity(const InvariantContext& cont
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto states = trace.states(moment);
     const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses);
+    double largest = 0;
+    for (const ContactState& contact : trace.contacts(moment)) largest = std::max(largest, contact.normal_impulse);
     for (const ContactState& contact : trace.contacts(moment)) {
-      if (contact.normal_impulse <= 0) continue;
+      if (contact.normal_impulse <= solver_rounding(stepping) * largest) continue;
       const double gap = overlap.gap(contact.a, contact.b, states);
       double path = dt * (slip_speed(contact, trace.states(moment - 1)) + slip_speed(contact, states)) +
                     dt * (dt * length(scene.gravity) + load_speed(context));

@@ -21,9 +21,12 @@ double most_in(const char* word) {
   return most;
 }
 
-// The foot of the rod stops at once, though it never approached the ground: v = w r, w = (r x v)/(k^2 + r^2).
+// The foot of the rod stops at once, though it never approached the ground: v = w r, w = (r x v)/(k^2 + r^2) = 3.18
+// rad/s, with r = (.53, -.853) m, which is a jump of 4.26 m/s. A frame's fall, .17 m/s, is in it or not, and what may
+// be a load's, as much again, is taken from it.
 TEST(Jams, AreFoundWhereFrictionAndRigidityContradictEachOther) {
-  EXPECT_NEAR(most_in("painleve-rod:mu=2"), 4.2, 0.2);
+  constexpr double fall = 10 * frame;
+  EXPECT_NEAR(most_in("painleve-rod:mu=2"), 4.26 - fall, fall);
   EXPECT_GT(most_in("painleve-rod:mu=5"), 4);
 }
 
