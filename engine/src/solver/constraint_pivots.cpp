@@ -30,14 +30,15 @@ std::vector<double> ConstraintSystem::rates_without_equations(const std::vector<
   for (std::size_t i = 0; i < n; ++i) {
     if (!(mass_[i] > 0)) continue;
     for (std::size_t j = 0; j < n; ++j) {
-      if (mass_[j] > 0) rates[i * width + j] = static_cast<double>(response(rows_[i], rows_[j]));
+      if (mass_[j] > 0) rates[i * width + j] = response<double>(rows_[i], rows_[j]);
     }
-    rates[i * width + n] = static_cast<double>(rate(i, velocity));
+    rates[i * width + n] = speed<double>(rows_[i], velocity) + double{rows_[i].bias};
   }
   for (std::size_t k = 0; k < n; ++k) {
     if (rows_[k].law != Law::holds || !(mass_[k] > 0)) continue;
     const double* by = rates.data() + k * width;
-    const double own = by[k] + static_cast<double>(least_compliance / mass_[k]);
+    const double own = by[k];
+    if (own * static_cast<double>(mass_[k]) <= lcp_round_off) continue;  // follows from the others
     for (std::size_t i = 0; i < n; ++i) {
       double* to = rates.data() + i * width;
       const double factor = to[k] / own;

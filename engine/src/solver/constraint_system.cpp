@@ -15,21 +15,9 @@ constexpr std::uint32_t nothing_slips = ~std::uint32_t{0};
 
 /// Of the largest term of a rate, what rounding may leave of it.
 constexpr Real rates_round_by = 64 * std::numeric_limits<Real>::epsilon();
+constexpr Real pivots_round_by = std::max(rates_round_by, static_cast<Real>(lcp_round_off));
 
 }  // namespace
-
-/// The change of the rate of p for a unit impulse along q, through the bodies that both act on.
-Real ConstraintSystem::response(const Constraint& p, const Constraint& q) {
-  const auto through = [&](const InverseMass& mass, Real arm_p, Real arm_q) {
-    return mass.m * dot(p.axis, q.axis) + mass.i * arm_p * arm_q;
-  };
-  Real sum = 0;
-  if (p.a == q.a) sum += through(p.mass_a, p.arm_a, q.arm_a);
-  if (p.b == q.b) sum += through(p.mass_b, p.arm_b, q.arm_b);
-  if (p.a == q.b) sum -= through(p.mass_a, p.arm_a, q.arm_b);
-  if (p.b == q.a) sum -= through(p.mass_b, p.arm_b, q.arm_a);
-  return sum;
-}
 
 void ConstraintSystem::clear() {
   rows_.clear();
@@ -40,12 +28,6 @@ void ConstraintSystem::clear() {
 std::uint32_t ConstraintSystem::add(const Constraint& constraint) {
   rows_.push_back(constraint);
   return static_cast<std::uint32_t>(rows_.size() - 1);
-}
-
-Real ConstraintSystem::speed(const Constraint& row, const std::vector<Velocity>& velocity) {
-  const Velocity& a = velocity[row.a];
-  const Velocity& b = velocity[row.b];
-  return dot(row.axis, b.v - a.v) + b.w * row.arm_b - a.w * row.arm_a;
 }
 
 Real ConstraintSystem::rate(std::size_t i, const std::vector<Velocity>& velocity) const {
@@ -96,17 +78,18 @@ bool ConstraintSystem::drove(const std::vector<Velocity>& velocity) const {
 
 void ConstraintSystem::weigh(std::size_t i) {
   const Constraint& row = rows_[i];
-  const Real own = response(row, row);
+  const Real own = response<Real>(row, row);
   mass_[i] = own > 0 && !row.fixed ? 1 / own : Real{0};
 }
 
-/// How a constraint acts that has this impulse. What is at its bound stays there: a pile that slides goes on to slide.
-ConstraintSystem::State ConstraintSystem::guessed_state(const Constraint& row) const {
+/// How a constraint acts that has this impulse, up to a fraction by which it is rounded. What is at its bound stays
+/// there: a pile that slides goes on to slide.
+ConstraintSystem::State ConstraintSystem::guessed_state(const Constraint& row, Real rounding) const {
   if (row.law == Law::holds) return State::holds;
   if (row.impulse == 0) return State::off;
   if (row.law == Law::pushes) return State::holds;
   const Real most = row.law == Law::rubs ? row.friction * load(row) : row.most;
-  if (std::abs(row.impulse) < (1 - rates_round_by) * most) return State::holds;
+  if (std::abs(row.impulse) < (1 - rounding) * most) return State::holds;
   return row.impulse > 0 ? State::forward : State::backward;
 }
 
@@ -137,7 +120,7 @@ void ConstraintSystem::begin(std::vector<Velocity>& velocity) {
   if (state_.size() == rows_.size()) return;
   state_.resize(rows_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    state_[i] = guessed_state(rows_[i]);
+    state_[i] = guessed_state(rows_[i], rates_round_by);
   }
   factored_ = false;
 }
@@ -305,8 +288,8 @@ bool ConstraintSystem::factor() {
     Real* entries = row_at(i);
     const std::size_t end = std::min(n, i + band_ + 1);
     for (std::size_t j = i > band_ ? i - band_ : 0; j < end; ++j) {
-      entries[j] = response(row, rows_[free_[j]]);
-      if (slips_[j] != nothing_slips) entries[j] += slope_[j] * response(row, rows_[slips_[j]]);
+      entries[j] = response<Real>(row, rows_[free_[j]]);
+      if (slips_[j] != nothing_slips) entries[j] += slope_[j] * response<Real>(row, rows_[slips_[j]]);
     }
     entries[i] += least_compliance / mass_[free_[i]];
   }
@@ -420,12 +403,14 @@ void ConstraintSystem::finish(Real enough, std::vector<Velocity>& velocity) {
 bool ConstraintSystem::iterate(Real enough, std::vector<Velocity>& velocity) {
   constexpr int rounds = 16;
   least_broken_ = std::numeric_limits<Real>::infinity();
+  in_circles_ = false;
   for (int round = 0;; ++round) {
     const Real broken = broken_by(velocity);
     if (broken <= enough) return true;
     keep(broken);
     if (round == rounds) break;
     if (round > 0 || !factored_) choose(velocity);
+    in_circles_ = last_ != state_;
     if (!newton(velocity)) break;
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].impulse = best_[i];
@@ -453,23 +438,20 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
     slide_on_the_cone(enough, velocity);
     return true;
   }
-  if (!iterate(enough, velocity) && !iterate_from_pivots(enough, velocity)) return false;
+  // Where what acts no longer changes, equations contradict each other or rounding is left: pivoting mends neither.
+  const bool found = iterate(enough, velocity) || (in_circles_ && iterate_from_pivots(enough, velocity));
   finish(enough, velocity);
-  return true;
+  return found || least_broken_ <= pivots_round_by * scale_;
 }
 
-/// The same from what acts in the solution by pivoting; what that rounds may be left.
+/// The same from what acts in the solution by pivoting.
 bool ConstraintSystem::iterate_from_pivots(Real enough, std::vector<Velocity>& velocity) {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const bool left = rows_[i].law == Law::holds && mass_[i] > 0 && std::abs(rate(i, velocity)) > enough;
-    if (left) return false;  // equations that Newton's method does not meet contradict each other, whatever else acts
-  }
   if (!pivot(velocity)) return false;
-  for (std::size_t i = 0; i < rows_.size(); ++i) state_[i] = guessed_state(rows_[i]);
+  for (std::size_t i = 0; i < rows_.size(); ++i) state_[i] = guessed_state(rows_[i], pivots_round_by);
   place_friction(velocity);
   factored_ = factor();
   last_ = state_;
-  return iterate(enough, velocity) || least_broken_ <= static_cast<Real>(lcp_round_off) * scale_;
+  return iterate(enough, velocity);
 }
 
 void ConstraintSystem::restart(std::vector<Velocity>& velocity) {

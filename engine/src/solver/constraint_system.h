@@ -75,7 +75,14 @@ class ConstraintSystem {
   void restart(std::vector<Velocity>& velocity);
 
   /// m/s or rad/s, without bias.
-  static Real speed(const Constraint& row, const std::vector<Velocity>& velocity);
+  template <class Number = Real>
+  static Number speed(const Constraint& row, const std::vector<Velocity>& velocity) {
+    const Velocity& a = velocity[row.a];
+    const Velocity& b = velocity[row.b];
+    const Vec2 v = b.v - a.v;
+    return Number{row.axis.x} * Number{v.x} + Number{row.axis.y} * Number{v.y} + Number{b.w} * Number{row.arm_b} -
+           Number{a.w} * Number{row.arm_a};
+  }
   /// Whether the impulses did work, by more than rounding.
   bool drove(const std::vector<Velocity>& velocity) const;
 
@@ -86,8 +93,21 @@ class ConstraintSystem {
 
   enum class State : std::uint8_t { off, holds, forward, backward };
 
-  static Real response(const Constraint& p, const Constraint& q);
-  State guessed_state(const Constraint& row) const;
+  /// The change of the rate of p for a unit impulse along q, through the bodies that both act on.
+  template <class Number>
+  static Number response(const Constraint& p, const Constraint& q) {
+    const auto through = [&](const InverseMass& mass, Real arm_p, Real arm_q) {
+      const Number along = Number{p.axis.x} * Number{q.axis.x} + Number{p.axis.y} * Number{q.axis.y};
+      return Number{mass.m} * along + Number{mass.i} * Number{arm_p} * Number{arm_q};
+    };
+    Number sum = 0;
+    if (p.a == q.a) sum += through(p.mass_a, p.arm_a, q.arm_a);
+    if (p.b == q.b) sum += through(p.mass_b, p.arm_b, q.arm_b);
+    if (p.a == q.b) sum -= through(p.mass_a, p.arm_a, q.arm_b);
+    if (p.b == q.a) sum -= through(p.mass_b, p.arm_b, q.arm_a);
+    return sum;
+  }
+  State guessed_state(const Constraint& row, Real rounding) const;
   void begin(std::vector<Velocity>& velocity);
   void weigh(std::size_t i);
   Real rate(std::size_t i, const std::vector<Velocity>& velocity) const;
@@ -132,8 +152,9 @@ class ConstraintSystem {
   std::size_t band_ = 0, stride_ = 0, shift_ = 0;  // entry (i, j) is at i stride + j + shift
   std::vector<std::size_t> pivot_;
   bool factored_ = false;
-  Real least_broken_ = 0;   // m/s
-  std::vector<Real> best_;  // impulses
+  bool in_circles_ = false;  // Newton's method ended while what acts still changed
+  Real least_broken_ = 0;    // m/s
+  std::vector<Real> best_;   // impulses
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -113,7 +113,7 @@ bool DirectIsland::advance(Real h, std::uint32_t then) {
   if (!found) {
     restore_velocities();
     if (h > shortest * h_) return false;
-    bound_.note(members_.bodies, step_->data.bodies, step_->motion);
+    bound_.note(members_.bodies, is_held(), step_->data.bodies, step_->motion);
     by_forces_.assign(members_.bodies.size(), {});
     kick(h);
     press_as_linear(h);
@@ -124,7 +124,7 @@ bool DirectIsland::advance(Real h, std::uint32_t then) {
   kick(h);
   relax(h);
   if (!found && !is_driven()) {
-    bound_.keep(members_.bodies, is_held(), step_->data.bodies, step_->motion, step_->acceleration, 0);
+    bound_.keep(step_->data.bodies, step_->start, step_->motion, step_->acceleration, 0);
   }
   if (8 * h < h_) return true;  // too short to tell loads from rounding
   note_loads(h);

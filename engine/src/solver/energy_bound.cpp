@@ -1,5 +1,6 @@
 #include "solver/energy_bound.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -17,91 +18,102 @@ Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies
 
 namespace {
 
-/// The motion as one rigid body with the same momentum and angular momentum.
-class RigidMotion {
- public:
-  RigidMotion() = default;
-  RigidMotion(std::span<const std::uint32_t> island, const BodySet& bodies) {
-    Real mass = 0;
-    Vec2 momentum;
-    for (const std::uint32_t body : island) {
-      const Real m = mass_of(bodies.inverse_mass[body].m);
-      mass += m;
-      center_ += m * bodies.pose[body].p;
-      momentum += m * bodies.velocity[body].v;
-    }
-    if (mass == 0) return;
-    center_ = center_ / mass;
-    velocity_.v = momentum / mass;
-    Real inertia = 0;
-    Real spin = 0;
-    for (const std::uint32_t body : island) {
-      const Real m = mass_of(bodies.inverse_mass[body].m);
-      const Real i = mass_of(bodies.inverse_mass[body].i);
-      const Vec2 arm = bodies.pose[body].p - center_;
-      inertia += m * dot(arm, arm) + i;
-      spin += m * cross(arm, bodies.velocity[body].v - velocity_.v) + i * bodies.velocity[body].w;
-    }
-    velocity_.w = inertia > 0 ? spin / inertia : 0;
-    energy_ = mass * dot(velocity_.v, velocity_.v) / 2 + inertia * velocity_.w * velocity_.w / 2;
+Real mass_of(Real inverse) { return inverse > 0 ? 1 / inverse : Real{0}; }
+
+/// The mean of a vector of each body, weighed by masses.
+template <class Of>
+Vec2 mean(std::span<const std::uint32_t> island, const BodySet& bodies, const Of& of) {
+  Real mass = 0;
+  Vec2 sum;
+  for (std::size_t i = 0; i < island.size(); ++i) {
+    const Real m = mass_of(bodies.inverse_mass[island[i]].m);
+    mass += m;
+    sum += m * of(i);
   }
-
-  Real energy() const { return energy_; }  // J
-  Velocity at(std::uint32_t body, const BodySet& bodies) const {
-    return {velocity_.v + velocity_.w * perpendicular(bodies.pose[body].p - center_), velocity_.w};
-  }
-
- private:
-  static Real mass_of(Real inverse) { return inverse > 0 ? 1 / inverse : Real{0}; }
-
-  Vec2 center_;
-  Velocity velocity_;
-  Real energy_ = 0;
-};
+  return mass > 0 ? sum / mass : Vec2{};
+}
 
 }  // namespace
 
-void EnergyBound::note(std::span<const std::uint32_t> island, const BodySet& bodies,
+/// Of the centre of mass; 0 if the island is held.
+Vec2 EnergyBound::drift(const BodySet& bodies) const {
+  if (held_) return {};
+  return mean(island_, bodies, [&](std::size_t i) { return bodies.velocity[island_[i]].v; });
+}
+
+/// J, relative to the centre of mass.
+Real EnergyBound::kinetic(const BodySet& bodies) const {
+  const Vec2 drift = this->drift(bodies);
+  Real sum = 0;
+  for (const std::uint32_t body : island_) {
+    const InverseMass& inverse = bodies.inverse_mass[body];
+    const Velocity& velocity = bodies.velocity[body];
+    const Vec2 v = velocity.v - drift;
+    sum += (mass_of(inverse.m) * dot(v, v) + mass_of(inverse.i) * velocity.w * velocity.w) / 2;
+  }
+  return sum;
+}
+
+void EnergyBound::note(std::span<const std::uint32_t> island, bool held, const BodySet& bodies,
                        const std::vector<Motion>& motion) {
-  kinetic_ = kinetic_energy(island, bodies);
+  island_ = island;
+  held_ = held;
+  kinetic_ = kinetic(bodies);
   start_.clear();
   for (const std::uint32_t body : island) start_.push_back(motion[body]);
 }
 
 /// The energy at the start plus the work of the forces since.
-Real EnergyBound::most(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion,
+Real EnergyBound::most(const BodySet& bodies, const std::vector<Motion>& motion,
                        const std::vector<Velocity>& acceleration) const {
+  const auto moved = [&](std::size_t i) { return motion[island_[i]].d - start_[i].d; };
+  const Vec2 drift = held_ ? Vec2{} : mean(island_, bodies, moved);
   Real most = kinetic_;
-  for (std::size_t i = 0; i < island.size(); ++i) {
-    const std::uint32_t body = island[i];
+  for (std::size_t i = 0; i < island_.size(); ++i) {
+    const std::uint32_t body = island_[i];
     const InverseMass& inverse = bodies.inverse_mass[body];
-    if (inverse.m > 0) most += dot(acceleration[body].v, motion[body].d - start_[i].d) / inverse.m;
-    if (inverse.i > 0) most += acceleration[body].w * (motion[body].turn - start_[i].turn) / inverse.i;
+    most += mass_of(inverse.m) * dot(acceleration[body].v, moved(i) - drift) +
+            mass_of(inverse.i) * acceleration[body].w * (motion[body].turn - start_[i].turn);
   }
   return most;
 }
 
-Real EnergyBound::excess(std::span<const std::uint32_t> island, const BodySet& bodies,
-                         const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration,
-                         Real gain) const {
-  return kinetic_energy(island, bodies) - (most(island, bodies, motion, acceleration) + gain * kinetic_);
+Real EnergyBound::excess(const BodySet& bodies, const std::vector<Motion>& motion,
+                         const std::vector<Velocity>& acceleration, Real gain) const {
+  return kinetic(bodies) - (most(bodies, motion, acceleration) + gain * kinetic_);
 }
 
-bool EnergyBound::keep(std::span<const std::uint32_t> island, bool held, BodySet& bodies,
-                       const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real gain) const {
-  const Real most = this->most(island, bodies, motion, acceleration);
-  const Real now = kinetic_energy(island, bodies);
+/// E = E_drift + E_turn + E_other: the three share no work, and the first needs no bound.
+bool EnergyBound::keep(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Motion>& motion,
+                       const std::vector<Velocity>& acceleration, Real gain) const {
+  const Real most = this->most(bodies, motion, acceleration);
+  const Real now = kinetic(bodies);
   if (now <= most + gain * kinetic_) return false;
-  // E = E_rigid + E_other: the two share no work.
-  const RigidMotion rigid = held ? RigidMotion() : RigidMotion(island, bodies);
-  const Real room = most - rigid.energy();
-  const Real share = room > 0 ? std::sqrt(room / (now - rigid.energy())) : Real{0};
-  for (const std::uint32_t body : island) {
-    const InverseMass& inverse = bodies.inverse_mass[body];
-    Velocity& velocity = bodies.velocity[body];
-    const Velocity kept = rigid.at(body, bodies);
-    if (inverse.m > 0) velocity.v = kept.v + share * (velocity.v - kept.v);
-    if (inverse.i > 0) velocity.w = kept.w + share * (velocity.w - kept.w);
+  const Vec2 drift = this->drift(bodies);
+  const auto place = [&](std::size_t i) { return start[island_[i]].p + motion[island_[i]].d; };
+  const Vec2 center = held_ ? Vec2{} : mean(island_, bodies, place);
+  Real inertia = 0;
+  Real spin = 0;
+  for (std::size_t i = 0; i < island_.size() && !held_; ++i) {
+    const InverseMass& inverse = bodies.inverse_mass[island_[i]];
+    const Velocity& velocity = bodies.velocity[island_[i]];
+    const Vec2 arm = place(i) - center;
+    inertia += mass_of(inverse.m) * dot(arm, arm) + mass_of(inverse.i);
+    spin += mass_of(inverse.m) * cross(arm, velocity.v - drift) + mass_of(inverse.i) * velocity.w;
+  }
+  const Real w = inertia > 0 ? spin / inertia : Real{0};
+  const Real turns = w * spin / 2;  // J
+  const auto share_of = [](Real room, Real energy) {
+    return room > 0 && energy > 0 ? std::min(std::sqrt(room / energy), Real{1}) : Real{0};
+  };
+  const Real kept_turn = share_of(most, turns) * w;
+  const Real share = share_of(most - turns, now - turns);
+  for (std::size_t i = 0; i < island_.size(); ++i) {
+    const InverseMass& inverse = bodies.inverse_mass[island_[i]];
+    Velocity& velocity = bodies.velocity[island_[i]];
+    const Vec2 around = perpendicular(place(i) - center);
+    if (inverse.m > 0) velocity.v = drift + kept_turn * around + share * (velocity.v - drift - w * around);
+    if (inverse.i > 0) velocity.w = kept_turn + share * (velocity.w - w);
   }
   return true;
 }

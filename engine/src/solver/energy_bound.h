@@ -15,27 +15,29 @@ Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies
 
 /// Ideal joints and contacts do no positive work. If joints could not be satisfied, an island's kinetic energy after a
 /// sub-step is limited to its previous energy plus the work of its forces, by slowing all its bodies by the same
-/// factor: for a free island relative to its motion as one rigid body, so that momentum is conserved. A motor's work in
-/// such a sub-step is lost.
+/// factor. An island that nothing holds is measured from its centre of mass, which goes on as it does, and what it
+/// turns as a whole, its angular momentum, is slowed last. A motor's work in such a sub-step is lost.
 class EnergyBound {
  public:
-  /// Records the state at the start of a sub-step.
-  void note(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion);
+  /// Records the state at the start of a sub-step. `held`: a body that cannot be pushed holds the island.
+  void note(std::span<const std::uint32_t> island, bool held, const BodySet& bodies, const std::vector<Motion>& motion);
 
   /// J, the growth of the kinetic energy beyond the work of the forces and the fraction `gain` of the energy at the
-  /// start; negative if it grew less.
-  Real excess(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion,
-              const std::vector<Velocity>& acceleration, Real gain) const;
+  /// start; negative if it grew less. `acceleration` is the force field's, m/s^2 and rad/s^2.
+  Real excess(const BodySet& bodies, const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration,
+              Real gain) const;
 
-  /// Slows the bodies if necessary, and returns whether it was. `held`: a body that cannot be pushed holds the island.
-  /// `acceleration` is the force field's, m/s^2 and rad/s^2.
-  bool keep(std::span<const std::uint32_t> island, bool held, BodySet& bodies, const std::vector<Motion>& motion,
+  /// Slows the bodies if necessary, and returns whether it was. They are where `motion` brings them from `start`.
+  bool keep(BodySet& bodies, const std::vector<Pose>& start, const std::vector<Motion>& motion,
             const std::vector<Velocity>& acceleration, Real gain) const;
 
  private:
-  Real most(std::span<const std::uint32_t> island, const BodySet& bodies, const std::vector<Motion>& motion,
-            const std::vector<Velocity>& acceleration) const;
+  Vec2 drift(const BodySet& bodies) const;
+  Real kinetic(const BodySet& bodies) const;
+  Real most(const BodySet& bodies, const std::vector<Motion>& motion, const std::vector<Velocity>& acceleration) const;
 
+  std::span<const std::uint32_t> island_;
+  bool held_ = false;
   Real kinetic_ = 0;           // J
   std::vector<Motion> start_;  // of the island's bodies
 };

@@ -70,7 +70,7 @@ void PressAndRelax::relax_through() {
 
 void PressAndRelax::relax_until_bounded(const EnergyBound& bound, const std::vector<Velocity>& acceleration) {
   const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-  const auto excess = [&] { return bound.excess(island_.bodies, bodies_, motion_, acceleration, rounding); };
+  const auto excess = [&] { return bound.excess(bodies_, motion_, acceleration, rounding); };
   for (Descent descent(island_.more_sweeps); descent.goes_on(excess());) relax(1);
 }
 

@@ -20,8 +20,9 @@ struct Net {
   static constexpr int side = 20;
   World world;
   std::vector<BodyId> discs;
+  bool free;
 
-  explicit Net(int held) : world(settings()) {
+  explicit Net(int held) : world(settings()), free(held == 0) {
     for (int row = 0; row < side; ++row) {
       for (int column = 0; column < side; ++column) {
         BodyDef def = at(column, -row, .1 * row, -.1 * column);
@@ -64,14 +65,20 @@ struct Net {
     }
     return sum;
   }
+  /// J, of a free net from its centre of mass: else rounding of its fall is more than what it may gain.
   double energy() {
+    Vec2 drift;
+    if (free) {
+      for (const BodyId id : discs) drift += world.body(id).velocity() / static_cast<Real>(discs.size());
+    }
     double sum = 0;
     for (const BodyId id : discs) {
       const Body body = world.body(id);
       if (body.type() != BodyType::dynamic) continue;
       const double w = static_cast<double>(body.angular_velocity());
+      const Real height = free ? Real{0} : -dot(world.gravity(), body.position());
       sum += static_cast<double>(body.mass().mass) *
-                 static_cast<double>(length_squared(body.velocity()) / 2 - dot(world.gravity(), body.position())) +
+                 static_cast<double>(length_squared(body.velocity() - drift) / 2 + height) +
              static_cast<double>(body.mass().inertia) * w * w / 2;
     }
     return sum;
