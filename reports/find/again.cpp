@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "reports/find/finding.h"
 #include "reports/find/isolated.h"
+#include "reports/judge/verdict.h"
+#include "reports/run/scene_file.h"
 #include "reports/study/runner.h"
 #include "reports/system/files.h"
 #include "reports/system/layout.h"
@@ -49,15 +53,31 @@ std::string why_not_here(const std::string& engine) {
   }
 }
 
+// What a run that ends gets wrong of what the file states.
+std::vector<Complaint> contradictions(const Case& stated, const EngineConfig& config) {
+  const Outcome outcome = run(*stated.scene, config, search_step);
+  if (outcome.status != Status::ok) return {};
+  const Stepping stepping = config.engine->stepping(config.settings, search_step);
+  const std::vector<Expectation> expectations = stated.scenario->expectations(stated.parameters);
+  return complaints_of("stated truth",
+                       check_expectations(*stated.scene, expectations, *outcome.trace, stepping, nullptr));
+}
+
 // What each engine fails by in one scene.
-JobOutput judged_again(const SceneFile& file, const AgainOptions& options) {
+JobOutput judged_again(const fs::path& path, const SceneFile& file, const AgainOptions& options) {
   const std::vector<Suspect> suspects = parse_suspects(engines_of(file, options));
   const Posed posed = file.origin ? file.origin->posed : Posed::well;
   const std::vector<Opinion> opinions = judged_apart(file.scene, posed, suspects, {}, {.seconds = options.run_limit});
+  std::optional<Case> stated;
+  if (!file.truth.empty()) stated = case_of_file(path.string());
   nlohmann::ordered_json lines = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < suspects.size(); ++i) {
+    std::vector<Complaint> complaints = opinions[i].complaints;
+    if (stated && opinions[i].status == name_of(Status::ok)) {
+      std::ranges::move(contradictions(*stated, suspects[i].config), std::back_inserter(complaints));
+    }
     std::string failure;
-    for (const Complaint& one : opinions[i].complaints) failure += (failure.empty() ? "" : "; ") + one.words();
+    for (const Complaint& one : complaints) failure += (failure.empty() ? "" : "; ") + one.words();
     const bool ran = opinions[i].status != name_of(Status::not_supported);
     lines.push_back({{"engine", suspects[i].name},
                      {"failure", failure},
@@ -80,7 +100,7 @@ int run_again(const std::string& folder, const AgainOptions& options) {
     const std::string engine = engines_of(file, options).front();
     const std::string missing = why_not_here(engine);
     if (missing.empty()) {
-      jobs.push_back({.key = name, .run = [file, &options] { return judged_again(file, options); }});
+      jobs.push_back({.key = name, .run = [path, file, &options] { return judged_again(path, file, options); }});
     } else {
       rows.push_back({name, engine, "not run: " + missing});
     }

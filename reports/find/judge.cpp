@@ -160,11 +160,14 @@ std::vector<Complaint> Known::complaints(const EngineConfig& config, const Trace
 }
 
 std::vector<Complaint> Known::misplaced(const Stepping& stepping, const Trace& trace) const {
+  return checks_ ? complaints_of(judge_, checks_->of(stepping, trace)) : std::vector<Complaint>{};
+}
+
+std::vector<Complaint> complaints_of(const std::string& judge, std::span<const TruthCheck> checks) {
   std::vector<Complaint> all;
-  if (!checks_) return all;
-  for (const TruthCheck& check : checks_->of(stepping, trace)) {
+  for (const TruthCheck& check : checks) {
     if (check.passed || !check.reported) continue;
-    add(all, {.judge = judge_,
+    add(all, {.judge = judge,
               .what = check.quantity,
               .sign = check.measured > check.expected ? 1 : -1,
               .where = check.body,

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,6 +79,9 @@ class Known {
   std::optional<ConvergedTruth> truth_;
   std::optional<ConvergedChecks> checks_;
 };
+
+/// A complaint of this judge about each check that fails, the worst of each reason.
+std::vector<Complaint> complaints_of(const std::string& judge, std::span<const TruthCheck>);
 
 /// Runs the scene once and judges it by the run's end and the invariants.
 Opinion judged_by_laws(const Scene&, Posed, const EngineConfig&);

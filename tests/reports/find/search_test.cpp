@@ -200,6 +200,21 @@ TEST_F(Corpus, OfOtherEnginesStillShowsWhatIsSaidOfThem) {
   EXPECT_THAT(said.out, testing::Not(HasSubstr("not supported")));
 }
 
+TEST_F(Corpus, IsJudgedByWhatItsFilesState) {
+  std::filesystem::create_directories(at("corpus"));
+  for (const char* height : {"-5", "-4"}) {
+    put(at("corpus/fall.json"), std::string(R"({"plumb": 1, "name": "fall", "gravity": [0, -10], "duration": 1,
+        "bodies": [{"name": "ball", "type": "dynamic", "shapes": [{"type": "circle", "radius": 1}]}],
+        "truth": [{"body": "ball", "quantity": "y", "time": 1, "value": )") +
+                                    height + R"(, "tolerance": 0.01, "source": "g t^2/2"}]})");
+    const Said said = again(at("corpus"));
+    const bool right = std::string(height) == "-5";
+    EXPECT_EQ(said.code, right ? 0 : 1) << said.out << said.err;
+    EXPECT_EQ(said.out.find("is off the stated truth y by 1 m, 100 times what is allowed") == std::string::npos, right)
+        << said.out;
+  }
+}
+
 TEST_F(Corpus, RunsNoSceneOfAnEngineThatIsNotHere) {
   std::filesystem::create_directories(at("corpus"));
   put(at("corpus/one.json"), R"({"plumb": 1, "name": "one", "origin": {"engine": "nowhere"}, "gravity": [0, -10],

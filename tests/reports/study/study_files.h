@@ -16,9 +16,11 @@ namespace plumb {
 
 /// A temporary folder of this process, removed after the test, and small studies that run in it.
 class StudyFiles : public ::testing::Test {
+ public:
+  ~StudyFiles() override { std::filesystem::remove_all(folder_); }
+
  protected:
   StudyFiles() { std::filesystem::create_directories(folder_); }
-  ~StudyFiles() override { std::filesystem::remove_all(folder_); }
 
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
 
