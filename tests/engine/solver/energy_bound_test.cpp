@@ -11,7 +11,7 @@
 namespace impulse::inline IMPULSE_PRECISION::energy_bound_test {
 namespace {
 
-// Bound by how it turns as a whole, too: what is left of errors of welds swept one by one turned into 10^4 of the energy.
+// What it turns as a whole is bound, too: errors of welds that are swept one by one made a star spin ever faster.
 TEST(EnergyBound, KeepsAStarOfWeldsFromGainingSpeed) {
   constexpr int beads = 64;
   Settings settings = accurate();
