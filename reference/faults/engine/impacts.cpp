@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "reference/faults/engine/mutated_solver.h"
@@ -16,19 +18,31 @@ void turn(BodySet& bodies, const Contact& contact, Vec2 arm_a, Vec2 arm_b, Vec2 
   bodies.velocity[contact.body_b].w += bodies.inverse_mass[contact.body_b].i * cross(arm_b, impulse);
 }
 
-const auto own_arms =
-    mutated({.name = "disc-own-arms",
-             .about = "two discs that meet without bouncing are struck at the middle of the gap of the step's start: "
-                      "angular momentum is lost",
-             .mutates = "accurate"},
-            nullptr, [](MutatedStep& step) {
-              for (const Contact& contact : step.contacts) {
-                if (!contact.discs() || contact.restitution != 0) continue;
-                const Vec2 half_gap = std::max(contact.found_separation[0], Real{0}) / 2 * contact.normal;
-                turn(step.bodies, contact, half_gap, -half_gap,
-                     contact.points[0].total_tangent_impulse * perpendicular(contact.normal));
-              }
-            });
+/// Contacts found again within the step know nothing of the gap at its start.
+class OwnArms : public MutatedSolver {
+ public:
+  OwnArms() : MutatedSolver("accurate") {}
+
+ private:
+  void before(MutatedStep& step) override { start_ = step.contacts; }
+  void after(MutatedStep& step) override {
+    for (std::size_t c = 0; c < step.contacts.size(); ++c) {
+      const Contact& contact = step.contacts[c];
+      if (!contact.discs() || contact.restitution != 0) continue;
+      const Vec2 half_gap = std::max(start_[c].found_separation[0], Real{0}) / 2 * contact.normal;
+      turn(step.bodies, contact, half_gap, -half_gap,
+           contact.points[0].total_tangent_impulse * perpendicular(contact.normal));
+    }
+  }
+
+  std::vector<Contact> start_;
+};
+const Faulty<Solver> own_arms{
+    {.name = "disc-own-arms",
+     .about = "two discs that meet without bouncing are struck at the middle of the gap of the step's start: "
+              "angular momentum is lost",
+     .mutates = "accurate"},
+    [] { return std::make_unique<OwnArms>(); }};
 
 /// Knows the poses at the start of the step.
 class WithStart : public MutatedSolver {
