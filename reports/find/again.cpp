@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "reports/find/finding.h"
@@ -16,6 +17,7 @@
 #include "reports/study/runner.h"
 #include "reports/system/files.h"
 #include "reports/system/layout.h"
+#include "reports/system/terminal.h"
 #include "reports/writers/junit.h"
 #include "reports/writers/output.h"
 #include "scenarios/scene/scene_json.h"
@@ -131,7 +133,11 @@ int run_again(const std::string& folder, const AgainOptions& options) {
   const std::string verdict = fmt::format("{} of {} fail.\n", failed, cases.size());
   const auto paths = into.put({{"again.md", "### Plumb: find --again\n\n" + verdict + "\n" + markdown_table(rows)},
                                {"again.xml", junit("plumb find --again", cases)}});
-  fmt::print("{}\n{}", plain_table(rows), verdict);
+  fmt::print("{}\n", verdict);
+  const std::size_t width = terminal_width(120);
+  for (const auto& row : std::span(rows).subspan(1)) {
+    fmt::print("{}", beside(row[0], 30, row[1].empty() ? row[2] : row[1] + ": " + row[2], width));
+  }
   for (const auto& path : paths) fmt::print("{}\n", path.string());
   return failed > 0 ? 1 : 0;
 }

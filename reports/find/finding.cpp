@@ -63,7 +63,7 @@ RunRecord film_of(const std::string& variant, const std::string& engine, const S
 }
 
 // What the scene is seen beside in its own frame; nullopt if nothing else runs it to the end.
-std::optional<RunRecord> beside(const Scene& scene, const Suspect& suspect, std::span<const Suspect> others) {
+std::optional<RunRecord> run_beside(const Scene& scene, const Suspect& suspect, std::span<const Suspect> others) {
   std::vector<Suspect> engines;
   if (const Engine* one = find_closed_form(scene))
     engines.push_back(parse_suspects("closed-form:" + one->name).front());
@@ -119,7 +119,7 @@ FailingRun run_to_show(const Scene& scene, const Complaint& complaint, const Sus
       report.runs.push_back(film_of("image: " + complaint.what, suspect.name, made.image->scene,
                                     in_time_of(scene, *made.image, *of_image.trace)));
     }
-  } else if (auto other = beside(scene, suspect, others)) {
+  } else if (auto other = run_beside(scene, suspect, others)) {
     report.runs.push_back(std::move(*other));
   }
   made.films = replays_of(run_curves(report));

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "reports/find/finding.h"
@@ -13,6 +15,7 @@
 #include "reports/study/job.h"
 #include "reports/system/files.h"
 #include "reports/system/layout.h"
+#include "reports/system/terminal.h"
 #include "reports/writers/junit.h"
 
 namespace plumb {
@@ -179,6 +182,47 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<Told>& told) {
   return rows;
 }
 
+// "Of 60 random scenes, impulse is wrong in 6 and box2d in 8: ", like the page, or without engines if they are many.
+std::string wrong_sentence(const std::vector<RulerSummary>& engines, std::ptrdiff_t scenes) {
+  constexpr std::size_t most_named = 5;
+  std::string text = fmt::format("Of {} random scenes", scenes);
+  for (std::size_t i = 0; i < engines.size() && engines.size() <= most_named; ++i) {
+    text += i == 0 ? ", " : i + 1 == engines.size() ? " and " : ", ";
+    text += fmt::format("{}{} in {}", engines[i].engine, i == 0 ? " is wrong" : "", engines[i].wrong);
+  }
+  return text + ": ";
+}
+
+// Of each engine; where there is no room, shares of the energy go first.
+std::string rulers_text(const std::vector<RulerSummary>& engines, std::size_t width) {
+  constexpr std::array ranks{0, 1, 1, 1, 0, 3, 3, 2, 2, 2};
+  const auto rows = rows_of(engines);
+  std::vector<TextTable::Column> columns;
+  for (std::size_t i = 0; i < rows.front().size(); ++i) columns.push_back({rows.front()[i], ranks.at(i), i == 0});
+  TextTable table(std::move(columns), 0, width);
+  for (const auto& row : std::span(rows).subspan(1)) {
+    std::vector<TextTable::Cell> cells;
+    for (const std::string& text : row) cells.push_back({text});
+    table.add(std::move(cells));
+  }
+  return table.text();
+}
+
+// Each finding beside its engine.
+std::string told_text(const std::vector<Told>& told, std::size_t width) {
+  std::size_t names = 0;
+  for (const Told& one : told) names = std::max(names, columns_of(one.finding.engine));
+  std::string text;
+  for (const auto& [finding, job, times] : told) {
+    const int moving = finding.moving_bodies();
+    text += beside(finding.engine, std::min<std::size_t>(names + 2, 30),
+                   fmt::format("{}; {} moving {}: {}", finding.complaint.words(), moving,
+                               moving == 1 ? "body" : "bodies", path_of(finding, scene_ending)),
+                   width);
+  }
+  return text;
+}
+
 // How many of the engines that are ours with a fault are wrong where the right one is not; nullopt without such.
 std::string faults_sentence(const std::vector<RulerSummary>& engines) {
   int faults = 0;
@@ -258,15 +302,23 @@ Findings conclude_search(const Json& configuration, const std::vector<JobResult>
 
   const std::string sizes =
       told.empty() ? "" : fmt::format(", half of them with at most {} moving bodies", median_moving(told));
-  const std::string head = fmt::format("{} scenes, {} findings{}.\n", scenes, told.size(), sizes) +
-                           faults_sentence(engines) + closed_forms_sentence(engines) +
-                           hurried_sentence(opinions, configuration.at("run_limit")) + lost_sentence(results);
+  const std::size_t width = terminal_width(120);
+  std::string head;  // in Markdown
+  std::string headline;
+  for (const std::string& sentence :
+       {wrong_sentence(engines, scenes) + fmt::format("{} findings{}.\n", told.size(), sizes), faults_sentence(engines),
+        closed_forms_sentence(engines), hurried_sentence(opinions, configuration.at("run_limit")),
+        lost_sentence(results)}) {
+    head += sentence;
+    headline += wrapped(sentence, 0, width);
+  }
   const std::string alike = fmt::format(
       "Energy and overlap: in the {} scenes that every engine ran to the end; energy relative to the "
       "scene's range, where none comes from outside.\n",
       engines.empty() ? 0 : engines.front().compared);
   Findings findings{.findings = {{"scenes", scenes}, {"engines", engines_json}, {"found", found_json}}};
-  findings.text = plain_table(rows_of(engines)) + alike + "\n" + plain_table(rows_of(told)) + "\n" + head;
+  findings.text = headline + "\n" + rulers_text(engines, width) + wrapped(alike, 0, width) +
+                  (told.empty() ? "" : "\n" + told_text(told, width)) + "\n";
   findings.failed = std::ranges::any_of(
       engines, [](const RulerSummary& one) { return is_closed_form(one.engine) && one.wrong + one.failed > 0; });
   findings.files.emplace_back("find.md", "### Plumb: find\n\n" + head + "\n" + markdown_table(rows_of(engines)) + "\n" +

@@ -178,7 +178,9 @@ int write_study(const Study& study, const ResultsHead& head, const StudyPlan& pl
   std::vector<std::pair<std::string, std::string>> files{{stem + ".json", document.dump(1) + "\n"},
                                                          {stem + ".csv", csv_of(results)}};
   std::string why_not;
-  if (auto page = fill_page(page_template(), Json{{"study", document}}, why_not)) {
+  Json shown = document;
+  shown["folder"] = folder.path().string();
+  if (auto page = fill_page(page_template(), Json{{"study", std::move(shown)}}, why_not)) {
     files.emplace_back(stem + ".html", std::move(*page));
   }
   const std::size_t own = files.size();

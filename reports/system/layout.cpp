@@ -101,7 +101,7 @@ std::string beside(std::string_view name, std::size_t columns, std::string_view 
 namespace {
 
 constexpr std::size_t gap = 2;           // columns between two columns
-constexpr std::size_t widest_name = 26;  // columns of the first column where there is room
+constexpr std::size_t widest_name = 26;  // columns of the first column where there is no room for all
 constexpr std::size_t least_name = 12;
 
 }  // namespace
@@ -125,8 +125,8 @@ TextTable::Layout TextTable::layout() const {
     }
     found.widths.push_back(widest + (i == 0 ? 0 : gap));
   }
-  found.widths[0] = std::min(found.widths[0], widest_name);
   const auto total = [&] { return std::reduce(found.widths.begin(), found.widths.end(), indent_); };
+  if (total() > width_) found.widths[0] = std::min(found.widths[0], widest_name);
   while (total() > width_) {
     std::size_t least = 0;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -164,21 +164,6 @@ std::string TextTable::text() const {
   std::string all = line_of(heads, widths);
   for (const Line& line : lines_) all += line.cells.empty() ? line.whole : line_of(line.cells, widths);
   return all;
-}
-
-std::string plain_table(std::span<const std::vector<std::string>> rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
-  }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) line += fmt::format("{:<{}}  ", row[k], widths[k]);
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
 }
 
 }  // namespace plumb

@@ -64,7 +64,4 @@ class TextTable {
   std::vector<Line> lines_;
 };
 
-/// A table for the console; the first row is its head: columns as wide as they need be, numbers not aligned.
-std::string plain_table(std::span<const std::vector<std::string>> rows);
-
 }  // namespace plumb

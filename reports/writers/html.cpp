@@ -110,7 +110,8 @@ std::optional<std::string> fill_page(std::string_view page, const Json& data, st
   // ASCII only: one character beyond Latin-1 makes browsers store the whole text with two bytes a character.
   constexpr bool ascii = true;
   // No tag may begin inside the data: a body's name must not end the script.
-  for (const char character : data.dump(-1, ' ', ascii)) {
+  // A folder's name need not be UTF-8.
+  for (const char character : data.dump(-1, ' ', ascii, Json::error_handler_t::replace)) {
     if (character == '<') {
       filled += "\\u003c";
     } else {

@@ -5,12 +5,13 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies) {
+Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies, Vec2 drift) {
   Real sum = 0;
   for (const std::uint32_t body : island) {
     const InverseMass& inverse = bodies.inverse_mass[body];
     const Velocity& velocity = bodies.velocity[body];
-    if (inverse.m > 0) sum += dot(velocity.v, velocity.v) / (2 * inverse.m);
+    const Vec2 v = velocity.v - drift;
+    if (inverse.m > 0) sum += dot(v, v) / (2 * inverse.m);
     if (inverse.i > 0) sum += velocity.w * velocity.w / (2 * inverse.i);
   }
   return sum;
@@ -42,17 +43,7 @@ Vec2 EnergyBound::drift(const BodySet& bodies) const {
 }
 
 /// J, relative to the centre of mass.
-Real EnergyBound::kinetic(const BodySet& bodies) const {
-  const Vec2 drift = this->drift(bodies);
-  Real sum = 0;
-  for (const std::uint32_t body : island_) {
-    const InverseMass& inverse = bodies.inverse_mass[body];
-    const Velocity& velocity = bodies.velocity[body];
-    const Vec2 v = velocity.v - drift;
-    sum += (mass_of(inverse.m) * dot(v, v) + mass_of(inverse.i) * velocity.w * velocity.w) / 2;
-  }
-  return sum;
-}
+Real EnergyBound::kinetic(const BodySet& bodies) const { return kinetic_energy(island_, bodies, drift(bodies)); }
 
 void EnergyBound::note(std::span<const std::uint32_t> island, bool held, const BodySet& bodies,
                        const std::vector<Motion>& motion) {

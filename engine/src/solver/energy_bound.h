@@ -10,8 +10,8 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// The kinetic energy (J) of the bodies that can be pushed.
-Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies);
+/// The kinetic energy (J) of the bodies that can be pushed, as seen by who moves at `drift`, m/s.
+Real kinetic_energy(std::span<const std::uint32_t> island, const BodySet& bodies, Vec2 drift = {});
 
 /// Ideal joints and contacts do no positive work. If joints could not be satisfied, an island's kinetic energy after a
 /// sub-step is limited to its previous energy plus the work of its forces, by slowing all its bodies by the same

@@ -21,6 +21,7 @@
 #include "reports/study/speed/work_precision.h"
 #include "reports/study/study.h"
 #include "reports/system/command_options.h"
+#include "reports/system/terminal.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -254,7 +255,7 @@ Findings conclude(const std::vector<JobResult>& results) {
   const auto wide = std::count_if(results.begin(), results.end(), [](const JobResult& one) {
     return one.output.times.contains("wide") && one.output.times.at("wide").get<bool>();
   });
-  found.text = times_text(found.timings) + "\n" + orders_text(orders) + failures_text(failures) +
+  found.text = times_text(found.timings, terminal_width(120)) + "\n" + orders_text(orders) + failures_text(failures) +
                fmt::format("\n{} jobs; {} crashed or exceeded their limits; {} were timed with a wide spread.\n",
                            results.size(), unfinished, wide);
   return found;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reports/report.h"
+#include "reports/system/layout.h"
 
 namespace plumb {
 namespace {
@@ -49,8 +50,8 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 // The index of 1 mm; the coarser one if no method gets there, and so on.
-std::size_t headline_target(const Json& targets, std::size_t finest) {
-  std::size_t target = finest;
+std::size_t headline_target(const Json& targets) {
+  std::size_t target = 1;
   while (target > 0 && targets[target].at("reached_by_any") == 0) --target;
   return target;
 }
@@ -67,7 +68,7 @@ std::string one_case(const Json& one, std::size_t target, double error) {
   }
   const std::string name =
       fmt::format("{}, {}", one.at("scenario").get<std::string>(), one.at("variant").get<std::string>());
-  if (times.empty()) return fmt::format("Nothing gets within {} in {}.\n", target_name(error, false), name);
+  if (times.empty()) return fmt::format("Nothing gets within {} in {}.", target_name(error, false), name);
   std::stable_sort(times.begin(), times.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::string text = fmt::format("{}: {} is the fastest to {}: {} for a simulated second", name,
                                  name_of_method(*times[0].second), target_name(error, false), duration(times[0].first));
@@ -75,8 +76,8 @@ std::string one_case(const Json& one, std::size_t target, double error) {
     text += fmt::format("; next is {}, {:.2g} times that{}", name_of_method(*times[1].second),
                         times[1].first / times[0].first, unlike(*times[0].second, *times[1].second));
   }
-  text += ".\n";
-  if (!never.empty()) text += fmt::format("Never that accurate: {}.\n", listed(never));
+  text += ".";
+  if (!never.empty()) text += fmt::format(" Never that accurate: {}.", listed(never));
   return text;
 }
 
@@ -88,8 +89,8 @@ std::string all_cases(const Json& target) {
     if (is_default(row.at("engine")))
       parts.push_back(fmt::format("{} in {}", name_of_method(row), row.at("reached").get<int>()));
   }
-  if (best == nullptr) return "No case was timed.\n";
-  return fmt::format("To {}, {} is the fastest in {} of {} cases. Cases in which an engine gets there: {}.\n",
+  if (best == nullptr) return "No case was timed.";
+  return fmt::format("To {}, {} is the fastest in {} of {} cases. Cases in which an engine gets there: {}.",
                      target_name(target.at("error"), target.at("unit") == "scale"), name_of_method(*best),
                      best->at("fastest").get<int>(), target.at("cases").get<int>(), listed(parts));
 }
@@ -99,32 +100,30 @@ std::string cell(const Json& reading) {
   return (reading.at("bound").get<bool>() ? "<= " : "") + duration(reading.at("value"));
 }
 
-std::string row_text(const std::string& name, const std::vector<std::string>& cells) {
-  std::string text = fmt::format("  {:<48}", name);
-  for (const std::string& one : cells) text += fmt::format(" {:>10}", one);
-  return text + "\n";
+// Of each method, by what it is to be close to. Where there is no room, shares of the scale go first, and last all but
+// the accuracy of the headline.
+TextTable table_of(const Json& timings, std::size_t width) {
+  std::vector<TextTable::Column> columns{{"method", 0, true}};
+  const std::size_t headline = headline_target(timings.at("targets"));
+  for (const double error : timings.at("error_targets"))
+    columns.push_back({target_name(error, false), columns.size() == headline + 1 ? 0 : 1});
+  for (const double error : timings.at("scale_targets")) columns.push_back({target_name(error, true), 2});
+  return {std::move(columns), 2, width};
 }
 
-std::vector<std::string> heads_of(const Json& timings) {
-  std::vector<std::string> heads;
-  for (const double error : timings.at("error_targets")) heads.push_back(target_name(error, false));
-  for (const double error : timings.at("scale_targets")) heads.push_back(target_name(error, true));
-  return heads;
-}
-
-std::string case_table(const Json& one, const Json& timings) {
-  std::string text = fmt::format("\n{}, {}: time for a simulated second, to be this close; 100 % is {:.2g} m\n",
-                                 one.at("scenario").get<std::string>(), one.at("variant").get<std::string>(),
-                                 one.at("scale").get<double>()) +
-                     row_text("", heads_of(timings));
+std::string case_table(const Json& one, const Json& timings, std::size_t width) {
+  TextTable table = table_of(timings, width);
   for (const Json& method : one.at("engines")) {
-    std::vector<std::string> cells;
+    std::vector<TextTable::Cell> cells{{name_of_method(method)}};
     for (const char* kind : {"time_for_error", "time_for_scale"}) {
-      for (const Json& reading : method.at(kind)) cells.push_back(cell(reading));
+      for (const Json& reading : method.at(kind)) cells.push_back({cell(reading)});
     }
-    text += row_text(name_of_method(method), cells);
+    table.add(std::move(cells));
   }
-  return text;
+  const std::string heading = fmt::format("{}, {}: time for a simulated second, to be this close; 100 % is {:.2g} m",
+                                          one.at("scenario").get<std::string>(), one.at("variant").get<std::string>(),
+                                          one.at("scale").get<double>());
+  return "\n" + wrapped(heading, 0, width) + table.text();
 }
 
 // Whether not all code runs alike.
@@ -136,50 +135,51 @@ bool several_kinds(const Json& cases) {
   return kinds.size() > 1;
 }
 
-std::string table_over_cases(const Json& timings) {
+std::string table_over_cases(const Json& timings, std::size_t width) {
   const Json& targets = timings.at("targets");
-  std::string text = fmt::format(
-      "\nOver {} cases: time over the fastest method's, median of the cases where the method gets as close (how "
-      "many)\n",
-      timings.at("cases").size());
-  text += row_text("", heads_of(timings));
+  TextTable table = table_of(timings, width);
   for (std::size_t i = 0; i < targets.front().at("engines").size(); ++i) {
-    std::vector<std::string> cells;
+    std::vector<TextTable::Cell> cells{{name_of_method(targets.front().at("engines")[i])}};
     for (const Json& target : targets) {
       const Json& row = target.at("engines")[i];
-      cells.push_back(row.at("median").is_number()
-                          ? fmt::format("{:.2g} ({})", row.at("median").get<double>(), row.at("reached").get<int>())
-                          : "never");
+      cells.push_back({row.at("median").is_number()
+                           ? fmt::format("{:.2g} ({})", row.at("median").get<double>(), row.at("reached").get<int>())
+                           : "never"});
     }
-    text += row_text(name_of_method(targets.front().at("engines")[i]), cells);
+    table.add(std::move(cells));
   }
-  return text;
+  const std::string heading = fmt::format(
+      "Over {} cases: time over the fastest method's, median of the cases where the method gets as close (how many)",
+      timings.at("cases").size());
+  return "\n" + wrapped(heading, 0, width) + table.text();
 }
 
 }  // namespace
 
-std::string times_text(const Json& timings) {
+std::string times_text(const Json& timings, std::size_t width) {
   const Json& cases = timings.at("cases");
   if (cases.empty()) return "No case was timed.\n";
-  const std::size_t target = headline_target(timings.at("targets"), 1);
+  const std::size_t target = headline_target(timings.at("targets"));
   std::string text;
   if (cases.size() == 1) {
-    text = one_case(cases.front(), target, timings.at("error_targets")[target]);
+    text = wrapped(one_case(cases.front(), target, timings.at("error_targets")[target]), 0, width);
   } else {
-    text = all_cases(timings.at("targets")[target]) + table_over_cases(timings);
+    text = wrapped(all_cases(timings.at("targets")[target]), 0, width) + table_over_cases(timings, width);
   }
   if (cases.size() <= most_tables) {
-    for (const Json& one : cases) text += case_table(one, timings);
+    for (const Json& one : cases) text += case_table(one, timings, width);
   }
   if (several_kinds(cases)) {
-    text +=
-        "\nNative, WebAssembly, JIT-compiled and interpreted code: factors between them are not of the methods "
-        "alone.\n";
+    text += "\n" + wrapped(
+                       "Native, WebAssembly, JIT-compiled and interpreted code: factors between them are not of the "
+                       "methods alone.",
+                       0, width);
   }
-  return text +
-         "\nRead off each method's best runs, by a power law between two of them, never beyond. <=: its cheapest run "
-         "is "
-         "closer.\n";
+  return text + "\n" +
+         wrapped(
+             "Read off each method's best runs, by a power law between two of them, never beyond. <=: its cheapest run "
+             "is closer.",
+             0, width);
 }
 
 }  // namespace plumb

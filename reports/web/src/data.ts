@@ -196,6 +196,7 @@ export interface Study {
   about: string;
   configuration: Record<string, unknown>;
   command?: string; // that runs the full study; only for short forms inside a report
+  folder?: string; // of its files; only on a page of its own
   environment: Record<string, string>;
   results: StudyResult[];
   findings: Record<string, unknown>;
@@ -208,6 +209,7 @@ const study_rule = record({
   study: text,
   about: text,
   configuration: map(anything),
+  folder: optional(text),
   environment: map(text),
   results: list(record({ key: text, ending: text, reason: text, values: map(anything) })),
   findings: map(anything),

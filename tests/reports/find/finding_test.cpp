@@ -102,7 +102,6 @@ TEST(Tables, ShowWhateverANameContainsAsText) {
   EXPECT_NE(xml.find("off &quot;by&quot; 2"), xml.npos);
   const std::vector<std::vector<std::string>> rows{{"x", "long head"}, {"a|b", "1"}};
   EXPECT_EQ(markdown_table(rows), "| x | long head |\n|---|---|\n| a&#124;b | 1 |\n");
-  EXPECT_EQ(plain_table(rows), "x    long head\na|b  1\n");
 }
 
 // A ball falls on the ground beside one that does not get there.

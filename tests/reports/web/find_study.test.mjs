@@ -47,6 +47,7 @@ const sample = {
     study: "find",
     about: "Random scenes",
     configuration: { kinds, seed: 1 },
+    folder: "my finds",
     environment: { processor: "one" },
     results: [
       result(turned, [
@@ -83,9 +84,9 @@ for (const width of [360, 1280]) {
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
     assert.match(await page.locator("h1").innerText(), /^Of 19 random scenes, box2d is wrong in \d+ and impulse in \d+: 3 findings\.?$/);
     const told = await page.locator("#found").textContent(); // of what is laid out near the screen only, too
-    assert.match(told, /\.\/plumb run out\/found\/box2d\.json --engine box2d --engine impulse --relations/);
-    assert.match(told, /\.\/plumb run out\/found\/exec-python3-mine-py\.json --engine "exec:python3 mine\.py" --engine impulse(?! --rel)/);
-    assert.match(told, /\.\/plumb find --again out\/found/);
+    assert.match(told, /\.\/plumb run 'my finds\/found\/box2d\.json' --engine box2d --engine impulse --relations/);
+    assert.match(told, /\.\/plumb run 'my finds\/found\/exec-python3-mine-py\.json' --engine 'exec:python3 mine\.py' --engine impulse(?! --rel)/);
+    assert.match(told, /\.\/plumb find --again 'my finds\/found'/);
     assert.match(await text_in(page.locator("#environment")), /belt, chain, composite/);
     if (width < 1000) return;
     for (const table of await page.locator("table").all()) {

@@ -3,7 +3,7 @@
 import type { Study } from "../data";
 import { h, slug, table } from "../dom";
 import { folded } from "../folded";
-import { count, given, enumerate, words } from "../format";
+import { count, enumerate, given, shell, words } from "../format";
 import { look_of } from "../looks";
 import { label_of, truth_look, type Replayed, type StudyView } from "../model";
 import { command } from "../pieces";
@@ -67,13 +67,11 @@ function engine_row(one: Engine): HTMLTableRowElement {
 /** Whether `plumb run` does not know it. */
 const is_of_search = (engine: string): boolean => /^(fault|closed-form):/.test(engine);
 
-const quoted = (engine: string) => (/[ :]/.test(engine) ? `"${engine}"` : engine);
-
 // The replay shows the engine beside ours, or ours beside another of the search.
-function beside(one: Found, engines: Engine[]): string {
+function beside(one: Found, engines: Engine[]): string[] {
   const others = ["impulse", ...engines.map((each) => each.engine)];
   const other = others.find((name) => name !== one.engine && !is_of_search(name));
-  return other === undefined ? "" : ` --engine ${quoted(other)}`;
+  return other === undefined ? [] : ["--engine", other];
 }
 
 /** The engines of a replay have no records of their own. A closed form is a reference, unless it is what was searched. */
@@ -101,10 +99,11 @@ function replays(one: Found, study: Study): HTMLElement | null {
 function found_article(one: Found, study: Study, engines: Engine[]): HTMLElement {
   const bodies = (many: number): string => `${many} ${many === 1 ? "body" : "bodies"}`;
   const posed = one.posed === "well" ? "" : `; ${one.posed}`;
-  const files = one.image === null ? `out/${one.file}` : `out/${one.file} and out/${one.image}`;
-  const relations = one.reason.startsWith("relation ") ? " --relations" : "";
-  const run = `./plumb run out/${one.file} --engine ${quoted(one.engine)}${beside(one, engines)}${relations}`;
-  const again = is_of_search(one.engine) ? "./plumb find --again out/found" : run;
+  const at = (file: string): string => `${study.folder ?? "out"}/${file}`;
+  const files = one.image === null ? at(one.file) : `${at(one.file)} and ${at(one.image)}`;
+  const relations = one.reason.startsWith("relation ") ? ["--relations"] : [];
+  const run = ["run", at(one.file), "--engine", one.engine, ...beside(one, engines), ...relations];
+  const again = shell(["./plumb", ...(is_of_search(one.engine) ? ["find", "--again", at("found")] : run)]);
   return h(
     "article",
     { id: slug(one.name), class: "case finding" },

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "../../../reference/programs/faults.h"
 #include "../study_files.h"
 #include "reports/study/job.h"
+#include "reports/study/speed/times_text.h"
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
 
@@ -184,8 +186,16 @@ TEST(SpeedFindings, NameTheFastestToAMillimetreFirst) {
   EXPECT_THAT(
       three_engines().text,
       ::testing::StartsWith("s, v: half (WebAssembly) is the fastest to 1 mm: 500 ms for a simulated second; next is "
-                            "box2d, 2 times that, but the two run differently: no factor of method alone.\nNever that "
+                            "box2d, 2 times that, but the two\nrun differently: no factor of method alone. Never that "
                             "accurate: coarse.\n"));
+}
+
+TEST(SpeedFindings, FitTheWidthByLeavingOutWhatTheHeadlineDoesNotName) {
+  const std::string text = times_text(three_engines().timings, 44);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 44U) << line;
+  EXPECT_THAT(text, ::testing::HasSubstr("\n  method                1 cm    1 mm  0.1 mm\n"));
+  EXPECT_THAT(times_text(three_engines().timings, 30), ::testing::HasSubstr("\n  method                1 mm\n"));
 }
 
 TEST(SpeedFindings, TellTimesApartByHowCodeRuns) {
