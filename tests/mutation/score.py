@@ -4,7 +4,8 @@
 Draws places from a seed, makes one mistake at a time in a copy of the engine, builds that, runs every scenario and every
 reported case with the default settings and then with sleeping and two workers, and says whether a truth or an invariant finds
 it: a verdict becomes wrong or failed, or coarse where the sound engine is right, or the program crashes, refuses or hangs.
-There is no baseline. What does not compile is drawn anew. Survivors come in four classes: a mistake in a function that no run
+There is no baseline. What they don't find is tried in the random scenes of plumb find, of those kinds in which the sound engine
+is never wrong, and counted apart. What does not compile is drawn anew. Survivors come in four classes: a mistake in a function that no run
 enters (by a build that counts) is a scene to write, or dead code to delete; one that runs enter but that changes no number
 needs a scene in which that line decides; one that changes runs but no verdict needs a truth or an invariant; and one that
 provably can't change anything (equivalent.json says why) is not counted.
@@ -39,6 +40,8 @@ MEMORY = 4 << 30  # bytes that a mutant may take
 PATIENCE = 8  # times the sound engine's processor time, and a second, then a mutant hangs
 GROUP = 8  # scenarios that run before the next look at what they found,
 GROUP_SECONDS = 0.5  # if they take no longer than this
+SEARCH_SEED = 1
+SEARCH_SCENES = 240  # that a survivor is tried in; a kind in which the sound engine is wrong in one of twice as many is left out
 WAYS = ["impulse", "impulse:sleeping=on,workers=2,broad-phase=tree"]  # the next only if a mutant survives the last
 # What no scene can ask for, neither as a scene nor through the interface of a simulation: files, or functions of them.
 OUT_OF_REACH = {
@@ -122,6 +125,29 @@ def run_cases(program, way, cases, folder, words, seconds=None, options=("--no-c
     return {case_of(run): run for run in report["runs"] if run["engine"] == "impulse"}, seconds_taken
 
 
+def search(program, folder, count, kinds=()):
+    """What judges say of the engine in random scenes, by scene: a list of complaints, in words."""
+    shutil.rmtree(folder, ignore_errors=True)
+    chosen = [word for kind in kinds for word in ("--kind", kind)]
+    ended = subprocess.run([program, "find", "--engine", "impulse", "--seed", str(SEARCH_SEED), "--count", str(count),
+                            "--budget", "0", "--jobs", "1", "--out", folder, *chosen], stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL)
+    if ended.returncode not in (0, 1):
+        return {"find": [f"crashes (exit code {ended.returncode})"]}
+    results = json.loads((folder / "study-find.json").read_text())["results"]
+    shutil.rmtree(folder)
+    said = {}
+    for result in results:
+        if result["key"].startswith("find|"):
+            opinion = result["values"].get("opinions", {}).get("impulse", {"complaints": [{"what": result["reason"]}]})
+            said[result["key"].removeprefix("find|")] = [one["what"] for one in opinion["complaints"]]
+    return said
+
+
+def kind_of(scene):
+    return scene.split("/")[0]
+
+
 def why(run):
     """What a verdict rests on: the broken checks of a run."""
     broken = [check["name"] for check in run["invariants"] if check["status"] == "broken"]
@@ -158,6 +184,15 @@ class Sound:
             file.write_text(json.dumps({way: self.measure(way) for way in WAYS}))
         self.ways = json.loads(file.read_text())
         self.converged = json.loads(self.converged_file.read_text()) if self.converged_file.exists() else {}
+        searched = build.work / "searched.json"
+        if not searched.exists() or searched.stat().st_mtime < self.program.stat().st_mtime:
+            print("searching random scenes", file=sys.stderr)
+            searched.write_text(json.dumps(search(self.program, build.work / "out", 2 * SEARCH_SCENES)))
+        said = json.loads(searched.read_text())
+        wrong = {kind_of(scene) for scene, complaints in said.items() if complaints}
+        kinds = {kind_of(scene) for scene in said}
+        self.kinds = sorted(kinds - wrong)
+        self.searched = SEARCH_SCENES * len(self.kinds) // len(kinds)
 
     def run(self, program, way, cases, **options):
         runs, seconds = run_cases(program, way, cases, self.build.work / "out", self.words, **options)
@@ -224,7 +259,7 @@ class Mutant:
 
     def outcome(self, found_before):
         """`found_before`: how many mutants each scenario has found."""
-        if change_of(self.place) in equivalents() or not any(self.groups.values()):
+        if change_of(self.place) in equivalents():
             return self.judged({}, [])
         self.build.link(self.program, self.objects, self.build.work / "mutant")
         changed = set()
@@ -237,7 +272,11 @@ class Mutant:
                     return self.judged(found, [])
         referenced = self.sound.referenced(sorted(changed))
         found = referenced and self.run(WAYS[0], sorted(referenced), referenced, 100, set(), options=())
-        return self.judged(found or {}, sorted(changed))
+        return self.judged(found or self.searched(), sorted(changed))
+
+    def searched(self):
+        said = search(self.program, self.build.work / "out", self.sound.searched, self.sound.kinds)
+        return {f"random scene {scene}": complaints[0] for scene, complaints in said.items() if complaints}
 
     def run(self, way, cases, right, seconds, changed, **options):
         """What these cases find; adds to the cases that changed."""
@@ -293,7 +332,9 @@ def summary(records):
     alike = [one for one in records if change_of(place_of(one)) in same]
     judged = [one for one in records if one not in alike]
     killed = [one for one in judged if one["killed"]]
-    print(f"\nMutation score: {len(killed)} of {len(judged)} killed, {100 * len(killed) / max(1, len(judged)):.0f} %.")
+    at_random = sum(all(case.startswith("random scene") for case in one["by"]) for one in killed)
+    print(f"\nMutation score: {len(killed)} of {len(judged)} killed, {100 * len(killed) / max(1, len(judged)):.0f} %, "
+          f"{at_random} of them in random scenes only.")
     kinds = collections.Counter(one["kind"] for one in judged)
     for kind, count in sorted(kinds.items()):
         print(f"  {kind:<20}{sum(one['kind'] == kind for one in killed):>4} of {count}")
