@@ -76,8 +76,9 @@ void Session::attach_to(CLI::App& app) {
   add.flag("--no-timings", no_timings, "Judge without timing steps, which takes most of the time of large scenes");
   add.flag("--relations", relations,
            "Also run images of every scene (shifted, turned, mirrored ...) and check that they move alike");
-  add.add("--ensemble", "N", ensemble, 0, 1000,
-          "Runs of each engine that are compared beyond a scene's horizon; 0: none");
+  add.add(
+      "--ensemble", "N", ensemble, 0, 1000,
+      "Runs of each engine that are compared beyond a scene's horizon, fewer (at least 6) in large scenes; 0: none");
   add.add_repeated("--engine", "ENGINE", engines, "NAME[:key=value,...]; may be repeated. Default: every engine");
   add.add("--dt", "STEP", dt, "Time step in s, a number or a fraction");
   add.add("--jobs", "N", jobs, 1, 1024, "Scenes that run at the same time; results are the same for any number");

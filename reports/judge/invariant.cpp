@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "reports/judge/neighbours.h"
 #include "scenarios/catalog.h"
 
 namespace plumb {
@@ -11,9 +10,8 @@ namespace {
 // Whether bodies may touch at some moment of the run.
 bool touches(const InvariantContext& context) {
   if (context.trace.has_contacts()) return true;
-  const Neighbours neighbours(context.scene, context.trace, context.stepping);
   for (std::size_t moment = 1; moment < context.trace.size(); ++moment) {
-    if (!neighbours.in_step(moment).empty()) return true;
+    if (!context.neighbours.in_step(moment).empty()) return true;
   }
   return false;
 }

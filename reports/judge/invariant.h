@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/judge/neighbours.h"
 #include "reports/report.h"
 #include "reports/trace.h"
 #include "scenarios/scene/scene.h"
@@ -16,6 +17,7 @@ struct InvariantContext {
   const Scene& scene;
   const Trace& trace;  // at least two moments
   const Stepping& stepping;
+  Neighbours neighbours{scene, trace, stepping};
 };
 
 /// A physical law that holds in every scene it applies to, whether or not there is a closed form.

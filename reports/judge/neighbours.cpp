@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <variant>
 
 #include "reference/scene_facts.h"
@@ -18,6 +19,8 @@ double turning_radius(const Body& body) {
   return endless ? std::numeric_limits<double>::infinity() : bounding_radius(body);
 }
 
+constexpr std::size_t most_known = 1'000'000;  // gaps, 56 MB
+
 // m, of a point of the body at most `radius` from its centre, which a body that does not turn has no need of.
 double path(double moved, double turned, double radius) { return moved + (turned == 0 ? 0 : turned * radius); }
 
@@ -28,11 +31,22 @@ Neighbours::Neighbours(const Scene& scene, const Trace& trace, const Stepping& s
       forces_(scene),
       contact_gap_(stepping.contact_gap()),
       lead_(stepping.impact_lead * stepping.h),
-      overlap_(scene) {
+      overlap_(scene),
+      known_(trace.size()),
+      room_(most_known) {
   for (const Body& body : scene.bodies) radii_.push_back(turning_radius(body));
 }
 
-std::vector<BodyGap> Neighbours::in_step(std::size_t moment) const {
+std::span<const BodyGap> Neighbours::in_step(std::size_t moment) const {
+  std::optional<std::vector<BodyGap>>& known = known_[moment];
+  if (known) return *known;
+  last_ = find(moment);
+  if (last_.size() > room_) return last_;
+  room_ -= last_.size();
+  return known.emplace(std::move(last_));
+}
+
+std::vector<BodyGap> Neighbours::find(std::size_t moment) const {
   const double dt = trace_.time(moment) - trace_.time(moment - 1);
   const auto then = trace_.states(moment - 1);
   const auto now = trace_.states(moment);

@@ -21,8 +21,8 @@ Interval along(Vec direction, std::span<const Vec> points) {
   return range;
 }
 
-// The largest gap between the projections of two hulls on the normals of a's edges, in either order. A segment is
-// projected along itself too, which separates it from points beyond its ends.
+// The largest gap between the projections of two hulls on the normals of a's edges, in either order, or any that is
+// positive. A segment is projected along itself too, which separates it from points beyond its ends.
 double gap_along_normals(std::span<const Vec> a, std::span<const Vec> b) {
   double largest = -infinity;
   const auto project_on = [&](Vec axis) {
@@ -30,7 +30,7 @@ double gap_along_normals(std::span<const Vec> a, std::span<const Vec> b) {
     const Interval of_b = along(axis, b);
     largest = std::max({largest, of_b.low - of_a.high, of_a.low - of_b.high});
   };
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (std::size_t i = 0; i < a.size() && largest <= 0; ++i) {
     const Vec edge = a[(i + 1) % a.size()] - a[i];
     const double size = length(edge);
     if (size == 0) continue;
@@ -40,20 +40,27 @@ double gap_along_normals(std::span<const Vec> a, std::span<const Vec> b) {
   return largest;
 }
 
-double distance(Vec point, Vec from, Vec to) {
+// The shortest way from an edge to a point.
+Vec way_to(Vec point, Vec from, Vec to) {
   const Vec edge = to - from;
   const double square = dot(edge, edge);
   const double share = square == 0 ? 0 : std::clamp(dot(point - from, edge) / square, 0.0, 1.0);
-  return length(point - from - share * edge);
+  return point - from - share * edge;
 }
 
 // The smallest distance from a corner of a to an edge of b: if two hulls do not meet, one of their nearest points is a
-// corner.
+// corner. What is certainly farther than another, though both are rounded, is not measured.
 double distance(std::span<const Vec> a, std::span<const Vec> b) {
+  constexpr double rounding = 1e-12;
   double nearest = infinity;
+  double farther = infinity;  // m^2
   for (const Vec point : a) {
-    for (std::size_t i = 0; i < b.size(); ++i)
-      nearest = std::min(nearest, distance(point, b[i], b[(i + 1) % b.size()]));
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      const Vec way = way_to(point, b[i], b[(i + 1) % b.size()]);
+      if (dot(way, way) > farther) continue;
+      nearest = std::min(nearest, length(way));
+      farther = nearest * nearest * (1 + rounding);
+    }
   }
   return nearest;
 }
@@ -77,7 +84,9 @@ double gap_between(const Outline& a, const Outline& b) {
   if (a.halfspace && b.halfspace) return infinity;
   if (a.halfspace) return gap_to(*a.halfspace, b);
   if (b.halfspace) return gap_to(*b.halfspace, a);
-  const double along_normals = std::max(gap_along_normals(a.points, b.points), gap_along_normals(b.points, a.points));
+  if (a.points.size() == 1 && b.points.size() == 1) return length(a.points[0] - b.points[0]) - a.radius - b.radius;
+  double along_normals = gap_along_normals(a.points, b.points);
+  if (along_normals <= 0) along_normals = std::max(along_normals, gap_along_normals(b.points, a.points));
   const bool meet = along_normals <= 0 && along_normals > -infinity;
   const double gap = meet ? along_normals : std::min(distance(a.points, b.points), distance(b.points, a.points));
   return gap - a.radius - b.radius;
@@ -93,6 +102,10 @@ Overlap::Overlap(const Scene& scene) : scene_(scene) {
     jointed_.push_back(std::visit([](const auto& of) { return std::minmax(of.a, of.b); }, joint));
   }
   std::sort(jointed_.begin(), jointed_.end());
+}
+
+std::span<const Overlap::Part> Overlap::parts_of(std::size_t body) const {
+  return std::ranges::equal_range(parts_, body, {}, &Part::body);
 }
 
 bool Overlap::may_touch(std::size_t a, std::size_t b) const {
@@ -151,11 +164,9 @@ std::vector<BodyOverlap> Overlap::all(std::span<const BodyState> states) const {
 
 double Overlap::gap(std::size_t a, std::size_t b, std::span<const BodyState> states) const {
   double nearest = infinity;
-  for (const Part& one : parts_) {
-    if (one.body != a) continue;
+  for (const Part& one : parts_of(a)) {
     const Outline outline = placed(one.outline, states[a].position, states[a].angle);
-    for (const Part& other : parts_) {
-      if (other.body != b) continue;
+    for (const Part& other : parts_of(b)) {
       nearest = std::min(nearest, gap_between(outline, placed(other.outline, states[b].position, states[b].angle)));
     }
   }

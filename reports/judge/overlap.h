@@ -63,9 +63,10 @@ class Overlap {
     Outline outline;  // relative to the centre of mass
   };
   bool may_touch(std::size_t a, std::size_t b) const;
+  std::span<const Part> parts_of(std::size_t body) const;
 
   const Scene& scene_;
-  std::vector<Part> parts_;
+  std::vector<Part> parts_;                                   // by body
   std::vector<std::pair<std::size_t, std::size_t>> jointed_;  // smaller index first, sorted
 };
 

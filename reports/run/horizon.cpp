@@ -11,6 +11,7 @@
 #include "reference/scene_facts.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
+#include "reports/run/converged_checks.h"
 #include "scenarios/catalog.h"
 #include "scenarios/images.h"
 #include "scenarios/random.h"
@@ -163,18 +164,27 @@ using Ensembles = std::map<std::string, std::vector<EnsembleSample>>;  // by eng
 
 constexpr int refined_steps = 2;  // of the refined engine, for one of the others
 
-// As many runs of the refined engine as the budget allows, or none if they are too few to tell: the probability that
-// all of six lie above sixteen others by chance is 1e-5.
+// Fewer runs tell nothing: the probability that all of six lie above six others by chance is 1e-3.
+constexpr std::size_t fewest_members = 6;
+
+std::size_t body_steps(const Scene& scene, double dt) { return scene.bodies.size() * steps_in(scene.duration, dt); }
+
+// As many runs of the refined engine as the budget allows, or none if they are too few.
 int refined_members(const Scene& scene, double dt, int members, std::size_t budget) {
-  constexpr std::size_t fewest = 6;
-  const std::size_t cost = scene.bodies.size() * steps_in(scene.duration, dt) * refined_steps;
+  const std::size_t cost = refined_steps * body_steps(scene, dt);
   const std::size_t runs = std::min(static_cast<std::size_t>(members), budget / std::max<std::size_t>(cost, 1));
-  return runs < fewest ? 0 : static_cast<int>(runs);
+  return runs < fewest_members ? 0 : static_cast<int>(runs);
 }
 
 std::string config_label(const EngineConfig& config) { return label_of(config.engine->name, config.method()); }
 
 }  // namespace
+
+int ensemble_members(const Scene& scene, double dt, int most) {
+  const auto wanted = static_cast<std::size_t>(most);
+  const std::size_t runs = wanted * usual_budget / std::max<std::size_t>(body_steps(scene, dt), 1);
+  return static_cast<int>(std::min(wanted, std::max(runs, fewest_members)));
+}
 
 double smallest_difference(const Scene& scene, const Stepping& stepping) {
   constexpr double billionth = 1e-9;  // m
@@ -191,17 +201,16 @@ std::optional<double> horizon_of(const Scene& scene, const EngineConfig& config,
   const double size = smallest_difference(scene, config.engine->stepping(config.settings, dt));
   std::optional<double> horizon;
   for (int seed = 1; seed <= perturbed_runs; ++seed) {
-    const Outcome other = run(perturbed(scene, size, static_cast<std::uint64_t>(seed)), config, dt);
-    if (!other.trace) continue;
-    const std::size_t both = std::min(trace.size(), other.trace->size());
-    for (std::size_t moment = 0; moment < both; ++moment) {
-      if (horizon && trace.time(moment) >= *horizon) break;
-      if (!have_diverged(scene, trace.states(moment), other.trace->states(moment), divergence_distance(scene))) {
-        continue;
-      }
-      horizon = trace.time(moment);
-      break;
-    }
+    std::optional<double> diverged;
+    std::size_t moment = 0;
+    const auto compare = [&](double time, std::span<const BodyState> states) {
+      if (moment == trace.size() || (horizon && time >= *horizon)) return false;
+      if (have_diverged(scene, trace.states(moment), states, divergence_distance(scene))) diverged = time;
+      ++moment;
+      return !diverged;
+    };
+    const Outcome other = watch(perturbed(scene, size, static_cast<std::uint64_t>(seed)), config, dt, 1, compare);
+    if (diverged && other.status != Status::not_supported) horizon = diverged;
   }
   return horizon;
 }
@@ -223,18 +232,23 @@ std::vector<EnsembleSample> run_ensemble(const Scene& scene, const EngineConfig&
   return samples;
 }
 
-void compare_beyond_horizon(const Case& test_case, std::span<const EngineConfig> configs, double dt, int members,
+void compare_beyond_horizon(const Case& test_case, std::span<const EngineConfig> configs, double dt, int most,
                             std::size_t budget, std::span<RunRecord> records, std::span<Comparison> comparisons) {
   const Scene& scene = *test_case.scene;
+  const EngineConfig refined_engine = refined_config();
   double size = 0;
+  std::optional<std::optional<double>> known;  // the scene's horizon, if its engine is among these
   for (const EngineConfig& config : configs) {
     size = std::max(size, smallest_difference(scene, config.engine->stepping(config.settings, dt)));
     for (RunRecord& record : records) {
       if (label_of(record.engine, record.method) != config_label(config)) continue;
-      if (const auto own = horizon_of(scene, config, dt, *record.trace)) record.metrics["horizon"] = {*own, "s"};
+      const auto own = horizon_of(scene, config, dt, *record.trace);
+      if (own) record.metrics["horizon"] = {*own, "s"};
+      if (config.engine == refined_engine.engine && config.settings == refined_engine.settings) known = own;
     }
   }
-  const auto horizon = horizon_of(scene, dt);
+  const auto horizon = known ? *known : horizon_of(scene, dt);
+  const int members = ensemble_members(scene, dt, most);
   const int refined_runs = refined_members(scene, dt, members, budget);
   if (!horizon || (comparisons.empty() && refined_runs == 0)) return;
   Ensembles ensembles;
@@ -248,8 +262,7 @@ void compare_beyond_horizon(const Case& test_case, std::span<const EngineConfig>
     add_ensembles(comparison, compare_ensembles(a->second, b->second), *horizon, members);
   }
   if (refined_runs == 0) return;
-  const auto refined =
-      run_ensemble(scene, refined_config(), dt / refined_steps, size, refined_runs, first_ensemble_seed);
+  const auto refined = run_ensemble(scene, refined_engine, dt / refined_steps, size, refined_runs, first_ensemble_seed);
   for (RunRecord& record : records) {
     const auto found = ensembles.find(label_of(record.engine, record.method));
     if (found == ensembles.end()) continue;

@@ -93,12 +93,15 @@ std::optional<double> horizon_of(const Scene&, double dt);
 std::vector<EnsembleSample> run_ensemble(const Scene&, const EngineConfig&, double dt, double size, int members,
                                          std::uint64_t first_seed);
 
+/// Runs of an ensemble: `most`, or as many, but at least six, as that many times the usual budget of body-steps allows.
+int ensemble_members(const Scene&, double dt, int most);
+
 /// Compares the engines of one case beyond its horizon; `records` and `comparisons` are those of the case. Every run
 /// that has a horizon of its own gets it as the metric "horizon". If the scene has one, every two engines are compared
-/// by ensembles of `members` runs from the same perturbed starts (see `add_ensembles`), and each with that of a refined
-/// engine, ours in double precision at half the step: the reason of a record tells if they differ. That has as many of
-/// `members` runs as `budget` body-steps allow; it is left out if those are too few to tell.
-void compare_beyond_horizon(const Case&, std::span<const EngineConfig>, double dt, int members, std::size_t budget,
+/// by ensembles of ensemble_members() runs from the same perturbed starts (see `add_ensembles`), and each with that of
+/// a refined engine, ours in double precision at half the step: the reason of a record tells if they differ. That has
+/// as many of these runs as `budget` body-steps allow; it is left out if those are too few to tell.
+void compare_beyond_horizon(const Case&, std::span<const EngineConfig>, double dt, int most, std::size_t budget,
                             std::span<RunRecord> records, std::span<Comparison> comparisons);
 
 /// The description of the metric "horizon".

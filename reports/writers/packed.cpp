@@ -24,7 +24,7 @@ std::string deflated(std::string_view bytes) {
   std::string out(size, '\0');
   const auto* from = reinterpret_cast<const Bytef*>(bytes.data());
   auto* to = reinterpret_cast<Bytef*>(out.data());
-  if (compress2(to, &size, from, static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION) != Z_OK) {
+  if (compress2(to, &size, from, static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION) != Z_OK) {
     throw std::runtime_error("zlib could not compress");
   }
   out.resize(size);

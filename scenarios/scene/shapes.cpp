@@ -299,9 +299,12 @@ Outline outline_of(const Geometry& geometry, Vec origin) {
 
 Outline placed(const Outline& outline, Vec position, double angle) {
   Outline there = outline;
-  for (Vec& point : there.points) point = position + rotated(point, angle);
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const auto turned = [&](Vec v) { return Vec{c * v.x - s * v.y, s * v.x + c * v.y}; };
+  for (Vec& point : there.points) point = position + turned(point);
   if (there.halfspace) {
-    there.halfspace->normal = rotated(outline.halfspace->normal, angle);
+    there.halfspace->normal = turned(outline.halfspace->normal);
     there.halfspace->offset += dot(there.halfspace->normal, position);
   }
   return there;

@@ -108,7 +108,7 @@ class Bouncing {
   }
 
   Hit hit_of(const ContactState& contact, std::size_t moment) const {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);
@@ -242,7 +242,7 @@ class Bouncing {
 
   // The smallest and largest part of the step that may have been before its only impact.
   std::pair<double, double> part_before(const Hit& hit, std::size_t moment) const {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     const double speed = hit.approach + hit.separation + hit.closed;
     if (stepping.impact_lag > 0 || stepping.drift != 0 || !(speed > 0)) return {0, 1};
     const double dt = trace.time(moment) - trace.time(moment - 1);
@@ -255,7 +255,7 @@ class Bouncing {
   }
 
   void add_pair(const Hit& hit, std::size_t moment) {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     const ContactState& contact = *hit.contact;
     const RestitutionBounds e = restitution_between(scene, contact.a, contact.b);
     const double k = e.largest > 0 ? disagreement(hit, moment) : 0;

@@ -157,7 +157,7 @@ double slip_speed(const ContactState& contact, std::span<const BodyState> states
 // impact (see hidden_changes). Its own impulse shows in V. Within the gap that the method states it may push, and the
 // correction of another contact may move the pair as far again. What may be rounding, as in push, is no impulse.
 std::optional<InvariantCheck> check_complementarity(const InvariantContext& context) {
-  const auto& [scene, trace, stepping] = context;
+  const auto& [scene, trace, stepping, neighbours] = context;
   if (auto cannot = without_contacts(context, false)) return cannot;
   const Overlap overlap(scene);
   const double nu = trace_rounding(trace, stepping);
@@ -204,7 +204,7 @@ double tangential_velocity(const ContactState& contact, std::span<const BodyStat
 // touching bodies are struck, all that the step's impulses give the two, which may have stopped the slide in between. A
 // first-order method may bound friction by an earlier normal impulse, as in the cone.
 std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
-  const auto& [scene, trace, stepping] = context;
+  const auto& [scene, trace, stepping, neighbours] = context;
   if (auto cannot = without_contacts(context, true)) return cannot;
   const FrictionBounds friction(scene);
   const std::vector<Mass> masses = masses_of(scene);

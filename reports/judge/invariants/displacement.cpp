@@ -59,12 +59,11 @@ class Displacement {
       : context_(context),
         forces_(context.scene),
         joints_(context.scene),
-        neighbours_(context.scene, context.trace, context.stepping),
         overlap_(context.scene),
         farthest_(context.scene.bodies.size()) {}
 
   InvariantCheck check() {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     std::vector<Wrench> before = forces_.at(trace.states(0));
     for (std::size_t moment = 1; moment < trace.size(); ++moment) {
       std::vector<Wrench> after = forces_.at(trace.states(moment));
@@ -83,11 +82,11 @@ class Displacement {
 
   // By the index of the group.
   std::vector<Push> pushes_in(std::size_t moment, Groups& groups, std::span<const Wrench> forces) const {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);
-    const std::vector<BodyGap> near = neighbours_.in_step(moment);
+    const std::span<const BodyGap> near = neighbours.in_step(moment);
     const auto join = [&](std::size_t a, std::size_t b) {
       if (mass(a) > 0 && mass(b) > 0) groups.join(a, b);
     };
@@ -132,7 +131,7 @@ class Displacement {
   }
 
   void add(std::size_t moment, std::size_t body, const Push& push, const Wrench& before, const Wrench& after) {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const BodyState& then = trace.states(moment - 1)[body];
     const BodyState& now = trace.states(moment)[body];
@@ -163,7 +162,6 @@ class Displacement {
   const InvariantContext& context_;
   AppliedForces forces_;
   JointGeometry joints_;
-  Neighbours neighbours_;
   Overlap overlap_;
   std::vector<double> farthest_;  // m, from the origin
   WorstViolation worst_;

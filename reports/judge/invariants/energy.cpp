@@ -141,7 +141,7 @@ struct Balance {
 // `springs`: whether joints hold energy as the springs that the method states.
 Balance balance_of(const InvariantContext& context, double drift, bool springs) {
   const AppliedForces forces(context.scene);
-  const auto& [scene, trace, stepping] = context;
+  const auto& [scene, trace, stepping, neighbours] = context;
   const auto masses = forces.masses();
   const double nu = trace_rounding(trace, stepping);
   const JointGeometry joints(scene);

@@ -68,7 +68,7 @@ Loads loads_of(const AppliedForces& forces, std::span<const BodyState> start) {
 }
 
 std::optional<InvariantCheck> check(const InvariantContext& context) {
-  const auto& [scene, trace, stepping] = context;
+  const auto& [scene, trace, stepping, neighbours] = context;
   if (!is_bounded(scene)) return std::nullopt;
   const AppliedForces forces(scene);
   const std::vector<BodyState> start = initial_states(scene);

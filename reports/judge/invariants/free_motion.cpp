@@ -139,7 +139,6 @@ class FreeMotion {
       : context_(context),
         forces_(context.scene),
         joints_(context.scene),
-        neighbours_(context.scene, context.trace, context.stepping),
         members_(context.scene.bodies.size()),
         place_(context.scene.bodies.size()),
         largest_(context.scene.bodies.size()) {
@@ -160,7 +159,7 @@ class FreeMotion {
     for (std::size_t moment = 1; moment < context_.trace.size(); ++moment) {
       const Step step = step_to(moment);
       std::vector<bool> touched(members_.size());
-      for (const BodyGap& pair : neighbours_.in_step(moment)) touched[pair.a] = touched[pair.b] = true;
+      for (const BodyGap& pair : context_.neighbours.in_step(moment)) touched[pair.a] = touched[pair.b] = true;
       for (const std::vector<std::size_t>& group : members_) {
         const auto is_touched = [&](std::size_t body) { return touched[body]; };
         if (group.empty() || std::any_of(group.begin(), group.end(), is_touched)) continue;
@@ -303,7 +302,7 @@ class FreeMotion {
 
   // In the norm of a group's momentum, by how much the round-off of places changes it in a step.
   double round_off_of_places(const Step& step, const std::vector<std::size_t>& group, double slowest) const {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     double energy = 0;  // J
     for (const std::size_t i : group) {
       double farthest = 0;  // m
@@ -323,7 +322,7 @@ class FreeMotion {
   }
 
   void add(const Step& step, const std::vector<std::size_t>& group) {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     const double time = trace.time(step.moment);
     const double dt = time - trace.time(step.moment - 1);
     Vector missing, force, force_change, momentum, damping, before, after, places;
@@ -391,7 +390,6 @@ class FreeMotion {
   const InvariantContext& context_;
   AppliedForces forces_;
   JointGeometry joints_;
-  Neighbours neighbours_;
   std::vector<std::vector<std::size_t>> members_;  // of the group with that index
   std::vector<std::size_t> place_;                 // of a body in its group
   std::vector<double> largest_;                    // momentum of a group so far, by its first body

@@ -71,7 +71,7 @@ class Moments {
   };
 
   void check_step(std::size_t moment, std::span<const Wrench> before, std::span<const Wrench> after) {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);
@@ -153,7 +153,7 @@ class Moments {
 
   Turned turned_by(std::span<const ContactState* const> contacts, std::size_t body, std::size_t moment,
                    Vec centre) const {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);

@@ -83,7 +83,7 @@ struct Missed {
 // Stability of Numerical Algorithms, 4.2).
 Missed missed_with(const InvariantContext& context, double drift) {
   constexpr double slope_share = 2 / (std::numbers::pi * std::numbers::pi) + 1.0 / 4;
-  const auto& [scene, trace, stepping] = context;
+  const auto& [scene, trace, stepping, neighbours] = context;
   const AppliedForces forces(scene);
   const auto masses = forces.masses();
   const double nu = trace_rounding(trace, stepping);
@@ -223,7 +223,7 @@ std::vector<BodyState> mean_motion(std::span<const BodyState> then, std::span<co
 // Where what is reported is not the sum over a step, only that of a body without a contact is known, zero; and only if
 // the method solves once a step, so that no contact can have come and gone.
 std::optional<InvariantCheck> check_bodies(const InvariantContext& context) {
-  const auto& [scene, trace, stepping] = context;
+  const auto& [scene, trace, stepping, neighbours] = context;
   const std::vector<bool> known = known_bodies(scene);
   if (std::find(known.begin(), known.end(), true) == known.end()) return std::nullopt;
   const bool one_solve = stepping.h == stepping.dt;

@@ -33,10 +33,9 @@ double relative_speed(const BodyState& a, const BodyState& b, double radius_a, d
 // the share of the fastest approach of that step, of any pair, that the stated iterations leave unsolved. The law is
 // tested where the pair touches, or would overlap if both went on for a step.
 std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
-  const auto& [scene, trace, stepping] = context;
+  const auto& [scene, trace, stepping, neighbours] = context;
   if (scene.bodies.size() < 2) return std::nullopt;
   const Overlap overlap(scene);
-  const Neighbours neighbours(scene, trace, stepping);
   const double nu = trace_rounding(trace, stepping);
   double gravity = 0;  // m/s^2, the largest
   for (const Body& body : scene.bodies) {
@@ -149,7 +148,7 @@ bool stays_where_it_rests(const Scene& scene) {
 // the gaps of all bodies that may lie below it, and the creep that the method states. A contact that is a spring may
 // still close or open by the depth that it has then, as its load shifts.
 std::optional<InvariantCheck> check_rest(const InvariantContext& context) {
-  const auto& [scene, trace, stepping] = context;
+  const auto& [scene, trace, stepping, neighbours] = context;
   if (!stays_where_it_rests(scene)) return std::nullopt;
   const double bodies = still_bodies(scene, std::vector<BodyState>(scene.bodies.size()));
   const double nu = trace_rounding(trace, stepping);

@@ -50,11 +50,7 @@ Outline seen_from(const BodyState& frame, const BodyState& body, const Outline& 
 class Turning {
  public:
   explicit Turning(const InvariantContext& context)
-      : context_(context),
-        forces_(context.scene),
-        neighbours_(context.scene, context.trace, context.stepping),
-        friction_(context.scene),
-        judged_(context.scene.bodies.size()) {
+      : context_(context), forces_(context.scene), friction_(context.scene), judged_(context.scene.bodies.size()) {
     for (std::size_t i = 0; i < judged_.size(); ++i) {
       const Body& body = context.scene.bodies[i];
       judged_[i] = forces_.masses()[i].inertia > 0 && body.linear_damping == 0 && body.angular_damping == 0;
@@ -73,7 +69,7 @@ class Turning {
       std::vector<Wrench> after = forces_.at(trace.states(moment));
       off_ = forces_.change_in(trace.states(moment - 1), trace.states(moment),
                                trace.time(moment) - trace.time(moment - 1));
-      const std::vector<BodyGap> pairs = neighbours_.in_step(moment);
+      const std::span<const BodyGap> pairs = context_.neighbours.in_step(moment);
       std::vector<std::size_t> met(judged_.size());
       for (const BodyGap& pair : pairs) {
         ++met[pair.a];
@@ -102,7 +98,7 @@ class Turning {
 
   void add(std::size_t moment, const Part& part, const Part& by, const BodyGap& pair, std::span<const Wrench> before,
            std::span<const Wrench> after) {
-    const auto& [scene, trace, stepping] = context_;
+    const auto& [scene, trace, stepping, neighbours] = context_;
     const std::size_t i = part.body;
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const BodyState& then = trace.states(moment - 1)[i];
@@ -184,7 +180,6 @@ class Turning {
 
   const InvariantContext& context_;
   AppliedForces forces_;
-  Neighbours neighbours_;
   FrictionBounds friction_;
   std::vector<bool> judged_;
   std::vector<WrenchError> off_;  // in the step

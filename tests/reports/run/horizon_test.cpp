@@ -172,6 +172,17 @@ Report report_of(const char* word, std::vector<const char*> engines) {
   return run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {});
 }
 
+// Six of each suffice for a difference to be significant: (6! 6!)/12! = 1e-3 by chance.
+TEST(Ensemble, HasFewerRunsOfALargeSceneButEnoughToTell) {
+  const auto runs = [](const char* word, int most) {
+    return ensemble_members(*parse_cases(word).front().scene, dt, most);
+  };
+  EXPECT_EQ(runs("tumbler:boxes", 16), 16);
+  EXPECT_EQ(runs("gas:side=16", 16), 6);
+  EXPECT_EQ(runs("gas:side=16", 4), 4);
+  EXPECT_EQ(runs("gas:side=16", 48), 20);
+}
+
 TEST(CompareBeyondHorizon, FindsEnginesDifferentButPlausibleInAChaoticScene) {
   if (Catalog<Engine>::find("chipmunk") == nullptr) GTEST_SKIP() << "built without Chipmunk";
   const Report report = report_of("rain:seed 1", {"impulse", "chipmunk:slop=0.1"});
