@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "reports/run/run.h"
 #include "reports/run/selection.h"
@@ -29,6 +30,33 @@ double speed_of_a_late_contact(double v, double mu, double time, double h) {
 }
 
 TEST(Sliding, IsAsFastIfItsContactIsFoundLate) { EXPECT_NEAR(speed_of_a_late_contact(12, 0.4, 1, 1.0 / 60), 8, 1e-12); }
+
+// Damping and Coulomb friction in small steps, of the velocity that a step has in its middle: where it is at a time.
+double damped_place(double v, double c, double brake, double time) {
+  constexpr double h = 1e-5;
+  double x = 0;
+  for (double t = 0; t < time && v > 0; t += h) {
+    const double next = (v * (1 - c * h / 2) - brake * h) / (1 + c * h / 2);
+    x += h * (v + std::max(next, 0.0)) / 2;
+    v = next;
+  }
+  return x;
+}
+
+TEST(DampedSlide, AgreesWithAnIntegrationInSmallSteps) {
+  for (const auto& [damping, friction] : {std::pair{1.0, 0.3}, std::pair{4.0, 0.1}, std::pair{0.1, 1.0}}) {
+    const Parameters changes{{"damping", damping}, {"friction", friction}};
+    for (const Expectation& one : (Of{"damped-slide", changes, "box", Quantity::x}.expectations())) {
+      const double time = one.time.value_or(100);
+      EXPECT_NEAR(*one.expected, damped_place(5, damping, 10 * friction, time), 1e-4) << damping << " at " << time;
+    }
+  }
+}
+
+// At half its time it slides at 1.9 m/s, without damping at 3.5 and without friction at 3.1.
+TEST(DampedSlide, StopsABoxWithoutDampingOrFriction) {
+  EXPECT_LT((Of{"damped-slide", {}, "box", Quantity::vx}.allows_at_most()), 1.2 / 4);
+}
 
 // Friction off by 2 % of itself, in the scenario with the least friction.
 TEST(MixingRules, StopFrictionThatIsTwoPercentOff) {
