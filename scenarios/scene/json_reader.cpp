@@ -68,6 +68,9 @@ const std::vector<Feature>& features() {
       {{"isbullet", "ccd", "ccdenabled"}, "write \"bullet\""},
       {{"mass", "inertia", "centerofmass", "rotationalinertia"},
        "mass and inertia follow from the shapes and their \"density\", kg/m^2"},
+      {{"expectations", "expect", "checks", "truths", "tests", "assertions"},
+       "write \"truth\": [{ \"body\": .., \"quantity\": .., \"time\": .., \"value\": .., \"source\": .. }] for what is "
+       "known of the result"},
       {{"awake", "allowsleep", "enablesleep", "sleepthreshold", "issleeping", "isawake"},
        "sleeping is a matter of the engine, not of the scene: see plumb help impulse"}};
   return all;
