@@ -21,9 +21,6 @@ namespace plumb {
 /// can't. That a body stays on one side of a place says nothing of the kind.
 std::optional<ConvergedTruth> converged_reference(const Case&, double dt, std::size_t budget);
 
-/// Body-steps that a case gets unless a user says otherwise: less than a second a scene.
-inline constexpr std::size_t usual_budget = 200'000;
-
 /// The checks of one scene: place and angle of up to `judged_bodies` bodies, spread evenly over the scene, and the
 /// energy. The tolerance is what the method states about itself, times how the scene amplifies it (see horizon.h), plus
 /// the error of the reference. Each quantity is checked at the latest time at which that is evidence, and less than

@@ -11,7 +11,6 @@
 #include "reference/scene_facts.h"
 #include "reports/judge/mechanics.h"
 #include "reports/judge/overlap.h"
-#include "reports/run/converged_checks.h"
 #include "scenarios/catalog.h"
 #include "scenarios/images.h"
 #include "scenarios/random.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -77,6 +78,10 @@ using Observer = std::function<bool(double time, std::span<const BodyState>)>;
 
 /// The same with an observer, which may end the run early; records nothing.
 Outcome watch(const Scene&, const EngineConfig&, double dt, double first_step, const Observer&);
+
+/// Body-steps for the converged reference of a scene, or for a run of an ensemble, unless a user says otherwise: less
+/// than a second.
+inline constexpr std::size_t usual_budget = 200'000;
 
 /// Steps of dt that cover a duration, both in s.
 std::size_t steps_in(double duration, double dt);
