@@ -105,7 +105,8 @@ Overlap::Overlap(const Scene& scene) : scene_(scene) {
 }
 
 std::span<const Overlap::Part> Overlap::parts_of(std::size_t body) const {
-  return std::ranges::equal_range(parts_, body, {}, &Part::body);
+  return {std::ranges::lower_bound(parts_, body, {}, &Part::body),
+          std::ranges::upper_bound(parts_, body, {}, &Part::body)};
 }
 
 bool Overlap::may_touch(std::size_t a, std::size_t b) const {
