@@ -99,7 +99,7 @@ for (const width of [360, 1280]) {
   test(`a broken relation replays the scene and its image beside each other, by one clock, at ${width} px`, async () => {
     const { page, trouble } = await open(await write(sample), { width });
     const shown = await open_replay(page, "box2d");
-    assert.match(await text_in(shown), /out\/found\/box2d\.json and out\/found\/box2d\.image\.json/);
+    assert.match(await text_in(shown), /my finds\/found\/box2d\.json and my finds\/found\/box2d\.image\.json/);
     assert.match(await text_in(shown), /scene[^]*image: turn/);
     const [scene, image] = await Promise.all([0, 1].map((n) => shown.locator("canvas").nth(n).boundingBox()));
     if (width < 1000) assert.ok(image.y > scene.y + scene.height, "below each other on a narrow screen");
