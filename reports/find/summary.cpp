@@ -85,10 +85,29 @@ nlohmann::ordered_json as_json(const RulerSummary& of) {
           {"overlap_nine_in_ten", finite_or_null(of.overlap_high)}};
 }
 
+namespace {
+
+struct RulerHead {
+  const char* text;
+  int rank;  // of its column, see TextTable
+};
+
+constexpr std::array<RulerHead, 10> ruler_heads{{{"engine", 0},
+                                                 {"scenes", 1},
+                                                 {"not supported", 1},
+                                                 {"failed", 1},
+                                                 {"wrong", 0},
+                                                 {"energy up > .1 %", 3},
+                                                 {"> 1 %", 3},
+                                                 {"median rise", 2},
+                                                 {"deepest overlap, median", 2},
+                                                 {"9 in 10", 2}}};
+
+}  // namespace
+
 std::vector<std::vector<std::string>> rows_of(const std::vector<RulerSummary>& engines) {
-  std::vector<std::vector<std::string>> rows{{"engine", "scenes", "not supported", "failed", "wrong",
-                                              "energy up > .1 %", "> 1 %", "median rise", "deepest overlap, median",
-                                              "9 in 10"}};
+  std::vector<std::vector<std::string>> rows(1);
+  for (const RulerHead& head : ruler_heads) rows.front().emplace_back(head.text);
   for (const RulerSummary& one : engines) {
     const auto percent = [](double share) { return fmt::format("{:.0f} %", 100 * share); };
     rows.push_back({one.engine, std::to_string(one.scenes), std::to_string(one.not_supported),
@@ -185,23 +204,25 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<Told>& told) {
 // "Of 60 random scenes, impulse is wrong in 6 and box2d in 8: ", like the page, or without engines if they are many.
 std::string wrong_sentence(const std::vector<RulerSummary>& engines, std::ptrdiff_t scenes) {
   constexpr std::size_t most_named = 5;
-  std::string text = fmt::format("Of {} random scenes", scenes);
-  for (std::size_t i = 0; i < engines.size() && engines.size() <= most_named; ++i) {
-    text += i == 0 ? ", " : i + 1 == engines.size() ? " and " : ", ";
-    text += fmt::format("{}{} in {}", engines[i].engine, i == 0 ? " is wrong" : "", engines[i].wrong);
+  std::vector<std::string> parts;
+  parts.reserve(engines.size());
+  for (const RulerSummary& one : engines) {
+    parts.push_back(fmt::format("{}{} in {}", one.engine, parts.empty() ? " is wrong" : "", one.wrong));
   }
-  return text + ": ";
+  const bool are_few = !parts.empty() && parts.size() <= most_named;
+  return fmt::format("Of {} random scenes{}{}: ", scenes, are_few ? ", " : "", are_few ? enumerated(parts) : "");
 }
 
-// Of each engine; where there is no room, shares of the energy go first.
+// Of each engine.
 std::string rulers_text(const std::vector<RulerSummary>& engines, std::size_t width) {
-  constexpr std::array ranks{0, 1, 1, 1, 0, 3, 3, 2, 2, 2};
   const auto rows = rows_of(engines);
   std::vector<TextTable::Column> columns;
-  for (std::size_t i = 0; i < rows.front().size(); ++i) columns.push_back({rows.front()[i], ranks.at(i), i == 0});
+  columns.reserve(ruler_heads.size());
+  for (const RulerHead& head : ruler_heads) columns.push_back({head.text, head.rank, columns.empty()});
   TextTable table(std::move(columns), 0, width);
   for (const auto& row : std::span(rows).subspan(1)) {
     std::vector<TextTable::Cell> cells;
+    cells.reserve(row.size());
     for (const std::string& text : row) cells.push_back({text});
     table.add(std::move(cells));
   }

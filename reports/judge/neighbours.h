@@ -22,7 +22,7 @@ class Neighbours {
   /// velocities before or after would give, and what the scene's forces add, F/m dt^2. The step is longer by the stated
   /// lead of impacts. What such a neighbour strikes may be faster between two blows than before and after: its velocity
   /// changes by at most (1 + e) <= 2 times that at which they meet, and its spin by m r / I times that.
-  /// Found once for all who ask, as long as memory allows; from one thread at a time.
+  /// Found once for all who ask, as long as memory allows; from one thread at a time, and valid until the next call.
   std::span<const BodyGap> in_step(std::size_t moment) const;
 
  private:

@@ -90,6 +90,13 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
   return lines;
 }
 
+std::string enumerated(std::span<const std::string> parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
 std::string beside(std::string_view name, std::size_t columns, std::string_view text, std::size_t width) {
   const std::size_t taken = columns_of(name);
   std::string lines = wrapped(text, columns, width);

@@ -19,6 +19,9 @@ std::string cut(std::string_view text, std::size_t columns);
 /// unit and with what it is off by: "0.5 +- 0.1 m/s" is never broken. Control characters are replaced.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width);
 
+/// "a, b and c".
+std::string enumerated(std::span<const std::string> parts);
+
 /// A name of at least `columns` columns, then text that is wrapped beside it.
 std::string beside(std::string_view name, std::size_t columns, std::string_view text, std::size_t width);
 

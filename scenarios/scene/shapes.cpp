@@ -299,12 +299,10 @@ Outline outline_of(const Geometry& geometry, Vec origin) {
 
 Outline placed(const Outline& outline, Vec position, double angle) {
   Outline there = outline;
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  const auto turned = [&](Vec v) { return Vec{c * v.x - s * v.y, s * v.x + c * v.y}; };
-  for (Vec& point : there.points) point = position + turned(point);
+  const Vec facing{std::cos(angle), std::sin(angle)};
+  for (Vec& point : there.points) point = position + rotated(point, facing);
   if (there.halfspace) {
-    there.halfspace->normal = turned(outline.halfspace->normal);
+    there.halfspace->normal = rotated(outline.halfspace->normal, facing);
     there.halfspace->offset += dot(there.halfspace->normal, position);
   }
   return there;

@@ -22,11 +22,10 @@ inline double length(Vec v) { return std::hypot(v.x, v.y); }
 /// The vector rotated by +90 degrees.
 inline Vec perpendicular(Vec v) { return {-v.y, v.x}; }
 
+/// The vector rotated as (1, 0) is to `facing`, of unit length.
+inline Vec rotated(Vec v, Vec facing) { return {facing.x * v.x - facing.y * v.y, facing.y * v.x + facing.x * v.y}; }
+
 /// The vector rotated counter-clockwise by an angle, rad.
-inline Vec rotated(Vec v, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c * v.x - s * v.y, s * v.x + c * v.y};
-}
+inline Vec rotated(Vec v, double angle) { return rotated(v, Vec{std::cos(angle), std::sin(angle)}); }
 
 }  // namespace plumb

@@ -192,7 +192,7 @@ class Sound:
         wrong = {kind_of(scene) for scene, complaints in said.items() if complaints}
         kinds = {kind_of(scene) for scene in said}
         self.kinds = sorted(kinds - wrong)
-        self.searched = SEARCH_SCENES * len(self.kinds) // len(kinds)
+        self.scenes = SEARCH_SCENES * len(self.kinds) // len(kinds)
 
     def run(self, program, way, cases, **options):
         runs, seconds = run_cases(program, way, cases, self.build.work / "out", self.words, **options)
@@ -275,7 +275,7 @@ class Mutant:
         return self.judged(found or self.searched(), sorted(changed))
 
     def searched(self):
-        said = search(self.program, self.build.work / "out", self.sound.searched, self.sound.kinds)
+        said = search(self.program, self.build.work / "out", self.sound.scenes, self.sound.kinds)
         return {f"random scene {scene}": complaints[0] for scene, complaints in said.items() if complaints}
 
     def run(self, way, cases, right, seconds, changed, **options):

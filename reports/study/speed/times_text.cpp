@@ -42,13 +42,6 @@ std::string unlike(const Json& a, const Json& b) {
 // Engines as they are by default: the others are methods of ours.
 bool is_default(const std::string& engine) { return engine.find(':') == std::string::npos; }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
-}
-
 // The index of 1 mm; the coarser one if no method gets there, and so on.
 std::size_t headline_target(const Json& targets) {
   std::size_t target = 1;
@@ -77,7 +70,7 @@ std::string one_case(const Json& one, std::size_t target, double error) {
                         times[1].first / times[0].first, unlike(*times[0].second, *times[1].second));
   }
   text += ".";
-  if (!never.empty()) text += fmt::format(" Never that accurate: {}.", listed(never));
+  if (!never.empty()) text += fmt::format(" Never that accurate: {}.", enumerated(never));
   return text;
 }
 
@@ -92,7 +85,7 @@ std::string all_cases(const Json& target) {
   if (best == nullptr) return "No case was timed.";
   return fmt::format("To {}, {} is the fastest in {} of {} cases. Cases in which an engine gets there: {}.",
                      target_name(target.at("error"), target.at("unit") == "scale"), name_of_method(*best),
-                     best->at("fastest").get<int>(), target.at("cases").get<int>(), listed(parts));
+                     best->at("fastest").get<int>(), target.at("cases").get<int>(), enumerated(parts));
 }
 
 std::string cell(const Json& reading) {

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "reports/system/layout.h"
+
 namespace plumb {
 namespace {
 
@@ -103,8 +105,7 @@ std::string sentence_of(const Json& maps) {
     for (const Json& map : maps) {
       if (!is_best(map, most)) parts.push_back(shortfall(map));
     }
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      text += (i == 0 ? ", but " : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+    if (!parts.empty()) text += ", but " + enumerated(parts);
   }
   int rows = 0;
   int agree = 0;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+#include <string>
+#include <vector>
+
 namespace plumb::layout_test {
 namespace {
 
@@ -40,6 +44,25 @@ TEST(TextTable, AlignsNumbersToTheRight) {
 
 TEST(TextTable, LeavesTheLeastImportantColumnOutWhereThereIsNoRoom) {
   EXPECT_EQ(table_of(19), "engine   error\nimpulse    0.5\n  as it is\n");
+}
+
+TEST(TextTable, CutsLongNamesOnlyWhereThereIsNoRoom) {
+  const std::string name = "impulse:solver=exact,integrator=rk4";
+  const auto named = [&](std::size_t width) {
+    TextTable table({{"engine", 0, true}, {"error"}}, 0, width);
+    table.add({{name}, {"0.5"}});
+    return table.text();
+  };
+  EXPECT_NE(named(80).find(name), std::string::npos);
+  EXPECT_NE(named(40).find("\nimpulse:solver=exact,in..."), std::string::npos) << named(40);
+}
+
+TEST(Enumerated, HasAnAndBeforeTheLast) {
+  const std::vector<std::string> all{"a", "b", "c"};
+  EXPECT_EQ(enumerated(std::span(all).first(0)), "");
+  EXPECT_EQ(enumerated(std::span(all).first(1)), "a");
+  EXPECT_EQ(enumerated(std::span(all).first(2)), "a and b");
+  EXPECT_EQ(enumerated(all), "a, b and c");
 }
 
 TEST(TextTable, ColoursWithoutTakingColumns) {
