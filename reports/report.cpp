@@ -63,7 +63,7 @@ double error_ratio(double error, double tolerance) {
   return tolerance > 0 ? error / tolerance : infinity;
 }
 
-double relative_error(const TruthCheck& check) { return error_ratio(check.error, check.scale); }
+double relative_error(const TruthCheck& check) { return error_ratio(check.error - check.chance, check.scale); }
 
 bool is_evidence(const TruthCheck& check) {
   return check.reported && check.scale > 0 && check.tolerance <= evidence_share * check.scale;

@@ -60,6 +60,7 @@ struct TruthCheck {
   double expected = 0, measured = 0, error = 0, tolerance = 0;  // error: by how much the relation is missed, >= 0
   /// What the truth says changes, by which errors of all engines are measured; see judge/scale.h. 0: not known.
   double scale = 0;
+  double chance = 0;  // what of the error is a sample's, not the engine's
   bool passed = false;
   bool reported = true;  // false if the engine does not report the quantity: neither passed nor failed
   bool idle = false;     // whether nothing is asked: bodies move, and it would pass if all of them stayed at the start;
@@ -107,7 +108,8 @@ inline constexpr double evidence_share = 0.05;
 /// The share of its scale within which a check is right.
 inline constexpr double right_share = 0.01;
 
-/// error / scale, the same ruler for every engine; infinite where either is not finite or the scale is 0.
+/// error / scale, the same ruler for every engine, without what chance explains; infinite where either is not finite or
+/// the scale is 0.
 double relative_error(const TruthCheck&);
 /// Whether the check was reported and its tolerance is small enough to fail a wrong engine.
 bool is_evidence(const TruthCheck&);

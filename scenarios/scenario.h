@@ -93,6 +93,9 @@ struct Expectation {
   std::function<double(const Stepping&)> allowed;
   /// If set, replaces `allowed`: the largest error for any engine, including round-off.
   std::optional<double> within = std::nullopt;
+  /// How far from the law chance alone takes a mean over a finite sample, in the quantity's unit: no error of an
+  /// engine.
+  double chance = 0;
   std::string source;  // the formula, and the reason for the tolerance
 };
 

@@ -51,6 +51,7 @@ TruthCheck check(const Scene& scene, const Expectation& expectation, const Trace
                    .expected = expected_value(scene, expectation, truth, time).value_or(missing),
                    .measured = observed ? observed->value : missing,
                    .tolerance = tolerance,
+                   .chance = expectation.chance,
                    .reported = is_reported(trace, expectation.quantity),
                    .source = expectation.source};
   if (!check.reported) check.measured = missing;

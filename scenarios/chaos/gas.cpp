@@ -91,6 +91,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
                  .over = duration - mixed,
                  .expected = 2 * n / (n + 1),
                  .allowed = spread,
+                 .chance = 4 * of_mean,
                  .source = "2D Maxwell distribution: <v^4>/<v^2>^2 = 2N/(N+1); four sigma of its mean over time"});
   return all;
 }

@@ -45,6 +45,19 @@ TEST(Judge, IsRightWithinAHundredthOfTheScaleCoarseWithinTheToleranceAndWrongOut
   EXPECT_FALSE(check.passed);
 }
 
+// A mean over a sample is off by chance, which is no coarseness of an engine; but it must be within the tolerance.
+TEST(Judge, GradesAMeanByWhatChanceDoesNotExplain) {
+  const Scene scene = fakes::thrown_box();
+  const auto judged = [&](double chance, double tolerance) {
+    Expectation mean = at_end(7.25, tolerance);
+    mean.chance = chance;
+    return judge(scene, std::vector{mean}, fakes::flight_of(scene, 0.5), {.dt = 0.5, .h = 0.5}, nullptr);
+  };
+  EXPECT_EQ(judged(0.2, 0.25).verdict, Verdict::right);
+  EXPECT_EQ(judged(0.18, 0.25).verdict, Verdict::coarse);
+  EXPECT_EQ(judged(0.25, 0.2499).verdict, Verdict::wrong);
+}
+
 TEST(Judge, AddsNoRoundOffToAnAbsoluteTolerance) {
   const Scene scene = fakes::thrown_box();
   Expectation stated = at_end(7.25, 100);

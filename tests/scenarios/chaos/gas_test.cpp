@@ -45,6 +45,7 @@ TEST(Gas, ExpectsTheMeanOfAllStatesOfItsEnergyWithinAFractionOfTheirSpread) {
     EXPECT_NEAR(*expectation.expected, mean, 5 * sigma / std::sqrt(states)) << side;
     // Four sigma of a mean over a time in which the discs forget their speeds fifty times.
     EXPECT_NEAR(expectation.allowed({}) / 4, sigma * std::sqrt(2.0 / 52), 0.08 * sigma) << side;
+    EXPECT_NEAR(expectation.chance / 4, sigma * std::sqrt(2.0 / 52), 0.08 * sigma) << side;
   }
 }
 
