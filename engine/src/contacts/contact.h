@@ -7,6 +7,9 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+/// m, the gap up to which a point touches: rounding must not decide which points act.
+constexpr Real touching_gap = static_cast<Real>(1e-6);
+
 /// Kernels read its numbers in rows of four.
 struct ContactPoint {
   Vec2 arm_a, arm_b;              // from each centre of mass to the point, world frame

@@ -163,8 +163,9 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   }
   space.turning.lead(island, data.bodies, motion_);
   if (!island.joints.empty()) island.joints.halve();
-  if (island.two_frictions) ScalarContacts(data.bodies, motion_).meet(island, slow_impact(pressing(island), island.h));
-  ScalarContacts::halve(island, kicks_);
+  const Real pressed_by = island.two_frictions ? pressing(island) : 0;
+  if (island.two_frictions) ScalarContacts(data.bodies, motion_).meet(island, slow_impact(pressed_by, island.h));
+  ScalarContacts(data.bodies, motion_).halve(island, kicks_);
   if (!island.joints.empty() || island.more_sweeps > 0)
     space.bound.note(island.bodies, island.held, data.bodies, motion_);
   if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
@@ -182,7 +183,10 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   solve.relax(island.settling ? std::max(settling_sweeps_for(island.bodies.size()), island.sweeps)
                               : island.sweeps + pressed);
   solve.relax_through();
-  if (island.two_frictions && ScalarContacts::stick_or_slip(island)) solve.relax(island.sweeps);
+  if (island.two_frictions &&
+      ScalarContacts(data.bodies, motion_).stick_or_slip(island, creep_of(pressed_by, island.h))) {
+    solve.relax(island.sweeps);
+  }
   if (island.more_sweeps > 0) solve.relax_until_bounded(space.bound, acceleration_);
   ScalarContacts(data.bodies, motion_).turn_back(island);
   if (!joints_fit || island.ideal) {

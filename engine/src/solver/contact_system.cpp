@@ -83,8 +83,8 @@ bool ContactSystem::list(const Island& island, Stage stage, BodySet& bodies, con
       Point point{.row = &p};
       Real bias = 0;
       if (stage == Stage::relax) {
-        if (p.normal_impulse == 0 && gap > 0) continue;
-      } else if (gap > 0) {
+        if (p.normal_impulse == 0 && gap > touching_gap) continue;
+      } else if (gap > touching_gap) {
         bias = gap / island.h;
       } else if (stage == Stage::press_soft) {
         const Softness& soft = island.softness(row);

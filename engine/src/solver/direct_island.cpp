@@ -208,7 +208,7 @@ Real DirectIsland::slow(const DirectContact& contact) const {
 /// Points that are struck at the end of the interval do nothing in it, but what the contact rests on does.
 void DirectIsland::let_wait(DirectContact& contact, bool struck) const {
   for (std::size_t i = 0; i < contact.count; ++i) {
-    const bool apart = contact.frame.points[i].separation > DirectContact::touching;
+    const bool apart = contact.frame.points[i].separation > touching_gap;
     contact.waits[i] = struck && (apart || closing(contact, contact.frame, i, 0) > slow(contact));
   }
 }

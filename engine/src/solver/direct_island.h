@@ -45,7 +45,6 @@ struct DirectContact {
   std::uint32_t friction_row = 0;   // or no_row
 
   static constexpr std::uint32_t no_row = ~std::uint32_t{0};
-  static constexpr Real touching = static_cast<Real>(1e-6);  // m, gap up to which points take part in what others do
   Real friction() const { return slips ? dynamic_friction : static_friction; }
 };
 

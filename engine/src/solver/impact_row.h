@@ -9,6 +9,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 /// m/s, a velocity that rounding may leave of none.
 constexpr Real no_speed = static_cast<Real>(1e-4);
+/// m/s, the slowest sliding: a contact that bears all of its static friction and stays below this holds.
+constexpr Real creeps = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-6);
 
 /// The inverse of the matrix k of inverse effective masses of two points: maps velocity changes to impulses.
 struct PairMatrix {

@@ -222,14 +222,14 @@ void DirectIsland::strike(std::uint32_t index) {
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
     DirectContact& contact = contacts_[c];
     contact.struck = c == index || !alone;
-    if (contact.struck) list_struck(contact, c == index ? struck_together : DirectContact::touching);
+    if (contact.struck) list_struck(contact, c == index ? struck_together : touching_gap);
   }
   for (const ActiveJoint* joint : members_.joints) {
     const JointBlock& block = joint->block;
     list_joint(block);
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
       Constraint& row = system_[joint_rows_.back() + static_cast<std::size_t>(block.equations) + i];
-      if (block.stop[i].error > DirectContact::touching) row.mass_a = row.mass_b = {};
+      if (block.stop[i].error > touching_gap) row.mass_a = row.mass_b = {};
     }
     // A motor's impulse is 0 in no time.
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "solver/direct_island.h"
+#include "solver/impact_row.h"
 
 /// The impulses of a small island's contacts and joints before and after the drift.
 namespace impulse::inline IMPULSE_PRECISION {
@@ -163,8 +164,9 @@ Real DirectIsland::missed(Real h) const {
   return most;
 }
 
-/// Contacts that slide have the dynamic coefficient from now on; those that stick again the static one. Returns whether
-/// some began to slide.
+/// Contacts that slide have the dynamic coefficient from now on; those that stick again the static one. One that bears
+/// all of its static friction and stays where it is holds: where several share a load, only motion tells that it was
+/// too little. Returns whether some began to slide.
 bool DirectIsland::stick_or_slip() {
   bool broke = false;
   for (DirectContact& contact : contacts_) {
@@ -172,7 +174,8 @@ bool DirectIsland::stick_or_slip() {
     Constraint& row = system_[contact.friction_row];
     Real load = 0;
     for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
-    const bool slips = load > 0 && std::abs(row.impulse) >= row.friction * load;
+    const Real rate = ConstraintSystem::speed(row, step_->data.bodies.velocity) + row.bias;
+    const bool slips = load > 0 && std::abs(row.impulse) >= row.friction * load && std::abs(rate) > creeps;
     broke = broke || (slips && !contact.slips);
     contact.slips = slips;
     row.friction = contact.friction();
@@ -295,7 +298,7 @@ bool DirectIsland::press(Real h) {
   }
   // Constraints that hold already only turn velocities.
   constexpr Real gain = static_cast<Real>(0.1);
-  return off <= DirectContact::touching &&
+  return off <= touching_gap &&
          (overlaps() || is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= (1 + gain) * before);
 }
 
@@ -326,7 +329,7 @@ void DirectIsland::press_as_linear(Real h) {
 bool DirectIsland::overlaps() const {
   return std::any_of(contacts_.begin(), contacts_.end(), [](const DirectContact& contact) {
     for (std::size_t i = 0; i < contact.count; ++i) {
-      if (contact.frame.points[i].separation < -DirectContact::touching) return true;
+      if (contact.frame.points[i].separation < -touching_gap) return true;
     }
     return false;
   });
@@ -401,7 +404,7 @@ void DirectIsland::relax(Real h) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       Constraint& row = system_[contact.row + i];
       const Vec2 pressed = contact.pressing[i];
-      const bool near_by = contact.frame.points[i].separation <= DirectContact::touching;
+      const bool near_by = contact.frame.points[i].separation <= touching_gap;
       const bool struck = ConstraintSystem::speed(row, velocity) < -slow(contact);
       if (contact.waits[i] || (pressed.x == 0 && (!near_by || struck))) {
         row.mass_a = row.mass_b = {};
@@ -426,7 +429,7 @@ void DirectIsland::relax(Real h) {
     });
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
       Constraint& row = system_[joint_rows_.back() + static_cast<std::size_t>(block.equations) + i];
-      if (block.stop[i].error <= DirectContact::touching || row.given != 0) continue;
+      if (block.stop[i].error <= touching_gap || row.given != 0) continue;
       row.mass_a = row.mass_b = {};
       row.impulse = 0;
     }

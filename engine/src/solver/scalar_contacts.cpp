@@ -149,9 +149,10 @@ Real ScalarContacts::gap(const ImpactRow& row, const RowPoint& p) const {
   return separation<Frame>(row, p, motion_[row.a], motion_[row.b]) - row.offset;
 }
 
-void ScalarContacts::halve(const Island& island, std::vector<Velocity>& kicks) {
+void ScalarContacts::halve(const Island& island, std::vector<Velocity>& kicks) const {
   for (const std::uint32_t body : island.bodies) kicks[body] = {};
   for (ImpactRow& row : island.rows) {
+    if (row.disc_distance > 0) face(row);
     const auto count = static_cast<std::size_t>(row.count);
     for (std::size_t i = 0; i < count; ++i) {
       RowPoint& p = row.points[i];
@@ -179,14 +180,20 @@ void ScalarContacts::meet(const Island& island, Real slow) const {
   }
 }
 
-bool ScalarContacts::stick_or_slip(const Island& island) {
+bool ScalarContacts::stick_or_slip(const Island& island, Real creep_in_web) const {
   bool broke = false;
   for (ImpactRow& row : island.rows) {
     if (!row.active || !row.two_frictions()) continue;
     const Real mu = row.friction();
-    const bool slips = std::all_of(row.points.begin(), row.points.begin() + row.count, [mu](const RowPoint& p) {
-      return std::abs(p.tangent_impulse) >= mu * p.normal_impulse;
-    });
+    const ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
+    bool slips = true;
+    bool moves = false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const RowPoint& p = row.points[i];
+      slips = slips && std::abs(p.tangent_impulse) >= mu * p.normal_impulse;
+      moves = moves || std::abs(frame.tangent_velocity(p)) > (row.web ? creep_in_web : creeps);
+    }
+    slips = slips && moves;
     broke |= slips && !row.slips;
     row.slips = slips;
   }
@@ -219,14 +226,19 @@ void ScalarContacts::keep_borne(const Island& island, Real share) {
   }
 }
 
+/// Rotates the normal of two discs to where they are.
+void ScalarContacts::face(ImpactRow& row) const {
+  row.normal = normalized(row.between + (motion_[row.b].d - motion_[row.a].d));
+  // gap() measures along the normal from `between`: for discs that is their distance less the radii.
+  row.points[0].separation = dot(row.normal, row.between) - row.disc_distance;
+}
+
 /// Rotates the normal of two discs with them, and with it the impulses of this sub-step. Otherwise the difference of
 /// the impulses that press applied and relax removes would have a tangential part that no contact reports.
 void ScalarContacts::turn_normal(ImpactRow& row) {
-  RowPoint& p = row.points[0];
+  const RowPoint& p = row.points[0];
   row.led = row.normal;
-  row.normal = normalized(row.between + (motion_[row.b].d - motion_[row.a].d));
-  // gap() measures along the normal from `between`: for discs that is their distance less the radii.
-  p.separation = dot(row.normal, row.between) - row.disc_distance;
+  face(row);
   push_centres(row, redirected({p.normal_impulse, p.tangent_impulse}, row.led, row.normal));
 }
 
@@ -264,9 +276,9 @@ void ScalarContacts::press(const Island& island) {
         RowPoint& p = row.points[i];
         const Real s = gap<Frame>(row, p);
         const Real v = frame.normal_velocity(p);
-        const Real push =
-            s > 0 ? -p.normal_mass * (v + s / island.h)
-                  : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) - soft.impulse_scale * p.normal_impulse;
+        const Real push = s > touching_gap ? -p.normal_mass * (v + s / island.h)
+                                           : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) -
+                                                 soft.impulse_scale * p.normal_impulse;
         apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
@@ -279,7 +291,7 @@ void ScalarContacts::relax(const Island& island) {
     if (!row.block || !relax_pair(row, frame)) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
         RowPoint& p = row.points[i];
-        if (p.normal_impulse == 0 && gap<Frame>(row, p) > 0) continue;
+        if (p.normal_impulse == 0 && gap<Frame>(row, p) > touching_gap) continue;
         const Real push = -p.normal_mass * frame.normal_velocity(p);
         apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
@@ -298,7 +310,7 @@ Real ScalarContacts::deepening(const Island& island, bool held) const {
       const Real closing = -island.h * frame.normal_velocity(p);
       if (closing <= most) continue;  // an upper bound of the growth
       const Real s = gap<ContactFrame>(row, p);
-      if (held && p.normal_impulse == 0 && s > 0) continue;
+      if (held && p.normal_impulse == 0 && s > touching_gap) continue;
       most = std::max(most, held ? closing : std::min(s, Real{0}) - (s - closing));
     }
   }
@@ -328,16 +340,16 @@ template <bool rigidly, class Frame>
   const Real rate = rigidly ? Real{0} : island.softness(row).bias_rate;
   const std::array<Real, 2> s{gap<Frame>(row, p), gap<Frame>(row, q)};
   const auto change = [&](const RowPoint& point, Real gap, Real give) {
-    const Real bias = (gap > 0 ? gap / island.h : rate * gap) + give * point.normal_impulse;
+    const Real bias = (gap > touching_gap ? gap / island.h : rate * gap) + give * point.normal_impulse;
     return -(frame.normal_velocity(point) + bias);
   };
   if constexpr (rigidly) {
     return push_both(pair.rigid, pair.inverse_mass, pair.coupling, row, frame,
                      {change(p, s[0], 0), change(q, s[1], 0)});
   }
-  const std::array<Real, 2> give{s[0] > 0 ? 0 : pair.give[0], s[1] > 0 ? 0 : pair.give[1]};
+  const std::array<Real, 2> give{s[0] > touching_gap ? 0 : pair.give[0], s[1] > touching_gap ? 0 : pair.give[1]};
   const std::array<Real, 2> inverse_mass{pair.inverse_mass[0] + give[0], pair.inverse_mass[1] + give[1]};
-  const bool soft = !(s[0] > 0) && !(s[1] > 0);
+  const bool soft = !(s[0] > touching_gap) && !(s[1] > touching_gap);
   return push_both(soft ? pair.soft : pair.matrix(give), inverse_mass, pair.coupling, row, frame,
                    {change(p, s[0], give[0]), change(q, s[1], give[1])});
 }
@@ -346,7 +358,7 @@ template <class Frame>
 [[gnu::always_inline]] inline bool ScalarContacts::relax_pair(ImpactRow& row, Frame& frame) const {
   const auto& [p, q] = row.points;
   for (const RowPoint& point : row.points) {
-    if (point.normal_impulse == 0 && gap<Frame>(row, point) > 0) return false;
+    if (point.normal_impulse == 0 && gap<Frame>(row, point) > touching_gap) return false;
   }
   return push_both(row.pair.rigid, row.pair.inverse_mass, row.pair.coupling, row, frame,
                    {-frame.normal_velocity(p), -frame.normal_velocity(q)});

@@ -26,8 +26,8 @@ class ScalarContacts {
   /// The data of two points solved together that stay constant in a step.
   static PointPair pair_of(const Island& island, const ImpactRow& row);
   /// Splits the impulses of the last sub-step in halves, one for each kick: `kicks` gets the velocity change of each
-  /// body for one half.
-  static void halve(const Island& island, std::vector<Velocity>& kicks);
+  /// body for one half. Both act along the normal at the start of the sub-step.
+  void halve(const Island& island, std::vector<Velocity>& kicks) const;
   /// Adds the halves to the accumulated impulses, after each kick.
   void count_halves(const Island& island);
   /// After the second kick: a share of the impulses of the last sub-step was borne before a body was hit, and what the
@@ -44,10 +44,11 @@ class ScalarContacts {
   /// At the start of a sub-step: a contact that bore nothing slips if its points move past each other faster than
   /// `slow`, m/s.
   void meet(const Island& island, Real slow) const;
-  /// Decides after relax() which contacts slip: those that needed all of their static friction, and those that slipped
-  /// and still need all of the dynamic one. Points share what a contact bears, so it slips only if none has any left.
-  /// Returns whether one broke away, and friction must be solved again.
-  static bool stick_or_slip(const Island& island);
+  /// Decides after relax() which contacts slip: those that needed all of their static friction and still move, in a web
+  /// faster than `creep_in_web`, m/s, and those that slipped and still need all of the dynamic one. Points share what a
+  /// contact bears, so it slips only if none has any left. Returns whether one broke away, and friction must be solved
+  /// again.
+  bool stick_or_slip(const Island& island, Real creep_in_web) const;
   /// After relax(): what two discs bore before they drifted acts along the normal of then.
   void turn_back(const Island& island);
   /// m, the largest growth of a contact's penetration in a sub-step at these velocities. `held`: without the points
@@ -64,6 +65,7 @@ class ScalarContacts {
   void each(const Island& island, Solve solve);
   template <class Frame>
   Real gap(const ImpactRow& row, const RowPoint& p) const;
+  void face(ImpactRow& row) const;
   void turn_normal(ImpactRow& row);
   void push_centres(const ImpactRow& row, Vec2 impulse);
   template <bool rigidly>

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "scenarios/scenario.h"
 #include "tests/scenarios/statement_of.h"
@@ -152,6 +155,49 @@ TEST(SlidingPyramid, SlidesFreelyWithoutFrictionAndHardlyAtTheAngleOfFriction) {
               1e-12);
   EXPECT_LT(slid(12, 0.2), 0.2);
   EXPECT_EQ(slid(20, 0.1, 0.5), slid(20, 0.1)) << "the friction of sticking is too little to hold it";
+}
+
+// Carries the weights of a pyramid along gravity from the top to the slope: through a box, what comes in at x of its
+// upper face leaves the lower one at x - tan a, its own weight at -tan a / 2. Each box shares its load between the two
+// below it, on which it lies from -.5 to -.05 m and from .05 to .5 m beside its middle.
+TEST(HeldPyramid, CarriesItsWeightStraightAgainstGravity) {
+  struct Load {
+    double size = 0, moment = 0;
+  };
+  for (int base = 2; base <= 8; ++base) {
+    for (double degrees = 5; degrees <= 20; degrees += 2.5) {
+      const double lean = std::tan(degrees * std::acos(-1) / 180);
+      std::vector<Load> on_top(1);
+      for (int boxes = 1; boxes <= base; ++boxes) {
+        std::vector<Load> below(on_top.size() + 1);
+        for (std::size_t i = 0; i < on_top.size(); ++i) {
+          const double load = on_top[i].size + 1;
+          const double at = (on_top[i].moment - on_top[i].size * lean - lean / 2) / load;
+          EXPECT_LT(std::abs(at), .5) << base << " rows, " << degrees << " degrees, row " << base - boxes + 1;
+          const double left = std::clamp(at - .1, -.5, -.05);
+          const double right = std::clamp(at + .1, .05, .5);
+          const double share = (at - left) / (right - left);
+          EXPECT_GT(share, 0);
+          EXPECT_LT(share, 1);
+          const auto give = [&below](std::size_t box, double size, double place) {
+            below[box].size += size;
+            below[box].moment += size * place;
+          };
+          give(i, (1 - share) * load, left + .55);
+          give(i + 1, share * load, right - .55);
+        }
+        on_top = below;
+      }
+    }
+  }
+}
+
+// A pile that slides has left by half a box and more.
+TEST(HeldPyramid, StopsAPileThatSlides) {
+  const Of x{"held-pyramid", {{"base", 4}}, "box 4.1", Quantity::x};
+  EXPECT_LT(x.allows(statement_of::accurate()), .02);
+  const Of lowest{"held-pyramid", {}, "box 1.1", Quantity::x};
+  EXPECT_LT(lowest.allows_at_most(), .5);
 }
 
 }  // namespace

@@ -152,7 +152,7 @@ void press(Contacts& contacts, FrameOf<Contacts>& frame, const SoftRule& soft, c
     const Lanes mass = load(p.normal_mass);
     const Lanes closing = impulse[i] - mass * (v + s * per_h);
     const Lanes giving = impulse[i] - (mass * strength * (v + rate * s) + relief * impulse[i]);
-    return max(select(nothing < s, closing, giving), nothing);
+    return max(select(Lanes::all(touching_gap) < s, closing, giving), nothing);
   };
   if constexpr (block) {
     Lanes give[2];
@@ -160,8 +160,9 @@ void press(Contacts& contacts, FrameOf<Contacts>& frame, const SoftRule& soft, c
     for (std::uint32_t i = 0; i < 2; ++i) {
       const PointLanes& p = contacts.point[i];
       const Lanes s = load(p.gap);
-      give[i] = select(nothing < s, nothing, (Lanes::all(1) / strength - Lanes::all(1)) / load(p.normal_mass));
-      bias[i] = select(nothing < s, s * per_h, rate * s);
+      give[i] = select(Lanes::all(touching_gap) < s, nothing,
+                       (Lanes::all(1) / strength - Lanes::all(1)) / load(p.normal_mass));
+      bias[i] = select(Lanes::all(touching_gap) < s, s * per_h, rate * s);
     }
     push_points(contacts, frame, impulse, solve_pair(contacts, frame, impulse, give, bias), spring);
   } else {
@@ -189,7 +190,7 @@ void relax(Contacts& contacts, FrameOf<Contacts>& frame) {
     auto& p = contacts.point[i];
     impulse[i] = load(p.normal_impulse);
     before[i] = again ? impulse[i] : nothing;
-    idle[i] = (impulse[i] == nothing) & (nothing < load(p.gap));
+    idle[i] = (impulse[i] == nothing) & (Lanes::all(touching_gap) < load(p.gap));
   }
   const auto rigid = [&](std::uint32_t i) {
     const auto& p = contacts.point[i];
@@ -354,17 +355,23 @@ void meet_contacts(const ContactTable& table, const BodyRows& bodies, Real slow)
   });
 }
 
-bool stick_or_slip(const ContactTable& table) {
+bool stick_or_slip(const ContactTable& table, const BodyRows& bodies, Real creep, Real creep_in_web) {
   bool broke = false;
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
     if constexpr (rubs<Contacts>) {
       if (contacts.two_frictions == 0) return;
+      const LanesFrame frame(contacts, bodies.velocity);
       const Lanes mu = load(contacts.friction);
+      const Lanes slow = select(Lanes::Mask::of(contacts.web), Lanes::all(creep_in_web), Lanes::all(creep));
       std::uint32_t slips = contacts.two_frictions;
+      std::uint32_t moves = 0;
       for (const auto& p : contacts.point) {
         const Lanes rubbed = load(p.tangent_impulse);
+        const Lanes speed = frame.tangent_velocity(p);
         slips &= (mu * load(p.normal_impulse) <= max(rubbed, -rubbed)).bits();
+        moves |= (slow < max(speed, -speed)).bits();
       }
+      slips &= moves;
       broke |= (slips & ~contacts.slips) != 0;
       contacts.slips = slips;
       choose_friction(contacts);

@@ -141,7 +141,7 @@ struct Tangle {
       passes.press(table, rows, soft, h);
       far |= by.drift_bodies(rows, h);
       passes.relax(table, rows, false);
-      broke |= passes.stick_or_slip(table);
+      broke |= passes.stick_or_slip(table, rows, Real{1} / 8, Real{1} / 2);
       passes.relax(table, rows, true);
     }
     passes.settle(table, soft, false);
