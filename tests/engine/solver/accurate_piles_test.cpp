@@ -57,8 +57,8 @@ double speed_of_smooth_discs(int count, double seconds) {
   std::vector<BodyId> discs;
   for (int i = 0; i < count; ++i) {
     const double x = (i % columns - (columns - 1) / 2.) * .6 + seeded(random, -.04, .04);
-    discs.push_back(
-        world.create_body(at(x, .3 + .6 * (i / columns)), Shape::circle(real(seeded(random, .2, .25))), smooth));
+    const int row = i / columns;
+    discs.push_back(world.create_body(at(x, .3 + .6 * row), Shape::circle(real(seeded(random, .2, .25))), smooth));
   }
   run_for(world, seconds);
   double sum = 0;
@@ -80,7 +80,8 @@ TEST(Accurate, AHeavyBodyInAWallOfSmallOnesGainsNoEnergy) {
   BodyDef heavy = at(-3, 0, 10);
   world.create_body(heavy, Shape::box({1, 1}), {8, real(.4), real(.4), 0});
   for (int i = 0; i < 48; ++i) {
-    world.create_body(at(i / 8 * .41, (i % 8 - 3.5) * .41), Shape::box(vec(.2, .2)), material(0, .4));
+    const int column = i / 8;
+    world.create_body(at(column * .41, (i % 8 - 3.5) * .41), Shape::box(vec(.2, .2)), material(0, .4));
   }
   const double start = energy(world);
   double last = start;

@@ -61,7 +61,8 @@ World drum(const Settings& settings, Real nudge, bool discs) {
   constexpr int side = 16;
   constexpr double pitch = 10.0 / side;
   for (int i = 0; i < side * side; ++i) {
-    BodyDef body = at(pitch * (i % side + .5) - 5, pitch * (i / side + .5) - 4.95);
+    const int row = i / side;
+    BodyDef body = at(pitch * (i % side + .5) - 5, pitch * (row + .5) - 4.95);
     body.position.x += nudge;
     body.angle = random.number(-.2, .2);
     const Real size = real(pitch) * random.number(.42, .45);
@@ -185,7 +186,8 @@ TEST(Piles, OfDiscsChangeMomentumOnlyByTheReportedImpulses) {
     World world(settings);
     see_contacts(world);
     for (int i = 0; i < 100; ++i) {
-      const BodyId disc = world.create_body(at(.45 * (i % 10), .45 * (i / 10)), Shape::circle(real(.225)), rough);
+      const int row = i / 10;
+      const BodyId disc = world.create_body(at(.45 * (i % 10), .45 * row), Shape::circle(real(.225)), rough);
       // All fall together at first; neighbours pass each other.
       const Vec2 inwards = Vec2{real(2), real(2)} - world.body(disc).position();
       world.body(disc).set_velocity(inwards + real(i % 2 == 0 ? .5 : -.5) * perpendicular(inwards), 0);

@@ -88,7 +88,8 @@ TEST(Turning, AnImpactOnAWallCausesNoOverlapOfItsBoxes) {
     World world(settings);
     world.create_body(at(-3, 0, 10), Shape::box({1, 1}), {8, real(.4), real(.4), 0});
     for (int i = 0; i < 48; ++i) {
-      world.create_body(at(i / 8 * .41, (i % 8 - 3.5) * .41), Shape::box({real(.2), real(.2)}), wood);
+      const int column = i / 8;
+      world.create_body(at(column * .41, (i % 8 - 3.5) * .41), Shape::box({real(.2), real(.2)}), wood);
     }
     EXPECT_LT(deepest(world, 40), static_cast<double>(tolerated_sink)) << solver;
   }
@@ -138,7 +139,8 @@ TEST(Turning, AHeapOfFallingBoxesOverlapsByMillimetres) {
     world.create_body(wall, Shape::box({real(.2), 5}), tough);
   }
   for (int i = 0; i < 120; ++i) {
-    BodyDef box = at(-1.75 + .7 * (i % 6) + random.number(-.05, .05), 1 + .6 * (i / 6), 0, -6);
+    const int row = i / 6;
+    BodyDef box = at(-1.75 + .7 * (i % 6) + random.number(-.05, .05), 1 + .6 * row, 0, -6);
     box.angle = random.number(0, 1.5);
     world.create_body(box, Shape::box({random.number(.1, .2), random.number(.1, .2)}), tough);
   }
@@ -270,8 +272,9 @@ TEST(Turning, GivesDiscsWhatTheirContactsReport) {
   settings.gravity = {};
   World world(settings);
   for (int i = 0; i < 36; ++i) {
+    const int row = i / 6;
     const double x = i % 6 - 2.5;
-    const double y = i / 6 - 2.5;
+    const double y = row - 2.5;
     world.create_body(at(.21 * x, .23 * y, -2 * x, -3 * y, i % 5 - 2), Shape::circle(real(.1)),
                       {1, real(.4), real(.4), real(.2)});
   }
