@@ -96,6 +96,14 @@ using Json = nlohmann::json;
 
 constexpr std::size_t max_depth = 16;  // a scene needs 6
 
+// A key as it stands in the path to a value: bare if that is clear, else as in the text.
+std::string in_path(const std::string& key) {
+  const auto is_clear = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !key.empty() && std::ranges::all_of(key, is_clear) ? printable(key) : Json(printable(key)).dump();
+}
+
 // Builds the value as the parser reads it and keeps track of the path to the current position.
 class JsonBuilder final : public nlohmann::json_sax<Json> {
  public:
@@ -166,7 +174,7 @@ class JsonBuilder final : public nlohmann::json_sax<Json> {
     std::string path;
     for (const Open& in : open_) {
       if (in.value->is_object()) {
-        path += (path.empty() ? "" : ".") + printable(in.key);
+        path += (path.empty() ? "" : ".") + in_path(in.key);
       } else {
         // The element being read is already in the list, unless this is the innermost level.
         path += "[" + std::to_string(in.value->size() - (&in == &open_.back() ? 0 : 1)) + "]";

@@ -114,6 +114,8 @@ TEST(ReadScene, SaysLineAndColumnIfTheTextIsNotJson) {
 TEST(ReadScene, RefusesDuplicateKeys) {
   EXPECT_EQ(refusal(R"({"plumb": 1, "bodies": [{}, {"name": "a", "type": "static", "name": "b"}]})"),
             "scene.json: bodies[1].name: this key is given twice");
+  EXPECT_EQ(refusal(R"({"plumb": 1, "a \": b": [{"x": 0, "x": 1}]})"),
+            R"(scene.json: "a \": b"[0].x: this key is given twice)");
 }
 
 TEST(ReadScene, RefusesNumbersBeyondDoublePrecision) {
