@@ -54,6 +54,7 @@ TruthCheck truth_check_from(const JsonReader& from) {
           .error = number_or_null(from["error"]),
           .tolerance = number_or_null(from["tolerance"]),
           .scale = number_or_null(from["scale"]),
+          .chance = from.number("chance", 0, {0, 1e300}),
           .passed = from["passed"].boolean(),
           .reported = from["reported"].boolean()};
 }

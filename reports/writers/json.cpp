@@ -31,23 +31,25 @@ Json phases_of(const TruthCheck& check) {
 }
 
 Json of(const TruthCheck& check) {
-  return {{"body", check.body},
-          {"quantity", check.quantity},
-          {"unit", check.unit},
-          {"time", check.time},
-          {"relation", name_of(check.relation)},
-          {"expected", check.expected},
-          {"measured", check.measured},
-          {"error", check.error},
-          {"tolerance", check.tolerance},
-          {"ratio", error_ratio(check.error, check.tolerance)},
-          {"scale", check.scale},
-          {"relative_error", relative_error(check)},
-          {"evidence", is_evidence(check)},
-          {"passed", check.passed},
-          {"reported", check.reported},
-          {"phases", phases_of(check)},
-          {"source", check.source}};
+  Json json{{"body", check.body},
+            {"quantity", check.quantity},
+            {"unit", check.unit},
+            {"time", check.time},
+            {"relation", name_of(check.relation)},
+            {"expected", check.expected},
+            {"measured", check.measured},
+            {"error", check.error},
+            {"tolerance", check.tolerance},
+            {"ratio", error_ratio(check.error, check.tolerance)},
+            {"scale", check.scale},
+            {"relative_error", relative_error(check)},
+            {"evidence", is_evidence(check)},
+            {"passed", check.passed},
+            {"reported", check.reported},
+            {"phases", phases_of(check)},
+            {"source", check.source}};
+  if (check.chance > 0) json["chance"] = check.chance;
+  return json;
 }
 
 Json of(const InvariantCheck& check) {

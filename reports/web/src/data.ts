@@ -18,7 +18,7 @@ export interface TruthCheck {
   error: number | null;
   tolerance: number | null;
   ratio: number | null; // error / tolerance; null for a tolerance of 0 or an error that is not finite
-  relative_error: number | null; // error / scale of the scene; null for an unknown scale or an error that is not finite
+  relative_error: number | null; // error / scale of the scene, without what chance explains; null for an unknown scale or an error that is not finite
   evidence: boolean; // false if the tolerance is too large for the check to be a test
   relation: "equal" | "at least" | "at most"; // of measured to expected
   passed: boolean;

@@ -48,6 +48,18 @@ TEST(ReportFromJson, ReadsBackRunsChecksAndTimes) {
   EXPECT_EQ(back.timings[0].repetitions, 5);
 }
 
+TEST(ReportFromJson, ReadsBackWhatChanceExplains) {
+  Report report = sample_report();
+  EXPECT_FALSE(to_json(report)["runs"][1]["truth"][0].contains("chance")) << "nothing";
+  TruthCheck& check = report.runs[1].truth[0];
+  check.error = 0.5;
+  check.scale = 2;
+  check.chance = 0.25;
+  const nlohmann::ordered_json json = to_json(report);
+  EXPECT_EQ(json["runs"][1]["truth"][0]["relative_error"], 0.125);
+  EXPECT_EQ(relative_error(read_back(json).runs[1].truth[0]), 0.125);
+}
+
 // As version 1 wrote it.
 TEST(ReportFromJson, ReadsVersion1) {
   const nlohmann::ordered_json now = to_json(sample_report());
