@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "reports/judge/overlap.h"
 #include "reports/system/hash.h"
+#include "scenarios/catalog.h"
+#include "scenarios/scene/nearest.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb {
@@ -156,6 +162,15 @@ void season(Draw& draw, Scene& scene) {
 
 }  // namespace
 
+const Kind& find_kind(const std::string& name) {
+  const Kind* found = Catalog<Kind>::find(name);
+  if (found != nullptr) return *found;
+  std::vector<std::string> names;
+  names.reserve(Catalog<Kind>::all().size());
+  for (const Kind* kind : Catalog<Kind>::all()) names.push_back(kind->name);
+  throw std::invalid_argument(unknown("kind", name, names));
+}
+
 Scene drawn(const Kind& kind, std::uint64_t seed, int n) {
   Draw draw(seed_of(kind, seed, n));
   Scene scene = kind.scene(draw);
@@ -163,6 +178,17 @@ Scene drawn(const Kind& kind, std::uint64_t seed, int n) {
   scene.name = fmt::format("{}/{}", kind.name, n);
   scene.about = fmt::format("{} Drawn from seed {}.", kind.about, seed);
   return scene;
+}
+
+Scene drawn(const std::string& name, std::uint64_t seed) {
+  const std::size_t slash = std::min(name.find('/'), name.size());
+  const std::string_view number = std::string_view(name).substr(std::min(slash + 1, name.size()));
+  int n = -1;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), n);
+  if (error != std::errc{} || end != number.data() + number.size() || n < 0) {
+    throw std::invalid_argument("\"" + name + "\": a random scene is KIND/N, such as heap/3; see plumb list kinds");
+  }
+  return drawn(find_kind(name.substr(0, slash)), seed, n);
 }
 
 }  // namespace plumb

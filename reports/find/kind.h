@@ -83,4 +83,10 @@ struct Kind {
 /// The n-th scene of a kind, n from 0, named "KIND/n": the same on every machine and whatever else is drawn.
 Scene drawn(const Kind&, std::uint64_t seed, int n);
 
+/// The scene of such a name. Throws std::invalid_argument for any other.
+Scene drawn(const std::string& name, std::uint64_t seed);
+
+/// Throws std::invalid_argument with the nearest name if there is no such kind.
+const Kind& find_kind(const std::string& name);
+
 }  // namespace plumb

@@ -18,7 +18,6 @@
 #include "reports/study/results_file.h"
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
-#include "scenarios/scene/nearest.h"
 #include "scenarios/scene/scene_json.h"
 
 namespace plumb {
@@ -46,15 +45,6 @@ struct Search {
 
   const Suspect& suspect(const std::string& name) const { return *std::ranges::find(suspects, name, &Suspect::name); }
 };
-
-const Kind& find_kind(const std::string& name) {
-  const Kind* found = Catalog<Kind>::find(name);
-  if (found != nullptr) return *found;
-  std::vector<std::string> names;
-  names.reserve(Catalog<Kind>::all().size());
-  for (const Kind* kind : Catalog<Kind>::all()) names.push_back(kind->name);
-  throw std::invalid_argument(unknown("kind", name, names));
-}
 
 std::vector<const Kind*> kinds_named(const std::vector<std::string>& names) {
   std::vector<const Kind*> kinds;
@@ -112,9 +102,8 @@ struct Lead {
 };
 
 JobOutput cut_down(const Search& search, const Lead& lead) {
-  const auto slash = lead.scene.find('/');
-  const Kind& kind = find_kind(lead.scene.substr(0, slash));
-  Scene scene = drawn(kind, search.seed, std::stoi(lead.scene.substr(slash + 1)));
+  const Kind& kind = find_kind(lead.scene.substr(0, lead.scene.find('/')));
+  Scene scene = drawn(lead.scene, search.seed);
   const Suspect& suspect = search.suspect(lead.engine);
   const Judges judges = Judges::of_reason(lead.reason);
   const CutTrial trial{

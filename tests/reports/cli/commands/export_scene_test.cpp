@@ -38,6 +38,25 @@ TEST_F(Export, WritesAReportedCaseAsItIs) {
   EXPECT_FALSE(json(at("f.json"))["truth"].empty());
 }
 
+TEST_F(Export, WritesTheSceneThatFindDraws) {
+  const auto exported = [&](const char* seed) {
+    EXPECT_EQ(say({"export", "random:heap/3", "--seed", seed, "--out", at("f.json"), "--force"}).code, 0);
+    return json(at("f.json"));
+  };
+  EXPECT_EQ(exported("7")["name"], "heap/3");
+  EXPECT_EQ(exported("7"), exported("7"));
+  EXPECT_NE(exported("7"), exported("8"));
+}
+
+TEST_F(Export, SaysHowRandomScenesAreNamed) {
+  for (const char* word : {"random:heap", "random:heap/", "random:heap/x", "random:heap/-1", "random:heap/1/2"}) {
+    const Said said = say({"export", word, "--out", at("f.json")});
+    EXPECT_EQ(said.code, 2);
+    EXPECT_THAT(said.err, HasSubstr("KIND/N"));
+  }
+  EXPECT_THAT(say({"export", "random:heip/1", "--out", at("f.json")}).err, HasSubstr("heap"));
+}
+
 TEST_F(Export, KeepsASymbolicLink) {
   put("target.json", "old");
   fs::create_symlink("target.json", at("link.json"));
