@@ -19,6 +19,9 @@ struct InverseMass {
   Real i = 0;  // 1/(kg m^2)
 };
 
+/// Whether impulses change the body's velocity.
+inline bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
+
 /// How a body responds to gravity and damping.
 struct Response {
   Real gravity_scale = 1;
@@ -87,11 +90,9 @@ struct BodySet {
 
   bool dynamic(std::size_t i) const { return detail[i].def.type == BodyType::dynamic; }
   /// Whether impulses change its velocity: an awake dynamic body.
-  bool pushable(std::size_t i) const { return inverse_mass[i].m + inverse_mass[i].i > 0; }
+  bool pushable(std::size_t i) const { return impulse::pushable(inverse_mass[i]); }
   /// Whether a step may move it: an awake dynamic body or a moving kinematic one.
-  bool moves(std::size_t i) const {
-    return inverse_mass[i].m + inverse_mass[i].i > 0 || velocity[i].v != Vec2{} || velocity[i].w != 0;
-  }
+  bool moves(std::size_t i) const { return pushable(i) || velocity[i].v != Vec2{} || velocity[i].w != 0; }
 
   /// Moves row i for h seconds at its velocity.
   void advance(std::size_t i, Real h) { advance(i, velocity[i], h); }

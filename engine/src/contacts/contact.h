@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "impulse/math.h"
 
@@ -41,6 +42,8 @@ struct Contact {
   Pose found_a, found_b;                // of the bodies when points and separations were found
   std::array<ContactPoint, 2> points;
 
+  /// Its points are not those found at its bodies' poses, so that the next search must find them anew.
+  void forget_place() { found_a.p = found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity(); }
   bool discs() const { return disc_a && disc_b; }
   /// Whether friction depends on what it did before.
   bool two_frictions() const { return static_friction != dynamic_friction; }

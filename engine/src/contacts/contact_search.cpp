@@ -15,6 +15,7 @@ namespace {
 /// m: contacts persist while both bodies together have moved by less than this since the points were found, if the
 /// points are closer than the gap.
 constexpr Real most_persistent_motion = static_cast<Real>(0.01);
+constexpr Real most_persistent_turn = static_cast<Real>(0.001);  // rad, of normals: a share of what they bear
 constexpr Real most_persistent_gap = static_cast<Real>(0.005);
 
 /// Whether the points may persist. The normal of rounded shapes turns as they roll over a corner, by a tenth for a disc
@@ -156,7 +157,7 @@ void ContactSearch::persist_points(const SearchInput& input, std::span<const std
   kept_.resize(candidates);
   contact_kernels().persist_points(last_.data(), candidate_contacts_.data(), static_cast<std::uint32_t>(candidates),
                                    input.bodies.pose.data(), input.bodies.bounding_radius.data(),
-                                   most_persistent_motion, kept_.data());
+                                   {most_persistent_motion, most_persistent_turn}, kept_.data());
   for (std::size_t i = 0; i < candidates; ++i) {
     const std::uint32_t pair = may_persist_[i];
     counts_[pair] = persistent;

@@ -155,6 +155,7 @@ void Accurate::fly_all(StepData& data) {
 }
 
 void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space) {
+  ScalarContacts contacts(data.bodies, motion_);
   space.turning.find_again(data, start_, motion_);
   Real hit_at = 0;
   if (island.bounces) {
@@ -164,8 +165,8 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   space.turning.lead(island, data.bodies, motion_);
   if (!island.joints.empty()) island.joints.halve();
   const Real pressed_by = island.two_frictions ? pressing(island) : 0;
-  if (island.two_frictions) ScalarContacts(data.bodies, motion_).meet(island, slow_impact(pressed_by, island.h));
-  ScalarContacts(data.bodies, motion_).halve(island, kicks_);
+  if (island.two_frictions) contacts.meet(island, slow_impact(pressed_by, island.h));
+  contacts.halve(island, kicks_);
   if (!island.joints.empty() || island.more_sweeps > 0)
     space.bound.note(island.bodies, island.held, data.bodies, motion_);
   if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
@@ -179,23 +180,22 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   if (!island.joints.empty()) island.joints.write();
   kick(data.bodies, island);
   const bool borne = island.single && hit_at > 0;
-  if (borne) ScalarContacts(data.bodies, motion_).keep_borne(island, hit_at / island.h);
+  if (borne) contacts.keep_borne(island, hit_at / island.h);
   solve.relax(island.settling ? std::max(settling_sweeps_for(island.bodies.size()), island.sweeps)
                               : island.sweeps + pressed);
   solve.relax_through();
-  if (island.two_frictions &&
-      ScalarContacts(data.bodies, motion_).stick_or_slip(island, creep_of(pressed_by, island.h))) {
+  if (island.two_frictions && contacts.stick_or_slip(island, no_slip_in_web(pressed_by, island.h))) {
     solve.relax(island.sweeps);
   }
   if (island.more_sweeps > 0) solve.relax_until_bounded(space.bound, acceleration_);
-  ScalarContacts(data.bodies, motion_).turn_back(island);
+  contacts.turn_back(island);
   if (!joints_fit || island.ideal) {
     // Compliant joints must return their energy as height, not as speed.
     const Real gain = joints_fit && !island.joints.swept() ? ideal_gain : Real{0};
     const bool slowed = space.bound.keep(data.bodies, start_, motion_, acceleration_, gain);
     if (slowed && !joints_fit) island.joints.forget();
   }
-  if (island.settling) ScalarContacts(data.bodies, motion_).settle_offsets(island);
+  if (island.settling) contacts.settle_offsets(island);
   note_loads(island);
   if (island.press_sweeps > 0 && !island.varies && !borne) space.unpushed.restore(island, loaded_, data.bodies);
   if (island.press_sweeps > 0) space.solves.search.temper(island, data.bodies, acceleration_, kicks_, changes_);
@@ -255,7 +255,7 @@ void Accurate::drift(StepData& data, const Island& island) {
 
 void Accurate::note_loads(const Island& island) {
   for (ImpactRow& row : island.rows) {
-    for (RowPoint& p : row.points) row.note(p, {p.normal_impulse, p.tangent_impulse}, row.normal);
+    for (RowPoint& p : row.points) row.note(p, p, row.normal, {p.normal_impulse, p.tangent_impulse});
   }
   if (!island.bounces && island.press_sweeps == 0) return;  // not needed
   for (const std::uint32_t body : island.bodies) loaded_[body] = 0;

@@ -11,8 +11,6 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-inline bool pushable(const InverseMass& mass) { return mass.m + mass.i > 0; }
-
 /// What a constraint demands of its rate w and its impulse j.
 enum class Law : std::uint8_t {
   holds,   // w = 0: an equation of a joint

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "narrow_phase/collide.h"
 #include "narrow_phase/margin.h"
 #include "solver/impact_row.h"
 
@@ -16,11 +15,6 @@ constexpr Real slid_far = static_cast<Real>(0.002);      // m, that bodies slide
 constexpr Real sought_within = static_cast<Real>(0.05);  // m, gap up to which points are sought
 /// Of a sub-step: intervals are not halved further.
 constexpr Real shortest = Real{1} / 16;
-
-/// The next search finds the points of the contact again, however little its bodies have moved.
-void forget_place(Contact& contact) {
-  contact.found_a.p = contact.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
-}
 
 }  // namespace
 
@@ -60,7 +54,11 @@ void DirectIsland::begin() {
   note_velocities(before_);
   by_forces_.assign(members_.bodies.size(), {});
   for (const DirectContact& contact : contacts_) {
-    for (std::size_t i = 0; i < contact.count; ++i) push(contact, contact.frame, i, contact.impulse[i]);
+    ContactEffect last;
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      last.note(contact.frame.points[i], contact.frame.normal, contact.impulse[i]);
+    }
+    push(contact, last);
   }
   for (const ActiveJoint* joint : members_.joints) {
     const JointBlock& block = joint->block;
@@ -101,9 +99,10 @@ void DirectIsland::begin_contacts() {
 
 /// Between impacts bodies move as RATTLE moves them (H. C. Andersen, J. Comput. Phys. 52 (1983)).
 ///
-/// `then`: the contact that is struck at the end of the interval. False, with nothing changed, if impulses
-/// for so long an interval are not found: gaps are too far from linear in it.
-bool DirectIsland::advance(Real h, std::uint32_t then) {
+/// `then`: the contact that is struck at the end of the interval. s, by which it went on: less if that contact closes
+/// sooner than it seemed to; 0, with nothing changed, if impulses for so long an interval are not found: gaps are too
+/// far from linear in it.
+Real DirectIsland::advance(Real h, std::uint32_t then) {
   refresh();
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) let_wait(contacts_[c], c == then);
   note_velocities(before_);
@@ -112,11 +111,16 @@ bool DirectIsland::advance(Real h, std::uint32_t then) {
   const bool found = press(h);
   if (!found) {
     restore_velocities();
-    if (h > shortest * h_) return false;
+    if (h > shortest * h_) return 0;
     bound_.note(members_.bodies, is_held(), step_->data.bodies, step_->motion);
     by_forces_.assign(members_.bodies.size(), {});
     kick(h);
     press_as_linear(h);
+  }
+  const Real share = found && h > shortest * h_ ? apart_for(then, h) : Real{1};
+  if (share < 1) {
+    restore_velocities();
+    return advance(share * h, then);
   }
   note_press();
   drift(h);
@@ -126,10 +130,36 @@ bool DirectIsland::advance(Real h, std::uint32_t then) {
   if (!found && !is_driven()) {
     bound_.keep(step_->data.bodies, step_->start, step_->motion, step_->acceleration, 0);
   }
-  if (8 * h < h_) return true;  // too short to tell loads from rounding
+  if (8 * h < h_) return h;  // too short to tell loads from rounding
   note_loads(h);
   last_ = h;
-  return true;
+  return h;
+}
+
+/// The share of an interval that can be gone without overlaps that nothing resolves: until a point of the contact that
+/// waits for its impact closes, as that is predicted from the loads of the last interval, which this one may not have;
+/// half of it if other features meet before its end.
+Real DirectIsland::apart_for(std::uint32_t then, Real h) const {
+  constexpr Real little = static_cast<Real>(5e-5);  // m
+  Real share = 1;
+  for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
+    const DirectContact& contact = contacts_[c];
+    const Motion a = motion_after(contact.a, h);
+    const Motion b = motion_after(contact.b, h);
+    Real least = 0;  // m, gap at the end
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      const Real now = contact.frame.points[i].separation;
+      const Real later = contact.touch.gap(i, a, b);
+      least = std::min(least, later);
+      if (c == then && contact.waits[i] && now > 0 && later < -little) share = std::min(share, now / (now - later));
+    }
+    if (least < -little || !slides_far(contact, a, b)) continue;
+    const Manifold found = collide_at(contact, a, b, 0);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i) {
+      if (found.points[i].separation < -little) share = std::min(share, Real{0.5});
+    }
+  }
+  return share;
 }
 
 void DirectIsland::end() {
@@ -139,8 +169,8 @@ void DirectIsland::end() {
     Contact& to = data.contacts[contact.contact];
     to.slips = contact.slips;
     to.offset = 0;
-    const std::array<Vec2, 2> total = reported(contact, to);
-    if (contact.found_again) forget_place(to);
+    const std::array<Vec2, 2> total = reported(contact.effect, contact.total, contact.mass_a, contact.mass_b, to);
+    if (contact.found_again) to.forget_place();
     for (std::size_t i = 0; i < contact.count; ++i) {
       ContactPoint& p = to.points[i];
       p.normal_impulse = per_step * contact.impulse[i].x;
@@ -155,41 +185,6 @@ void DirectIsland::end() {
       row.half *= per_step;
     });
   }
-}
-
-/// N s, of each point along the normal and tangent of the step's end, that act on the bodies as all impulses of the
-/// step did: if the normal turned meanwhile, they get the mean one, and points where they turn the bodies as much. None
-/// if all that is left of opposite ones is rounding, which has no direction.
-std::array<Vec2, 2> DirectIsland::reported(const DirectContact& contact, Contact& to) {
-  std::array<Vec2, 2> total = contact.total;
-  const Vec2 sum = total[0] + total[1];
-  const Real effect = length(contact.acted);
-  const Real all = length(sum);
-  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-  if (effect <= rounding * contact.given) return {};
-  const Real share = effect / static_cast<Real>(contact.count);
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    total[i] = all > 0 ? (effect / all) * total[i] : Vec2{share, 0};
-  }
-  const Vec2 along = all > 0 ? sum : Vec2{1, 0};
-  const Vec2 normal = normalized(Rotation(along.x, along.y).inverse() * contact.acted);
-  if (length(normal - to.normal) <= rounding) return total;
-  to.normal = normal;
-  forget_place(to);
-  const Real pushes = total[0].x + total[1].x;
-  if (!(pushes > 0)) return total;
-  Real turned_a = 0;
-  Real turned_b = 0;
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    const Vec2 world = total[i].x * normal + total[i].y * perpendicular(normal);
-    turned_a += cross(to.points[i].arm_a, world);
-    turned_b += cross(to.points[i].arm_b, world);
-  }
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    to.points[i].arm_a += (turned_a - contact.turned_a) / pushes * perpendicular(normal);
-    to.points[i].arm_b += (turned_b - contact.turned_b) / pushes * perpendicular(normal);
-  }
-  return total;
 }
 
 void DirectIsland::note_velocities(std::vector<Velocity>& to) const {
@@ -240,24 +235,35 @@ void DirectIsland::refresh() {
   for (ActiveJoint* joint : members_.joints) joint->block = ahead(*joint, 0);
 }
 
-/// Finds a contact again if its bodies have slid past each other since the last time, because other corners may be
-/// near. Where a body meets several shapes of the ground, only the search removes ghost collisions at joins.
+/// Whether the bodies have slid so far past each other since their contact was found that other corners may be near.
+/// Where a body meets several shapes of the ground, only the search removes ghost collisions at joins.
+bool DirectIsland::slides_far(const DirectContact& contact, const Motion& a, const Motion& b) const {
+  const std::vector<Real>& reach = step_->data.bodies.bounding_radius;
+  return !contact.joins && contact.touch.moved(a, b, reach[contact.a], reach[contact.b]) >= slid_far;
+}
+
+/// The points of a contact when its bodies have moved by a and b since the start of the step. `margin`: m.
+Manifold DirectIsland::collide_at(const DirectContact& contact, const Motion& a, const Motion& b, Real margin) const {
+  const Contact& from = step_->data.contacts[contact.contact];
+  const auto shape = [this](std::uint32_t body, std::uint16_t part) -> const Shape& {
+    return step_->data.bodies.detail[body].parts[part].shape;
+  };
+  return collide(shape(contact.a, from.part_a), a.from(step_->start[contact.a]), shape(contact.b, from.part_b),
+                 b.from(step_->start[contact.b]), margin);
+}
+
+/// Finds a contact again if its bodies have slid far.
 bool DirectIsland::find(DirectContact& contact) {
   StepData& data = step_->data;
   const BodySet& bodies = data.bodies;
   const Motion& a = step_->motion[contact.a];
   const Motion& b = step_->motion[contact.b];
-  if (contact.joins ||
-      contact.touch.moved(a, b, bodies.bounding_radius[contact.a], bodies.bounding_radius[contact.b]) < slid_far) {
-    return false;
-  }
+  if (!slides_far(contact, a, b)) return false;
   Contact& found = data.contacts[contact.contact];
   const Pose pose_a = a.from(step_->start[contact.a]);
   const Pose pose_b = b.from(step_->start[contact.b]);
-  const Shape& shape_a = bodies.detail[contact.a].parts[found.part_a].shape;
-  const Shape& shape_b = bodies.detail[contact.b].parts[found.part_b].shape;
   const auto found_within = [&](Real t) {
-    return collide(shape_a, pose_a, shape_b, pose_b, speculative_gap(bodies, contact.a, contact.b, {sought_within, t}));
+    return collide_at(contact, a, b, speculative_gap(bodies, contact.a, contact.b, {sought_within, t}));
   };
   Manifold m = found_within(h_);
   if (m.count == 0) m = found_within(data.settings.dt);

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "bodies/body_set.h"
+#include "contacts/contact_effect.h"
 #include "joints/joint_set.h"
+#include "narrow_phase/collide.h"
 #include "solver/constraint_system.h"
 #include "solver/energy_bound.h"
 #include "solver/motion.h"
@@ -32,17 +34,16 @@ struct DirectContact {
   bool found_again = false;     // within the step
   bool joins = false;           // the ground has other shapes here
   Touch touch;
-  TouchFrame frame;                 // at the present poses
-  TouchFrame pressed_at;            // where `pressing` acted
-  std::array<Vec2, 2> impulse{};    // N s, of each point, along normal and tangent, in the last full interval
-  std::array<Vec2, 2> pressed{};    // of these, before the drift
-  std::array<Vec2, 2> pressing{};   // the same in this interval
-  std::array<Vec2, 2> total{};      // in this step, blows included
-  Vec2 acted;                       // N s, of all points in this step, in the world's frame
-  Real given = 0;                   // N s, the same, added up without their directions
-  Real turned_a = 0, turned_b = 0;  // N m s, the moments of these about the bodies' centres
-  std::uint32_t row = 0;            // of the first point in the system
-  std::uint32_t friction_row = 0;   // or no_row
+  TouchFrame frame;                // at the present poses
+  Vec2 pressed_along;              // the normal along which `pressing` acted
+  ContactEffect pressed_by;        // what that did, wherever its points were
+  std::array<Vec2, 2> impulse{};   // N s, of each point, along normal and tangent, in the last full interval
+  std::array<Vec2, 2> pressed{};   // of these, before the drift
+  std::array<Vec2, 2> pressing{};  // the same in this interval
+  std::array<Vec2, 2> total{};     // in this step, blows included
+  ContactEffect effect;            // of all points in this step
+  std::uint32_t row = 0;           // of the first point in the system
+  std::uint32_t friction_row = 0;  // or no_row
 
   static constexpr std::uint32_t no_row = ~std::uint32_t{0};
   Real friction() const { return slips ? dynamic_friction : static_friction; }
@@ -85,13 +86,15 @@ class DirectIsland {
   void begin_contacts();
   void substep();
   Real longest() const;
-  bool advance(Real h, std::uint32_t then = DirectContact::no_row);
+  Real advance(Real h, std::uint32_t then);
+  Real apart_for(std::uint32_t then, Real h) const;
   void end();
-  static std::array<Vec2, 2> reported(const DirectContact& contact, Contact& to);
 
   // Contacts and joints at present.
   void refresh();
   bool find(DirectContact& contact);
+  bool slides_far(const DirectContact& contact, const Motion& a, const Motion& b) const;
+  Manifold collide_at(const DirectContact& contact, const Motion& a, const Motion& b, Real margin) const;
   JointBlock ahead(const ActiveJoint& joint, Real t) const;
   Motion motion_after(std::uint32_t body, Real t) const;
 
@@ -115,9 +118,9 @@ class DirectIsland {
   Real missed(Real h) const;
   bool stick_or_slip();
   Vec2 solved(const DirectContact& contact, std::size_t point) const;
-  static void note(DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse);
+  void note(DirectContact& contact, const std::array<Vec2, 2>& before) const;
   bool let_go();
-  void push(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse);
+  void push(const DirectContact& contact, const ContactEffect& by);
   void note_velocities(std::vector<Velocity>& to) const;
   void let_wait(DirectContact& contact, bool struck) const;
   /// m/s, what closes more slowly is no impact.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "contacts/contact_effect.h"
 #include "contacts/contact_rows.h"
 #include "contacts/normal_of.h"
 
@@ -9,8 +10,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 /// m/s, a velocity that rounding may leave of none.
 constexpr Real no_speed = static_cast<Real>(1e-4);
-/// m/s, the slowest sliding: a contact that bears all of its static friction and stays below this holds.
-constexpr Real creeps = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-6);
+/// m/s, sliding that rounding may leave of none: a contact that bears all of its static friction holds below that.
+constexpr Real no_slip = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-6);
 
 /// The inverse of the matrix k of inverse effective masses of two points: maps velocity changes to impulses.
 struct PairMatrix {
@@ -52,7 +53,7 @@ struct ImpactRow : ContactRow {
   Vec2 between;              // of those centres at the start of the step
   Vec2 led;                  // their normal before the sub-step's drift
   std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
-  Vec2 acted;                // N s, impulse of the contact in this step, if its normal rotates
+  ContactEffect effect;      // if its normal rotates
   int age = 0;               // steps since the contact began
   bool made = false;         // still valid if the contact's points are those below
   Pose found_a, found_b;
@@ -72,24 +73,11 @@ struct ImpactRow : ContactRow {
   bool two_frictions() const { return static_friction != dynamic_friction; }
   /// The coefficient that limits friction now.
   Real friction() const { return slips ? dynamic_friction : static_friction; }
-  /// Adds a point's impulse, given along a normal and its tangent, to the totals of the step.
-  void note(RowPoint& p, Vec2 impulse, Vec2 along) {
+  /// Adds an impulse that acted at `at` along a normal and its tangent to a point's totals of the step.
+  void note(RowPoint& p, const PointArms& at, Vec2 along, Vec2 impulse) {
     p.total_normal += impulse.x;
     p.total_tangent += impulse.y;
-    if (turns) acted += impulse.x * along + impulse.y * perpendicular(along);
-  }
-  /// Converts the totals along a rotating normal into impulses along one normal, which it returns.
-  Vec2 join() {
-    Vec2 given;
-    for (const RowPoint& p : points) given += Vec2{p.total_normal, p.total_tangent};
-    const Real sum = length(given);
-    const Real effect = length(acted);
-    if (sum == 0 || effect == 0) return normal;
-    for (RowPoint& p : points) {
-      p.total_normal *= effect / sum;
-      p.total_tangent *= effect / sum;
-    }
-    return normalized(Rotation(given.x, given.y).inverse() * acted);
+    if (turns) effect.note(at, along, impulse);
   }
 };
 

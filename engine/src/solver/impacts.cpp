@@ -266,7 +266,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   collide(now, joints, struck, bodies);
   for (std::size_t i = 0; i < 2; ++i) {
     const RowPoint& given = now.points[i];
-    row.note(row.points[i], {given.total_normal, given.total_tangent}, now.normal);
+    row.note(row.points[i], given, now.normal, {given.total_normal, given.total_tangent});
   }
   for (std::size_t i = 0; i < struck.size(); ++i) {
     const std::uint32_t body = struck[i];

@@ -21,7 +21,7 @@ inline Real slow_impact(Real acceleration, Real h) { return static_cast<Real>(2.
 /// m/s, the sliding that breaks a contact of a web away which bears all of its static friction: in a web masses do not
 /// say how contacts share a load, so the sweeps may ask more of one than another could bear. One that cannot be held
 /// gains (F - mu_s N) h / m in a sub-step: more than this in the first one if a tenth of the load is missing.
-inline Real creep_of(Real acceleration, Real h) { return static_cast<Real>(0.1) * acceleration * h; }
+inline Real no_slip_in_web(Real acceleration, Real h) { return static_cast<Real>(0.1) * acceleration * h + no_slip; }
 
 /// Newton's impact law at the exact time of touching, inside a sub-step of h seconds.
 ///

@@ -48,8 +48,9 @@ void DirectIsland::substep() {
       now = next->time;
     }
     if (left - now <= at_the_end * h_) now = left;
-    if (advance(now, next ? next->contact : DirectContact::no_row)) {
-      left -= now;
+    const Real gone = advance(now, next ? next->contact : DirectContact::no_row);
+    if (gone > 0) {
+      left -= gone;
       if (next) ++contacts_[next->contact].approached;
     } else {
       solvable_ = now / 2;
@@ -235,8 +236,7 @@ void DirectIsland::strike(std::uint32_t index) {
   }
   solve_impact();
   for (DirectContact& contact : contacts_) {
-    if (!contact.struck) continue;
-    for (std::size_t i = 0; i < contact.count; ++i) note(contact, contact.frame, i, solved(contact, i));
+    if (contact.struck) note(contact, {});
   }
 }
 

@@ -175,7 +175,7 @@ bool DirectIsland::stick_or_slip() {
     Real load = 0;
     for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
     const Real rate = ConstraintSystem::speed(row, step_->data.bodies.velocity) + row.bias;
-    const bool slips = load > 0 && std::abs(row.impulse) >= row.friction * load && std::abs(rate) > creeps;
+    const bool slips = load > 0 && std::abs(row.impulse) >= row.friction * load && std::abs(rate) > no_slip;
     broke = broke || (slips && !contact.slips);
     contact.slips = slips;
     row.friction = contact.friction();
@@ -193,27 +193,32 @@ Vec2 DirectIsland::solved(const DirectContact& contact, std::size_t point) const
   return {normal, system_[contact.friction_row].impulse * share};
 }
 
-void DirectIsland::note(DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse) {
-  contact.total[point] += impulse;
-  contact.acted += impulse.x * frame.normal + impulse.y * perpendicular(frame.normal);
-  contact.given += length(impulse);
-  const PointArms& p = frame.points[point];
-  contact.turned_a += impulse.x * p.cross_a + impulse.y * p.dot_a;
-  contact.turned_b += impulse.x * p.cross_b + impulse.y * p.dot_b;
+/// Adds what the system has just changed to what the contact did in this step. `before`: N s, of each point, what it
+/// had when the system began.
+void DirectIsland::note(DirectContact& contact, const std::array<Vec2, 2>& before) const {
+  const Vec2 normal = contact.frame.normal;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    const Constraint& row = system_[contact.row + i];
+    contact.total[i] += solved(contact, i) - before[i];
+    contact.effect.note(contact.frame.points[i], normal, {row.impulse - row.given, 0});
+  }
+  if (contact.friction_row == DirectContact::no_row) return;
+  const Constraint& friction = system_[contact.friction_row];
+  PointArms at;  // both points rub as one
+  at.dot_a = friction.arm_a;
+  at.dot_b = friction.arm_b;
+  contact.effect.note(at, normal, {0, friction.impulse - friction.given});
 }
 
-/// Applies an impulse along normal and tangent.
-void DirectIsland::push(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Vec2 impulse) {
+void DirectIsland::push(const DirectContact& contact, const ContactEffect& by) {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
-  const PointArms& at = frame.points[point];
-  const Vec2 world = impulse.x * frame.normal + impulse.y * perpendicular(frame.normal);
   if (pushable(contact.mass_a)) {
-    velocity[contact.a].v -= contact.mass_a.m * world;
-    velocity[contact.a].w -= contact.mass_a.i * (impulse.x * at.cross_a + impulse.y * at.dot_a);
+    velocity[contact.a].v -= contact.mass_a.m * by.impulse;
+    velocity[contact.a].w -= contact.mass_a.i * by.turned_a;
   }
   if (pushable(contact.mass_b)) {
-    velocity[contact.b].v += contact.mass_b.m * world;
-    velocity[contact.b].w += contact.mass_b.i * (impulse.x * at.cross_b + impulse.y * at.dot_b);
+    velocity[contact.b].v += contact.mass_b.m * by.impulse;
+    velocity[contact.b].w += contact.mass_b.i * by.turned_b;
   }
 }
 
@@ -227,7 +232,7 @@ bool DirectIsland::let_go() {
       pressed += contact.pressing[i].x;
       left += system_[contact.row + i].impulse;
     }
-    return pressed > 0 && left == 0 && contact.pressed_at.normal != contact.frame.normal;
+    return pressed > 0 && left == 0 && contact.pressed_along != contact.frame.normal;
   };
   bool any = false;
   for (DirectContact& contact : contacts_) {
@@ -238,9 +243,10 @@ bool DirectIsland::let_go() {
   system_.restart(step_->data.bodies.velocity);
   for (DirectContact& contact : contacts_) {
     if (!contact.struck) continue;
+    push(contact, -contact.pressed_by);
+    contact.effect += -contact.pressed_by;
     for (std::size_t i = 0; i < contact.count; ++i) {
-      push(contact, contact.pressed_at, i, -contact.pressing[i]);
-      note(contact, contact.pressed_at, i, -contact.pressing[i]);
+      contact.total[i] -= contact.pressing[i];
       contact.pressing[i] = {};
       Constraint& row = system_[contact.row + i];
       row.mass_a = row.mass_b = {};
@@ -354,11 +360,12 @@ bool DirectIsland::is_held() const {
 
 void DirectIsland::note_press() {
   for (DirectContact& contact : contacts_) {
-    contact.pressed_at = contact.frame;
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      contact.pressing[i] = solved(contact, i);
-      note(contact, contact.frame, i, contact.pressing[i]);
-    }
+    const ContactEffect before = std::exchange(contact.effect, {});
+    note(contact, {});
+    contact.pressed_along = contact.frame.normal;
+    contact.pressed_by = contact.effect;
+    contact.effect += before;
+    for (std::size_t i = 0; i < contact.count; ++i) contact.pressing[i] = solved(contact, i);
   }
   pressing_joints_.clear();
   for (std::size_t j = 0; j < members_.joints.size(); ++j) {
@@ -440,16 +447,13 @@ void DirectIsland::relax(Real h) {
   }
   system_.solve(velocity);
   if (stick_or_slip()) system_.solve(velocity);
-  if (let_go()) system_.solve(velocity);
+  while (let_go()) system_.solve(velocity);
   const bool tells = 8 * h >= h_;  // guesses for the next interval
   for (DirectContact& contact : contacts_) {
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      const Vec2 impulse = solved(contact, i);
-      note(contact, contact.frame, i, impulse - contact.pressing[i]);
-      if (!tells) continue;
-      contact.impulse[i] = impulse;
-      contact.pressed[i] = contact.pressing[i];
-    }
+    note(contact, contact.pressing);
+    if (!tells) continue;
+    for (std::size_t i = 0; i < contact.count; ++i) contact.impulse[i] = solved(contact, i);
+    contact.pressed = contact.pressing;
   }
   if (!tells) return;
   pressing = pressing_joints_.begin();

@@ -9,8 +9,6 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-bool pushable(const BodySet& bodies, std::size_t i) { return bodies.inverse_mass[i].m + bodies.inverse_mass[i].i > 0; }
-
 constexpr std::uint32_t nobody = ~std::uint32_t{0};
 
 // Bits of the kinds of bodies.
@@ -70,7 +68,7 @@ bool Partition::nothing_changed(const StepData& data) {
   kinds_.resize(data.bodies.size());
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     kinds_[i] =
-        static_cast<std::uint8_t>((data.bodies.moves(i) ? stirs : 0) | (pushable(data.bodies, i) ? is_pushable : 0));
+        static_cast<std::uint8_t>((data.bodies.moves(i) ? stirs : 0) | (data.bodies.pushable(i) ? is_pushable : 0));
   }
   const std::uint64_t before = std::exchange(contact_changes_, data.contact_changes);
   return before != 0 && before == contact_changes_ && kinds_ == last_kinds_;
@@ -129,7 +127,7 @@ void Partition::find_islands(const StepData& data) {
 
   contacts_.sort(tied_, islands_.size(), [&](const Tie& tied) { return islands_.of(tied.pushes_a ? tied.a : tied.b); });
   joints_.sort(all_joints_, islands_.size(), [&](const ActiveJoint* joint) {
-    return islands_.of(pushable(bodies, joint->block.a) ? joint->block.a : joint->block.b);
+    return islands_.of(bodies.pushable(joint->block.a) ? joint->block.a : joint->block.b);
   });
   data.forces.list_pulls(bodies, all_pulls_);
   pulls_.sort(all_pulls_, islands_.size(), [&](const Pull& pull) { return islands_.of(pull.body); });

@@ -81,8 +81,8 @@ class PileLanesOf : public PileLanes {
   void press(const BodyRows& bodies, Real h) override { passes_.press(table_, bodies, soft_, h); }
   void relax(const BodyRows& bodies, bool again) override { passes_.relax(table_, bodies, again); }
   void meet(const BodyRows& bodies, Real slow) override { passes_.meet(table_, bodies, slow); }
-  bool stick_or_slip(const BodyRows& bodies, Real creep_in_web) override {
-    return passes_.stick_or_slip(table_, bodies, creeps, creep_in_web);
+  bool stick_or_slip(const BodyRows& bodies, Real slow_in_web) override {
+    return passes_.stick_or_slip(table_, bodies, no_slip, slow_in_web);
   }
   void settle(bool settling) override { passes_.settle(table_, soft_, settling); }
   void store() override { passes_.store(table_, input_); }
@@ -255,7 +255,7 @@ void Pile::substep(const Island& island, bool first) {
   }
   if (island.two_frictions) {
     bool broke = false;
-    for_both([&](PileLanes& lanes) { broke |= lanes.stick_or_slip(rows_, creep_of(island.pressing, island.h)); });
+    for_both([&](PileLanes& lanes) { broke |= lanes.stick_or_slip(rows_, no_slip_in_web(island.pressing, island.h)); });
     if (broke) for_both([&](PileLanes& lanes) { lanes.relax(rows_, true); });
   }
   if (island.more_sweeps > 0) relax_until_bounded(island);

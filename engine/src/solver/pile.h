@@ -36,7 +36,7 @@ class PileLanes {
   virtual void press(const BodyRows& bodies, Real h) = 0;
   virtual void relax(const BodyRows& bodies, bool again) = 0;
   virtual void meet(const BodyRows& bodies, Real slow) = 0;
-  virtual bool stick_or_slip(const BodyRows& bodies, Real creep_in_web) = 0;
+  virtual bool stick_or_slip(const BodyRows& bodies, Real slow_in_web) = 0;
   virtual void settle(bool settling) = 0;
   /// Writes impulses and offsets back to the contacts that were laid out.
   virtual void store() = 0;

@@ -137,9 +137,10 @@ void RestingPile::append(const BodySet& bodies, std::vector<Contact>& to) {
   const std::size_t before = to.size();
   to.insert(to.end(), contacts_.begin(), contacts_.end());
   const std::span<Contact> now = std::span(to).subspan(before);
+  constexpr Real infinity = std::numeric_limits<Real>::infinity();
   contact_kernels().persist_points(now.data(), numbers_.data(), static_cast<std::uint32_t>(now.size()),
-                                   bodies.pose.data(), bodies.bounding_radius.data(),
-                                   std::numeric_limits<Real>::infinity(), persistent_.data());
+                                   bodies.pose.data(), bodies.bounding_radius.data(), {infinity, infinity},
+                                   persistent_.data());
   for (Contact& contact : now) {
     contact.offset /= offset_scale_;
     contact.age += steps_ - 1;  // one was counted when they were measured

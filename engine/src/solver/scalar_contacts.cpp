@@ -30,13 +30,6 @@ void update(ImpactRow& row, const Contact& contact) {
   }
 }
 
-/// Sets the normal along which a contact acted in this step. The points were found with another one, so they must not
-/// persist.
-void show(Vec2 normal, Contact& contact) {
-  contact.normal = normal;
-  contact.found_a.p = contact.found_b.p = Vec2{1, 1} * std::numeric_limits<Real>::infinity();
-}
-
 /// The change of an impulse, given along a normal and its tangent, when these turn.
 Vec2 redirected(Vec2 impulse, Vec2 from, Vec2 to) {
   const Vec2 change = to - from;
@@ -120,7 +113,17 @@ void write_back(ImpactRow& row, Real offset_scale, std::vector<Contact>& contact
   Contact& contact = contacts[row.contact];
   contact.offset = row.offset / offset_scale;
   contact.slips = row.slips;
-  if (row.turns) show(row.join(), contact);
+  if (row.turns) {
+    auto& [p, q] = row.points;
+    const std::array<Vec2, 2> total =
+        reported(row.effect, {{{p.total_normal, p.total_tangent}, {q.total_normal, q.total_tangent}}}, row.mass_a,
+                 row.mass_b, contact);
+    for (std::size_t i = 0; i < 2; ++i) {
+      row.points[i].total_normal = total[i].x;
+      row.points[i].total_tangent = total[i].y;
+    }
+    contact.forget_place();
+  }
   store_row(row, contacts);
 }
 
@@ -180,7 +183,7 @@ void ScalarContacts::meet(const Island& island, Real slow) const {
   }
 }
 
-bool ScalarContacts::stick_or_slip(const Island& island, Real creep_in_web) const {
+bool ScalarContacts::stick_or_slip(const Island& island, Real slow_in_web) const {
   bool broke = false;
   for (ImpactRow& row : island.rows) {
     if (!row.active || !row.two_frictions()) continue;
@@ -191,7 +194,7 @@ bool ScalarContacts::stick_or_slip(const Island& island, Real creep_in_web) cons
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       const RowPoint& p = row.points[i];
       slips = slips && std::abs(p.tangent_impulse) >= mu * p.normal_impulse;
-      moves = moves || std::abs(frame.tangent_velocity(p)) > (row.web ? creep_in_web : creeps);
+      moves = moves || std::abs(frame.tangent_velocity(p)) > (row.web ? slow_in_web : no_slip);
     }
     slips = slips && moves;
     broke |= slips && !row.slips;
@@ -220,7 +223,7 @@ void ScalarContacts::keep_borne(const Island& island, Real share) {
         const Vec2 impulse = 2 * share * borne.half[i];
         frame.push_normal(borne, p, impulse.x);
         frame.push_tangent(borne, p, impulse.y);
-        borne.note(p, impulse, borne.normal);
+        borne.note(p, p, borne.normal, impulse);
       }
     });
   }
@@ -254,7 +257,7 @@ void ScalarContacts::turn_back(const Island& island) {
                      clamp(half.y, std::min(p.tangent_impulse, Real{0}), std::max(p.tangent_impulse, Real{0}))};
     const Vec2 more = redirected(early, row.normal, row.led);
     push_centres(row, more);
-    row.acted += more;
+    row.effect.impulse += more;
   }
 }
 

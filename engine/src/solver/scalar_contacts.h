@@ -44,11 +44,10 @@ class ScalarContacts {
   /// At the start of a sub-step: a contact that bore nothing slips if its points move past each other faster than
   /// `slow`, m/s.
   void meet(const Island& island, Real slow) const;
-  /// Decides after relax() which contacts slip: those that needed all of their static friction and still move, in a web
-  /// faster than `creep_in_web`, m/s, and those that slipped and still need all of the dynamic one. Points share what a
-  /// contact bears, so it slips only if none has any left. Returns whether one broke away, and friction must be solved
-  /// again.
-  bool stick_or_slip(const Island& island, Real creep_in_web) const;
+  /// Decides after relax() which contacts slip: those that need all of the friction they have and move all the same, in
+  /// a web faster than `slow_in_web`, m/s. Points share what a contact bears, so it slips only if none has any left.
+  /// Returns whether one broke away, and friction must be solved again.
+  bool stick_or_slip(const Island& island, Real slow_in_web) const;
   /// After relax(): what two discs bore before they drifted acts along the normal of then.
   void turn_back(const Island& island);
   /// m, the largest growth of a contact's penetration in a sub-step at these velocities. `held`: without the points

@@ -49,6 +49,16 @@ bool nearer(const BodyHit& left, const BodyHit& right) {
   return std::tie(left.fraction, left.body.index, left.part) < std::tie(right.fraction, right.body.index, right.part);
 }
 
+/// Where a contact pushes: between its points on both bodies, which may have slid apart since they were found; on the
+/// one that can be pushed if the other cannot.
+Vec2 acts_at(const BodySet& bodies, const Contact& contact, const ContactPoint& point) {
+  const Vec2 on_a = bodies.pose[contact.body_a].p + point.arm_a;
+  const Vec2 on_b = bodies.pose[contact.body_b].p + point.arm_b;
+  if (!bodies.pushable(contact.body_a)) return on_b;
+  if (!bodies.pushable(contact.body_b)) return on_a;
+  return Real{0.5} * (on_a + on_b);
+}
+
 }  // namespace
 
 void World::ray_cast(Vec2 from, Vec2 to, const RayCallback& callback) {
@@ -114,9 +124,7 @@ std::span<const ContactInfo> World::contacts() const {
     for (std::size_t p = 0; p < static_cast<std::size_t>(contact->count); ++p) {
       const ContactPoint& point = contact->points[p];
       if (point.separation > 0 && point.total_normal_impulse == 0) continue;
-      const Vec2 on_a = bodies.pose[contact->body_a].p + point.arm_a;
-      const Vec2 on_b = bodies.pose[contact->body_b].p + point.arm_b;
-      infos.push_back({bodies.id(contact->body_a), bodies.id(contact->body_b), Real{0.5} * (on_a + on_b),
+      infos.push_back({bodies.id(contact->body_a), bodies.id(contact->body_b), acts_at(bodies, *contact, point),
                        contact->normal, point.separation, point.total_normal_impulse, point.total_tangent_impulse});
     }
   }

@@ -30,8 +30,9 @@ struct MovedLanes {
 }  // namespace
 
 void persist_points(Contact* contacts, const std::uint32_t* items, std::uint32_t count, const Pose* poses,
-                    const Real* reach, Real most_motion, std::uint8_t* kept) {
-  const Lanes most = Lanes::all(most_motion);
+                    const Real* reach, PersistenceLimit limit, std::uint8_t* kept) {
+  const Lanes most = Lanes::all(limit.motion);
+  const Lanes most_turn = Lanes::all(limit.turn);
   for (std::uint32_t from = 0; from < count; from += lane_count) {
     const Real* normals[lane_count];
     const Real* poses_a[lane_count];
@@ -41,6 +42,8 @@ void persist_points(Contact* contacts, const std::uint32_t* items, std::uint32_t
     const Real* arms[2][lane_count];
     Real reach_a[lane_count];
     Real reach_b[lane_count];
+    Real bent_a[lane_count];  // 1: its turning turns the contact, as that of a disc about its centre does not
+    Real bent_b[lane_count];
     for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
       const bool present = from + lane < count;
       const Contact& contact = contacts[items[present ? from + lane : from]];
@@ -54,6 +57,8 @@ void persist_points(Contact* contacts, const std::uint32_t* items, std::uint32_t
       arms[1][lane] = &points[1].arm_a.x;
       reach_a[lane] = reach[contact.body_a];
       reach_b[lane] = reach[contact.body_b];
+      bent_a[lane] = contact.disc_a ? Real{0} : Real{1};
+      bent_b[lane] = contact.disc_b ? Real{0} : Real{1};
     }
     const MovedLanes a(gather_poses(poses_a), gather_poses(found_a));
     const MovedLanes b(gather_poses(poses_b), gather_poses(found_b));
@@ -71,7 +76,8 @@ void persist_points(Contact* contacts, const std::uint32_t* items, std::uint32_t
       (head[2 + p] + dot(normal, apart + turned)).store(separation[p]);
     }
     const Lanes motion = a.displacement(Lanes::load(reach_a)) + b.displacement(Lanes::load(reach_b));
-    const std::uint32_t stay = (motion < most).bits();
+    const Lanes turn = abs(a.turn.s) * Lanes::load(bent_a) + abs(b.turn.s) * Lanes::load(bent_b);
+    const std::uint32_t stay = (motion < most).bits() & (turn < most_turn).bits();
     for (std::uint32_t lane = 0; lane < lane_count && from + lane < count; ++lane) {
       kept[from + lane] = stay >> lane & 1U;
       if (kept[from + lane] == 0) continue;

@@ -185,7 +185,7 @@ struct ContactPasses {
   void (*relax)(const ContactTable<width>&, const BodyRows&, bool again);
   /// See ScalarContacts.
   void (*meet)(const ContactTable<width>&, const BodyRows&, Real slow);
-  bool (*stick_or_slip)(const ContactTable<width>&, const BodyRows&, Real creep, Real creep_in_web);
+  bool (*stick_or_slip)(const ContactTable<width>&, const BodyRows&, Real slow, Real slow_in_web);
   /// Moves the offsets towards the depth that the load explains; at once if `settling`.
   void (*settle)(const ContactTable<width>&, const SoftRule&, bool settling);
   /// Writes impulses and offsets back to the contacts.

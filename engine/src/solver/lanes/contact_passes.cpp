@@ -355,21 +355,21 @@ void meet_contacts(const ContactTable& table, const BodyRows& bodies, Real slow)
   });
 }
 
-bool stick_or_slip(const ContactTable& table, const BodyRows& bodies, Real creep, Real creep_in_web) {
+bool stick_or_slip(const ContactTable& table, const BodyRows& bodies, Real slow, Real slow_in_web) {
   bool broke = false;
   for_all_lanes(table, [&]<class Contacts>(Contacts& contacts, auto) {
     if constexpr (rubs<Contacts>) {
       if (contacts.two_frictions == 0) return;
       const LanesFrame frame(contacts, bodies.velocity);
       const Lanes mu = load(contacts.friction);
-      const Lanes slow = select(Lanes::Mask::of(contacts.web), Lanes::all(creep_in_web), Lanes::all(creep));
+      const Lanes least = select(Lanes::Mask::of(contacts.web), Lanes::all(slow_in_web), Lanes::all(slow));
       std::uint32_t slips = contacts.two_frictions;
       std::uint32_t moves = 0;
       for (const auto& p : contacts.point) {
         const Lanes rubbed = load(p.tangent_impulse);
         const Lanes speed = frame.tangent_velocity(p);
         slips &= (mu * load(p.normal_impulse) <= max(rubbed, -rubbed)).bits();
-        moves |= (slow < max(speed, -speed)).bits();
+        moves |= (least < max(speed, -speed)).bits();
       }
       slips &= moves;
       broke |= (slips & ~contacts.slips) != 0;

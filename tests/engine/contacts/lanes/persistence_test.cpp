@@ -33,6 +33,8 @@ TEST(PersistPoints, AgreesWithOneAtATime) {
     contact.body_b = static_cast<std::uint32_t>(random.number(0, 19.99));
     contact.count = 1 + static_cast<int>(random.number(0, 1.99));
     contact.normal = random.point(1);
+    contact.disc_a = random.number(0, 1) < .3;
+    contact.disc_b = random.number(0, 1) < .3;
     contact.found_a = random.pose(3);
     contact.found_b = random.pose(3);
     for (std::size_t p = 0; p < 2; ++p) {
@@ -47,15 +49,17 @@ TEST(PersistPoints, AgreesWithOneAtATime) {
     for (const InstructionSet set : runnable_instruction_sets()) {
       std::vector<Contact> now = contacts;
       std::vector<std::uint8_t> kept(count);
-      constexpr Real most_motion = 5;
-      contact_kernels(set).persist_points(now.data(), items.data(), count, poses.data(), reach.data(), most_motion,
+      constexpr PersistenceLimit limit{5, static_cast<Real>(0.8)};
+      contact_kernels(set).persist_points(now.data(), items.data(), count, poses.data(), reach.data(), limit,
                                           kept.data());
       for (std::uint32_t i = 0; i < count; ++i) {
         const Contact& before = contacts[items[i]];
         const Contact& contact = now[items[i]];
         const Moved a(poses[contact.body_a], contact.found_a);
         const Moved b(poses[contact.body_b], contact.found_b);
-        const bool stays = a.displacement(reach[contact.body_a]) + b.displacement(reach[contact.body_b]) < most_motion;
+        const Real moved = a.displacement(reach[contact.body_a]) + b.displacement(reach[contact.body_b]);
+        const Real turned = (contact.disc_a ? 0 : std::abs(a.turn.s)) + (contact.disc_b ? 0 : std::abs(b.turn.s));
+        const bool stays = moved < limit.motion && turned < limit.turn;
         EXPECT_EQ(kept[i], stays ? 1 : 0);
         EXPECT_EQ(contact.age, stays ? before.age + 1 : before.age);
         for (std::size_t p = 0; p < 2; ++p) {
