@@ -14,9 +14,11 @@ namespace plumb {
 
 /// A folder of this process's own for scene files and reports, gone after the test.
 class SceneFiles : public ::testing::Test {
+ public:
+  ~SceneFiles() override { std::filesystem::remove_all(folder_); }
+
  protected:
   SceneFiles() { std::filesystem::create_directories(folder_); }
-  ~SceneFiles() override { std::filesystem::remove_all(folder_); }
 
   std::string at(const char* name) const { return folder_ / name; }
   std::string put(const char* name, const std::string& text) const {
