@@ -11,7 +11,8 @@ namespace {
 constexpr double duration = 2;  // s
 constexpr double size = 0.5;    // m, of a box
 
-// A wall in running bond: every other row is half a box to the side.
+// Every other row of the wall is a quarter of a box to the side. With half a box, as bricks have it, the last
+// box of such a row would balance on the edge of the one below.
 Scene scene(const Parameters& p) {
   const Surface brick = surface(0.5, 0);
   const int rows = static_cast<int>(p.at("rows"));
@@ -20,7 +21,7 @@ Scene scene(const Parameters& p) {
   scene.bodies.push_back(level_ground(brick));
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      const double x = (column + (row % 2) / 2.0) * size;
+      const double x = (column + (row % 2) / 4.0) * size;
       scene.bodies.push_back(box(std::to_string(row + 1) + "." + std::to_string(column + 1), {x, (row + 0.5) * size},
                                  {size, size}, brick));
     }
