@@ -3,19 +3,16 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
-#include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "reports/judge/overlap.h"
+#include "reports/run/catalog_case.h"
 #include "reports/system/hash.h"
-#include "scenarios/catalog.h"
-#include "scenarios/scene/nearest.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb {
@@ -162,14 +159,7 @@ void season(Draw& draw, Scene& scene) {
 
 }  // namespace
 
-const Kind& find_kind(const std::string& name) {
-  const Kind* found = Catalog<Kind>::find(name);
-  if (found != nullptr) return *found;
-  std::vector<std::string> names;
-  names.reserve(Catalog<Kind>::all().size());
-  for (const Kind* kind : Catalog<Kind>::all()) names.push_back(kind->name);
-  throw std::invalid_argument(unknown("kind", name, names));
-}
+const Kind& find_kind(const std::string& name) { return find_entry<Kind>("kind", name); }
 
 Scene drawn(const Kind& kind, std::uint64_t seed, int n) {
   Draw draw(seed_of(kind, seed, n));
@@ -181,14 +171,12 @@ Scene drawn(const Kind& kind, std::uint64_t seed, int n) {
 }
 
 Scene drawn(const std::string& name, std::uint64_t seed) {
-  const std::size_t slash = std::min(name.find('/'), name.size());
-  const std::string_view number = std::string_view(name).substr(std::min(slash + 1, name.size()));
-  int n = -1;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), n);
-  if (error != std::errc{} || end != number.data() + number.size() || n < 0) {
+  const auto [kind, number] = split(name, '/');
+  const std::optional<int> n = parse_integer(number);
+  if (!n || *n < 0) {
     throw std::invalid_argument("\"" + name + "\": a random scene is KIND/N, such as heap/3; see plumb list kinds");
   }
-  return drawn(find_kind(name.substr(0, slash)), seed, n);
+  return drawn(find_kind(kind), seed, *n);
 }
 
 }  // namespace plumb

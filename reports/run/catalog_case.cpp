@@ -34,9 +34,7 @@ Case case_of(const Scenario& scenario, const std::string& label, const Parameter
           .closed_form = closed_form_of(scenario)};
 }
 
-const Scenario& find_scenario(const std::string& name) {
-  return find_entry<Scenario>("scenario", name, [](const Scenario&) { return true; });
-}
+const Scenario& find_scenario(const std::string& name) { return find_entry<Scenario>("scenario", name); }
 
 std::vector<Case> all_variants(const Scenario& scenario) {
   std::vector<Case> cases;
@@ -65,6 +63,13 @@ std::pair<std::string, std::string> parse_assignment(const std::string& context,
   auto both = split(text, '=');
   if (!both.first.empty() && !both.second.empty()) return both;
   throw std::invalid_argument(fmt::format("{}: \"{}\" should read key=value", context, text));
+}
+
+std::optional<int> parse_integer(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
 }
 
 double parse_number(std::string_view what, std::string_view text) {

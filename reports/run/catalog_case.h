@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -27,9 +28,13 @@ double parse_number(std::string_view what, std::string_view text);
 /// The same for a time step, which must be > 0 and <= 1 s.
 double parse_dt(std::string_view text);
 
+/// A whole number, without anything around it.
+std::optional<int> parse_integer(std::string_view text);
+
 /// The entry of a catalog by its name, among those that are offered.
 template <class T>
-const T& find_entry(const char* kind, const std::string& name, bool (*offered)(const T&)) {
+const T& find_entry(
+    const char* kind, const std::string& name, bool (*offered)(const T&) = [](const T&) { return true; }) {
   const T* found = Catalog<T>::find(name);
   if (found != nullptr && offered(*found)) return *found;
   std::vector<std::string> names;

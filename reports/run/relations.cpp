@@ -11,9 +11,9 @@
 
 #include "reference/scene_facts.h"
 #include "reports/judge/overlap.h"
+#include "reports/run/catalog_case.h"
 #include "reports/run/horizon.h"
 #include "scenarios/catalog.h"
-#include "scenarios/scene/nearest.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb {
@@ -146,11 +146,7 @@ RelationCheck check_relation(const MetamorphicRelation& relation, const Relation
 }
 
 const MetamorphicRelation& find_relation(const std::string& name) {
-  const MetamorphicRelation* found = Catalog<MetamorphicRelation>::find(name);
-  if (found != nullptr) return *found;
-  std::vector<std::string> names;
-  for (const MetamorphicRelation* one : Catalog<MetamorphicRelation>::all()) names.push_back(one->name);
-  throw std::invalid_argument(unknown("relation", name, names));
+  return find_entry<MetamorphicRelation>("relation", name);
 }
 
 }  // namespace

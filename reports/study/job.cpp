@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
 
+#include "reports/run/catalog_case.h"
 #include "scenarios/scene/json_reader.h"
 
 namespace plumb {
@@ -28,13 +28,6 @@ Ending ending_of(const std::string& name) {
     if (name == word) return ending;
   }
   throw std::invalid_argument("unknown ending of a job: \"" + name + "\"");
-}
-
-std::optional<int> parse_integer(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 }  // namespace

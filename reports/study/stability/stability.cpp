@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "reports/report.h"
+#include "reports/run/catalog_case.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
 #include "reports/study/selection.h"
@@ -17,7 +18,6 @@
 #include "reports/system/command_options.h"
 #include "reports/system/layout.h"
 #include "reports/system/terminal.h"
-#include "scenarios/scene/nearest.h"
 
 namespace plumb {
 namespace {
@@ -29,13 +29,7 @@ struct StabilityOptions {
   int cells = 16;
 };
 
-const StabilityMap& find_map(const std::string& name) {
-  const StabilityMap* found = Catalog<StabilityMap>::find(name);
-  if (found != nullptr) return *found;
-  std::vector<std::string> names;
-  for (const StabilityMap* map : Catalog<StabilityMap>::all()) names.push_back(map->name);
-  throw std::invalid_argument(unknown("map", name, names));
-}
+const StabilityMap& find_map(const std::string& name) { return find_entry<StabilityMap>("map", name); }
 
 std::vector<const StabilityMap*> maps_of(const Json& configuration) {
   std::vector<const StabilityMap*> maps;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "reports/report.h"
+#include "reports/run/catalog_case.h"
 #include "reports/run/selection.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
@@ -15,7 +16,6 @@
 #include "reports/study/statistics/conclusion.h"
 #include "reports/study/study.h"
 #include "reports/system/command_options.h"
-#include "scenarios/scene/nearest.h"
 
 namespace plumb {
 namespace {
@@ -28,13 +28,7 @@ struct StatisticsOptions {
   bool controls = false;
 };
 
-const Ensemble& find_ensemble(const std::string& name) {
-  const Ensemble* found = Catalog<Ensemble>::find(name);
-  if (found != nullptr) return *found;
-  std::vector<std::string> names;
-  for (const Ensemble* ensemble : Catalog<Ensemble>::all()) names.push_back(ensemble->name);
-  throw std::invalid_argument(unknown("ensemble", name, names));
-}
+const Ensemble& find_ensemble(const std::string& name) { return find_entry<Ensemble>("ensemble", name); }
 
 std::vector<const Ensemble*> ensembles_of(const Json& configuration) {
   std::vector<const Ensemble*> ensembles;
