@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -51,10 +52,18 @@ struct Off {
       : along(gravity * std::sin(angle(p)) * lag(s) * (lag(s) + s.h) + row * (row + 1) * s.contact_gap() +
               row * s.creep * t + round_off(s, t, reach)),
         away(row * s.contact_gap() + gravity * std::cos(angle(p)) * lag(s) * (lag(s) + s.h) + round_off(s, t, reach)) {}
-
-  double x(const Parameters& p) const { return std::cos(angle(p)) * along + std::sin(angle(p)) * away; }
-  double y(const Parameters& p) const { return std::sin(angle(p)) * along + std::cos(angle(p)) * away; }
 };
+
+// Asks where a box is, in the world's frame. `off`: how far from there it may be, by how an engine steps.
+void expect_at(std::vector<Expectation>& all, const Parameters& p, const std::string& name, Vec at,
+               const std::function<Off(const Stepping&)>& off, const char* law) {
+  const double c = std::cos(angle(p));
+  const double s = std::sin(angle(p));
+  const auto x_off = [=](const Stepping& by) { return c * off(by).along + s * off(by).away; };
+  const auto y_off = [=](const Stepping& by) { return s * off(by).along + c * off(by).away; };
+  all.push_back({.body = name, .quantity = Quantity::x, .expected = at.x, .allowed = x_off, .source = law});
+  all.push_back({.body = name, .quantity = Quantity::y, .expected = at.y, .allowed = y_off, .source = law});
+}
 
 }  // namespace
 
@@ -104,16 +113,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
     const auto turn = [=](const Stepping& s) { return 2 * row * s.contact_gap() + round_off(s, t, reach); };
     const std::string name = name_of(row, place);
     const char* law = "slides as one with g (sin a - mu cos a); late contact, drift, gaps and creep of the rows below";
-    all.push_back({.body = name,
-                   .quantity = Quantity::x,
-                   .expected = end.x,
-                   .allowed = [=](const Stepping& s) { return off(s).x(p); },
-                   .source = law});
-    all.push_back({.body = name,
-                   .quantity = Quantity::y,
-                   .expected = end.y,
-                   .allowed = [=](const Stepping& s) { return off(s).y(p); },
-                   .source = law});
+    expect_at(all, p, name, end, off, law);
     all.push_back({.body = name,
                    .quantity = Quantity::angle,
                    .expected = angle(p),
@@ -175,18 +175,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const auto expect = [&](int row, int place) {
     const Vec at = on_slope(p, place_of(n, pitch, row, place));
     const auto off = [=](const Stepping& s) { return Off(p, s, row, duration, n * pitch); };
-    const std::string name = name_of(row, place);
-    const char* law = "statics: every contact bears straight against gravity, with a friction of tan a times its load";
-    all.push_back({.body = name,
-                   .quantity = Quantity::x,
-                   .expected = at.x,
-                   .allowed = [=](const Stepping& s) { return off(s).x(p); },
-                   .source = law});
-    all.push_back({.body = name,
-                   .quantity = Quantity::y,
-                   .expected = at.y,
-                   .allowed = [=](const Stepping& s) { return off(s).y(p); },
-                   .source = law});
+    expect_at(all, p, name_of(row, place), at, off,
+              "statics: every contact bears straight against gravity, with a friction of tan a times its load");
   };
   for (const int place : {1, n}) expect(1, place);
   expect((n + 1) / 2, 1);

@@ -5,11 +5,11 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-void ContactEffect::note(const PointArms& at, Vec2 normal, Vec2 along) {
-  impulse += along.x * normal + along.y * perpendicular(normal);
-  given += length(along);
-  turned_a += along.x * at.cross_a + along.y * at.dot_a;
-  turned_b += along.x * at.cross_b + along.y * at.dot_b;
+void ContactEffect::note(const PointArms& at, Vec2 n, Vec2 j) {
+  impulse += j.x * n + j.y * perpendicular(n);
+  given += length(j);
+  turned_a += j.x * at.cross_a + j.y * at.dot_a;
+  turned_b += j.x * at.cross_b + j.y * at.dot_b;
 }
 
 ContactEffect& ContactEffect::operator+=(const ContactEffect& more) {

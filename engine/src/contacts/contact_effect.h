@@ -12,8 +12,8 @@ struct ContactEffect {
   Real given = 0;                   // N s, the same, added up without directions
   Real turned_a = 0, turned_b = 0;  // N m s, the moments of these about the bodies' centres
 
-  /// Adds an impulse, N s, given along a normal and its tangent at one point.
-  void note(const PointArms& at, Vec2 normal, Vec2 along);
+  /// Adds an impulse j, N s, which acted at one point along the normal n and its tangent.
+  void note(const PointArms& at, Vec2 n, Vec2 j);
   ContactEffect& operator+=(const ContactEffect& more);
   /// What takes it back: given as well, but the other way.
   ContactEffect operator-() const { return {-impulse, given, -turned_a, -turned_b}; }

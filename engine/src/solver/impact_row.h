@@ -73,11 +73,11 @@ struct ImpactRow : ContactRow {
   bool two_frictions() const { return static_friction != dynamic_friction; }
   /// The coefficient that limits friction now.
   Real friction() const { return slips ? dynamic_friction : static_friction; }
-  /// Adds an impulse that acted at `at` along a normal and its tangent to a point's totals of the step.
-  void note(RowPoint& p, const PointArms& at, Vec2 along, Vec2 impulse) {
-    p.total_normal += impulse.x;
-    p.total_tangent += impulse.y;
-    if (turns) effect.note(at, along, impulse);
+  /// Adds an impulse j, N s, which acted at `at` along n and its tangent, to a point's totals of the step.
+  void note(RowPoint& p, const PointArms& at, Vec2 n, Vec2 j) {
+    p.total_normal += j.x;
+    p.total_tangent += j.y;
+    if (turns) effect.note(at, n, j);
   }
 };
 

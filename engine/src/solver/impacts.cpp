@@ -13,8 +13,6 @@ namespace {
 
 constexpr Real never = std::numeric_limits<Real>::infinity();
 
-bool immovable(const InverseMass& mass) { return mass.m + mass.i == 0; }
-
 /// The ballistic motion of the bodies.
 struct Flight {
   const BodySet& bodies;
@@ -230,7 +228,7 @@ void Impacts::collide(ImpactRow& now, IslandJoints& joints, std::span<const std:
     for (const std::uint32_t body : struck) joined_.push_back(bodies.velocity[body]);
     const auto restore = [&] {
       for (std::size_t i = 0; i < struck.size(); ++i) {
-        if (!immovable(bodies.inverse_mass[struck[i]])) bodies.velocity[struck[i]] = joined_[i];
+        if (pushable(bodies.inverse_mass[struck[i]])) bodies.velocity[struck[i]] = joined_[i];
       }
     };
     collision.couple([&](const auto& push) {
@@ -254,7 +252,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   ImpactRow now = Encounter(row, flight, tau).moved();
   before_.clear();
   for (const std::uint32_t body : struck) {
-    if (immovable(bodies.inverse_mass[body])) {
+    if (!pushable(bodies.inverse_mass[body])) {
       before_.push_back(bodies.velocity[body]);
       continue;
     }
@@ -270,7 +268,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   }
   for (std::size_t i = 0; i < struck.size(); ++i) {
     const std::uint32_t body = struck[i];
-    if (immovable(bodies.inverse_mass[body])) continue;
+    if (!pushable(bodies.inverse_mass[body])) continue;
     Velocity& velocity = bodies.velocity[body];
     motion[body].d -= tau * (velocity.v - before_[i].v);
     motion[body].turn_by(-tau * (velocity.w - before_[i].w));
@@ -310,8 +308,8 @@ void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count)
   events_.clear();
   first_of_.resize(body_count);
   const auto each_movable = [](const ImpactRow& row, const auto& visit) {
-    if (!immovable(row.mass_a)) visit(std::size_t{0}, row.a);
-    if (!immovable(row.mass_b)) visit(std::size_t{1}, row.b);
+    if (pushable(row.mass_a)) visit(std::size_t{0}, row.a);
+    if (pushable(row.mass_b)) visit(std::size_t{1}, row.b);
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].active = true;
@@ -363,7 +361,7 @@ Real Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     aim_at(next.candidate, next.time);
     for (const bool b : {false, true}) {
       const InverseMass& mass = b ? hit.mass_b : hit.mass_a;
-      if (immovable(mass)) continue;
+      if (!pushable(mass)) continue;
       const std::uint32_t body = b ? hit.b : hit.a;
       for (std::uint32_t c = first_of_[body]; c != none;) {
         if (c != next.candidate) aim_at(c, next.time);

@@ -56,8 +56,7 @@ void Island::share(Real by) {
 }
 
 bool closed(const BodySet& bodies, std::span<const std::uint32_t> island) {
-  return std::all_of(island.begin(), island.end(),
-                     [&](std::uint32_t body) { return bodies.inverse_mass[body].m + bodies.inverse_mass[body].i > 0; });
+  return std::all_of(island.begin(), island.end(), [&](std::uint32_t body) { return bodies.pushable(body); });
 }
 
 bool is_heap(const StepData& data, const Island& island) {
@@ -196,7 +195,7 @@ void Unpushed::restore(const Island& island, const std::vector<std::uint8_t>& lo
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const std::uint32_t body = island.bodies[i];
     const InverseMass& mass = bodies.inverse_mass[body];
-    if (loaded[body] == 0 && mass.m + mass.i > 0) bodies.velocity[body] = flown_[i];
+    if (loaded[body] == 0 && pushable(mass)) bodies.velocity[body] = flown_[i];
   }
 }
 

@@ -71,7 +71,7 @@ void JointSystem::lay_out(std::span<ActiveJoint* const> joints, std::size_t bodi
     const std::array<std::pair<std::uint32_t, InverseMass>, 2> ends{
         {{block.a, block.inv_mass_a}, {block.b, block.inv_mass_b}}};
     for (const auto& [body, mass] : ends) {
-      if (mass.m + mass.i == 0) continue;
+      if (!pushable(mass)) continue;
       if (lowest_[body] == none) lowest_[body] = here;
       first = std::min(first, lowest_[body]);
     }

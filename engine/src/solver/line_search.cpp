@@ -54,8 +54,8 @@ void LineSearch::spread(const Island& island, const Impulses& impulses, std::vec
     const ImpactRow& row = island.rows[r];
     if (!row.active) continue;
     // Bodies that cannot be pushed are not written: they may belong to other islands too.
-    const bool on_a = row.mass_a.m + row.mass_a.i > 0;
-    const bool on_b = row.mass_b.m + row.mass_b.i > 0;
+    const bool on_a = pushable(row.mass_a);
+    const bool on_b = pushable(row.mass_b);
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       const RowPoint& p = row.points[i];
       const Vec2 j = impulses[r][i];

@@ -42,8 +42,8 @@ void persist_points(Contact* contacts, const std::uint32_t* items, std::uint32_t
     const Real* arms[2][lane_count];
     Real reach_a[lane_count];
     Real reach_b[lane_count];
-    Real bent_a[lane_count];  // 1: its turning turns the contact, as that of a disc about its centre does not
-    Real bent_b[lane_count];
+    Real turns_a[lane_count];  // 1: its turning turns the contact, as that of a disc about its centre does not
+    Real turns_b[lane_count];
     for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
       const bool present = from + lane < count;
       const Contact& contact = contacts[items[present ? from + lane : from]];
@@ -57,8 +57,8 @@ void persist_points(Contact* contacts, const std::uint32_t* items, std::uint32_t
       arms[1][lane] = &points[1].arm_a.x;
       reach_a[lane] = reach[contact.body_a];
       reach_b[lane] = reach[contact.body_b];
-      bent_a[lane] = contact.disc_a ? Real{0} : Real{1};
-      bent_b[lane] = contact.disc_b ? Real{0} : Real{1};
+      turns_a[lane] = contact.disc_a ? Real{0} : Real{1};
+      turns_b[lane] = contact.disc_b ? Real{0} : Real{1};
     }
     const MovedLanes a(gather_poses(poses_a), gather_poses(found_a));
     const MovedLanes b(gather_poses(poses_b), gather_poses(found_b));
@@ -76,7 +76,7 @@ void persist_points(Contact* contacts, const std::uint32_t* items, std::uint32_t
       (head[2 + p] + dot(normal, apart + turned)).store(separation[p]);
     }
     const Lanes motion = a.displacement(Lanes::load(reach_a)) + b.displacement(Lanes::load(reach_b));
-    const Lanes turn = abs(a.turn.s) * Lanes::load(bent_a) + abs(b.turn.s) * Lanes::load(bent_b);
+    const Lanes turn = abs(a.turn.s) * Lanes::load(turns_a) + abs(b.turn.s) * Lanes::load(turns_b);
     const std::uint32_t stay = (motion < most).bits() & (turn < most_turn).bits();
     for (std::uint32_t lane = 0; lane < lane_count && from + lane < count; ++lane) {
       kept[from + lane] = stay >> lane & 1U;
