@@ -1,5 +1,6 @@
 #include "solver/turning.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "narrow_phase/collide.h"
@@ -178,9 +179,9 @@ void Turning::find_again(StepData& data, const std::vector<Pose>& start, const s
 
 bool Turning::find_at(StepData& data, const Island& island, const std::vector<Pose>& start,
                       const std::vector<Motion>& motion, const ImpactRow& row, const Pair& then) {
-  const auto turned =
-      std::find_if(turned_.begin(), turned_.end(), [&row](const Turned& one) { return one.row == &row; });
-  if (turned == turned_.end() || !is_far(*turned, then, data.bodies)) return false;
+  const auto turned = std::lower_bound(turned_.begin(), turned_.end(), &row,
+                                       [](const Turned& one, const ImpactRow* other) { return one.row < other; });
+  if (turned == turned_.end() || turned->row != &row || !is_far(*turned, then, data.bodies)) return false;
   if (!find(data, *turned, then, start)) return false;
   const Pair now{motion[row.a], motion[row.b]};
   turn(island, *turned, now, now, true);

@@ -83,7 +83,7 @@ class Turning {
   static Vec2 direction(const Turned& turned, const Pair& by);
   static void turn(const Island& island, const Turned& turned, const Pair& now, const Pair& then, bool from_start);
 
-  std::vector<Turned> turned_;
+  std::vector<Turned> turned_;  // in the order of the island's rows
   bool counts_changed_ = false;
 };
 
