@@ -60,24 +60,25 @@ double DominoRow::speed(int pushing) const {
   constexpr int impacts = 60;  // after which the start is forgotten
   const double end = strikes_at();
   double start = 1;  // rad/s
-  double time = 0;
-  for (int impact = 0; impact < impacts; ++impact) {
-    const int count = std::min(impact + 1, pushing);
+  for (int impact = 1;; ++impact) {
+    const int count = std::min(impact, pushing);
     const Train upright(*this, count, 0);
     const double energy = start * start / 2 * upright.squares() + potential(*this, upright);
     const auto rate = [&](double angle) {
       const Train train(*this, count, angle);
       return std::sqrt(2 * (energy - potential(*this, train)) / train.squares());
     };
-    time = 0;
-    for (int i = 0; i < intervals; ++i) time += end / intervals / rate((i + 0.5) * end / intervals);
+    if (impact == impacts) {
+      double time = 0;
+      for (int i = 0; i < intervals; ++i) time += end / intervals / rate((i + 0.5) * end / intervals);
+      return pitch / time;
+    }
     const Train before(*this, count, end);
     const Train after(*this, count + 1, 0);
     double momentum = 0;
     for (std::size_t i = 0; i < before.ratios.size(); ++i) momentum += before.ratios[i] * after.ratios[i + 1];
     start = rate(end) * momentum / after.squares();
   }
-  return pitch / time;
 }
 
 namespace {
