@@ -64,7 +64,7 @@ void ContactSearch::search(const SearchInput& input, std::span<Contact> last, bo
 void ContactSearch::put_in_order(const SearchInput& input, std::vector<Pair>& pairs) {
   const std::span<const Proxy> proxies = shapes_.proxies();
   const JointSet& joints = input.joints;
-  const bool joined = !joints.connected_pairs().empty();
+  const bool joined = !joints.empty();
   if (joined || input.filter || shapes_.some_slanted()) {
     std::size_t left = 0;
     for (const Pair& pair : pairs) {

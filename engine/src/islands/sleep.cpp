@@ -98,9 +98,10 @@ void Sleep::wake_around(std::uint32_t mover, const Margin& margin) {
 
 void Sleep::list_connections() {
   connections_.clear();
-  for (const BodyPair& pair : joints_.connected_pairs()) {
-    if (bodies_.detail[pair.first].inserted && bodies_.detail[pair.second].inserted) connections_.push_back(pair);
-  }
+  joints_.append_pairs(connections_);
+  std::erase_if(connections_, [this](const BodyPair& pair) {
+    return !bodies_.detail[pair.first].inserted || !bodies_.detail[pair.second].inserted;
+  });
   forces_.append_pairs(bodies_, connections_);
 }
 

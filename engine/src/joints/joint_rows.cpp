@@ -36,11 +36,13 @@ Real effective_mass(const JointBlock& block, const JointRow& row) {
   return inverse > 0 ? 1 / inverse : Real{0};
 }
 
-void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b,
-                     const Softness& soft) {
-  const auto n = static_cast<std::size_t>(block.equations);
-  std::array<std::array<Real, 3>, 3> k{};
-  std::array<Real, 3> x{};
+namespace {
+
+/// Of a joint with n equations: with their number known, the compiler keeps K in registers.
+template <std::size_t n>
+void solve_all(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b, const Softness& soft) {
+  std::array<std::array<Real, n>, n> k;
+  std::array<Real, n> x;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) k[i][j] = inverse_effective_mass(block, block.equation[i], block.equation[j]);
     x[i] = -(rate(block.equation[i], a, b) + bias[i]);
@@ -62,6 +64,15 @@ void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocit
     block.equation[i].impulse += impulse;
     apply(block, block.equation[i], impulse, a, b);
   }
+}
+
+}  // namespace
+
+void solve_equations(JointBlock& block, const std::array<Real, 3>& bias, Velocity& a, Velocity& b,
+                     const Softness& soft) {
+  if (block.equations == 1) solve_all<1>(block, bias, a, b, soft);
+  if (block.equations == 2) solve_all<2>(block, bias, a, b, soft);
+  if (block.equations == 3) solve_all<3>(block, bias, a, b, soft);
 }
 
 void solve_stops(JointBlock& block, const std::array<Real, 2>& bias, Velocity& a, Velocity& b) {
@@ -98,9 +109,11 @@ void solve_rows(JointBlock& block, Real h, Real correction, const Softness& soft
   Velocity& b = bodies.velocity[block.b];
   std::array<Real, 3> bias{};
   std::array<Real, 2> stop_bias{};
-  for (std::size_t i = 0; i < 3; ++i) bias[i] = correction * block.equation[i].error;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.equations); ++i) {
+    bias[i] = correction * block.equation[i].error;
+  }
   // A stop not reached yet may be reached within h, but not passed.
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
     const Real error = block.stop[i].error;
     stop_bias[i] = error > 0 ? error / h : correction * error;
   }

@@ -24,11 +24,10 @@ struct JointRow {
 struct JointBlock {
   std::uint32_t a = 0, b = 0;
   InverseMass inv_mass_a, inv_mass_b;
-  int equations = 0;
-  std::array<JointRow, 3> equation;
-  int stops = 0;
-  std::array<JointRow, 2> stop;
+  int equations = 0, stops = 0;
   bool driven = false;
+  std::array<JointRow, 3> equation;
+  std::array<JointRow, 2> stop;
   JointRow motor;
   Real motor_speed = 0;     // m/s or rad/s, target rate
   Real motor_strength = 0;  // N or N m, maximum

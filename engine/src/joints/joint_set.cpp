@@ -18,10 +18,6 @@ void check_joint_bodies(BodyId a, BodyId b, const BodySet& bodies) {
   }
 }
 
-std::pair<std::uint32_t, std::uint32_t> sorted_pair(std::uint32_t a, std::uint32_t b) {
-  return {std::min(a, b), std::max(a, b)};
-}
-
 /// Adds the spring of a soft joint to the forces; returns nullopt for any other joint.
 std::optional<ForceId> add_spring(const Joint& joint, const BodySet& bodies, ForceField& forces) {
   const auto* soft = std::get_if<DistanceJoint>(&joint);
@@ -53,7 +49,9 @@ JointId JointSet::add(const Joint& joint, const BodySet& bodies, ForceField& for
   slot.model = std::move(model);
   slot.block = {};
   slot.spring = add_spring(joint, bodies, forces);
-  update_pairs();
+  partners_.resize(std::max<std::size_t>(partners_.size(), std::max(a.index, b.index) + 1));
+  partners_[a.index].push_back(b.index);
+  partners_[b.index].push_back(a.index);
   return {i, slot.generation};
 }
 
@@ -85,28 +83,36 @@ void JointSet::set_limits(JointId id, const std::optional<Limits>& limits) {
 }
 
 void JointSet::forget(BodyId body) {
+  if (body.index >= partners_.size() || partners_[body.index].empty()) return;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (slots_[i].model && (slots_[i].a == body || slots_[i].b == body)) free_slot(i);
   }
 }
 
 void JointSet::free_slot(std::size_t slot) {
+  const std::uint32_t a = slots_[slot].a.index;
+  const std::uint32_t b = slots_[slot].b.index;
+  const auto part = [this](std::uint32_t from, std::uint32_t other) {
+    std::vector<std::uint32_t>& partners = partners_[from];
+    partners.erase(std::find(partners.begin(), partners.end(), other));
+  };
+  part(a, b);
+  part(b, a);
   slots_[slot].model.reset();
   ++slots_[slot].generation;
   free_slots_.push_back(static_cast<std::uint32_t>(slot));
-  update_pairs();
-}
-
-void JointSet::update_pairs() {
-  pairs_.clear();
-  for (const Slot& slot : slots_) {
-    if (slot.model) pairs_.push_back(sorted_pair(slot.a.index, slot.b.index));
-  }
-  std::sort(pairs_.begin(), pairs_.end());
 }
 
 bool JointSet::connects(std::uint32_t a, std::uint32_t b) const {
-  return std::binary_search(pairs_.begin(), pairs_.end(), sorted_pair(a, b));
+  if (std::max(a, b) >= partners_.size()) return false;
+  if (partners_[a].size() > partners_[b].size()) std::swap(a, b);
+  return std::find(partners_[a].begin(), partners_[a].end(), b) != partners_[a].end();
+}
+
+void JointSet::append_pairs(std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) const {
+  for (const Slot& slot : slots_) {
+    if (slot.model) pairs.emplace_back(slot.a.index, slot.b.index);
+  }
 }
 
 std::vector<ActiveJoint>& JointSet::activate(const BodySet& bodies) {

@@ -50,8 +50,9 @@ class JointSet {
   /// Whether a joint connects the bodies in these two rows.
   bool connects(std::uint32_t a, std::uint32_t b) const;
 
-  /// The rows of the two bodies of every joint, lower first, sorted.
-  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& connected_pairs() const { return pairs_; }
+  bool empty() const { return slots_.size() == free_slots_.size(); }
+  /// Appends the rows of the two bodies of every joint, in order of their slots.
+  void append_pairs(std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) const;
 
   /// The impulse on body b (N s) in the last sub-step, summed over the joint's rows; that on `a` is the opposite.
   /// Throws std::out_of_range for a stale id.
@@ -67,13 +68,12 @@ class JointSet {
   };
   void require(JointId id) const;
   void free_slot(std::size_t slot);
-  void update_pairs();
 
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> free_slots_;
   std::vector<ActiveJoint> active_;
   std::vector<std::size_t> active_slot_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
+  std::vector<std::vector<std::uint32_t>> partners_;  // by the row of a body, once for each joint
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

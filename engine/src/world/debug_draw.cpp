@@ -1,6 +1,9 @@
 #include "impulse/debug_draw.h"
 
 #include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "world/world_state.h"
 
@@ -66,7 +69,8 @@ void World::debug_draw(DebugDraw& draw, const Aabb& view) {
     draw_shape(draw, part.shape, pose, view, role_of(view_of_body.type(), view_of_body.awake()));
     return true;
   });
-  const auto joined = state_->joints.connected_pairs();  // a copy: drawing may destroy joints
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;  // a copy: drawing may destroy joints
+  state_->joints.append_pairs(joined);
   for (const auto& [a, b] : joined) {
     if (bodies.detail[a].inserted && bodies.detail[b].inserted) {
       draw.segment(bodies.pose[a].p, bodies.pose[b].p, DrawRole::joint);

@@ -317,6 +317,32 @@ TEST(Joints, EndWithTheirBodiesAndDetectStaleHandles) {
   EXPECT_THROW(p.world.create_joint(WeldJoint{p.bob, p.bob, {}}), std::out_of_range);
 }
 
+// Two joints of the same two bodies: each alone keeps them from colliding, and a body that comes in a destroyed one's
+// place is joined to none.
+TEST(Joints, KeepTheirBodiesFromCollidingUntilTheLastIsGone) {
+  World world(accurate());
+  const BodyId low = anchor(world);
+  BodyId high = box(world, {0, .2_r});
+  const DistanceJoint tie{low, high, {0, 0}, {0, .2_r}, .2_r, 10, 0};
+  const auto touch = [&world] {
+    world.step();
+    return !world.contacts().empty();
+  };
+  const JointId first = world.create_joint(tie);
+  const JointId second = world.create_joint(tie);
+  EXPECT_FALSE(touch());
+  world.destroy_joint(first);
+  EXPECT_FALSE(touch());
+  world.destroy_joint(second);
+  EXPECT_TRUE(touch());
+
+  world.create_joint(tie);
+  EXPECT_FALSE(touch());
+  world.destroy_body(high);
+  high = box(world, {0, .2_r});
+  EXPECT_TRUE(touch());
+}
+
 /// The greatest energy error of a chain of twenty links with a heavy end in 5 s, released from horizontal, relative to
 /// the energy that it can lose by falling.
 double energy_error_of_chain(int substeps) {
