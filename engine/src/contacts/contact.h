@@ -3,7 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
+#include "contacts/normal_of.h"
 #include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -39,6 +41,7 @@ struct Contact {
   bool disc_a = false, disc_b = false;  // a circle about its body's centre of mass
   bool joins = false;                   // of a part that meets several fixed shapes, which may join
   bool slips = false;                   // for solvers that remember it: it slid at the end of the last step
+  std::optional<NormalOf> face;         // of which body the normal is, once owner() has told it of these points
   Pose found_a, found_b;                // of the bodies when points and separations were found
   std::array<ContactPoint, 2> points;
 
