@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "contacts/normal_of.h"
 #include "impulse/math.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -23,6 +22,9 @@ struct ContactPoint {
   Real separation = 0;  // m, in this step
   std::uint32_t feature = 0;
 };
+
+/// The reference face that determines a contact's normal; `between`: the line between the nearest points.
+enum class NormalOf : std::uint8_t { between, a, b };
 
 /// Two touching (or nearly touching) shapes of two bodies. Contacts are sorted by (body_a, body_b, part_a, part_b) with
 /// body_a < body_b, so that results never depend on the broad phase. Kernels read numbers in rows of four: from the

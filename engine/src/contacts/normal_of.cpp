@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "bodies/body_set.h"
-#include "contacts/contact.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
