@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "reference/faults/fault.h"
 
@@ -25,11 +24,10 @@ Control in_altered_scene(std::string name, std::string about, void (*alter)(Scen
 
 /// A class of its own, made from the scene and the settings of our engine.
 template <class Made>
-Control simulated_by(std::string name, std::string about) {
-  return {
-      .name = std::move(name), .about = std::move(about), .build = [](const Scene& scene, const Settings& settings) {
-        return std::make_unique<Made>(scene, settings);
-      }};
+Control simulated_by(const std::string& name, const std::string& about) {
+  return {.name = name, .about = about, .build = [](const Scene& scene, const Settings& settings) {
+            return std::make_unique<Made>(scene, settings);
+          }};
 }
 
 }  // namespace plumb

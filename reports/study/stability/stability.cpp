@@ -90,6 +90,7 @@ std::vector<Job> jobs_of(const Json& configuration) {
 // Changes when the definition of a map changes.
 std::string definitions_hash(const std::vector<const StabilityMap*>& maps, int cells) {
   std::vector<std::string> descriptions;
+  descriptions.reserve(maps.size());
   for (const StabilityMap* map : maps) descriptions.push_back(description_of(*map, cells).dump());
   return hash_of_lines(descriptions);
 }

@@ -92,6 +92,7 @@ std::vector<Job> jobs_of(const Json& configuration) {
 // Changes when the definition of an ensemble changes.
 std::string definitions_hash(const std::vector<const Ensemble*>& ensembles) {
   std::vector<std::string> descriptions;
+  descriptions.reserve(ensembles.size());
   for (const Ensemble* ensemble : ensembles) descriptions.push_back(description_of(*ensemble).dump());
   return hash_of_lines(descriptions);
 }

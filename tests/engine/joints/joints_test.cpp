@@ -117,7 +117,7 @@ TEST(Joints, PendulumHasThePeriodOfTheEllipticIntegral) {
 
 TEST(Joints, HingeCarriesTheWeightOfItsBody) {
   Pendulum p(0);
-  run(p.world, 1);
+  p.world.step();
   // 0.25 kg for one sub-step of 1/240 s; world frame, on the bob.
   EXPECT_NEAR(p.world.joint_impulse(p.hinge).y * 60, .25 * 10, bound(1e-6, 1e-3));
 }
