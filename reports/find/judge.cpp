@@ -14,6 +14,7 @@
 #include "reports/run/scene_file.h"
 #include "reports/run/selection.h"
 #include "scenarios/scene/nearest.h"
+#include "scenarios/scene/path.h"
 
 namespace plumb {
 namespace {
@@ -132,6 +133,8 @@ Known::Known(const Scene& scene, Posed posed, Judges judges) : judges_(std::move
   }
   if (!judges_.places || scene.bodies.size() > most_refined_bodies) return;
   const Engine* closed_form = find_closed_form(scene);
+  // Bodies on paths go straight within a step, so that a finer answer is of another motion.
+  if (closed_form == nullptr && has_paths(scene)) return;
   judge_ = closed_form != nullptr ? "closed form" : "converged";
   // The states of a closed form don't depend on the step, so it converges at once.
   const Refinement refinement{

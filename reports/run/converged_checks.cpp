@@ -11,6 +11,7 @@
 #include "reports/judge/groups.h"
 #include "reports/judge/verdict.h"
 #include "scenarios/allowance.h"
+#include "scenarios/scene/path.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb {
@@ -47,10 +48,6 @@ bool asks_for_places(const Case& one_case) {
     return place && one.relation == Relation::equal &&
            (one.body.empty() || scene.bodies[index_of(scene, one.body)].type == BodyType::dynamic);
   });
-}
-
-bool has_paths(const Scene& scene) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return body.path.has_value(); });
 }
 
 std::vector<double> moments_in(double duration, double dt) {

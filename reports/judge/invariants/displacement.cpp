@@ -22,7 +22,9 @@
 // - forces that change within the step: dt^2 times the change of the acceleration;
 // - joints: each of a group may be off at the start or at the end by what is measured and by the stated slop, and by
 //   moving along the tangents; putting that right moves the group's bodies. A limit stops them that a step would pass
-//   at the velocities of its start, or those a step later by the forces then;
+//   at the velocities of its start, or those a step later by the forces then. A body on a path gets another velocity
+//   at the start of a step, by c, and what joints attach to it gets at most the energy m c^2/2, m the group's mass,
+//   that takes it along: sqrt(m c^2/m_i) dt;
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
 //   may overlap by c dt before it is noticed, and that, the overlap at the start and the stated gap are pushed out.
 //   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
@@ -96,6 +98,8 @@ class Displacement {
       join(joints_.bodies(joint).first, joints_.bodies(joint).second);
     }
     std::vector<Push> pushes(then.size());
+    std::vector<double> group_mass(then.size());
+    for (std::size_t i = 0; i < then.size(); ++i) group_mass[groups.of(i)] += mass(i);
     std::vector<BodyState> hurried(then.begin(), then.end());  // by the forces of the step's start
     for (std::size_t i = 0; i < hurried.size(); ++i) {
       const Mass& of = forces_.masses()[i];
@@ -120,6 +124,11 @@ class Displacement {
       pushes[group_of(a, b)].correction += stepping.joint_slop + joints_.error(joint, then) +
                                            joints_.error(joint, now) + joints_.linearisation(joint, then, dt) +
                                            joints_.linearisation(joint, now, dt);
+      for (const std::size_t carrier : {a, b}) {
+        if (!scene.bodies[carrier].path) continue;
+        const Vec jump = now[carrier].velocity - then[carrier].velocity;
+        pushes[group_of(a, b)].energy += group_mass[group_of(a, b)] * dot(jump, jump);
+      }
       const double stopped =
           std::max(joints_.passes_limits(joint, then, dt), joints_.passes_limits(joint, hurried, dt));
       if (stopped > 0) {

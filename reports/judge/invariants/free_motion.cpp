@@ -33,7 +33,9 @@
 // - the joints' directions, which turn within the step from J0 to J1. The fit takes their mean; whenever within the
 //   step an impulse acts, its direction is off by at most half of J1 - J0, and by an eighth of both rates for the arc.
 //   A method with one solve a step takes J0 or J1 for all impulses, so either may fit better. The anchors may be apart
-//   by the stated slop, and the impulse may act at either;
+//   by the stated slop, and the impulse may act at either. Where a body on a path gets another velocity at the start of
+//   a step, by c, that impulse is along J0, and the others of the step may hide it from the fit: at most sqrt(m) c in
+//   the norm below, m the group's mass;
 // - damping c, which a first-order method takes from either end: c dt of the change that the damping and the forces
 //   make;
 // - sleep, which stops a body of at most the stated speed;
@@ -259,6 +261,21 @@ class FreeMotion {
     return sum;
   }
 
+  // m/s, by which bodies on paths that carry the group change their velocities at the start of the step.
+  double jump_of_paths(const Step& step, const std::vector<std::size_t>& group) const {
+    const auto then = context_.trace.states(step.moment - 1);
+    const auto now = context_.trace.states(step.moment);
+    double sum = 0;
+    for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+      const auto [a, b] = joints_.bodies(joint);
+      const std::size_t carrier = moves(a) ? b : a;
+      if (!context_.scene.bodies[carrier].path) continue;
+      if (std::find(group.begin(), group.end(), moves(a) ? a : b) == group.end()) continue;
+      sum += length(now[carrier].velocity - then[carrier].velocity);
+    }
+    return sum;
+  }
+
   Directions directions_of(const Step& step, const std::vector<std::size_t>& group) const {
     Directions directions;
     for (std::size_t r = 0; r < step.rows_start.size(); ++r) {
@@ -367,13 +384,16 @@ class FreeMotion {
                          (stopped ? std::min(momentum_size, 2 * scaled * stepping.rest_speed) : 0) +
                          solver_rounding(stepping) * (largest + force_size) + 2 * 0x1p-53 * time / dt * force_size;
     const Directions directions = directions_of(step, group);
+    const double jump = scaled * jump_of_paths(step, group);
     double rest = 0;
     double tolerance = 0;
     for (const std::vector<Row>* rows : {&directions.mean, &directions.start, &directions.end}) {
       const Fit fit = allowed_fit(missing, *rows, directions.signs);
       double joints = 0;
       for (std::size_t r = 0; r < rows->size(); ++r) {
-        joints += std::abs(fit.lambda[r]) * (directions.off[r] + solver_rounding(stepping) * (*rows)[r].size());
+        const double size = (*rows)[r].size();
+        joints += std::abs(fit.lambda[r]) * (directions.off[r] + solver_rounding(stepping) * size);
+        if (size > 0) joints += jump / size * directions.off[r];
       }
       const double ratio = error_ratio(norm(fit.rest), known + joints);
       if (rows != &directions.mean && ratio >= error_ratio(rest, tolerance)) continue;

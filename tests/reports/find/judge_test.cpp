@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/find/isolated.h"
+#include "reports/run/horizon.h"
 #include "reports/run/scene_file.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"
@@ -32,6 +33,38 @@ TEST(FindJudge, RaisesNoAlarmForClosedFormsInTheScenesTheyKnow) {
     }
   }
   EXPECT_GE(judged_scenes, 30) << "random scenes have closed forms now and then";
+}
+
+// A post that goes up and down carries a door, and a cart on a rail with a spring to the world. What the post does
+// between the ends of steps is the harness's way of driving it, which no engine is to blame for.
+TEST(FindJudge, BlamesNoEngineForTheStraightWaysOfBodiesOnPaths) {
+  Body post = disc("post", {}, 0.05, {});
+  post.type = BodyType::kinematic;
+  post.path = Path{.amplitude = {0, 0.06}, .frequency = 1.2, .phase = 1.5};
+  Scene door{.name = "door", .gravity = {}, .duration = 1, .bodies = {post, box("leaf", {0.7, 0}, {1.4, 0.13}, {})}};
+  door.bodies[1].velocity = {0, 0.9};
+  door.bodies[1].angular_velocity = 0.9 / 0.7;
+  door.joints = {Revolute{.a = 0, .b = 1, .anchor = {}}};
+  Scene cart{.name = "cart", .duration = 1, .bodies = {post, box("cart", {1.2, 0}, {0.4, 0.4}, {})}};
+  cart.bodies[1].velocity = {-2, 0};
+  cart.joints = {Prismatic{.a = 0, .b = 1, .anchor = {1.2, 0}, .axis = {1, 0}}};
+  cart.forces = {
+      Spring{.a = {}, .b = 1, .anchor_a = {0.3, -0.3}, .anchor_b = {}, .stiffness = 12, .length = 0.7, .damping = 1}};
+  for (Scene* scene : {&door, &cart}) {
+    for (Body& body : scene->bodies) {
+      for (Shape& shape : body.shapes) shape.surface.density = 2;
+      body.layers = 0;
+    }
+    const EngineConfig ours = our_config();
+    for (const Complaint& one : judged_by_laws(*scene, Posed::well, ours).complaints)
+      ADD_FAILURE() << scene->name << ": " << one.words();
+    for (const Complaint& one : judged_by(Known(*scene, Posed::well), *scene, ours))
+      ADD_FAILURE() << scene->name << ": " << one.words();
+  }
+  door.gravity = {0, -10};
+  const Suspect twice = parse_suspects("fault:gravity-twice").front();
+  EXPECT_TRUE(judged_by_laws(door, Posed::well, *twice.right).complaints.empty());
+  EXPECT_NE(judged_by_laws(door, Posed::well, twice.config).of("invariant free_motion"), nullptr);
 }
 
 TEST(FindJudge, KnowsWhereAThrownBodyMustBe) {

@@ -75,6 +75,24 @@ TEST(DisplacementInvariant, AllowsRotationsAlongTheTangentIfTheyAreStated) {
   EXPECT_EQ(status("displacement", box_on_ground(), turns(w * dt * 0.999), stated), CheckStatus::broken);
 }
 
+// A post on a path carries a cart that slides along its rail and slows down: up with the post's new velocity at once,
+// and along with the mean of its own.
+TEST(DisplacementInvariant, AllowsForWhatBodiesOnPathsCarryAlong) {
+  Scene scene = box_on_ground();
+  scene.bodies[0] = {.name = "post", .type = BodyType::kinematic, .path = Path{.amplitude = {0, 0.05}}};
+  scene.joints = {Prismatic{.a = 0, .b = 1, .anchor = {0, 0.5}, .axis = {1, 0}}};
+  const auto carried = [&](double ahead) {
+    const std::vector<BodyState> then{{.velocity = {0, 0.3}}, {.position = {0, 0.5}, .velocity = {2, 0.3}}};
+    const std::vector<BodyState> now{{.position = {0, 0.2 * dt}, .velocity = {0, 0.2}},
+                                     {.position = {1.95 * dt + ahead, 0.5 + 0.2 * dt}, .velocity = {1.9, 0.2}}};
+    return forged(dt, {{then}, {now}});
+  };
+  EXPECT_EQ(status("displacement", scene, carried(0), exact), CheckStatus::held);
+  EXPECT_EQ(status("displacement", scene, carried(0.2 * dt), exact), CheckStatus::broken) << "by more than the jump";
+  scene.bodies[0].path.reset();
+  EXPECT_EQ(status("displacement", scene, carried(0), exact), CheckStatus::broken) << "nothing turned its velocity";
+}
+
 TEST(DisplacementInvariant, IsBrokenByATeleport) {
   const auto jumps = [](double to) { return forged(dt, {{box_at({0, 0.5})}, {box_at({to, 0.5})}}); };
   // It lies on the ground, which may push it out by the stated gap.
