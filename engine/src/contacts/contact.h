@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
 #include "impulse/math.h"
 
@@ -23,9 +22,6 @@ struct ContactPoint {
   std::uint32_t feature = 0;
 };
 
-/// The reference face that determines a contact's normal; `between`: the line between the nearest points.
-enum class NormalOf : std::uint8_t { between, a, b };
-
 /// Two touching (or nearly touching) shapes of two bodies. Contacts are sorted by (body_a, body_b, part_a, part_b) with
 /// body_a < body_b, so that results never depend on the broad phase. Kernels read numbers in rows of four: from the
 /// normal, from the friction, of poses, of points.
@@ -43,7 +39,6 @@ struct Contact {
   bool disc_a = false, disc_b = false;  // a circle about its body's centre of mass
   bool joins = false;                   // of a part that meets several fixed shapes, which may join
   bool slips = false;                   // for solvers that remember it: it slid at the end of the last step
-  std::optional<NormalOf> face;         // of which body the normal is, once owner() has told it of these points
   Pose found_a, found_b;                // of the bodies when points and separations were found
   std::array<ContactPoint, 2> points;
 

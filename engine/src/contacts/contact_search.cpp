@@ -20,13 +20,11 @@ constexpr Real most_persistent_gap = static_cast<Real>(0.005);
 
 /// Whether the points may persist. The normal of rounded shapes turns as they roll over a corner, by a tenth for a disc
 /// of a decimetre.
-bool lasting(Contact& contact, const BodySet& bodies) {
+bool lasting(const Contact& contact, const BodySet& bodies) {
   const bool first = contact.points[0].separation > most_persistent_gap;
   const bool second = (contact.count > 1) & (contact.points[1].separation > most_persistent_gap);
   if (first | second) return false;
-  if (contact.radius_a + contact.radius_b == 0) return true;
-  if (!contact.face) contact.face = owner(contact, bodies);
-  return contact.face != NormalOf::between;
+  return contact.radius_a + contact.radius_b == 0 || owner(contact, bodies) != NormalOf::between;
 }
 
 }  // namespace

@@ -25,7 +25,6 @@ void take_points(Contact& contact, const BodySet& bodies, const PairPoints& foun
   contact.found_a = bodies.pose[contact.body_a];
   contact.found_b = bodies.pose[contact.body_b];
   contact.found_separation = {};
-  contact.face = {};
   contact.count = found.count;
   contact.points = {};
   for (std::size_t p = 0; p < static_cast<std::size_t>(found.count); ++p) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "bodies/body_set.h"
+#include "contacts/contact.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -276,7 +276,6 @@ bool DirectIsland::find(DirectContact& contact) {
   counts_changed_ = counts_changed_ || found.count != m.count;
   found.count = m.count;
   found.normal = m.normal;
-  found.face = {};
   found.found_a = pose_a;
   found.found_b = pose_b;
   for (std::size_t i = 0; i < contact.count; ++i) {

@@ -204,8 +204,7 @@ bool Turning::find(StepData& data, Turned& turned, const Pair& now, const std::v
   contact.found_a = pose_a;
   contact.found_b = pose_b;
   take_points(turned, contact, m);
-  contact.face = owner(contact, data.bodies);
-  turned.normal_of = turned.row->normal_of = *contact.face;
+  turned.normal_of = turned.row->normal_of = owner(contact, data.bodies);
   turned.again = true;
   turned.found = now;
   return true;
