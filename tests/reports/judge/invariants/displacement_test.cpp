@@ -88,7 +88,7 @@ TEST(DisplacementInvariant, AllowsForWhatBodiesOnPathsCarryAlong) {
     return forged(dt, {{then}, {now}});
   };
   EXPECT_EQ(status("displacement", scene, carried(0), exact), CheckStatus::held);
-  EXPECT_EQ(status("displacement", scene, carried(0.2 * dt), exact), CheckStatus::broken) << "by more than the jump";
+  EXPECT_EQ(status("displacement", scene, carried(0.05 * dt), exact), CheckStatus::broken) << "by more than the jump";
   scene.bodies[0].path.reset();
   EXPECT_EQ(status("displacement", scene, carried(0), exact), CheckStatus::broken) << "nothing turned its velocity";
 }
