@@ -70,12 +70,13 @@ constexpr double starts_touching = 0.05;
 
 void connect_touching(const Scene& scene, std::span<const BodyState> start, Rows& rows) {
   const Overlap overlap(scene);
+  Overlap::Gaps gaps = overlap.gaps(start);
   const double near = starts_touching * smallest_body(scene);
   for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < scene.bodies.size(); ++b) {
       const bool may = (scene.bodies[a].layers & scene.bodies[b].layers) != 0 &&
                        (scene.bodies[a].type == BodyType::dynamic || scene.bodies[b].type == BodyType::dynamic);
-      if (may && overlap.gap(a, b, start) <= near) rows.connect(a, b);
+      if (may && gaps.between(a, b) <= near) rows.connect(a, b);
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "reports/judge/overlap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <variant>
 
@@ -65,7 +66,7 @@ double distance(std::span<const Vec> a, std::span<const Vec> b) {
   return nearest;
 }
 
-double gap_to(const HalfSpace& ground, const Outline& outline) {
+double gap_to(const HalfSpace& ground, const OutlineView& outline) {
   return along(ground.normal, outline.points).low - outline.radius - ground.offset;
 }
 
@@ -80,7 +81,7 @@ std::optional<Interval> range_along(Vec direction, const Outline& outline) {
 // If the hulls overlap, the shortest way out is along an edge normal of one of them, because the edges of their
 // Minkowski difference are theirs. Growing both by their radii moves its boundary out by the sum, along the same
 // normal.
-double gap_between(const Outline& a, const Outline& b) {
+double gap_between(const OutlineView& a, const OutlineView& b) {
   if (a.halfspace && b.halfspace) return infinity;
   if (a.halfspace) return gap_to(*a.halfspace, b);
   if (b.halfspace) return gap_to(*b.halfspace, a);
@@ -92,21 +93,39 @@ double gap_between(const Outline& a, const Outline& b) {
   return gap - a.radius - b.radius;
 }
 
+double gap_between(const Outline& a, const Outline& b) {
+  return gap_between(OutlineView{a.points, a.radius, a.halfspace}, OutlineView{b.points, b.radius, b.halfspace});
+}
+
 Overlap::Overlap(const Scene& scene) : scene_(scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Vec center = mass_of(scene.bodies[i]).center;
     const std::vector<Shape>& shapes = scene.bodies[i].shapes;
-    for (std::size_t k = 0; k < shapes.size(); ++k) parts_.push_back({i, k, outline_of(shapes[k].geometry, center)});
+    first_part_.push_back(parts_.size());
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      parts_.push_back({i, k, outline_of(shapes[k].geometry, center), points_});
+      points_ += parts_.back().outline.points.size();
+    }
   }
+  first_part_.push_back(parts_.size());
   for (const Joint& joint : scene.joints) {
     jointed_.push_back(std::visit([](const auto& of) { return std::minmax(of.a, of.b); }, joint));
   }
   std::sort(jointed_.begin(), jointed_.end());
 }
 
-std::span<const Overlap::Part> Overlap::parts_of(std::size_t body) const {
-  return {std::ranges::lower_bound(parts_, body, {}, &Part::body),
-          std::ranges::upper_bound(parts_, body, {}, &Part::body)};
+void Overlap::place(std::size_t body, const BodyState& state, std::span<Vec> points) const {
+  const Vec facing{std::cos(state.angle), std::sin(state.angle)};
+  for (std::size_t i = first_part_[body]; i < first_part_[body + 1]; ++i) {
+    std::size_t at = parts_[i].first_point;
+    for (const Vec point : parts_[i].outline.points) points[at++] = state.position + rotated(point, facing);
+  }
+}
+
+OutlineView Overlap::view(const Part& part, const BodyState& state, std::span<const Vec> points) const {
+  const Outline& outline = part.outline;
+  if (outline.halfspace) return {{}, 0, placed(outline, state.position, state.angle).halfspace};
+  return {points.subspan(part.first_point, outline.points.size()), outline.radius, std::nullopt};
 }
 
 bool Overlap::may_touch(std::size_t a, std::size_t b) const {
@@ -121,33 +140,39 @@ bool Overlap::may_touch(std::size_t a, std::size_t b) const {
 std::vector<BodyGap> Overlap::near(std::span<const BodyState> states, std::span<const double> reach) const {
   struct Placed {
     std::size_t body, shape;
-    Outline outline;
+    OutlineView outline;
     Interval x, y;  // grown by the body's reach
   };
+  std::vector<Vec> points(points_);
+  for (std::size_t i = 0; i < states.size(); ++i) place(i, states[i], points);
   std::vector<Placed> parts;
+  parts.reserve(parts_.size());
+  std::vector<std::pair<double, std::size_t>> order;  // by their left ends
+  order.reserve(parts_.size());
   for (const Part& part : parts_) {
-    const BodyState& state = states[part.body];
-    const double by = reach[part.body];
-    Outline outline = placed(part.outline, state.position, state.angle);
+    const OutlineView outline = view(part, states[part.body], points);
+    const double by = reach[part.body] + outline.radius;
     const auto grown = [&](Vec direction) {
-      const Interval range = range_along(direction, outline).value_or(Interval{-infinity, infinity});
+      if (outline.halfspace) return Interval{-infinity, infinity};
+      const Interval range = along(direction, outline.points);
       return Interval{range.low - by, range.high + by};
     };
-    const Interval x = grown({1, 0});
-    const Interval y = grown({0, 1});
-    parts.push_back({part.body, part.shape, std::move(outline), x, y});
+    parts.push_back({part.body, part.shape, outline, grown({1, 0}), grown({0, 1})});
+    order.push_back({parts.back().x.low, order.size()});
   }
-  // Sorted by their left ends, a part can only be near those after it that start before it ends.
-  std::sort(parts.begin(), parts.end(), [](const Placed& a, const Placed& b) { return a.x.low < b.x.low; });
+  // A part can only be near those after it that start before it ends.
+  std::sort(order.begin(), order.end());
   std::vector<BodyGap> gaps;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t j = i + 1; j < parts.size() && parts[j].x.low <= parts[i].x.high; ++j) {
-      if (parts[j].y.low > parts[i].y.high || parts[i].y.low > parts[j].y.high) continue;
-      if (!may_touch(parts[i].body, parts[j].body)) continue;
-      const double gap = gap_between(parts[i].outline, parts[j].outline);
-      const bool in_order = parts[i].body < parts[j].body;
-      const Placed& a = in_order ? parts[i] : parts[j];
-      const Placed& b = in_order ? parts[j] : parts[i];
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Placed& one = parts[order[i].second];
+    for (std::size_t j = i + 1; j < order.size() && order[j].first <= one.x.high; ++j) {
+      const Placed& other = parts[order[j].second];
+      if (other.y.low > one.y.high || one.y.low > other.y.high) continue;
+      if (!may_touch(one.body, other.body)) continue;
+      const double gap = gap_between(one.outline, other.outline);
+      const bool in_order = one.body < other.body;
+      const Placed& a = in_order ? one : other;
+      const Placed& b = in_order ? other : one;
       const double within = reach[a.body] + reach[b.body];
       if (gap <= within) gaps.push_back({a.body, b.body, gap, a.shape, b.shape, within});
     }
@@ -163,12 +188,21 @@ std::vector<BodyOverlap> Overlap::all(std::span<const BodyState> states) const {
   return overlaps;
 }
 
-double Overlap::gap(std::size_t a, std::size_t b, std::span<const BodyState> states) const {
+Overlap::Gaps Overlap::gaps(std::span<const BodyState> states) const { return {*this, states}; }
+
+Overlap::Gaps::Gaps(const Overlap& overlap, std::span<const BodyState> states)
+    : overlap_(overlap), states_(states), points_(overlap.points_), placed_(states.size()) {}
+
+double Overlap::Gaps::between(std::size_t a, std::size_t b) {
+  for (const std::size_t body : {a, b}) {
+    if (!placed_[body]) overlap_.place(body, states_[body], points_);
+    placed_[body] = true;
+  }
   double nearest = infinity;
-  for (const Part& one : parts_of(a)) {
-    const Outline outline = placed(one.outline, states[a].position, states[a].angle);
-    for (const Part& other : parts_of(b)) {
-      nearest = std::min(nearest, gap_between(outline, placed(other.outline, states[b].position, states[b].angle)));
+  for (std::size_t i = overlap_.first_part_[a]; i < overlap_.first_part_[a + 1]; ++i) {
+    const OutlineView one = overlap_.view(overlap_.parts_[i], states_[a], points_);
+    for (std::size_t j = overlap_.first_part_[b]; j < overlap_.first_part_[b + 1]; ++j) {
+      nearest = std::min(nearest, gap_between(one, overlap_.view(overlap_.parts_[j], states_[b], points_)));
     }
   }
   return nearest;

@@ -21,8 +21,16 @@ struct Interval {
 /// half-space, which is unbounded.
 std::optional<Interval> range_along(Vec direction, const Outline&);
 
+/// An outline whose points are kept elsewhere.
+struct OutlineView {
+  std::span<const Vec> points;
+  double radius = 0;
+  std::optional<HalfSpace> halfspace;
+};
+
 /// The gap between two outlines, m: their distance, or minus the depth by which one must be moved out of the other.
 /// Infinite for two half-spaces.
+double gap_between(const OutlineView&, const OutlineView&);
 double gap_between(const Outline&, const Outline&);
 
 /// Two bodies, the smaller index first, and how deep a part of one overlaps a part of the other.
@@ -54,20 +62,39 @@ class Overlap {
   /// The deepest overlap; of depth 0 if nothing overlaps.
   BodyOverlap deepest(std::span<const BodyState>) const;
 
-  /// The smallest gap between two bodies, m, negative where they overlap; infinite if one has no shape.
-  double gap(std::size_t a, std::size_t b, std::span<const BodyState>) const;
+  /// The smallest gaps between bodies. Both it and the states must outlive what this returns.
+  class Gaps;
+  Gaps gaps(std::span<const BodyState>) const;
 
  private:
   struct Part {
     std::size_t body, shape;
-    Outline outline;  // relative to the centre of mass
+    Outline outline;          // relative to the centre of mass
+    std::size_t first_point;  // of all outlines' points, by part
   };
   bool may_touch(std::size_t a, std::size_t b) const;
-  std::span<const Part> parts_of(std::size_t body) const;
+  /// Puts the points of a body's parts where its state says, into those of all parts.
+  void place(std::size_t body, const BodyState&, std::span<Vec> points) const;
+  OutlineView view(const Part&, const BodyState&, std::span<const Vec> points) const;
 
   const Scene& scene_;
   std::vector<Part> parts_;                                   // by body
+  std::vector<std::size_t> first_part_;                       // of each body, and their number
+  std::size_t points_ = 0;                                    // of all parts
   std::vector<std::pair<std::size_t, std::size_t>> jointed_;  // smaller index first, sorted
+};
+
+class Overlap::Gaps {
+ public:
+  Gaps(const Overlap&, std::span<const BodyState>);
+  /// m, between two bodies, negative where they overlap; infinite if one has no shape.
+  double between(std::size_t a, std::size_t b);
+
+ private:
+  const Overlap& overlap_;
+  std::span<const BodyState> states_;
+  std::vector<Vec> points_;   // of all parts, of a body once it is asked for
+  std::vector<bool> placed_;  // by body
 };
 
 }  // namespace plumb

@@ -17,7 +17,7 @@ inline Vec operator-(Vec v) { return {-v.x, -v.y}; }
 inline Vec operator*(double s, Vec v) { return {s * v.x, s * v.y}; }
 inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
-inline double length(Vec v) { return std::hypot(v.x, v.y); }
+inline double length(Vec v) { return std::sqrt(dot(v, v)); }
 
 /// The vector rotated by +90 degrees.
 inline Vec perpendicular(Vec v) { return {-v.y, v.x}; }

@@ -166,12 +166,13 @@ std::optional<InvariantCheck> check_complementarity(const InvariantContext& cont
   for (std::size_t moment = 1; moment < trace.size(); ++moment) {
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto states = trace.states(moment);
+    Overlap::Gaps gaps = overlap.gaps(states);
     const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses);
     double largest = 0;
     for (const ContactState& contact : trace.contacts(moment)) largest = std::max(largest, contact.normal_impulse);
     for (const ContactState& contact : trace.contacts(moment)) {
       if (contact.normal_impulse <= solver_rounding(stepping) * largest) continue;
-      const double gap = overlap.gap(contact.a, contact.b, states);
+      const double gap = gaps.between(contact.a, contact.b);
       double path = dt * (slip_speed(contact, trace.states(moment - 1)) + slip_speed(contact, states)) +
                     dt * (dt * length(scene.gravity) + load_speed(context));
       double size = 0;

@@ -108,11 +108,14 @@ class Displacement {
     }
     const std::vector<BodyState> ahead = moved_on(then, dt);
     const std::vector<BodyState> at_first = moved_on(then, beginning * dt);
+    Overlap::Gaps gaps = overlap_.gaps(then);
+    Overlap::Gaps gaps_ahead = overlap_.gaps(ahead);
+    Overlap::Gaps gaps_at_first = overlap_.gaps(at_first);
     for (const BodyGap& pair : near) {
       Push& push = pushes[group_of(pair.a, pair.b)];
-      const double gap = overlap_.gap(pair.a, pair.b, then);
-      const double closed = std::max(
-          {0.0, gap - overlap_.gap(pair.a, pair.b, ahead), (gap - overlap_.gap(pair.a, pair.b, at_first)) / beginning});
+      const double gap = gaps.between(pair.a, pair.b);
+      const double closed = std::max({0.0, gap - gaps_ahead.between(pair.a, pair.b),
+                                      (gap - gaps_at_first.between(pair.a, pair.b)) / beginning});
       const double inverse_mass = (mass(pair.a) > 0 ? 1 / mass(pair.a) : 0) + (mass(pair.b) > 0 ? 1 / mass(pair.b) : 0);
       push.correction += stepping.contact_gap() + std::max(0.0, -gap) + closed;
       push.energy += closed / dt * (closed / dt) / inverse_mass;
