@@ -218,22 +218,27 @@ Converged::Answers Converged::refine(const Scene& scene, const Refinement& refin
   Answers answers;
   double spent = 0;
   for (int k = 0; k <= refinement.halvings; ++k) {
-    spent += cost(moments, std::ldexp(1.0, k));
-    if (k > fewest_halvings && spent > budget) break;
+    if (k > fewest_halvings && spent + cost(moments, std::ldexp(1.0, k)) > budget) break;
     answers.push_back(refined_answer(scene, method, std::span(times_).first(moments), refinement.dt, k));
-    moments = promising_moments(scene, refinement, answers);
+    spent += cost(moments, std::ldexp(1.0, k));
+    int left = 0;  // halvings that the budget pays if all moments stay
+    for (double after = spent; k + left < refinement.halvings; ++left) {
+      after += cost(moments, std::ldexp(1.0, k + left + 1));
+      if (k + left >= fewest_halvings && after > budget) break;
+    }
+    moments = promising_moments(scene, left, answers);
   }
   return answers;
 }
 
-// The number of times at which the last two answers are close enough for the remaining halvings to bring them within
-// the tolerance, even at second order, which gains a factor of four each.
-std::size_t Converged::promising_moments(const Scene& scene, const Refinement& refinement, const Answers& answers) {
+// The number of times at which the last two answers are close enough for the halvings that are left, and the
+// extrapolation after them, to bring them within the tolerance, even at second order, which gains a factor of four
+// each.
+std::size_t Converged::promising_moments(const Scene& scene, int halvings, const Answers& answers) {
   const std::size_t moments = answers.back().size() / bodies_;
   const std::size_t n = answers.size();
   if (n < 2) return moments;
-  const int left = refinement.halvings + 2 - static_cast<int>(n);
-  const double hopeless = tolerance_ * std::ldexp(1.0, 2 * left);
+  const double hopeless = tolerance_ * std::ldexp(1.0, 2 * (halvings + 1));
   for (std::size_t index = 0; index < answers.back().size(); ++index) {
     const double apart = length(answers[n - 1][index].position - answers[n - 2][index].position);
     if (apart <= hopeless) continue;

@@ -225,8 +225,13 @@ std::vector<EnsembleSample> run_ensemble(const Scene& scene, const EngineConfig&
                                          int members, std::uint64_t first_seed) {
   std::vector<EnsembleSample> samples = empty_samples();
   for (int member = 0; member < members; ++member) {
-    const Outcome outcome = run(perturbed(scene, size, first_seed + static_cast<std::uint64_t>(member)), config, dt);
-    if (outcome.status == Status::ok) add_run(samples, scene, *outcome.trace);
+    const Scene start = perturbed(scene, size, first_seed + static_cast<std::uint64_t>(member));
+    Trace places(scene.bodies.size());
+    const Outcome outcome = watch(start, config, dt, 1, [&](double time, std::span<const BodyState> states) {
+      places.record(time, states, {});
+      return true;
+    });
+    if (outcome.status == Status::ok) add_run(samples, scene, places);
   }
   return samples;
 }
@@ -252,6 +257,9 @@ void compare_beyond_horizon(const Case& test_case, std::span<const EngineConfig>
   if (!horizon || (comparisons.empty() && refined_runs == 0)) return;
   Ensembles ensembles;
   for (const EngineConfig& config : configs) {
+    const auto is_its = [&](const RunRecord& one) { return label_of(one.engine, one.method) == config_label(config); };
+    const auto its = std::ranges::find_if(records, is_its);
+    if (its == records.end() || its->verdict == Verdict::wrong || its->verdict == Verdict::failed) continue;
     ensembles[config_label(config)] = run_ensemble(scene, config, dt, size, members, first_ensemble_seed);
   }
   for (Comparison& comparison : comparisons) {
