@@ -23,10 +23,10 @@ JointGeometry::JointGeometry(const Scene& scene) {
               .at_a = local(facts.a, facts.anchor_a),
               .at_b = local(facts.b, facts.anchor_b),
               .length = facts.length,
-              .angle = start[facts.b].angle - start[facts.a].angle,
-              .driven = facts.motor != nullptr};
+              .angle = start[facts.b].angle - start[facts.a].angle};
     if (facts.keeps == Keeps::line) ends.axis = rotated(1 / length(facts.axis) * facts.axis, -start[facts.a].angle);
     if (facts.limits != nullptr) ends.limits = *facts.limits;
+    if (facts.motor != nullptr) ends.motor = *facts.motor;
     for (const std::size_t body : {facts.a, facts.b}) {
       const double mass = masses_[body].mass;
       if (mass > 0) ends.rate += facts.stiffness / mass;
@@ -35,13 +35,9 @@ JointGeometry::JointGeometry(const Scene& scene) {
   }
 }
 
-std::optional<LimitRoom> JointGeometry::room_of(const Ends& joint, const BodyState& a, const BodyState& b) {
-  if (!joint.limits) return std::nullopt;
-  const auto room = [&](double at, double rate) {
-    return LimitRoom{at - joint.limits->low, joint.limits->high - at, rate};
-  };
+JointGeometry::Travel JointGeometry::travel_of(const Ends& joint, const BodyState& a, const BodyState& b) {
   if (joint.keeps != Keeps::line) {
-    return room(b.angle - a.angle - joint.angle, b.angular_velocity - a.angular_velocity);
+    return {b.angle - a.angle - joint.angle, b.angular_velocity - a.angular_velocity};
   }
   const auto velocity = [](const BodyState& of, Vec arm) {
     return of.velocity + of.angular_velocity * Vec{-arm.y, arm.x};
@@ -49,7 +45,13 @@ std::optional<LimitRoom> JointGeometry::room_of(const Ends& joint, const BodySta
   const Vec axis = rotated(joint.axis, a.angle);
   const Vec on_b = b.position + rotated(joint.at_b, b.angle);
   const Vec apart = on_b - a.position - rotated(joint.at_a, a.angle);
-  return room(dot(axis, apart), dot(axis, velocity(b, on_b - b.position) - velocity(a, on_b - a.position)));
+  return {dot(axis, apart), dot(axis, velocity(b, on_b - b.position) - velocity(a, on_b - a.position))};
+}
+
+std::optional<LimitRoom> JointGeometry::room_of(const Ends& joint, const BodyState& a, const BodyState& b) {
+  if (!joint.limits) return std::nullopt;
+  const auto [way, rate] = travel_of(joint, a, b);
+  return LimitRoom{way - joint.limits->low, joint.limits->high - way, rate};
 }
 
 double JointGeometry::beyond_limits(const Ends& joint, const BodyState& a, const BodyState& b) {
@@ -81,8 +83,8 @@ std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) con
       case Keeps::line: {
         const Vec axis = rotated(joint.axis, states[joint.a].angle);
         along({-axis.y, axis.x}, point_b);
-        if (joint.driven || joint.limits) along(axis, point_b);
-        if (!joint.driven && joint.limits) rows.back().limits_of = index;
+        if (joint.motor || joint.limits) along(axis, point_b);
+        if (!joint.motor && joint.limits) rows.back().limits_of = index;
         break;
       }
       case Keeps::rod:
@@ -94,7 +96,7 @@ std::vector<JointRow> JointGeometry::rows(std::span<const BodyState> states) con
       }
     }
     const bool turns = joint.keeps == Keeps::line || joint.keeps == Keeps::pose;
-    const bool turned = joint.driven && joint.keeps == Keeps::point;
+    const bool turned = joint.motor.has_value() && joint.keeps == Keeps::point;
     if (turns || turned || joint.limits) rows.push_back({joint.a, joint.b, {}, -1, 1});
     if (!turns && !turned && joint.limits) rows.back().limits_of = index;
   }
@@ -176,6 +178,30 @@ double JointGeometry::passes_limits(std::size_t index, std::span<const BodyState
 std::optional<LimitRoom> JointGeometry::room(std::size_t index, std::span<const BodyState> states) const {
   const Ends& joint = ends_[index];
   return room_of(joint, states[joint.a], states[joint.b]);
+}
+
+double JointGeometry::drive(std::size_t index, double dt) const {
+  const Ends& joint = ends_[index];
+  if (!joint.motor) return 0;
+  const double impulse = dt * joint.motor->strength;
+  double energy = 0;
+  for (const std::size_t body : {joint.a, joint.b}) {
+    const double mass = slides(index) ? masses_[body].mass : masses_[body].inertia;
+    if (mass > 0) energy += impulse * impulse / mass;
+  }
+  return energy;
+}
+
+bool JointGeometry::switches(std::size_t index, std::span<const BodyState> then, std::span<const BodyState> now) const {
+  constexpr double at_speed = 1e-6;  // of the speeds: far beyond rounding, and what no step leaves by chance
+  const Ends& joint = ends_[index];
+  if (!joint.motor) return false;
+  const double before = travel_of(joint, then[joint.a], then[joint.b]).rate - joint.motor->speed;
+  const double after = travel_of(joint, now[joint.a], now[joint.b]).rate - joint.motor->speed;
+  const double near = at_speed * std::max({std::abs(joint.motor->speed), std::abs(before), std::abs(after)});
+  const bool was = std::abs(before) <= near;
+  const bool is = std::abs(after) <= near;
+  return was != is || (!was && (before < 0) != (after < 0));
 }
 
 std::pair<double, double> JointGeometry::arms(std::size_t index) const {

@@ -49,6 +49,11 @@ class JointGeometry {
   bool slides(std::size_t joint) const { return ends_[joint].keeps == Keeps::line; }
   /// nullopt without limits.
   std::optional<LimitRoom> room(std::size_t joint, std::span<const BodyState>) const;
+  /// J, twice the energy that a joint's motor can give its bodies in dt s; 0 without a motor.
+  double drive(std::size_t joint, double dt) const;
+  /// Whether the joint's motor reached its speed between these states, passed it or lost it: then it changes its force
+  /// within the step.
+  bool switches(std::size_t joint, std::span<const BodyState> then, std::span<const BodyState> now) const;
   /// m, the distances of a joint's anchors from the centres of both bodies.
   std::pair<double, double> arms(std::size_t joint) const;
   /// J, what a joint stores if it is a spring of that angular frequency, rad/s (see Stepping::joint_frequency): w^2 d
@@ -75,8 +80,13 @@ class JointGeometry {
     double angle = 0;                   // rad, of b less a at the start
     double rate = 0;                    // 1/s^2, of a spring: its stiffness per mass
     std::optional<Limits> limits = {};  // of a point or a line
-    bool driven = false;                // by a motor
+    std::optional<Motor> motor = {};
   };
+  // How far the joint turned, rad, or slid, m, and its rate.
+  struct Travel {
+    double way = 0, rate = 0;
+  };
+  static Travel travel_of(const Ends&, const BodyState& a, const BodyState& b);
   static std::optional<LimitRoom> room_of(const Ends&, const BodyState& a, const BodyState& b);
   // rad or m, by how much the joint is beyond its limits, and m, what that is at the anchors.
   static double beyond_limits(const Ends&, const BodyState& a, const BodyState& b);

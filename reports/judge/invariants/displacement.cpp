@@ -19,12 +19,16 @@
 // its end (symplectic Euler), or a mean of both, and even if an impact within the step changes it, dx/dt lies between
 // the velocities before and after. The check measures by how far it lies outside, times dt. Rotation likewise, times
 // the radius of gyration k. The tolerance covers:
-// - forces that change within the step: dt^2 times the change of the acceleration;
+// - forces that change within the step, by F (see AppliedForces::change_in): with all bodies of a group of joints or
+//   contacts, they may take an impulse of F dt. Its energy is (F dt)^2/2m, and whichever of the group gets it moves by
+//   sqrt(sum (F dt)^2/(m m_i)) dt; torques likewise;
 // - joints: each of a group may be off at the start or at the end by what is measured and by the stated slop, and by
 //   moving along the tangents; putting that right moves the group's bodies. A limit stops them that a step would pass
 //   at the velocities of its start, or those a step later by the forces then. A body on a path gets another velocity
 //   at the start of a step, by c, and what joints attach to it gets at most the energy m c^2/2, m the group's mass,
 //   that takes it along. With that at once, the mean is off by half of it: sqrt(m c^2/m_i) dt/2;
+// - motors that reach their speed within the step, or lose it, which an impact may make them do for a while: their force
+//   changes by up to twice their strength S. An impulse of 2 S dt/8 counts as that of a force that changes;
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
 //   may overlap by c dt before it is noticed, and that, the overlap at the start and the stated gap are pushed out.
 //   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
@@ -51,7 +55,8 @@ constexpr double beginning = 1e-3;
 // What may move the bodies of a group beyond their velocities.
 struct Push {
   double correction = 0;  // m
-  double energy = 0;      // J, twice
+  double energy = 0;      // J, twice, of impacts and of bodies on paths
+  double forced = 0;      // J, twice, of changes of forces
   bool touched = false;
 };
 
@@ -100,6 +105,14 @@ class Displacement {
     std::vector<Push> pushes(then.size());
     std::vector<double> group_mass(then.size());
     for (std::size_t i = 0; i < then.size(); ++i) group_mass[groups.of(i)] += mass(i);
+    const std::vector<WrenchError> changes = forces_.change_in(then, now, dt);
+    for (std::size_t i = 0; i < then.size(); ++i) {
+      const auto& [of_mass, inertia, center] = forces_.masses()[i];
+      const double impulse = dt * changes[i].force;
+      const double turn = dt * changes[i].torque;
+      if (of_mass > 0) pushes[groups.of(i)].forced += impulse * impulse / of_mass;
+      if (inertia > 0) pushes[groups.of(i)].forced += turn * turn / inertia;
+    }
     std::vector<BodyState> hurried(then.begin(), then.end());  // by the forces of the step's start
     for (std::size_t i = 0; i < hurried.size(); ++i) {
       const Mass& of = forces_.masses()[i];
@@ -114,8 +127,8 @@ class Displacement {
     for (const BodyGap& pair : near) {
       Push& push = pushes[group_of(pair.a, pair.b)];
       const double gap = gaps.between(pair.a, pair.b);
-      const double closed = std::max({0.0, gap - gaps_ahead.between(pair.a, pair.b),
-                                      (gap - gaps_at_first.between(pair.a, pair.b)) / beginning});
+      const double closed = std::max(
+          {0.0, gap - gaps_ahead.between(pair.a, pair.b), (gap - gaps_at_first.between(pair.a, pair.b)) / beginning});
       const double inverse_mass = (mass(pair.a) > 0 ? 1 / mass(pair.a) : 0) + (mass(pair.b) > 0 ? 1 / mass(pair.b) : 0);
       push.correction += stepping.contact_gap() + std::max(0.0, -gap) + closed;
       push.energy += closed / dt * (closed / dt) / inverse_mass;
@@ -131,6 +144,10 @@ class Displacement {
         if (!scene.bodies[carrier].path) continue;
         const Vec jump = now[carrier].velocity - then[carrier].velocity;
         pushes[group_of(a, b)].energy += group_mass[group_of(a, b)] * dot(jump, jump) / 4;
+      }
+      // Velocities that change at two rates, R apart, are off from the mean by R dt/8 at most.
+      if (pushes[group_of(a, b)].touched || joints_.switches(joint, then, now)) {
+        pushes[group_of(a, b)].forced += joints_.drive(joint, dt) / 16;
       }
       const double stopped =
           std::max(joints_.passes_limits(joint, then, dt), joints_.passes_limits(joint, hurried, dt));
@@ -155,10 +172,9 @@ class Displacement {
     const double turned_off = gyration * std::max({0.0, dt * low - turned, turned - dt * high});
     double tolerance = push.correction;
     if (of.mass > 0) {
-      tolerance += dt * dt / of.mass * length(after.force - before.force) + dt * std::sqrt(push.energy / of.mass);
+      tolerance += dt * (std::sqrt(push.energy / of.mass) + std::sqrt(push.forced / of.mass));
       if (push.touched) tolerance += dt * dt / of.mass * std::max(length(before.force), length(after.force));
     }
-    if (of.inertia > 0) tolerance += dt * dt * gyration / of.inertia * std::abs(after.torque - before.torque);
     const double path = dt * std::max(length(then.velocity), length(now.velocity));
     const double spin = std::max(std::abs(then.angular_velocity), std::abs(now.angular_velocity));
     const double turn = dt * gyration * spin;

@@ -5,6 +5,7 @@
 
 #include "forged_runs.h"
 #include "reports/judge/mechanics.h"
+#include "scenarios/scene/mass.h"
 
 namespace plumb::displacement_test {
 namespace {
@@ -91,6 +92,52 @@ TEST(DisplacementInvariant, AllowsForWhatBodiesOnPathsCarryAlong) {
   EXPECT_EQ(status("displacement", scene, carried(0.05 * dt), exact), CheckStatus::broken) << "by more than the jump";
   scene.bodies[0].path.reset();
   EXPECT_EQ(status("displacement", scene, carried(0), exact), CheckStatus::broken) << "nothing turned its velocity";
+}
+
+// A motor of the strength S may move a mass m by S dt^2/4m beyond its velocities in the step in which it switches.
+TEST(DisplacementInvariant, AllowsForMotorsThatReachTheirSpeedWithinAStep) {
+  Scene scene = box_on_ground();
+  scene.bodies[1].position = {0, 5};
+  constexpr double way = 0.01;  // m
+  const double mass = mass_of(scene.bodies[1]).mass;
+  scene.joints = {Prismatic{.a = 0, .b = 1, .anchor = {0, 5}, .axis = {1, 0}}};
+  std::get<Prismatic>(scene.joints[0]).motor = Motor{.speed = 2, .strength = 4 * mass * way / (dt * dt)};
+  const auto driven = [&](double before, double after, double beyond) {
+    const std::vector<BodyState> then{{}, {.position = {0, 5}, .velocity = {before, 0}}};
+    const double moved = dt * std::max(before, after) + beyond;
+    const std::vector<BodyState> now{{}, {.position = {moved, 5}, .velocity = {after, 0}}};
+    return forged(dt, {{then}, {now}});
+  };
+  EXPECT_EQ(status("displacement", scene, driven(1, 2, 0.99 * way), exact), CheckStatus::held);
+  EXPECT_EQ(status("displacement", scene, driven(1, 2, 1.01 * way), exact), CheckStatus::broken);
+  EXPECT_EQ(status("displacement", scene, driven(2, 1, 0.99 * way), exact), CheckStatus::held);
+  EXPECT_EQ(status("displacement", scene, driven(1, 3, 0.99 * way), exact), CheckStatus::held);
+  EXPECT_EQ(status("displacement", scene, driven(1, 1.5, 0.01 * way), exact), CheckStatus::broken)
+      << "not at its speed";
+  EXPECT_EQ(status("displacement", scene, driven(2, 2, 0.01 * way), exact), CheckStatus::broken) << "at it throughout";
+}
+
+// The spring of one box gives its change of force to the box that is welded to it, too.
+TEST(DisplacementInvariant, AllowsForForcesOnWhatJointsAttach) {
+  Scene scene = box_on_ground();
+  scene.bodies[1].position = {0, 50};
+  scene.bodies.push_back(scene.bodies[1]);
+  scene.bodies[2].name = "other";
+  scene.bodies[2].position = {5, 50};
+  const double mass = mass_of(scene.bodies[1]).mass;
+  constexpr double gained = 1;  // m/s, in the step
+  constexpr double way = 1.5 * gained * dt;
+  const std::vector<BodyState> then{{}, {.position = {0, 50}}, {.position = {5, 50}}};
+  const std::vector<BodyState> now{
+      {}, {.position = {way, 50}, .velocity = {gained, 0}}, {.position = {5 + way, 50}, .velocity = {gained, 0}}};
+  const auto with_spring = [&](double stiffness) {
+    scene.forces = {Spring{.b = 1, .anchor_a = {0, 50}, .stiffness = stiffness}};
+    return status("displacement", scene, forged(dt, {{then}, {now}}), exact);
+  };
+  EXPECT_EQ(with_spring(mass / (dt * dt)), CheckStatus::broken) << "not attached";
+  scene.joints = {Weld{.a = 1, .b = 2, .anchor = {2, 50}}};
+  EXPECT_EQ(with_spring(mass / (dt * dt)), CheckStatus::held);
+  EXPECT_EQ(with_spring(0.1 * mass / (dt * dt)), CheckStatus::broken);
 }
 
 TEST(DisplacementInvariant, IsBrokenByATeleport) {
