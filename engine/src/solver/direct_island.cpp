@@ -99,12 +99,13 @@ void DirectIsland::begin_contacts() {
 
 /// Between impacts bodies move as RATTLE moves them (H. C. Andersen, J. Comput. Phys. 52 (1983)).
 ///
-/// `then`: the contact that is struck at the end of the interval. s, by which it went on: less if that contact closes
-/// sooner than it seemed to; 0, with nothing changed, if impulses for so long an interval are not found: gaps are too
+/// `then`: what is struck at the end of the interval, if anything. s, by which it went on: less if that closes sooner
+/// than it seemed to; 0, with nothing changed, if impulses for so long an interval are not found: gaps are too
 /// far from linear in it.
-Real DirectIsland::advance(Real h, std::uint32_t then) {
+Real DirectIsland::advance(Real h, const Impact& then) {
   refresh();
-  for (std::uint32_t c = 0; c < contacts_.size(); ++c) let_wait(contacts_[c], c == then);
+  for (std::uint32_t c = 0; c < contacts_.size(); ++c) let_wait(contacts_[c], c == then.contact);
+  waiting_stop_ = then.stop;
   note_velocities(before_);
   by_forces_.assign(members_.bodies.size(), {});
   kick(h);
@@ -136,10 +137,10 @@ Real DirectIsland::advance(Real h, std::uint32_t then) {
   return h;
 }
 
-/// The share of an interval that can be gone without overlaps that nothing resolves: until a point of the contact that
-/// waits for its impact closes, as that is predicted from the loads of the last interval, which this one may not have;
+/// The share of an interval that can be gone without overlaps that nothing resolves: until what waits for its impact
+/// closes, as that is predicted from the loads of the last interval, which this one may not have;
 /// half of it if other features meet before its end.
-Real DirectIsland::apart_for(std::uint32_t then, Real h) const {
+Real DirectIsland::apart_for(const Impact& then, Real h) const {
   constexpr Real little = static_cast<Real>(5e-5);  // m
   Real share = 1;
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
@@ -151,13 +152,20 @@ Real DirectIsland::apart_for(std::uint32_t then, Real h) const {
       const Real now = contact.frame.points[i].separation;
       const Real later = contact.touch.gap(i, a, b);
       least = std::min(least, later);
-      if (c == then && contact.waits[i] && now > 0 && later < -little) share = std::min(share, now / (now - later));
+      if (c == then.contact && contact.waits[i] && now > 0 && later < -little)
+        share = std::min(share, now / (now - later));
     }
     if (least < -little || !slides_far(contact, a, b)) continue;
     const Manifold found = collide_at(contact, a, b, 0);
     for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i) {
       if (found.points[i].separation < -little) share = std::min(share, Real{0.5});
     }
+  }
+  if (then.stop != DirectContact::no_row) {
+    const ActiveJoint& joint = *members_.joints[then.stop / 2];
+    const Real now = joint.block.stop[then.stop % 2].error;
+    const Real later = ahead(joint, h).stop[then.stop % 2].error;
+    if (now > 0 && later < -little) share = std::min(share, now / (now - later));
   }
   return share;
 }
@@ -308,12 +316,16 @@ Motion DirectIsland::motion_after(std::uint32_t body, Real t) const {
 }
 
 JointBlock DirectIsland::ahead(const ActiveJoint& joint, Real t) const {
+  return placed(joint, motion_after(joint.block.a, t), motion_after(joint.block.b, t));
+}
+
+/// A joint when its bodies have moved by a and b since the start of the step.
+JointBlock DirectIsland::placed(const ActiveJoint& joint, const Motion& a, const Motion& b) const {
   JointBlock block = joint.block;
-  const auto pose = [&](std::uint32_t body) {
-    const Motion there = motion_after(body, t);
+  const auto pose = [&](std::uint32_t body, const Motion& there) {
     return JointPose{there.from(step_->start[body]), step_->data.bodies.angle[body] + there.turn};
   };
-  joint.model->write(pose(block.a), pose(block.b), block);
+  joint.model->write(pose(block.a, a), pose(block.b, b), block);
   return block;
 }
 

@@ -78,16 +78,17 @@ class DirectIsland {
  private:
   struct Impact {
     Real time = 0;   // s from now
-    Real speed = 0;  // m/s, closing
-    std::uint32_t contact = 0;
+    Real speed = 0;  // m/s, closing; rad/s of a hinge's stop
+    std::uint32_t contact = DirectContact::no_row;
+    std::uint32_t stop = DirectContact::no_row;  // instead of a contact: 2 j or 2 j + 1 of the joint j
   };
 
   void begin();
   void begin_contacts();
   void substep();
   Real longest() const;
-  Real advance(Real h, std::uint32_t then);
-  Real apart_for(std::uint32_t then, Real h) const;
+  Real advance(Real h, const Impact& then);
+  Real apart_for(const Impact& then, Real h) const;
   void end();
 
   // Contacts and joints at present.
@@ -96,6 +97,7 @@ class DirectIsland {
   bool slides_far(const DirectContact& contact, const Motion& a, const Motion& b) const;
   Manifold collide_at(const DirectContact& contact, const Motion& a, const Motion& b, Real margin) const;
   JointBlock ahead(const ActiveJoint& joint, Real t) const;
+  JointBlock placed(const ActiveJoint& joint, const Motion& a, const Motion& b) const;
   Motion motion_after(std::uint32_t body, Real t) const;
 
   // Impulses.
@@ -111,6 +113,8 @@ class DirectIsland {
   void relax(Real h);
   void list_contact(DirectContact& contact);
   void list_joint(const JointBlock& block);
+  Constraint& stop_row(std::uint32_t stop);
+  static void leave_out(Constraint& row);
   Real place_of(std::uint32_t a, std::uint32_t b) const;
   void bias_press(Real h);
   Real least_gap(Real now, Real h) const;
@@ -133,10 +137,12 @@ class DirectIsland {
   std::vector<Real> motors_lack(Real time, const std::vector<Real>& works);
   std::optional<Impact> next_impact(Real within) const;
   std::optional<Impact> impact_of(std::uint32_t contact, Real within) const;
+  std::optional<Impact> impact_of_stop(std::uint32_t stop, Real within) const;
+  int& approaches(const Impact& impact);
   Real closing(const DirectContact& contact, const TouchFrame& frame, std::size_t point, Real t) const;
   Motion flown_motion(std::uint32_t body, Real t) const;
   Velocity flown_velocity(std::uint32_t body, Real t) const;
-  void strike(std::uint32_t contact);
+  void strike(const Impact& impact);
   void list_struck(DirectContact& contact, Real reach);
   void solve_impact();
 
@@ -150,11 +156,13 @@ class DirectIsland {
   bool tall_ = false;  // the island is taller than wide
   std::vector<DirectContact> contacts_;
   ConstraintSystem system_;
-  EnergyBound bound_;                      // where impulses were not found
-  std::vector<std::uint32_t> joint_rows_;  // first of each joint in the system
-  std::vector<Velocity> before_;           // of the island's bodies
-  std::vector<Velocity> by_forces_;        // what forces changed in the interval, of the island's bodies
-  std::vector<Real> pressing_joints_;      // N s or N m s, of the rows of joints before the drift
+  EnergyBound bound_;                                   // where impulses were not found
+  std::vector<std::uint32_t> joint_rows_;               // first of each joint in the system
+  std::vector<Velocity> before_;                        // of the island's bodies
+  std::vector<Velocity> by_forces_;                     // what forces changed in the interval, of the island's bodies
+  std::vector<int> approached_stops_;                   // as DirectContact::approached, two for each joint
+  std::uint32_t waiting_stop_ = DirectContact::no_row;  // for its impact at the end of the interval
+  std::vector<Real> pressing_joints_;                   // N s or N m s, of the rows of joints before the drift
   bool counts_changed_ = false;
 };
 

@@ -1,14 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "joints/joint_rows.h"
 #include "solver/direct_island.h"
 #include "solver/impact_row.h"
 
-/// What ends an interval of a small island before its sub-step does: an impact, which comes at its own time and changes
-/// velocities there, and a motor that reaches its speed.
+/// What ends an interval of a small island before its sub-step does: an impact, of a contact or of a joint with its
+/// stop, which comes at its own time and changes velocities there, and a motor that reaches its speed.
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
@@ -22,13 +23,44 @@ constexpr Real no_gap = static_cast<Real>(sizeof(Real) == 8 ? 1e-13 : 1e-6);
 constexpr Real at_the_end = static_cast<Real>(1e-9);
 constexpr int most_approaches = 4;  // what is still ahead after so many is braked by others, and borne like what rests
 
+/// A gap, m or rad, and the speed at which it closes.
+struct Nearing {
+  Real gap = 0, speed = 0;
+};
+
+/// s and the speed at which a gap closes, sought within `within`; nullopt if it does not. `at(t)`: what is near at that
+/// time. The parabola through the gap now, its rate, and the gap at the end gives a guess; Newton's iteration on the
+/// path refines it.
+template <class At>
+std::optional<std::pair<Real, Real>> closes(const Nearing& now, Real within, const At& at) {
+  if (!(now.gap > no_gap)) return std::pair{Real{0}, now.speed};
+  const Real v = -now.speed;
+  const Real c = 2 * (at(within).gap - now.gap - v * within) / (within * within);
+  const Real discriminant = v * v - 2 * c * now.gap;
+  if (discriminant < 0) return std::nullopt;
+  const Real mean = std::sqrt(discriminant) - v;
+  if (mean <= 0) return std::nullopt;
+  Real t = 2 * now.gap / mean;
+  if (t > 2 * within) return std::nullopt;
+  constexpr int rounds = 4;
+  for (int round = 0; round < rounds; ++round) {
+    const Nearing there = at(t);
+    if (there.speed <= 0) return std::nullopt;
+    t = std::max(t + there.gap / there.speed, Real{0});
+  }
+  if (t > (1 + at_the_end) * within) return std::nullopt;
+  const Real time = std::min(t, within);
+  return std::pair{time, at(time).speed};
+}
+
 }  // namespace
 
 void DirectIsland::substep() {
   refresh();
   for (DirectContact& contact : contacts_) contact.approached = 0;
+  approached_stops_.assign(2 * members_.joints.size(), 0);
   // Of going to an impact and of resolving it. Elastic ones end by themselves.
-  const std::size_t most = 128 + 32 * contacts_.size();
+  const std::size_t most = 128 + 32 * (contacts_.size() + members_.joints.size());
   constexpr std::size_t most_elastic = 10000;
   std::size_t count = 0;
   std::size_t elastic = 0;
@@ -38,20 +70,21 @@ void DirectIsland::substep() {
     std::optional<Impact> next;
     if (count < most && elastic < most_elastic) next = next_impact(now);
     if (next) {
-      ++(contacts_[next->contact].restitution < 1 ? count : elastic);
+      const bool rebounds = next->stop == DirectContact::no_row && contacts_[next->contact].restitution >= 1;
+      ++(rebounds ? elastic : count);
       // What is nearer than time can tell is struck now: another contact may keep it from ever coming nearer.
       if (!(next->time > at_the_end * h_)) {
-        contacts_[next->contact].approached = 0;
-        strike(next->contact);
+        approaches(*next) = 0;
+        strike(*next);
         continue;
       }
       now = next->time;
     }
     if (left - now <= at_the_end * h_) now = left;
-    const Real gone = advance(now, next ? next->contact : DirectContact::no_row);
+    const Real gone = advance(now, next.value_or(Impact{}));
     if (gone > 0) {
       left -= gone;
-      if (next) ++contacts_[next->contact].approached;
+      if (next) ++approaches(*next);
     } else {
       solvable_ = now / 2;
     }
@@ -86,6 +119,7 @@ Real DirectIsland::motors_reach(Real within) {
   if (!any) return within;
   refresh();
   for (DirectContact& contact : contacts_) let_wait(contact, false);
+  waiting_stop_ = DirectContact::no_row;
   Real low = negligible;
   Real high = within;
   const std::vector<Real> now = motors_lack(low, works);
@@ -140,20 +174,44 @@ std::vector<Real> DirectIsland::motors_lack(Real time, const std::vector<Real>& 
 /// The first impact from now on, the fastest of several.
 std::optional<DirectIsland::Impact> DirectIsland::next_impact(Real within) const {
   std::optional<Impact> first;
-  for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
-    if (contacts_[c].approached > most_approaches) continue;
-    const std::optional<Impact> one = impact_of(c, within);
-    if (!one) continue;
+  const auto consider = [&first](const std::optional<Impact>& one) {
+    if (!one) return;
     const bool earlier = !first || one->time < first->time || (one->time == first->time && one->speed > first->speed);
     if (earlier) first = one;
+  };
+  for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
+    if (contacts_[c].approached <= most_approaches) consider(impact_of(c, within));
+  }
+  for (std::uint32_t stop = 0; stop < approached_stops_.size(); ++stop) {
+    if (approached_stops_[stop] <= most_approaches) consider(impact_of_stop(stop, within));
   }
   return first;
 }
 
+int& DirectIsland::approaches(const Impact& impact) {
+  return impact.stop == DirectContact::no_row ? contacts_[impact.contact].approached : approached_stops_[impact.stop];
+}
+
+/// When a joint comes to its stop faster than forces alone drive it there. Rates of hinges and of sliders have units of
+/// their own, so forces tell what is slow.
+std::optional<DirectIsland::Impact> DirectIsland::impact_of_stop(std::uint32_t stop, Real within) const {
+  constexpr Real inelastic = static_cast<Real>(0.1);  // as of contacts, see slow()
+  const ActiveJoint& joint = *members_.joints[stop / 2];
+  const JointBlock& block = joint.block;
+  if (static_cast<int>(stop % 2) >= block.stops) return std::nullopt;
+  const auto at = [&](Real t) {
+    const JointBlock there = placed(joint, flown_motion(block.a, t), flown_motion(block.b, t));
+    const JointRow& row = there.stop[stop % 2];
+    return Nearing{row.error, -rate(row, flown_velocity(block.a, t), flown_velocity(block.b, t))};
+  };
+  const auto met = closes(at(0), within, at);
+  if (!met) return std::nullopt;
+  const Real gained = rate(block.stop[stop % 2], step_->acceleration[block.a], step_->acceleration[block.b]) * h_;
+  if (met->second <= inelastic * std::abs(gained) + no_speed) return std::nullopt;
+  return Impact{.time = met->first, .speed = met->second, .stop = stop};
+}
+
 /// When a point of the contact touches faster than the threshold, if bodies go on under forces and what bears them.
-///
-/// The parabola through the gap now, its rate, and the gap at the end gives a guess; Newton's iteration on the path
-/// refines it.
 std::optional<DirectIsland::Impact> DirectIsland::impact_of(std::uint32_t index, Real within) const {
   const DirectContact& contact = contacts_[index];
   const auto frame_at = [&](Real t) {
@@ -162,31 +220,16 @@ std::optional<DirectIsland::Impact> DirectIsland::impact_of(std::uint32_t index,
   std::optional<TouchFrame> end;
   std::optional<Impact> first;
   for (std::size_t i = 0; i < contact.count; ++i) {
-    const Real gap = contact.frame.points[i].separation;
-    const Real v = -closing(contact, contact.frame, i, 0);
-    Impact one{0, -v, index};
-    if (gap > no_gap) {
+    const auto near_at = [&](const TouchFrame& frame, Real t) {
+      return Nearing{frame.points[i].separation, closing(contact, frame, i, t)};
+    };
+    const auto met = closes(near_at(contact.frame, 0), within, [&](Real t) {
+      if (t != within) return near_at(frame_at(t), t);
       if (!end) end = frame_at(within);
-      const Real c = 2 * (end->points[i].separation - gap - v * within) / (within * within);
-      const Real discriminant = v * v - 2 * c * gap;
-      if (discriminant < 0) continue;
-      const Real mean = std::sqrt(discriminant) - v;
-      if (mean <= 0) continue;
-      Real t = 2 * gap / mean;
-      if (t > 2 * within) continue;
-      constexpr int rounds = 4;
-      bool parts = false;
-      for (int round = 0; round < rounds && !parts; ++round) {
-        const TouchFrame there = frame_at(t);
-        const Real speed = closing(contact, there, i, t);
-        parts = speed <= 0;
-        if (!parts) t = std::max(t + there.points[i].separation / speed, Real{0});
-      }
-      if (parts || t > (1 + at_the_end) * within) continue;
-      one.time = std::min(t, within);
-      one.speed = closing(contact, frame_at(one.time), i, one.time);
-    }
-    if (one.speed <= slow(contact)) continue;
+      return near_at(*end, within);
+    });
+    if (!met || met->second <= slow(contact)) continue;
+    const Impact one{.time = met->first, .speed = met->second, .contact = index};
     if (!first || one.time < first->time || (one.time == first->time && one.speed > first->speed)) first = one;
   }
   return first;
@@ -214,10 +257,12 @@ Real DirectIsland::closing(const DirectContact& contact, const TouchFrame& frame
   return dot(frame.normal, a.v - b.v) + a.w * frame.points[point].cross_a - b.w * frame.points[point].cross_b;
 }
 
-/// Resolves the impact of a contact now. An inelastic one is resolved with all that touch; an elastic one is between
-/// its two bodies, as in Newton's cradle, and what these then meet is struck next. Joints hold in either.
-void DirectIsland::strike(std::uint32_t index) {
-  const bool alone = contacts_[index].restitution > 0;
+/// Resolves an impact now. An inelastic one, as that of a joint with its stop, is resolved with all that touch; an
+/// elastic one is between its two bodies, as in Newton's cradle, and what these then meet is struck next. Joints hold
+/// in either.
+void DirectIsland::strike(const Impact& impact) {
+  const std::uint32_t index = impact.contact;
+  const bool alone = impact.stop == DirectContact::no_row && contacts_[index].restitution > 0;
   system_.clear();
   joint_rows_.clear();
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) {

@@ -282,6 +282,18 @@ void DirectIsland::list_for_press(Real h) {
     for_each_row(joint->block, [&](const JointRow& row) { system_[at++].impulse = share * row.half; });
     if (joint->block.driven) system_[at - 1].most = h / 2 * joint->block.motor_strength;
   }
+  if (waiting_stop_ != DirectContact::no_row) leave_out(stop_row(waiting_stop_));
+}
+
+/// The row in the system of a stop, 2 j or 2 j + 1 of the joint j.
+Constraint& DirectIsland::stop_row(std::uint32_t stop) {
+  const std::size_t joint = stop / 2;
+  return system_[joint_rows_[joint] + static_cast<std::size_t>(members_.joints[joint]->block.equations) + stop % 2];
+}
+
+void DirectIsland::leave_out(Constraint& row) {
+  row.mass_a = row.mass_b = {};
+  row.impulse = 0;
 }
 
 /// Impulses before the drift, after which nothing overlaps, what sticks has not slid, and joints hold. False if there
@@ -436,15 +448,14 @@ void DirectIsland::relax(Real h) {
     });
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
       Constraint& row = system_[joint_rows_.back() + static_cast<std::size_t>(block.equations) + i];
-      if (block.stop[i].error <= touching_gap || row.given != 0) continue;
-      row.mass_a = row.mass_b = {};
-      row.impulse = 0;
+      if (block.stop[i].error > touching_gap && row.given == 0) leave_out(row);
     }
     if (block.driven) {
       system_[at - 1].most = h * block.motor_strength;
       system_[at - 1].bias = -block.motor_speed;
     }
   }
+  if (waiting_stop_ != DirectContact::no_row) leave_out(stop_row(waiting_stop_));
   system_.solve(velocity);
   if (stick_or_slip()) system_.solve(velocity);
   while (let_go()) system_.solve(velocity);
