@@ -100,8 +100,8 @@ int ensemble_members(const Scene&, double dt, int most);
 /// that has a horizon of its own gets it as the metric "horizon". If the scene has one, every two engines that are not
 /// wrong anyway are compared by ensembles of ensemble_members() runs from the same perturbed starts (see
 /// `add_ensembles`), and each with that of a refined engine, ours in double precision at half the step: the reason of a
-/// record tells if they differ. That has as many of these runs as `budget` body-steps allow; it is left out if those are
-/// too few to tell.
+/// record tells if they differ. That has as many of these runs as `budget` body-steps allow; it is left out if those
+/// are too few to tell.
 void compare_beyond_horizon(const Case&, std::span<const EngineConfig>, double dt, int most, std::size_t budget,
                             std::span<RunRecord> records, std::span<Comparison> comparisons);
 

@@ -27,7 +27,8 @@
 //   at the velocities of its start, or those a step later by the forces then. A body on a path gets another velocity
 //   at the start of a step, by c, and what joints attach to it gets at most the energy m c^2/2, m the group's mass,
 //   that takes it along. With that at once, the mean is off by half of it: sqrt(m c^2/m_i) dt/2;
-// - motors that reach their speed within the step, or lose it, which an impact may make them do for a while: their force
+// - motors that reach their speed within the step, or lose it, which an impact may make them do for a while: their
+// force
 //   changes by up to twice their strength S. An impulse of 2 S dt/8 counts as that of a force that changes;
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
 //   may overlap by c dt before it is noticed, and that, the overlap at the start and the stated gap are pushed out.

@@ -1,6 +1,7 @@
 // What nothing touches moves by the scene's forces and the impulses of its joints alone.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -32,10 +33,11 @@
 // - the forces, known at both ends of the step (see AppliedForces::change_in);
 // - the joints' directions, which turn within the step from J0 to J1. The fit takes their mean; whenever within the
 //   step an impulse acts, its direction is off by at most half of J1 - J0, and by an eighth of both rates for the arc.
-//   A method with one solve a step takes J0 or J1 for all impulses, so either may fit better. The anchors may be apart
-//   by the stated slop, and the impulse may act at either. Where a body on a path gets another velocity at the start of
-//   a step, by c, that impulse is along J0, and the others of the step may hide it from the fit: at most sqrt(m) c in
-//   the norm below, m the group's mass;
+//   A method with one solve a step takes J0 or J1 for all impulses, so either may fit better. What counts is the size
+//   of the impulse and, as it may pass zero within the step, half of what it changed by since the step before: if it
+//   changes evenly, it is off from its mean by no more. The anchors may be apart by the stated slop, and the impulse
+//   may act at either. Where a body on a path gets another velocity at the start of a step, by c, that impulse is along
+//   J0, and the others of the step may hide it from the fit: at most sqrt(m) c in the norm below, m the group's mass;
 // - damping c, which a first-order method takes from either end: c dt of the change that the damping and the forces
 //   make;
 // - sleep, which stops a body of at most the stated speed;
@@ -143,7 +145,8 @@ class FreeMotion {
         joints_(context.scene),
         members_(context.scene.bodies.size()),
         place_(context.scene.bodies.size()),
-        largest_(context.scene.bodies.size()) {
+        largest_(context.scene.bodies.size()),
+        last_(joints_.rows(context.trace.states(0)).size()) {
     Groups groups(members_.size());
     for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
       const auto [a, b] = joints_.bodies(joint);
@@ -221,6 +224,7 @@ class FreeMotion {
 
   // The directions of a group's joints, and by how much each may be off from their mean over the step.
   struct Directions {
+    std::vector<std::size_t> which;  // of all joints' rows
     std::vector<Row> start, mean, end;
     std::vector<double> off;
     std::vector<Signs> signs;
@@ -283,6 +287,7 @@ class FreeMotion {
       if (std::find(group.begin(), group.end(), moves(joint.a) ? joint.a : joint.b) == group.end()) continue;
       const Signs signs = joint.limits_of ? limits_in(step, *joint.limits_of) : Signs{};
       if (!signs.positive && !signs.negative) continue;
+      directions.which.push_back(r);
       directions.signs.push_back(signs);
       const Row start = row_of(joint);
       const Row end = row_of(step.rows_end[r]);
@@ -387,25 +392,35 @@ class FreeMotion {
     const double jump = scaled * jump_of_paths(step, group);
     double rest = 0;
     double tolerance = 0;
+    Vector impulses;
     for (const std::vector<Row>* rows : {&directions.mean, &directions.start, &directions.end}) {
       const Fit fit = allowed_fit(missing, *rows, directions.signs);
       double joints = 0;
       for (std::size_t r = 0; r < rows->size(); ++r) {
         const double size = (*rows)[r].size();
         joints += std::abs(fit.lambda[r]) * (directions.off[r] + solver_rounding(stepping) * size);
+        const Impulse& last = last_[directions.which[r]];
+        if (last.moment + 1 == step.moment) joints += std::abs(fit.lambda[r] - last.size) / 2 * directions.off[r];
         if (size > 0) joints += jump / size * directions.off[r];
       }
       const double ratio = error_ratio(norm(fit.rest), known + joints);
       if (rows != &directions.mean && ratio >= error_ratio(rest, tolerance)) continue;
       rest = norm(fit.rest);
       tolerance = known + joints;
+      impulses = fit.lambda;
       if (ratio <= 1) break;
     }
+    for (std::size_t r = 0; r < impulses.size(); ++r) last_[directions.which[r]] = {step.moment, impulses[r]};
     // At rest, the joints may carry all of the forces: then nothing tests the law.
     const double untold = force_size > 0 ? norm(fitted(force, directions.mean).rest) : momentum_size / 2;
     worst_.add(scaled * rest, scaled * tolerance, scaled * untold, time,
                [&] { return context_.scene.bodies[group.front()].name; });
   }
+
+  struct Impulse {
+    std::size_t moment = std::numeric_limits<std::size_t>::max();  // none
+    double size = 0;
+  };
 
   const InvariantContext& context_;
   AppliedForces forces_;
@@ -413,6 +428,7 @@ class FreeMotion {
   std::vector<std::vector<std::size_t>> members_;  // of the group with that index
   std::vector<std::size_t> place_;                 // of a body in its group
   std::vector<double> largest_;                    // momentum of a group so far, by its first body
+  std::vector<Impulse> last_;                      // of each row
   WorstViolation worst_;
 };
 
