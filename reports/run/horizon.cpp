@@ -242,6 +242,7 @@ void compare_beyond_horizon(const Case& test_case, std::span<const EngineConfig>
   const EngineConfig refined_engine = refined_config();
   double size = 0;
   std::optional<std::optional<double>> known;  // the scene's horizon, if its engine is among these
+  std::vector<EngineConfig> compared;          // those that are not wrong anyway
   for (const EngineConfig& config : configs) {
     size = std::max(size, smallest_difference(scene, config.engine->stepping(config.settings, dt)));
     for (RunRecord& record : records) {
@@ -249,6 +250,7 @@ void compare_beyond_horizon(const Case& test_case, std::span<const EngineConfig>
       const auto own = horizon_of(scene, config, dt, *record.trace);
       if (own) record.metrics["horizon"] = {*own, "s"};
       if (config.engine == refined_engine.engine && config.settings == refined_engine.settings) known = own;
+      if (record.verdict != Verdict::wrong && record.verdict != Verdict::failed) compared.push_back(config);
     }
   }
   const auto horizon = known ? *known : horizon_of(scene, dt);
@@ -256,10 +258,7 @@ void compare_beyond_horizon(const Case& test_case, std::span<const EngineConfig>
   const int refined_runs = refined_members(scene, dt, members, budget);
   if (!horizon || (comparisons.empty() && refined_runs == 0)) return;
   Ensembles ensembles;
-  for (const EngineConfig& config : configs) {
-    const auto is_its = [&](const RunRecord& one) { return label_of(one.engine, one.method) == config_label(config); };
-    const auto its = std::ranges::find_if(records, is_its);
-    if (its == records.end() || its->verdict == Verdict::wrong || its->verdict == Verdict::failed) continue;
+  for (const EngineConfig& config : compared) {
     ensembles[config_label(config)] = run_ensemble(scene, config, dt, size, members, first_ensemble_seed);
   }
   for (Comparison& comparison : comparisons) {

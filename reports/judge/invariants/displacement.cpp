@@ -27,9 +27,8 @@
 //   at the velocities of its start, or those a step later by the forces then. A body on a path gets another velocity
 //   at the start of a step, by c, and what joints attach to it gets at most the energy m c^2/2, m the group's mass,
 //   that takes it along. With that at once, the mean is off by half of it: sqrt(m c^2/m_i) dt/2;
-// - motors that reach their speed within the step, or lose it, which an impact may make them do for a while: their
-// force
-//   changes by up to twice their strength S. An impulse of 2 S dt/8 counts as that of a force that changes;
+// - motors that reach their speed within the step, or lose it, as an impact may make them: their force changes by up to
+//   twice their strength S. An impulse of 2 S dt/8 counts as that of a force that changes;
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
 //   may overlap by c dt before it is noticed, and that, the overlap at the start and the stated gap are pushed out.
 //   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
@@ -146,16 +145,18 @@ class Displacement {
         const Vec jump = now[carrier].velocity - then[carrier].velocity;
         pushes[group_of(a, b)].energy += group_mass[group_of(a, b)] * dot(jump, jump) / 4;
       }
-      // Velocities that change at two rates, R apart, are off from the mean by R dt/8 at most.
-      if (pushes[group_of(a, b)].touched || joints_.switches(joint, then, now)) {
-        pushes[group_of(a, b)].forced += joints_.drive(joint, dt) / 16;
-      }
       const double stopped =
           std::max(joints_.passes_limits(joint, then, dt), joints_.passes_limits(joint, hurried, dt));
       if (stopped > 0) {
         pushes[group_of(a, b)].correction += stopped;
         pushes[group_of(a, b)].touched = true;
       }
+    }
+    for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+      const auto [a, b] = joints_.bodies(joint);
+      Push& push = pushes[group_of(a, b)];
+      // Velocities that change at two rates, R apart, are off from the mean by R dt/8 at most.
+      if (push.touched || joints_.switches(joint, then, now)) push.forced += joints_.drive(joint, dt) / 16;
     }
     return pushes;
   }

@@ -201,6 +201,14 @@ TEST(CompareBeyondHorizon, FindsNoDifferenceOfAnEngineFromItself) {
   EXPECT_THAT(report.comparisons.front().reason, StartsWith("plausible beyond the horizon at "));
 }
 
+TEST(CompareBeyondHorizon, SpendsNothingOnAnEngineThatIsWrongAnyway) {
+  const Report report = report_of("rain:seed 1", {"impulse", "impulse:solver=article"});
+  ASSERT_EQ(report.runs[0].metrics.count("horizon"), 1u);
+  ASSERT_EQ(report.runs[1].verdict, Verdict::wrong);
+  EXPECT_EQ(report.comparisons.front().verdict, Verdict::wrong);
+  EXPECT_EQ(report.comparisons.front().metrics.count("ensemble_energy_p"), 0u);
+}
+
 TEST(CompareBeyondHorizon, LeavesPredictableScenesAlone) {
   const Report report = report_of("bounce:e=0.8", {"impulse", "impulse:solver=soft-step"});
   EXPECT_EQ(report.runs[1].metrics.count("horizon"), 0u);
