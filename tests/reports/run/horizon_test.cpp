@@ -166,7 +166,7 @@ TEST(Ensemble, FindsAnEngineWithWrongPhysics) {
   EXPECT_TRUE(any_different(differences));
 }
 
-Report report_of(const char* word, std::vector<const char*> engines) {
+Report report_of(const char* word, const std::vector<const char*>& engines) {
   Plan plan{.cases = {parse_cases(word).front()}, .ensemble = 8};
   for (const char* engine : engines) plan.configs.push_back(parse_engine(engine));
   return run_experiment(plan, [](const std::string&, std::size_t, std::size_t) {});
