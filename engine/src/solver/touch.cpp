@@ -69,6 +69,8 @@ void Touch::trace(const Contact& contact, const BodySet& bodies) {
   if (outline_.is_of_a == (a.type() == ShapeType::circle)) return;
   const Shape& shape = outline_.is_of_a ? a : b;
   if (shape.type() == ShapeType::half_space) return;
+  // Where ground goes on beyond a face, the search has left out what the face's plane stands for.
+  if (contact.joins && normal_of_ != NormalOf::between) return;
   const Rotation q = outline_.is_of_a ? contact.found_a.q : contact.found_b.q;
   const Vec2 found = outline_.is_of_a ? arm_a_[0] : arm_b_[0];
   const auto in_frame = [&](Vec2 v) {
@@ -95,8 +97,6 @@ void Touch::trace(const Contact& contact, const BodySet& bodies) {
     add(1, corner(before), either ? Vec2{} : outward(before % count));
     return;
   }
-  // Where ground goes on beyond a face, the search has left out what the face's plane stands for.
-  if (contact.joins) return;
   const Vec2 faces = outline_.is_of_a ? Vec2{1, 0} : Vec2{-1, 0};
   for (int i = 0; i < count; ++i) {
     const Vec2 from = corner(i);
