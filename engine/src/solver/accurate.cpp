@@ -21,9 +21,8 @@ namespace {
 /// about the true one: 1e-5 for a pendulum, 1e-2 and more for chains too fast for the sub-step.
 constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
-/// Most contacts of an island that is solved as one system, and most joints. In single precision, rounding leaves more
-/// of gaps than Newton's method can tell from an overlap.
-constexpr std::size_t most_direct = sizeof(Real) == 8 ? 24 : 0;
+/// Most contacts of an island that is solved as one system, and most joints.
+constexpr std::size_t most_direct = 24;
 
 /// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
 constexpr std::size_t most_together = 64;

@@ -23,22 +23,22 @@ struct Unknown {
 
 /// The rates of all rows for unit impulses, and last for none, row by row; equations of joints are solved for their own
 /// impulses and left out of what others do.
-std::vector<double> ConstraintSystem::rates_without_equations(const std::vector<Velocity>& velocity) const {
+std::vector<double> ConstraintSystem::rates_without_equations() const {
   const std::size_t n = rows_.size();
   const std::size_t width = n + 1;
   std::vector<double> rates(n * width, 0);
   for (std::size_t i = 0; i < n; ++i) {
     if (!(mass_[i] > 0)) continue;
     for (std::size_t j = 0; j < n; ++j) {
-      if (mass_[j] > 0) rates[i * width + j] = response<double>(rows_[i], rows_[j]);
+      if (mass_[j] > 0) rates[i * width + j] = response(rows_[i], rows_[j]);
     }
-    rates[i * width + n] = speed<double>(rows_[i], velocity) + double{rows_[i].bias};
+    rates[i * width + n] = rate(i);
   }
   for (std::size_t k = 0; k < n; ++k) {
     if (rows_[k].law != Law::holds || !(mass_[k] > 0)) continue;
     const double* by = rates.data() + k * width;
     const double own = by[k];
-    if (own * static_cast<double>(mass_[k]) <= lcp_round_off) continue;  // follows from the others
+    if (own * mass_[k] <= lcp_round_off) continue;  // follows from the others
     for (std::size_t i = 0; i < n; ++i) {
       double* to = rates.data() + i * width;
       const double factor = to[k] / own;
@@ -56,10 +56,10 @@ std::vector<double> ConstraintSystem::rates_without_equations(const std::vector<
 ///   f >= 0,  w + s >= 0,   b >= 0,  s - w >= 0,   most - f - b >= 0,  s >= 0,   one of each pair 0.
 ///
 /// Friction acts where it was placed last. False, with nothing changed, if pivoting finds no solution.
-bool ConstraintSystem::pivot(std::vector<Velocity>& velocity) {
+bool ConstraintSystem::pivot() {
   using Kind = Unknown::Kind;
   std::vector<Unknown> unknowns;
-  std::vector<Real> before;
+  std::vector<double> before;
   for (std::uint32_t i = 0; i < rows_.size(); ++i) {
     before.push_back(rows_[i].impulse);
     if (!(mass_[i] > 0)) continue;
@@ -70,9 +70,9 @@ bool ConstraintSystem::pivot(std::vector<Velocity>& velocity) {
     unknowns.push_back({Kind::backward, i});
     unknowns.push_back({Kind::overcome, i});
   }
-  rebuild(velocity);
+  rebuild();
 
-  const std::vector<double> rates = rates_without_equations(velocity);
+  const std::vector<double> rates = rates_without_equations();
   const std::size_t n = unknowns.size();
   std::vector<double> m(n * n, 0);
   std::vector<double> q(n, 0);
@@ -85,7 +85,7 @@ bool ConstraintSystem::pivot(std::vector<Velocity>& velocity) {
     if (by.kind == Kind::overcome) return 0;
     if (of.row == by.row) return -1;
     const bool bears = row.law == Law::rubs && by.row >= row.first && by.row < row.first + row.count;
-    return bears ? static_cast<double>(row.friction) : 0;
+    return bears ? double{row.friction} : 0;
   };
   for (std::size_t i = 0; i < n; ++i) {
     const Unknown& of = unknowns[i];
@@ -94,7 +94,7 @@ bool ConstraintSystem::pivot(std::vector<Velocity>& velocity) {
     if (of.kind != Kind::overcome) {
       q[i] = of.sign() * rates[of.row * (rows_.size() + 1) + rows_.size()];
     } else {  // with the load of points whose impulses are fixed
-      q[i] = static_cast<double>(row.law == Law::rubs ? row.friction * load(row) : row.most);
+      q[i] = row.law == Law::rubs ? double{row.friction} * load(row) : row.most;
     }
   }
 
@@ -104,9 +104,9 @@ bool ConstraintSystem::pivot(std::vector<Velocity>& velocity) {
   }
   for (std::size_t i = 0; solution && i < n; ++i) {
     const Unknown& of = unknowns[i];
-    if (of.kind != Kind::overcome) rows_[of.row].impulse += static_cast<Real>(of.sign() * (*solution)[i]);
+    if (of.kind != Kind::overcome) rows_[of.row].impulse += of.sign() * (*solution)[i];
   }
-  rebuild(velocity);
+  rebuild();
   return solution.has_value();
 }
 

@@ -11,15 +11,21 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr std::uint32_t nothing_slips = ~std::uint32_t{0};
+constexpr std::uint32_t no_number = ~std::uint32_t{0};
 
-/// Of the largest term of a rate, what rounding may leave of it.
-constexpr Real rates_round_by = 64 * std::numeric_limits<Real>::epsilon();
-constexpr Real pivots_round_by = std::max(rates_round_by, static_cast<Real>(lcp_round_off));
+/// Of the largest term of a rate, by how much rows may contradict each other.
+constexpr double rows_round_by = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+/// By how much laws may be broken: less than the velocities are rounded by.
+constexpr double enough_of = std::max(64 * std::numeric_limits<double>::epsilon(),
+                                      static_cast<double>(std::numeric_limits<Real>::epsilon()) / 64);
+constexpr double pivots_round_by = std::max(rows_round_by, lcp_round_off);
 
 }  // namespace
 
 void ConstraintSystem::clear() {
+  for (const std::uint32_t body : bodies_) number_of_[body] = no_number;
+  bodies_.clear();
+  ends_.clear();
   rows_.clear();
   state_.clear();
   factored_ = begun_ = false;
@@ -27,141 +33,168 @@ void ConstraintSystem::clear() {
 
 std::uint32_t ConstraintSystem::add(const Constraint& constraint) {
   rows_.push_back(constraint);
+  ends_.push_back({number_of(constraint.a), number_of(constraint.b)});
   return static_cast<std::uint32_t>(rows_.size() - 1);
 }
 
-Real ConstraintSystem::rate(std::size_t i, const std::vector<Velocity>& velocity) const {
-  const Constraint& row = rows_[i];
-  return speed(row, velocity) + row.bias;
+std::uint32_t ConstraintSystem::number_of(std::uint32_t body) {
+  if (body >= number_of_.size()) number_of_.resize(body + 1, no_number);
+  if (number_of_[body] == no_number) {
+    number_of_[body] = static_cast<std::uint32_t>(bodies_.size());
+    bodies_.push_back(body);
+  }
+  return number_of_[body];
 }
 
-/// Bodies that cannot be pushed are not written: they may belong to other islands too.
-void ConstraintSystem::change(std::size_t i, Real by, std::vector<Velocity>& velocity) const {
+double ConstraintSystem::rate(std::size_t i) const {
+  return speed(rows_[i], now_[ends_[i].a], now_[ends_[i].b]) + rows_[i].bias;
+}
+
+void ConstraintSystem::change(std::size_t i, double by) {
   const Constraint& row = rows_[i];
   if (pushable(row.mass_a)) {
-    Velocity& a = velocity[row.a];
-    a.v -= row.mass_a.m * by * row.axis;
-    a.w -= row.mass_a.i * by * row.arm_a;
+    Precise& a = now_[ends_[i].a];
+    a.x -= double{row.mass_a.m} * by * double{row.axis.x};
+    a.y -= double{row.mass_a.m} * by * double{row.axis.y};
+    a.w -= double{row.mass_a.i} * by * double{row.arm_a};
   }
   if (pushable(row.mass_b)) {
-    Velocity& b = velocity[row.b];
-    b.v += row.mass_b.m * by * row.axis;
-    b.w += row.mass_b.i * by * row.arm_b;
+    Precise& b = now_[ends_[i].b];
+    b.x += double{row.mass_b.m} * by * double{row.axis.x};
+    b.y += double{row.mass_b.m} * by * double{row.axis.y};
+    b.w += double{row.mass_b.i} * by * double{row.arm_b};
   }
 }
 
-void ConstraintSystem::give(std::size_t i, Real by, std::vector<Velocity>& velocity) {
+void ConstraintSystem::give(std::size_t i, double by) {
   if (by == 0) return;
   rows_[i].impulse += by;
-  change(i, by, velocity);
+  change(i, by);
 }
 
-Real ConstraintSystem::load(const Constraint& friction) const {
-  Real sum = 0;
+double ConstraintSystem::load(const Constraint& friction) const {
+  double sum = 0;
   for (std::uint32_t p = friction.first; p < friction.first + friction.count; ++p) sum += rows_[p].impulse;
-  return std::max(sum, Real{0});
+  return std::max(sum, 0.);
 }
 
-bool ConstraintSystem::drove(const std::vector<Velocity>& velocity) const {
-  Real work = 0;
-  Real size = 0;
+bool ConstraintSystem::drove() const {
+  double work = 0;
+  double size = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
-    const auto& [a, b] = start_[i];
-    const Real before = dot(row.axis, b.v - a.v) + b.w * row.arm_b - a.w * row.arm_a;
-    const Real impulse = row.impulse - row.given;
-    work += impulse * (before + speed(row, velocity)) / 2;
+    const Ends& ends = ends_[i];
+    const double before = speed(row, start_[ends.a], start_[ends.b]);
+    const double impulse = row.impulse - row.given;
+    work += impulse * (before + speed(row, now_[ends.a], now_[ends.b])) / 2;
     size += std::abs(impulse * before);
   }
-  return work > rates_round_by * size;
+  return work > rows_round_by * size;
 }
 
 void ConstraintSystem::weigh(std::size_t i) {
   const Constraint& row = rows_[i];
-  const Real own = response<Real>(row, row);
-  mass_[i] = own > 0 && !row.fixed ? 1 / own : Real{0};
+  const double own = response(row, row);
+  mass_[i] = own > 0 && !row.fixed ? 1 / own : 0.;
 }
 
 /// How a constraint acts that has this impulse, up to a fraction by which it is rounded. What is at its bound stays
 /// there: a pile that slides goes on to slide.
-ConstraintSystem::State ConstraintSystem::guessed_state(const Constraint& row, Real rounding) const {
+ConstraintSystem::State ConstraintSystem::guessed_state(const Constraint& row, double rounding) const {
   if (row.law == Law::holds) return State::holds;
   if (row.impulse == 0) return State::off;
   if (row.law == Law::pushes) return State::holds;
-  const Real most = row.law == Law::rubs ? row.friction * load(row) : row.most;
+  const double most = row.law == Law::rubs ? row.friction * load(row) : row.most;
   if (std::abs(row.impulse) < (1 - rounding) * most) return State::holds;
   return row.impulse > 0 ? State::forward : State::backward;
 }
 
-/// Notes the velocities, and in the first call applies the guesses.
-void ConstraintSystem::begin(std::vector<Velocity>& velocity) {
+/// In the first call notes the velocities and applies the guesses.
+void ConstraintSystem::begin(const std::vector<Velocity>& velocity) {
+  if (!begun_) {
+    now_.clear();
+    for (const std::uint32_t body : bodies_) now_.emplace_back(velocity[body]);
+    start_ = now_;
+  }
   mass_.resize(rows_.size());
   scale_ = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     weigh(i);
-    const Real inverse = mass_[i] > 0 ? 1 / mass_[i] : Real{0};
-    const Velocity& a = velocity[row.a];
-    const Velocity& b = velocity[row.b];
+    const double inverse = mass_[i] > 0 ? 1 / mass_[i] : 0;
+    const Precise& a = now_[ends_[i].a];
+    const Precise& b = now_[ends_[i].b];
     const bool turns = row.axis == Vec2{};
-    const Real moves = turns ? Real{0} : length(a.v) + length(b.v);
-    const Real terms = moves + std::abs(a.w * row.arm_a) + std::abs(b.w * row.arm_b);
-    scale_ = std::max({scale_, terms, std::abs(row.bias), std::abs(row.impulse) * inverse});
+    const double moves = turns ? 0 : std::sqrt(a.x * a.x + a.y * a.y) + std::sqrt(b.x * b.x + b.y * b.y);
+    const double terms = moves + std::abs(a.w * double{row.arm_a}) + std::abs(b.w * double{row.arm_b});
+    // Of a gap that is open, only as much as closes counts.
+    const double bias = row.law == Law::pushes ? std::max(-row.bias, 0.) : std::abs(row.bias);
+    scale_ = std::max({scale_, terms, bias, std::abs(row.impulse) * inverse});
   }
   if (!begun_) {
     begun_ = true;
-    start_.clear();
-    for (const Constraint& row : rows_) start_.emplace_back(velocity[row.a], velocity[row.b]);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (std::abs(rows_[i].impulse) <= rates_round_by * scale_ * mass_[i]) rows_[i].impulse = 0;
-      if (rows_[i].impulse != rows_[i].given) change(i, rows_[i].impulse - rows_[i].given, velocity);
+      if (std::abs(rows_[i].impulse) <= enough_of * scale_ * mass_[i]) rows_[i].impulse = 0;
+      if (rows_[i].impulse != rows_[i].given) change(i, rows_[i].impulse - rows_[i].given);
     }
   }
   if (state_.size() == rows_.size()) return;
   state_.resize(rows_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    state_[i] = guessed_state(rows_[i], rates_round_by);
+    state_[i] = guessed_state(rows_[i], enough_of);
   }
   factored_ = false;
 }
 
+/// Bodies that nothing changes are not written: those that cannot be pushed may belong to other islands too.
+void ConstraintSystem::tell(std::vector<Velocity>& velocity) const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Velocity& to = velocity[bodies_[i]];
+    const Vec2 v{static_cast<Real>(now_[i].x), static_cast<Real>(now_[i].y)};
+    const Real w = static_cast<Real>(now_[i].w);
+    if (to.v == v && to.w == w) continue;
+    to.v = v;
+    to.w = w;
+  }
+}
+
 /// The impulse that would bring this rate alone to 0, within the constraint's bounds.
-Real ConstraintSystem::wanted(std::size_t i, const std::vector<Velocity>& velocity) const {
+double ConstraintSystem::wanted(std::size_t i) const {
   const Constraint& row = rows_[i];
-  const Real free = row.impulse - mass_[i] * rate(i, velocity);
+  const double free = row.impulse - mass_[i] * rate(i);
   switch (row.law) {
     case Law::holds:
       return free;
     case Law::pushes:
-      return std::max(free, Real{0});
+      return std::max(free, 0.);
     case Law::drives:
-      return clamp(free, -row.most, row.most);
+      return std::clamp(free, -row.most, row.most);
     case Law::rubs:
       break;
   }
-  const Real most = row.friction * load(row);
-  return clamp(free, -most, most);
+  const double most = row.friction * load(row);
+  return std::clamp(free, -most, most);
 }
 
 /// m/s, by how much the worst law is broken.
-Real ConstraintSystem::broken_by(const std::vector<Velocity>& velocity) const {
-  Real most = 0;
+double ConstraintSystem::broken_by() const {
+  double most = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (mass_[i] > 0) most = std::max(most, std::abs(rows_[i].impulse - wanted(i, velocity)) / mass_[i]);
+    if (mass_[i] > 0) most = std::max(most, std::abs(rows_[i].impulse - wanted(i)) / mass_[i]);
   }
   return most;
 }
 
 /// Which constraints act, by their present impulses and rates.
-void ConstraintSystem::choose(const std::vector<Velocity>& velocity) {
+void ConstraintSystem::choose() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     if (!(mass_[i] > 0)) {
       state_[i] = State::off;
       continue;
     }
-    const Real free = row.impulse - mass_[i] * rate(i, velocity);
-    Real most = row.most;
+    const double free = row.impulse - mass_[i] * rate(i);
+    double most = row.most;
     switch (row.law) {
       case Law::holds:
         state_[i] = State::holds;
@@ -173,12 +206,12 @@ void ConstraintSystem::choose(const std::vector<Velocity>& velocity) {
         break;
       case Law::rubs: {
         // Its points stand before it.
-        Real sum = 0;
+        double sum = 0;
         bool any = false;
         for (std::uint32_t p = row.first; p < row.first + row.count; ++p) {
           if (!bears(p)) continue;
           any = true;
-          sum += std::max(rows_[p].impulse - mass_[p] * rate(p, velocity), Real{0});
+          sum += std::max(rows_[p].impulse - mass_[p] * rate(p), 0.);
         }
         most = row.friction * sum;
         if (!any) {
@@ -198,7 +231,7 @@ bool ConstraintSystem::bears(std::size_t point) const {
 }
 
 /// Lets friction act where its load does.
-void ConstraintSystem::place_friction(std::vector<Velocity>& velocity) {
+void ConstraintSystem::place_friction() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Constraint& row = rows_[i];
     if (row.law != Law::rubs) continue;
@@ -206,7 +239,7 @@ void ConstraintSystem::place_friction(std::vector<Velocity>& velocity) {
     for (std::uint32_t p = 0; p < row.count; ++p) any = any || bears(row.first + p);
     Real arm_a = 0;
     Real arm_b = 0;
-    Real bias = 0;
+    double bias = 0;
     Real points = 0;
     for (std::uint32_t p = 0; p < row.count; ++p) {
       if (any && !bears(row.first + p)) continue;
@@ -215,21 +248,21 @@ void ConstraintSystem::place_friction(std::vector<Velocity>& velocity) {
       bias += row.point_bias[p];
       ++points;
     }
-    row.bias = bias / points;
+    row.bias = bias / double{points};
     arm_a /= points;
     arm_b /= points;
     if (arm_a == row.arm_a && arm_b == row.arm_b) continue;
-    change(i, row.given - row.impulse, velocity);
+    change(i, row.given - row.impulse);
     row.arm_a = arm_a;
     row.arm_b = arm_b;
-    change(i, row.impulse - row.given, velocity);
+    change(i, row.impulse - row.given);
     weigh(i);
   }
 }
 
 /// The rows that are solved for, neighbours beside each other, and the friction that follows them.
 void ConstraintSystem::choose_unknowns() {
-  friction_of_.assign(rows_.size(), nothing_slips);
+  friction_of_.assign(rows_.size(), no_number);
   free_.clear();
   for (std::uint32_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
@@ -245,7 +278,7 @@ void ConstraintSystem::choose_unknowns() {
   for (const std::uint32_t i : free_) {
     const std::uint32_t friction = friction_of_[i];
     slips_.push_back(friction);
-    slope_.push_back(friction == nothing_slips            ? Real{0}
+    slope_.push_back(friction == no_number                ? 0.
                      : state_[friction] == State::forward ? rows_[friction].friction
                                                           : -rows_[friction].friction);
   }
@@ -253,23 +286,18 @@ void ConstraintSystem::choose_unknowns() {
 
 /// How far apart unknowns are at most that act on one body.
 std::size_t ConstraintSystem::bandwidth() {
-  const auto each_body = [this](auto&& visit) {
-    for (std::uint32_t k = 0; k < free_.size(); ++k) {
-      const Constraint& row = rows_[free_[k]];
-      if (pushable(row.mass_a)) visit(row.a, k);
-      if (pushable(row.mass_b)) visit(row.b, k);
-    }
-  };
-  each_body([this](std::uint32_t body, std::uint32_t) {
-    if (body >= first_of_.size()) first_of_.resize(body + 1);
-    first_of_[body] = nothing_slips;
-  });
+  first_of_.assign(bodies_.size(), no_number);
   std::uint32_t most = 0;
-  each_body([&](std::uint32_t body, std::uint32_t k) {
-    std::uint32_t& first = first_of_[body];
-    if (first == nothing_slips) first = k;
+  const auto visit = [&](std::uint32_t number, std::uint32_t k) {
+    std::uint32_t& first = first_of_[number];
+    if (first == no_number) first = k;
     most = std::max(most, k - first);
-  });
+  };
+  for (std::uint32_t k = 0; k < free_.size(); ++k) {
+    const Constraint& row = rows_[free_[k]];
+    if (pushable(row.mass_a)) visit(ends_[free_[k]].a, k);
+    if (pushable(row.mass_b)) visit(ends_[free_[k]].b, k);
+  }
   return most;
 }
 
@@ -285,11 +313,11 @@ bool ConstraintSystem::factor() {
   const auto row_at = [this](std::size_t i) { return &matrix_[i * stride_ + shift_]; };
   for (std::size_t i = 0; i < n; ++i) {
     const Constraint& row = rows_[free_[i]];
-    Real* entries = row_at(i);
+    double* entries = row_at(i);
     const std::size_t end = std::min(n, i + band_ + 1);
     for (std::size_t j = i > band_ ? i - band_ : 0; j < end; ++j) {
-      entries[j] = response<Real>(row, rows_[free_[j]]);
-      if (slips_[j] != nothing_slips) entries[j] += slope_[j] * response<Real>(row, rows_[slips_[j]]);
+      entries[j] = response(row, rows_[free_[j]]);
+      if (slips_[j] != no_number) entries[j] += slope_[j] * response(row, rows_[slips_[j]]);
     }
     entries[i] += least_compliance / mass_[free_[i]];
   }
@@ -302,14 +330,14 @@ bool ConstraintSystem::factor() {
       if (std::abs(row_at(i)[k]) > std::abs(row_at(best)[k])) best = i;
     }
     pivot_[k] = best;
-    Real* from = row_at(k);
+    double* from = row_at(k);
     if (best != k) std::swap_ranges(from + k, from + right, row_at(best) + k);
     if (!(std::abs(from[k]) > 0)) return false;
     for (std::size_t i = k + 1; i < below; ++i) {
-      Real* to = row_at(i);
+      double* to = row_at(i);
       if (to[k] == 0) continue;
       to[k] /= from[k];
-      const Real factor = to[k];
+      const double factor = to[k];
       for (std::size_t j = k + 1; j < right; ++j) to[j] -= factor * from[j];
     }
   }
@@ -326,7 +354,7 @@ void ConstraintSystem::substitute() {
     for (std::size_t i = k + 1; i < below; ++i) right_[i] -= row_at(i)[k] * right_[k];
   }
   for (std::size_t k = n; k-- > 0;) {
-    const Real* entries = row_at(k);
+    const double* entries = row_at(k);
     const std::size_t end = std::min(n, k + 2 * band_ + 1);
     for (std::size_t j = k + 1; j < end; ++j) right_[k] -= entries[j] * right_[j];
     right_[k] /= entries[k];
@@ -334,8 +362,8 @@ void ConstraintSystem::substitute() {
 }
 
 /// Solves the linear system of those that act now. False if it is singular.
-bool ConstraintSystem::newton(std::vector<Velocity>& velocity) {
-  place_friction(velocity);
+bool ConstraintSystem::newton() {
+  place_friction();
   if (!factored_ || last_ != state_) {
     factored_ = factor();
     last_ = state_;
@@ -344,125 +372,128 @@ bool ConstraintSystem::newton(std::vector<Velocity>& velocity) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     if (state_[i] == State::holds || row.fixed) continue;
-    Real impulse = 0;
+    double impulse = 0;
     if (state_[i] != State::off) impulse = row.law == Law::rubs ? row.friction * load(row) : row.most;
-    give(i, (state_[i] == State::backward ? -impulse : impulse) - row.impulse, velocity);
+    give(i, (state_[i] == State::backward ? -impulse : impulse) - row.impulse);
   }
   right_.clear();
-  for (const std::uint32_t i : free_) right_.push_back(-rate(i, velocity));
+  for (const std::uint32_t i : free_) right_.push_back(-rate(i));
   substitute();
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    give(free_[i], right_[i], velocity);
-    if (slips_[i] != nothing_slips) give(slips_[i], slope_[i] * right_[i], velocity);
+    give(free_[i], right_[i]);
+    if (slips_[i] != no_number) give(slips_[i], slope_[i] * right_[i]);
   }
   return true;
 }
 
-void ConstraintSystem::sweep(std::vector<Velocity>& velocity) {
-  place_friction(velocity);
+void ConstraintSystem::sweep() {
+  place_friction();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (mass_[i] > 0) give(i, wanted(i, velocity) - rows_[i].impulse, velocity);
+    if (mass_[i] > 0) give(i, wanted(i) - rows_[i].impulse);
   }
 }
 
 /// Keeps the impulses if they break laws less than those kept before.
-void ConstraintSystem::keep(Real broken) {
+void ConstraintSystem::keep(double broken) {
   if (!(broken < least_broken_)) return;
   least_broken_ = broken;
   best_.clear();
   for (const Constraint& row : rows_) best_.push_back(row.impulse);
 }
 
-void ConstraintSystem::go_back(std::vector<Velocity>& velocity) const {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Constraint& row = rows_[i];
-    if (pushable(row.mass_a)) velocity[row.a] = start_[i].first;
-    if (pushable(row.mass_b)) velocity[row.b] = start_[i].second;
-  }
-}
-
 /// The velocities at the start with all impulses since: without the rounding of those that were taken back.
-void ConstraintSystem::rebuild(std::vector<Velocity>& velocity) {
-  go_back(velocity);
+void ConstraintSystem::rebuild() {
+  now_ = start_;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].impulse != rows_[i].given) change(i, rows_[i].impulse - rows_[i].given, velocity);
+    if (rows_[i].impulse != rows_[i].given) change(i, rows_[i].impulse - rows_[i].given);
   }
 }
 
-/// Rounds at each constraint, not by the largest of them; impulses of the size of rounding are none.
-void ConstraintSystem::finish(Real enough, std::vector<Velocity>& velocity) {
-  sweep(velocity);
+/// Rounds at each constraint, not by the largest of them; impulses of the size of rounding are none, and friction has
+/// no part in those.
+void ConstraintSystem::finish(double enough) {
+  sweep();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Constraint& row = rows_[i];
-    if (std::abs(row.impulse) <= enough * mass_[i] || (row.law == Law::rubs && load(row) == 0)) row.impulse = 0;
+    if (std::abs(row.impulse) <= enough * mass_[i]) row.impulse = 0;
+    if (row.law != Law::rubs) continue;
+    const double most = row.friction * load(row);
+    row.impulse = std::clamp(row.impulse, -most, most);
   }
-  rebuild(velocity);
+  rebuild();
 }
 
-/// Newton's iteration until no law is broken by more than enough. False, with the best impulses, if there are laws.
-bool ConstraintSystem::iterate(Real enough, std::vector<Velocity>& velocity) {
+/// Newton's iteration until no law is broken by more than enough, or, where rows contradict each other, until it no
+/// longer helps. False, with the best impulses, if there are laws.
+bool ConstraintSystem::iterate(double enough) {
   constexpr int rounds = 16;
-  least_broken_ = std::numeric_limits<Real>::infinity();
+  least_broken_ = std::numeric_limits<double>::infinity();
   in_circles_ = false;
   for (int round = 0;; ++round) {
-    const Real broken = broken_by(velocity);
+    const double broken = broken_by();
     if (broken <= enough) return true;
+    if (least_broken_ <= rows_round_by * scale_ && broken > least_broken_ / 2) break;
     keep(broken);
     if (round == rounds) break;
-    if (round > 0 || !factored_) choose(velocity);
+    if (round > 0 || !factored_) choose();
     in_circles_ = last_ != state_;
-    if (!newton(velocity)) break;
+    if (!newton()) break;
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].impulse = best_[i];
-  rebuild(velocity);
-  return false;
+  rebuild();
+  return least_broken_ <= rows_round_by * scale_;
 }
 
 /// Friction that a guess puts beside its bound by rounding is at its bound.
-void ConstraintSystem::slide_on_the_cone(Real enough, std::vector<Velocity>& velocity) {
+void ConstraintSystem::slide_on_the_cone(double enough) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     if (row.law != Law::rubs || !(mass_[i] > 0)) continue;
-    const Real most = row.friction * load(row);
-    const Real short_of = most - std::abs(row.impulse);
-    if (std::abs(short_of) <= enough * mass_[i]) give(i, std::copysign(most, row.impulse) - row.impulse, velocity);
+    const double most = row.friction * load(row);
+    const double short_of = most - std::abs(row.impulse);
+    if (std::abs(short_of) <= enough * mass_[i]) give(i, std::copysign(most, row.impulse) - row.impulse);
   }
 }
 
 bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
   if (rows_.empty()) return true;
   begin(velocity);
-  place_friction(velocity);
-  const Real enough = rates_round_by * scale_;
-  if (broken_by(velocity) <= enough) {
-    slide_on_the_cone(enough, velocity);
-    return true;
+  place_friction();
+  const double enough = enough_of * scale_;
+  bool found = broken_by() <= enough;
+  if (found) {
+    slide_on_the_cone(enough);
+  } else {
+    // Where what acts no longer changes, equations contradict each other or rounding is left: pivoting mends neither.
+    found =
+        iterate(enough) || (in_circles_ && iterate_from_pivots(enough)) || least_broken_ <= pivots_round_by * scale_;
+    finish(enough);
   }
-  // Where what acts no longer changes, equations contradict each other or rounding is left: pivoting mends neither.
-  const bool found = iterate(enough, velocity) || (in_circles_ && iterate_from_pivots(enough, velocity));
-  finish(enough, velocity);
-  return found || least_broken_ <= pivots_round_by * scale_;
+  tell(velocity);
+  return found;
 }
 
 /// The same from what acts in the solution by pivoting.
-bool ConstraintSystem::iterate_from_pivots(Real enough, std::vector<Velocity>& velocity) {
-  if (!pivot(velocity)) return false;
+bool ConstraintSystem::iterate_from_pivots(double enough) {
+  if (!pivot()) return false;
   for (std::size_t i = 0; i < rows_.size(); ++i) state_[i] = guessed_state(rows_[i], pivots_round_by);
-  place_friction(velocity);
+  place_friction();
   factored_ = factor();
   last_ = state_;
-  return iterate(enough, velocity);
+  return iterate(enough);
 }
 
 void ConstraintSystem::restart(std::vector<Velocity>& velocity) {
-  go_back(velocity);
+  now_ = start_;
+  tell(velocity);
   begun_ = false;
   reconsider();
 }
 
 void ConstraintSystem::undo(std::vector<Velocity>& velocity) {
   for (Constraint& row : rows_) row.impulse = row.given = 0;
-  rebuild(velocity);
+  rebuild();
+  tell(velocity);
   reconsider();
 }
 

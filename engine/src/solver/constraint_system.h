@@ -28,10 +28,10 @@ struct Constraint {
   Vec2 axis;                   // unit, or 0 for an angle
   Real arm_a = 0, arm_b = 0;   // m, or 1 for an angle
   Law law = Law::holds;
-  Real bias = 0;       // m/s or rad/s
-  Real impulse = 0;    // N s or N m s: a guess, and the solution
-  Real given = 0;      // of these, what the velocities contain before they are solved for
-  Real most = 0;       // of a motor
+  double bias = 0;     // m/s or rad/s
+  double impulse = 0;  // N s or N m s: a guess, and the solution
+  double given = 0;    // of these, what the velocities contain before they are solved for
+  double most = 0;     // of a motor
   bool fixed = false;  // its impulse is not to change
   Real place = 0;      // where it acts, by any measure: neighbours are eliminated one after the other
 
@@ -39,7 +39,8 @@ struct Constraint {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   Real friction = 0;  // coefficient
-  std::array<Real, 2> point_a{}, point_b{}, point_bias{};
+  std::array<Real, 2> point_a{}, point_b{};
+  std::array<double, 2> point_bias{};
 };
 
 /// All constraints of a small island, solved together. So their order says nothing, and no load needs several sub-steps
@@ -51,6 +52,9 @@ struct Constraint {
 /// solution methods, Comput. Methods Appl. Mech. Eng. 92 (1991)). Where masses do not say how constraints share a load,
 /// impulses change least from the guess. If Newton's method goes in circles, the laws are solved as a linear
 /// complementarity problem by pivoting, and from there Newton's method goes on.
+///
+/// Computes in double whatever the engine's precision: what rounds are the rows that it is given, which may contradict
+/// each other by that, and the velocities that it leaves.
 class ConstraintSystem {
  public:
   void clear();
@@ -73,86 +77,103 @@ class ConstraintSystem {
   void restart(std::vector<Velocity>& velocity);
 
   /// m/s or rad/s, without bias.
-  template <class Number = Real>
-  static Number speed(const Constraint& row, const std::vector<Velocity>& velocity) {
-    const Velocity& a = velocity[row.a];
-    const Velocity& b = velocity[row.b];
-    const Vec2 v = b.v - a.v;
-    return Number{row.axis.x} * Number{v.x} + Number{row.axis.y} * Number{v.y} + Number{b.w} * Number{row.arm_b} -
-           Number{a.w} * Number{row.arm_a};
+  static double speed(const Constraint& row, const std::vector<Velocity>& velocity) {
+    return speed(row, Precise(velocity[row.a]), Precise(velocity[row.b]));
   }
   /// Whether the impulses did work, by more than rounding.
-  bool drove(const std::vector<Velocity>& velocity) const;
+  bool drove() const;
 
  private:
   /// A fraction of a constraint's own inverse mass, by which it yields while it is solved for: that decides between
-  /// equal ways to share a load. It does not stay: what it leaves is solved in the next round.
-  static constexpr Real least_compliance = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-4);
+  /// equal ways to share a load. It does not stay: what it leaves is solved in the next round. More than rows
+  /// contradict each other by.
+  static constexpr double least_compliance = sizeof(Real) == 8 ? 1e-9 : 1e-4;
+
+  /// A velocity while it is solved for.
+  struct Precise {
+    double x = 0, y = 0;  // m/s
+    double w = 0;         // rad/s
+
+    Precise() = default;
+    explicit Precise(const Velocity& from) : x(double{from.v.x}), y(double{from.v.y}), w(double{from.w}) {}
+  };
+  static double speed(const Constraint& row, const Precise& a, const Precise& b) {
+    return double{row.axis.x} * (b.x - a.x) + double{row.axis.y} * (b.y - a.y) + b.w * double{row.arm_b} -
+           a.w * double{row.arm_a};
+  }
+  /// The bodies of a row, by their number in the system.
+  struct Ends {
+    std::uint32_t a = 0, b = 0;
+  };
 
   enum class State : std::uint8_t { off, holds, forward, backward };
 
   /// The change of the rate of p for a unit impulse along q, through the bodies that both act on.
-  template <class Number>
-  static Number response(const Constraint& p, const Constraint& q) {
+  static double response(const Constraint& p, const Constraint& q) {
     const auto through = [&](const InverseMass& mass, Real arm_p, Real arm_q) {
-      const Number along = Number{p.axis.x} * Number{q.axis.x} + Number{p.axis.y} * Number{q.axis.y};
-      return Number{mass.m} * along + Number{mass.i} * Number{arm_p} * Number{arm_q};
+      const double along = double{p.axis.x} * double{q.axis.x} + double{p.axis.y} * double{q.axis.y};
+      return double{mass.m} * along + double{mass.i} * double{arm_p} * double{arm_q};
     };
-    Number sum = 0;
+    double sum = 0;
     if (p.a == q.a) sum += through(p.mass_a, p.arm_a, q.arm_a);
     if (p.b == q.b) sum += through(p.mass_b, p.arm_b, q.arm_b);
     if (p.a == q.b) sum -= through(p.mass_a, p.arm_a, q.arm_b);
     if (p.b == q.a) sum -= through(p.mass_b, p.arm_b, q.arm_a);
     return sum;
   }
-  State guessed_state(const Constraint& row, Real rounding) const;
-  void begin(std::vector<Velocity>& velocity);
+  std::uint32_t number_of(std::uint32_t body);
+  State guessed_state(const Constraint& row, double rounding) const;
+  void begin(const std::vector<Velocity>& velocity);
+  void tell(std::vector<Velocity>& velocity) const;
   void weigh(std::size_t i);
-  Real rate(std::size_t i, const std::vector<Velocity>& velocity) const;
-  void change(std::size_t i, Real by, std::vector<Velocity>& velocity) const;
-  void give(std::size_t i, Real by, std::vector<Velocity>& velocity);
-  Real load(const Constraint& friction) const;
-  Real wanted(std::size_t i, const std::vector<Velocity>& velocity) const;
-  Real broken_by(const std::vector<Velocity>& velocity) const;
-  void choose(const std::vector<Velocity>& velocity);
+  double rate(std::size_t i) const;
+  void change(std::size_t i, double by);
+  void give(std::size_t i, double by);
+  double load(const Constraint& friction) const;
+  double wanted(std::size_t i) const;
+  double broken_by() const;
+  void choose();
   bool bears(std::size_t point) const;
-  void place_friction(std::vector<Velocity>& velocity);
+  void place_friction();
   void choose_unknowns();
   std::size_t bandwidth();
   bool factor();
   void substitute();
-  bool newton(std::vector<Velocity>& velocity);
-  bool iterate(Real enough, std::vector<Velocity>& velocity);
-  bool iterate_from_pivots(Real enough, std::vector<Velocity>& velocity);
-  std::vector<double> rates_without_equations(const std::vector<Velocity>& velocity) const;
-  bool pivot(std::vector<Velocity>& velocity);
-  void sweep(std::vector<Velocity>& velocity);
-  void keep(Real broken);
-  void rebuild(std::vector<Velocity>& velocity);
-  void go_back(std::vector<Velocity>& velocity) const;
-  void slide_on_the_cone(Real enough, std::vector<Velocity>& velocity);
-  void finish(Real enough, std::vector<Velocity>& velocity);
+  bool newton();
+  bool iterate(double enough);
+  bool iterate_from_pivots(double enough);
+  std::vector<double> rates_without_equations() const;
+  bool pivot();
+  void sweep();
+  void keep(double broken);
+  void rebuild();
+  void slide_on_the_cone(double enough);
+  void finish(double enough);
 
   std::vector<Constraint> rows_;
+  std::vector<Ends> ends_;                // of each row
+  std::vector<std::uint32_t> bodies_;     // by their number in the system
+  std::vector<std::uint32_t> number_of_;  // of each body, its number or none
   bool begun_ = false;
-  std::vector<std::pair<Velocity, Velocity>> start_;  // of the bodies of each row
-  std::vector<Real> mass_;                            // kg or kg m^2, effective, of each row alone
-  Real scale_ = 0;                                    // m/s, the largest term of a rate: what rounding is measured by
-  std::vector<State> state_;                          // of each row
-  std::vector<State> last_;                           // when the matrix was factored
-  std::vector<std::uint32_t> free_;                   // rows whose impulses are solved for
-  std::vector<std::uint32_t> slips_;                  // of each of these, the friction that follows it; or none
-  std::vector<Real> slope_;                           // by how much
-  std::vector<std::uint32_t> friction_of_;            // of each row, the friction that follows it; or none
-  std::vector<std::uint32_t> first_of_;               // of each body, the first unknown that acts on it
+  std::vector<Precise> start_;  // of each body of the system, before the first call
+  std::vector<Precise> now_;
+  std::vector<double> mass_;                // kg or kg m^2, effective, of each row alone
+  double scale_ = 0;                        // m/s, the largest term of a rate: what rounding is measured by
+  std::vector<State> state_;                // of each row
+  std::vector<State> last_;                 // when the matrix was factored
+  std::vector<std::uint32_t> free_;         // rows whose impulses are solved for
+  std::vector<std::uint32_t> slips_;        // of each of these, the friction that follows it; or none
+  std::vector<double> slope_;               // by how much
+  std::vector<std::uint32_t> friction_of_;  // of each row, the friction that follows it; or none
+  std::vector<std::uint32_t> first_of_;     // of each body of the system, the first unknown that acts on it
   // The matrix has entries only in a band beside the diagonal; pivoting doubles the upper half of it.
-  std::vector<Real> matrix_, right_;
+  std::vector<double> matrix_, right_;
   std::size_t band_ = 0, stride_ = 0, shift_ = 0;  // entry (i, j) is at i stride + j + shift
   std::vector<std::size_t> pivot_;
   bool factored_ = false;
-  bool in_circles_ = false;  // Newton's method ended while what acts still changed
-  Real least_broken_ = 0;    // m/s
-  std::vector<Real> best_;   // impulses
+  bool in_circles_ = false;   // Newton's method ended while what acts still changed
+  double least_broken_ = 0;   // m/s
+  std::vector<double> best_;  // impulses
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

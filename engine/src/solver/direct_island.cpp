@@ -13,6 +13,8 @@ namespace {
 
 constexpr Real slid_far = static_cast<Real>(0.002);      // m, that bodies slide before their contact is found again
 constexpr Real sought_within = static_cast<Real>(0.05);  // m, gap up to which points are sought
+/// Of the farthest coordinate: by what the gap between two bodies and their anchors is rounded.
+constexpr Real places_round_by = 4 * std::numeric_limits<Real>::epsilon();
 /// Of a sub-step: intervals are not halved further.
 constexpr Real shortest = Real{1} / 16;
 
@@ -41,6 +43,7 @@ void DirectIsland::begin() {
   }
   tall_ = most.y - least.y > most.x - least.x;
   gained_ = fastest * h_;
+  rounding_ = places_round_by * std::max({std::abs(least.x), std::abs(least.y), std::abs(most.x), std::abs(most.y)});
   begin_contacts();
   const Real share = 1 / static_cast<Real>(substeps_);
   for (ActiveJoint* joint : members_.joints) {

@@ -153,6 +153,7 @@ class DirectIsland {
   Real solvable_ = 0;  // s, the longest interval for which impulses were found in this step
   Real last_ = 0;      // s, of the interval that impulses are of
   Real gained_ = 0;    // m/s, by which a body falls faster in a sub-step
+  Real rounding_ = 0;  // m, of gaps, by how far away the bodies are
   bool tall_ = false;  // the island is taller than wide
   std::vector<DirectContact> contacts_;
   ConstraintSystem system_;

@@ -158,14 +158,14 @@ std::vector<Real> DirectIsland::motors_lack(Real time, const std::vector<Real>& 
     return system_[joint_rows_[j] + static_cast<std::size_t>(block.equations + block.stops)];
   };
   for (std::size_t j = 0; j < works.size(); ++j) {
-    if (works[j] != 0) motor(j).most = infinity;
+    if (works[j] != 0) motor(j).most = std::numeric_limits<double>::infinity();
   }
   bias_press(2 * time);
   system_.solve(step_->data.bodies.velocity);
   std::vector<Real> lacks;
   for (std::size_t j = 0; j < works.size(); ++j) {
     const Real gives = time * members_.joints[j]->block.motor_strength;
-    lacks.push_back(works[j] != 0 ? works[j] * motor(j).impulse - gives : infinity);
+    lacks.push_back(works[j] != 0 ? works[j] * static_cast<Real>(motor(j).impulse) - gives : infinity);
   }
   restore_velocities();
   return lacks;
@@ -305,9 +305,9 @@ void DirectIsland::list_struck(DirectContact& contact, Real reach) {
   contact.slips = slips;
   for (std::size_t i = 0; i < contact.count; ++i) {
     Constraint& row = system_[contact.row + i];
-    const Real v = ConstraintSystem::speed(row, velocity);
+    const double v = ConstraintSystem::speed(row, velocity);
     if (contact.frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
-    if (v < -slow(contact) || reach == struck_together) row.bias = contact.restitution * std::min(v, Real{0});
+    if (v < -slow(contact) || reach == struck_together) row.bias = contact.restitution * std::min(v, 0.);
   }
 }
 
@@ -315,7 +315,7 @@ void DirectIsland::list_struck(DirectContact& contact, Real reach) {
 /// some (Painleve). Then the normal impulses are those without friction, and friction only removes energy.
 void DirectIsland::solve_impact() {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
-  if (system_.solve(velocity) && !system_.drove(velocity)) return;
+  if (system_.solve(velocity) && !system_.drove()) return;
   system_.undo(velocity);
   for (Constraint& row : system_.all()) row.fixed = row.law == Law::rubs;
   system_.solve(velocity);

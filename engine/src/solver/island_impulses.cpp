@@ -134,10 +134,15 @@ void DirectIsland::bias_press(Real h) {
 }
 
 /// m, what a gap may be after the drift: an overlap is pushed apart bit by bit.
-Real DirectIsland::least_gap(Real now, Real h) const { return std::min(least_error(now, h), Real{0}); }
+Real DirectIsland::least_gap(Real now, Real h) const {
+  const Real least = least_error(now, h);
+  return now > rounding_ ? std::min(least, Real{0}) : least;
+}
 
-/// m or rad, what the error of a joint may be after the drift: it is mended bit by bit.
+/// m or rad, what the error of a joint may be after the drift: it is mended bit by bit. What may be rounding stays:
+/// mended, it would say how several contacts share a load.
 Real DirectIsland::least_error(Real now, Real h) const {
+  if (std::abs(now) <= rounding_) return now;
   const Real most = most_push * (h / h_);
   return now - clamp(now, -most, most);
 }
@@ -172,9 +177,9 @@ bool DirectIsland::stick_or_slip() {
   for (DirectContact& contact : contacts_) {
     if (contact.static_friction == contact.dynamic_friction || contact.friction_row == DirectContact::no_row) continue;
     Constraint& row = system_[contact.friction_row];
-    Real load = 0;
+    double load = 0;
     for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
-    const Real rate = ConstraintSystem::speed(row, step_->data.bodies.velocity) + row.bias;
+    const double rate = ConstraintSystem::speed(row, step_->data.bodies.velocity) + row.bias;
     const bool slips = load > 0 && std::abs(row.impulse) >= row.friction * load && std::abs(rate) > no_slip;
     broke = broke || (slips && !contact.slips);
     contact.slips = slips;
@@ -185,12 +190,12 @@ bool DirectIsland::stick_or_slip() {
 
 /// N s, the impulse of a point along normal and tangent: friction is shared as the load is.
 Vec2 DirectIsland::solved(const DirectContact& contact, std::size_t point) const {
-  Real load = 0;
+  double load = 0;
   for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
-  const Real normal = system_[contact.row + point].impulse;
-  if (contact.friction_row == DirectContact::no_row) return {normal, 0};
-  const Real share = load > 0 ? normal / load : 1 / static_cast<Real>(contact.count);
-  return {normal, system_[contact.friction_row].impulse * share};
+  const double normal = system_[contact.row + point].impulse;
+  if (contact.friction_row == DirectContact::no_row) return {static_cast<Real>(normal), 0};
+  const double share = load > 0 ? normal / load : 1 / static_cast<double>(contact.count);
+  return {static_cast<Real>(normal), static_cast<Real>(system_[contact.friction_row].impulse * share)};
 }
 
 /// Adds what the system has just changed to what the contact did in this step. `before`: N s, of each point, what it
@@ -200,14 +205,14 @@ void DirectIsland::note(DirectContact& contact, const std::array<Vec2, 2>& befor
   for (std::size_t i = 0; i < contact.count; ++i) {
     const Constraint& row = system_[contact.row + i];
     contact.total[i] += solved(contact, i) - before[i];
-    contact.effect.note(contact.frame.points[i], normal, {row.impulse - row.given, 0});
+    contact.effect.note(contact.frame.points[i], normal, {static_cast<Real>(row.impulse - row.given), 0});
   }
   if (contact.friction_row == DirectContact::no_row) return;
   const Constraint& friction = system_[contact.friction_row];
   PointArms at;  // both points rub as one
   at.dot_a = friction.arm_a;
   at.dot_b = friction.arm_b;
-  contact.effect.note(at, normal, {0, friction.impulse - friction.given});
+  contact.effect.note(at, normal, {0, static_cast<Real>(friction.impulse - friction.given)});
 }
 
 void DirectIsland::push(const DirectContact& contact, const ContactEffect& by) {
@@ -227,7 +232,7 @@ void DirectIsland::push(const DirectContact& contact, const ContactEffect& by) {
 bool DirectIsland::let_go() {
   const auto lets_go = [this](const DirectContact& contact) {
     Real pressed = 0;
-    Real left = 0;
+    double left = 0;
     for (std::size_t i = 0; i < contact.count; ++i) {
       pressed += contact.pressing[i].x;
       left += system_[contact.row + i].impulse;
@@ -312,11 +317,11 @@ bool DirectIsland::press(Real h) {
       solved = system_.solve(velocity);
     }
     off = missed(h);
-    if (off <= exact || !solved) break;
+    if (off <= std::max(exact, rounding_) || !solved) break;
   }
   // Constraints that hold already only turn velocities.
   constexpr Real gain = static_cast<Real>(0.1);
-  return off <= touching_gap &&
+  return off <= std::max(touching_gap, rounding_) &&
          (overlaps() || is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= (1 + gain) * before);
 }
 
@@ -383,7 +388,7 @@ void DirectIsland::note_press() {
   for (std::size_t j = 0; j < members_.joints.size(); ++j) {
     std::size_t at = joint_rows_[j];
     for_each_row(members_.joints[j]->block,
-                 [&](const JointRow&) { pressing_joints_.push_back(system_[at++].impulse); });
+                 [&](const JointRow&) { pressing_joints_.push_back(static_cast<Real>(system_[at++].impulse)); });
   }
 }
 
@@ -471,7 +476,7 @@ void DirectIsland::relax(Real h) {
   for (std::size_t j = 0; j < members_.joints.size(); ++j) {
     std::size_t at = joint_rows_[j];
     for_each_row(members_.joints[j]->block, [&](JointRow& row) {
-      row.impulse = system_[at++].impulse;
+      row.impulse = static_cast<Real>(system_[at++].impulse);
       row.half = *pressing++;
     });
   }

@@ -1,4 +1,4 @@
-// Small islands under the default method, in double precision: see most_direct in accurate.cpp.
+// Small islands under the default method: see most_direct in accurate.cpp.
 #include "solver/direct_island.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@
 namespace impulse::inline IMPULSE_PRECISION::direct_island_test {
 namespace {
 
-constexpr bool is_double = sizeof(Real) == 8;
+/// m, what rounding may leave of a gap between bodies within two metres of the origin.
+constexpr double rounded_gap = 8 * static_cast<double>(round_off) * 2;
 
 Settings falling() {
   Settings settings;
@@ -31,7 +32,6 @@ double kinetic(const Body& body) {
 // A wheel of inertia I that a motor of strength tau brings from rest to the rate w turns by w t - w^2 I/(2 tau),
 // whenever in a sub-step that is; a torque that helps it or brakes it shortens or lengthens that.
 TEST(DirectIsland, MotorsStopWorkingWhenTheyHaveTheirSpeed) {
-  if (!is_double) GTEST_SKIP() << "islands are swept in single precision";
   for (const double torque : {0., -3., 30.}) {
     for (int phase = 1; phase <= 20; ++phase) {
       World world(falling());
@@ -65,7 +65,6 @@ TEST(DirectIsland, MotorsStopWorkingWhenTheyHaveTheirSpeed) {
 // Housner (1963): a block that lands on its other corner keeps 1 - 1.5 sin^2 a of its spin, whenever in a sub-step that
 // is; the corner that it stood on bears it until then.
 TEST(DirectIsland, KeepsHousnersShareOfTheSpinOfARockingBlock) {
-  if (!is_double) GTEST_SKIP() << "islands are swept in single precision";
   const double slenderness = std::atan(.4);
   for (int phase = 0; phase < 20; ++phase) {
     World world(falling());
@@ -93,13 +92,14 @@ TEST(DirectIsland, KeepsHousnersShareOfTheSpinOfARockingBlock) {
       }
     }
     const double kept = 1 - 1.5 * std::pow(std::sin(slenderness), 2);
-    EXPECT_NEAR(after / before, kept * kept, 1e-4) << phase;
+    const double mass = static_cast<double>(world.body(block).mass().mass);
+    EXPECT_NEAR(after / before, kept * kept, 1e-4 + 10 * mass * rounded_gap / before) << phase;
   }
 }
 
 // A box that falls on a resting one does not hop, whatever the height: restitution is 0.
 TEST(DirectIsland, LetsABoxLandOnARestingOneWithoutAHop) {
-  if (!is_double) GTEST_SKIP() << "islands are swept in single precision";
+  const double little = 1e-9 + 2 * rounded_gap;
   for (int drop = 0; drop < 40; ++drop) {
     World world(falling());
     add_floor(world);
@@ -110,11 +110,11 @@ TEST(DirectIsland, LetsABoxLandOnARestingOneWithoutAHop) {
     for (int i = 0; i < 90; ++i) {
       world.step();
       const double height = static_cast<double>(world.body(upper).position().y) - 1.5;
-      landed = landed || height < 1e-9;
+      landed = landed || height < little;
       if (landed) highest = std::max(highest, std::abs(height));
     }
     EXPECT_TRUE(landed) << drop;
-    EXPECT_LT(highest, 1e-9) << drop;
+    EXPECT_LT(highest, little) << drop;
   }
 }
 
@@ -134,7 +134,6 @@ TEST(DirectIsland, ReportsNoContactPointFarFromTheBodies) {
 
 // Contacts of bodies between joints push only, and joints stay closed, through an impact.
 TEST(DirectIsland, HoldsJointsThroughAnImpact) {
-  if (!is_double) GTEST_SKIP() << "islands are swept in single precision";
   World world(falling());
   add_floor(world, frictionless());
   const BodyId a = world.create_body(at(0, 2, 0, 0, 1), Shape::box({real(.5), real(.1)}), frictionless());
@@ -145,7 +144,7 @@ TEST(DirectIsland, HoldsJointsThroughAnImpact) {
     const auto end = [&](BodyId id, double side) {
       return world.body(id).position() + Rotation(world.body(id).angle()) * Vec2{real(side), 0};
     };
-    ASSERT_LT(length(end(a, .5) - end(b, -.5)), 1e-9) << i;
+    ASSERT_LT(length(end(a, .5) - end(b, -.5)), 1e-9 + 2 * rounded_gap) << i;
     for (const ContactInfo& contact : world.contacts()) ASSERT_GE(contact.normal_impulse, 0) << i;
   }
 }
@@ -185,7 +184,6 @@ double deepest(World& world, const std::vector<BodyId>& boxes) {
 
 // A corner that comes round within an interval, and an impact sooner than loads let expect, end it.
 TEST(DirectIsland, LetsNoCornerComeRoundUnseen) {
-  if (!is_double) GTEST_SKIP() << "islands are swept in single precision";
   double most = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     Settings settings;
