@@ -82,8 +82,6 @@ OUT_OF_REACH = {
     "src/contacts/contact_rows.cpp": ["solvable", "prepare_rows"],
     "src/contacts/contact_rows.h": ["within_cone", "warm_start"],
     # Single precision: in double, DirectIsland solves the islands that are as small as these.
-    "src/solver/contact_system.cpp": [],
-    "src/solver/contact_system.h": [],
 }
 
 

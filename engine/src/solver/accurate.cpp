@@ -24,15 +24,6 @@ constexpr Real ideal_gain = static_cast<Real>(1e-4);
 /// Most contacts of an island that is solved as one system, and most joints.
 constexpr std::size_t most_direct = 24;
 
-/// Most contacts of islands that are stepped as one: their rows stay in the first-level cache.
-constexpr std::size_t most_together = 64;
-
-/// From the start of one span to the end of a later one.
-template <class T>
-std::span<T> from_to(std::span<T> first, std::span<T> last) {
-  return {first.data(), last.data() + last.size()};
-}
-
 }  // namespace
 
 void Accurate::step(StepData& data) {
@@ -49,7 +40,6 @@ void Accurate::step(StepData& data) {
   const auto step_batch = [&](std::size_t piece, std::size_t worker) {
     const std::size_t end = std::min((piece + 1) * batch, parts_.size());
     for (std::size_t number = piece * batch; number < end; ++number) step_island(data, number, spaces_[worker]);
-    step_alike(data, spaces_[worker]);
   };
   data.workers.share_out(batches, std::ref(step_batch));  // a copy would allocate memory
   for (AccurateWorkspace& space : spaces_) {
@@ -85,16 +75,7 @@ void Accurate::step_island(StepData& data, std::size_t number, AccurateWorkspace
     now.contacts = space.colouring.order();
   }
   make_rows(data, now, number);
-  if (!space.alike.empty()) {
-    const Island& first = space.alike.front();
-    const Island& last = space.alike.back();
-    const bool goes_on = plain(now) && now.substeps == last.substeps && now.varies == last.varies &&
-                         now.bodies.data() == last.bodies.data() + last.bodies.size() &&
-                         now.rows.data() == last.rows.data() + last.rows.size();
-    if (!goes_on || from_to(first.rows, now.rows).size() > most_together) step_alike(data, space);
-  }
-  space.alike.push_back(now);
-  if (!plain(now)) step_alike(data, space);
+  step_swept(data, now, space);
 }
 
 void Accurate::step_pile(StepData& data, std::size_t number, Island& island, AccurateWorkspace& space) {
@@ -106,28 +87,15 @@ void Accurate::step_pile(StepData& data, std::size_t number, Island& island, Acc
   begun->step(data, parts_, island, acceleration_, motion_, space.row_of);
 }
 
-/// Steps consecutive islands with the same number of sub-steps as if they were one, which changes no bit: they are
-/// independent, so a processor overlaps their computations.
-void Accurate::step_alike(StepData& data, AccurateWorkspace& space) {
-  if (space.alike.empty()) return;
-  Island all = space.alike.front();
-  all.bodies = from_to(all.bodies, space.alike.back().bodies);
-  all.rows = from_to(all.rows, space.alike.back().rows);
-  all.pulls = from_to(all.pulls, space.alike.back().pulls);
-  const auto substeps = static_cast<Real>(all.substeps);
-  all.share(1 / substeps);
-  for (const Island& one : space.alike) {
-    if (one.webbed) all.web = one.web;
-  }
-  if (!all.joints.empty()) all.joints.write();
-  space.turning.begin(all, data);
-  for (int i = 0; i < all.substeps; ++i) substep(data, all, space);
-  for (const Island& one : space.alike) {
-    if (!one.settling) ScalarContacts(data.bodies, motion_).settle_offsets(one);
-  }
-  all.share(substeps);
-  for (ImpactRow& row : all.rows) write_back(row, all.offset_scale, data.contacts);
-  space.alike.clear();
+void Accurate::step_swept(StepData& data, Island& island, AccurateWorkspace& space) {
+  const auto substeps = static_cast<Real>(island.substeps);
+  island.share(1 / substeps);
+  if (!island.joints.empty()) island.joints.write();
+  space.turning.begin(island, data);
+  for (int i = 0; i < island.substeps; ++i) substep(data, island, space);
+  if (!island.settling) ScalarContacts(data.bodies, motion_).settle_offsets(island);
+  island.share(substeps);
+  for (ImpactRow& row : island.rows) write_back(row, island.offset_scale, data.contacts);
 }
 
 /// Free flight under constant forces: x += v t + a t^2/2 is exact, whatever the step.
@@ -170,7 +138,7 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
     space.bound.note(island.bodies, island.held, data.bodies, motion_);
   if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
   kick(data.bodies, island);
-  PressAndRelax solve(data.bodies, island, motion_, changes_, space.solves);
+  PressAndRelax solve(data.bodies, island, motion_, changes_, space.search);
   solve.press(false);
   if (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);
   const int pressed = solve.press_through();
@@ -197,7 +165,7 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   if (island.settling) contacts.settle_offsets(island);
   note_loads(island);
   if (island.press_sweeps > 0 && !island.varies && !borne) space.unpushed.restore(island, loaded_, data.bodies);
-  if (island.press_sweeps > 0) space.solves.search.temper(island, data.bodies, acceleration_, kicks_, changes_);
+  if (island.press_sweeps > 0) space.search.temper(island, data.bodies, acceleration_, kicks_, changes_);
 }
 
 Real Accurate::find_impacts(StepData& data, Island& island, AccurateWorkspace& space) {

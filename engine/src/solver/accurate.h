@@ -29,8 +29,7 @@ struct AccurateWorkspace {
   Colouring colouring;
   Turning turning;
   Unpushed unpushed;
-  PressAndRelax::Storage solves;
-  std::vector<Island> alike;  // waiting to be stepped as one
+  LineSearch search;
   DirectIsland direct;
 };
 
@@ -76,7 +75,7 @@ class Accurate : public Solver {
   void make_rows(StepData& data, Island& island, std::size_t number);
   void step_island(StepData& data, std::size_t number, AccurateWorkspace& space);
   void step_pile(StepData& data, std::size_t number, Island& island, AccurateWorkspace& space);
-  void step_alike(StepData& data, AccurateWorkspace& space);
+  void step_swept(StepData& data, Island& island, AccurateWorkspace& space);
   void fly(StepData& data, const Island& island);
   void fly_all(StepData& data);
   void substep(StepData& data, Island& island, AccurateWorkspace& space);

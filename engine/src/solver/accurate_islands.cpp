@@ -12,9 +12,6 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Most contacts of an island that is solved as one system in a blow: its cost grows with their third power.
-constexpr std::size_t most_solved = 12;
-
 bool driven(const IslandJoints& joints) {
   return std::any_of(joints.all().begin(), joints.all().end(),
                      [](const ActiveJoint* joint) { return joint->block.driven; });
@@ -115,7 +112,6 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.turning = follows && !island.pile;
   if (island.turning || may_turn) island.press_sweeps = press_sweeps_for(island.bodies.size());
   if (is_closed && follows) island.more_sweeps = more_sweeps;
-  island.direct = island.press_sweeps > 0 && island.joints.empty() && island.rows.size() <= most_solved;
 }
 
 /// Impacts with restitution are events. So is an inelastic one between bodies that meet nothing else, or of one body

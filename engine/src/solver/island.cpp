@@ -155,11 +155,6 @@ int press_sweeps_for(std::size_t bodies) {
 
 bool few(const Island& island) { return few(island.bodies.size()); }
 
-bool plain(const Island& island) {
-  return island.joints.empty() && !island.bounces && !island.two_frictions && !island.settling && !island.turning &&
-         island.sweeps == 1 && island.press_sweeps == 0 && island.more_sweeps == 0;
-}
-
 bool new_or_deep(const Contact& contact) {
   return contact.age == 0 || std::min(contact.points[0].separation, contact.points[1].separation) <= -deep_overlap;
 }

@@ -113,7 +113,6 @@ struct Island {
   Real pressing = 0;           // m/s^2, the largest acceleration of a body by forces; set if contacts ask for it
   bool struck = false;         // an impact that may set any body rotating
   bool turning = false;        // normals and arms follow the bodies within a step, see turning.h
-  bool direct = false;         // its contacts are solved as one system, see ContactSystem
   bool settling = false;       // starts at rest: solve its initial load at once
 
   const Softness& softness(bool in_web, const InverseMass& a, const InverseMass& b) const {
@@ -177,8 +176,6 @@ int press_sweeps_for(std::size_t bodies);
 
 /// Small enough that an impact may be solved through the whole island.
 bool few(const Island& island);
-/// Whether a sub-step is only one pass over its contacts.
-bool plain(const Island& island);
 
 /// New, or deeper than under loads at rest, except in the largest piles.
 bool new_or_deep(const Contact& contact);

@@ -6,15 +6,8 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-/// As one system, if the island is to be. A sweep must follow: it rounds at each contact, not by the largest of them.
-bool PressAndRelax::solve(ContactSystem::Stage stage) {
-  return island_.direct && storage_.system.solve(island_, stage, bodies_, motion_);
-}
-
 void PressAndRelax::press(bool rigidly) {
-  using enum ContactSystem::Stage;
-  const bool solved = solve(rigidly ? press_rigid : press_soft);
-  for (int sweep = 0; sweep < (solved ? 1 : island_.sweeps); ++sweep) {
+  for (int sweep = 0; sweep < island_.sweeps; ++sweep) {
     if (!island_.joints.empty()) island_.joints.press(island_.h);
     ScalarContacts contacts(bodies_, motion_);
     if (rigidly) {
@@ -38,9 +31,9 @@ int PressAndRelax::press_through() {
   int sweeps = 0;
   while (sweeps < island_.press_sweeps && deepens(false)) {
     if (sweeps == 0) {
-      storage_.search.begin(island_);
+      search_.begin(island_);
     } else {
-      storage_.search.go_on(island_, bodies_, motion_, changes_, true);
+      search_.go_on(island_, bodies_, motion_, changes_, true);
     }
     press(true);
     sweeps += island_.sweeps;
@@ -49,8 +42,7 @@ int PressAndRelax::press_through() {
 }
 
 void PressAndRelax::relax(int sweeps) {
-  const bool solved = solve(ContactSystem::Stage::relax);
-  for (int sweep = 0; sweep < (solved ? 1 : sweeps); ++sweep) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
     if (!island_.joints.empty()) island_.joints.relax(island_.h);
     ScalarContacts(bodies_, motion_).relax(island_);
   }
@@ -60,9 +52,9 @@ void PressAndRelax::relax(int sweeps) {
 void PressAndRelax::relax_through() {
   for (int sweep = 0; sweep < island_.press_sweeps && deepens(true); ++sweep) {
     if (sweep == 0) {
-      storage_.search.begin(island_);
+      search_.begin(island_);
     } else {
-      storage_.search.go_on(island_, bodies_, motion_, changes_, false);
+      search_.go_on(island_, bodies_, motion_, changes_, false);
     }
     relax(1);
   }

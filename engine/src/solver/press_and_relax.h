@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "bodies/body_set.h"
-#include "solver/contact_system.h"
 #include "solver/energy_bound.h"
 #include "solver/island.h"
 #include "solver/line_search.h"
@@ -14,21 +13,15 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// m, penetration that an impact may add within a step: less than loads at rest may cause.
 constexpr Real not_felt = static_cast<Real>(0.4) * tolerated_sink;
 
-/// The two solves of a sub-step of `accurate`, before and after the drift: how often, and by which means. An island is
-/// swept, contact after contact; a small one in a blow is solved as one system; and a blow goes through the whole
-/// island, until no contact gets deeper by what would be felt.
+/// The two solves of a swept island's sub-step, before and after the drift: how often it is swept, contact after
+/// contact. A blow goes through the whole island, until no contact gets deeper by what would be felt.
 class PressAndRelax {
  public:
-  /// Working storage, reused from island to island.
-  struct Storage {
-    LineSearch search;
-    ContactSystem system;
-  };
-
-  /// `motion` is of each body since the start of the step; `changes` is storage, of each body.
+  /// `motion` is of each body since the start of the step; `changes` is storage, of each body, and `search` is reused
+  /// from island to island.
   PressAndRelax(BodySet& bodies, Island& island, const std::vector<Motion>& motion, std::vector<Velocity>& changes,
-                Storage& storage)
-      : bodies_(bodies), island_(island), motion_(motion), changes_(changes), storage_(storage) {}
+                LineSearch& search)
+      : bodies_(bodies), island_(island), motion_(motion), changes_(changes), search_(search) {}
 
   /// Solves with bias: velocities that correct positions too. `rigidly`: see ScalarContacts::press_rigidly().
   void press(bool rigidly);
@@ -42,14 +35,13 @@ class PressAndRelax {
   void relax_until_bounded(const EnergyBound& bound, const std::vector<Velocity>& acceleration);
 
  private:
-  bool solve(ContactSystem::Stage stage);
   bool deepens(bool held) const;
 
   BodySet& bodies_;
   Island& island_;
   const std::vector<Motion>& motion_;
   std::vector<Velocity>& changes_;
-  Storage& storage_;
+  LineSearch& search_;
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION
