@@ -124,10 +124,9 @@ void Accurate::fly_all(StepData& data) {
 void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space) {
   ScalarContacts contacts(data.bodies, motion_);
   space.turning.find_again(data, start_, motion_);
-  Real hit_at = 0;
   if (island.bounces) {
     space.turning.follow(island, motion_);
-    hit_at = find_impacts(data, island, space);
+    find_impacts(data, island, space);
   }
   space.turning.lead(island, data.bodies, motion_);
   if (!island.joints.empty()) island.joints.halve();
@@ -146,8 +145,6 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   const bool joints_fit = island.joints.fit();
   if (!island.joints.empty()) island.joints.write();
   kick(data.bodies, island);
-  const bool borne = island.single && hit_at > 0;
-  if (borne) contacts.keep_borne(island, hit_at / island.h);
   solve.relax(island.settling ? std::max(settling_sweeps_for(island.bodies.size()), island.sweeps)
                               : island.sweeps + pressed);
   solve.relax_through();
@@ -164,19 +161,19 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   }
   if (island.settling) contacts.settle_offsets(island);
   note_loads(island);
-  if (island.press_sweeps > 0 && !island.varies && !borne) space.unpushed.restore(island, loaded_, data.bodies);
+  if (island.press_sweeps > 0 && !island.varies) space.unpushed.restore(island, loaded_, data.bodies);
   if (island.press_sweeps > 0) space.search.temper(island, data.bodies, acceleration_, kicks_, changes_);
 }
 
-Real Accurate::find_impacts(StepData& data, Island& island, AccurateWorkspace& space) {
+void Accurate::find_impacts(StepData& data, Island& island, AccurateWorkspace& space) {
   for (const std::uint32_t body : island.bodies) {
     flight_[body] = loaded_[body] != 0 ? Velocity{} : acceleration_[body];
   }
   const auto find_at = [&](const ImpactRow& row, const Motion& a, const Motion& b) {
     return space.turning.find_at(data, island, start_, motion_, row, {a, b});
   };
-  return space.impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h,
-                               slow_impact(pressing(island), island.h), std::ref(find_at));
+  space.impacts.resolve(island.rows, island.joints, island.bodies, data.bodies, motion_, flight_, island.h,
+                        slow_impact(pressing(island), island.h), std::ref(find_at));
 }
 
 bool Accurate::hold_those_that_meet(StepData& data, Island& island, AccurateWorkspace& space) {

@@ -79,8 +79,7 @@ class Accurate : public Solver {
   void fly(StepData& data, const Island& island);
   void fly_all(StepData& data);
   void substep(StepData& data, Island& island, AccurateWorkspace& space);
-  void find_collisions(const StepData&, Island&);
-  Real find_impacts(StepData& data, Island& island, AccurateWorkspace& space);
+  void find_impacts(StepData& data, Island& island, AccurateWorkspace& space);
   bool hold_those_that_meet(StepData& data, Island& island, AccurateWorkspace& space);
   /// m/s^2, the largest acceleration of a body by forces.
   Real pressing(const Island& island) const;
@@ -97,8 +96,7 @@ class Accurate : public Solver {
     if (pushable(block.inv_mass_b)) loaded_[block.b] = 1;
   }
 
-  std::vector<std::uint32_t> meets_;  // by body: its contacts and joints, in an island
-  bool lanes_;                        // large islands are solved by kernels
+  bool lanes_;  // large islands are solved by kernels
   Partition parts_;
   RestingPiles resting_;
   std::vector<std::unique_ptr<RestingPile>> begun_;  // in this step, of each island

@@ -37,7 +37,6 @@ void Accurate::prepare(StepData& data) {
   held_.resize(bodies.size());
   later_ = bodies.velocity;  // of those that no island moves
   changes_.resize(bodies.size());
-  meets_.resize(bodies.size());
   loaded_.assign(bodies.size(), 0);
   // The first half kick of a step is explicit and the last implicit: together they are of second order.
   const Real half = data.settings.dt / static_cast<Real>(2 * data.settings.substeps);
@@ -70,6 +69,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     row.block = !row.web && row.count == 2;
     if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
     island.two_frictions |= row.two_frictions();
+    island.bounces |= row.restitution > 0;
     island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
     bearing.add(row);
     if (is_few && row.age >= OffsetRule::from_age) bearing.add_load(row, contact.offset, data.settings);
@@ -85,10 +85,6 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     note_load(joint->block);
     island.held = island.held || !pushable(joint->block.inv_mass_a) || !pushable(joint->block.inv_mass_b);
   }
-  const auto pushed = [&](std::uint32_t body) { return data.bodies.pushable(body); };
-  const bool single = std::count_if(island.bodies.begin(), island.bodies.end(), pushed) == 1;
-  island.single = single && island.joints.empty();
-  find_collisions(data, island);
 
   island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings));
   for (ImpactRow& row : island.rows) {
@@ -100,9 +96,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   // Joints solved by iteration rely on the sub-steps instead.
   const bool takes_turns =
       !island.joints.empty() && !island.joints.swept() && (!island.rows.empty() || has_stops(island.joints));
-  // For a body that slides from one shape of the ground to the next, its load moves over at once, not in several
-  // sub-steps.
-  if (takes_turns || (island.rows.size() > 1 && single)) island.sweeps = data.settings.iterations;
+  if (takes_turns) island.sweeps = data.settings.iterations;
   island.settling = settles(data, island);
   const bool is_closed = !island.varies && closed(data.bodies, island.bodies);
   island.ideal = is_closed && !island.joints.empty() && !driven(island.joints);
@@ -112,29 +106,6 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.turning = follows && !island.pile;
   if (island.turning || may_turn) island.press_sweeps = press_sweeps_for(island.bodies.size());
   if (is_closed && follows) island.more_sweeps = more_sweeps;
-}
-
-/// Impacts with restitution are events. So is an inelastic one between bodies that meet nothing else, or of one body
-/// with several shapes that it can't push: it happens when they touch. Where bodies meet several others its impulse
-/// passes on, and the contact solve finds all impulses together.
-void Accurate::find_collisions(const StepData& data, Island& island) {
-  for (const std::uint32_t body : island.bodies) meets_[body] = 0;
-  const auto count = [&](const auto& mass_a, std::uint32_t a, const auto& mass_b, std::uint32_t b) {
-    if (pushable(mass_a)) ++meets_[a];
-    if (pushable(mass_b)) ++meets_[b];
-  };
-  for (const ImpactRow& row : island.rows) count(row.mass_a, row.a, row.mass_b, row.b);
-  for (const ActiveJoint* joint : island.joints.all()) {
-    count(joint->block.inv_mass_a, joint->block.a, joint->block.inv_mass_b, joint->block.b);
-  }
-  for (ImpactRow& row : island.rows) {
-    const auto meets_one = [&](const InverseMass& mass, std::uint32_t body) {
-      return !pushable(mass) || meets_[body] == 1;
-    };
-    const bool alone = island.single || (meets_one(row.mass_a, row.a) && meets_one(row.mass_b, row.b));
-    row.collides = row.restitution > 0 || alone;
-    island.bounces |= row.restitution > 0 || (alone && closes(row, data.bodies, acceleration_, data.settings.dt));
-  }
 }
 
 Island Accurate::island(StepData& data, std::size_t number, AccurateWorkspace& space) {

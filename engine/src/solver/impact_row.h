@@ -61,13 +61,12 @@ struct ImpactRow : ContactRow {
   NormalOf normal_of = NormalOf::between;  // set if it turns
   bool stirs_a = true;                     // the body can move, see BodySet::stirs
   bool stirs_b = true;
-  bool turns = false;     // its normal follows the bodies within a step
-  bool collides = false;  // a body that it stops is stopped at the time at which they meet
-  bool active = true;     // takes part in this sub-step's solve
-  bool fresh = false;     // first step of the contact
-  bool slips = false;     // slides, so that the dynamic coefficient limits friction
-  bool web = false;       // a body of it touches more than two others, as in a pyramid and not in a column
-  bool block = false;     // its two points are solved together, by `pair`
+  bool turns = false;  // its normal follows the bodies within a step
+  bool active = true;  // takes part in this sub-step's solve
+  bool fresh = false;  // first step of the contact
+  bool slips = false;  // slides, so that the dynamic coefficient limits friction
+  bool web = false;    // a body of it touches more than two others, as in a pyramid and not in a column
+  bool block = false;  // its two points are solved together, by `pair`
   PointPair pair;
 
   bool two_frictions() const { return static_friction != dynamic_friction; }

@@ -302,7 +302,7 @@ void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, cons
   std::push_heap(events_.begin(), events_.end(), later);
 }
 
-/// Lists the rows that collide as candidates, and links each to its bodies that an impact can move.
+/// Lists the rows that rebound as candidates, and links each to its bodies that an impact can move.
 void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count) {
   candidates_.clear();
   events_.clear();
@@ -313,7 +313,7 @@ void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count)
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].active = true;
-    if (!rows[i].collides) continue;
+    if (!(rows[i].restitution > 0)) continue;
     candidates_.push_back({static_cast<std::uint32_t>(i)});
     each_movable(rows[i], [this](std::size_t, std::uint32_t body) { first_of_[body] = none; });
   }
@@ -324,7 +324,7 @@ void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count)
   }
 }
 
-Real Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members,
+void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members,
                       BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h,
                       Real slow, const FindAt& find_at) {
   slow_ = slow;
@@ -340,7 +340,6 @@ Real Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
   constexpr std::size_t most_elastic = 5000;
   std::size_t count = 0;
   std::size_t elastic = 0;
-  Real last = 0;
   while (count < most && elastic < most_elastic && !events_.empty()) {
     std::pop_heap(events_.begin(), events_.end(), later);
     const Event next = events_.back();
@@ -357,7 +356,6 @@ Real Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     const std::array<std::uint32_t, 2> pair{hit.a, hit.b};
     const auto struck = joints.empty() ? std::span<const std::uint32_t>(pair) : members;
     strike(hit, joints, struck, bodies, motion, acceleration, next.time);
-    last = next.time;
     aim_at(next.candidate, next.time);
     for (const bool b : {false, true}) {
       const InverseMass& mass = b ? hit.mass_b : hit.mass_a;
@@ -379,7 +377,6 @@ Real Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
       row.active = stops(row, flight, h);
     }
   }
-  return last;
 }
 
 bool Impacts::hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bodies, const std::vector<Motion>& motion,

@@ -38,8 +38,7 @@ class Impacts {
   using FindAt = std::function<bool(const ImpactRow& row, const Motion& a, const Motion& b)>;
 
   /// `members` are the bodies that the rows and joints act on; `slow` is the approach (m/s) that is no impact yet.
-  /// Returns the time of the last impact, 0 if there is none.
-  Real resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members, BodySet& bodies,
+  void resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members, BodySet& bodies,
                std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h, Real slow,
                const FindAt& find_at);
   /// Contacts that were on their way to a later impact, but whose bodies the contact solve of others has turned towards

@@ -105,7 +105,6 @@ struct Island {
   bool webbed = false;  // some contact is in a web, see Partition::in_web
   bool heap = false;    // see is_heap()
   bool pile = false;    // see is_pile()
-  bool single = false;  // of one body that can be pushed, without joints
   bool held = false;    // a body that cannot be pushed holds it; not set for a pile
   bool ideal = false;   // only its joints could add energy, and they must not
   bool bounces = false;        // some contact has restitution

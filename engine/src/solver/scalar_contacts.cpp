@@ -214,21 +214,6 @@ void ScalarContacts::count_halves(const Island& island) {
   }
 }
 
-void ScalarContacts::keep_borne(const Island& island, Real share) {
-  for (ImpactRow& row : island.rows) {
-    if (!row.active) continue;
-    in_frame(row, bodies_.velocity, [share](ImpactRow& borne, auto& frame) {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(borne.count); ++i) {
-        RowPoint& p = borne.points[i];
-        const Vec2 impulse = 2 * share * borne.half[i];
-        frame.push_normal(borne, p, impulse.x);
-        frame.push_tangent(borne, p, impulse.y);
-        borne.note(p, p, borne.normal, impulse);
-      }
-    });
-  }
-}
-
 /// Rotates the normal of two discs to where they are.
 void ScalarContacts::face(ImpactRow& row) const {
   row.normal = normalized(row.between + (motion_[row.b].d - motion_[row.a].d));

@@ -30,9 +30,6 @@ class ScalarContacts {
   void halve(const Island& island, std::vector<Velocity>& kicks) const;
   /// Adds the halves to the accumulated impulses, after each kick.
   void count_halves(const Island& island);
-  /// After the second kick: a share of the impulses of the last sub-step was borne before a body was hit, and what the
-  /// impact changes does not take it back.
-  void keep_borne(const Island& island, Real share);
   /// Solves contacts as soft constraints; a gap may close within the sub-step, but no further. Friction is solved in
   /// relax(), except in a contact's first step (otherwise a box set down on a slope slips before it is held).
   void press(const Island& island);
