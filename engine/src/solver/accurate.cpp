@@ -24,6 +24,15 @@ constexpr Real ideal_gain = static_cast<Real>(1e-4);
 /// Most contacts of an island that is solved as one system, and most joints.
 constexpr std::size_t most_direct = 24;
 
+/// Whether an island is solved as one system: if it is small, or a single body without joints, of whose contacts few
+/// touch at a time, however many shapes of the ground are near.
+bool is_direct(const BodySet& bodies, const Island& island) {
+  if (island.joints.swept() || island.joints.all().size() > most_direct) return false;
+  if (island.contacts.size() <= most_direct) return true;
+  const auto pushed = [&bodies](std::uint32_t body) { return bodies.pushable(body); };
+  return island.joints.empty() && std::count_if(island.bodies.begin(), island.bodies.end(), pushed) == 1;
+}
+
 }  // namespace
 
 void Accurate::step(StepData& data) {
@@ -62,7 +71,7 @@ void Accurate::step_island(StepData& data, std::size_t number, AccurateWorkspace
     return;
   }
   if (now.contacts.empty() && now.joints.empty() && !now.varies) return fly(data, now);
-  if (now.contacts.size() <= most_direct && now.joints.all().size() <= most_direct && !now.joints.swept()) {
+  if (is_direct(data.bodies, now)) {
     DirectStep step{data, start_, motion_, acceleration_, flight_, later_, held_};
     space.direct.step(step, {now.bodies, now.contacts, now.joints.all(), now.pulls, now.varies});
     for (std::size_t i = 0; i < now.contacts.size(); ++i) rows_[parts_.first_contact(number) + i].made = false;
