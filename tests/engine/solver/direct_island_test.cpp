@@ -217,6 +217,7 @@ std::vector<Vec2> places(const std::vector<std::size_t>& order) {
   }
   run(world, 15);
   std::vector<Vec2> found;
+  found.reserve(ids.size());
   for (const BodyId id : ids) found.push_back(world.body(id).position());
   return found;
 }
