@@ -24,13 +24,29 @@ constexpr Real ideal_gain = static_cast<Real>(1e-4);
 /// Most contacts of an island that is solved as one system, and most joints.
 constexpr std::size_t most_direct = 24;
 
-/// Whether an island is solved as one system: if it is small, or a single body without joints, of whose contacts few
-/// touch at a time, however many shapes of the ground are near.
-bool is_direct(const BodySet& bodies, const Island& island) {
+/// Whether two bodies touch, or may within the step as they move now.
+bool may_touch(const Contact& contact, const BodySet& bodies, const std::vector<Velocity>& acceleration, Real dt) {
+  const Velocity& a = bodies.velocity[contact.body_a];
+  const Velocity& b = bodies.velocity[contact.body_b];
+  const Vec2 falls = (dt * dt / 2) * (acceleration[contact.body_b].v - acceleration[contact.body_a].v);
+  return std::any_of(contact.points.begin(), contact.points.begin() + contact.count, [&](const ContactPoint& p) {
+    const Vec2 moves = dt * (b.v - a.v + cross(b.w, p.arm_b) - cross(a.w, p.arm_a)) + falls;
+    return p.separation + std::min(dot(contact.normal, moves), Real{0}) <= touching_gap;
+  });
+}
+
+/// Whether an island is solved as one system: if it is small, or a single body that touches few of all the shapes of
+/// the ground that are near.
+bool is_direct(const StepData& data, const Island& island, const std::vector<Velocity>& acceleration) {
   if (island.joints.swept() || island.joints.all().size() > most_direct) return false;
   if (island.contacts.size() <= most_direct) return true;
-  const auto pushed = [&bodies](std::uint32_t body) { return bodies.pushable(body); };
-  return island.joints.empty() && std::count_if(island.bodies.begin(), island.bodies.end(), pushed) == 1;
+  const auto pushed = [&](std::uint32_t body) { return data.bodies.pushable(body); };
+  const auto touches = [&](const Tie& tie) {
+    return may_touch(data.contacts[tie.contact], data.bodies, acceleration, data.settings.dt);
+  };
+  return island.joints.empty() && std::count_if(island.bodies.begin(), island.bodies.end(), pushed) == 1 &&
+         static_cast<std::size_t>(std::count_if(island.contacts.begin(), island.contacts.end(), touches)) <=
+             most_direct;
 }
 
 }  // namespace
@@ -71,7 +87,7 @@ void Accurate::step_island(StepData& data, std::size_t number, AccurateWorkspace
     return;
   }
   if (now.contacts.empty() && now.joints.empty() && !now.varies) return fly(data, now);
-  if (is_direct(data.bodies, now)) {
+  if (is_direct(data, now, acceleration_)) {
     DirectStep step{data, start_, motion_, acceleration_, flight_, later_, held_};
     space.direct.step(step, {now.bodies, now.contacts, now.joints.all(), now.pulls, now.varies});
     for (std::size_t i = 0; i < now.contacts.size(); ++i) rows_[parts_.first_contact(number) + i].made = false;
