@@ -105,14 +105,14 @@ constexpr bool opposite(Vec2 normal_a, Vec2 normal_b) {
   return dot(normal_a, normal_b) < parallel * parallel / 2 - 1;  // 1 - cos
 }
 
-/// Whether the second shape's face replaces the first's as the reference. The reference must not alternate from step to
-/// step between faces in contact, or between overlapping shapes, so the first is preferred by 0.1 mm and 1/64 of the
-/// depth. The error is of second order, because the points' separations are those of the clipped edge. For separate
-/// shapes only the better face gives the distance.
+/// Whether the second shape's face replaces the first's as the reference. Of two faces that lie on each other the
+/// reference must not alternate from step to step, nor between overlapping shapes, so the first is preferred by 0.1 mm
+/// and by 1/64 of the depth. The error is of second order, because the points' separations are those of the clipped
+/// edge. Where a corner meets a corner only the better face is where they meet.
 constexpr bool beats(Real second, Real first, bool opposite_faces) {
   constexpr Real least = static_cast<Real>(1e-4);  // m
-  if (first > 0) return second > (opposite_faces ? first + least : first);
-  return second > first + least - first / 64;
+  const Real wanted = opposite_faces ? first + least : first;
+  return second > (first > 0 ? wanted : wanted - first / 64);
 }
 
 /// Adds the incident edge's deeper end: for overlapping shapes whose preferred face just misses the other's edge.

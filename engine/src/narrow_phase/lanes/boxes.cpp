@@ -186,9 +186,8 @@ MeetingLanes against(const Against& it, const Lanes& margin) {
 
 /// beats()
 Mask second_beats(const Lanes& second, const Lanes& first, const Mask& upright) {
-  const Lanes more = first + Lanes::all(static_cast<Real>(1e-4));
-  const Lanes apart = select(upright, more, first);
-  return select(Lanes::all(0) < first, apart, more - first / Lanes::all(64)) < second;
+  const Lanes wanted = select(upright, first + Lanes::all(static_cast<Real>(1e-4)), first);
+  return select(Lanes::all(0) < first, wanted, wanted - first / Lanes::all(64)) < second;
 }
 
 }  // namespace
