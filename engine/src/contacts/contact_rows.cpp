@@ -49,9 +49,10 @@ void prepare_rows(const BodySet& bodies, const std::vector<Contact>& contacts, s
 }
 
 void store_row(const ContactRow& row, std::vector<Contact>& contacts) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+  Contact& contact = contacts[row.contact];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
     const RowPoint& from = row.points[i];
-    ContactPoint& to = contacts[row.contact].points[i];
+    ContactPoint& to = contact.points[i];
     to.normal_impulse = from.normal_impulse;
     to.tangent_impulse = from.tangent_impulse;
     to.total_normal_impulse = from.total_normal;

@@ -188,6 +188,7 @@ bool Turning::find_at(StepData& data, const Island& island, const std::vector<Po
   return true;
 }
 
+/// Returns whether its points are others now, or none.
 bool Turning::find(StepData& data, Turned& turned, const Pair& now, const std::vector<Pose>& start) {
   const ImpactRow& row = *turned.row;
   Contact& contact = data.contacts[row.contact];
@@ -200,7 +201,10 @@ bool Turning::find(StepData& data, Turned& turned, const Pair& now, const std::v
   };
   Manifold m = found_within(data.settings.dt / static_cast<Real>(data.settings.substeps));
   if (m.count == 0) m = found_within(data.settings.dt);
-  if (m.count == 0) return false;
+  if (m.count == 0) {
+    lose_points(*turned.row);
+    return true;
+  }
   contact.found_a = pose_a;
   contact.found_b = pose_b;
   take_points(turned, contact, m);
@@ -210,18 +214,25 @@ bool Turning::find(StepData& data, Turned& turned, const Pair& now, const std::v
   return true;
 }
 
+/// The plane of a face that turns sweeps over bodies far away.
+void Turning::lose_points(ImpactRow& row) {
+  row.count = 0;
+  row.block = false;
+  for (RowPoint& p : row.points) p.normal_impulse = p.tangent_impulse = 0;
+}
+
 /// New points inherit the impulses of the points with the same feature, and their totals of the step; those of a point
 /// that vanished go to another.
 void Turning::take_points(Turned& turned, Contact& contact, const Manifold& found) {
   ImpactRow& row = *turned.row;
-  const auto last_count = static_cast<std::size_t>(row.count);
+  const auto last_count = static_cast<std::size_t>(contact.count);  // before it lost them, too
   const std::array<ContactPoint, 2> last = contact.points;
   const std::array<RowPoint, 2> given = row.points;
   row.points = {};
+  counts_changed_ = counts_changed_ || found.count != contact.count;
   if (found.count != row.count) {
     contact.count = row.count = found.count;
     row.block = !row.web && row.count == 2;
-    counts_changed_ = true;
   }
   contact.normal = turned.normal = found.normal;
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {

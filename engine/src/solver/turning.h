@@ -76,6 +76,7 @@ class Turning {
     Pair since(const Pair& now) const;
   };
   void take_points(Turned& turned, Contact& contact, const Manifold& found);
+  static void lose_points(ImpactRow& row);
   static bool is_far(const Turned& turned, const Pair& now, const BodySet& bodies);
   bool find(StepData& data, Turned& turned, const Pair& now, const std::vector<Pose>& start);
   static Real way(const Turned& turned, const Pair& now, const BodySet& bodies);

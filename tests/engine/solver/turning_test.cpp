@@ -291,5 +291,38 @@ TEST(Turning, GivesDiscsWhatTheirContactsReport) {
   EXPECT_GT(given, 0);
 }
 
+// The plane of a face of a body that turns sweeps over others: those that something struck may throw at it have
+// contacts .8 m away. Too many for a small island.
+TEST(Turning, LetsNoPlaneOfAFacePushWhatIsFarFromIt) {
+  Settings settings;
+  settings.gravity = {};
+  World world(settings);
+  add_floor(world, frictionless());
+  const auto disc = [](double radius, double x, double y, double e = 0) {
+    return Part{Shape::circle(real(radius), {real(x), real(y)}), frictionless(e)};
+  };
+  const auto box = [](double width, double height, Vec2 center, double angle, double e) {
+    return Part{Shape::box({real(width / 2), real(height / 2)}, center, real(angle)), frictionless(e)};
+  };
+  BodyDef post = at(2.1, -.015, 0, 0, 0, 2.3);
+  post.type = BodyType::fixed;
+  world.create_body(post, Shape::circle(real(.22), {real(.22), real(-.11)}), frictionless());
+  const std::array rising{disc(.13, -.066, .15)};
+  world.create_body(at(2.4, .85, 0, 3, 0, 1.5), rising);
+  const std::array still{disc(.16, .15, .28), disc(.12, .32, .32)};
+  world.create_body(at(.58, .51, 0, 0, 0, -1.6), still);
+  const std::array passing{box(.24, .17, {real(.23), real(-.062)}, 1.2, 1), disc(.1, -.15, -.14)};
+  world.create_body(at(1.6, .31, 2.8, 0, -10, 1.2), passing);
+  const std::array far{disc(.1, -.04, .2, 1), disc(.07, .1, -.2, 1), disc(.04, -.02, .1)};
+  const BodyId apart = world.create_body(at(.9, .7, 0, 0, 0, .3), far);
+  const std::array turning{disc(.0491, .124, .117), disc(.0522, -.0793, -.0492),
+                           box(.126, .0911, {real(-.0709), real(.0622)}, -.337, 0)};
+  const BodyId spinning = world.create_body(at(1.46, 1.36, 2.17, 7.24, 91.7), turning);
+  world.step();
+  EXPECT_EQ(world.body(apart).velocity(), Vec2{});
+  EXPECT_EQ(world.body(apart).angular_velocity(), 0);
+  EXPECT_EQ(world.body(spinning).angular_velocity(), real(91.7));
+}
+
 }  // namespace
 }  // namespace impulse::inline IMPULSE_PRECISION::turning_test
