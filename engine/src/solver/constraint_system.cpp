@@ -47,7 +47,8 @@ std::uint32_t ConstraintSystem::number_of(std::uint32_t body) {
 }
 
 double ConstraintSystem::rate(std::size_t i) const {
-  return speed(rows_[i], now_[ends_[i].a], now_[ends_[i].b]) + rows_[i].bias;
+  const double yields = yield_ > 0 && mass_[i] > 0 ? yield_ / mass_[i] * rows_[i].impulse : 0;
+  return speed(rows_[i], now_[ends_[i].a], now_[ends_[i].b]) + rows_[i].bias + yields;
 }
 
 void ConstraintSystem::change(std::size_t i, double by) {
@@ -118,6 +119,7 @@ void ConstraintSystem::begin(const std::vector<Velocity>& velocity) {
   }
   mass_.resize(rows_.size());
   scale_ = 0;
+  fastest_ = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     weigh(i);
@@ -129,6 +131,7 @@ void ConstraintSystem::begin(const std::vector<Velocity>& velocity) {
     const double terms = moves + std::abs(a.w * double{row.arm_a}) + std::abs(b.w * double{row.arm_b});
     // Of a gap that is open, only as much as closes counts.
     const double bias = row.law == Law::pushes ? std::max(-row.bias, 0.) : std::abs(row.bias);
+    fastest_ = std::max({fastest_, terms, bias});
     scale_ = std::max({scale_, terms, bias, std::abs(row.impulse) * inverse});
   }
   if (!begun_) {
@@ -319,7 +322,7 @@ bool ConstraintSystem::factor() {
       entries[j] = response(row, rows_[free_[j]]);
       if (slips_[j] != no_number) entries[j] += slope_[j] * response(row, rows_[slips_[j]]);
     }
-    entries[i] += least_compliance / mass_[free_[i]];
+    entries[i] += (least_compliance + yield_) / mass_[free_[i]];
   }
   pivot_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -469,8 +472,32 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
         iterate(enough) || (in_circles_ && iterate_from_pivots(enough)) || least_broken_ <= pivots_round_by * scale_;
     finish(enough);
   }
+  if (!found && is_jammed()) yield(enough);
   tell(velocity);
   return found;
+}
+
+/// Whether an impulse is far larger than motions ask for, by as much as the least compliance lets it grow: rows
+/// contradict each other, as of a body between two that nothing pushes.
+bool ConstraintSystem::is_jammed() const {
+  constexpr double too_much = 1 / least_compliance;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (std::abs(rows_[i].impulse) > too_much * fastest_ * mass_[i] && mass_[i] > 0) return true;
+  }
+  return false;
+}
+
+/// Solves laws that all yield a little: such have a solution whatever they demand.
+void ConstraintSystem::yield(double enough) {
+  yield_ = most_yield;
+  for (Constraint& row : rows_) row.impulse = row.given;
+  rebuild();
+  for (std::size_t i = 0; i < rows_.size(); ++i) state_[i] = guessed_state(rows_[i], enough_of);
+  factored_ = false;
+  iterate(enough);
+  finish(enough);
+  yield_ = 0;
+  factored_ = false;
 }
 
 /// The same from what acts in the solution by pivoting.

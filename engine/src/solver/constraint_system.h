@@ -89,6 +89,10 @@ class ConstraintSystem {
   /// contradict each other by.
   static constexpr double least_compliance = sizeof(Real) == 8 ? 1e-9 : 1e-4;
 
+  /// The same where laws contradict each other, and it stays: a body held by two that nothing pushes bears a thousand
+  /// times what would stop it.
+  static constexpr double most_yield = 1e-3;
+
   /// A velocity while it is solved for.
   struct Precise {
     double x = 0, y = 0;  // m/s
@@ -148,6 +152,8 @@ class ConstraintSystem {
   void keep(double broken);
   void rebuild();
   void slide_on_the_cone(double enough);
+  bool is_jammed() const;
+  void yield(double enough);
   void finish(double enough);
 
   std::vector<Constraint> rows_;
@@ -159,6 +165,8 @@ class ConstraintSystem {
   std::vector<Precise> now_;
   std::vector<double> mass_;                // kg or kg m^2, effective, of each row alone
   double scale_ = 0;                        // m/s, the largest term of a rate: what rounding is measured by
+  double fastest_ = 0;                      // m/s, the largest of these but for impulses
+  double yield_ = 0;                        // of a row's own inverse mass, while all laws yield
   std::vector<State> state_;                // of each row
   std::vector<State> last_;                 // when the matrix was factored
   std::vector<std::uint32_t> free_;         // rows whose impulses are solved for

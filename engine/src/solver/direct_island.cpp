@@ -182,7 +182,7 @@ void DirectIsland::end() {
     to.offset = 0;
     const std::array<Vec2, 2> total = reported(contact.effect, contact.total, contact.mass_a, contact.mass_b, to);
     if (contact.found_again) to.forget_place();
-    for (std::size_t i = 0; i < contact.count; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(to.count); ++i) {
       ContactPoint& p = to.points[i];
       p.normal_impulse = per_step * contact.impulse[i].x;
       p.tangent_impulse = per_step * contact.impulse[i].y;
@@ -263,13 +263,14 @@ Manifold DirectIsland::collide_at(const DirectContact& contact, const Motion& a,
                  b.from(step_->start[contact.b]), margin);
 }
 
-/// Finds a contact again if its bodies have slid far.
-bool DirectIsland::find(DirectContact& contact) {
+/// Finds a contact again if its bodies have slid far. Where nothing is near any more it has no points: the plane of a
+/// face that turns sweeps over bodies far away.
+void DirectIsland::find(DirectContact& contact) {
   StepData& data = step_->data;
   const BodySet& bodies = data.bodies;
   const Motion& a = step_->motion[contact.a];
   const Motion& b = step_->motion[contact.b];
-  if (!slides_far(contact, a, b)) return false;
+  if (!slides_far(contact, a, b)) return;
   Contact& found = data.contacts[contact.contact];
   const Pose pose_a = a.from(step_->start[contact.a]);
   const Pose pose_b = b.from(step_->start[contact.b]);
@@ -278,12 +279,18 @@ bool DirectIsland::find(DirectContact& contact) {
   };
   Manifold m = found_within(h_);
   if (m.count == 0) m = found_within(data.settings.dt);
-  if (m.count == 0) return false;
+  contact.count = static_cast<std::size_t>(m.count);
+  if (m.count == 0) {
+    contact.impulse = contact.pressed = {};
+    return;
+  }
   const std::array<ContactPoint, 2> last = found.points;
+  const auto last_count = static_cast<std::size_t>(found.count);
+  const Rotation last_a = found.found_a.q;
+  const Rotation last_b = found.found_b.q;
   const DirectContact before = contact;
   contact.impulse = contact.pressed = contact.pressing = contact.total = {};
   contact.waits = {};
-  contact.count = static_cast<std::size_t>(m.count);
   counts_changed_ = counts_changed_ || found.count != m.count;
   found.count = m.count;
   found.normal = m.normal;
@@ -297,9 +304,14 @@ bool DirectIsland::find(DirectContact& contact) {
     p.separation = found.found_separation[i] = m.points[i].separation;
     p.feature = m.points[i].feature;
   }
-  // To the point that is nearest now: which faces meet, and so the names of points, may be a matter of rounding.
-  for (std::size_t j = 0; j < before.count; ++j) {
-    const auto away = [&](std::size_t i) { return length(found.points[i].arm_a - last[j].arm_a); };
+  // To the point that is nearest now, on either body, as one may slide over the other: which faces meet, and so the
+  // names of points, may be a matter of rounding.
+  for (std::size_t j = 0; j < last_count; ++j) {
+    const auto away = [&](std::size_t i) {
+      const Vec2 on_a = pose_a.q.inverse() * found.points[i].arm_a - last_a.inverse() * last[j].arm_a;
+      const Vec2 on_b = pose_b.q.inverse() * found.points[i].arm_b - last_b.inverse() * last[j].arm_b;
+      return std::min(length(on_a), length(on_b));
+    };
     const std::size_t i = contact.count == 2 && away(1) < away(0) ? 1 : 0;
     contact.impulse[i] += before.impulse[j];
     contact.pressed[i] += before.pressed[j];
@@ -309,7 +321,6 @@ bool DirectIsland::find(DirectContact& contact) {
   }
   contact.touch = Touch(found, bodies, a, b);
   contact.found_again = true;
-  return true;
 }
 
 Motion DirectIsland::motion_after(std::uint32_t body, Real t) const {

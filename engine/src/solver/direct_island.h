@@ -25,7 +25,7 @@ struct DirectContact {
   std::uint32_t contact = 0;  // index
   std::uint32_t a = 0, b = 0;
   InverseMass mass_a, mass_b;
-  std::size_t count = 0;
+  std::size_t count = 0;  // of its points; none while its bodies are far apart
   Real static_friction = 0, dynamic_friction = 0, restitution = 0;
   bool slips = false;           // slides, so that the dynamic coefficient counts
   bool struck = false;          // in the present impact
@@ -93,7 +93,7 @@ class DirectIsland {
 
   // Contacts and joints at present.
   void refresh();
-  bool find(DirectContact& contact);
+  void find(DirectContact& contact);
   bool slides_far(const DirectContact& contact, const Motion& a, const Motion& b) const;
   Manifold collide_at(const DirectContact& contact, const Motion& a, const Motion& b, Real margin) const;
   JointBlock ahead(const ActiveJoint& joint, Real t) const;

@@ -59,7 +59,7 @@ void DirectIsland::list_contact(DirectContact& contact) {
     system_.add(row);
   }
   contact.friction_row = DirectContact::no_row;
-  if (!(contact.friction() > 0)) return;
+  if (contact.count == 0 || !(contact.friction() > 0)) return;
   row.axis = perpendicular(contact.frame.normal);
   row.law = Law::rubs;
   row.first = contact.row;
@@ -231,13 +231,10 @@ void DirectIsland::push(const DirectContact& contact, const ContactEffect& by) {
 /// there was any.
 bool DirectIsland::let_go() {
   const auto lets_go = [this](const DirectContact& contact) {
-    Real pressed = 0;
+    const Real pressed = contact.pressing[0].x + contact.pressing[1].x;
     double left = 0;
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      pressed += contact.pressing[i].x;
-      left += system_[contact.row + i].impulse;
-    }
-    return pressed > 0 && left == 0 && contact.pressed_along != contact.frame.normal;
+    for (std::size_t i = 0; i < contact.count; ++i) left += system_[contact.row + i].impulse;
+    return pressed > 0 && left == 0 && (contact.count == 0 || contact.pressed_along != contact.frame.normal);
   };
   bool any = false;
   for (DirectContact& contact : contacts_) {
@@ -250,9 +247,9 @@ bool DirectIsland::let_go() {
     if (!contact.struck) continue;
     push(contact, -contact.pressed_by);
     contact.effect += -contact.pressed_by;
+    for (std::size_t i = 0; i < contact.pressing.size(); ++i) contact.total[i] -= contact.pressing[i];
+    contact.pressing = {};
     for (std::size_t i = 0; i < contact.count; ++i) {
-      contact.total[i] -= contact.pressing[i];
-      contact.pressing[i] = {};
       Constraint& row = system_[contact.row + i];
       row.mass_a = row.mass_b = {};
       row.given = row.impulse = 0;

@@ -29,27 +29,22 @@ Face face_towards(const Shape& shape, Rotation q, Vec2 direction) {
   return best;
 }
 
-/// Whether all points of a contact are corners of a shape: `arm` is from the body's origin to the point.
-template <class ArmOf>
-bool at_corners(const Shape& shape, Rotation q, Vec2 tangent, int count, ArmOf arm) {
+/// Whether a point is a corner of a shape: `arm` is from the body's origin to the point.
+bool at_corner(const Shape& shape, Rotation q, Vec2 tangent, Vec2 arm) {
   if (shape.type() == ShapeType::circle || shape.type() == ShapeType::half_space) return false;
   constexpr Real rounding = 256 * std::numeric_limits<Real>::epsilon();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    bool any = false;
-    for (int v = 0; v < shape.count(); ++v) {
-      const Vec2 corner = q * shape.vertex(v);
-      any = any || std::abs(dot(tangent, corner - arm(i))) <= rounding * (length(corner) + 1);
-    }
-    if (!any) return false;
+  for (int v = 0; v < shape.count(); ++v) {
+    const Vec2 corner = q * shape.vertex(v);
+    if (std::abs(dot(tangent, corner - arm)) <= rounding * (length(corner) + 1)) return true;
   }
-  return true;
+  return false;
 }
 
 }  // namespace
 
 Touch::Touch(const Contact& contact, const BodySet& bodies)
     : count_(contact.count), radius_a_(contact.radius_a), radius_b_(contact.radius_b) {
-  find_owner(contact, bodies);
+  const Faces faces = find_owner(contact, bodies);
   // From the frame of the contact's normal to that of ours.
   const Rotation to(dot(normal_, contact.normal), cross(normal_, contact.normal));
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
@@ -57,8 +52,20 @@ Touch::Touch(const Contact& contact, const BodySet& bodies)
     arm_a_[i] = to * Vec2{arms.turn_a, -arms.cross_a};
     arm_b_[i] = to * Vec2{arms.turn_b, -arms.cross_b};
     apart_[i] = to * Vec2{radius_a_ + radius_b_ + contact.found_separation[i], 0};
+    if (normal_of_ == NormalOf::both && of_a_[i] != Real{0.5}) straighten(i, faces);
   }
   trace(contact, bodies);
+}
+
+/// Of two faces whose normals differ a little, lets a point lie along their mean, from the corner of one to the face of
+/// the other, whichever of the two faces it was found by.
+void Touch::straighten(std::size_t i, const Faces& faces) {
+  const bool corner_of_a = of_a_[i] == 0;
+  const Vec2 world = corner_of_a ? -faces.of_b : faces.of_a;
+  const Vec2 face{dot(normal_, world), dot(perpendicular(normal_), world)};
+  const Vec2 straight{dot(face, apart_[i]) / face.x, 0};
+  (corner_of_a ? arm_b_[i] : arm_a_[i]) += (corner_of_a ? Real{1} : Real{-1}) * (straight - apart_[i]);
+  apart_[i] = straight;
 }
 
 /// The outline that a disc touches: both ways along a face, or the sides of a corner.
@@ -132,7 +139,7 @@ Touch::Nearest Touch::nearest(const Displacement& a, const Displacement& b) cons
 }
 
 /// Which faces and corners make the contact, however its bodies are listed.
-void Touch::find_owner(const Contact& contact, const BodySet& bodies) {
+Touch::Faces Touch::find_owner(const Contact& contact, const BodySet& bodies) {
   const auto shape = [&](std::uint32_t body, std::uint16_t part) -> const Shape& {
     return bodies.detail[body].parts[part].shape;
   };
@@ -143,25 +150,41 @@ void Touch::find_owner(const Contact& contact, const BodySet& bodies) {
   normal_ = contact.normal;
   const Face of_a = face_towards(a, qa, normal_);
   const Face of_b = face_towards(b, qb, -normal_);
+  const Faces faces{of_a.normal, of_b.normal};
   constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   const bool is_of_a = of_a.angle <= rounding;
   const bool is_of_b = of_b.angle <= rounding;
-  if (!is_of_a && !is_of_b) return;
-  normal_of_ = is_of_a ? NormalOf::a : NormalOf::b;
-  if (of_a.angle > flush || of_b.angle > flush) return;
+  of_a_ = {Real{0.5}, Real{0.5}};
+  if (!is_of_a && !is_of_b) return faces;
+  const auto own = [this](NormalOf owner) {
+    normal_of_ = owner;
+    if (owner != NormalOf::both) of_a_[0] = of_a_[1] = owner == NormalOf::a ? Real{1} : Real{0};
+  };
+  own(is_of_a ? NormalOf::a : NormalOf::b);
+  if (of_a.angle > flush || of_b.angle > flush) return faces;
   const Vec2 tangent = perpendicular(normal_);
-  const bool corners_of_a = at_corners(a, qa, tangent, count_, [&](std::size_t i) { return contact.points[i].arm_a; });
-  const bool corners_of_b = at_corners(b, qb, tangent, count_, [&](std::size_t i) { return contact.points[i].arm_b; });
+  std::array<Real, 2> share{};
+  bool corners_of_a = true;
+  bool corners_of_b = true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+    const bool corner_of_a = at_corner(a, qa, tangent, contact.points[i].arm_a);
+    const bool corner_of_b = at_corner(b, qb, tangent, contact.points[i].arm_b);
+    corners_of_a = corners_of_a && corner_of_a;
+    corners_of_b = corners_of_b && corner_of_b;
+    share[i] = corner_of_a == corner_of_b ? Real{0.5} : corner_of_b ? Real{1} : Real{0};
+  }
   if (corners_of_b && !corners_of_a) {
-    normal_of_ = NormalOf::a;
+    own(NormalOf::a);
     normal_ = of_a.normal;
   } else if (corners_of_a && !corners_of_b) {
-    normal_of_ = NormalOf::b;
+    own(NormalOf::b);
     normal_ = -of_b.normal;
   } else {
-    normal_of_ = NormalOf::both;
+    own(NormalOf::both);
+    of_a_ = share;
     normal_ = normalized(of_a.normal - of_b.normal);
   }
+  return faces;
 }
 
 Touch::Touch(const Contact& contact, const BodySet& bodies, const Motion& a, const Motion& b) : Touch(contact, bodies) {
@@ -220,9 +243,8 @@ TouchFrame Touch::at(const Motion& motion_a, const Motion& motion_b) const {
     Vec2 to_b = arm_b_[i] + b.change(arm_b_[i]);
     (outline_.is_of_a ? to_a : to_b) += of_disc.foot;
     const Real along = dot(t, apart);
-    const Real share = normal_of_ == NormalOf::a ? Real{1} : normal_of_ == NormalOf::b ? Real{0} : Real{1} / 2;
-    to_a += share * along * t;
-    to_b -= (1 - share) * along * t;
+    to_a += of_a_[i] * along * t;
+    to_b -= (1 - of_a_[i]) * along * t;
     PointArms& p = frame.points[i];
     p.separation = dot(n, apart) - (radius_a_ + radius_b_);
     p.turn_a = dot(n, to_a);

@@ -66,10 +66,16 @@ class Touch {
     Vec2 normal;
   };
 
+  /// The normals of the faces that meet, out of each body.
+  struct Faces {
+    Vec2 of_a, of_b;
+  };
+
   Touch(const Contact& contact, const BodySet& bodies);
+  void straighten(std::size_t point, const Faces& faces);
   void trace(const Contact& contact, const BodySet& bodies);
   Nearest nearest(const Displacement& a, const Displacement& b) const;
-  void find_owner(const Contact& contact, const BodySet& bodies);
+  Faces find_owner(const Contact& contact, const BodySet& bodies);
   Vec2 cores(std::size_t point, const Displacement& a, const Displacement& b) const;
   Vec2 direction(Vec2 cores, const Displacement& a, const Displacement& b) const;
 
@@ -80,6 +86,7 @@ class Touch {
   // In the frame of the normal as found: arms of the cores' points.
   std::array<Vec2, 2> arm_a_, arm_b_;
   std::array<Vec2, 2> apart_;       // m, from the core of a to that of b
+  std::array<Real, 2> of_a_{};      // share of each point's sliding by which it moves on a: all of it on a's face
   Outline outline_;                 // of what a disc touches
   Displacement found_a_, found_b_;  // from where the points were found to the start of the step
 };
