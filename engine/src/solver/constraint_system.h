@@ -84,6 +84,7 @@ class ConstraintSystem {
   bool drove() const;
 
  private:
+  static constexpr std::uint32_t no_number = ~std::uint32_t{0};
   /// A fraction of a constraint's own inverse mass, by which it yields while it is solved for: that decides between
   /// equal ways to share a load. It does not stay: what it leaves is solved in the next round. More than rows
   /// contradict each other by.

@@ -282,6 +282,7 @@ void DirectIsland::find(DirectContact& contact) {
   contact.count = static_cast<std::size_t>(m.count);
   if (m.count == 0) {
     contact.impulse = contact.pressed = {};
+    contact.waits = {};
     return;
   }
   const std::array<ContactPoint, 2> last = found.points;

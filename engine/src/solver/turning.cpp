@@ -182,14 +182,13 @@ bool Turning::find_at(StepData& data, const Island& island, const std::vector<Po
   const auto turned = std::lower_bound(turned_.begin(), turned_.end(), &row,
                                        [](const Turned& one, const ImpactRow* other) { return one.row < other; });
   if (turned == turned_.end() || turned->row != &row || !is_far(*turned, then, data.bodies)) return false;
-  if (!find(data, *turned, then, start)) return false;
+  find(data, *turned, then, start);
   const Pair now{motion[row.a], motion[row.b]};
   turn(island, *turned, now, now, true);
   return true;
 }
 
-/// Returns whether its points are others now, or none.
-bool Turning::find(StepData& data, Turned& turned, const Pair& now, const std::vector<Pose>& start) {
+void Turning::find(StepData& data, Turned& turned, const Pair& now, const std::vector<Pose>& start) {
   const ImpactRow& row = *turned.row;
   Contact& contact = data.contacts[row.contact];
   const Pose pose_a = now.a.from(start[row.a]);
@@ -201,17 +200,13 @@ bool Turning::find(StepData& data, Turned& turned, const Pair& now, const std::v
   };
   Manifold m = found_within(data.settings.dt / static_cast<Real>(data.settings.substeps));
   if (m.count == 0) m = found_within(data.settings.dt);
-  if (m.count == 0) {
-    lose_points(*turned.row);
-    return true;
-  }
+  if (m.count == 0) return lose_points(*turned.row);
   contact.found_a = pose_a;
   contact.found_b = pose_b;
   take_points(turned, contact, m);
   turned.normal_of = turned.row->normal_of = owner(contact, data.bodies);
   turned.again = true;
   turned.found = now;
-  return true;
 }
 
 /// The plane of a face that turns sweeps over bodies far away.

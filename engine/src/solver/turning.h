@@ -78,7 +78,7 @@ class Turning {
   void take_points(Turned& turned, Contact& contact, const Manifold& found);
   static void lose_points(ImpactRow& row);
   static bool is_far(const Turned& turned, const Pair& now, const BodySet& bodies);
-  bool find(StepData& data, Turned& turned, const Pair& now, const std::vector<Pose>& start);
+  void find(StepData& data, Turned& turned, const Pair& now, const std::vector<Pose>& start);
   static Real way(const Turned& turned, const Pair& now, const BodySet& bodies);
   static Vec2 between(const Turned& turned, const PointArms& p, const Pair& by);
   static Vec2 direction(const Turned& turned, const Pair& by);

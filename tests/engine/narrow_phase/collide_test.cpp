@@ -251,6 +251,31 @@ TEST(Collide, ReportsThePenetrationToRemove) {
   }
 }
 
+// A box stands on the corner of another with its own, in every direction and mirrored: which shape comes first says
+// nothing.
+TEST(Collide, OfTwoCornersIsByTheFaceThatSeparatesThemMost) {
+  constexpr double depth = 1e-5;
+  constexpr double beside = 8e-5;  // by the other shape's face: less than the first shape's is preferred by
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    for (const double mirror : {1., -1.}) {
+      const Rotation turned(static_cast<Real>(quarter * 1.5707963267948966));
+      const Rotation tilted(static_cast<Real>(mirror * .5));
+      const Vec2 corner = tilted * Vec2{static_cast<Real>(mirror * -.3), -0.3_r};
+      const Vec2 there = Vec2{static_cast<Real>(mirror * (.5 - beside)), static_cast<Real>(.5 - depth)} - corner;
+      for (const bool boxes : {true, false}) {
+        const auto square = [&](Real half) {
+          const std::array<Vec2, 4> corners{Vec2{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+          return boxes ? Shape::box({half, half}) : Shape::polygon(corners);
+        };
+        const Manifold m = collide(square(0.5_r), {{}, turned}, square(0.3_r), {turned * there, turned * tilted}, 0);
+        ASSERT_GT(m.count, 0);
+        EXPECT_NEAR(static_cast<double>(least_separation(m)), -depth, 64 * static_cast<double>(epsilon))
+            << quarter << ' ' << mirror << ' ' << boxes;
+      }
+    }
+  }
+}
+
 TEST(Collide, OfStackedBoxesHasTwoPointsWithTheirOwnSeparations) {
   const Shape box = Shape::box({0.5_r, 0.5_r});
   const Real tilt = 0.02_r;

@@ -19,9 +19,9 @@ struct Pair {
   BodySet bodies;
   Contact contact;
 
-  Pair(const Shape& a, Vec2 at_a, const Shape& b, Vec2 at_b) {
-    contact.body_a = add(a, at_a);
-    contact.body_b = add(b, at_b);
+  Pair(const Shape& a, Vec2 at_a, const Shape& b, Vec2 at_b, double angle_a = 0, double angle_b = 0) {
+    contact.body_a = add(a, at_a, angle_a);
+    contact.body_b = add(b, at_b, angle_b);
     const Pose& pose_a = bodies.pose[contact.body_a];
     const Pose& pose_b = bodies.pose[contact.body_b];
     const Manifold m = collide(a, pose_a, b, pose_b, 1);
@@ -37,9 +37,10 @@ struct Pair {
       contact.found_separation[i] = m.points[i].separation;
     }
   }
-  std::uint32_t add(const Shape& shape, Vec2 where) {
+  std::uint32_t add(const Shape& shape, Vec2 where, double angle) {
     BodyDef def;
     def.position = where;
+    def.angle = real(angle);
     bodies.add(def, std::array{Part{shape, {}}});
     return static_cast<std::uint32_t>(bodies.size() - 1);
   }
@@ -70,6 +71,28 @@ TEST(Touch, OfADiscAndABoxIsTheirDistanceWhereverTheDiscGoes) {
       EXPECT_NEAR(length(frame.normal - normalized(to_disc)), 0, tolerance);
       EXPECT_NEAR(other.points[0].separation, frame.points[0].separation, tolerance);
       EXPECT_NEAR(length(other.normal + frame.normal), 0, tolerance);
+    }
+  }
+}
+
+// Two boxes that lie on each other but for a small angle, each with one corner on the other: by which of the two faces
+// they were found depends on the direction of the scene, and their points do not.
+TEST(Touch, OfFacesThatAreNearlyFlushDependsOnNoDirection) {
+  const Shape box = Shape::box({real(.1), real(.11)});
+  const auto frame_at = [&](double angle) {
+    const Rotation turned(real(angle));
+    const Pair pair(box, {}, box, turned * Vec2{real(.2025), real(.08)}, angle, angle + 4e-4);
+    return pair.touch().at({}, {});
+  };
+  const TouchFrame expected = frame_at(0);
+  for (int i = 1; i < 16; ++i) {
+    const TouchFrame frame = frame_at(.4 * i);
+    const bool same = std::abs(frame.points[0].cross_a - expected.points[0].cross_a) < real(.1);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const PointArms& p = frame.points[same ? k : 1 - k];
+      EXPECT_NEAR(p.separation, expected.points[k].separation, tolerance) << i;
+      EXPECT_NEAR(p.cross_a, expected.points[k].cross_a, tolerance) << i;
+      EXPECT_NEAR(p.cross_b, expected.points[k].cross_b, tolerance) << i;
     }
   }
 }
