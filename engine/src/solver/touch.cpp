@@ -29,13 +29,19 @@ Face face_towards(const Shape& shape, Rotation q, Vec2 direction) {
   return best;
 }
 
+/// m, by what the place of a point this far from its body's origin may be rounded, as found where the bodies are.
+Real place_round_off(const Contact& contact, Real reach) {
+  constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+  return 256 * epsilon * (reach + 1) + 4 * epsilon * (length(contact.found_a.p) + length(contact.found_b.p));
+}
+
 /// Whether a point is a corner of a shape: `arm` is from the body's origin to the point.
-bool at_corner(const Shape& shape, Rotation q, Vec2 tangent, Vec2 arm) {
+bool at_corner(const Contact& contact, const Shape& shape, Rotation q, Vec2 arm) {
   if (shape.type() == ShapeType::circle || shape.type() == ShapeType::half_space) return false;
-  constexpr Real rounding = 256 * std::numeric_limits<Real>::epsilon();
+  const Vec2 tangent = perpendicular(contact.normal);
   for (int v = 0; v < shape.count(); ++v) {
     const Vec2 corner = q * shape.vertex(v);
-    if (std::abs(dot(tangent, corner - arm)) <= rounding * (length(corner) + 1)) return true;
+    if (std::abs(dot(tangent, corner - arm)) <= place_round_off(contact, length(corner))) return true;
   }
   return false;
 }
@@ -86,9 +92,7 @@ void Touch::trace(const Contact& contact, const BodySet& bodies) {
   };
   const auto corner = [&](int i) { return in_frame(shape.vertex(i % shape.count())) - found; };
   const auto outward = [&](int i) { return in_frame(shape.normal(i)); };
-  const auto rounding = [&](Vec2 to) {
-    return 256 * std::numeric_limits<Real>::epsilon() * (length(to) + length(found) + 1);
-  };
+  const auto rounding = [&](Vec2 to) { return place_round_off(contact, length(to) + length(found)); };
   const auto add = [&](std::size_t k, Vec2 end, Vec2 normal) {
     outline_.reaches[k] = length(end);
     outline_.along[k] = end / outline_.reaches[k];
@@ -162,13 +166,12 @@ Touch::Faces Touch::find_owner(const Contact& contact, const BodySet& bodies) {
   };
   own(is_of_a ? NormalOf::a : NormalOf::b);
   if (of_a.angle > flush || of_b.angle > flush) return faces;
-  const Vec2 tangent = perpendicular(normal_);
   std::array<Real, 2> share{};
   bool corners_of_a = true;
   bool corners_of_b = true;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-    const bool corner_of_a = at_corner(a, qa, tangent, contact.points[i].arm_a);
-    const bool corner_of_b = at_corner(b, qb, tangent, contact.points[i].arm_b);
+    const bool corner_of_a = at_corner(contact, a, qa, contact.points[i].arm_a);
+    const bool corner_of_b = at_corner(contact, b, qb, contact.points[i].arm_b);
     corners_of_a = corners_of_a && corner_of_a;
     corners_of_b = corners_of_b && corner_of_b;
     share[i] = corner_of_a == corner_of_b ? Real{0.5} : corner_of_b ? Real{1} : Real{0};

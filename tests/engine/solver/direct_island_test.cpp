@@ -266,6 +266,28 @@ TEST(DirectIsland, LetsNoPlaneOfAFacePushWhatIsFarFromIt) {
   EXPECT_EQ(world.body(spinning).angular_velocity(), -121);
 }
 
+// A disc meets the end of a capsule. Far away, places are rounded: by that, the point found was beside the end, and its
+// side was taken for what the disc touches.
+TEST(DirectIsland, MovesAlikeFarFromTheOrigin) {
+  std::vector<Body> capsules;
+  const Vec2 far{real(942.8644331), real(-586.104917876)};
+  std::vector<World> worlds(2);
+  for (const bool away : {false, true}) {
+    World& world = worlds[away ? 1 : 0];
+    world.set_gravity({});
+    BodyDef disc = at(.72, .65, 0, -5.7);
+    BodyDef capsule = at(.54071, .17438, 1.8664, 0, 21.819, 3.4509);
+    if (away) disc.position += far;
+    if (away) capsule.position += far;
+    world.create_body(disc, Shape::circle(real(.31)), frictionless());
+    const Shape shape = Shape::capsule({real(-.04509), 0}, {real(.04509), 0}, real(.10521));
+    capsules.push_back(world.body(world.create_body(capsule, shape, frictionless())));
+    world.step();
+  }
+  EXPECT_NEAR(capsules[0].angular_velocity(), capsules[1].angular_velocity(),
+              1e6 * static_cast<double>(round_off) * 1e3);
+}
+
 // A body held by two that nothing pushes, deeper than it can part from both: what pushes it out of one pushes it into
 // the other. It stays, and bears no more than a thousand times what would stop it at the rate at which it is pushed out
 // of either.
