@@ -176,14 +176,14 @@ bool DirectIsland::stick_or_slip() {
   bool broke = false;
   for (DirectContact& contact : contacts_) {
     if (contact.static_friction == contact.dynamic_friction || contact.friction_row == DirectContact::no_row) continue;
-    Constraint& row = system_[contact.friction_row];
+    const Constraint& row = system_[contact.friction_row];
     double load = 0;
     for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
     const double rate = ConstraintSystem::speed(row, step_->data.bodies.velocity) + row.bias;
     const bool slips = load > 0 && std::abs(row.impulse) >= row.friction * load && std::abs(rate) > no_slip;
     broke = broke || (slips && !contact.slips);
     contact.slips = slips;
-    row.friction = contact.friction();
+    system_.set_friction(contact.friction_row, contact.friction());
   }
   return broke;
 }
@@ -304,6 +304,10 @@ bool DirectIsland::press(Real h) {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   const Real before = kinetic_energy(members_.bodies, step_->data.bodies);
   list_for_press(h);
+  if (fastest() * h > far_turn) {  // as forces alone would turn it: another of many turns would hold as well
+    bias_as_linear(h);
+    system_.solve(velocity);
+  }
   constexpr int rounds = 12;
   Real off = 0;
   for (int round = 0; round < rounds; ++round) {
@@ -325,6 +329,12 @@ bool DirectIsland::press(Real h) {
 /// The same for gaps and errors that change as they do now.
 void DirectIsland::press_as_linear(Real h) {
   list_for_press(h);
+  bias_as_linear(h);
+  system_.solve(step_->data.bodies.velocity);
+  stick_or_slip();
+}
+
+void DirectIsland::bias_as_linear(Real h) {
   for (const DirectContact& contact : contacts_) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       const Real gap = contact.frame.points[i].separation;
@@ -342,8 +352,6 @@ void DirectIsland::press_as_linear(Real h) {
     }
     if (block.driven) system_[at].bias = -block.motor_speed;
   }
-  system_.solve(step_->data.bodies.velocity);
-  stick_or_slip();
 }
 
 bool DirectIsland::overlaps() const {
