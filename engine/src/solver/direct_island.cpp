@@ -239,6 +239,7 @@ void DirectIsland::restore_velocities() {
 
 /// The accelerations from now on, from the changes of velocities that constraints caused in an interval.
 void DirectIsland::note_loads(Real h) {
+  if (is_brief(h)) return;
   for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
     const std::uint32_t body = members_.bodies[i];
     const Velocity& now = step_->data.bodies.velocity[body];

@@ -88,6 +88,8 @@ class DirectIsland {
   void begin();
   void begin_contacts();
   void substep();
+  /// Whether an interval is so short that what rounding or a blow changes in it is no load.
+  bool is_brief(Real h) const { return h < h_ / 64; }
   Real longest() const;
   Real fastest() const;
   Real advance(Real h, const Impact& then);

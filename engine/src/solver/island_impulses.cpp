@@ -99,6 +99,13 @@ void DirectIsland::bias_press(Real h) {
   const auto set = [&](std::uint32_t at, Real miss) {
     system_[at].bias = miss / h - ConstraintSystem::speed(system_[at], velocity);
   };
+  // In a short interval the rounding of a gap is a great speed, which relax() takes back, but not with its friction.
+  const bool brief = is_brief(h);
+  const auto after = [&](std::uint32_t at, Real now, Real then) {
+    if (!brief) return then;
+    const auto straight = static_cast<Real>(now + h * ConstraintSystem::speed(system_[at], velocity));
+    return std::abs(then - straight) <= rounding_ ? straight : then;
+  };
   for (const DirectContact& contact : contacts_) {
     const Motion a = motion_after(contact.a, h);
     const Motion b = motion_after(contact.b, h);
@@ -111,7 +118,7 @@ void DirectIsland::bias_press(Real h) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       const PointArms& p = contact.frame.points[i];
       const std::uint32_t at = contact.row + static_cast<std::uint32_t>(i);
-      const Real miss = contact.touch.gap(i, a, b) - least_gap(p.separation, h);
+      const Real miss = after(at, p.separation, contact.touch.gap(i, a, b)) - least_gap(p.separation, h);
       // What comes to touch at the end by rounding is not stopped.
       set(at, system_[at].impulse == 0 && miss > -exact ? std::max(miss, Real{0}) : miss);
       if (!rubs) continue;
@@ -135,8 +142,8 @@ void DirectIsland::bias_press(Real h) {
 
 /// m, what a gap may be after the drift: an overlap is pushed apart bit by bit.
 Real DirectIsland::least_gap(Real now, Real h) const {
-  const Real least = least_error(now, h);
-  return now > rounding_ ? std::min(least, Real{0}) : least;
+  if (now >= -rounding_) return std::min(now, Real{0});
+  return now + h / h_ * std::min(-now, most_push);
 }
 
 /// m or rad, what the error of a joint may be after the drift: it is mended bit by bit. What may be rounding stays:
