@@ -22,6 +22,13 @@ inline Settings weightless(double dt = 1.0 / 60) {
   return settings;
 }
 
+/// Of the default method, with gravity in m/s^2.
+inline Settings falling(double gravity = 10) {
+  Settings settings;
+  settings.gravity = {0, real(-gravity)};
+  return settings;
+}
+
 inline Material frictionless(double restitution = 0) { return {1, 0, 0, real(restitution)}; }
 
 inline BodyDef at(double x, double y, double vx = 0, double vy = 0, double w = 0, double angle = 0) {

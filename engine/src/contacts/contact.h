@@ -37,7 +37,7 @@ struct Contact {
   Real offset = 0;                      // m, for solvers that keep a lasting correction of the separation
   int age = 0;                          // steps since it began
   bool disc_a = false, disc_b = false;  // a circle about its body's centre of mass
-  bool joins = false;                   // of a part that meets several fixed shapes, which may join
+  bool joins = false;                   // with a fixed shape that continues in another which the part meets
   bool slips = false;                   // for solvers that remember it: it slid at the end of the last step
   Pose found_a, found_b;                // of the bodies when points and separations were found
   std::array<ContactPoint, 2> points;

@@ -266,7 +266,8 @@ bool ContactSearch::change_velocity(const SearchInput& input, std::size_t body, 
 
 /// What is hit hits others within the same step: the balls of a cradle one after the other, and what lies on a body
 /// that lands. A body whose velocity changes by c changes that of another by at most (1 + e) c mA / (mA + mB), but for
-/// the one that hit it. Ends with the pairs that all these changes bring near each other.
+/// the one that hit it. Only to what the change brings near: bounds overlap in some directions and not in others. Ends
+/// with the pairs that all these changes bring near each other.
 void ContactSearch::pass_impacts_on(const SearchInput& input) {
   const std::span<const Proxy> proxies = shapes_.proxies();
   hit_.resize(proxies.size());
@@ -280,6 +281,7 @@ void ContactSearch::pass_impacts_on(const SearchInput& input) {
     input.broad_phase.find_pairs_of(proxies, hit_, near_hit_);
     end_stage("farther: find pairs");
     farther_pairs_.insert(farther_pairs_.end(), near_hit_.begin(), near_hit_.end());
+    remove_apart(input, near_hit_);
     passed_on_.clear();
     for (const Pair& pair : near_hit_) {
       const std::size_t a = proxies[pair.first].body;
@@ -306,6 +308,20 @@ void ContactSearch::pass_impacts_on(const SearchInput& input) {
   if (round == 1) return;
   std::sort(farther_pairs_.begin(), farther_pairs_.end());
   farther_pairs_.erase(std::unique(farther_pairs_.begin(), farther_pairs_.end()), farther_pairs_.end());
+}
+
+/// Removes pairs whose shapes are farther from each other than predicted changes of velocity matter.
+void ContactSearch::remove_apart(const SearchInput& input, std::vector<Pair>& pairs) {
+  near_points_.resize(pairs.size());
+  while (numbers_.size() < pairs.size()) numbers_.push_back(static_cast<std::uint32_t>(numbers_.size()));
+  narrow_phase_.collide(input.bodies, shapes_, input.margin, pairs, std::span(numbers_).first(pairs.size()),
+                        near_points_.data());
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[left] = pairs[i];
+    left += near_points_[i].count > 0 ? 1 : 0;
+  }
+  pairs.resize(left);
 }
 
 /// The second speculative query, only around bodies that are hit: with their bounds grown there are more pairs, and

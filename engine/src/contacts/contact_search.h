@@ -81,6 +81,7 @@ class ContactSearch {
   bool predict_impacts(const SearchInput& input);
   bool change_velocity(const SearchInput& input, std::size_t body, std::size_t by, Real change);
   void pass_impacts_on(const SearchInput& input);
+  void remove_apart(const SearchInput& input, std::vector<Pair>& pairs);
   void search_farther(const SearchInput& input);
   bool may_gain_points(std::uint32_t pair) const;
   void list_touching(std::span<const std::uint32_t> in_order);
@@ -125,12 +126,13 @@ class ContactSearch {
     Real change;  // m/s
   };
   std::vector<Passed> passed_on_;
-  std::vector<std::uint8_t> changed_;  // of each body, in this round of pass_impacts_on()
-  std::vector<Pair> near_hit_;         // found in it
-  std::vector<std::uint32_t> hit_by_;  // of each body, see change_velocity()
-  std::vector<Real> impact_changes_;   // m/s, of each body: predicted change of velocity by impacts within the step
-  std::vector<std::uint8_t> hit_;      // of each proxy: whether its body has such a change
-  std::vector<Pair> farther_pairs_;    // of those proxies
+  std::vector<std::uint8_t> changed_;    // of each body, in this round of pass_impacts_on()
+  std::vector<Pair> near_hit_;           // found in it
+  std::vector<PairPoints> near_points_;  // of these
+  std::vector<std::uint32_t> hit_by_;    // of each body, see change_velocity()
+  std::vector<Real> impact_changes_;     // m/s, of each body: predicted change of velocity by impacts within the step
+  std::vector<std::uint8_t> hit_;        // of each proxy: whether its body has such a change
+  std::vector<Pair> farther_pairs_;      // of those proxies
   std::vector<std::uint32_t> touching_;
   std::vector<std::uint32_t> hit_piles_;
 };

@@ -11,6 +11,7 @@
 
 #include "contacts/ghosts.h"
 #include "core/stages.h"
+#include "shapes/distance.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
@@ -209,12 +210,26 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
   for (auto first = on_ground_.cbegin(), next = first; first != on_ground_.cend(); first = next) {
     next = std::find_if(first, on_ground_.cend(), [&](const OnGround& meets) { return part(meets) != part(*first); });
     const bool several = next - first > 1;
-    for (auto one = first; one != next; ++one) rows_[one->row].joins = several;
+    for (auto one = first; one != next; ++one) rows_[one->row].joins = several && goes_on(*one, {first, next}, bodies);
     if (several) removed |= remove_ghosts({first, next}, bodies, margin);
   }
   if (!removed) return;
   std::erase_if(rows_, [](const Contact& contact) { return contact.count == 0; });
   disturb();
+}
+
+/// Whether another of the shapes that the part meets continues this one. A plane ends nowhere.
+bool ContactSet::goes_on(const OnGround& one, std::span<const OnGround> of_part, const BodySet& bodies) const {
+  constexpr Real over = static_cast<Real>(0.01);  // m, gap over which a part slides as over a join
+  const auto shape = [&](const OnGround& on) -> const Shape& {
+    const Contact& contact = rows_[on.row];
+    return bodies.detail[on.ground].parts[on.dynamic_first ? contact.part_b : contact.part_a].shape;
+  };
+  if (shape(one).type() == ShapeType::half_space) return false;
+  return std::any_of(of_part.begin(), of_part.end(), [&](const OnGround& other) {
+    return other.row != one.row && joined(bodies, one.ground, other.ground) &&
+           distance(shape(one), bodies.pose[one.ground], shape(other), bodies.pose[other.ground]).distance <= over;
+  });
 }
 
 // A face that replaced a ghost can in turn reveal others, at the next join but one.

@@ -1,6 +1,7 @@
 #include "solver/accurate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -21,32 +22,43 @@ namespace {
 /// about the true one: 1e-5 for a pendulum, 1e-2 and more for chains too fast for the sub-step.
 constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
-/// Most contacts of an island that is solved as one system, and most joints.
+/// Most joints of an island that is solved as one system, and most contacts that may bear something; and most contacts
+/// in all, unless it is a single body.
 constexpr std::size_t most_direct = 24;
+constexpr std::size_t most_known = 72;
 
-/// Whether two bodies touch, or may within the step as they move now.
-bool may_touch(const Contact& contact, const BodySet& bodies, const std::vector<Velocity>& acceleration, Real dt) {
+/// Whether two bodies are near each other within the step, as they move now.
+bool come_near(const Contact& contact, const BodySet& bodies, const std::vector<Velocity>& acceleration, Real dt) {
+  constexpr Real near = static_cast<Real>(0.005);  // m
   const Velocity& a = bodies.velocity[contact.body_a];
   const Velocity& b = bodies.velocity[contact.body_b];
   const Vec2 falls = (dt * dt / 2) * (acceleration[contact.body_b].v - acceleration[contact.body_a].v);
   return std::any_of(contact.points.begin(), contact.points.begin() + contact.count, [&](const ContactPoint& p) {
     const Vec2 moves = dt * (b.v - a.v + cross(b.w, p.arm_b) - cross(a.w, p.arm_a)) + falls;
-    return p.separation + std::min(dot(contact.normal, moves), Real{0}) <= touching_gap;
+    return p.separation + std::min(dot(contact.normal, moves), Real{0}) <= near;
   });
 }
 
-/// Whether an island is solved as one system: if it is small, or a single body that touches few of all the shapes of
-/// the ground that are near.
+/// Whether an island is solved as one system: if few of its contacts bring bodies near each other within the step. Of
+/// two bodies that are pushed no more than two count: parts of compound bodies meet at many places, and what these two
+/// do to each other has three components.
 bool is_direct(const StepData& data, const Island& island, const std::vector<Velocity>& acceleration) {
   if (island.joints.swept() || island.joints.all().size() > most_direct) return false;
   if (island.contacts.size() <= most_direct) return true;
-  const auto pushed = [&](std::uint32_t body) { return data.bodies.pushable(body); };
-  const auto touches = [&](const Tie& tie) {
-    return may_touch(data.contacts[tie.contact], data.bodies, acceleration, data.settings.dt);
-  };
-  return island.joints.empty() && std::count_if(island.bodies.begin(), island.bodies.end(), pushed) == 1 &&
-         static_cast<std::size_t>(std::count_if(island.contacts.begin(), island.contacts.end(), touches)) <=
-             most_direct;
+  if (island.contacts.size() > most_known && island.bodies.size() > 1) return false;
+  std::array<std::pair<std::uint32_t, std::uint32_t>, most_known> pairs;
+  auto end = pairs.begin();
+  std::size_t count = 0;
+  for (const Tie& tie : island.contacts) {
+    if (!come_near(data.contacts[tie.contact], data.bodies, acceleration, data.settings.dt)) continue;
+    ++count;
+    if (tie.pushes_a && tie.pushes_b) *end++ = std::minmax(tie.a, tie.b);
+  }
+  std::sort(pairs.begin(), end);
+  for (auto pair = pairs.begin(); pair < end; ++pair) {
+    if (end - pair > 2 && pair[2] == *pair) --count;
+  }
+  return count <= most_direct;
 }
 
 }  // namespace

@@ -258,6 +258,7 @@ void ConstraintSystem::place_friction() {
     row.arm_b = arm_b;
     change(i, row.impulse - row.given);
     weigh(i);
+    factored_ = false;
   }
 }
 

@@ -73,6 +73,11 @@ class ConstraintSystem {
   void undo(std::vector<Velocity>& velocity);
   /// Solves anew which constraints act, after some were fixed or set free.
   void reconsider() { state_.clear(); }
+  /// The coefficient of a row that rubs, between two calls.
+  void set_friction(std::uint32_t row, Real coefficient) {
+    factored_ = factored_ && rows_[row].friction == coefficient;
+    rows_[row].friction = coefficient;
+  }
   /// Velocities as before the first call, from which the next one starts with the solution as a guess.
   void restart(std::vector<Velocity>& velocity);
 

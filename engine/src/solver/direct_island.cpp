@@ -72,6 +72,18 @@ void DirectIsland::begin() {
   restore_velocities();
 }
 
+namespace {
+
+/// Whether no other features can come near, however the bodies move.
+bool disc_on_plane(const BodySet& bodies, const Contact& contact) {
+  const ShapeType a = bodies.detail[contact.body_a].parts[contact.part_a].shape.type();
+  const ShapeType b = bodies.detail[contact.body_b].parts[contact.part_b].shape.type();
+  return (a == ShapeType::circle && b == ShapeType::half_space) ||
+         (a == ShapeType::half_space && b == ShapeType::circle);
+}
+
+}  // namespace
+
 void DirectIsland::begin_contacts() {
   StepData& data = step_->data;
   contacts_.clear();
@@ -88,7 +100,7 @@ void DirectIsland::begin_contacts() {
     contact.dynamic_friction = from.dynamic_friction;
     contact.restitution = from.restitution;
     contact.slips = from.slips;
-    contact.joins = from.joins;
+    contact.lasts = from.joins || disc_on_plane(data.bodies, from);
     contact.touch = Touch(from, data.bodies, step_->start[contact.a], step_->start[contact.b]);
     contact.frame = contact.touch.at(step_->motion[contact.a], step_->motion[contact.b]);
     for (std::size_t i = 0; i < contact.count; ++i) {
@@ -227,6 +239,7 @@ void DirectIsland::restore_velocities() {
 
 /// The accelerations from now on, from the changes of velocities that constraints caused in an interval.
 void DirectIsland::note_loads(Real h) {
+  if (is_brief(h)) return;
   for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
     const std::uint32_t body = members_.bodies[i];
     const Velocity& now = step_->data.bodies.velocity[body];
@@ -247,10 +260,10 @@ void DirectIsland::refresh() {
 }
 
 /// Whether the bodies have slid so far past each other since their contact was found that other corners may be near.
-/// Where a body meets several shapes of the ground, only the search removes ghost collisions at joins.
+/// Where the ground goes on in other shapes, only the search removes ghost collisions.
 bool DirectIsland::slides_far(const DirectContact& contact, const Motion& a, const Motion& b) const {
   const std::vector<Real>& reach = step_->data.bodies.bounding_radius;
-  return !contact.joins && contact.touch.moved(a, b, reach[contact.a], reach[contact.b]) >= slid_far;
+  return !contact.lasts && contact.touch.moved(a, b, reach[contact.a], reach[contact.b]) >= slid_far;
 }
 
 /// The points of a contact when its bodies have moved by a and b since the start of the step. `margin`: m.

@@ -32,7 +32,7 @@ struct DirectContact {
   int approached = 0;           // intervals of this sub-step that should have ended with its impact, since the last one
   std::array<bool, 2> waits{};  // of each point: for an impact at the end of the interval
   bool found_again = false;     // within the step
-  bool joins = false;           // the ground has other shapes here
+  bool lasts = false;           // is not sought again within the step
   Touch touch;
   TouchFrame frame;                // at the present poses
   Vec2 pressed_along;              // the normal along which `pressing` acted
@@ -76,6 +76,8 @@ class DirectIsland {
   bool counts_changed() { return std::exchange(counts_changed_, false); }
 
  private:
+  static constexpr Real far_turn = static_cast<Real>(0.25);  // rad in an interval: more is far from linear
+
   struct Impact {
     Real time = 0;   // s from now
     Real speed = 0;  // m/s, closing; rad/s of a hinge's stop
@@ -86,7 +88,10 @@ class DirectIsland {
   void begin();
   void begin_contacts();
   void substep();
+  /// Whether an interval is so short that what rounding or a blow changes in it is no load.
+  bool is_brief(Real h) const { return h < h_ / 64; }
   Real longest() const;
+  Real fastest() const;
   Real advance(Real h, const Impact& then);
   Real apart_for(const Impact& then, Real h) const;
   void end();
@@ -104,6 +109,7 @@ class DirectIsland {
   void kick(Real h);
   bool press(Real h);
   void press_as_linear(Real h);
+  void bias_as_linear(Real h);
   void list_for_press(Real h);
   bool overlaps() const;
   bool is_driven() const;
@@ -143,7 +149,7 @@ class DirectIsland {
   Motion flown_motion(std::uint32_t body, Real t) const;
   Velocity flown_velocity(std::uint32_t body, Real t) const;
   void strike(const Impact& impact);
-  void list_struck(DirectContact& contact, Real reach);
+  void list_struck(DirectContact& contact, bool first);
   void solve_impact();
 
   DirectStep* step_ = nullptr;

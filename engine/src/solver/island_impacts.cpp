@@ -14,7 +14,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real struck_together = static_cast<Real>(0.0005);  // m, gap up to which both points of a contact are struck
+/// Of the distance between a contact's points: the gap of the one up to which it is struck together with the other.
+constexpr Real struck_together = static_cast<Real>(0.001);
 constexpr Real slides_at = static_cast<Real>(1e-4);  // m/s, what slides faster when it is struck has sliding friction
 /// m, gap that is none: less than rounding leaves of an advance to the time of an impact.
 constexpr Real no_gap = static_cast<Real>(sizeof(Real) == 8 ? 1e-13 : 1e-6);
@@ -91,15 +92,19 @@ void DirectIsland::substep() {
   }
 }
 
-/// s, in which no body turns by more than a quarter radian, because normals turn with the bodies; but no less than an
-/// eighth of a sub-step.
+/// s, in which no body turns far, because normals turn with the bodies; but no less than an eighth of a sub-step.
 Real DirectIsland::longest() const {
-  constexpr Real turn = static_cast<Real>(0.25);
-  Real fastest = 0;
+  const Real w = fastest();
+  return w * h_ > far_turn ? std::max(far_turn / w, h_ / 8) : h_;
+}
+
+/// rad/s
+Real DirectIsland::fastest() const {
+  Real most = 0;
   for (const std::uint32_t body : members_.bodies) {
-    fastest = std::max(fastest, std::abs(step_->data.bodies.velocity[body].w));
+    most = std::max(most, std::abs(step_->data.bodies.velocity[body].w));
   }
-  return fastest * h_ > turn ? std::max(turn / fastest, h_ / 8) : h_;
+  return most;
 }
 
 /// s, until the first motor that works with all its strength has its speed; `within` if that is later, or so soon or so
@@ -268,7 +273,7 @@ void DirectIsland::strike(const Impact& impact) {
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
     DirectContact& contact = contacts_[c];
     contact.struck = c == index || !alone;
-    if (contact.struck) list_struck(contact, c == index ? struck_together : touching_gap);
+    if (contact.struck) list_struck(contact, c == index);
   }
   for (const ActiveJoint* joint : members_.joints) {
     const JointBlock& block = joint->block;
@@ -285,7 +290,11 @@ void DirectIsland::strike(const Impact& impact) {
   }
 }
 
-void DirectIsland::list_struck(DirectContact& contact, Real reach) {
+/// `first`: whether the contact is the one that is struck, and not one that only touches.
+void DirectIsland::list_struck(DirectContact& contact, bool first) {
+  const auto& [one, other] = contact.frame.points;
+  const Real apart = contact.count == 2 ? std::abs(one.cross_a - other.cross_a) : Real{0};
+  const Real reach = first ? std::max(struck_together * apart, touching_gap) : touching_gap;
   const std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   bool any = false;
   Real slide = 0;
@@ -307,7 +316,7 @@ void DirectIsland::list_struck(DirectContact& contact, Real reach) {
     Constraint& row = system_[contact.row + i];
     const double v = ConstraintSystem::speed(row, velocity);
     if (contact.frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
-    if (v < -slow(contact) || reach == struck_together) row.bias = contact.restitution * std::min(v, 0.);
+    if (v < -slow(contact) || first) row.bias = contact.restitution * std::min(v, 0.);
   }
 }
 

@@ -99,6 +99,13 @@ void DirectIsland::bias_press(Real h) {
   const auto set = [&](std::uint32_t at, Real miss) {
     system_[at].bias = miss / h - ConstraintSystem::speed(system_[at], velocity);
   };
+  // In a short interval the rounding of a gap is a great speed, which relax() takes back, but not with its friction.
+  const bool brief = is_brief(h);
+  const auto after = [&](std::uint32_t at, Real now, Real then) {
+    if (!brief) return then;
+    const auto straight = static_cast<Real>(now + h * ConstraintSystem::speed(system_[at], velocity));
+    return std::abs(then - straight) <= rounding_ ? straight : then;
+  };
   for (const DirectContact& contact : contacts_) {
     const Motion a = motion_after(contact.a, h);
     const Motion b = motion_after(contact.b, h);
@@ -111,7 +118,7 @@ void DirectIsland::bias_press(Real h) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       const PointArms& p = contact.frame.points[i];
       const std::uint32_t at = contact.row + static_cast<std::uint32_t>(i);
-      const Real miss = contact.touch.gap(i, a, b) - least_gap(p.separation, h);
+      const Real miss = after(at, p.separation, contact.touch.gap(i, a, b)) - least_gap(p.separation, h);
       // What comes to touch at the end by rounding is not stopped.
       set(at, system_[at].impulse == 0 && miss > -exact ? std::max(miss, Real{0}) : miss);
       if (!rubs) continue;
@@ -135,8 +142,8 @@ void DirectIsland::bias_press(Real h) {
 
 /// m, what a gap may be after the drift: an overlap is pushed apart bit by bit.
 Real DirectIsland::least_gap(Real now, Real h) const {
-  const Real least = least_error(now, h);
-  return now > rounding_ ? std::min(least, Real{0}) : least;
+  if (now >= -rounding_) return std::min(now, Real{0});
+  return now + h / h_ * std::min(-now, most_push);
 }
 
 /// m or rad, what the error of a joint may be after the drift: it is mended bit by bit. What may be rounding stays:
@@ -176,14 +183,14 @@ bool DirectIsland::stick_or_slip() {
   bool broke = false;
   for (DirectContact& contact : contacts_) {
     if (contact.static_friction == contact.dynamic_friction || contact.friction_row == DirectContact::no_row) continue;
-    Constraint& row = system_[contact.friction_row];
+    const Constraint& row = system_[contact.friction_row];
     double load = 0;
     for (std::size_t i = 0; i < contact.count; ++i) load += system_[contact.row + i].impulse;
     const double rate = ConstraintSystem::speed(row, step_->data.bodies.velocity) + row.bias;
     const bool slips = load > 0 && std::abs(row.impulse) >= row.friction * load && std::abs(rate) > no_slip;
     broke = broke || (slips && !contact.slips);
     contact.slips = slips;
-    row.friction = contact.friction();
+    system_.set_friction(contact.friction_row, contact.friction());
   }
   return broke;
 }
@@ -304,6 +311,10 @@ bool DirectIsland::press(Real h) {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   const Real before = kinetic_energy(members_.bodies, step_->data.bodies);
   list_for_press(h);
+  if (fastest() * h > far_turn) {  // as forces alone would turn it: another of many turns would hold as well
+    bias_as_linear(h);
+    system_.solve(velocity);
+  }
   constexpr int rounds = 12;
   Real off = 0;
   for (int round = 0; round < rounds; ++round) {
@@ -325,6 +336,12 @@ bool DirectIsland::press(Real h) {
 /// The same for gaps and errors that change as they do now.
 void DirectIsland::press_as_linear(Real h) {
   list_for_press(h);
+  bias_as_linear(h);
+  system_.solve(step_->data.bodies.velocity);
+  stick_or_slip();
+}
+
+void DirectIsland::bias_as_linear(Real h) {
   for (const DirectContact& contact : contacts_) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       const Real gap = contact.frame.points[i].separation;
@@ -342,8 +359,6 @@ void DirectIsland::press_as_linear(Real h) {
     }
     if (block.driven) system_[at].bias = -block.motor_speed;
   }
-  system_.solve(step_->data.bodies.velocity);
-  stick_or_slip();
 }
 
 bool DirectIsland::overlaps() const {

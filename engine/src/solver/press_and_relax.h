@@ -11,7 +11,7 @@
 namespace impulse::inline IMPULSE_PRECISION {
 
 /// m, penetration that an impact may add within a step: less than loads at rest may cause.
-constexpr Real not_felt = static_cast<Real>(0.4) * tolerated_sink;
+constexpr Real not_felt = static_cast<Real>(0.3) * tolerated_sink;
 
 /// The two solves of a swept island's sub-step, before and after the drift: how often it is swept, contact after
 /// contact. A blow goes through the whole island, until no contact gets deeper by what would be felt.

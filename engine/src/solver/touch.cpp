@@ -11,39 +11,12 @@ namespace {
 /// rad; faces at a smaller angle lie on each other.
 constexpr Real flush = Real{1} / 128;
 
-struct Face {
-  Vec2 normal;     // world frame
-  Real angle = 2;  // sine of its angle with the direction sought
-};
-
-/// The face of a shape, rotated by q, that points most into a direction.
-Face face_towards(const Shape& shape, Rotation q, Vec2 direction) {
-  Face best;
-  if (shape.type() == ShapeType::circle) return best;
-  const int faces = shape.type() == ShapeType::half_space ? 1 : shape.count();
-  for (int i = 0; i < faces; ++i) {
-    const Vec2 normal = q * shape.normal(i);
-    const Real off = std::abs(cross(normal, direction));
-    if (dot(normal, direction) > 0 && off < best.angle) best = {normal, off};
-  }
-  return best;
-}
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
 /// m, by what the place of a point this far from its body's origin may be rounded, as found where the bodies are.
 Real place_round_off(const Contact& contact, Real reach) {
   constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
   return 256 * epsilon * (reach + 1) + 4 * epsilon * (length(contact.found_a.p) + length(contact.found_b.p));
-}
-
-/// Whether a point is a corner of a shape: `arm` is from the body's origin to the point.
-bool at_corner(const Contact& contact, const Shape& shape, Rotation q, Vec2 arm) {
-  if (shape.type() == ShapeType::circle || shape.type() == ShapeType::half_space) return false;
-  const Vec2 tangent = perpendicular(contact.normal);
-  for (int v = 0; v < shape.count(); ++v) {
-    const Vec2 corner = q * shape.vertex(v);
-    if (std::abs(dot(tangent, corner - arm)) <= place_round_off(contact, length(corner))) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -58,20 +31,24 @@ Touch::Touch(const Contact& contact, const BodySet& bodies)
     arm_a_[i] = to * Vec2{arms.turn_a, -arms.cross_a};
     arm_b_[i] = to * Vec2{arms.turn_b, -arms.cross_b};
     apart_[i] = to * Vec2{radius_a_ + radius_b_ + contact.found_separation[i], 0};
-    if (normal_of_ == NormalOf::both && of_a_[i] != Real{0.5}) straighten(i, faces);
+    if (faces.flush && faces.ends[i].of_a != faces.ends[i].of_b) straighten(i, contact, faces);
   }
   trace(contact, bodies);
 }
 
-/// Of two faces whose normals differ a little, lets a point lie along their mean, from the corner of one to the face of
-/// the other, whichever of the two faces it was found by.
-void Touch::straighten(std::size_t i, const Faces& faces) {
-  const bool corner_of_a = of_a_[i] == 0;
-  const Vec2 world = corner_of_a ? -faces.of_b : faces.of_a;
-  const Vec2 face{dot(normal_, world), dot(perpendicular(normal_), world)};
-  const Vec2 straight{dot(face, apart_[i]) / face.x, 0};
-  (corner_of_a ? arm_b_[i] : arm_a_[i]) += (corner_of_a ? Real{1} : Real{-1}) * (straight - apart_[i]);
-  apart_[i] = straight;
+/// Of two faces that lie on each other, lets a point at a corner of one lie along the normal on the face of the other,
+/// whichever of the two it was found by.
+void Touch::straighten(std::size_t i, const Contact& contact, const Faces& faces) {
+  const bool corner_of_a = faces.ends[i].of_a;
+  const auto in_frame = [&](Vec2 v) { return Vec2{dot(normal_, v), dot(perpendicular(normal_), v)}; };
+  const Vec2 facing = corner_of_a ? -faces.b.normal : faces.a.normal;
+  const Vec2 between = contact.found_b.p - contact.found_a.p;
+  const Vec2 on_a = corner_of_a ? faces.ends[i].corner : faces.a.from;
+  const Vec2 on_b = between + (corner_of_a ? faces.b.from : faces.ends[i].corner);
+  apart_[i] = {dot(facing, on_b - on_a) / dot(facing, normal_), 0};
+  arm_a_[i] = corner_of_a ? in_frame(on_a) : in_frame(on_b) - apart_[i];
+  arm_b_[i] = in_frame((corner_of_a ? on_a : on_b) - between);
+  if (corner_of_a) arm_b_[i] += apart_[i];
 }
 
 /// The outline that a disc touches: both ways along a face, or the sides of a corner.
@@ -147,17 +124,12 @@ Touch::Faces Touch::find_owner(const Contact& contact, const BodySet& bodies) {
   const auto shape = [&](std::uint32_t body, std::uint16_t part) -> const Shape& {
     return bodies.detail[body].parts[part].shape;
   };
-  const Shape& a = shape(contact.body_a, contact.part_a);
-  const Shape& b = shape(contact.body_b, contact.part_b);
-  const Rotation qa = contact.found_a.q;
-  const Rotation qb = contact.found_b.q;
   normal_ = contact.normal;
-  const Face of_a = face_towards(a, qa, normal_);
-  const Face of_b = face_towards(b, qb, -normal_);
-  const Faces faces{of_a.normal, of_b.normal};
+  Faces faces{.a = face_towards(shape(contact.body_a, contact.part_a), contact.found_a.q, normal_),
+              .b = face_towards(shape(contact.body_b, contact.part_b), contact.found_b.q, -normal_)};
   constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
-  const bool is_of_a = of_a.angle <= rounding;
-  const bool is_of_b = of_b.angle <= rounding;
+  const bool is_of_a = faces.a.angle <= rounding;
+  const bool is_of_b = faces.b.angle <= rounding;
   of_a_ = {Real{0.5}, Real{0.5}};
   if (!is_of_a && !is_of_b) return faces;
   const auto own = [this](NormalOf owner) {
@@ -165,29 +137,79 @@ Touch::Faces Touch::find_owner(const Contact& contact, const BodySet& bodies) {
     if (owner != NormalOf::both) of_a_[0] = of_a_[1] = owner == NormalOf::a ? Real{1} : Real{0};
   };
   own(is_of_a ? NormalOf::a : NormalOf::b);
-  if (of_a.angle > flush || of_b.angle > flush) return faces;
-  std::array<Real, 2> share{};
+  if (faces.a.angle > flush || faces.b.angle > flush) return faces;
+  if (contact.joins) {  // the ground bears beyond the face's ends
+    own(bodies.pushable(contact.body_a) ? NormalOf::b : NormalOf::a);
+    normal_ = normal_of_ == NormalOf::a ? faces.a.normal : -faces.b.normal;
+    return faces;
+  }
+  faces.flush = true;
+  const Vec2 mean = normalized(faces.a.normal - faces.b.normal);
   bool corners_of_a = true;
   bool corners_of_b = true;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-    const bool corner_of_a = at_corner(contact, a, qa, contact.points[i].arm_a);
-    const bool corner_of_b = at_corner(contact, b, qb, contact.points[i].arm_b);
-    corners_of_a = corners_of_a && corner_of_a;
-    corners_of_b = corners_of_b && corner_of_b;
-    share[i] = corner_of_a == corner_of_b ? Real{0.5} : corner_of_b ? Real{1} : Real{0};
+    const End& end = faces.ends[i] = end_near(contact, i, faces, perpendicular(mean));
+    corners_of_a = corners_of_a && end.of_a;
+    corners_of_b = corners_of_b && end.of_b;
   }
   if (corners_of_b && !corners_of_a) {
     own(NormalOf::a);
-    normal_ = of_a.normal;
+    normal_ = faces.a.normal;
   } else if (corners_of_a && !corners_of_b) {
     own(NormalOf::b);
-    normal_ = -of_b.normal;
+    normal_ = -faces.b.normal;
   } else {
     own(NormalOf::both);
-    of_a_ = share;
-    normal_ = normalized(of_a.normal - of_b.normal);
+    normal_ = mean;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+      const End& end = faces.ends[i];
+      of_a_[i] = end.of_a == end.of_b ? Real{0.5} : end.of_b ? Real{1} : Real{0};
+    }
   }
   return faces;
+}
+
+/// The face of a shape, rotated by q, that points most into a direction.
+Touch::Face Touch::face_towards(const Shape& shape, Rotation q, Vec2 direction) {
+  Face best;
+  if (shape.type() == ShapeType::circle) return best;
+  const int faces = shape.type() == ShapeType::half_space ? 1 : shape.count();
+  for (int i = 0; i < faces; ++i) {
+    const Vec2 normal = q * shape.normal(i);
+    const Real off = std::abs(cross(normal, direction));
+    if (!(dot(normal, direction) > 0 && off < best.angle)) continue;
+    best = {.normal = normal, .angle = off, .ends = shape.type() != ShapeType::half_space};
+    best.from = best.ends ? q * shape.vertex(i) : shape.offset() * normal;
+    best.to = best.ends ? q * shape.vertex((i + 1) % shape.count()) : best.from;
+  }
+  return best;
+}
+
+Touch::Reach Touch::reach_of(const Face& face, Vec2 direction) {
+  if (!face.ends) return {infinity, face.from};
+  const Real from = dot(direction, face.from);
+  const Real to = dot(direction, face.to);
+  return from > to ? Reach{from, face.from} : Reach{to, face.to};
+}
+
+/// The end of the faces' overlap that is nearest to a point found.
+Touch::End Touch::end_near(const Contact& contact, std::size_t i, const Faces& faces, Vec2 tangent) {
+  const Vec2 between = contact.found_b.p - contact.found_a.p;
+  End best;
+  Real least = infinity;
+  for (const Vec2 way : {tangent, -tangent}) {
+    const Reach a = reach_of(faces.a, way);
+    const Reach b = reach_of(faces.b, way);
+    const Real to_b = b.most + dot(way, between);
+    const Real off = std::abs(std::min(a.most, to_b) - dot(way, contact.points[i].arm_a));
+    if (!(off < least)) continue;
+    least = off;
+    const Real rounding = place_round_off(contact, length(a.corner) + length(b.corner));
+    best = {.of_a = a.most <= to_b + rounding,
+            .of_b = to_b <= a.most + rounding,
+            .corner = a.most < to_b ? a.corner : b.corner};
+  }
+  return best;
 }
 
 Touch::Touch(const Contact& contact, const BodySet& bodies, const Motion& a, const Motion& b) : Touch(contact, bodies) {

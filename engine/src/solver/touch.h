@@ -66,13 +66,34 @@ class Touch {
     Vec2 normal;
   };
 
-  /// The normals of the faces that meet, out of each body.
-  struct Faces {
-    Vec2 of_a, of_b;
+  /// A face of a core, in the world frame, from its body's origin.
+  struct Face {
+    Vec2 normal;
+    Real angle = 2;     // sine of its angle with the direction sought
+    Vec2 from, to;      // m
+    bool ends = false;  // there, unlike a half-space
   };
+  /// An end of the overlap of two faces: the corners that are there.
+  struct End {
+    bool of_a = false, of_b = false;
+    Vec2 corner;  // m, of one of them, from its body's origin
+  };
+  struct Faces {
+    Face a, b;
+    bool flush = false;         // whether they lie on each other
+    std::array<End, 2> ends{};  // then, at each point
+  };
+  static Face face_towards(const Shape& shape, Rotation q, Vec2 direction);
+  /// How far a face reaches into a direction, and the corner there.
+  struct Reach {
+    Real most = 0;  // m, from the body's origin
+    Vec2 corner;
+  };
+  static Reach reach_of(const Face& face, Vec2 direction);
+  static End end_near(const Contact& contact, std::size_t point, const Faces& faces, Vec2 tangent);
 
   Touch(const Contact& contact, const BodySet& bodies);
-  void straighten(std::size_t point, const Faces& faces);
+  void straighten(std::size_t point, const Contact& contact, const Faces& faces);
   void trace(const Contact& contact, const BodySet& bodies);
   Nearest nearest(const Displacement& a, const Displacement& b) const;
   Faces find_owner(const Contact& contact, const BodySet& bodies);

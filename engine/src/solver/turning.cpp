@@ -55,19 +55,6 @@ Stir stir_of(const Contact& contact, const BodySet& bodies) {
   return stir;
 }
 
-namespace {
-
-/// Whether a body that the row pushes meets another shape that cannot be pushed, or another part of it meets one.
-bool on_several_grounds(const ImpactRow& row, const Island& island) {
-  if (row.mass_a.m > 0 && row.mass_b.m > 0) return false;
-  const std::uint32_t body = row.mass_a.m > 0 ? row.a : row.b;
-  return std::count_if(island.rows.begin(), island.rows.end(), [body](const ImpactRow& other) {
-           return (other.a == body && other.mass_b.m == 0) || (other.b == body && other.mass_a.m == 0);
-         }) > 1;
-}
-
-}  // namespace
-
 bool turns(const Contact& contact, const Stir& stir, const BodySet& bodies, Real dt) {
   constexpr Real felt = static_cast<Real>(6e-4);  // m/s
   if (stir.turning * stir.speed * dt > felt) return true;
@@ -95,7 +82,7 @@ void Turning::begin(const Island& island, const StepData& data) {
                        contact.radius_a,
                        contact.radius_b,
                        {row.points[0], row.points[1]},
-                       on_several_grounds(row, island)});
+                       contact.joins});
   }
 }
 

@@ -32,8 +32,8 @@
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
 //   may overlap by c dt before it is noticed, and that, the overlap at the start and the stated gap are pushed out.
 //   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
-//   move it by F/m dt^2 on the way there. At the contact a correction by C turns a body by at most C/2k (of r/(k^2 +
-//   r^2), the largest is 1/2k), which is C/2 in k dw;
+//   move it by F/m dt^2 on the way there, and torques by T/(m k) dt^2, whatever it hangs from. At the contact a
+//   correction by C turns a body by at most C/2k (of r/(k^2 + r^2), the largest is 1/2k), which is C/2 in k dw;
 // - a rotation that goes along its tangent, by atan(w h) in a sub-step: (w h)^2/3 of the turn is missing;
 // - the rounding of positions and velocities: of the largest position so far, as one near the origin may be the
 //   difference of such.
@@ -175,7 +175,11 @@ class Displacement {
     double tolerance = push.correction;
     if (of.mass > 0) {
       tolerance += dt * (std::sqrt(push.energy / of.mass) + std::sqrt(push.forced / of.mass));
-      if (push.touched) tolerance += dt * dt / of.mass * std::max(length(before.force), length(after.force));
+      if (push.touched) {
+        const double torque = std::max(std::abs(before.torque), std::abs(after.torque));
+        const double force = std::max(length(before.force), length(after.force));
+        tolerance += dt * dt / of.mass * (force + (gyration > 0 ? torque / gyration : 0));
+      }
     }
     const double path = dt * std::max(length(then.velocity), length(now.velocity));
     const double spin = std::max(std::abs(then.angular_velocity), std::abs(now.angular_velocity));

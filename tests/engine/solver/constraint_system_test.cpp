@@ -71,6 +71,27 @@ TEST(ConstraintSystem, SticksWithinTheConeAndSlidesAtItsEdge) {
   }
 }
 
+// Friction below the centre of mass turns the body, and so changes what the point bears: by the new coefficient.
+TEST(ConstraintSystem, SlidesByACoefficientThatChanges) {
+  const auto begin = [](ConstraintSystem& system, Real coefficient) {
+    system.add(point(1, real(.5)));
+    system.add(friction(0, 1, coefficient));
+    system[1].point_b[0] = system[1].arm_b = 1;
+  };
+  ConstraintSystem system;
+  begin(system, real(.8));
+  std::vector<Velocity> velocity{{}, {{9, -4}, 0}};
+  EXPECT_TRUE(system.solve(velocity));
+  system.set_friction(1, real(.2));
+  EXPECT_TRUE(system.solve(velocity));
+  ConstraintSystem expected;
+  begin(expected, real(.2));
+  velocity = {{}, {{9, -4}, 0}};
+  EXPECT_TRUE(expected.solve(velocity));
+  EXPECT_NEAR(system[0].impulse, expected[0].impulse, tolerance);
+  EXPECT_NEAR(system[1].impulse, expected[1].impulse, tolerance);
+}
+
 // A guess that is right but for rounding is not solved anew.
 TEST(ConstraintSystem, SlidesAtTheEdgeOfTheConeExactly) {
   ConstraintSystem system;

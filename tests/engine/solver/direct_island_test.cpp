@@ -17,12 +17,6 @@ namespace {
 /// m, what rounding may leave of a gap between bodies within two metres of the origin.
 constexpr double rounded_gap = 8 * static_cast<double>(round_off) * 2;
 
-Settings falling() {
-  Settings settings;
-  settings.gravity = {0, -10};
-  return settings;
-}
-
 double kinetic(const Body& body) {
   const double v = static_cast<double>(length(body.velocity()));
   const double w = static_cast<double>(body.angular_velocity());
