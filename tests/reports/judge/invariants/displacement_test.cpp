@@ -171,6 +171,25 @@ TEST(DisplacementInvariant, AllowsALimitThatForcesReachWithinAStep) {
   EXPECT_EQ(status("displacement", rail, fell(5.9), exact), CheckStatus::broken) << "no force acts upwards";
 }
 
+// A torque swings a box on a hinge, at rest 2 cm above the ground, down to it within the step, and it rests there.
+TEST(DisplacementInvariant, AllowsAContactThatATorqueReachesWithinAStep) {
+  Scene scene = box_on_ground();
+  scene.bodies[1].position = {0, 0.52};
+  scene.bodies.push_back({.name = "post", .type = BodyType::fixed, .position = {-1, 0.52}});
+  scene.joints = {Revolute{.a = 2, .b = 1, .anchor = {-1, 0.52}}};
+  const Mass box = mass_of(scene.bodies[1]);
+  const double enough = 0.02 / (dt * dt) * std::sqrt(box.mass * box.inertia);
+  const BodyState post{.position = {-1, 0.52}};
+  const std::vector<BodyState> then{{}, {.position = {0, 0.52}}, post};
+  const std::vector<BodyState> now{{}, {.position = {0, 0.5}, .angle = -0.02}, post};
+  const auto swung_by = [&](double torque) {
+    scene.forces = {Constant{.body = 1, .torque = torque}};
+    return status("displacement", scene, forged(dt, {{then}, {now}}), exact);
+  };
+  EXPECT_EQ(swung_by(-1.1 * enough), CheckStatus::held);
+  EXPECT_EQ(swung_by(-0.5 * enough), CheckStatus::broken);
+}
+
 // 9 m less 9 m is nothing to within the rounding of 9 m, 64 u of it in a step.
 TEST(DisplacementInvariant, KnowsThatAPlaceNearTheOriginMayBeADifferenceOfLargerOnes) {
   Scene scene = box_on_ground();
