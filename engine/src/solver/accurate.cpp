@@ -116,7 +116,7 @@ void Accurate::step_island(StepData& data, std::size_t number, AccurateWorkspace
 }
 
 void Accurate::step_pile(StepData& data, std::size_t number, Island& island, AccurateWorkspace& space) {
-  plan_pile(data, island, acceleration_);
+  plan_pile(data, parts_, island, acceleration_);
   std::unique_ptr<RestingPile>& begun = begun_[number];
   begun = resting_.part_at_rest(data, parts_, island, space.row_of);
   if (begun == nullptr) return step_as_pile(data, parts_, island, acceleration_, motion_, space.pile, space.row_of);

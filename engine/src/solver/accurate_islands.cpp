@@ -72,7 +72,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     island.bounces |= row.restitution > 0;
     island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
     bearing.add(row);
-    if (is_few && row.age >= OffsetRule::from_age) bearing.add_load(row, contact.offset, data.settings);
+    if (is_few && row.age >= OffsetRule::from_age) bearing.add_load(row, row.web, contact.offset, data.settings);
     const Stir stir = stir_of(contact, data.bodies);
     if (!stir.moves(data.settings.dt)) continue;
     island.struck = island.struck || (new_or_deep(contact) && at_speed(row, data.bodies));

@@ -93,8 +93,8 @@ void Bearing::add(const ContactRow& row) {
 }
 
 // load / (2 m w^2), with the impulse of the whole step.
-void Bearing::add_load(const ImpactRow& row, Real offset, const Settings& settings) {
-  const Real swing = Island::swing(row.web, row.mass_a.m == 0 || row.mass_b.m == 0);
+void Bearing::add_load(const ContactRow& row, bool in_web, Real offset, const Settings& settings) {
+  const Real swing = Island::swing(in_web, row.mass_a.m == 0 || row.mass_b.m == 0);
   const Real n = static_cast<Real>(settings.substeps);
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
     const RowPoint& p = row.points[i];

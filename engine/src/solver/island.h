@@ -152,7 +152,7 @@ struct Bearing {
       0;  // m, penetration beyond the offset under a load of the last step, with the sub-steps of the settings
 
   void add(const ContactRow& row);
-  void add_load(const ImpactRow& row, Real offset, const Settings& settings);
+  void add_load(const ContactRow& row, bool in_web, Real offset, const Settings& settings);
 };
 
 /// The number of sub-steps an island needs so that its weight causes no more than the tolerated penetration: at least

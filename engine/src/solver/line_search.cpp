@@ -154,7 +154,7 @@ void LineSearch::go_on(const Island& island, BodySet& bodies, const std::vector<
     const auto bias = [&](const ImpactRow& row, const RowPoint& p) {
       if (!pressing) return Real{0};
       const Real gap = separation(row, p, motion[row.a], motion[row.b]) - row.offset;
-      return std::max(gap, Real{0}) / island.h;
+      return gap > 0 ? gap / island.h : island.softness(row).bias_rate * gap;
     };
     share = along(
                 island, bodies, [&](std::uint32_t body) { return bodies.velocity[body]; },

@@ -111,7 +111,7 @@ class Pile {
 bool is_pile(const StepData& data, const Island& island);
 
 /// Chooses sub-steps and iterations of a pile.
-void plan_pile(const StepData& data, Island& island, const std::vector<Velocity>& acceleration);
+void plan_pile(const StepData& data, const Partition& parts, Island& island, const std::vector<Velocity>& acceleration);
 /// Notes whether contacts of the pile have two coefficients of friction, and then what presses them.
 void rub(Island& island, const std::vector<Velocity>& acceleration);
 /// Allows extra iterations if one of its contacts is hit.

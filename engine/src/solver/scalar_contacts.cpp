@@ -259,7 +259,8 @@ template <bool rigidly>
 void ScalarContacts::press(const Island& island) {
   each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
     if (!row.block || !press_pair<rigidly>(island, row, frame)) {
-      const Softness& soft = rigidly ? Softness{} : island.softness(row);
+      Softness soft = island.softness(row);
+      if constexpr (rigidly) soft = {.bias_rate = soft.bias_rate};
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
         RowPoint& p = row.points[i];
         const Real s = gap<Frame>(row, p);
@@ -325,7 +326,7 @@ template <bool rigidly, class Frame>
                                                               Frame& frame) const {
   const PointPair& pair = row.pair;
   const auto& [p, q] = row.points;
-  const Real rate = rigidly ? Real{0} : island.softness(row).bias_rate;
+  const Real rate = island.softness(row).bias_rate;
   const std::array<Real, 2> s{gap<Frame>(row, p), gap<Frame>(row, q)};
   const auto change = [&](const RowPoint& point, Real gap, Real give) {
     const Real bias = (gap > touching_gap ? gap / island.h : rate * gap) + give * point.normal_impulse;

@@ -33,7 +33,7 @@ class ScalarContacts {
   /// Solves contacts as soft constraints; a gap may close within the sub-step, but no further. Friction is solved in
   /// relax(), except in a contact's first step (otherwise a box set down on a slope slips before it is held).
   void press(const Island& island);
-  /// The same with rigid contacts, which stop their points where they are and do not push overlaps apart.
+  /// The same with rigid contacts: nothing gets deeper, and what overlaps is pushed apart at the same rate.
   void press_rigidly(const Island& island);
   /// Rigid contacts with friction, regardless of depth. Skips points with a gap and no load, which would be braked one
   /// sub-step before they arrive.

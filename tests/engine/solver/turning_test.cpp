@@ -95,6 +95,34 @@ TEST(Turning, AnImpactOnAWallCausesNoOverlapOfItsBoxes) {
   }
 }
 
+/// Boxes of .5 m, each row beside the one below, and a disc that comes from the left.
+World struck(int rows, int columns, double speed, double density) {
+  const Material rough{1, real(.5), real(.5), 0};
+  World world(falling());
+  add_floor(world, rough);
+  for (int i = 0; i < columns * rows; ++i) {
+    const int row = i / columns;
+    const double x = .5 * (i % columns) + (row % 2 == 0 ? 0 : .125);
+    world.create_body(at(x, .5 * row + .25), Shape::box({real(.25), real(.25)}), rough);
+  }
+  const Material heavy{real(density), real(.5), real(.5), 0};
+  world.create_body(at(-2.5, .25 * rows, speed), Shape::circle(1), heavy);
+  return world;
+}
+
+// While blows go through an island, what overlaps is pushed apart as at any other time: .86 mm deep when it was not.
+TEST(Turning, ATowerThatIsKnockedDownOverlapsNoMoreThanOneThatStands) {
+  World world = struck(40, 1, 6, 1);
+  EXPECT_LT(deepest(world, 120), static_cast<double>(tolerated_sink));
+}
+
+// When a wall has come to rest, what single corners bear says how many sub-steps it needs: .58 mm deep when only its
+// weight did.
+TEST(Turning, AWallThatHasBeenKnockedDownOverlapsNoMoreThanOneThatStands) {
+  World world = struck(8, 8, 2, 4);
+  EXPECT_LT(deepest(world, 120), static_cast<double>(tolerated_sink));
+}
+
 // With fast spin, other corners come near within a step.
 TEST(Turning, SpinningBoxesCollideWithTheCornersAtThatTime) {
   Settings settings;
