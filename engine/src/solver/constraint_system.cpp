@@ -375,10 +375,11 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
   return found;
 }
 
-/// Whether an impulse is far larger than motions ask for, by as much as the least compliance lets it grow: rows
+/// Whether laws are broken, and by impulses far larger than motions ask for, which laws that yield would not bear: rows
 /// contradict each other, as of a body between two that nothing pushes.
 bool ConstraintSystem::is_jammed() const {
-  constexpr double too_much = 1 / least_compliance;
+  constexpr double too_much = 1 / most_yield;
+  if (!(least_broken_ > most_yield * fastest_)) return false;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (std::abs(rows_[i].impulse) > too_much * fastest_ * mass_[i] && mass_[i] > 0) return true;
   }

@@ -11,8 +11,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-constexpr Real slid_far = static_cast<Real>(0.002);      // m, that bodies slide before their contact is found again
-constexpr Real sought_within = static_cast<Real>(0.05);  // m, gap up to which points are sought
+constexpr Real slid_far = static_cast<Real>(0.002);  // m, that bodies slide before their contact is found again
 /// Of the farthest coordinate: by what the gap between two bodies and their anchors is rounded.
 constexpr Real places_round_by = 4 * std::numeric_limits<Real>::epsilon();
 /// Of a sub-step: intervals are not halved further.
@@ -24,7 +23,13 @@ void DirectIsland::step(DirectStep& step, const Members& members) {
   step_ = &step;
   members_ = members;
   begin();
-  for (int i = 0; i < substeps_; ++i) substep();
+  for (int left = substeps_; left > 0;) {
+    for (DirectContact& contact : contacts_) contact.approached = 0;
+    approached_stops_.assign(2 * members_.joints.size(), 0);
+    const int gone = glide(left);
+    if (gone == 0) substep();
+    left -= std::max(gone, 1);
+  }
   end();
 }
 
@@ -35,14 +40,18 @@ void DirectIsland::begin() {
   Vec2 least = step_->start[members_.bodies[0]].p;
   Vec2 most = least;
   Real fastest = 0;
+  Real turned = 0;
   for (const std::uint32_t body : members_.bodies) {
     const Vec2 at = step_->start[body].p;
     least = {std::min(least.x, at.x), std::min(least.y, at.y)};
     most = {std::max(most.x, at.x), std::max(most.y, at.y)};
     fastest = std::max(fastest, length(step_->acceleration[body].v));
+    turned = std::max(turned, std::abs(data.bodies.angle[body]));
   }
+  extent_ = std::max(most.x - least.x, most.y - least.y);
   tall_ = most.y - least.y > most.x - least.x;
   gained_ = fastest * h_;
+  turns_round_by_ = places_round_by * turned;
   rounding_ = places_round_by * std::max({std::abs(least.x), std::abs(least.y), std::abs(most.x), std::abs(most.y)});
   begin_contacts();
   const Real share = 1 / static_cast<Real>(substeps_);
@@ -70,6 +79,7 @@ void DirectIsland::begin() {
   }
   note_loads(h_);
   restore_velocities();
+  refresh();
 }
 
 namespace {
@@ -116,15 +126,19 @@ void DirectIsland::begin_contacts() {
 ///
 /// `then`: what is struck at the end of the interval, if anything. s, by which it went on: less if that closes sooner
 /// than it seemed to; 0, with nothing changed, if impulses for so long an interval are not found: gaps are too
-/// far from linear in it.
+/// far from linear in it, or if something changes within several sub-steps.
 Real DirectIsland::advance(Real h, const Impact& then) {
-  refresh();
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) let_wait(contacts_[c], c == then.contact);
   waiting_stop_ = then.stop;
   note_velocities(before_);
   by_forces_.assign(members_.bodies.size(), {});
   kick(h);
   const bool found = press(h);
+  const bool glides = h > h_;
+  if (glides && !(found && stays(h) && apart_for(then, h) == 1)) {
+    restore_velocities();
+    return 0;
+  }
   if (!found) {
     restore_velocities();
     if (h > shortest * h_) return 0;
@@ -133,7 +147,7 @@ Real DirectIsland::advance(Real h, const Impact& then) {
     kick(h);
     press_as_linear(h);
   }
-  const Real share = found && h > shortest * h_ ? apart_for(then, h) : Real{1};
+  const Real share = found && !glides && h > shortest * h_ ? apart_for(then, h) : Real{1};
   if (share < 1) {
     restore_velocities();
     return advance(share * h, then);

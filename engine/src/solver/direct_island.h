@@ -40,6 +40,7 @@ struct DirectContact {
   std::array<Vec2, 2> impulse{};   // N s, of each point, along normal and tangent, in the last full interval
   std::array<Vec2, 2> pressed{};   // of these, before the drift
   std::array<Vec2, 2> pressing{};  // the same in this interval
+  std::array<Real, 2> sliding{};   // m/s, of each point along the tangent, before the interval
   std::array<Vec2, 2> total{};     // in this step, blows included
   ContactEffect effect;            // of all points in this step
   std::uint32_t row = 0;           // of the first point in the system
@@ -76,7 +77,8 @@ class DirectIsland {
   bool counts_changed() { return std::exchange(counts_changed_, false); }
 
  private:
-  static constexpr Real far_turn = static_cast<Real>(0.25);  // rad in an interval: more is far from linear
+  static constexpr Real far_turn = static_cast<Real>(0.25);       // rad in an interval: more is far from linear
+  static constexpr Real sought_within = static_cast<Real>(0.05);  // m, gap up to which points are sought
 
   struct Impact {
     Real time = 0;   // s from now
@@ -95,6 +97,13 @@ class DirectIsland {
   Real advance(Real h, const Impact& then);
   Real apart_for(const Impact& then, Real h) const;
   void end();
+
+  // Several sub-steps in one.
+  int glide(int most);
+  bool seems_to_stay(Real h);
+  bool stays(Real h) const;
+  bool looks_the_same(const DirectContact& contact, const TouchFrame& then) const;
+  bool is_found_there(const DirectContact& contact, const TouchFrame& frame, const Motion& a, const Motion& b) const;
 
   // Contacts and joints at present.
   void refresh();
@@ -124,7 +133,7 @@ class DirectIsland {
   Real place_of(std::uint32_t a, std::uint32_t b) const;
   void bias_press(Real h);
   Real least_gap(Real now, Real h) const;
-  Real least_error(Real now, Real h) const;
+  Real least_error(const JointRow& row, Real h) const;
   Real missed(Real h) const;
   bool stick_or_slip();
   Vec2 solved(const DirectContact& contact, std::size_t point) const;
@@ -155,12 +164,14 @@ class DirectIsland {
   DirectStep* step_ = nullptr;
   Members members_;
   int substeps_ = 1;
-  Real h_ = 0;         // s, of a sub-step
-  Real solvable_ = 0;  // s, the longest interval for which impulses were found in this step
-  Real last_ = 0;      // s, of the interval that impulses are of
-  Real gained_ = 0;    // m/s, by which a body falls faster in a sub-step
-  Real rounding_ = 0;  // m, of gaps, by how far away the bodies are
-  bool tall_ = false;  // the island is taller than wide
+  Real h_ = 0;               // s, of a sub-step
+  Real solvable_ = 0;        // s, the longest interval for which impulses were found in this step
+  Real last_ = 0;            // s, of the interval that impulses are of
+  Real gained_ = 0;          // m/s, by which a body falls faster in a sub-step
+  Real rounding_ = 0;        // m, of gaps, by how far away the bodies are
+  Real turns_round_by_ = 0;  // rad, of the errors of joints, by how far bodies have turned
+  Real extent_ = 0;          // m, of the island: of the places of its bodies
+  bool tall_ = false;        // the island is taller than wide
   std::vector<DirectContact> contacts_;
   ConstraintSystem system_;
   EnergyBound bound_;                                   // where impulses were not found

@@ -57,9 +57,6 @@ std::optional<std::pair<Real, Real>> closes(const Nearing& now, Real within, con
 }  // namespace
 
 void DirectIsland::substep() {
-  refresh();
-  for (DirectContact& contact : contacts_) contact.approached = 0;
-  approached_stops_.assign(2 * members_.joints.size(), 0);
   // Of going to an impact and of resolving it. Elastic ones end by themselves.
   const std::size_t most = 128 + 32 * (contacts_.size() + members_.joints.size());
   constexpr std::size_t most_elastic = 10000;
@@ -122,7 +119,6 @@ Real DirectIsland::motors_reach(Real within) {
     any = any || works.back() != 0;
   }
   if (!any) return within;
-  refresh();
   for (DirectContact& contact : contacts_) let_wait(contact, false);
   waiting_stop_ = DirectContact::no_row;
   Real low = negligible;
@@ -299,12 +295,8 @@ void DirectIsland::list_struck(DirectContact& contact, bool first) {
   bool any = false;
   Real slide = 0;
   for (std::size_t i = 0; i < contact.count; ++i) {
-    const PointArms& p = contact.frame.points[i];
-    any = any || p.separation <= reach;
-    const Velocity& a = velocity[contact.a];
-    const Velocity& b = velocity[contact.b];
-    slide =
-        std::max(slide, std::abs(dot(perpendicular(contact.frame.normal), b.v - a.v) + b.w * p.dot_b - a.w * p.dot_a));
+    any = any || contact.frame.points[i].separation <= reach;
+    slide = std::max(slide, std::abs(contact.frame.sliding(i, velocity[contact.a], velocity[contact.b])));
   }
   contact.struck = any;
   if (!any) return;

@@ -133,7 +133,7 @@ void DirectIsland::bias_press(Real h) {
     const JointBlock there = ahead(*members_.joints[j], h);
     std::uint32_t at = joint_rows_[j];
     for (std::size_t i = 0; i < static_cast<std::size_t>(there.equations); ++i) {
-      set(at++, there.equation[i].error - least_error(now.equation[i].error, h));
+      set(at++, there.equation[i].error - least_error(now.equation[i], h));
     }
     for (int i = 0; i < there.stops; ++i) set(at++, there.stop[static_cast<std::size_t>(i)].error);
     if (there.driven) system_[at].bias = -there.motor_speed;
@@ -148,13 +148,15 @@ Real DirectIsland::least_gap(Real now, Real h) const {
 
 /// m or rad, what the error of a joint may be after the drift: it is mended bit by bit. What may be rounding stays:
 /// mended, it would say how several contacts share a load.
-Real DirectIsland::least_error(Real now, Real h) const {
-  if (std::abs(now) <= rounding_) return now;
+Real DirectIsland::least_error(const JointRow& row, Real h) const {
+  const Real now = row.error;
+  if (std::abs(now) <= (row.axis == Vec2{} ? turns_round_by_ : rounding_)) return now;
   const Real most = most_push * (h / h_);
   return now - clamp(now, -most, most);
 }
 
-/// m, by how much gaps and errors of joints that act will be off after the drift.
+/// m, by how much gaps and errors of joints that act will be off after the drift; of angles, what they move at the
+/// island's other end.
 Real DirectIsland::missed(Real h) const {
   Real most = 0;
   for (const DirectContact& contact : contacts_) {
@@ -169,8 +171,8 @@ Real DirectIsland::missed(Real h) const {
   for (const ActiveJoint* joint : members_.joints) {
     const JointBlock there = ahead(*joint, h);
     for (std::size_t i = 0; i < static_cast<std::size_t>(there.equations); ++i) {
-      const Real error = there.equation[i].error - least_error(joint->block.equation[i].error, h);
-      most = std::max(most, std::abs(error));
+      const Real error = there.equation[i].error - least_error(joint->block.equation[i], h);
+      most = std::max(most, std::abs(error) * (there.equation[i].axis == Vec2{} ? extent_ : Real{1}));
     }
   }
   return most;
@@ -352,7 +354,7 @@ void DirectIsland::bias_as_linear(Real h) {
     const JointBlock& block = members_.joints[j]->block;
     std::uint32_t at = joint_rows_[j];
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.equations); ++i) {
-      system_[at++].bias = (block.equation[i].error - least_error(block.equation[i].error, h)) / h;
+      system_[at++].bias = (block.equation[i].error - least_error(block.equation[i], h)) / h;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.stops); ++i) {
       system_[at++].bias = (block.stop[i].error - least_gap(block.stop[i].error, h)) / h;

@@ -16,6 +16,12 @@ namespace impulse::inline IMPULSE_PRECISION {
 struct TouchFrame {
   Vec2 normal;  // unit, from a to b
   std::array<PointArms, 2> points;
+
+  /// m/s, at which body b slides past a along the tangent at a point.
+  Real sliding(std::size_t point, const Velocity& a, const Velocity& b) const {
+    const PointArms& p = points[point];
+    return dot(perpendicular(normal), b.v - a.v) + b.w * p.dot_b - a.w * p.dot_a;
+  }
 };
 
 /// The geometry of a contact as its bodies move on from where it was found: normals and arms follow them exactly, as

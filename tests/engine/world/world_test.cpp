@@ -144,7 +144,8 @@ TEST(World, KinematicBodiesMoveAsPrescribedAndArePushedByNothing) {
   EXPECT_EQ(world.body(lift).velocity(), (Vec2{0, 1}));
   // The lift carries it: at most the slop and one step of gravity deep in the floor.
   EXPECT_NEAR(world.body(disc).position().y, 2.5, .01);
-  EXPECT_NEAR(world.body(disc).velocity().y, 1, 16 * round_off);
+  // Laws are met to 64 epsilon of the velocities that they compare, here two of 1 m/s.
+  EXPECT_NEAR(world.body(disc).velocity().y, 1, 2 * 64 * 2 * round_off);
 }
 
 TEST(World, BodiesWithoutACommonLayerPassThroughEachOther) {
