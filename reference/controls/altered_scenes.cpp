@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reference/controls/control.h"
+#include "reference/faults/altered_engine.h"
 #include "reference/scene_facts.h"
 
 namespace plumb::altered_scenes {

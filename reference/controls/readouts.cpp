@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "reference/controls/control.h"
+#include "reference/faults/altered_engine.h"
 #include "reference/scene_facts.h"
 
 namespace plumb::readouts {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "reference/faults/fault.h"
+#include "reference/faults/altered_engine.h"
 #include "scenarios/scene/mass.h"
 
 namespace plumb::readout_faults {

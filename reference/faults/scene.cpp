@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "reference/faults/fault.h"
+#include "reference/faults/altered_engine.h"
 
 namespace plumb::scene_faults {
 namespace {

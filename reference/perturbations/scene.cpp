@@ -4,8 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "reference/faults/fault.h"
-#include "reference/perturbations/perturbation.h"
+#include "reference/faults/altered_engine.h"
 #include "reference/scene_facts.h"
 #include "scenarios/scene/vec.h"
 

@@ -5,8 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "reference/faults/fault.h"
-#include "reference/perturbations/perturbation.h"
+#include "reference/faults/altered_engine.h"
 
 namespace plumb::stepping_perturbations {
 namespace {

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "reference/controls/control.h"
-#include "reference/faults/fault.h"
+#include "reference/faults/altered_engine.h"
 #include "reports/cli/glossary.h"
 #include "reports/find/kind.h"
 #include "reports/judge/invariant.h"

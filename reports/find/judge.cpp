@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/converged/confirmed.h"
-#include "reference/faults/fault.h"
+#include "reference/faults/altered_engine.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"
 #include "reports/run/scene_file.h"

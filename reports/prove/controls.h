@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/controls/control.h"
+#include "reference/faults/altered_engine.h"
 #include "reports/prove/detection.h"
 #include "reports/run/experiment.h"
 

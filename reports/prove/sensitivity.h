@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/perturbations/perturbation.h"
+#include "reference/faults/altered_engine.h"
 #include "reports/prove/detection.h"
 #include "reports/run/experiment.h"
 

@@ -2,7 +2,7 @@
 
 #include "reference/faults/engine/fault.h"
 
-#include "reference/faults/fault.h"
+#include "reference/faults/altered_engine.h"
 
 namespace plumb {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/controls/control.h"
+#include "reference/faults/altered_engine.h"
 #include "reports/run/run.h"
 
 /// Scenes of which only statistics are known. Each ensemble joins Catalog<Ensemble> from its own file in

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "reference/faults/fault.h"
+#include "reference/faults/altered_engine.h"
 #include "reports/find/kind.h"
 #include "reports/trace.h"
 #include "scenarios/catalog.h"
