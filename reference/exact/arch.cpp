@@ -1,4 +1,4 @@
-#include "reference/exact/arch.h"
+#include "reference/exact/statics.h"
 
 #include <algorithm>
 #include <array>

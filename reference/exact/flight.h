@@ -6,8 +6,9 @@
 
 #include "reference/exact/recognise.h"
 #include "reference/simulation.h"
+#include "scenarios/scene/scene.h"
 
-/// Free flight, and where it ends.
+/// Free flight, about a centre or under constant gravity, and where it ends.
 namespace plumb {
 
 /// The state of a body after t seconds of constant acceleration, m/s^2: r + v t + a t^2/2, angle + w t (Galileo).
@@ -46,5 +47,26 @@ struct FloorContact {
 /// if there is none. A corner that touches at the start and moves away counts from its return.
 std::optional<FloorContact> first_contact(const BodyState&, Vec gravity, const std::vector<Corner>&, const Floor&,
                                           double horizon);
+
+/// An ellipse about a centre that attracts with strength/r^2 (Kepler). Valid for ever.
+class Orbit {
+ public:
+  /// position in m and velocity in m/s relative to the centre at the start, strength in m^3/s^2. Needs
+  /// v^2/2 < strength/r.
+  Orbit(Vec position, Vec velocity, double strength);
+
+  struct State {
+    Vec position, velocity;
+  };
+  State at(double t) const;
+
+  double period() const;  // s
+  double semi_major_axis() const { return axis_; }
+
+ private:
+  Vec position_, velocity_;
+  double strength_;
+  double axis_;  // m
+};
 
 }  // namespace plumb

@@ -1,4 +1,4 @@
-#include "reference/exact/orbit.h"
+#include "reference/exact/flight.h"
 
 #include <cmath>
 #include <numbers>

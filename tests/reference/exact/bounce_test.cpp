@@ -1,4 +1,4 @@
-#include "reference/exact/bounce.h"
+#include "reference/exact/line.h"
 
 #include <gtest/gtest.h>
 

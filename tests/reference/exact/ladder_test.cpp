@@ -1,4 +1,4 @@
-#include "reference/exact/ladder.h"
+#include "reference/exact/topple.h"
 
 #include <gtest/gtest.h>
 
