@@ -1,4 +1,4 @@
-#include "reference/converged/confirmed.h"
+#include "reference/converged/converged.h"
 
 #include <cstddef>
 #include <memory>

@@ -10,9 +10,9 @@
 
 #include "reference/simulation.h"
 
-/// A solution by refinement, for scenes without a closed form: an engine, run repeatedly with half the step until its
+/// A truth by refinement, for scenes without a closed form: an engine, run repeatedly with half the step until its
 /// answers agree. The scene is doubled in size each time, so that the lengths that the engine fixes in metres vanish as
-/// well. One engine cannot confirm its own convergence: see confirmed.h.
+/// well. One engine cannot confirm its own convergence: confirmed_truth asks a second one.
 namespace plumb {
 
 /// Half-widths of the intervals that should contain the true state.
@@ -86,5 +86,15 @@ struct ConvergedTruth {
 ConvergedTruth converged_truth(const Scene&, std::vector<double> times, const Refinement&);
 /// Of an answer that may throw std::domain_error when it is asked for.
 ConvergedTruth truth_of(const std::function<std::shared_ptr<const Converged>()>&);
+
+/// A second engine is heard while it knows every pose within this share of the smallest body.
+inline constexpr double second_share = 0.05;
+
+/// The answer of our engine up to the first of these, which its reason states: it does not converge (a horizon, or an
+/// order of impacts that the step decides), its budget ends, no other engine is converged any longer, or one that is
+/// contradicts it. A second engine that has not converged has nothing to say; one that has and disagrees ends the
+/// truth, and what they differ by beyond its own error counts as an error of the first. Each engine has the budget of
+/// the first.
+ConvergedTruth confirmed_truth(const Scene&, std::vector<double> times, const Refinement& first);
 
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/converged/confirmed.h"
+#include "reference/converged/converged.h"
 #include "reference/faults/altered_engine.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"

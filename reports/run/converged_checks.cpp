@@ -7,7 +7,7 @@
 #include <limits>
 #include <variant>
 
-#include "reference/converged/confirmed.h"
+#include "reference/converged/converged.h"
 #include "reports/judge/groups.h"
 #include "reports/judge/verdict.h"
 #include "scenarios/allowance.h"

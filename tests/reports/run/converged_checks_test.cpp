@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reference/converged/confirmed.h"
+#include "reference/converged/converged.h"
 #include "reports/run/selection.h"
 #include "scenarios/parts.h"
 
