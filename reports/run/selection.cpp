@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/left_out.h"
 #include "reference/programs/program_engine.h"
+#include "reference/simulation.h"
 #include "reports/engines/installed.h"
 #include "reports/run/scene_file.h"
 #include "scenarios/catalog.h"

@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "reference/left_out.h"
 #include "reference/simulation.h"
 #include "reports/cli/command.h"
 #include "reports/cli/descriptions.h"

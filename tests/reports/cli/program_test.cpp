@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../saying.h"
-#include "reference/left_out.h"
+#include "reference/simulation.h"
 #include "reports/cli/command.h"
 #include "scenarios/catalog.h"
 
