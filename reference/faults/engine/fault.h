@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "impulse/math.h"
@@ -18,10 +20,20 @@ struct Fault {
   std::string kind;     // "solver", "integrator" or "broad-phase"
 };
 
+/// Those that note() added so far, in the order of linking.
+inline std::vector<Fault>& noted_faults() {
+  static std::vector<Fault> list;
+  return list;
+}
+
 /// Adds a fault to faults().
-void note(Fault fault);
+inline void note(Fault fault) { noted_faults().push_back(std::move(fault)); }
 
 /// All that are linked, sorted by name.
-std::vector<Fault> faults();
+inline std::vector<Fault> faults() {
+  std::vector<Fault> sorted = noted_faults();
+  std::sort(sorted.begin(), sorted.end(), [](const Fault& a, const Fault& b) { return a.name < b.name; });
+  return sorted;
+}
 
 }  // namespace impulse::inline IMPULSE_PRECISION
