@@ -1,4 +1,4 @@
-# cmake -DSOURCE=DIR -DOUT=FILE -P packaged.cmake: packaged_files() of packaged.h, from the folder of this file.
+# cmake -DSOURCE=DIR -DOUT=FILE -P packaged.cmake: packaged_files() of program_engine.h, from the folder of this file.
 set(rows "")
 function(add engine name file)
   file(READ ${file} text)
@@ -13,7 +13,7 @@ foreach(engine ${engines})
     add(${engine} ${name} ${SOURCE}/npm/${engine}/${name})
   endforeach()
 endforeach()
-file(WRITE ${OUT} "#include \"reference/programs/packaged.h\"
+file(WRITE ${OUT} "#include \"reference/programs/program_engine.h\"
 
 namespace plumb {
 namespace {

@@ -17,7 +17,6 @@
 
 #include "reference/programs/line_process.h"
 #include "reference/programs/protocol.h"
-#include "reference/programs/steps_ahead.h"
 
 namespace plumb {
 namespace {
@@ -195,7 +194,7 @@ class ProgramSimulation : public Simulation {
   Answer now_;
   double announced_ = 0;   // s, the length of steps to come
   std::size_t ahead_ = 0;  // of them, not yet asked for
-  StepsAhead at_once_;
+  protocol::StepsAhead at_once_;
   std::size_t asked_for_ = 0;
   std::size_t asked_ = 0;  // of them, not yet answered
   double asked_dt_ = 0;

@@ -9,8 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/programs/base64.h"
-#include "reference/programs/step_line.h"
-#include "reference/programs/stepping_json.h"
 #include "scenarios/scene/json_reader.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/scene_json.h"

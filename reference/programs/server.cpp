@@ -1,4 +1,4 @@
-#include "reference/programs/server.h"
+#include "reference/programs/program_engine.h"
 
 #include <unistd.h>
 
@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "reference/programs/protocol.h"
-#include "reference/programs/stepping_json.h"
 #include "scenarios/scene/json_reader.h"
 #include "scenarios/scene/scene_json.h"
 

@@ -1,4 +1,4 @@
-#include "reference/programs/step_line.h"
+#include "reference/programs/protocol.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,11 @@
-#include "reference/programs/stepping_json.h"
+#include "reference/programs/protocol.h"
 
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <variant>
 #include <vector>
+
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb::protocol {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "reference/programs/line_process.h"
-#include "reference/programs/packaged.h"
+#include "reference/programs/program_engine.h"
 #include "reports/system/files.h"
 #include "reports/system/processes.h"
 #include "scenarios/scene/nearest.h"

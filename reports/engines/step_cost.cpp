@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "reference/programs/protocol.h"
-#include "reference/programs/steps_ahead.h"
 #include "reports/system/clock.h"
 
 namespace plumb {
@@ -20,7 +19,7 @@ StepCost cost_of_step(LineProcess& process, const ProgramLimits& limits, std::si
   constexpr double unknown = std::numeric_limits<double>::max();
   StepCost least{unknown, unknown};
   double compared = unknown;
-  StepsAhead ahead;
+  protocol::StepsAhead ahead;
   std::size_t number = 0;
   const Stopwatch all;
   for (Stopwatch since; since.seconds() < patience && all.seconds() < longest;) {

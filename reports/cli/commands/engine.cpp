@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "reference/programs/program_engine.h"
-#include "reference/programs/server.h"
 #include "reports/cli/command.h"
 #include "reports/engines/conformance.h"
 #include "reports/engines/installed.h"

@@ -1,12 +1,9 @@
-#include "reference/programs/step_line.h"
+#include "reference/programs/protocol.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <string>
-
-#include "reference/programs/protocol.h"
-#include "reference/programs/steps_ahead.h"
 
 namespace plumb::step_line_test {
 namespace {
@@ -60,7 +57,7 @@ TEST(StepLine, LeavesAnythingElse) {
 }
 
 TEST(StepsAhead, AreManyOnlyWhileTheyAreSoonAnswered) {
-  StepsAhead ahead;
+  protocol::StepsAhead ahead;
   const std::size_t first = ahead.count();
   ahead.took(1, 0);
   EXPECT_EQ(ahead.count(), first) << "one step says nothing of many";

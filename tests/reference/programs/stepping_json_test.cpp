@@ -1,4 +1,4 @@
-#include "reference/programs/stepping_json.h"
+#include "reference/programs/protocol.h"
 
 #include <gmock/gmock.h>
 
@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+
+#include "scenarios/scene/json_reader.h"
 
 namespace plumb::protocol {
 namespace {
