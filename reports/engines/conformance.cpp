@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -14,8 +15,8 @@
 
 #include "reference/programs/line_process.h"
 #include "reference/programs/protocol.h"
-#include "reports/engines/step_cost.h"
 #include "reports/judge/rounding.h"
+#include "reports/system/clock.h"
 #include "scenarios/scene/mass.h"
 #include "scenarios/scene/vec.h"
 
@@ -118,6 +119,46 @@ std::vector<std::pair<std::string, Scene>> features() {
 
 bool same_bits(const std::vector<BodyState>& a, const std::vector<BodyState>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(BodyState)) == 0;
+}
+
+// What a step of a program costs beyond the time that it says its engine took, in seconds.
+struct StepCost {
+  double beyond = 0;  // in all: reading the engine, writing, waking each other, reading
+  double plumbs = 0;  // of it, the processor's time that Plumb took
+};
+
+constexpr double patience = 1;  // s without a faster round
+constexpr double longest = 5;   // s
+constexpr double faster = 0.98;
+
+// Of the world that the program has built and not yet stepped. It steps for seconds, until it has stopped to become
+// faster: a program in JavaScript or WebAssembly is slow until it is compiled.
+StepCost cost_of_step(LineProcess& process, const ProgramLimits& limits, std::size_t bodies) {
+  constexpr double unknown = std::numeric_limits<double>::max();
+  StepCost least{unknown, unknown};
+  double compared = unknown;
+  protocol::StepsAhead ahead;
+  std::size_t number = 0;
+  const Stopwatch all;
+  for (Stopwatch since; since.seconds() < patience && all.seconds() < longest;) {
+    const std::size_t count = ahead.count();
+    const double before = cpu_seconds(CpuClock::thread);
+    const Stopwatch round;
+    double own = 0;
+    process.send(protocol::ask_steps(count, dt), limits);
+    for (std::size_t i = 0; i < count; ++i) {
+      own += protocol::read_step(process.receive(limits), bodies, ++number).seconds;
+    }
+    const double passed = round.seconds();
+    const double made = static_cast<double>(count);
+    least.beyond = std::min(least.beyond, (passed - own) / made);
+    least.plumbs = std::min(least.plumbs, (cpu_seconds(CpuClock::thread) - before) / made);
+    ahead.took(count, passed);
+    if (least.beyond > faster * compared) continue;
+    compared = least.beyond;
+    since = Stopwatch();
+  }
+  return least;
 }
 
 class Conformance {
@@ -300,7 +341,7 @@ class Conformance {
     const auto beyond = [&](bool on_ground) {
       const Scene scene = ten_discs(on_ground);
       if (!built(scene).refusal.empty()) return std::string("not supported");
-      const StepCost least = cost_of_step(*process_, limits_, scene.bodies.size(), dt);
+      const StepCost least = cost_of_step(*process_, limits_, scene.bodies.size());
       return fmt::format("{:.1f} us ({:.1f} of them Plumb's)", 1e6 * least.beyond, 1e6 * least.plumbs);
     };
     const std::string free = beyond(false);
