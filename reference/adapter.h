@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -13,8 +14,8 @@
 #include "scenarios/scene/scene.h"
 #include "scenarios/scene/shapes.h"
 
-/// What adapters of physics engines share: refusals, features of a scene that an engine lacks, and options. Nothing
-/// here depends on the types of an engine.
+/// What adapters of physics engines share: refusals, features of a scene that an engine lacks, options, and bodies on
+/// paths. Nothing here depends on the types of an engine.
 namespace plumb {
 
 /// Whether an adapter supports a kind of shape or joint: the usual ones, which all do, and those that it gives in
@@ -151,5 +152,11 @@ Option restitution_threshold_option();
 Option continuous_option();
 Option sleep_option();
 Option warm_start_option();
+
+/// The simulation, with the bodies of the scene that have a path driven along it: before each step they are given the
+/// velocity (x(t + dt) - x(t))/dt, so that they are where they should be after it. Within a step they move straight, at
+/// most a dt^2/8 beside their path and a dt/2 beside its velocity, a = amplitude (2 pi frequency)^2. Without paths it
+/// is the simulation itself. `build` of every engine ends with this.
+std::unique_ptr<Simulation> on_paths(const Scene&, std::unique_ptr<Simulation>);
 
 }  // namespace plumb

@@ -19,7 +19,6 @@
 
 #include "reference/adapter.h"
 #include "reference/adapters/box2d_joints.h"
-#include "reference/paths.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"

@@ -26,7 +26,6 @@
 #include <vector>
 
 #include "reference/adapter.h"
-#include "reference/paths.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"

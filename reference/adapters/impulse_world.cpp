@@ -11,7 +11,6 @@
 #include <variant>
 
 #include "reference/adapter.h"
-#include "reference/paths.h"
 
 namespace plumb::IMPULSE_PRECISION {
 namespace {

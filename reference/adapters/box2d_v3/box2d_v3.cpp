@@ -25,7 +25,6 @@
 
 #include "reference/adapter.h"
 #include "reference/adapters/box2d_v3/joints.h"
-#include "reference/paths.h"
 #include "reference/scene_facts.h"
 #include "reference/simulation.h"
 #include "scenarios/scene/mass.h"
