@@ -6,7 +6,6 @@
 #include <CLI/Formatter.hpp>
 #include <memory>
 
-#include "reports/cli/command.h"
 #include "reports/system/environment.h"
 #include "reports/system/layout.h"
 #include "reports/system/terminal.h"

@@ -8,6 +8,15 @@
 
 namespace plumb {
 
+/// A command of plumb. Joins Catalog<Command> from its own file.
+struct Command {
+  std::string name;
+  std::string about;     // one line
+  std::string examples;  // shown under --help
+  /// Adds the options. The returned function runs after they have been read and returns the exit code.
+  std::function<std::function<int()>(CLI::App&)> attach;
+};
+
 /// The program's whole command line: what --help, `plumb help`, the completions and the manual page show.
 class CommandLine {
  public:

@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/gate/baseline.h"
 #include "reports/gate/bounds.h"
 #include "reports/gate/compare.h"

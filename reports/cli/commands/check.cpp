@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/gate/baseline.h"
 #include "reports/gate/compare.h"
 #include "reports/gate/options.h"

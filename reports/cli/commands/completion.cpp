@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "reference/simulation.h"
-#include "reports/cli/command.h"
 #include "reports/cli/command_line.h"
 #include "reports/cli/descriptions.h"
 #include "reports/engines/installed.h"

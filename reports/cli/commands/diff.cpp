@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/cli/session.h"
 #include "reports/compare/divergence.h"
 #include "reports/run/run.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/programs/program_engine.h"
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/engines/conformance.h"
 #include "reports/engines/installed.h"
 #include "scenarios/catalog.h"

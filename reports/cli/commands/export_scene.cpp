@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/find/kind.h"
 #include "reports/run/scene_file.h"
 #include "reports/run/selection.h"

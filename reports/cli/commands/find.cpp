@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/find/again.h"
 #include "reports/study/conduct.h"
 #include "scenarios/catalog.h"

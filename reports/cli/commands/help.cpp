@@ -4,7 +4,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "reports/cli/command.h"
 #include "reports/cli/command_line.h"
 #include "reports/cli/descriptions.h"
 #include "reports/system/terminal.h"

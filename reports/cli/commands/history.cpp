@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/history/commit.h"
 #include "reports/history/snapshot.h"
 #include "reports/history/store.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/cli/descriptions.h"
 #include "reports/cli/family_table.h"
 #include "reports/find/kind.h"

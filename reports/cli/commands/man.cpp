@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "reports/cli/command.h"
 #include "reports/cli/command_line.h"
 #include "reports/system/environment.h"
 #include "scenarios/catalog.h"

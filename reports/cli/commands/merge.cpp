@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/study/document.h"
 #include "scenarios/catalog.h"
 

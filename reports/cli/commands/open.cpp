@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/system/processes.h"
 #include "scenarios/catalog.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/prove/controls.h"
 #include "reports/prove/prove.h"
 #include "reports/prove/report.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/cli/session.h"
 #include "reports/gate/options.h"
 #include "reports/gate/writers.h"

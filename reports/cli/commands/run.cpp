@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/cli/session.h"
 #include "scenarios/catalog.h"
 

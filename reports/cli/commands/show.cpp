@@ -5,7 +5,7 @@
 #include <string>
 
 #include "reference/programs/program_engine.h"
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/cli/descriptions.h"
 #include "reports/cli/session.h"
 #include "reports/engines/installed.h"

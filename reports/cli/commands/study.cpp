@@ -4,7 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/study/conduct.h"
 #include "scenarios/catalog.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "reports/run/selection.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/scene_json.h"

@@ -10,7 +10,7 @@
 
 #include "../saying.h"
 #include "reference/simulation.h"
-#include "reports/cli/command.h"
+#include "reports/cli/command_line.h"
 #include "scenarios/catalog.h"
 
 namespace plumb::program_test {
