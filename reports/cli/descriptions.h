@@ -32,4 +32,8 @@ struct Topic {
 /// Entries of all catalogs that users name, and the words of the glossary.
 std::vector<Topic> topics();
 
+/// All families of scenes as a table in Markdown, by group: name, cases, question, and what answers it, with the source
+/// where that is a closed form of its own.
+std::string family_table();
+
 }  // namespace plumb

@@ -11,7 +11,6 @@
 #include "reference/simulation.h"
 #include "reports/cli/command_line.h"
 #include "reports/cli/descriptions.h"
-#include "reports/cli/family_table.h"
 #include "reports/find/kind.h"
 #include "reports/judge/invariant.h"
 #include "reports/judge/metric.h"

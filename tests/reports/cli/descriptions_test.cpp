@@ -1,4 +1,4 @@
-#include "reports/cli/family_table.h"
+#include "reports/cli/descriptions.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 #include "scenarios/scenario.h"
 
-namespace plumb::family_table_test {
+namespace plumb::descriptions_test {
 namespace {
 
 TEST(FamilyTable, HasARowForEveryFamily) {
@@ -34,4 +34,4 @@ TEST(FamilyTable, IsThatOfTheReadme) {
 }
 
 }  // namespace
-}  // namespace plumb::family_table_test
+}  // namespace plumb::descriptions_test
