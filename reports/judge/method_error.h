@@ -5,10 +5,17 @@
 
 #include "reports/trace.h"
 #include "scenarios/scenario.h"
+#include "scenarios/scene/scene.h"
 
 /// The position error that a method makes by itself along a known motion, before the scene amplifies it. From the
 /// motion and what the method states alone, never from a run of the method.
 namespace plumb {
+
+/// m/s, by moment and body, rim included: the changes of velocity in jams, impacts without a collision (Painleve;
+/// Lecornu). In a jam touching bodies that nothing approaches change their velocities at once, because friction turns
+/// the contact under the body. A step counts if it changes the velocity by more than twice what gravity does, by what
+/// neither the step before nor the one after does.
+std::vector<std::vector<double>> jams_in(const Scene&, const Trace&);
 
 /// How a motion stresses methods, up to one of its moments: the largest over all dynamic bodies. Speeds include those
 /// of the rim.
@@ -19,7 +26,7 @@ struct Stress {
   double pushed = 0;   // m/s, the sum of all changes of velocity by contacts
   double carried = 0;  // m, the sum of all changes of velocity, and of gravity's that contacts and joints take away,
                        // each times the time since
-  double jammed = 0;   // m/s, the sum of all changes of velocity in jams (see jams.h), but for the first step's
+  double jammed = 0;   // m/s, the sum of all changes of velocity in jams (see jams_in), but for the first step's
   double turned = 0;  // m/s, the sum of all changes in jams, each times its body's rotation in rad/s and the time since
   double slowest = 0;  // m/s, the smallest change of velocity at an impact; 0: none
   double touched = 0;  // s, since the first contact
