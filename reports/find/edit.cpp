@@ -1,4 +1,4 @@
-#include "reports/find/edit.h"
+#include "reports/find/shrink.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,18 @@ Contradictions stated_by(const Stepping&);
 
 /// Whether a scene starts no more against the rules than another, but for round-off.
 bool no_worse(const Scene&, const Contradictions& than);
+
+// What cuts are made of.
+
+/// The scene without the bodies begin ... end - 1, their joints and forces.
+Scene without_bodies(const Scene&, std::size_t begin, std::size_t end);
+
+/// The scene with its numbers, or those of one body, rounded to so many digits, 1 to 5; directions stay, and rigid rods
+/// are as long as their anchors are apart. Nullopt if that is no scene: rounding can make a polygon concave.
+std::optional<Scene> with_digits(const Scene&, int digits, std::optional<std::size_t> body = std::nullopt);
+
+/// The scene from a time on, s, at which its run has reached these states.
+Scene started_at(const Scene&, std::span<const BodyState>, double time);
 
 /// How a scene fails.
 struct Failure {

@@ -1,4 +1,3 @@
-#include "reports/find/edit.h"
 #include "reports/find/shrink.h"
 #include "scenarios/catalog.h"
 

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "reports/find/edit.h"
 #include "reports/find/judge.h"
 #include "reports/find/shrink.h"
 #include "scenarios/catalog.h"

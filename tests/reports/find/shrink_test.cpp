@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "reports/find/edit.h"
 #include "reports/find/judge.h"
 #include "reports/find/kind.h"
 #include "scenarios/catalog.h"
