@@ -48,4 +48,10 @@ std::optional<Rule> caught_by(const GateResult&, const RunKey&);
 /// Sorts worst first, in an order that does not depend on the input's.
 void sort(std::vector<Regression>&);
 
+/// Compares results with what was accepted. On the same platform every bit must be the same; on another one, numbers
+/// may differ by their bounds. Verdicts must be the same on both. Throws std::invalid_argument if the time steps
+/// differ.
+GateResult compare(const Baseline& before, const Baseline& now);
+GateResult compare(const Baseline& before, const Report& now);
+
 }  // namespace plumb

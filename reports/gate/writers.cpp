@@ -8,7 +8,7 @@
 #include <set>
 
 #include "reports/gate/baseline.h"
-#include "reports/gate/compare.h"
+#include "reports/gate/result.h"
 #include "reports/system/files.h"
 #include "scenarios/catalog.h"
 #include "scenarios/scene/json_reader.h"

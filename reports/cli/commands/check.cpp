@@ -9,8 +9,8 @@
 
 #include "reports/cli/command_line.h"
 #include "reports/gate/baseline.h"
-#include "reports/gate/compare.h"
 #include "reports/gate/options.h"
+#include "reports/gate/result.h"
 #include "reports/gate/timing.h"
 #include "reports/gate/writers.h"
 #include "reports/system/files.h"

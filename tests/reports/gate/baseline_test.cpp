@@ -7,7 +7,7 @@
 #include "../cli/commands/scene_files.h"
 #include "../writers/sample.h"
 #include "reports/gate/baseline.h"
-#include "reports/gate/compare.h"
+#include "reports/gate/result.h"
 #include "reports/writers/json.h"
 #include "sample.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "../fakes.h"
-#include "reports/gate/compare.h"
+#include "reports/gate/result.h"
 
 namespace plumb::bounds_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/gate/compare.h"
+#include "reports/gate/result.h"
 
 #include <gmock/gmock.h>
 
