@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "reports/judge/scale.h"
-#include "reports/prove/progress.h"
 #include "reports/run/case_run.h"
+#include "reports/run/experiment.h"
 #include "reports/system/jobs.h"
 #include "scenarios/scene/vec.h"
 

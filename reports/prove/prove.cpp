@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "reports/prove/progress.h"
+#include "reports/run/experiment.h"
 #include "reports/run/selection.h"
 #include "reports/system/jobs.h"
 #include "scenarios/random.h"

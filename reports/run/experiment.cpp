@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -194,13 +193,8 @@ void add_notes(const Plan& plan, Report& report) {
 }  // namespace
 
 Report run_experiment(const Plan& plan, const Progress& progress) {
-  std::mutex reporting;
-  std::size_t done = 0;
-  const std::size_t all = plan.cases.size() * (plan.configs.size() + 1);
-  const auto show = [&](const Case& one, const std::string& what) {
-    const std::lock_guard lock(reporting);
-    progress(one.scenario->name + " " + one.variant + ": " + what, done++, all);
-  };
+  ProgressCounter counter(progress, plan.cases.size() * (plan.configs.size() + 1));
+  const auto show = [&](const Case& one, const std::string& what) { counter.begin(label_of(one) + ": " + what); };
 
   std::vector<CaseExperiment> cases;
   for (const Case& one : plan.cases) cases.emplace_back(one, plan.dt);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,25 @@ struct Plan {
 /// Called before each run with what comes next ("bounce e=0.5: box2d"), how many are done, and of how many; never
 /// concurrently.
 using Progress = std::function<void(const std::string& what, std::size_t done, std::size_t of)>;
+
+/// Counts what begins, and reports it from several threads, one at a time.
+class ProgressCounter {
+ public:
+  /// `progress` must outlive it.
+  ProgressCounter(const Progress& progress, std::size_t all) : progress_(progress), all_(all) {}
+  void begin(const std::string& what) {
+    const std::lock_guard alone(reporting_);
+    progress_(what, done_++, all_);
+  }
+
+ private:
+  const Progress& progress_;
+  std::size_t all_, done_ = 0;
+  std::mutex reporting_;
+};
+
+/// "bounce e=0.5"
+inline std::string label_of(const Case& one) { return one.scenario->name + " " + one.variant; }
 
 /// Runs every case with its closed form and all configs, measures, judges and compares; then, with nothing else
 /// running, times the configs that ran. The caller fills in `title`, `command` and `environment`.
