@@ -16,7 +16,6 @@
 #include "reports/study/model/least_model.h"
 #include "reports/study/model/model_error.h"
 #include "reports/study/runner.h"
-#include "reports/study/selection.h"
 #include "reports/study/study.h"
 #include "reports/system/command_options.h"
 #include "scenarios/catalog.h"

@@ -13,7 +13,7 @@
 #include "reports/report.h"
 #include "reports/statistics.h"
 #include "reports/study/job.h"
-#include "reports/study/selection.h"
+#include "reports/study/study.h"
 
 namespace plumb {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "reports/study/selection.h"
+#include "reports/study/study.h"
 
 namespace plumb {
 namespace {

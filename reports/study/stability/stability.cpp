@@ -11,7 +11,6 @@
 #include "reports/run/catalog_case.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
-#include "reports/study/selection.h"
 #include "reports/study/stability/headline.h"
 #include "reports/study/stability/row.h"
 #include "reports/study/study.h"

@@ -4,7 +4,6 @@
 #include <map>
 
 #include "reports/study/job.h"
-#include "reports/study/selection.h"
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
 

@@ -1,4 +1,4 @@
-#include "reports/study/selection.h"
+#include "reports/study/study.h"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 #include "reports/run/selection.h"
 #include "reports/study/job.h"
 
-namespace plumb::selection_test {
+namespace plumb::study_test {
 namespace {
 
 std::string label(const Method& method) { return label_of(method.config.engine->name, method.config.method()); }
@@ -48,4 +48,4 @@ TEST(RequireDistinctKeys, NamesAKeyThatOccursTwice) {
 }
 
 }  // namespace
-}  // namespace plumb::selection_test
+}  // namespace plumb::study_test

@@ -1,4 +1,4 @@
-#include "reports/study/selection.h"
+#include "reports/study/study.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,7 +8,6 @@
 #include "reports/run/selection.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
-#include "reports/study/study.h"
 #include "scenarios/scene/scene_json.h"
 
 namespace plumb {
