@@ -16,7 +16,6 @@
 #include "reports/run/timings.h"
 #include "reports/study/job.h"
 #include "reports/study/reference_solution.h"
-#include "reports/study/speed/times_text.h"
 #include "reports/study/speed/work_precision.h"
 #include "reports/study/study.h"
 #include "reports/system/command_options.h"

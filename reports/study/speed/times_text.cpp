@@ -1,4 +1,4 @@
-#include "reports/study/speed/times_text.h"
+#include "reports/study/speed/work_precision.h"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 /// Error against step and against cost: orders of convergence, fronts of runs, and what they say about methods.
@@ -65,5 +66,9 @@ std::optional<FrontReading> error_within(std::span<const WorkPoint> front, doubl
 /// each method gets there, how often it is the fastest, and its time over the fastest method's ("targets"). Each method
 /// bears how its engine's code runs ("execution"): a factor between two kinds is one of code, too.
 nlohmann::ordered_json work_precision_of(const std::vector<JobResult>&);
+
+/// The result of the speed study for the console: who is the fastest to an error, in a sentence, then a table of the
+/// times, of the columns that fit. `timings`: as work_precision_of returns them; width: columns.
+std::string times_text(const nlohmann::ordered_json& timings, std::size_t width);
 
 }  // namespace plumb

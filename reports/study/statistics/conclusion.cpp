@@ -1,11 +1,12 @@
-#include "reports/study/statistics/conclusion.h"
+#include "reports/study/statistics/verdict.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "reports/study/statistics/verdict.h"
+#include "reports/study/job.h"
 #include "reports/system/files.h"
 
 namespace plumb {

@@ -12,7 +12,7 @@
 #include "reports/run/selection.h"
 #include "reports/study/job.h"
 #include "reports/study/results_file.h"
-#include "reports/study/statistics/conclusion.h"
+#include "reports/study/statistics/verdict.h"
 #include "reports/study/study.h"
 #include "reports/system/command_options.h"
 

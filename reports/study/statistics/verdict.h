@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -7,8 +8,11 @@
 #include "reports/study/statistics/ensemble.h"
 
 /// What an ensemble's draws say about its statistics, by confidence intervals from distributions that the standard
-/// library has only as generators.
+/// library has only as generators. The conclusion of the whole study from them.
 namespace plumb {
+
+struct Findings;
+struct JobResult;
 
 /// P(T <= t) of Student's t with that many degrees of freedom, > 0.
 double student_share(double t, double freedom);
@@ -58,5 +62,15 @@ std::vector<EnsembleFinding> judge_draws(const Ensemble&, std::span<const Ensemb
 
 /// The largest number of standard errors by which a statistic that is no idealisation differs; 0 if none does.
 double worst_difference(std::span<const EnsembleFinding>);
+
+/// The probability that any of all intervals of a study misses its truth: each misses with this, divided by their
+/// number (Bonferroni).
+constexpr double statistics_miss = 0.01;
+
+/// The ensemble's steps, runs, statistics with their bands and sources, and control.
+nlohmann::ordered_json description_of(const Ensemble&);
+
+/// From the results of all runs: a verdict for each statistic and engine, for the console, the page and as a table.
+Findings conclude_statistics(const std::vector<const Ensemble*>&, const std::vector<JobResult>&);
 
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include "../../../reference/programs/faults.h"
 #include "../study_files.h"
 #include "reports/study/job.h"
-#include "reports/study/speed/times_text.h"
+#include "reports/study/speed/work_precision.h"
 #include "reports/study/study.h"
 #include "scenarios/catalog.h"
 
