@@ -1,16 +1,18 @@
 #include "reports/system/environment.h"
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 #include <sys/utsname.h>
+
+#include <CLI/Version.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
 
 #ifdef __GLIBC__
 #include <gnu/libc-version.h>
 #endif
-
-#include <CLI/Version.hpp>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <thread>
 
 namespace plumb {
 namespace {
@@ -45,6 +47,12 @@ std::string libm() {
   return name;
 }
 
+std::string first_word(const char* file) {
+  std::ifstream in(file);
+  std::string word;
+  return in >> word ? word : "unknown";
+}
+
 }  // namespace
 
 const char* version() { return PLUMB_VERSION; }
@@ -63,6 +71,42 @@ std::map<std::string, std::string> environment() {
           {"system", lookup("/etc/os-release", "PRETTY_NAME") + ", " + machine()},
           {"processor", lookup("/proc/cpuinfo", "model name")},
           {"processors", std::to_string(std::thread::hardware_concurrency())}};
+}
+
+std::string fact(const TimingFacts& facts, const char* key) {
+  const auto found = facts.find(key);
+  return found == facts.end() ? "unknown" : found->second;
+}
+
+TimingFacts timing_facts() {
+  TimingFacts facts = environment();
+  facts["machine"] = first_word("/proc/sys/kernel/random/boot_id");
+  facts["governor"] = first_word("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+  facts["load"] = first_word("/proc/loadavg");
+  return facts;
+}
+
+std::string machine_difference(const TimingFacts& there, const TimingFacts& here) {
+  for (const char* const key : {"processor", "processors", "governor", "system", "machine"}) {
+    const std::string a = fact(there, key);
+    const std::string b = fact(here, key);
+    if (a != b) return fmt::format("{} \"{}\" there, \"{}\" here", key, a, b);
+  }
+  return "";
+}
+
+std::vector<std::string> build_differences(const TimingFacts& before, const TimingFacts& now) {
+  std::vector<std::string> differences;
+  for (const char* const key : {"compiler", "build_type", "flags"}) {
+    const std::string a = fact(before, key);
+    const std::string b = fact(now, key);
+    if (a != b) differences.push_back(fmt::format("{}: {}, now {}", key, a, b));
+  }
+  return differences;
+}
+
+bool busy(const TimingFacts& facts) {
+  return std::atof(fact(facts, "load").c_str()) > std::atof(fact(facts, "processors").c_str());
 }
 
 }  // namespace plumb

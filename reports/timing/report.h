@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/timing/machine.h"
+#include "reports/system/environment.h"
 #include "reports/timing/paired.h"
 
 namespace plumb {

@@ -8,8 +8,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "reports/system/environment.h"
 #include "reports/timing/clock.h"
-#include "reports/timing/machine.h"
 
 /// A timing worker is a process that steps scenes on request, so that two builds of Plumb can be timed side by side. It
 /// reads and writes one line of JSON at a time, and begins with {"pace": version, "facts": TimingFacts, "uncounted":

@@ -1,9 +1,9 @@
-#include "reports/timing/machine.h"
+#include "reports/system/environment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace plumb::machine_test {
+namespace plumb::environment_test {
 namespace {
 
 TEST(TimingMachine, IsTheSameAsItself) {
@@ -42,4 +42,4 @@ TEST(TimingMachine, IsBusyIfTheLoadExceedsTheProcessors) {
 }
 
 }  // namespace
-}  // namespace plumb::machine_test
+}  // namespace plumb::environment_test
