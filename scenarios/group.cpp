@@ -1,4 +1,4 @@
-#include "scenarios/group.h"
+#include "scenarios/scenario.h"
 
 namespace plumb::scenarios::groups {
 namespace {

@@ -128,4 +128,11 @@ struct Scenario {
 /// the nearest one), a value is out of range, or a whole number has a fraction.
 Parameters complete(const Scenario&, const Parameters& changes);
 
+/// What the families of one folder ask about; group.cpp has them all.
+struct ScenarioGroup {
+  std::string name;   // the folder
+  std::string title;  // "chaos and statistics"
+  std::string stake;  // what goes wrong in a game or a simulation if an engine fails here; a sentence
+};
+
 }  // namespace plumb

@@ -15,7 +15,6 @@
 #include "reports/run/selection.h"
 #include "reports/system/layout.h"
 #include "scenarios/catalog.h"
-#include "scenarios/group.h"
 #include "scenarios/scenario.h"
 
 namespace plumb {

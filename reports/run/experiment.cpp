@@ -17,7 +17,7 @@
 #include "reports/run/relations.h"
 #include "reports/run/timings.h"
 #include "reports/system/jobs.h"
-#include "scenarios/group.h"
+#include "scenarios/scenario.h"
 
 namespace plumb {
 namespace {

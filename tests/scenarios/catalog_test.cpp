@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/group.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/mass.h"
 

@@ -19,7 +19,6 @@
 #include "reports/system/layout.h"
 #include "reports/system/terminal.h"
 #include "scenarios/catalog.h"
-#include "scenarios/group.h"
 #include "scenarios/scenario.h"
 #include "scenarios/scene/nearest.h"
 
