@@ -1,4 +1,4 @@
-#include "reports/compare/contact_cause.h"
+#include "reports/compare/divergence.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "../fakes.h"
 #include "reports/compare/comparator.h"
-#include "reports/compare/tolerance.h"
+#include "reports/compare/divergence.h"
 
 namespace plumb::comparator_test {
 namespace {
