@@ -2,21 +2,19 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "reports/report.h"
-#include "reports/writers/run_curves.h"
 
 /// The page: one HTML file that holds its data.
 namespace plumb {
 
 /// The page without data. Its one `<!--plumb-data-->` is where
 /// `<script type="application/json" id="plumb-data">{"report": packed, "curves": ..., "replays": ..., "studies": [...]}
-/// </script>` goes. `curves` are {"scenario", "variant", "series": packed `series_of` the case's runs}. What is packed
-/// (packed.h) is the text of a JSON value: browsers take ten times as long to read it from a file as to unpack it.
-/// Empty if Node.js 18 or the page's npm packages were missing when Plumb was built.
+/// </script>` goes. `curves` are those of run_curves.h, `replays` those of replay.h. What is packed (packed.h) is the
+/// text of a JSON value: browsers take ten times as long to read it from a file as to unpack it. Empty if Node.js 18 or
+/// the page's npm packages were missing when Plumb was built.
 std::string_view page_template();
 
 /// A program for Node.js 18 or newer: `node FILE.cjs PAGE.html FOLDER` writes each chart of a page as an SVG. Empty
@@ -28,10 +26,5 @@ std::optional<std::string> fill_page(std::string_view page, const nlohmann::orde
 
 /// The same with the data of a report.
 std::optional<std::string> fill_page(std::string_view page, const Report&, std::string& why_not);
-
-/// The data of the charts: for each run energy, momenta, speed of the fastest body, distance from the closed form (or
-/// from the case's first engine) and deepest overlap over time, at no more than `most` moments, six significant digits
-/// each.
-nlohmann::ordered_json series_of(std::span<const RunCurves>, std::size_t most = 300);
 
 }  // namespace plumb
