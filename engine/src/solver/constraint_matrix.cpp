@@ -68,7 +68,8 @@ bool ConstraintSystem::factor() {
       entries[j] = response(row, rows_[free_[j]]);
       if (slips_[j] != no_number) entries[j] += slope_[j] * response(row, rows_[slips_[j]]);
     }
-    entries[i] += (least_compliance + yield_) / mass_[free_[i]];
+    const double least = row.law == Law::holds ? least_of_equations : least_compliance;
+    entries[i] += (least + yield_) / mass_[free_[i]];
   }
   pivot_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {

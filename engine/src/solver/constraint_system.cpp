@@ -26,7 +26,7 @@ void ConstraintSystem::clear() {
   ends_.clear();
   rows_.clear();
   state_.clear();
-  factored_ = begun_ = false;
+  factored_ = begun_ = yielded_ = false;
 }
 
 std::uint32_t ConstraintSystem::add(const Constraint& constraint) {
@@ -370,24 +370,15 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
         iterate(enough) || (in_circles_ && iterate_from_pivots(enough)) || least_broken_ <= pivots_round_by * scale_;
     finish(enough);
   }
-  if (!found && is_jammed()) yield(enough);
+  const bool is_jammed = !found && least_broken_ > most_yield * fastest_;
+  if (is_jammed) yield(enough);
   tell(velocity);
   return found;
 }
 
-/// Whether laws are broken, and by impulses far larger than motions ask for, which laws that yield would not bear: rows
-/// contradict each other, as of a body between two that nothing pushes.
-bool ConstraintSystem::is_jammed() const {
-  constexpr double too_much = 1 / most_yield;
-  if (!(least_broken_ > most_yield * fastest_)) return false;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (std::abs(rows_[i].impulse) > too_much * fastest_ * mass_[i] && mass_[i] > 0) return true;
-  }
-  return false;
-}
-
 /// Solves laws that all yield a little: such have a solution whatever they demand.
 void ConstraintSystem::yield(double enough) {
+  yielded_ = true;
   yield_ = most_yield;
   for (Constraint& row : rows_) row.impulse = row.given;
   rebuild();

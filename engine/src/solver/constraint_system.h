@@ -61,6 +61,8 @@ class ConstraintSystem {
   std::uint32_t add(const Constraint& constraint);
   std::span<Constraint> all() { return rows_; }
   std::span<const Constraint> all() const { return rows_; }
+  /// Whether laws contradicted each other in one of the solutions since clear().
+  bool yielded() const { return yielded_; }
   Constraint& operator[](std::size_t i) { return rows_[i]; }
   const Constraint& operator[](std::size_t i) const { return rows_[i]; }
 
@@ -94,9 +96,11 @@ class ConstraintSystem {
   /// equal ways to share a load. It does not stay: what it leaves is solved in the next round. More than rows
   /// contradict each other by.
   static constexpr double least_compliance = sizeof(Real) == 8 ? 1e-9 : 1e-4;
+  /// The same of equations, few of which share a load: beams of many links are far stiffer than each of these.
+  static constexpr double least_of_equations = sizeof(Real) == 8 ? 1e-9 : 1e-6;
 
   /// The same where laws contradict each other, and it stays: a body held by two that nothing pushes bears a thousand
-  /// times what would stop it.
+  /// times what would stop it. They do where they are broken by more than this of the fastest motion.
   static constexpr double most_yield = 1e-3;
 
   /// A velocity while it is solved for.
@@ -158,7 +162,6 @@ class ConstraintSystem {
   void keep(double broken);
   void rebuild();
   void slide_on_the_cone(double enough);
-  bool is_jammed() const;
   void yield(double enough);
   void finish(double enough);
 
@@ -185,6 +188,7 @@ class ConstraintSystem {
   std::size_t band_ = 0, stride_ = 0, shift_ = 0;  // entry (i, j) is at i stride + j + shift
   std::vector<std::size_t> pivot_;
   bool factored_ = false;
+  bool yielded_ = false;      // since clear()
   bool in_circles_ = false;   // Newton's method ended while what acts still changed
   double least_broken_ = 0;   // m/s
   std::vector<double> best_;  // impulses

@@ -19,6 +19,12 @@ constexpr Real shortest = Real{1} / 16;
 
 }  // namespace
 
+void DirectContact::forget_press() {
+  effect += -pressed_by;
+  for (std::size_t i = 0; i < pressing.size(); ++i) total[i] -= pressing[i];
+  pressing = {};
+}
+
 void DirectIsland::step(DirectStep& step, const Members& members) {
   step_ = &step;
   members_ = members;
@@ -126,7 +132,8 @@ void DirectIsland::begin_contacts() {
 ///
 /// `then`: what is struck at the end of the interval, if anything. s, by which it went on: less if that closes sooner
 /// than it seemed to; 0, with nothing changed, if impulses for so long an interval are not found: gaps are too
-/// far from linear in it, or if something changes within several sub-steps.
+/// far from linear in it, or if something changes within several sub-steps. A jam is none of that: shorter intervals
+/// have no solution either.
 Real DirectIsland::advance(Real h, const Impact& then) {
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) let_wait(contacts_[c], c == then.contact);
   waiting_stop_ = then.stop;
@@ -139,12 +146,14 @@ Real DirectIsland::advance(Real h, const Impact& then) {
     restore_velocities();
     return 0;
   }
+  const bool jammed = !found && system_.yielded() && overlaps();
   if (!found) {
     restore_velocities();
-    if (h > shortest * h_) return 0;
+    if (h > shortest * h_ && !jammed) return 0;
     bound_.note(members_.bodies, is_held(), step_->data.bodies, step_->motion);
     by_forces_.assign(members_.bodies.size(), {});
     kick(h);
+    note_velocities(kicked_);
     press_as_linear(h);
   }
   const Real share = found && !glides && h > shortest * h_ ? apart_for(then, h) : Real{1};
@@ -154,6 +163,7 @@ Real DirectIsland::advance(Real h, const Impact& then) {
   }
   note_press();
   drift(h);
+  if (jammed) take_back();
   refresh();
   kick(h);
   relax(h);
@@ -164,6 +174,56 @@ Real DirectIsland::advance(Real h, const Impact& then) {
   note_loads(h);
   last_ = h;
   return h;
+}
+
+/// What was pressed where impulses were not found displaces bodies, and is no load: as these may be a thousand times
+/// too large, they would shoot out what turns meanwhile.
+void DirectIsland::take_back() {
+  for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
+    step_->data.bodies.velocity[members_.bodies[i]] = kicked_[i];
+  }
+  for (DirectContact& contact : contacts_) contact.forget_press();
+  std::fill(pressing_joints_.begin(), pressing_joints_.end(), Real{0});
+}
+
+/// J, after constraints that do no work: those that hold already only turn velocities, and of bodies that overlap none
+/// is pushed faster than all in a row would be.
+Real DirectIsland::most_kinetic(Real before) const {
+  constexpr Real gain = static_cast<Real>(0.1);
+  Real most = (1 + gain) * before;
+  if (!overlaps()) return most;
+  const Real fastest = static_cast<Real>(members_.bodies.size()) * most_push / h_;
+  for (const std::uint32_t body : members_.bodies) {
+    const InverseMass& inverse = step_->data.bodies.inverse_mass[body];
+    if (inverse.m > 0) most += fastest * fastest / (2 * inverse.m);
+  }
+  return most;
+}
+
+bool DirectIsland::overlaps() const {
+  return std::any_of(contacts_.begin(), contacts_.end(), [this](const DirectContact& contact) {
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      if (contact.frame.points[i].separation < -std::max(touching_gap, rounding_)) return true;
+    }
+    return false;
+  });
+}
+
+/// Whether constraints may do work: by motors, or bodies that move as they are told.
+bool DirectIsland::is_driven() const {
+  return std::any_of(members_.joints.begin(), members_.joints.end(),
+                     [](const ActiveJoint* joint) { return joint->block.driven; }) ||
+         std::any_of(members_.bodies.begin(), members_.bodies.end(),
+                     [this](std::uint32_t body) { return !step_->data.bodies.pushable(body); });
+}
+
+/// Whether a body that cannot be pushed holds the island.
+bool DirectIsland::is_held() const {
+  const auto holds = [](const InverseMass& a, const InverseMass& b) { return !pushable(a) || !pushable(b); };
+  return std::any_of(contacts_.begin(), contacts_.end(),
+                     [&](const DirectContact& contact) { return holds(contact.mass_a, contact.mass_b); }) ||
+         std::any_of(members_.joints.begin(), members_.joints.end(),
+                     [&](const ActiveJoint* joint) { return holds(joint->block.inv_mass_a, joint->block.inv_mass_b); });
 }
 
 /// The share of an interval that can be gone without overlaps that nothing resolves: until what waits for its impact

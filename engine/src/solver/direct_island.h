@@ -48,6 +48,8 @@ struct DirectContact {
 
   static constexpr std::uint32_t no_row = ~std::uint32_t{0};
   Real friction() const { return slips ? dynamic_friction : static_friction; }
+  /// What was pressed in this interval is no longer counted.
+  void forget_press();
 };
 
 /// What islands share in a step.
@@ -77,7 +79,9 @@ class DirectIsland {
   bool counts_changed() { return std::exchange(counts_changed_, false); }
 
  private:
-  static constexpr Real far_turn = static_cast<Real>(0.25);       // rad in an interval: more is far from linear
+  static constexpr Real far_turn = static_cast<Real>(0.25);  // rad in an interval: more is far from linear
+  /// m, by which an overlap is pushed apart in a sub-step. Bodies that start in each other part without being shot out.
+  static constexpr Real most_push = static_cast<Real>(0.001);
   static constexpr Real sought_within = static_cast<Real>(0.05);  // m, gap up to which points are sought
 
   struct Impact {
@@ -92,7 +96,7 @@ class DirectIsland {
   void substep();
   /// Whether an interval is so short that what rounding or a blow changes in it is no load.
   bool is_brief(Real h) const { return h < h_ / 64; }
-  Real longest() const;
+  Real longest(Real most) const;
   Real fastest() const;
   Real advance(Real h, const Impact& then);
   Real apart_for(const Impact& then, Real h) const;
@@ -102,6 +106,7 @@ class DirectIsland {
   int glide(int most);
   bool seems_to_stay(Real h);
   bool stays(Real h) const;
+  bool same_arm(Real change, const InverseMass& mass, std::uint32_t body) const;
   bool looks_the_same(const DirectContact& contact, const TouchFrame& then) const;
   bool is_found_there(const DirectContact& contact, const TouchFrame& frame, const Motion& a, const Motion& b) const;
 
@@ -120,10 +125,12 @@ class DirectIsland {
   void press_as_linear(Real h);
   void bias_as_linear(Real h);
   void list_for_press(Real h);
+  Real most_kinetic(Real before) const;
   bool overlaps() const;
   bool is_driven() const;
   bool is_held() const;
   void note_press();
+  void take_back();
   void drift(Real h);
   void relax(Real h);
   void list_contact(DirectContact& contact);
@@ -177,6 +184,7 @@ class DirectIsland {
   EnergyBound bound_;                                   // where impulses were not found
   std::vector<std::uint32_t> joint_rows_;               // first of each joint in the system
   std::vector<Velocity> before_;                        // of the island's bodies
+  std::vector<Velocity> kicked_;                        // the same after the first kick
   std::vector<Velocity> by_forces_;                     // what forces changed in the interval, of the island's bodies
   std::vector<int> approached_stops_;                   // as DirectContact::approached, two for each joint
   std::uint32_t waiting_stop_ = DirectContact::no_row;  // for its impact at the end of the interval

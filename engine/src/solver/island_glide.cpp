@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "solver/direct_island.h"
 #include "solver/impact_row.h"
@@ -31,7 +31,7 @@ int DirectIsland::glide(int most) {
   if (most < 2 || members_.varies || solvable_ < h_) return 0;
   if (std::any_of(members_.joints.begin(), members_.joints.end(), driven)) return 0;
   const auto whole = [&](Real time) { return static_cast<int>(std::min(time / h_, static_cast<Real>(most))); };
-  int count = whole(std::min(static_cast<Real>(most) * h_, far_turn / std::max(fastest(), no_speed)));
+  int count = whole(longest(static_cast<Real>(most) * h_));
   if (count < 2) return 0;
   if (const std::optional<Impact> next = next_impact(static_cast<Real>(count) * h_)) count = whole(next->time);
   if (count < 2) return 0;
@@ -84,15 +84,11 @@ bool DirectIsland::stays(Real h) const {
     }
   }
   return std::all_of(members_.joints.begin(), members_.joints.end(), [&](const ActiveJoint* joint) {
-    const std::vector<Real>& reach = step_->data.bodies.bounding_radius;
     const JointBlock& now = joint->block;
     const JointBlock then = ahead(*joint, h);
     const auto same = [&](const JointRow& one, const JointRow& other) {
-      const auto arm = [&](Real of_one, Real of_other, const InverseMass& mass, std::uint32_t body) {
-        return !pushable(mass) || std::abs(of_one - of_other) <= unchanged * reach[body] + rounding_;
-      };
-      return length(one.axis - other.axis) <= unchanged && arm(one.arm_a, other.arm_a, now.inv_mass_a, now.a) &&
-             arm(one.arm_b, other.arm_b, now.inv_mass_b, now.b);
+      return length(one.axis - other.axis) <= unchanged && same_arm(one.arm_a - other.arm_a, now.inv_mass_a, now.a) &&
+             same_arm(one.arm_b - other.arm_b, now.inv_mass_b, now.b);
     };
     for (std::size_t i = 0; i < static_cast<std::size_t>(now.equations); ++i) {
       if (!same(now.equation[i], then.equation[i])) return false;
@@ -104,20 +100,22 @@ bool DirectIsland::stays(Real h) const {
   });
 }
 
+/// Whether an arm that differs by so much, in m, is the same to the body.
+bool DirectIsland::same_arm(Real change, const InverseMass& mass, std::uint32_t body) const {
+  return !pushable(mass) || std::abs(change) <= unchanged * step_->data.bodies.bounding_radius[body] + rounding_;
+}
+
 /// Whether the normal and the arms are those of now.
 bool DirectIsland::looks_the_same(const DirectContact& contact, const TouchFrame& then) const {
-  const std::vector<Real>& reach = step_->data.bodies.bounding_radius;
   if (length(then.normal - contact.frame.normal) > unchanged) return false;
   for (std::size_t i = 0; i < contact.count; ++i) {
     const PointArms& p = contact.frame.points[i];
     const PointArms& q = then.points[i];
-    const auto same = [](Real cross, Real dot, Real most) { return std::abs(cross) <= most && std::abs(dot) <= most; };
-    if (pushable(contact.mass_a) &&
-        !same(q.cross_a - p.cross_a, q.dot_a - p.dot_a, unchanged * reach[contact.a] + rounding_))
-      return false;
-    if (pushable(contact.mass_b) &&
-        !same(q.cross_b - p.cross_b, q.dot_b - p.dot_b, unchanged * reach[contact.b] + rounding_))
-      return false;
+    const bool same = same_arm(q.cross_a - p.cross_a, contact.mass_a, contact.a) &&
+                      same_arm(q.dot_a - p.dot_a, contact.mass_a, contact.a) &&
+                      same_arm(q.cross_b - p.cross_b, contact.mass_b, contact.b) &&
+                      same_arm(q.dot_b - p.dot_b, contact.mass_b, contact.b);
+    if (!same) return false;
   }
   return true;
 }

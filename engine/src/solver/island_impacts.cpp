@@ -64,7 +64,7 @@ void DirectIsland::substep() {
   std::size_t elastic = 0;
   Real left = h_;
   while (left > 0) {
-    Real now = motors_reach(std::min({left, longest(), solvable_}));
+    Real now = motors_reach(std::min({left, longest(h_), solvable_}));
     std::optional<Impact> next;
     if (count < most && elastic < most_elastic) next = next_impact(now);
     if (next) {
@@ -89,10 +89,11 @@ void DirectIsland::substep() {
   }
 }
 
-/// s, in which no body turns far, because normals turn with the bodies; but no less than an eighth of a sub-step.
-Real DirectIsland::longest() const {
+/// s, up to `most`, in which no body turns far, because normals turn with the bodies; but no less than an eighth of a
+/// sub-step.
+Real DirectIsland::longest(Real most) const {
   const Real w = fastest();
-  return w * h_ > far_turn ? std::max(far_turn / w, h_ / 8) : h_;
+  return w * most > far_turn ? std::max(far_turn / w, h_ / 8) : most;
 }
 
 /// rad/s

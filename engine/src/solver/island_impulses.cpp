@@ -9,8 +9,6 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// m, by which an overlap is pushed apart in a sub-step. Bodies that start in each other part without being shot out.
-constexpr Real most_push = static_cast<Real>(0.001);
 /// m, by which gaps and joints may be off after the drift.
 constexpr Real exact = static_cast<Real>(sizeof(Real) == 8 ? 1e-12 : 1e-6);
 
@@ -255,9 +253,7 @@ bool DirectIsland::let_go() {
   for (DirectContact& contact : contacts_) {
     if (!contact.struck) continue;
     push(contact, -contact.pressed_by);
-    contact.effect += -contact.pressed_by;
-    for (std::size_t i = 0; i < contact.pressing.size(); ++i) contact.total[i] -= contact.pressing[i];
-    contact.pressing = {};
+    contact.forget_press();
     for (std::size_t i = 0; i < contact.count; ++i) {
       Constraint& row = system_[contact.row + i];
       row.mass_a = row.mass_b = {};
@@ -329,10 +325,8 @@ bool DirectIsland::press(Real h) {
     off = missed(h);
     if (off <= std::max(exact, rounding_) || !solved) break;
   }
-  // Constraints that hold already only turn velocities.
-  constexpr Real gain = static_cast<Real>(0.1);
   return off <= std::max(touching_gap, rounding_) &&
-         (overlaps() || is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= (1 + gain) * before);
+         (is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= most_kinetic(before));
 }
 
 /// The same for gaps and errors that change as they do now.
@@ -361,32 +355,6 @@ void DirectIsland::bias_as_linear(Real h) {
     }
     if (block.driven) system_[at].bias = -block.motor_speed;
   }
-}
-
-bool DirectIsland::overlaps() const {
-  return std::any_of(contacts_.begin(), contacts_.end(), [](const DirectContact& contact) {
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      if (contact.frame.points[i].separation < -touching_gap) return true;
-    }
-    return false;
-  });
-}
-
-/// Whether constraints may do work: by motors, or bodies that move as they are told.
-bool DirectIsland::is_driven() const {
-  return std::any_of(members_.joints.begin(), members_.joints.end(),
-                     [](const ActiveJoint* joint) { return joint->block.driven; }) ||
-         std::any_of(members_.bodies.begin(), members_.bodies.end(),
-                     [this](std::uint32_t body) { return !step_->data.bodies.pushable(body); });
-}
-
-/// Whether a body that cannot be pushed holds the island.
-bool DirectIsland::is_held() const {
-  const auto holds = [](const InverseMass& a, const InverseMass& b) { return !pushable(a) || !pushable(b); };
-  return std::any_of(contacts_.begin(), contacts_.end(),
-                     [&](const DirectContact& contact) { return holds(contact.mass_a, contact.mass_b); }) ||
-         std::any_of(members_.joints.begin(), members_.joints.end(),
-                     [&](const ActiveJoint* joint) { return holds(joint->block.inv_mass_a, joint->block.inv_mass_b); });
 }
 
 void DirectIsland::note_press() {

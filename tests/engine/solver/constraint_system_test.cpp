@@ -236,6 +236,23 @@ TEST(ConstraintSystem, SaysWhatItCannotSolve) {
   EXPECT_LT(std::abs(velocity[1].v.y), 1.5);
 }
 
+// Of a body between two that push it apart by different speeds both are wrong by as much; what is beside it is as right
+// as laws that yield by a thousandth can be.
+TEST(ConstraintSystem, YieldsAlikeWhereLawsContradictEachOther) {
+  ConstraintSystem system;
+  for (const Real way : {real(1), real(-1)}) {
+    Constraint row = point(1, 0);
+    row.axis = {0, way};
+    row.bias = way > 0 ? real(-.3) : real(-.1);
+    system.add(row);
+  }
+  system.add(point(2, 0));
+  std::vector<Velocity> velocity{{}, {}, {{0, -4}, 0}};
+  EXPECT_FALSE(system.solve(velocity));
+  EXPECT_NEAR(velocity[1].v.y, .1, 1e-3);
+  EXPECT_NEAR(velocity[2].v.y, 0, 4 * 1e-3);
+}
+
 TEST(ConstraintSystem, UndoesWhatItSolved) {
   ConstraintSystem system;
   system.add(point(1, real(.3)));
