@@ -188,13 +188,16 @@ Hit first_hit(const Encounter& here, const RowPoint& p, const Flight& flight, Re
   if (x > 2 * rest) return {};
   constexpr int rounds = 4;
   Approach there;
-  for (int round = 0; round < rounds; ++round) {
+  bool settled = false;  // further rounds change nothing
+  for (int round = 0; round < rounds && !settled; ++round) {
     there = Encounter(here.row, flight, now + x).of(p);
     if (there.speed >= 0) return {};
-    x = std::max(x - there.separation / there.speed, Real{0});
+    const Real last = std::exchange(x, std::max(x - there.separation / there.speed, Real{0}));
+    settled = x == last;
   }
   if (x > rest || there.speed > -flight.slow) return {};
-  return {now + x, -Encounter(here.row, flight, now + x).of(p).speed};
+  if (!settled) there = Encounter(here.row, flight, now + x).of(p);
+  return {now + x, -there.speed};
 }
 
 /// Whether the contact solve must hold the row's points: they touch at the end of the sub-step, or they are not on

@@ -44,14 +44,18 @@ std::optional<std::pair<Real, Real>> closes(const Nearing& now, Real within, con
   Real t = 2 * now.gap / mean;
   if (t > 2 * within) return std::nullopt;
   constexpr int rounds = 4;
-  for (int round = 0; round < rounds; ++round) {
-    const Nearing there = at(t);
+  Nearing there;
+  bool settled = false;  // further rounds change nothing
+  for (int round = 0; round < rounds && !settled; ++round) {
+    there = at(t);
     if (there.speed <= 0) return std::nullopt;
-    t = std::max(t + there.gap / there.speed, Real{0});
+    const Real last = std::exchange(t, std::max(t + there.gap / there.speed, Real{0}));
+    settled = t == last;
   }
   if (t > (1 + at_the_end) * within) return std::nullopt;
   const Real time = std::min(t, within);
-  return std::pair{time, at(time).speed};
+  if (!settled || time != t) there = at(time);
+  return std::pair{time, there.speed};
 }
 
 }  // namespace
