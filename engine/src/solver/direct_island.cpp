@@ -176,8 +176,8 @@ Real DirectIsland::advance(Real h, const Impact& then) {
   return h;
 }
 
-/// What was pressed where impulses were not found displaces bodies, and is no load: as these may be a thousand times
-/// too large, they would shoot out what turns meanwhile.
+/// What was pressed in a jam displaces bodies, and is no load: it may be a thousand times what bodies bear, and would
+/// shoot out what turns meanwhile.
 void DirectIsland::take_back() {
   for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
     step_->data.bodies.velocity[members_.bodies[i]] = kicked_[i];

@@ -326,19 +326,19 @@ TEST(DirectIsland, ShootsNothingOutOfAJamUnderItsHinge) {
 }
 
 // An angle between two of twelve boxes moves the last by up to 12 m times as much: what is rounding of a place is none
-// of an angle.
+// of an angle. In single precision there are 17, too stiff to be solved with the compliance of contacts (.14 mm).
 TEST(DirectIsland, HoldsABeamOfWeldedBoxesStill) {
   World world(falling());
   BodyDef wall = at(0, 0);
   wall.type = BodyType::fixed;
   BodyId last = world.create_body(wall, Shape::circle(real(.01)));
-  constexpr int count = 12;
+  constexpr int count = sizeof(Real) == 8 ? 12 : 17;
   for (int i = 0; i < count; ++i) {
     const BodyId next = world.create_body(at(i + .5, 0), Shape::box({real(.5), real(.2)}));
     world.create_joint(WeldJoint{last, next, {real(i), 0}});
     last = next;
   }
-  // Each joint may be off by 4 epsilon of 12 m.
+  // Each joint may be off by 4 epsilon of the farthest coordinate.
   const double most = count * 4 * 2 * static_cast<double>(round_off) * count;
   for (int step = 0; step < 120; ++step) {
     world.step();
