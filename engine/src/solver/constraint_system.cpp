@@ -117,7 +117,7 @@ void ConstraintSystem::begin(const std::vector<Velocity>& velocity) {
   }
   mass_.resize(rows_.size());
   scale_ = 0;
-  fastest_ = 0;
+  if (!begun_) fastest_ = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     weigh(i);
@@ -129,7 +129,7 @@ void ConstraintSystem::begin(const std::vector<Velocity>& velocity) {
     const double terms = moves + std::abs(a.w * double{row.arm_a}) + std::abs(b.w * double{row.arm_b});
     // Of a gap that is open, only as much as closes counts.
     const double bias = row.law == Law::pushes ? std::max(-row.bias, 0.) : std::abs(row.bias);
-    fastest_ = std::max({fastest_, terms, bias});
+    if (!begun_) fastest_ = std::max({fastest_, terms, bias});
     scale_ = std::max({scale_, terms, bias, std::abs(row.impulse) * inverse});
   }
   if (!begun_) {
@@ -370,10 +370,25 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
         iterate(enough) || (in_circles_ && iterate_from_pivots(enough)) || least_broken_ <= pivots_round_by * scale_;
     finish(enough);
   }
-  const bool is_jammed = !found && least_broken_ > most_yield * fastest_;
+  const bool is_jammed = (!found && least_broken_ > most_yield * fastest_) || shoots();
   if (is_jammed) yield(enough);
   tell(velocity);
-  return found;
+  return found && !is_jammed;
+}
+
+/// Whether bodies on paths, which no energy bounds, move others faster than any lever would: along normals that differ
+/// by a thousandth, what presses a pile together squeezes it out a thousand times as fast.
+bool ConstraintSystem::shoots() const {
+  const double most = most_leverage * fastest_;
+  const auto fast = [most](const Precise& v) { return v.x * v.x + v.y * v.y > most * most; };
+  if (std::none_of(now_.begin(), now_.end(), fast)) return false;
+  const auto on_path = [this](const InverseMass& mass, std::uint32_t body) {
+    return !pushable(mass) && (now_[body].x != 0 || now_[body].y != 0 || now_[body].w != 0);
+  };
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (on_path(rows_[i].mass_a, ends_[i].a) || on_path(rows_[i].mass_b, ends_[i].b)) return true;
+  }
+  return false;
 }
 
 /// Solves laws that all yield a little: such have a solution whatever they demand.

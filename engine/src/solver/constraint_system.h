@@ -102,6 +102,9 @@ class ConstraintSystem {
   /// The same where laws contradict each other, and it stays: a body held by two that nothing pushes bears a thousand
   /// times what would stop it. They do where they are broken by more than this of the fastest motion.
   static constexpr double most_yield = 1e-3;
+  /// Times the fastest of the motions and gaps to be mended at the start: what a yielding wedge can give, whose angle
+  /// is the root of most_yield, v / (2 sqrt(most_yield)).
+  static constexpr double most_leverage = 16;
 
   /// A velocity while it is solved for.
   struct Precise {
@@ -154,6 +157,7 @@ class ConstraintSystem {
   bool factor();
   void substitute();
   bool newton();
+  bool shoots() const;
   bool iterate(double enough);
   bool iterate_from_pivots(double enough);
   std::vector<double> rates_without_equations() const;
@@ -174,7 +178,7 @@ class ConstraintSystem {
   std::vector<Precise> now_;
   std::vector<double> mass_;                // kg or kg m^2, effective, of each row alone
   double scale_ = 0;                        // m/s, the largest term of a rate: what rounding is measured by
-  double fastest_ = 0;                      // m/s, the largest of these but for impulses
+  double fastest_ = 0;                      // m/s, the largest of these but for impulses, before the first call
   double yield_ = 0;                        // of a row's own inverse mass, while all laws yield
   std::vector<State> state_;                // of each row
   std::vector<State> last_;                 // when the matrix was factored

@@ -76,8 +76,8 @@ void DirectIsland::substep() {
       ++(rebounds ? elastic : count);
       // What is nearer than time can tell is struck now: another contact may keep it from ever coming nearer.
       if (!(next->time > at_the_end * h_)) {
-        approaches(*next) = 0;
         strike(*next);
+        approaches(*next) = system_.yielded() ? most_approaches + 1 : 0;
         continue;
       }
       now = next->time;
@@ -321,7 +321,7 @@ void DirectIsland::list_struck(DirectContact& contact, bool first) {
 /// some (Painleve). Then the normal impulses are those without friction, and friction only removes energy.
 void DirectIsland::solve_impact() {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
-  if (system_.solve(velocity) && !system_.drove()) return;
+  if ((system_.solve(velocity) || system_.yielded()) && !system_.drove()) return;
   system_.undo(velocity);
   for (Constraint& row : system_.all()) row.fixed = row.law == Law::rubs;
   system_.solve(velocity);
