@@ -8,6 +8,8 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
+struct BodySet;
+
 /// m, the gap up to which a point touches: rounding must not decide which points act.
 constexpr Real touching_gap = static_cast<Real>(1e-6);
 
@@ -48,5 +50,11 @@ struct Contact {
   /// Whether friction depends on what it did before.
   bool two_frictions() const { return static_friction != dynamic_friction; }
 };
+
+/// The reference face that determines a contact's normal; `between`: the line between the nearest points.
+enum class NormalOf : std::uint8_t { between, a, b };
+
+/// Where the normal of a contact comes from, at the poses in which its points were found.
+NormalOf owner(const Contact& contact, const BodySet& bodies);
 
 }  // namespace impulse::inline IMPULSE_PRECISION

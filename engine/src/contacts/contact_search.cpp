@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "contacts/lanes/persistence.h"
-#include "contacts/normal_of.h"
 #include "contacts/part_filter.h"
 #include "core/stages.h"
 #include "impulse/material.h"

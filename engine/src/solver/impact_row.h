@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "contacts/contact.h"
 #include "contacts/contact_effect.h"
 #include "contacts/contact_rows.h"
-#include "contacts/normal_of.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 

@@ -1,10 +1,9 @@
-#include "contacts/normal_of.h"
+#include "contacts/contact.h"
 
 #include <cmath>
 #include <limits>
 
 #include "bodies/body_set.h"
-#include "contacts/contact.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
