@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "narrow_phase/collide.h"
 #include "narrow_phase/edges.h"
 #include "shapes/hull.h"
 

@@ -5,7 +5,7 @@
 
 #include "bodies/body_set.h"
 #include "contacts/contact.h"
-#include "narrow_phase/manifolds.h"
+#include "narrow_phase/collide.h"
 #include "narrow_phase/margin.h"
 
 namespace impulse::inline IMPULSE_PRECISION {

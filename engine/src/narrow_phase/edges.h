@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "narrow_phase/manifolds.h"
+#include "narrow_phase/collide.h"
 #include "shapes/hull.h"
 
 namespace impulse::inline IMPULSE_PRECISION {

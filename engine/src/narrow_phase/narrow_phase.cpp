@@ -2,8 +2,6 @@
 
 #include <initializer_list>
 
-#include "narrow_phase/collide.h"
-
 namespace impulse::inline IMPULSE_PRECISION {
 
 PairPoints points_of(const Manifold& manifold, Vec2 center_a, Vec2 center_b) {

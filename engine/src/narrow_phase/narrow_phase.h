@@ -7,8 +7,8 @@
 
 #include "bodies/body_set.h"
 #include "broad_phase/broad_phase.h"
+#include "narrow_phase/collide.h"
 #include "narrow_phase/lanes/manifolds.h"
-#include "narrow_phase/manifolds.h"
 #include "narrow_phase/margin.h"
 #include "narrow_phase/shape_table.h"
 

@@ -8,7 +8,7 @@
 #include "bodies/body_set.h"
 #include "contacts/contact.h"
 #include "contacts/contact_rows.h"
-#include "narrow_phase/manifolds.h"
+#include "narrow_phase/collide.h"
 #include "solver/impacts.h"
 #include "solver/island.h"
 #include "solver/motion.h"
