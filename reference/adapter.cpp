@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "scenarios/scene/mass.h"
-#include "scenarios/scene/path.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb {

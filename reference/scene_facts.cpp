@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "scenarios/scene/mass.h"
-#include "scenarios/scene/path.h"
 #include "scenarios/scene/shapes.h"
 #include "scenarios/scene/vec.h"
 

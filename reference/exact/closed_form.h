@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "reference/simulation.h"
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 
 /// How every closed form becomes an engine: recognise a scene, then evaluate a formula.
 namespace plumb {

@@ -14,7 +14,7 @@
 #include "reports/run/scene_file.h"
 #include "reports/run/selection.h"
 #include "scenarios/scene/nearest.h"
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb {
 namespace {

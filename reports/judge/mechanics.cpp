@@ -7,7 +7,6 @@
 
 #include "reports/judge/overlap.h"
 #include "scenarios/scene/joints.h"
-#include "scenarios/scene/path.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb {

@@ -11,7 +11,7 @@
 #include "reports/judge/groups.h"
 #include "reports/judge/verdict.h"
 #include "scenarios/allowance.h"
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb {

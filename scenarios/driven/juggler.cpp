@@ -6,7 +6,7 @@
 #include "scenarios/allowance.h"
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb::scenarios::juggler {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "scenarios/parts.h"
 #include "scenarios/scene/mass.h"
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb::adapter_test {
 namespace {

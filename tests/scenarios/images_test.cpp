@@ -9,7 +9,7 @@
 #include "reference/simulation.h"
 #include "reports/judge/mechanics.h"
 #include "scenarios/scene/mass.h"
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 #include "scenarios/scene/scene_json.h"
 
 namespace plumb::images_test {

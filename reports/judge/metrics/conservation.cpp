@@ -7,7 +7,7 @@
 #include "reports/judge/metric.h"
 #include "reports/judge/observe.h"
 #include "scenarios/catalog.h"
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb::metrics::conservation {

@@ -4,7 +4,7 @@
 
 #include "reports/judge/poses.h"
 #include "scenarios/catalog.h"
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 
 namespace plumb::relations::halves {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 #include "tests/scenarios/statement_of.h"
 
 namespace plumb::juggler_test {

@@ -1,4 +1,4 @@
-#include "scenarios/scene/path.h"
+#include "scenarios/scene/scene.h"
 
 #include <algorithm>
 #include <cmath>
