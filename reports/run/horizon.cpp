@@ -161,17 +161,19 @@ EngineConfig refined_config() {
 
 using Ensembles = std::map<std::string, std::vector<EnsembleSample>>;  // by engine label
 
-constexpr int refined_steps = 2;  // of the refined engine, for one of the others
+constexpr std::size_t refined_steps = 2;  // of the refined engine, for one of the others
 
 // Fewer runs tell nothing: the probability that all of six lie above six others by chance is 1e-3.
 constexpr std::size_t fewest_members = 6;
 
 std::size_t body_steps(const Scene& scene, double dt) { return scene.bodies.size() * steps_in(scene.duration, dt); }
 
-// As many runs of the refined engine as the budget allows, or none if they are too few.
+// As many runs of the refined engine as take the time of all runs of another, if the budget allows them; none if they
+// are too few.
 int refined_members(const Scene& scene, double dt, int members, std::size_t budget) {
   const std::size_t cost = refined_steps * body_steps(scene, dt);
-  const std::size_t runs = std::min(static_cast<std::size_t>(members), budget / std::max<std::size_t>(cost, 1));
+  const std::size_t wanted = std::max(static_cast<std::size_t>(members) / refined_steps, fewest_members);
+  const std::size_t runs = std::min(wanted, budget / std::max<std::size_t>(cost, 1));
   return runs < fewest_members ? 0 : static_cast<int>(runs);
 }
 
@@ -268,7 +270,8 @@ void compare_beyond_horizon(const Case& test_case, std::span<const EngineConfig>
     add_ensembles(comparison, compare_ensembles(a->second, b->second), *horizon, members);
   }
   if (refined_runs == 0) return;
-  const auto refined = run_ensemble(scene, refined_engine, dt / refined_steps, size, refined_runs, first_ensemble_seed);
+  const auto refined = run_ensemble(scene, refined_engine, dt / static_cast<double>(refined_steps), size, refined_runs,
+                                    first_ensemble_seed);
   for (RunRecord& record : records) {
     const auto found = ensembles.find(label_of(record.engine, record.method));
     if (found == ensembles.end()) continue;

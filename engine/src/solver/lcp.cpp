@@ -10,22 +10,25 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Columns: w (0 ... n-1), z (n ... 2n-1), the artificial variable (2n), the right-hand side (2n + 1). The rows are
-/// w - M z - d z0 = q in terms of the current basis; the columns of w are the inverse of the basis.
+/// The variables are w (0 ... n-1), z (n ... 2n-1) and the artificial one (2n). The rows are w - M z - d z0 = q in
+/// terms of the current basis, whose own columns, those of the identity, are not stored; those of w are the inverse of
+/// the basis. An entering variable's column then is that of the leaving one.
 class Tableau {
  public:
   Tableau(std::span<const double> m, std::span<const double> q, double noise)
-      : n_(q.size()), width_(2 * n_ + 2), noise_(std::max(noise, lcp_round_off)), cell_(n_ * width_) {
+      : n_(q.size()), width_(n_ + 2), noise_(std::max(noise, lcp_round_off)), cell_(n_ * width_), column_(2 * n_ + 1) {
     for (std::size_t i = 0; i < n_; ++i) {
-      at(i, i) = 1;
-      for (std::size_t j = 0; j < n_; ++j) at(i, n_ + j) = -m[i * n_ + j];
+      for (std::size_t j = 0; j < n_; ++j) at(i, j) = -m[i * n_ + j];
       // Scaled like the row, so that rows of different units have the same weight.
       const double slope = std::max(largest(m.subspan(i * n_, n_)), std::numeric_limits<double>::min());
-      at(i, artificial()) = -slope;
+      at(i, n_) = -slope;
       steepest_ = std::max(steepest_, slope);
       at(i, right()) = q[i];
       basis_.push_back(i);
+      column_[i] = in_basis;
+      column_[n_ + i] = i;
     }
+    column_[artificial()] = n_;
     negligible_ = noise_ * largest(q);
   }
 
@@ -40,17 +43,24 @@ class Tableau {
       // Solved as soon as the artificial variable leaves, or contributes less than rounding to every w.
       if (leaving == artificial() || steepest_ * excess() <= negligible_) return values();
       entering = leaving < n_ ? leaving + n_ : leaving - n_;
-      row = blocking_row(entering);
+      row = blocking_row(column_[entering]);
       if (!row) return std::nullopt;
     }
     return std::nullopt;
   }
 
  private:
+  static constexpr std::size_t in_basis = std::numeric_limits<std::size_t>::max();
+
   std::size_t artificial() const { return 2 * n_; }
-  std::size_t right() const { return 2 * n_ + 1; }
+  std::size_t right() const { return n_ + 1; }
   double& at(std::size_t row, std::size_t column) { return cell_[row * width_ + column]; }
   double at(std::size_t row, std::size_t column) const { return cell_[row * width_ + column]; }
+  /// The entry of a variable that may be in the basis.
+  double of(std::size_t row, std::size_t variable) const {
+    if (column_[variable] != in_basis) return at(row, column_[variable]);
+    return basis_[row] == variable ? 1 : 0;
+  }
 
   static double largest(std::span<const double> values) {
     double most = 0;
@@ -64,8 +74,8 @@ class Tableau {
     return row == basis_.end() ? 0 : at(static_cast<std::size_t>(row - basis_.begin()), right());
   }
 
-  /// Whether row r leaves before row s as `column` grows: r / |column| is lexicographically smaller. Numbers that
-  /// differ by no more than rounding count as ties, which the lexicographic rule resolves.
+  /// Whether row r leaves before row s as the variable of `column` grows: r / |column| is lexicographically smaller.
+  /// Numbers that differ by no more than rounding count as ties, which the lexicographic rule resolves.
   bool before(std::size_t r, std::size_t s, std::size_t column) const {
     const double by_r = std::abs(at(r, column));
     const double by_s = std::abs(at(s, column));
@@ -76,8 +86,8 @@ class Tableau {
     const double y = at(s, right()) / by_s;
     if (differ(x, y, negligible_)) return x < y;
     for (std::size_t k = 0; k < n_; ++k) {
-      const double u = at(r, k) / by_r;
-      const double v = at(s, k) / by_s;
+      const double u = of(r, k) / by_r;
+      const double v = of(s, k) / by_s;
       if (differ(u, v, noise_)) return u < v;
     }
     return false;
@@ -87,39 +97,43 @@ class Tableau {
   std::optional<std::size_t> first_row() const {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < n_; ++i) {
-      if (at(i, right()) < 0 && (!best || before(i, *best, artificial()))) best = i;
+      if (at(i, right()) < 0 && (!best || before(i, *best, column_[artificial()]))) best = i;
     }
     return best;
   }
 
-  /// The first basic variable that falls to 0 as the entering one grows; the artificial one if it is tied for first.
-  std::optional<std::size_t> blocking_row(std::size_t entering) const {
+  /// The first basic variable that falls to 0 as that of a column grows; the artificial one if it is tied for first.
+  std::optional<std::size_t> blocking_row(std::size_t column) const {
     double scale = 0;
-    for (std::size_t i = 0; i < n_; ++i) scale = std::max(scale, std::abs(at(i, entering)));
+    for (std::size_t i = 0; i < n_; ++i) scale = std::max(scale, std::abs(at(i, column)));
     const double nothing = scale * noise_;
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < n_; ++i) {
-      if (at(i, entering) > nothing && (!best || before(i, *best, entering))) best = i;
+      if (at(i, column) > nothing && (!best || before(i, *best, column))) best = i;
     }
     if (!best) return best;
-    const double least = at(*best, right()) / at(*best, entering);
+    const double least = at(*best, right()) / at(*best, column);
     for (std::size_t i = 0; i < n_; ++i) {
-      if (basis_[i] != artificial() || at(i, entering) <= nothing) continue;
-      if (at(i, right()) / at(i, entering) <= least + negligible_) return i;
+      if (basis_[i] != artificial() || at(i, column) <= nothing) continue;
+      if (at(i, right()) / at(i, column) <= least + negligible_) return i;
     }
     return best;
   }
 
-  void pivot(std::size_t row, std::size_t column) {
+  void pivot(std::size_t row, std::size_t entering) {
+    const std::size_t column = column_[entering];
     const double by = at(row, column);
+    at(row, column) = 1;  // of the leaving variable from here on
     for (std::size_t k = 0; k < width_; ++k) at(row, k) /= by;
     for (std::size_t i = 0; i < n_; ++i) {
       const double factor = at(i, column);
       if (i == row || factor == 0) continue;
-      for (std::size_t k = 0; k < width_; ++k) at(i, k) -= factor * at(row, k);
       at(i, column) = 0;
+      for (std::size_t k = 0; k < width_; ++k) at(i, k) -= factor * at(row, k);
     }
-    basis_[row] = column;
+    column_[basis_[row]] = column;
+    column_[entering] = in_basis;
+    basis_[row] = entering;
   }
 
   std::vector<double> values() const {
@@ -135,7 +149,8 @@ class Tableau {
   double negligible_ = 0;  // a w up to this counts as zero
   double steepest_ = 0;    // greatest growth of a w with the artificial variable
   std::vector<double> cell_;
-  std::vector<std::size_t> basis_;  // the variable of each row
+  std::vector<std::size_t> column_;  // of each variable that is not in the basis
+  std::vector<std::size_t> basis_;   // the variable of each row
 };
 
 }  // namespace
