@@ -15,7 +15,7 @@ namespace impulse::inline IMPULSE_PRECISION {
 namespace {
 
 /// Of the distance between a contact's points: the gap of the one up to which it is struck together with the other.
-constexpr Real struck_together = static_cast<Real>(0.001);
+constexpr Real struck_together = static_cast<Real>(1e-4);
 constexpr Real slides_at = static_cast<Real>(1e-4);  // m/s, what slides faster when it is struck has sliding friction
 /// m, gap that is none: less than rounding leaves of an advance to the time of an impact.
 constexpr Real no_gap = static_cast<Real>(sizeof(Real) == 8 ? 1e-13 : 1e-6);
