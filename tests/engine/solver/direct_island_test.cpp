@@ -10,6 +10,7 @@
 #include "../random_shapes.h"
 #include "../support.h"
 #include "narrow_phase/collide.h"
+#include "worlds.h"
 
 namespace impulse::inline IMPULSE_PRECISION::direct_island_test {
 namespace {
@@ -343,12 +344,11 @@ TEST(DirectIsland, SqueezesNoColumnOutUnderAPlate) {
   for (const double friction : {.2, .5, .8}) {
     World world(falling());
     const Material rough = material(0, friction);
-    BodyDef ground = at(0, 0);
-    ground.type = BodyType::fixed;
-    world.create_body(ground, Shape::half_space({0, 1}, 0), rough);
-    std::vector<BodyId> boxes;
-    for (int i = 0; i < 3; ++i) {
-      boxes.push_back(world.create_body(at(.07 * (i % 2), .25 + .5 * i), Shape::box({real(.3), real(.25)}), rough));
+    ground(world, rough);
+    std::vector<BodyId> boxes(3);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const BodyDef def = at(i == 1 ? .07 : 0, .25 + .5 * static_cast<double>(i));
+      boxes[i] = world.create_body(def, Shape::box({real(.3), real(.25)}), rough);
     }
     add_plate(world, 1.8, 2, .4, rough);
     for (int step = 0; step < 110; ++step) {
@@ -364,17 +364,16 @@ TEST(DirectIsland, ShootsNoDiscsOutUnderAPlate) {
   for (const double friction : {0., .2, .5}) {
     World world(falling());
     const Material rough = material(0, friction);
-    BodyDef ground = at(0, 0);
-    ground.type = BodyType::fixed;
-    world.create_body(ground, Shape::half_space({0, 1}, 0), rough);
+    ground(world, rough);
     for (const double x : {-.7, .7}) {
       BodyDef wall = at(x, 1);
       wall.type = BodyType::fixed;
       world.create_body(wall, Shape::box({real(.1), 2}), rough);
     }
-    std::vector<BodyId> discs;
-    for (int i = 0; i < 6; ++i) {
-      discs.push_back(world.create_body(at(-.3 + .6 * (i % 2), .31 + .3 * i), Shape::circle(real(.28)), rough));
+    std::vector<BodyId> discs(6);
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+      const BodyDef def = at(i % 2 == 0 ? -.3 : .3, .31 + .3 * static_cast<double>(i));
+      discs[i] = world.create_body(def, Shape::circle(real(.28)), rough);
     }
     add_plate(world, 2.6, .55, .7, rough);
     for (int step = 0; step < 110; ++step) {
