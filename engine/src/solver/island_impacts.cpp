@@ -29,33 +29,60 @@ struct Nearing {
   Real gap = 0, speed = 0;
 };
 
+/// s, from where Newton's iteration finds when a gap closes that is open now and at the end: where bodies pass each
+/// other it is least in between, sought by the secant of its rate. As it is convex, the iteration then comes from one
+/// side. nullopt if it stays open.
+template <class At>
+std::optional<Real> before_least(const Nearing& now, const Nearing& end, Real within, const At& at) {
+  if (!(now.speed > 0 && end.speed < 0)) return std::nullopt;
+  constexpr int rounds = 6;
+  Real low = 0;
+  Real high = within;
+  Nearing at_low = now;
+  Nearing at_high = end;
+  for (int round = 0; round < rounds; ++round) {
+    const Real t = low + (high - low) * at_low.speed / (at_low.speed - at_high.speed);
+    const Nearing there = at(t);
+    if (!(there.gap > 0)) return low;
+    (there.speed > 0 ? low : high) = t;
+    (there.speed > 0 ? at_low : at_high) = there;
+  }
+  return std::nullopt;
+}
+
 /// s and the speed at which a gap closes, sought within `within`; nullopt if it does not. `at(t)`: what is near at that
 /// time. The parabola through the gap now, its rate, and the gap at the end gives a guess; Newton's iteration on the
 /// path refines it.
 template <class At>
 std::optional<std::pair<Real, Real>> closes(const Nearing& now, Real within, const At& at) {
   if (!(now.gap > no_gap)) return std::pair{Real{0}, now.speed};
+  const auto refined = [&](Real t) -> std::optional<std::pair<Real, Real>> {
+    constexpr int rounds = 4;
+    Nearing there;
+    bool settled = false;  // further rounds change nothing
+    for (int round = 0; round < rounds && !settled; ++round) {
+      there = at(t);
+      if (there.speed <= 0) return std::nullopt;
+      const Real last = std::exchange(t, std::max(t + there.gap / there.speed, Real{0}));
+      settled = t == last;
+    }
+    if (t > (1 + at_the_end) * within) return std::nullopt;
+    const Real time = std::min(t, within);
+    if (!settled || time != t) there = at(time);
+    return std::pair{time, there.speed};
+  };
+  const Nearing end = at(within);
   const Real v = -now.speed;
-  const Real c = 2 * (at(within).gap - now.gap - v * within) / (within * within);
+  const Real c = 2 * (end.gap - now.gap - v * within) / (within * within);
   const Real discriminant = v * v - 2 * c * now.gap;
-  if (discriminant < 0) return std::nullopt;
-  const Real mean = std::sqrt(discriminant) - v;
-  if (mean <= 0) return std::nullopt;
-  Real t = 2 * now.gap / mean;
-  if (t > 2 * within) return std::nullopt;
-  constexpr int rounds = 4;
-  Nearing there;
-  bool settled = false;  // further rounds change nothing
-  for (int round = 0; round < rounds && !settled; ++round) {
-    there = at(t);
-    if (there.speed <= 0) return std::nullopt;
-    const Real last = std::exchange(t, std::max(t + there.gap / there.speed, Real{0}));
-    settled = t == last;
+  if (discriminant >= 0) {
+    const Real mean = std::sqrt(discriminant) - v;
+    if (mean > 0 && 2 * now.gap <= 2 * within * mean) {
+      if (const auto met = refined(2 * now.gap / mean)) return met;
+    }
   }
-  if (t > (1 + at_the_end) * within) return std::nullopt;
-  const Real time = std::min(t, within);
-  if (!settled || time != t) there = at(time);
-  return std::pair{time, there.speed};
+  const std::optional<Real> guess = before_least(now, end, within, at);
+  return guess ? refined(*guess) : std::nullopt;
 }
 
 }  // namespace
@@ -93,11 +120,23 @@ void DirectIsland::substep() {
   }
 }
 
-/// s, up to `most`, in which no body turns far, because normals turn with the bodies; but no less than an eighth of a
-/// sub-step.
+/// s, up to `most`, but no less than an eighth of a sub-step: in which no body turns far, because normals turn with the
+/// bodies, and none goes farther than its size past what it has not reached yet, because other corners may meet than
+/// are nearest now.
 Real DirectIsland::longest(Real most) const {
+  const Real shortest_of_all = h_ / 8;
   const Real w = fastest();
-  return w * most > far_turn ? std::max(far_turn / w, h_ / 8) : most;
+  Real time = w * most > far_turn ? std::max(far_turn / w, shortest_of_all) : most;
+  const BodySet& bodies = step_->data.bodies;
+  for (const DirectContact& contact : contacts_) {
+    const Real gap = contact.frame.points[0].separation;
+    if (contact.lasts || contact.count == 0 || gap <= touching_gap) continue;
+    const Real speed = length(bodies.velocity[contact.b].v - bodies.velocity[contact.a].v);
+    const Real size = std::min(bodies.bounding_radius[contact.a], bodies.bounding_radius[contact.b]);
+    const Real way = std::max(gap, size);
+    if (size > 0 && speed * time > way) time = std::max(way / speed, shortest_of_all);
+  }
+  return time;
 }
 
 /// rad/s
