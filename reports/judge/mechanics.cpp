@@ -86,6 +86,14 @@ std::vector<BodyState> moved_on(std::span<const BodyState> states, double time) 
   return ahead;
 }
 
+// The middle of a step; and one for each radian that a body turns in it, as springs turn with their anchors.
+std::size_t places_on_the_way(std::span<const BodyState> then, double dt) {
+  constexpr double most = 63;  // ten revolutions
+  double turn = 1;
+  for (const BodyState& state : then) turn = std::max(turn, std::abs(state.angular_velocity) * dt);
+  return static_cast<std::size_t>(std::min(turn, most));
+}
+
 std::vector<Force> forces_of(const Scene& scene) {
   std::vector<Force> forces = scene.forces;
   const auto local = [&](std::size_t body, Vec point) {
@@ -215,7 +223,11 @@ std::vector<WrenchError> AppliedForces::change_in(std::span<const BodyState> the
   if (std::all_of(forces_.begin(), forces_.end(), is_constant)) return errors;
   const std::vector<Wrench> start = at(then);
   const std::vector<Wrench> end = at(now);
-  const std::vector<Wrench> halfway = at(moved_on(then, dt / 2));
+  std::vector<std::vector<Wrench>> on_the_way;
+  const std::size_t places = places_on_the_way(then, dt);
+  for (std::size_t place = 1; place <= places; ++place) {
+    on_the_way.push_back(at(moved_on(then, dt * static_cast<double>(place) / static_cast<double>(places + 1))));
+  }
   const std::vector<Wrench> ahead = at(moved_on(then, dt));
   const std::vector<Wrench> behind = at(moved_on(now, -dt));
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -223,9 +235,15 @@ std::vector<WrenchError> AppliedForces::change_in(std::span<const BodyState> the
     const double torque = std::abs(end[i].torque - start[i].torque) / 2;
     const Vec mean = 0.5 * (start[i].force + end[i].force);
     const double mean_torque = (start[i].torque + end[i].torque) / 2;
-    errors[i].force = force + std::max(force, length(halfway[i].force - mean)) +
-                      (length(ahead[i].force - start[i].force) + length(end[i].force - behind[i].force)) / 8;
-    errors[i].torque = torque + std::max(torque, std::abs(halfway[i].torque - mean_torque)) +
+    double most_force = force;
+    double most_torque = torque;
+    for (const std::vector<Wrench>& there : on_the_way) {
+      most_force = std::max(most_force, length(there[i].force - mean));
+      most_torque = std::max(most_torque, std::abs(there[i].torque - mean_torque));
+    }
+    errors[i].force =
+        force + most_force + (length(ahead[i].force - start[i].force) + length(end[i].force - behind[i].force)) / 8;
+    errors[i].torque = torque + most_torque +
                        (std::abs(ahead[i].torque - start[i].torque) + std::abs(end[i].torque - behind[i].torque)) / 8;
   }
   return errors;

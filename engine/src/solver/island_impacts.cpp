@@ -352,7 +352,8 @@ void DirectIsland::list_struck(DirectContact& contact, bool first) {
     Constraint& row = system_[contact.row + i];
     const double v = ConstraintSystem::speed(row, velocity);
     if (contact.frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
-    if (v < -slow(contact) || first) row.bias = contact.restitution * std::min(v, 0.);
+    // Moreau's law, by which no pair of points gains energy: one that parts may be pushed back by e times its speed.
+    if (v < -slow(contact) || first) row.bias = contact.restitution * v;
   }
 }
 

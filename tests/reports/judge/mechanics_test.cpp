@@ -192,6 +192,17 @@ TEST(AppliedForces, KnowThatAForceMayTurnBackWithinAStep) {
   EXPECT_EQ(AppliedForces(scene).change_in(then, now, 0.1)[0].force, 0);
 }
 
+// A body that makes one turn in a step, on a spring of 8 N/m whose anchor is .25 m from its centre: F is the same at
+// both ends, and half a turn on, off by twice 8 N/m times .25 m.
+TEST(AppliedForces, KnowThatASpringTurnsWithItsAnchorWithinAStep) {
+  Scene scene = fakes::thrown_box();
+  scene.forces = {Spring{.b = 0, .anchor_b = {.25, 0}, .stiffness = 8}};
+  const std::vector<BodyState> states{{.position = {2, 0}, .angular_velocity = 20 * std::acos(-1)}};
+  const double most = AppliedForces(scene).change_in(states, states, 0.1)[0].force;
+  EXPECT_GT(most, 0.9 * 4);
+  EXPECT_LE(most, 4);
+}
+
 TEST(IsDriven, WhatKeepsUpAVelocity) {
   Body body = fakes::thrown_box().bodies[0];
   body.angular_velocity = 1;
