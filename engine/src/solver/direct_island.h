@@ -167,6 +167,7 @@ class DirectIsland {
   void strike(const Impact& impact);
   void list_struck(DirectContact& contact, bool first);
   void solve_impact();
+  void find_forces_again();
 
   DirectStep* step_ = nullptr;
   Members members_;

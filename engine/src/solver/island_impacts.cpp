@@ -328,6 +328,19 @@ void DirectIsland::strike(const Impact& impact) {
   for (DirectContact& contact : contacts_) {
     if (contact.struck) note(contact, {});
   }
+  if (members_.varies) find_forces_again();
+}
+
+/// An impact changes the forces that depend on velocities, and bodies go on under these.
+void DirectIsland::find_forces_again() {
+  const BodySet& bodies = step_->data.bodies;
+  std::vector<Velocity>& force = step_->acceleration;
+  for (const std::uint32_t body : members_.bodies) step_->held[body] = force[body];
+  step_->data.forces.accelerations(bodies, members_.bodies, members_.pulls, 0, bodies.velocity, bodies.velocity, force);
+  for (const std::uint32_t body : members_.bodies) {
+    step_->flight[body].v += force[body].v - step_->held[body].v;
+    step_->flight[body].w += force[body].w - step_->held[body].w;
+  }
 }
 
 /// `first`: whether the contact is the one that is struck, and not one that only touches.
