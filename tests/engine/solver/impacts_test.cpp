@@ -112,9 +112,10 @@ TEST(Impacts, PassOnThroughBallsThatAreFarApart) {
   weightless.gravity = {};
   World world(weightless);
   const Material elastic{1, 0, 0, 1};
-  std::vector<BodyId> balls;
-  for (int i = 0; i < 6; ++i) {
-    balls.push_back(world.create_body(at(1.07 * i, 0, i == 0 ? 30 : 0), Shape::circle(real(.5)), elastic));
+  std::vector<BodyId> balls(6);
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const BodyDef def = at(1.07 * static_cast<double>(i), 0, i == 0 ? 30 : 0);
+    balls[i] = world.create_body(def, Shape::circle(real(.5)), elastic);
   }
   run(world, 12);
   for (std::size_t i = 0; i < balls.size(); ++i) {
