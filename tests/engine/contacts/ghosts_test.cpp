@@ -190,4 +190,29 @@ TEST(Ghosts, AreRemovedOnlyForThePartAboveAFace) {
   EXPECT_NEAR(world.body(body).velocity().x, 0, 1e-3);
 }
 
+// A polygon spins at 62 rad/s in a corner of a drum, a corner of it a step. What continues a wall makes its contacts
+// keep their points for a step; the next wall of a corner does not, or they are 2.4 cm deep.
+TEST(Ghosts, AreNotFearedInCorners) {
+  World world(falling(0));
+  BodyDef turning;
+  turning.type = BodyType::kinematic;
+  turning.angle = real(1.739625);
+  turning.angular_velocity = real(2.3195);
+  const std::array<Part, 4> walls{Part{Shape::box({real(.2), real(1.5771)}, {real(1.7771), 0})},
+                                  Part{Shape::box({real(.2), real(1.5771)}, {real(-1.7771), 0})},
+                                  Part{Shape::box({real(1.9771), real(.2)}, {0, real(1.7771)})},
+                                  Part{Shape::box({real(1.9771), real(.2)}, {0, real(-1.7771)})}};
+  world.create_body(turning, walls);
+  const BodyDef def = at(1.65857433, -1.15190663, 5.21279768, 5.69191618, 62.41308854, 2.47878977);
+  const std::vector<Vec2> corners{{real(-.10702), real(.02752)}, {real(-.0726), real(-.08331)},
+                                  {real(.00672), real(-.1103)},  {real(.08385), real(-.07197)},
+                                  {real(.10619), real(.03057)},  {real(.04174), real(.10231)},
+                                  {real(-.06504), real(.08933)}};
+  world.create_body(def, Shape::polygon(corners));
+  for (int step = 0; step < 3; ++step) {
+    world.step();
+    for (const ContactInfo& contact : world.contacts()) EXPECT_GT(contact.separation, real(-5e-4)) << step;
+  }
+}
+
 }  // namespace impulse::inline IMPULSE_PRECISION::ghosts_test
