@@ -166,7 +166,7 @@ class DirectIsland {
   Velocity flown_velocity(std::uint32_t body, Real t) const;
   void strike(const Impact& impact);
   void list_struck(DirectContact& contact, bool first);
-  void solve_impact();
+  void solve_impact(const DirectContact* alone);
   void find_forces_again();
 
   DirectStep* step_ = nullptr;

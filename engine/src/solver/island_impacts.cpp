@@ -324,7 +324,7 @@ void DirectIsland::strike(const Impact& impact) {
     }
     // A motor's impulse is 0 in no time.
   }
-  solve_impact();
+  solve_impact(alone ? &contacts_[index] : nullptr);
   for (DirectContact& contact : contacts_) {
     if (contact.struck) note(contact, {});
   }
@@ -365,17 +365,22 @@ void DirectIsland::list_struck(DirectContact& contact, bool first) {
     Constraint& row = system_[contact.row + i];
     const double v = ConstraintSystem::speed(row, velocity);
     if (contact.frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
-    // Moreau's law, by which no pair of points gains energy: one that parts may be pushed back by e times its speed.
-    if (v < -slow(contact) || first) row.bias = contact.restitution * v;
+    if (v < -slow(contact) || first) row.bias = contact.restitution * std::min(v, 0.);
   }
 }
 
 /// Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985), and has no solution for
-/// some (Painleve). Then the normal impulses are those without friction, and friction only removes energy.
-void DirectIsland::solve_impact() {
+/// some (Painleve). Then the normal impulses are those without friction, and friction only removes energy. It also can
+/// at two points of which one parts, and is stopped by what the other does to it. Then that is pushed back by e times
+/// its speed: by Moreau's law no pair of points gains energy. `alone`: the contact that is struck, if no other is.
+void DirectIsland::solve_impact(const DirectContact* alone) {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   if ((system_.solve(velocity) || system_.yielded()) && !system_.drove()) return;
   system_.undo(velocity);
+  for (std::size_t i = 0; alone != nullptr && i < alone->count; ++i) {
+    Constraint& row = system_[alone->row + i];
+    row.bias = alone->restitution * ConstraintSystem::speed(row, velocity);
+  }
   for (Constraint& row : system_.all()) row.fixed = row.law == Law::rubs;
   system_.solve(velocity);
   for (Constraint& row : system_.all()) row.fixed = row.law == Law::pushes;
