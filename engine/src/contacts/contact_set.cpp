@@ -218,40 +218,16 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
   disturb();
 }
 
-namespace {
-
-constexpr Real over = static_cast<Real>(0.01);  // m, gap over which a part slides as over a join
-
-/// How a fixed shape meets what touches it. Two form a corner around it if each is in front of the other: nothing
-/// slides from one to the other. `normal` points to what touches.
-struct OfGround {
-  Vec2 normal, point;
-
-  OfGround(const Contact& contact, const BodySet& bodies, bool dynamic_first)
-      : normal(dynamic_first ? -contact.normal : contact.normal),
-        point(bodies.pose[contact.body_a].p + contact.points[0].arm_a) {}
-  bool faces(const OfGround& other) const {
-    constexpr Real steep = static_cast<Real>(0.5);  // cosine: at 60 degrees, what comes sliding is stopped by half
-    return dot(normal, other.normal) < steep && dot(normal, other.point - point) > over &&
-           dot(other.normal, point - other.point) > over;
-  }
-};
-
-}  // namespace
-
 /// Whether another of the shapes that the part meets continues this one. A plane ends nowhere.
 bool ContactSet::goes_on(const OnGround& one, std::span<const OnGround> of_part, const BodySet& bodies) const {
-  const auto shape = [&](const OnGround& on) -> const Shape& {
-    const Contact& contact = rows_[on.row];
-    return bodies.detail[on.ground].parts[on.dynamic_first ? contact.part_b : contact.part_a].shape;
-  };
-  const auto in_corner = [&](const OnGround& wall, const OnGround& floor) {
-    return OfGround(rows_[wall.row], bodies, wall.dynamic_first).faces({rows_[floor.row], bodies, floor.dynamic_first});
-  };
-  if (shape(one).type() == ShapeType::half_space) return false;
+  constexpr Real over = static_cast<Real>(0.01);  // m, gap over which a part slides as over a join
+  const GroundContact here(rows_[one.row], bodies, one.dynamic_first);
+  if (here.ground.type() == ShapeType::half_space) return false;
   return std::any_of(of_part.begin(), of_part.end(), [&](const OnGround& other) {
-    return other.row != one.row && joined(bodies, one.ground, other.ground) && !in_corner(one, other) &&
-           distance(shape(one), bodies.pose[one.ground], shape(other), bodies.pose[other.ground]).distance <= over;
+    if (other.row == one.row || !joined(bodies, one.ground, other.ground)) return false;
+    const GroundContact there(rows_[other.row], bodies, other.dynamic_first);
+    return !form_corner(here, there, bodies) &&
+           distance(here.ground, bodies.pose[here.fixed], there.ground, bodies.pose[there.fixed]).distance <= over;
   });
 }
 

@@ -32,14 +32,18 @@ bool on_corners(const GroundContact& m, const BodySet& bodies) {
          (m.part.count() < 2 || !has_normal(m.part, found, -m.up));
 }
 
+/// Where the ground is nearest to a point of the contact.
+Vec2 surface(const GroundContact& m, std::size_t point, const BodySet& bodies) {
+  const Vec2 middle = m.dynamic_first() ? m.contact.points[point].arm_b : m.contact.points[point].arm_a;
+  return bodies.pose[m.fixed].p + middle - m.contact.found_separation[point] / 2 * m.up;
+}
+
 /// Whether the part touches no point of the ground that stands out of the plane.
 bool hidden(const GroundContact& m, const Plane& plane, const BodySet& bodies) {
   if (m.ground.type() == ShapeType::half_space) return false;
   if (same_direction(m.up, plane.normal) && !on_corners(m, bodies)) return false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.contact.count); ++i) {
-    const Vec2 middle = m.dynamic_first() ? m.contact.points[i].arm_b : m.contact.points[i].arm_a;
-    const Vec2 surface = bodies.pose[m.fixed].p + middle - m.contact.found_separation[i] / 2 * m.up;
-    if (plane.height(surface) > flush) return false;
+    if (plane.height(surface(m, i, bodies)) > flush) return false;
   }
   return true;
 }
@@ -80,6 +84,15 @@ bool joined(const BodySet& bodies, std::uint32_t a, std::uint32_t b) {
   const Vec2 carried = cross(of_a.w, bodies.pose[b].p - bodies.pose[a].p);
   constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   return length(of_a.v + carried - of_b.v) <= rounding * (length(of_a.v) + length(carried));
+}
+
+bool form_corner(const GroundContact& one, const GroundContact& other, const BodySet& bodies) {
+  constexpr Real steep = static_cast<Real>(0.5);      // cosine: at 60 degrees, what comes sliding is stopped by half
+  constexpr Real in_front = static_cast<Real>(0.01);  // m; rounding puts the end of a tile in front of the one before
+  const Plane first{one.up, surface(one, 0, bodies)};
+  const Plane second{other.up, surface(other, 0, bodies)};
+  return dot(one.up, other.up) < steep && first.height(second.place) > in_front &&
+         second.height(first.place) > in_front;
 }
 
 std::optional<Plane> face_under(const GroundContact& at, const BodySet& bodies) {

@@ -335,11 +335,14 @@ void DirectIsland::strike(const Impact& impact) {
 void DirectIsland::find_forces_again() {
   const BodySet& bodies = step_->data.bodies;
   std::vector<Velocity>& force = step_->acceleration;
-  for (const std::uint32_t body : members_.bodies) step_->held[body] = force[body];
+  for (const std::uint32_t body : members_.bodies) {
+    step_->flight[body].v -= force[body].v;
+    step_->flight[body].w -= force[body].w;
+  }
   step_->data.forces.accelerations(bodies, members_.bodies, members_.pulls, 0, bodies.velocity, bodies.velocity, force);
   for (const std::uint32_t body : members_.bodies) {
-    step_->flight[body].v += force[body].v - step_->held[body].v;
-    step_->flight[body].w += force[body].w - step_->held[body].w;
+    step_->flight[body].v += force[body].v;
+    step_->flight[body].w += force[body].w;
   }
 }
 

@@ -192,7 +192,7 @@ TEST(Ghosts, AreRemovedOnlyForThePartAboveAFace) {
 
 // A polygon spins at 62 rad/s in a corner of a drum, a corner of it a step. What continues a wall makes its contacts
 // keep their points for a step; the next wall of a corner does not, or they are 2.4 cm deep.
-TEST(Ghosts, AreNotFearedInCorners) {
+TEST(Ghosts, KeepNoContactInACornerFromBeingFoundAgain) {
   World world(falling(0));
   BodyDef turning;
   turning.type = BodyType::kinematic;
