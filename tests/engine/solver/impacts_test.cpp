@@ -213,7 +213,7 @@ TEST(Impacts, KeepTheAngularMomentumOfTwoFreeBoxes) {
       const Vec2 flew = world.body(right).velocity();
       run(world, 30);
       EXPECT_GT(static_cast<double>(length(world.body(right).velocity() - flew)), .5) << "no impact";
-      EXPECT_NEAR(momentum(), before, e > 0 ? bound(1e-12, 1e-5) : 1e-3) << "spin " << spin << ", e " << e;
+      EXPECT_NEAR(momentum(), before, e > 0 ? bound(1e-6, 1e-5) : 1e-3) << "spin " << spin << ", e " << e;
     }
   }
 }
@@ -273,19 +273,30 @@ TEST(Impacts, RockABlockAsItsMirrorImage) {
 }
 
 // A heavy disc drums a light box against the floor. A corner that rises while the other is struck is pushed back by
-// what strikes that; stopped instead, it gained 1.65 J.
+// what strikes that. Stopped instead, it gained 1.65 J of 218 J, and 24 of the 180 gained more than 1e-5.
+// What a box gains that tips about its corner is of second order.
 TEST(Impacts, PushCornersBackWithoutAGainOfEnergy) {
-  World world{Settings{}};
-  const Material elastic = material(1);
-  ground(world, elastic);
-  world.create_body(at(0, .3635), Shape::box(vec(.3635, .3635)), elastic);
-  Material heavy = elastic;
-  heavy.density = 200;
-  world.create_body(at(.27, .9474), Shape::circle(real(.2)), heavy);
-  const double before = energy(world);
-  for (int step = 0; step < 60; ++step) {
-    world.step();
-    ASSERT_LE(energy(world), before * (1 + bound(1e-12, 1e-5))) << step;
+  for (const double restitution : {.8, .9, 1.}) {
+    for (const double beside : {.05, .1, .15, .2, .25, .3}) {
+      for (const double density : {5., 20., 60., 200., 1000.}) {
+        for (const double tilt : {0., .02}) {
+          World world{Settings{}};
+          const Material elastic = material(restitution);
+          ground(world, elastic);
+          const double low = .3635 * (std::cos(tilt) + std::sin(tilt));
+          world.create_body(tilted(0, low, tilt), Shape::box(vec(.3635, .3635)), elastic);
+          Material heavy = elastic;
+          heavy.density = real(density);
+          world.create_body(at(beside, low + .3635 + .22), Shape::circle(real(.2)), heavy);
+          const double before = energy(world);
+          for (int step = 0; step < 60; ++step) {
+            world.step();
+            ASSERT_LE(energy(world), before * (1 + bound(1e-6, 1e-5)))
+                << restitution << ' ' << beside << ' ' << density << ' ' << tilt << ' ' << step;
+          }
+        }
+      }
+    }
   }
 }
 
