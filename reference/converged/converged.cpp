@@ -35,36 +35,43 @@ BodyState interpolated(const BodyState& a, const BodyState& b, double share) {
           .angular_velocity = a.angular_velocity + share * (b.angular_velocity - a.angular_velocity)};
 }
 
-// The answer after k halvings: 2^k times as many steps in a scene 2^k times as large. Scaling by a power of two is
-// exact. Between two steps it is interpolated linearly; that error shrinks along with the others.
-std::vector<BodyState> refined_answer(const Scene& scene, const Method& method, std::span<const double> times,
-                                      double coarsest, int halvings) {
-  const double scale = std::ldexp(1.0, halvings);
-  const double dt = coarsest / scale;
-  const auto simulation = method.engine.build(in_units(scene, {.length = scale}), method.settings);
-  std::vector<BodyState> before(scene.bodies.size());
-  simulation->read(before);
-  std::vector<BodyState> now = before;
-  std::vector<BodyState> read;
-  read.reserve(times.size() * now.size());
-  double steps = 0;
-  for (const double time : times) {
-    while (steps * dt < time * (1 - 1e-12)) {
-      before.swap(now);
-      simulation->step(dt);
-      simulation->read(now);
-      ++steps;
+// A run after k halvings: 2^k times as many steps in a scene 2^k times as large. Scaling by a power of two is exact.
+// Between two steps it is interpolated linearly; that error shrinks along with the others.
+class HalvedRun {
+ public:
+  HalvedRun(const Scene& scene, const Method& method, double coarsest, int halvings)
+      : scale_(std::ldexp(1.0, halvings)),
+        dt_(coarsest / scale_),
+        simulation_(method.engine.build(in_units(scene, {.length = scale_}), method.settings)),
+        before_(scene.bodies.size()),
+        now_(scene.bodies.size()) {
+    simulation_->read(now_);
+    before_ = now_;
+  }
+
+  /// Appends the states at `time`, s, which is no earlier than that of the last call.
+  void read_at(double time, std::vector<BodyState>& to) {
+    while (steps_ * dt_ < time * (1 - 1e-12)) {
+      before_.swap(now_);
+      simulation_->step(dt_);
+      simulation_->read(now_);
+      ++steps_;
     }
-    const double share = 1 - std::clamp(steps - time / dt, 0.0, 1.0);
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      BodyState state = interpolated(before[i], now[i], share);
-      state.position = (1 / scale) * state.position;
-      state.velocity = (1 / scale) * state.velocity;
-      read.push_back(state);
+    const double share = 1 - std::clamp(steps_ - time / dt_, 0.0, 1.0);
+    for (std::size_t i = 0; i < now_.size(); ++i) {
+      BodyState state = interpolated(before_[i], now_[i], share);
+      state.position = (1 / scale_) * state.position;
+      state.velocity = (1 / scale_) * state.velocity;
+      to.push_back(state);
     }
   }
-  return read;
-}
+
+ private:
+  double scale_, dt_;
+  std::unique_ptr<Simulation> simulation_;
+  std::vector<BodyState> before_, now_;
+  double steps_ = 0;
+};
 
 struct Limit {
   Vec value;
@@ -197,7 +204,8 @@ Converged::Converged(const Scene& scene, std::vector<double> times, const Refine
   extrapolate(scene, refine(scene, refinement), refinement);
 }
 
-// As many answers as the budget allows. Each is computed only as long as those before it leave hope.
+// As many answers as the budget allows. Each is computed only as long as those before it leave hope; the first two side
+// by side.
 Converged::Answers Converged::refine(const Scene& scene, const Refinement& refinement) {
   const Method method = method_of(refinement);
   const auto budget = static_cast<double>(refinement.budget);
@@ -215,42 +223,46 @@ Converged::Answers Converged::refine(const Scene& scene, const Refinement& refin
           << " body-steps, the limit is " << budget;
     end_before(moments, words.str());
   }
-  Answers answers;
-  double spent = 0;
-  for (int k = 0; k <= refinement.halvings; ++k) {
+  HalvedRun coarsest(scene, method, refinement.dt, 0);
+  Answers answers(1);
+  double spent = cost(moments, 1);
+  for (int k = 1; k <= refinement.halvings; ++k) {
     if (k > fewest_halvings && spent + cost(moments, std::ldexp(1.0, k)) > budget) break;
-    answers.push_back(refined_answer(scene, method, std::span(times_).first(moments), refinement.dt, k));
     spent += cost(moments, std::ldexp(1.0, k));
     int left = 0;  // halvings that the budget pays if all moments stay
     for (double after = spent; k + left < refinement.halvings; ++left) {
       after += cost(moments, std::ldexp(1.0, k + left + 1));
       if (k + left >= fewest_halvings && after > budget) break;
     }
-    moments = promising_moments(scene, left, answers);
+    HalvedRun finest(scene, method, refinement.dt, k);
+    answers.emplace_back();
+    for (std::size_t moment = 0; moment < moments; ++moment) {
+      if (k == 1) coarsest.read_at(times_[moment], answers[0]);
+      finest.read_at(times_[moment], answers.back());
+      if (!is_promising(scene, moment, left, answers)) moments = moment;
+    }
   }
   return answers;
 }
 
-// The number of times at which the last two answers are close enough for the halvings that are left, and the
-// extrapolation after them, to bring them within the tolerance, even at second order, which gains a factor of four
-// each.
-std::size_t Converged::promising_moments(const Scene& scene, int halvings, const Answers& answers) {
-  const std::size_t moments = answers.back().size() / bodies_;
+// Whether the last two answers are close enough at a moment for the halvings that are left, and the extrapolation after
+// them, to bring them within the tolerance, even at second order, which gains a factor of four each. Where not, the
+// solution ends before it.
+bool Converged::is_promising(const Scene& scene, std::size_t moment, int halvings, const Answers& answers) {
   const std::size_t n = answers.size();
-  if (n < 2) return moments;
   const double hopeless = tolerance_ * std::ldexp(1.0, 2 * (halvings + 1));
-  for (std::size_t index = 0; index < answers.back().size(); ++index) {
+  for (std::size_t body = 0; body < bodies_; ++body) {
+    const std::size_t index = moment * bodies_ + body;
     const double apart = length(answers[n - 1][index].position - answers[n - 2][index].position);
     if (apart <= hopeless) continue;
-    const std::size_t moment = index / bodies_;
     std::ostringstream words;
     words.precision(3);
-    words << "does not converge: at t = " << times_[moment] << " s \"" << scene.bodies[index % bodies_].name
+    words << "does not converge: at t = " << times_[moment] << " s \"" << scene.bodies[body].name
           << "\" still differs by " << apart << " m after halving " << n - 1 << " of the step";
     end_before(moment, words.str());
-    return moment;
+    return false;
   }
-  return moments;
+  return true;
 }
 
 void Converged::end_before(std::size_t time_index, std::string reason) {

@@ -63,7 +63,7 @@ class Converged {
   using Answers = std::vector<std::vector<BodyState>>;  // coarsest first, each time by time
 
   Answers refine(const Scene&, const Refinement&);
-  std::size_t promising_moments(const Scene&, int halvings, const Answers&);
+  bool is_promising(const Scene&, std::size_t moment, int halvings, const Answers&);
   void extrapolate(const Scene&, const Answers&, const Refinement&);
   bool is_known(const StateError&) const;
 

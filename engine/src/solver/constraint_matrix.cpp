@@ -69,7 +69,7 @@ bool ConstraintSystem::factor() {
       if (slips_[j] != no_number) entries[j] += slope_[j] * response(row, rows_[slips_[j]]);
     }
     const double least = row.law == Law::holds ? least_of_equations : least_compliance;
-    entries[i] += (least + yield_) / mass_[free_[i]];
+    entries[i] += (firm_ * least + yield_) / mass_[free_[i]];
   }
   pivot_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {

@@ -11,11 +11,12 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
 
-/// Of the largest term of a rate, by how much rows may contradict each other.
+/// Of the largest term of a rate, by what it is rounded here, whatever impulses it is the sum of.
+constexpr double sums_round_by = 64 * std::numeric_limits<double>::epsilon();
+/// Of the same without impulses, by how much rows may contradict each other.
 constexpr double rows_round_by = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 /// By how much laws may be broken: less than the velocities are rounded by.
-constexpr double enough_of = std::max(64 * std::numeric_limits<double>::epsilon(),
-                                      static_cast<double>(std::numeric_limits<Real>::epsilon()) / 64);
+constexpr double enough_of = std::max(sums_round_by, static_cast<double>(std::numeric_limits<Real>::epsilon()) / 64);
 constexpr double pivots_round_by = std::max(rows_round_by, lcp_round_off);
 
 }  // namespace
@@ -116,7 +117,7 @@ void ConstraintSystem::begin(const std::vector<Velocity>& velocity) {
     start_ = now_;
   }
   mass_.resize(rows_.size());
-  scale_ = 0;
+  scale_ = pushed_ = 0;
   if (!begun_) fastest_ = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
@@ -130,12 +131,13 @@ void ConstraintSystem::begin(const std::vector<Velocity>& velocity) {
     // Of a gap that is open, only as much as closes counts.
     const double bias = row.law == Law::pushes ? std::max(-row.bias, 0.) : std::abs(row.bias);
     if (!begun_) fastest_ = std::max({fastest_, terms, bias});
-    scale_ = std::max({scale_, terms, bias, std::abs(row.impulse) * inverse});
+    scale_ = std::max({scale_, terms, bias});
+    pushed_ = std::max(pushed_, std::abs(row.impulse) * inverse);
   }
   if (!begun_) {
     begun_ = true;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (std::abs(rows_[i].impulse) <= enough_of * scale_ * mass_[i]) rows_[i].impulse = 0;
+      if (std::abs(rows_[i].impulse) <= enough() * mass_[i]) rows_[i].impulse = 0;
       if (rows_[i].impulse != rows_[i].given) change(i, rows_[i].impulse - rows_[i].given);
     }
   }
@@ -324,25 +326,45 @@ void ConstraintSystem::finish(double enough) {
   rebuild();
 }
 
+/// m/s, by how much laws may be broken.
+double ConstraintSystem::enough() const { return std::max(enough_of * scale_, sums_round_off()); }
+
+/// m/s, by what rates are rounded as sums of what impulses change; of masses so far apart that it would be felt, only
+/// what yielding laws may be broken by.
+double ConstraintSystem::sums_round_off() const { return std::min(sums_round_by * pushed_, most_yield * fastest_); }
+
+/// m/s, by how much rows may contradict each other.
+double ConstraintSystem::contradiction() const { return std::max(rows_round_by * scale_, sums_round_off()); }
+
+void ConstraintSystem::be_firm(double share) {
+  factored_ = factored_ && share == firm_;
+  firm_ = share;
+}
+
 /// Newton's iteration until no law is broken by more than enough, or, where rows contradict each other, until it no
 /// longer helps. False, with the best impulses, if there are laws.
 bool ConstraintSystem::iterate(double enough) {
   constexpr int rounds = 16;
   least_broken_ = std::numeric_limits<double>::infinity();
   in_circles_ = false;
+  be_firm(1);
+  double before = least_broken_;
   for (int round = 0;; ++round) {
     const double broken = broken_by();
     if (broken <= enough) return true;
-    if (least_broken_ <= rows_round_by * scale_ && broken > least_broken_ / 2) break;
+    if (least_broken_ <= contradiction() && broken > least_broken_ / 2) break;
     keep(broken);
     if (round == rounds) break;
     if (round > 0 || !factored_) choose();
     in_circles_ = last_ != state_;
+    const bool slow = round > 0 && !in_circles_ && broken > slowly * before && broken > contradiction();
+    if (slow && firm_ * least_compliance > firmest) be_firm(firmer * firm_);
+    before = broken;
     if (!newton()) break;
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].impulse = best_[i];
   rebuild();
-  return least_broken_ <= rows_round_by * scale_;
+  return least_broken_ <= contradiction();
 }
 
 /// Friction that a guess puts beside its bound by rounding is at its bound.
@@ -360,14 +382,14 @@ bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
   if (rows_.empty()) return true;
   begin(velocity);
   place_friction();
-  const double enough = enough_of * scale_;
+  const double enough = this->enough();
   bool found = broken_by() <= enough;
   if (found) {
     slide_on_the_cone(enough);
   } else {
     // Where what acts no longer changes, equations contradict each other or rounding is left: pivoting mends neither.
-    found =
-        iterate(enough) || (in_circles_ && iterate_from_pivots(enough)) || least_broken_ <= pivots_round_by * scale_;
+    found = iterate(enough) || (in_circles_ && iterate_from_pivots(enough)) ||
+            least_broken_ <= std::max(pivots_round_by * scale_, lcp_round_off * pushed_);
     finish(enough);
   }
   const bool is_jammed = (!found && least_broken_ > most_yield * fastest_) || shoots();

@@ -98,6 +98,10 @@ class ConstraintSystem {
   static constexpr double least_compliance = sizeof(Real) == 8 ? 1e-9 : 1e-4;
   /// The same of equations, few of which share a load: beams of many links are far stiffer than each of these.
   static constexpr double least_of_equations = sizeof(Real) == 8 ? 1e-9 : 1e-6;
+  /// Where a round brings laws no nearer than by `slowly`, as of a light body under one 1e4 times as heavy, the next
+  /// ones have `firmer` times as much of it, `firmest` at least. Rows that contradict each other are nearer than that
+  /// from the first round on.
+  static constexpr double slowly = 1. / 8, firmer = 1. / 64, firmest = 1e-9;
 
   /// The same where laws contradict each other, and it stays: a body held by two that nothing pushes bears a thousand
   /// times what would stop it. They do where they are broken by more than this of the fastest motion.
@@ -168,6 +172,10 @@ class ConstraintSystem {
   void slide_on_the_cone(double enough);
   void yield(double enough);
   void finish(double enough);
+  double enough() const;
+  double sums_round_off() const;
+  double contradiction() const;
+  void be_firm(double share);
 
   std::vector<Constraint> rows_;
   std::vector<Ends> ends_;                // of each row
@@ -177,9 +185,11 @@ class ConstraintSystem {
   std::vector<Precise> start_;  // of each body of the system, before the first call
   std::vector<Precise> now_;
   std::vector<double> mass_;                // kg or kg m^2, effective, of each row alone
-  double scale_ = 0;                        // m/s, the largest term of a rate: what rounding is measured by
+  double scale_ = 0;                        // m/s, the largest term of a rate without impulses, by which rows round
+  double pushed_ = 0;                       // m/s, the largest change of a rate by its own impulse
   double fastest_ = 0;                      // m/s, the largest of these but for impulses, before the first call
   double yield_ = 0;                        // of a row's own inverse mass, while all laws yield
+  double firm_ = 1;                         // share of the compliance that is left
   std::vector<State> state_;                // of each row
   std::vector<State> last_;                 // when the matrix was factored
   std::vector<std::uint32_t> free_;         // rows whose impulses are solved for

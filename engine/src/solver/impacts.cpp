@@ -19,6 +19,7 @@ struct Flight {
   const std::vector<Motion>& motion;
   const std::vector<Velocity>* acceleration;  // none if null
   Real slow;                                  // m/s, approaches below are left to the contact solve
+  FlownMotions* kept = nullptr;               // of the times that several contacts ask for
 
   Velocity acceleration_of(std::uint32_t body) const {
     return acceleration == nullptr ? Velocity{} : (*acceleration)[body];
@@ -28,8 +29,10 @@ struct Flight {
     const Velocity a = acceleration_of(body);
     Motion at = motion[body];
     if (t == 0) return at;
+    if (kept != nullptr && kept->knows(body, t)) return kept->of(body);
     at.d += t * v.v + (t * t / 2) * a.v;
     at.turn_by(t * v.w + (t * t / 2) * a.w);
+    if (kept != nullptr) kept->keep(body, t, at);
     return at;
   }
   Velocity velocity_at(std::uint32_t body, Real t) const {
@@ -186,34 +189,37 @@ Hit first_hit(const Encounter& here, const RowPoint& p, const Flight& flight, Re
   if (closing <= 0) return {};
   Real x = 2 * start.separation / closing;
   if (x > 2 * rest) return {};
+  Flight once = flight;  // no other contact asks for the times that are tried
+  once.kept = nullptr;
   constexpr int rounds = 4;
   Approach there;
   bool settled = false;  // further rounds change nothing
   for (int round = 0; round < rounds && !settled; ++round) {
-    there = Encounter(here.row, flight, now + x).of(p);
+    there = Encounter(here.row, once, now + x).of(p);
     if (there.speed >= 0) return {};
     const Real last = std::exchange(x, std::max(x - there.separation / there.speed, Real{0}));
     settled = x == last;
   }
   if (x > rest || there.speed > -flight.slow) return {};
-  if (!settled) there = Encounter(here.row, flight, now + x).of(p);
+  if (!settled) there = Encounter(here.row, once, now + x).of(p);
   return {now + x, -there.speed};
 }
 
 /// Whether the contact solve must hold the row's points: they touch at the end of the sub-step, or they are not on
 /// their way to an impact.
 bool stops(const ImpactRow& row, const Flight& flight, Real h) {
-  const Encounter start(row, flight, 0);
   const Encounter end(row, flight, h);
-  bool under_way = false;
-  bool touches = false;  // and must be held whatever the other point does
+  std::array<Approach, 2> there;
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-    const RowPoint& p = row.points[i];
-    const Approach there = end.of(p);
-    touches |= there.separation <= row.offset;
-    under_way |= there.separation > 0 && std::min(start.of(p).speed, there.speed) < -flight.slow;
+    there[i] = end.of(row.points[i]);
+    if (there[i].separation <= row.offset) return true;  // must be held whatever the other point does
   }
-  return touches || !under_way;
+  const Encounter start(row, flight, 0);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const bool apart = there[i].separation > 0;
+    if (apart && std::min(start.of(row.points[i]).speed, there[i].speed) < -flight.slow) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -251,7 +257,7 @@ void Impacts::collide(ImpactRow& now, IslandJoints& joints, std::span<const std:
 /// the path still passes through the bodies' positions at tau.
 void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies,
                      std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real tau) {
-  const Flight flight{bodies, motion, &acceleration, slow_};
+  const Flight flight{bodies, motion, &acceleration, slow_, &flown_};
   ImpactRow now = Encounter(row, flight, tau).moved();
   before_.clear();
   for (const std::uint32_t body : struck) {
@@ -272,6 +278,7 @@ void Impacts::strike(ImpactRow& row, IslandJoints& joints, std::span<const std::
   for (std::size_t i = 0; i < struck.size(); ++i) {
     const std::uint32_t body = struck[i];
     if (!pushable(bodies.inverse_mass[body])) continue;
+    flown_.forget(body);
     Velocity& velocity = bodies.velocity[body];
     motion[body].d -= tau * (velocity.v - before_[i].v);
     motion[body].turn_by(-tau * (velocity.w - before_[i].w));
@@ -293,7 +300,7 @@ void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, cons
   Candidate& aimed = candidates_[candidate];
   ++aimed.aims;
   const ImpactRow& row = rows[aimed.row];
-  const Flight flight{bodies, motion, &acceleration, slow_};
+  const Flight flight{bodies, motion, &acceleration, slow_, &flown_};
   const Encounter here(row, flight, now);
   Hit first;
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
@@ -331,6 +338,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
                       BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h,
                       Real slow, const FindAt& find_at) {
   slow_ = slow;
+  flown_.begin(rows, bodies.size());
   list_candidates(rows, bodies.size());
   const auto aim_at = [&](std::uint32_t candidate, Real now) {
     aim(rows, candidate, bodies, motion, acceleration, now, h);
@@ -350,7 +358,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     if (next.aims != candidates_[next.candidate].aims) continue;
     ImpactRow& hit = rows[candidates_[next.candidate].row];
     ++(hit.restitution < 1 ? count : elastic);
-    const Flight flight{bodies, motion, &acceleration, slow_};
+    const Flight flight{bodies, motion, &acceleration, slow_, &flown_};
     // The plane of a face is reached no later than the face: from there on it goes to what is nearest then.
     if (find_at(hit, flight.motion_at(hit.a, next.time), flight.motion_at(hit.b, next.time))) {
       aim_at(next.candidate, next.time);
@@ -372,7 +380,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
   }
 
   // The contact solve assumes straight approaches, and would brake bodies that have not arrived at the end or pass by.
-  const Flight flight{bodies, motion, &acceleration, slow_};
+  const Flight flight{bodies, motion, &acceleration, slow_, &flown_};
   for (const Candidate& c : candidates_) {
     ImpactRow& row = rows[c.row];
     row.active = stops(row, flight, h);
@@ -383,13 +391,15 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
 }
 
 bool Impacts::hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bodies, const std::vector<Motion>& motion,
-                                   Real h, Real most, const FindAt& find_at) const {
-  const Flight drift{bodies, motion, nullptr, slow_};
+                                   Real h, Real most, const FindAt& find_at) {
+  flown_.begin(rows, bodies.size());
+  const Flight drift{bodies, motion, nullptr, slow_, &flown_};
   const auto meet = [&](const ImpactRow& row) {
     const Encounter start(row, drift, 0);
     const Encounter end(row, drift, h);
     const auto deepens = [&](const RowPoint& p) {
-      return end.of(p).separation < std::min(start.of(p).separation, Real{0}) - most;
+      const Real there = end.of(p).separation;
+      return there < -most && there < std::min(start.of(p).separation, Real{0}) - most;
     };
     return std::any_of(row.points.begin(), row.points.begin() + row.count, deepens);
   };

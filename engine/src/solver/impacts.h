@@ -45,7 +45,7 @@ class Impacts {
   /// each other: activates those that the drift of h seconds would make deeper by more than `most`, m. Returns whether
   /// there are any.
   bool hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bodies, const std::vector<Motion>& motion, Real h,
-                            Real most, const FindAt& find_at) const;
+                            Real most, const FindAt& find_at);
 
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -71,6 +71,7 @@ class Impacts {
   void collide(ImpactRow& now, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies);
 
   Real slow_ = 0;
+  FlownMotions flown_;
   std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> first_of_;  // of each body's candidates; set only for bodies that have some
   std::vector<Event> events_;            // a heap

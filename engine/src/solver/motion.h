@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "bodies/body_set.h"
@@ -21,6 +23,32 @@ struct Motion {
     turn_by(h * velocity.w);
   }
   Pose from(const Pose& start) const { return {start.p + d, Rotation(1 + drop, sine) * start.q}; }
+};
+
+/// Where bodies are at the last time within a sub-step at which that was asked: several contacts of a body ask for the
+/// same time.
+class FlownMotions {
+ public:
+  /// Nothing is known of the bodies of these rows, of all bodies in the world.
+  template <class Rows>
+  void begin(const Rows& rows, std::size_t body_count) {
+    flown_.resize(body_count);
+    for (const auto& row : rows) {
+      forget(row.a);
+      forget(row.b);
+    }
+  }
+  void forget(std::uint32_t body) { flown_[body].time = 0; }
+  void keep(std::uint32_t body, Real time, const Motion& motion) { flown_[body] = {time, motion}; }
+  bool knows(std::uint32_t body, Real time) const { return flown_[body].time == time; }
+  const Motion& of(std::uint32_t body) const { return flown_[body].motion; }
+
+ private:
+  struct Flown {
+    Real time = 0;  // s, since the start of the sub-step; 0: none
+    Motion motion;
+  };
+  std::vector<Flown> flown_;  // of each body
 };
 
 inline Rotation rotation(const Motion& by) { return {1 + by.drop, by.sine}; }

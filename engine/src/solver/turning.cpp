@@ -118,11 +118,12 @@ Vec2 Turning::direction(const Turned& turned, const Pair& by) {
 
 void Turning::turn(const Island& island, const Turned& turned, const Pair& at, const Pair& by_then, bool from_start) {
   ImpactRow& row = *turned.row;
+  const bool same = &at == &by_then;
   const Pair now = turned.since(at);
-  const Pair then = turned.since(by_then);
+  const Pair then = same ? now : turned.since(by_then);
   const Vec2 n = direction(turned, then);
   const Vec2 t = perpendicular(n);
-  const Vec2 facing = direction(turned, now);
+  const Vec2 facing = same ? n : direction(turned, now);
   row.normal = n.x * turned.normal + n.y * perpendicular(turned.normal);
   for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
     const PointArms& place = turned.points[i];
@@ -166,6 +167,7 @@ void Turning::find_again(StepData& data, const std::vector<Pose>& start, const s
 
 bool Turning::find_at(StepData& data, const Island& island, const std::vector<Pose>& start,
                       const std::vector<Motion>& motion, const ImpactRow& row, const Pair& then) {
+  if (!row.turns) return false;
   const auto turned = std::lower_bound(turned_.begin(), turned_.end(), &row,
                                        [](const Turned& one, const ImpactRow* other) { return one.row < other; });
   if (turned == turned_.end() || turned->row != &row || !is_far(*turned, then, data.bodies)) return false;
@@ -248,13 +250,18 @@ void Turning::follow(const Island& island, const std::vector<Motion>& motion) {
 }
 
 void Turning::lead(const Island& island, const BodySet& bodies, const std::vector<Motion>& motion) {
+  const Real half = island.h / 2;
+  ahead_.begin(island.rows, bodies.size());
+  const auto then = [&](std::uint32_t body) {
+    if (ahead_.knows(body, half)) return ahead_.of(body);
+    Motion advanced = motion[body];
+    advanced.advance(bodies.velocity[body], half);
+    ahead_.keep(body, half, advanced);
+    return advanced;
+  };
   for (const Turned& turned : turned_) {
     const ImpactRow& row = *turned.row;
-    const Pair now{motion[row.a], motion[row.b]};
-    Pair then = now;
-    then.a.advance(bodies.velocity[row.a], island.h / 2);
-    then.b.advance(bodies.velocity[row.b], island.h / 2);
-    turn(island, turned, now, then, false);
+    turn(island, turned, {motion[row.a], motion[row.b]}, {then(row.a), then(row.b)}, false);
   }
 }
 

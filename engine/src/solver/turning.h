@@ -85,6 +85,7 @@ class Turning {
   static void turn(const Island& island, const Turned& turned, const Pair& now, const Pair& then, bool from_start);
 
   std::vector<Turned> turned_;  // in the order of the island's rows
+  FlownMotions ahead_;
   bool counts_changed_ = false;
 };
 
