@@ -146,6 +146,10 @@ Real DirectIsland::advance(Real h, const Impact& then) {
     restore_velocities();
     return 0;
   }
+  if (found && !glides && h > shortest * h_ && swings(h) * h > far_swing) {
+    restore_velocities();
+    return 0;
+  }
   const bool jammed = !found && system_.yielded() && overlaps();
   if (!found) {
     restore_velocities();

@@ -80,6 +80,7 @@ class DirectIsland {
 
  private:
   static constexpr Real far_turn = static_cast<Real>(0.25);  // rad in an interval: more is far from linear
+  static constexpr Real far_swing = static_cast<Real>(0.5);  // the same of the phase of what swings under its load
   /// m, by which an overlap is pushed apart in a sub-step. Bodies that start in each other part without being shot out.
   static constexpr Real most_push = static_cast<Real>(0.001);
   static constexpr Real sought_within = static_cast<Real>(0.05);  // m, gap up to which points are sought
@@ -98,6 +99,7 @@ class DirectIsland {
   bool is_brief(Real h) const { return h < h_ / 64; }
   Real longest(Real most) const;
   Real fastest() const;
+  Real swings(Real h) const;
   Real advance(Real h, const Impact& then);
   Real apart_for(const Impact& then, Real h) const;
   void end();

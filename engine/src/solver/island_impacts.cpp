@@ -148,6 +148,30 @@ Real DirectIsland::fastest() const {
   return most;
 }
 
+/// rad/s, of the fastest link that swings under the pull of its hinges, as these are pressed in an interval: a force F
+/// at an arm r from its centre turns it back by F r for each radian.
+Real DirectIsland::swings(Real h) const {
+  std::vector<Velocity>& pull = step_->later;
+  for (const std::uint32_t body : members_.bodies) pull[body].w = 0;
+  for (std::size_t j = 0; j < members_.joints.size(); ++j) {
+    const JointBlock& block = members_.joints[j]->block;
+    const JointRow& x = block.equation[0];
+    const JointRow& y = block.equation[1];
+    const bool hinge = block.equations == 2 && x.axis != Vec2{} && y.axis != Vec2{};
+    if (!hinge) continue;
+    const auto of_x = static_cast<Real>(system_[joint_rows_[j]].impulse);
+    const auto of_y = static_cast<Real>(system_[joint_rows_[j] + 1].impulse);
+    // A row has r x n, which is the arm along the other axis.
+    if (pushable(block.inv_mass_a)) pull[block.a].w -= of_x * y.arm_a - of_y * x.arm_a;
+    if (pushable(block.inv_mass_b)) pull[block.b].w += of_x * y.arm_b - of_y * x.arm_b;
+  }
+  Real most = 0;
+  for (const std::uint32_t body : members_.bodies) {
+    most = std::max(most, std::abs(pull[body].w) * step_->data.bodies.inverse_mass[body].i);
+  }
+  return std::sqrt(2 * most / h);  // half of the impulses come after the drift
+}
+
 /// s, until the first motor that works with all its strength has its speed; `within` if that is later, or so soon or so
 /// late that what is left to do does not matter. By regula falsi, as forces hardly change.
 Real DirectIsland::motors_reach(Real within) {

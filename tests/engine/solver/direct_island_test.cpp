@@ -84,6 +84,39 @@ TEST(DirectIsland, HoldsTowersInWhichEachBoxIsHeavierThanTheOneBelow) {
   }
 }
 
+// Two light links that carry a heavy load swing past the line between its hinge and theirs at w^2 = 3 T/(m l), T the
+// load: 297 rad/s, more than a radian in each sub-step.
+TEST(DirectIsland, FollowsLightLinksThatSwingUnderAHeavyLoad) {
+  constexpr double aside = 1e-4;  // m: the load hardly rises
+  const double angle = std::asin(aside);
+  World world(falling());
+  BodyDef def;
+  def.layers = 0;
+  def.type = BodyType::fixed;
+  const BodyId post = world.create_body(def, Shape::circle(real(.1)));
+  def.type = BodyType::dynamic;
+  const auto link = [&](double x, double y, double turned) {
+    def.position = {real(x), real(y)};
+    def.angle = real(turned);
+    return world.create_body(def, Shape::box({real(.005), real(.5)}), {.density = 100});
+  };
+  const double down = std::cos(angle);  // m, a link reaches
+  const BodyId upper = link(aside / 2, -down / 2, angle);
+  const BodyId lower = link(aside / 2, -1.5 * down, -angle);
+  def.position = {0, real(-2 * down)};
+  def.angle = 0;
+  const BodyId load = world.create_body(def, Shape::circle(real(.5)), {.density = real(3000 / (.25 * std::acos(-1.)))});
+  world.create_joint(RevoluteJoint{.a = post, .b = upper, .anchor = {}});
+  world.create_joint(RevoluteJoint{.a = upper, .b = lower, .anchor = {real(aside), real(-down)}});
+  world.create_joint(RevoluteJoint{.a = lower, .b = load, .anchor = {0, real(-2 * down)}});
+  const double gravity = static_cast<double>(length(falling().gravity));
+  const double w = std::sqrt(3 * 3000 * gravity);
+  for (int step = 1; step <= 6; ++step) {
+    world.step();
+    EXPECT_NEAR(static_cast<double>(world.body(upper).angle()), angle * std::cos(w * step / 60), angle * .05) << step;
+  }
+}
+
 // Housner (1963): a block that lands on its other corner keeps 1 - 1.5 sin^2 a of its spin, whenever in a sub-step that
 // is; the corner that it stood on bears it until then.
 TEST(DirectIsland, KeepsHousnersShareOfTheSpinOfARockingBlock) {
