@@ -392,8 +392,8 @@ double energy_error_of_chain(int substeps) {
   return most;
 }
 
-// The method is of second order: half the step gives a quarter of the error, as long as rounding is smaller, and no link
-// swings so fast that sub-steps are divided, as it does with four of them.
+// The method is of second order: half the step gives a quarter of the error, as long as rounding is smaller, and no
+// link swings so fast that sub-steps are divided, as it does with four of them.
 TEST(Joints, ChainOfTwentyWithAHeavyEndHoldsAndConservesItsEnergy) {
   EXPECT_LT(energy_error_of_chain(4), 5e-5);
   const double coarse = energy_error_of_chain(8);

@@ -205,6 +205,33 @@ TEST(Accurate, APyramidOfEightyRowsStopsOscillating) {
   EXPECT_LT(fastest, g / swing * std::exp(-.75 * damping / 2 * 8));
 }
 
+// What bears is found for all masses at once: the lightest box may bear 20 000 times its weight, or 200 million times.
+TEST(Accurate, HoldsTowersInWhichEachBoxIsHeavierThanTheOneBelow) {
+  struct Tower {
+    int boxes;
+    double ratio;
+  };
+  for (const Tower& tower : {Tower{8, 4.1}, {4, 72}, {6, 46}}) {
+    World world(falling());
+    BodyDef ground;
+    ground.type = BodyType::fixed;
+    world.create_body(ground, Shape::half_space({0, 1}, 0));
+    std::vector<BodyId> boxes;
+    for (int k = 0; k < tower.boxes; ++k) {
+      BodyDef def;
+      def.position = {0, real(k + .5)};
+      boxes.push_back(
+          world.create_body(def, Shape::box({real(.5), real(.5)}), {.density = real(std::pow(tower.ratio, k))}));
+    }
+    for (int step = 0; step < 120; ++step) world.step();
+    for (int k = 0; k < tower.boxes; ++k) {
+      const Body box = world.body(boxes[static_cast<std::size_t>(k)]);
+      EXPECT_NEAR(static_cast<double>(box.position().y), k + .5, 5e-6) << tower.ratio << ' ' << k;
+      EXPECT_NEAR(static_cast<double>(box.angle()), 0, 5e-6) << tower.ratio << ' ' << k;
+    }
+  }
+}
+
 TEST(Accurate, StacksOfFiftyAndHeavyLoadsStand) {
   for (const unsigned seed : {1U, 2U}) {
     const Stacked tall = stack(50, 1, seed, 20);

@@ -57,33 +57,6 @@ TEST(DirectIsland, MotorsStopWorkingWhenTheyHaveTheirSpeed) {
   }
 }
 
-// What bears is found for all masses at once: the lightest box may bear 20 000 times its weight, or 200 million times.
-TEST(DirectIsland, HoldsTowersInWhichEachBoxIsHeavierThanTheOneBelow) {
-  struct Tower {
-    int boxes;
-    double ratio;
-  };
-  for (const Tower& tower : {Tower{8, 4.1}, {4, 72}, {6, 46}}) {
-    World world(falling());
-    BodyDef ground;
-    ground.type = BodyType::fixed;
-    world.create_body(ground, Shape::half_space({0, 1}, 0));
-    std::vector<BodyId> boxes;
-    for (int k = 0; k < tower.boxes; ++k) {
-      BodyDef def;
-      def.position = {0, real(k + .5)};
-      boxes.push_back(
-          world.create_body(def, Shape::box({real(.5), real(.5)}), {.density = real(std::pow(tower.ratio, k))}));
-    }
-    for (int step = 0; step < 120; ++step) world.step();
-    for (int k = 0; k < tower.boxes; ++k) {
-      const Body box = world.body(boxes[static_cast<std::size_t>(k)]);
-      EXPECT_NEAR(static_cast<double>(box.position().y), k + .5, 5e-6) << tower.ratio << ' ' << k;
-      EXPECT_NEAR(static_cast<double>(box.angle()), 0, 5e-6) << tower.ratio << ' ' << k;
-    }
-  }
-}
-
 // Two light links that carry a heavy load swing past the line between its hinge and theirs at w^2 = 3 T/(m l), T the
 // load: 297 rad/s, more than a radian in each sub-step.
 TEST(DirectIsland, FollowsLightLinksThatSwingUnderAHeavyLoad) {
