@@ -226,7 +226,7 @@ TEST(Determinism, TenScenesEndInTheSameBitsWithEveryCompiler) {
     hash.add(world);
     RecordProperty("state", std::to_string(hash.value()));
   }
-  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x2748d7486a46b0bdU : 0x5d95a3556a439cd9U;
+  constexpr std::uint64_t expected = sizeof(Real) == 8 ? 0x3c9bc29f15c815caU : 0xe09d1de73d13e24bU;
   EXPECT_EQ(hash.value(), expected) << std::hex << "0x" << hash.value();
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -6,7 +7,8 @@
 #include "solver/constraint_system.h"
 #include "solver/lcp.h"
 
-/// Where Newton's method goes in circles: the same laws as a linear complementarity problem.
+/// Where Newton's method alone finds nothing: laws that contradict each other, and where it goes in circles, the same
+/// laws as a linear complementarity problem.
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
@@ -20,6 +22,48 @@ struct Unknown {
 };
 
 }  // namespace
+
+/// Where rows contradict each other, what holds bears a multiple of what anything could: goes back on the way of the
+/// last step to where the first impulse is at its bound, and leaves it there. False, with nothing changed, if none is.
+bool ConstraintSystem::back_to_first_bound() {
+  double first = 1;  // share of the step
+  std::size_t bound = 0;
+  State at = State::holds;
+  const auto consider = [&](std::size_t i, double room, double left, State state) {
+    const double share = std::max(room, 0.) / (room - left);
+    if (left >= 0 || !(share < first)) return;
+    first = share;
+    bound = i;
+    at = state;
+  };
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Constraint& row = rows_[i];
+    if (state_[i] != State::holds || row.law == Law::holds || row.fixed) continue;
+    const double before = last_impulses_[i];
+    if (row.law == Law::pushes) {
+      consider(i, before, row.impulse, State::off);
+      continue;
+    }
+    double most = row.most;
+    double most_before = row.most;
+    if (row.law == Law::rubs) {
+      most = most_before = 0;
+      for (std::uint32_t p = row.first; p < row.first + row.count; ++p) {
+        most += row.friction * rows_[p].impulse;
+        most_before += row.friction * last_impulses_[p];
+      }
+    }
+    consider(i, most_before - before, most - row.impulse, State::forward);
+    consider(i, most_before + before, most + row.impulse, State::backward);
+  }
+  if (at == State::holds) return false;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    rows_[i].impulse = last_impulses_[i] + first * (rows_[i].impulse - last_impulses_[i]);
+  }
+  rebuild();
+  state_[bound] = at;
+  return true;
+}
 
 /// The rates of all rows for unit impulses, and last for none, row by row; equations of joints are solved for their own
 /// impulses and left out of what others do.

@@ -162,9 +162,9 @@ void ConstraintSystem::tell(std::vector<Velocity>& velocity) const {
 }
 
 /// The impulse that would bring this rate alone to 0, within the constraint's bounds.
-double ConstraintSystem::wanted(std::size_t i) const {
+double ConstraintSystem::wanted(std::size_t i, double rate) const {
   const Constraint& row = rows_[i];
-  const double free = row.impulse - mass_[i] * rate(i);
+  const double free = row.impulse - mass_[i] * rate;
   switch (row.law) {
     case Law::holds:
       return free;
@@ -179,16 +179,19 @@ double ConstraintSystem::wanted(std::size_t i) const {
   return std::clamp(free, -most, most);
 }
 
-/// m/s, by how much the worst law is broken.
-double ConstraintSystem::broken_by() const {
+/// m/s, by how much the worst law is broken; notes all rates.
+double ConstraintSystem::broken_by() {
+  rates_.assign(rows_.size(), 0);
   double most = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (mass_[i] > 0) most = std::max(most, std::abs(rows_[i].impulse - wanted(i)) / mass_[i]);
+    if (!(mass_[i] > 0)) continue;
+    rates_[i] = rate(i);
+    most = std::max(most, std::abs(rows_[i].impulse - wanted(i, rates_[i])) / mass_[i]);
   }
   return most;
 }
 
-/// Which constraints act, by their present impulses and rates.
+/// Which constraints act, by their present impulses and the rates that broken_by() has noted.
 void ConstraintSystem::choose() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
@@ -196,7 +199,7 @@ void ConstraintSystem::choose() {
       state_[i] = State::off;
       continue;
     }
-    const double free = row.impulse - mass_[i] * rate(i);
+    const double free = row.impulse - mass_[i] * rates_[i];
     double most = row.most;
     switch (row.law) {
       case Law::holds:
@@ -214,7 +217,7 @@ void ConstraintSystem::choose() {
         for (std::uint32_t p = row.first; p < row.first + row.count; ++p) {
           if (!bears(p)) continue;
           any = true;
-          sum += std::max(rows_[p].impulse - mass_[p] * rate(p), 0.);
+          sum += std::max(rows_[p].impulse - mass_[p] * rates_[p], 0.);
         }
         most = row.friction * sum;
         if (!any) {
@@ -289,10 +292,15 @@ bool ConstraintSystem::newton() {
   return true;
 }
 
+void ConstraintSystem::note_impulses() {
+  last_impulses_.clear();
+  for (const Constraint& row : rows_) last_impulses_.push_back(row.impulse);
+}
+
 void ConstraintSystem::sweep() {
   place_friction();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (mass_[i] > 0) give(i, wanted(i) - rows_[i].impulse);
+    if (mass_[i] > 0) give(i, wanted(i, rate(i)) - rows_[i].impulse);
   }
 }
 
@@ -334,7 +342,16 @@ double ConstraintSystem::enough() const { return std::max(enough_of * scale_, su
 double ConstraintSystem::sums_round_off() const { return std::min(sums_round_by * pushed_, most_yield * fastest_); }
 
 /// m/s, by how much rows may contradict each other.
-double ConstraintSystem::contradiction() const { return std::max(rows_round_by * scale_, sums_round_off()); }
+double ConstraintSystem::contradiction() const {
+  return std::max({rows_round_by * scale_, sums_round_off(), contradicting_});
+}
+
+/// Compliance that lets rows contradict each other as much as they may without impulses that would stop more than the
+/// fastest motion, or than what bears already.
+double ConstraintSystem::softest() const {
+  const double bears = std::max(fastest_, pushed_);
+  return bears > 0 ? contradicting_ / bears : 0;
+}
 
 void ConstraintSystem::be_firm(double share) {
   factored_ = factored_ && share == firm_;
@@ -355,10 +372,13 @@ bool ConstraintSystem::iterate(double enough) {
     if (least_broken_ <= contradiction() && broken > least_broken_ / 2) break;
     keep(broken);
     if (round == rounds) break;
-    if (round > 0 || !factored_) choose();
-    in_circles_ = last_ != state_;
-    const bool slow = round > 0 && !in_circles_ && broken > slowly * before && broken > contradiction();
-    if (slow && firm_ * least_compliance > firmest) be_firm(firmer * firm_);
+    if (round == 0 || broken <= wild * before || !back_to_first_bound()) {
+      if (round > 0 || !factored_) choose();
+      in_circles_ = last_ != state_;
+      const bool slow = round > 0 && !in_circles_ && broken > slowly * before && broken > contradiction();
+      if (slow && firm_ * least_compliance > std::max(firmest, softest())) be_firm(firmer * firm_);
+      note_impulses();
+    }
     before = broken;
     if (!newton()) break;
   }
@@ -378,9 +398,11 @@ void ConstraintSystem::slide_on_the_cone(double enough) {
   }
 }
 
-bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
+bool ConstraintSystem::solve(std::vector<Velocity>& velocity, double contradicting) {
   if (rows_.empty()) return true;
   begin(velocity);
+  contradicting_ = std::min(contradicting, most_yield * fastest_);  // more is a jam
+  if (softest() > softness_) factored_ = false;
   place_friction();
   const double enough = this->enough();
   bool found = broken_by() <= enough;

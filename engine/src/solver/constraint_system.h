@@ -67,9 +67,9 @@ class ConstraintSystem {
   const Constraint& operator[](std::size_t i) const { return rows_[i]; }
 
   /// Finds the impulses and applies what they have changed by to the velocities, from the guesses on in the first call,
-  /// from the last solution in the next ones. False if some law is still broken by more than rounding; impulses keep to
-  /// their bounds then, too.
-  bool solve(std::vector<Velocity>& velocity);
+  /// from the last solution in the next ones. `contradicting`: m/s, by how much rows may contradict each other besides
+  /// by rounding. False if some law is still broken by more than these two; impulses keep to their bounds then, too.
+  bool solve(std::vector<Velocity>& velocity, double contradicting = 0);
 
   /// Forgets the solution: impulses are 0, and velocities as before the first call.
   void undo(std::vector<Velocity>& velocity);
@@ -102,6 +102,8 @@ class ConstraintSystem {
   /// ones have `firmer` times as much of it, `firmest` at least. Rows that contradict each other are nearer than that
   /// from the first round on.
   static constexpr double slowly = 1. / 8, firmer = 1. / 64, firmest = 1e-9;
+  /// Where a round breaks laws by so many times as much as they were broken before, what holds contradicts each other.
+  static constexpr double wild = 1e3;
 
   /// The same where laws contradict each other, and it stays: a body held by two that nothing pushes bears a thousand
   /// times what would stop it. They do where they are broken by more than this of the fastest motion.
@@ -151,8 +153,8 @@ class ConstraintSystem {
   void change(std::size_t i, double by);
   void give(std::size_t i, double by);
   double load(const Constraint& friction) const;
-  double wanted(std::size_t i) const;
-  double broken_by() const;
+  double wanted(std::size_t i, double rate) const;
+  double broken_by();
   void choose();
   bool bears(std::size_t point) const;
   void place_friction();
@@ -166,6 +168,8 @@ class ConstraintSystem {
   bool iterate_from_pivots(double enough);
   std::vector<double> rates_without_equations() const;
   bool pivot();
+  void note_impulses();
+  bool back_to_first_bound();
   void sweep();
   void keep(double broken);
   void rebuild();
@@ -175,6 +179,7 @@ class ConstraintSystem {
   double enough() const;
   double sums_round_off() const;
   double contradiction() const;
+  double softest() const;
   void be_firm(double share);
 
   std::vector<Constraint> rows_;
@@ -188,8 +193,10 @@ class ConstraintSystem {
   double scale_ = 0;                        // m/s, the largest term of a rate without impulses, by which rows round
   double pushed_ = 0;                       // m/s, the largest change of a rate by its own impulse
   double fastest_ = 0;                      // m/s, the largest of these but for impulses, before the first call
+  double contradicting_ = 0;                // m/s, see solve()
   double yield_ = 0;                        // of a row's own inverse mass, while all laws yield
   double firm_ = 1;                         // share of the compliance that is left
+  double softness_ = 0;                     // softest() when the matrix was factored
   std::vector<State> state_;                // of each row
   std::vector<State> last_;                 // when the matrix was factored
   std::vector<std::uint32_t> free_;         // rows whose impulses are solved for
@@ -202,10 +209,12 @@ class ConstraintSystem {
   std::size_t band_ = 0, stride_ = 0, shift_ = 0;  // entry (i, j) is at i stride + j + shift
   std::vector<std::size_t> pivot_;
   bool factored_ = false;
-  bool yielded_ = false;      // since clear()
-  bool in_circles_ = false;   // Newton's method ended while what acts still changed
-  double least_broken_ = 0;   // m/s
-  std::vector<double> best_;  // impulses
+  bool yielded_ = false;               // since clear()
+  bool in_circles_ = false;            // Newton's method ended while what acts still changed
+  std::vector<double> rates_;          // m/s or rad/s, of each row, when broken_by() was last asked
+  double least_broken_ = 0;            // m/s
+  std::vector<double> best_;           // impulses
+  std::vector<double> last_impulses_;  // before the last step
 };
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -37,8 +37,14 @@ Scene reversed(const Scene& scene, std::span<const BodyState> end) {
   return image;
 }
 
-std::string excludes(const Scene& scene, const Stepping&) {
-  const bool nothing_meets = !why_none_meet(scene).empty();
+// A run ends with the first step that reaches the scene's end, or goes beyond it.
+bool nothing_meets_in_run(Scene scene, double dt) {
+  scene.duration += dt;
+  return !why_none_meet(scene).empty();
+}
+
+std::string excludes(const Scene& scene, const Stepping& stepping) {
+  const bool nothing_meets = nothing_meets_in_run(scene, stepping.dt);
   for (const Body& body : scene.bodies) {
     if (body.path) return "paths begin at the start, wherever they have led to";
     if (body.linear_damping > 0 || body.angular_damping > 0) return "damping has an arrow of time";

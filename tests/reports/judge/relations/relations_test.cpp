@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "relation_runs.h"
+#include "scenarios/parts.h"
 
 namespace plumb::relation_tests {
 namespace {
@@ -90,6 +91,13 @@ TEST(Relations, SayWhyTheySayNothing) {
   EXPECT_EQ(ours("galilei", damped).why_not, "air that stands still damps velocities");
   EXPECT_EQ(ours("time", damped).why_not, "damping has an arrow of time");
   EXPECT_EQ(ours("time", box_and_disc()).why_not, "friction has an arrow of time");
+  // 5 m in 1 s, before which the scene ends, but not the run.
+  Scene lands{.name = "lands",
+              .duration = 0.99,
+              .bodies = {level_ground(surface(0, 0)), disc("disc", {0, 5.45}, 0.5, surface(0, 0))}};
+  EXPECT_EQ(ours("time", lands).why_not, "inelastic impacts have an arrow of time");
+  lands.bodies[1].position.y = 5.8;
+  EXPECT_EQ(ours("time", lands).why_not, "");
   Scene held = flying_rod();
   held.forces.push_back(Spring{.b = 0, .stiffness = 1, .length = 1});
   EXPECT_EQ(ours("galilei", held).why_not, "a spring ends at a point of the world, which cannot move");
