@@ -58,7 +58,6 @@ bool ConstraintSystem::factor() {
   const bool narrow = 3 * band_ + 1 < n;
   stride_ = narrow ? 3 * band_ : n;
   shift_ = narrow ? band_ : 0;
-  softness_ = softest();
   matrix_.assign(n * (stride_ + 1) + shift_ + 1, 0);
   const auto row_at = [this](std::size_t i) { return &matrix_[i * stride_ + shift_]; };
   for (std::size_t i = 0; i < n; ++i) {
@@ -69,9 +68,8 @@ bool ConstraintSystem::factor() {
       entries[j] = response(row, rows_[free_[j]]);
       if (slips_[j] != no_number) entries[j] += slope_[j] * response(row, rows_[slips_[j]]);
     }
-    const double least =
-        row.law == Law::holds ? firm_ * least_of_equations : std::max(firm_ * least_compliance, softness_);
-    entries[i] += (least + yield_) / mass_[free_[i]];
+    const double least = row.law == Law::holds ? least_of_equations : joined_ ? least_of_joined : least_compliance;
+    entries[i] += (firm_ * least + yield_) / mass_[free_[i]];
   }
   pivot_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {

@@ -27,11 +27,12 @@ void ConstraintSystem::clear() {
   ends_.clear();
   rows_.clear();
   state_.clear();
-  factored_ = begun_ = yielded_ = false;
+  factored_ = begun_ = yielded_ = joined_ = false;
 }
 
 std::uint32_t ConstraintSystem::add(const Constraint& constraint) {
   rows_.push_back(constraint);
+  joined_ = joined_ || constraint.law == Law::holds;
   ends_.push_back({number_of(constraint.a), number_of(constraint.b)});
   return static_cast<std::uint32_t>(rows_.size() - 1);
 }
@@ -342,16 +343,7 @@ double ConstraintSystem::enough() const { return std::max(enough_of * scale_, su
 double ConstraintSystem::sums_round_off() const { return std::min(sums_round_by * pushed_, most_yield * fastest_); }
 
 /// m/s, by how much rows may contradict each other.
-double ConstraintSystem::contradiction() const {
-  return std::max({rows_round_by * scale_, sums_round_off(), contradicting_});
-}
-
-/// Compliance that lets rows contradict each other as much as they may without impulses that would stop more than the
-/// fastest motion, or than what bears already.
-double ConstraintSystem::softest() const {
-  const double bears = std::max(fastest_, pushed_);
-  return bears > 0 ? contradicting_ / bears : 0;
-}
+double ConstraintSystem::contradiction() const { return std::max(rows_round_by * scale_, sums_round_off()); }
 
 void ConstraintSystem::be_firm(double share) {
   factored_ = factored_ && share == firm_;
@@ -372,11 +364,11 @@ bool ConstraintSystem::iterate(double enough) {
     if (least_broken_ <= contradiction() && broken > least_broken_ / 2) break;
     keep(broken);
     if (round == rounds) break;
-    if (round == 0 || broken <= wild * before || !back_to_first_bound()) {
+    if (broken <= wild * before || !back_to_first_bound()) {
       if (round > 0 || !factored_) choose();
       in_circles_ = last_ != state_;
       const bool slow = round > 0 && !in_circles_ && broken > slowly * before && broken > contradiction();
-      if (slow && firm_ * least_compliance > std::max(firmest, softest())) be_firm(firmer * firm_);
+      if (slow && !joined_ && firm_ * least_compliance > firmest) be_firm(firmer * firm_);
       note_impulses();
     }
     before = broken;
@@ -398,11 +390,9 @@ void ConstraintSystem::slide_on_the_cone(double enough) {
   }
 }
 
-bool ConstraintSystem::solve(std::vector<Velocity>& velocity, double contradicting) {
+bool ConstraintSystem::solve(std::vector<Velocity>& velocity) {
   if (rows_.empty()) return true;
   begin(velocity);
-  contradicting_ = std::min(contradicting, most_yield * fastest_);  // more is a jam
-  if (softest() > softness_) factored_ = false;
   place_friction();
   const double enough = this->enough();
   bool found = broken_by() <= enough;

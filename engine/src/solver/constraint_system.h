@@ -67,9 +67,9 @@ class ConstraintSystem {
   const Constraint& operator[](std::size_t i) const { return rows_[i]; }
 
   /// Finds the impulses and applies what they have changed by to the velocities, from the guesses on in the first call,
-  /// from the last solution in the next ones. `contradicting`: m/s, by how much rows may contradict each other besides
-  /// by rounding. False if some law is still broken by more than these two; impulses keep to their bounds then, too.
-  bool solve(std::vector<Velocity>& velocity, double contradicting = 0);
+  /// from the last solution in the next ones. False if some law is still broken by more than rounding; impulses keep to
+  /// their bounds then, too.
+  bool solve(std::vector<Velocity>& velocity);
 
   /// Forgets the solution: impulses are 0, and velocities as before the first call.
   void undo(std::vector<Velocity>& velocity);
@@ -98,9 +98,12 @@ class ConstraintSystem {
   static constexpr double least_compliance = sizeof(Real) == 8 ? 1e-9 : 1e-4;
   /// The same of equations, few of which share a load: beams of many links are far stiffer than each of these.
   static constexpr double least_of_equations = sizeof(Real) == 8 ? 1e-9 : 1e-6;
+  /// The same of what else bears where there are equations, which let bodies move in few ways: the rounding of a gap,
+  /// or what is not linear in an interval, may contradict them.
+  static constexpr double least_of_joined = sizeof(Real) == 8 ? 1e-6 : 1e-4;
   /// Where a round brings laws no nearer than by `slowly`, as of a light body under one 1e4 times as heavy, the next
-  /// ones have `firmer` times as much of it, `firmest` at least. Rows that contradict each other are nearer than that
-  /// from the first round on.
+  /// ones have `firmer` times as much of it, `firmest` at least; not where there are equations. Rows that contradict
+  /// each other are nearer than that from the first round on.
   static constexpr double slowly = 1. / 8, firmer = 1. / 64, firmest = 1e-9;
   /// Where a round breaks laws by so many times as much as they were broken before, what holds contradicts each other.
   static constexpr double wild = 1e3;
@@ -179,7 +182,6 @@ class ConstraintSystem {
   double enough() const;
   double sums_round_off() const;
   double contradiction() const;
-  double softest() const;
   void be_firm(double share);
 
   std::vector<Constraint> rows_;
@@ -193,10 +195,8 @@ class ConstraintSystem {
   double scale_ = 0;                        // m/s, the largest term of a rate without impulses, by which rows round
   double pushed_ = 0;                       // m/s, the largest change of a rate by its own impulse
   double fastest_ = 0;                      // m/s, the largest of these but for impulses, before the first call
-  double contradicting_ = 0;                // m/s, see solve()
   double yield_ = 0;                        // of a row's own inverse mass, while all laws yield
   double firm_ = 1;                         // share of the compliance that is left
-  double softness_ = 0;                     // softest() when the matrix was factored
   std::vector<State> state_;                // of each row
   std::vector<State> last_;                 // when the matrix was factored
   std::vector<std::uint32_t> free_;         // rows whose impulses are solved for
@@ -209,6 +209,7 @@ class ConstraintSystem {
   std::size_t band_ = 0, stride_ = 0, shift_ = 0;  // entry (i, j) is at i stride + j + shift
   std::vector<std::size_t> pivot_;
   bool factored_ = false;
+  bool joined_ = false;                // some row is an equation
   bool yielded_ = false;               // since clear()
   bool in_circles_ = false;            // Newton's method ended while what acts still changed
   std::vector<double> rates_;          // m/s or rad/s, of each row, when broken_by() was last asked

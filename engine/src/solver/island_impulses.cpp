@@ -314,15 +314,13 @@ bool DirectIsland::press(Real h) {
     system_.solve(velocity);
   }
   constexpr int rounds = 12;
-  // Where joints let bodies move in few ways, the rounding of a gap may contradict them.
-  const Real contradicting = members_.joints.empty() ? Real{0} : rounding_ / h;
   Real off = 0;
   for (int round = 0; round < rounds; ++round) {
     bias_press(h);
-    bool solved = system_.solve(velocity, contradicting);
+    bool solved = system_.solve(velocity);
     if (round == 0 && stick_or_slip()) {
       bias_press(h);
-      solved = system_.solve(velocity, contradicting);
+      solved = system_.solve(velocity);
     }
     off = missed(h);
     if (off <= std::max(exact, rounding_) || !solved) break;
