@@ -78,6 +78,7 @@ OUT_OF_REACH = {
     "src/world/sensors.cpp": [],
     # Other methods than the default.
     "src/solver/soft_step.cpp": [],
+    "src/solver/colouring.cpp": ["order"],
     "src/bodies/integrator.cpp": [],
     "src/contacts/contact_rows.cpp": ["solvable", "prepare_rows"],
     "src/contacts/contact_rows.h": ["within_cone", "warm_start"],

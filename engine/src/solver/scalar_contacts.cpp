@@ -67,18 +67,13 @@ template <class Frame>
   auto& [p, q] = row.points;
   Vec2 total = Vec2{p.normal_impulse, q.normal_impulse} + masses * change;
   if (total.x < 0 || total.y < 0) {
-    // What each would bear alone, and whether the other then parts.
+    // What each would bear alone, and whether q parts from p's impulse. K is positive definite, so that one of the four
+    // answers alone is right: neither both nor p, hence q if it pushes.
     const Real of_p = p.normal_impulse + (change.x + coupling * q.normal_impulse) / inverse_mass[0];
     const Real of_q = q.normal_impulse + (change.y + coupling * p.normal_impulse) / inverse_mass[1];
     const Real left_q = change.y + inverse_mass[1] * q.normal_impulse - coupling * (of_p - p.normal_impulse);
-    const Real left_p = change.x + inverse_mass[0] * p.normal_impulse - coupling * (of_q - q.normal_impulse);
-    if (of_p >= 0 && left_q <= 0) {
-      total = {of_p, 0};
-    } else if (of_q >= 0 && left_p <= 0) {
-      total = {0, of_q};
-    } else {
-      total = {};
-    }
+    const bool only_p = of_p >= 0 && left_q <= 0;
+    total = only_p ? Vec2{of_p, 0} : Vec2{0, std::max(Real{0}, of_q)};
   }
   apply_accumulated(row, p, frame, total.x);
   apply_accumulated(row, q, frame, total.y);

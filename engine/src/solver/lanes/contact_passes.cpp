@@ -60,16 +60,15 @@ struct SolvedPair {
   const Lanes both_p = impulse[0] + (wanted_p * k22 - k12 * wanted_q) / determinant;
   const Lanes both_q = impulse[1] + (k11 * wanted_q - wanted_p * k12) / determinant;
   const Lanes::Mask push = (nothing <= both_p) & (nothing <= both_q);
-  // What each would bear alone, and whether the other then parts.
+  // What each would bear alone, and whether q parts from p's impulse. K is positive definite, so that one of the four
+  // answers alone is right: neither both nor p, hence q if it pushes.
   const Lanes of_p = impulse[0] + (wanted_p + k12 * impulse[1]) / k11;
   const Lanes of_q = impulse[1] + (wanted_q + k12 * impulse[0]) / k22;
   const Lanes left_q = wanted_q + k22 * impulse[1] - k12 * (of_p - impulse[0]);
-  const Lanes left_p = wanted_p + k11 * impulse[0] - k12 * (of_q - impulse[1]);
   const Lanes::Mask only_p = (nothing <= of_p) & (left_q <= nothing);
-  const Lanes::Mask only_q = (nothing <= of_q) & (left_p <= nothing);
   SolvedPair pair;
   pair.impulse[0] = select(push, both_p, select(only_p, of_p, nothing));
-  pair.impulse[1] = select(push, both_q, select(only_p, nothing, select(only_q, of_q, nothing)));
+  pair.impulse[1] = select(push, both_q, select(only_p, nothing, max(nothing, of_q)));
   // The matrix of two points almost in one place does not determine the difference of their loads.
   const Lanes worst_condition = Lanes::all(1000);
   pair.holds = k11 * k22 <= worst_condition * determinant;
