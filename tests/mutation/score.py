@@ -5,7 +5,7 @@ Draws places from a seed, makes one mistake at a time in a copy of the engine, b
 reported case with the default settings and then with sleeping and two workers, and says whether a truth or an invariant finds
 it: a verdict becomes wrong or failed, or coarse where the sound engine is right, or the program crashes, refuses or hangs.
 There is no baseline. What they don't find is tried in the random scenes of plumb find, of those kinds in which the sound engine
-is never wrong, and counted apart. What does not compile is drawn anew. Survivors come in four classes: a mistake in a function that no run
+is never wrong, and counted apart. What does not compile, or to the same code, is drawn anew. Survivors come in four classes: a mistake in a function that no run
 enters (by a build that counts) is a scene to write, or dead code to delete; one that runs enter but that changes no number
 needs a scene in which that line decides; one that changes runs but no verdict needs a truth or an invariant; and one that
 provably can't change anything (equivalent.json says why) is not counted.
@@ -23,6 +23,7 @@ go to a file and are continued after an interruption.
 import argparse
 import collections
 import dataclasses
+import filecmp
 import json
 import random
 import re
@@ -244,6 +245,7 @@ class Mutant:
                        for way in WAYS}
 
     def compiles(self):
+        """Whether it can be tried: it compiles, and to other code than the sound engine's, which proves nothing."""
         path = self.build.engine / self.place.file
         text = path.read_text()
         lines = text.split("\n")
@@ -252,7 +254,9 @@ class Mutant:
         folder.mkdir(exist_ok=True)
         try:
             path.write_text("\n".join(lines))
-            return not any(self.build.compile(name, folder) for name in self.objects)
+            return (not any(self.build.compile(name, folder) for name in self.objects) and
+                    any(not filecmp.cmp(folder / f"{name}.o", self.build.work / "objects" / f"{name}.o", shallow=False)
+                        for name in self.objects))
         finally:
             path.write_text(text)
 

@@ -102,7 +102,6 @@ void Accurate::step_island(StepData& data, std::size_t number, AccurateWorkspace
   if (is_direct(data, now, acceleration_)) {
     DirectStep step{data, start_, motion_, acceleration_, flight_, later_, held_};
     space.direct.step(step, {now.bodies, now.contacts, now.joints.all(), now.pulls, now.varies});
-    for (std::size_t i = 0; i < now.contacts.size(); ++i) rows_[parts_.first_contact(number) + i].made = false;
     return;
   }
   now.pile = !now.varies && is_pile(data, now);
