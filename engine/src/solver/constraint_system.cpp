@@ -368,7 +368,8 @@ bool ConstraintSystem::iterate(double enough) {
       if (round > 0 || !factored_) choose();
       in_circles_ = last_ != state_;
       const bool slow = round > 0 && !in_circles_ && broken > slowly * before && broken > contradiction();
-      if (slow && !joined_ && firm_ * least_compliance > firmest) be_firm(firmer * firm_);
+      const bool contradicts = joined_ && broken <= most_yield * fastest_;
+      if (slow && !contradicts && firm_ * least_compliance > firmest) be_firm(firmer * firm_);
       note_impulses();
     }
     before = broken;

@@ -102,8 +102,8 @@ class ConstraintSystem {
   /// or what is not linear in an interval, may contradict them.
   static constexpr double least_of_joined = sizeof(Real) == 8 ? 1e-6 : 1e-4;
   /// Where a round brings laws no nearer than by `slowly`, as of a light body under one 1e4 times as heavy, the next
-  /// ones have `firmer` times as much of it, `firmest` at least; not where there are equations. Rows that contradict
-  /// each other are nearer than that from the first round on.
+  /// ones have `firmer` times as much of it, `firmest` at least. Rows that contradict each other are nearer than
+  /// that from the first round on; where there are equations, nearer than `most_yield` of the fastest motion.
   static constexpr double slowly = 1. / 8, firmer = 1. / 64, firmest = 1e-9;
   /// Where a round breaks laws by so many times as much as they were broken before, what holds contradicts each other.
   static constexpr double wild = 1e3;

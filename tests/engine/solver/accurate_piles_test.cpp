@@ -232,6 +232,21 @@ TEST(Accurate, HoldsTowersInWhichEachBoxIsHeavierThanTheOneBelow) {
   }
 }
 
+// What bears yields while joints hold others of the island; not so much that the light box gives way.
+TEST(Accurate, HoldsAHeavyBoxFromWhichABobHangsOnALightOne) {
+  World world(falling());
+  ground(world, material(0, .5));
+  const BodyId light = world.create_body(at(0, .5), Shape::box(vec(.5, .5)), material(0, .5));
+  Material heavy = material(0, .5);
+  heavy.density = 20000;
+  const BodyId load = world.create_body(at(0, 1.5), Shape::box(vec(.5, .5)), heavy);
+  const BodyId bob = world.create_body(at(1.5, 1.5), Shape::circle(real(.2)), material(0, .5));
+  world.create_joint(RevoluteJoint{load, bob, vec(1, 1.5)});
+  run_for(world, 2);
+  EXPECT_NEAR(static_cast<double>(world.body(light).position().y), .5, 5e-6);
+  EXPECT_NEAR(static_cast<double>(world.body(load).position().y), 1.5, 1e-5);
+}
+
 TEST(Accurate, StacksOfFiftyAndHeavyLoadsStand) {
   for (const unsigned seed : {1U, 2U}) {
     const Stacked tall = stack(50, 1, seed, 20);
