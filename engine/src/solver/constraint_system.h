@@ -162,7 +162,7 @@ class ConstraintSystem {
   bool bears(std::size_t point) const;
   void place_friction();
   void choose_unknowns();
-  std::size_t bandwidth();
+  void list_by_body();
   bool factor();
   void substitute();
   bool newton();
@@ -203,7 +203,9 @@ class ConstraintSystem {
   std::vector<std::uint32_t> slips_;        // of each of these, the friction that follows it; or none
   std::vector<double> slope_;               // by how much
   std::vector<std::uint32_t> friction_of_;  // of each row, the friction that follows it; or none
-  std::vector<std::uint32_t> first_of_;     // of each body of the system, the first unknown that acts on it
+  // The unknowns that act on each body of the system, one body's after the other's, and where those of each begin.
+  std::vector<std::uint32_t> on_body_, first_on_, next_on_;
+  std::vector<std::uint32_t> last_in_;  // of each row of the matrix, the last entry that is not 0
   // The matrix has entries only in a band beside the diagonal; pivoting doubles the upper half of it.
   std::vector<double> matrix_, right_;
   std::size_t band_ = 0, stride_ = 0, shift_ = 0;  // entry (i, j) is at i stride + j + shift
