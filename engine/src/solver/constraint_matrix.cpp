@@ -39,7 +39,7 @@ void ConstraintSystem::list_by_body() {
     const Constraint& row = rows_[free_[k]];
     const Ends& ends = ends_[free_[k]];
     if (pushable(row.mass_a)) list(ends.a);
-    if (pushable(row.mass_b) && ends.b != ends.a) list(ends.b);
+    if (pushable(row.mass_b)) list(ends.b);
   };
   const auto count = static_cast<std::uint32_t>(free_.size());
   first_on_.assign(bodies_.size() + 1, 0);

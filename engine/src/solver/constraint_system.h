@@ -205,7 +205,7 @@ class ConstraintSystem {
   std::vector<std::uint32_t> friction_of_;  // of each row, the friction that follows it; or none
   // The unknowns that act on each body of the system, one body's after the other's, and where those of each begin.
   std::vector<std::uint32_t> on_body_, first_on_, next_on_;
-  std::vector<std::uint32_t> last_in_;  // of each row of the matrix, the last entry that is not 0
+  std::vector<std::uint32_t> last_in_;  // of each row of the matrix, the last entry that may not be 0
   // The matrix has entries only in a band beside the diagonal; pivoting doubles the upper half of it.
   std::vector<double> matrix_, right_;
   std::size_t band_ = 0, stride_ = 0, shift_ = 0;  // entry (i, j) is at i stride + j + shift
