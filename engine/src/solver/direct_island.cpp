@@ -231,8 +231,8 @@ bool DirectIsland::is_held() const {
 }
 
 /// The share of an interval that can be gone without overlaps that nothing resolves: until what waits for its impact
-/// closes, as that is predicted from the loads of the last interval, which this one may not have;
-/// half of it if other features meet before its end.
+/// closes, as that is predicted from the loads of the last interval, which this one may not have; half of it if other
+/// features meet before its end. And what bears a disc that rolls over its corner does so on another path from there.
 Real DirectIsland::apart_for(const Impact& then, Real h) const {
   constexpr Real little = static_cast<Real>(5e-5);  // m
   Real share = 1;
@@ -241,6 +241,10 @@ Real DirectIsland::apart_for(const Impact& then, Real h) const {
     const Motion a = motion_after(contact.a, h);
     const Motion b = motion_after(contact.b, h);
     Real least = 0;  // m, gap at the end
+    if (contact.count > 0 && (system_[contact.row].impulse > 0 || contact.impulse[0].x > 0)) {
+      const Real till = contact.touch.until_corner(step_->motion[contact.a], step_->motion[contact.b], a, b);
+      if (!is_brief(till * h) && !is_brief((1 - till) * h)) share = std::min(share, till);
+    }
     for (std::size_t i = 0; i < contact.count; ++i) {
       const Real now = contact.frame.points[i].separation;
       const Real later = contact.touch.gap(i, a, b);
@@ -293,19 +297,43 @@ void DirectIsland::note_velocities(std::vector<Velocity>& to) const {
   for (const std::uint32_t body : members_.bodies) to.push_back(step_->data.bodies.velocity[body]);
 }
 
-/// What rebounds does so until it is as slow as a body at rest may get in two sub-steps. What does not is struck at any
-/// speed: pressed instead, it would lose its speed at the sub-step's end, wherever its other points have gone by then.
-Real DirectIsland::slow(const DirectContact& contact) const {
+/// Whether a point of the contact that closes at this speed, m/s, is struck. What rebounds does so until it is as slow
+/// as a body at rest may get in two sub-steps. What does not is struck at any speed: pressed instead, it would lose its
+/// speed at the sub-step's end, wherever its other points have gone by then.
+bool DirectIsland::strikes(const DirectContact& contact, Real speed) const {
   constexpr Real elastic = static_cast<Real>(2.4);
   constexpr Real inelastic = static_cast<Real>(0.1);
-  return (contact.restitution > 0 ? elastic : inelastic) * gained_ + no_speed;
+  if (speed <= no_speed) return false;
+  if (contact.restitution == 0) return speed > inelastic * gained_ + no_speed;
+  return speed > elastic * gained_ + no_speed || speed > elastic * gained_by(contact) + no_speed;
+}
+
+/// m/s, by which forces make a point of the contact close faster in a sub-step, and its bodies as they turn: none of
+/// two that fall beside each other, less on a slope, and none where a dome falls away under a body.
+Real DirectIsland::gained_by(const DirectContact& contact) const {
+  if (is_borne(contact.a) || is_borne(contact.b)) return gained_;
+  const TouchFrame then = contact.touch.at(flown_motion(contact.a, h_), flown_motion(contact.b, h_));
+  Real most = 0;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    most = std::max(most, closing(contact, then, i, h_) - closing(contact, contact.frame, i, 0));
+  }
+  return std::min(most, gained_);
+}
+
+/// Whether contacts or joints bore the body in the last interval, so that they may push it now.
+bool DirectIsland::is_borne(std::uint32_t body) const {
+  if (!step_->data.bodies.pushable(body)) return false;
+  const Velocity& flight = step_->flight[body];
+  const Velocity& by_forces = step_->acceleration[body];
+  const Real reach = step_->data.bodies.bounding_radius[body];
+  return h_ * (length(flight.v - by_forces.v) + reach * std::abs(flight.w - by_forces.w)) > no_speed;
 }
 
 /// Points that are struck at the end of the interval do nothing in it, but what the contact rests on does.
 void DirectIsland::let_wait(DirectContact& contact, bool struck) const {
   for (std::size_t i = 0; i < contact.count; ++i) {
     const bool apart = contact.frame.points[i].separation > touching_gap;
-    contact.waits[i] = struck && (apart || closing(contact, contact.frame, i, 0) > slow(contact));
+    contact.waits[i] = struck && (apart || strikes(contact, closing(contact, contact.frame, i, 0)));
   }
 }
 

@@ -151,8 +151,9 @@ class DirectIsland {
   void push(const DirectContact& contact, const ContactEffect& by);
   void note_velocities(std::vector<Velocity>& to) const;
   void let_wait(DirectContact& contact, bool struck) const;
-  /// m/s, what closes more slowly is no impact.
-  Real slow(const DirectContact&) const;
+  bool strikes(const DirectContact& contact, Real speed) const;
+  Real gained_by(const DirectContact& contact) const;
+  bool is_borne(std::uint32_t body) const;
   void restore_velocities();
   void note_loads(Real h);
 

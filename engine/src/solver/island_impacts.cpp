@@ -264,7 +264,7 @@ int& DirectIsland::approaches(const Impact& impact) {
 /// When a joint comes to its stop faster than forces alone drive it there. Rates of hinges and of sliders have units of
 /// their own, so forces tell what is slow.
 std::optional<DirectIsland::Impact> DirectIsland::impact_of_stop(std::uint32_t stop, Real within) const {
-  constexpr Real inelastic = static_cast<Real>(0.1);  // as of contacts, see slow()
+  constexpr Real inelastic = static_cast<Real>(0.1);  // as of contacts, see strikes()
   const ActiveJoint& joint = *members_.joints[stop / 2];
   const JointBlock& block = joint.block;
   if (static_cast<int>(stop % 2) >= block.stops) return std::nullopt;
@@ -297,7 +297,7 @@ std::optional<DirectIsland::Impact> DirectIsland::impact_of(std::uint32_t index,
       if (!end) end = frame_at(within);
       return near_at(*end, within);
     });
-    if (!met || met->second <= slow(contact)) continue;
+    if (!met || !strikes(contact, met->second)) continue;
     const Impact one{.time = met->first, .speed = met->second, .contact = index};
     if (!first || one.time < first->time || (one.time == first->time && one.speed > first->speed)) first = one;
   }
@@ -392,7 +392,7 @@ void DirectIsland::list_struck(DirectContact& contact, bool first) {
     Constraint& row = system_[contact.row + i];
     const double v = ConstraintSystem::speed(row, velocity);
     if (contact.frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
-    if (v < -slow(contact) || first) row.bias = contact.restitution * std::min(v, 0.);
+    if (first || strikes(contact, static_cast<Real>(-v))) row.bias = contact.restitution * std::min(v, 0.);
   }
 }
 

@@ -411,7 +411,7 @@ void DirectIsland::relax(Real h) {
       Constraint& row = system_[contact.row + i];
       const Vec2 pressed = contact.pressing[i];
       const bool near_by = contact.frame.points[i].separation <= touching_gap;
-      const bool struck = ConstraintSystem::speed(row, velocity) < -slow(contact);
+      const bool struck = strikes(contact, static_cast<Real>(-ConstraintSystem::speed(row, velocity)));
       if (contact.waits[i] || (pressed.x == 0 && (!near_by || struck))) {
         row.mass_a = row.mass_b = {};
         continue;

@@ -114,9 +114,31 @@ Touch::Nearest Touch::nearest(const Displacement& a, const Displacement& b) cons
     Vec2 normal = beside ? perpendicular(along) : normalized(apart);
     const Vec2 outward = outline_.outward[k] + turned.change(outline_.outward[k]);
     if (beside && dot(normal, outward == Vec2{} ? apart : outward) < 0) normal = -normal;
-    best = {at * along, side * apart, side * normal};
+    best = {at * along, side * apart, side * normal, k, beside};
   }
   return best;
+}
+
+/// m, how far along a piece of the outline the disc's centre is.
+Real Touch::reached(std::size_t piece, const Displacement& a, const Displacement& b) const {
+  const Displacement& turned = outline_.is_of_a ? a : b;
+  const Vec2 centre = outline_.is_of_a ? cores(0, a, b) : -cores(0, a, b);
+  return dot(centre, outline_.along[piece] + turned.change(outline_.along[piece]));
+}
+
+Real Touch::until_corner(const Motion& from_a, const Motion& from_b, const Motion& to_a, const Motion& to_b) const {
+  if (!outline_.known()) return 1;
+  const std::array<Displacement, 2> a{since(found_a_, from_a), since(found_a_, to_a)};
+  const std::array<Displacement, 2> b{since(found_b_, from_b), since(found_b_, to_b)};
+  const Nearest from = nearest(a[0], b[0]);
+  const Nearest to = nearest(a[1], b[1]);
+  if (from.beside == to.beside && (from.piece == to.piece || !from.beside || !outline_.at_corner)) return 1;
+  // The pieces of a corner begin where they meet; both of a face within it, and end at its corners.
+  const std::size_t piece = from.beside == outline_.at_corner ? from.piece : to.piece;
+  const Real first = reached(piece, a[0], b[0]);
+  const Real last = reached(piece, a[1], b[1]);
+  const Real end = (from.beside ? last : first) > 0 ? outline_.reaches[piece] : Real{0};
+  return std::clamp((end - first) / (last - first), Real{0}, Real{1});
 }
 
 /// Which faces and corners make the contact, however its bodies are listed.

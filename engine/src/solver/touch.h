@@ -41,6 +41,9 @@ class Touch {
   Real gap(std::size_t point, const Motion& a, const Motion& b) const;
   /// m, bound of the relative displacement of the surfaces since the points were found.
   Real moved(const Motion& a, const Motion& b, Real radius_a, Real radius_b) const;
+  /// The share of a straight way from one pair of motions to another after which a disc passes the end of a face, so
+  /// that its path no longer curves as it did; 1 if it does not.
+  Real until_corner(const Motion& from_a, const Motion& from_b, const Motion& to_a, const Motion& to_b) const;
 
  private:
   /// A rigid motion, without the angle that it has turned by.
@@ -70,6 +73,8 @@ class Touch {
     Vec2 foot;   // m, from the point found
     Vec2 apart;  // m, from the core of a to that of b
     Vec2 normal;
+    std::size_t piece = 0;  // of the outline
+    bool beside = false;    // it, and not at an end
   };
 
   /// A face of a core, in the world frame, from its body's origin.
@@ -102,6 +107,7 @@ class Touch {
   void straighten(std::size_t point, const Contact& contact, const Faces& faces);
   void trace(const Contact& contact, const BodySet& bodies);
   Nearest nearest(const Displacement& a, const Displacement& b) const;
+  Real reached(std::size_t piece, const Displacement& a, const Displacement& b) const;
   Faces find_owner(const Contact& contact, const BodySet& bodies);
   Vec2 cores(std::size_t point, const Displacement& a, const Displacement& b) const;
   Vec2 direction(Vec2 cores, const Displacement& a, const Displacement& b) const;
