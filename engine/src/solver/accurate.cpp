@@ -165,6 +165,7 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
     find_impacts(data, island, space);
   }
   space.turning.lead(island, data.bodies, motion_);
+  if (island.bounces) space.impacts.note_paths(island.rows, motion_, island.h);
   if (!island.joints.empty()) island.joints.halve();
   const Real pressed_by = island.two_frictions ? pressing(island) : 0;
   if (island.two_frictions) contacts.meet(island, slow_impact(pressed_by, island.h));
@@ -178,6 +179,7 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   if (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);
   const int pressed = solve.press_through();
   drift(data, island);
+  if (island.bounces) Impacts::forget_paths(island.rows);
   const bool joints_fit = island.joints.fit();
   if (!island.joints.empty()) island.joints.write();
   kick(data.bodies, island);

@@ -53,9 +53,11 @@ struct ImpactRow : ContactRow {
   Vec2 between;              // of those centres at the start of the step
   Vec2 led;                  // their normal before the sub-step's drift
   std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
-  ContactEffect effect;      // if its normal rotates
-  int age = 0;               // steps since the contact began
-  bool made = false;         // still valid if the contact's points are those below
+  // m/s, at which each point must part in this sub-step, for impacts have moved the start of its path into overlap.
+  std::array<Real, 2> parts{};
+  ContactEffect effect;  // if its normal rotates
+  int age = 0;           // steps since the contact began
+  bool made = false;     // still valid if the contact's points are those below
   Pose found_a, found_b;
   std::array<Real, 2> found_separation{};
   NormalOf normal_of = NormalOf::between;  // set if it turns

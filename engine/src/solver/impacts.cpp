@@ -338,6 +338,8 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
                       BodySet& bodies, std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h,
                       Real slow, const FindAt& find_at) {
   slow_ = slow;
+  began_.resize(bodies.size());
+  for (const std::uint32_t body : members) began_[body] = motion[body];
   flown_.begin(rows, bodies.size());
   list_candidates(rows, bodies.size());
   const auto aim_at = [&](std::uint32_t candidate, Real now) {
@@ -379,6 +381,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     }
   }
 
+  struck_ = count + elastic > 0;
   // The contact solve assumes straight approaches, and would brake bodies that have not arrived at the end or pass by.
   const Flight flight{bodies, motion, &acceleration, slow_, &flown_};
   for (const Candidate& c : candidates_) {
@@ -390,6 +393,24 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
   }
 }
 
+/// A path that an impact has shifted passes through where the bodies met, unless others stop them after it, in the same
+/// sub-step. From its start they must then part by what was shifted.
+void Impacts::note_paths(std::span<ImpactRow> rows, const std::vector<Motion>& motion, Real h) const {
+  if (!struck_) return;
+  for (ImpactRow& row : rows) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      const RowPoint& p = row.points[i];
+      const Real began = separation(row, p, began_[row.a], began_[row.b]);
+      const Real begins = separation(row, p, motion[row.a], motion[row.b]);
+      row.parts[i] = std::max(std::min(began, Real{0}) - begins, Real{0}) / h;
+    }
+  }
+}
+
+void Impacts::forget_paths(std::span<ImpactRow> rows) {
+  for (ImpactRow& row : rows) row.parts = {};
+}
+
 bool Impacts::hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bodies, const std::vector<Motion>& motion,
                                    Real h, Real most, const FindAt& find_at) {
   flown_.begin(rows, bodies.size());
@@ -397,11 +418,13 @@ bool Impacts::hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bod
   const auto meet = [&](const ImpactRow& row) {
     const Encounter start(row, drift, 0);
     const Encounter end(row, drift, h);
-    const auto deepens = [&](const RowPoint& p) {
+    const auto deepens = [&](std::size_t i) {
+      const RowPoint& p = row.points[i];
       const Real there = end.of(p).separation;
-      return there < -most && there < std::min(start.of(p).separation, Real{0}) - most;
+      const Real began = start.of(p).separation + h * row.parts[i];
+      return there < -most && there < std::min(began, Real{0}) - most;
     };
-    return std::any_of(row.points.begin(), row.points.begin() + row.count, deepens);
+    return (row.count > 0 && deepens(0)) || (row.count > 1 && deepens(1));
   };
   bool any = false;
   for (ImpactRow& row : rows) {

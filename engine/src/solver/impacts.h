@@ -46,6 +46,9 @@ class Impacts {
   /// there are any.
   bool hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bodies, const std::vector<Motion>& motion, Real h,
                             Real most, const FindAt& find_at);
+  /// Sets at what speed points part, for paths that impacts have shifted, until forget_paths().
+  void note_paths(std::span<ImpactRow> rows, const std::vector<Motion>& motion, Real h) const;
+  static void forget_paths(std::span<ImpactRow> rows);
 
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -71,11 +74,13 @@ class Impacts {
   void collide(ImpactRow& now, IslandJoints& joints, std::span<const std::uint32_t> struck, BodySet& bodies);
 
   Real slow_ = 0;
+  bool struck_ = false;  // anything in this sub-step
   FlownMotions flown_;
   std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> first_of_;  // of each body's candidates; set only for bodies that have some
   std::vector<Event> events_;            // a heap
   std::vector<Velocity> before_;         // of the bodies that are hit
+  std::vector<Motion> began_;            // of each body, at the start of the sub-step, where its path did
   std::vector<Velocity> joined_;         // the same, as their joints demand
 };
 

@@ -258,8 +258,8 @@ void ScalarContacts::press(const Island& island) {
       if constexpr (rigidly) soft = {.bias_rate = soft.bias_rate};
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
         RowPoint& p = row.points[i];
-        const Real s = gap<Frame>(row, p);
-        const Real v = frame.normal_velocity(p);
+        const Real s = gap<Frame>(row, p) + row.parts[i] * island.h;
+        const Real v = frame.normal_velocity(p) - row.parts[i];
         const Real push = s > touching_gap ? -p.normal_mass * (v + s / island.h)
                                            : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) -
                                                  soft.impulse_scale * p.normal_impulse;
@@ -291,9 +291,10 @@ Real ScalarContacts::deepening(const Island& island, bool held) const {
     const ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
       const RowPoint& p = row.points[i];
-      const Real closing = -island.h * frame.normal_velocity(p);
+      const Real parts = held ? 0 : row.parts[i] * island.h;
+      const Real closing = parts - island.h * frame.normal_velocity(p);
       if (closing <= most) continue;  // an upper bound of the growth
-      const Real s = gap<ContactFrame>(row, p);
+      const Real s = gap<ContactFrame>(row, p) + parts;
       if (held && p.normal_impulse == 0 && s > touching_gap) continue;
       most = std::max(most, held ? closing : std::min(s, Real{0}) - (s - closing));
     }
@@ -322,20 +323,21 @@ template <bool rigidly, class Frame>
   const PointPair& pair = row.pair;
   const auto& [p, q] = row.points;
   const Real rate = island.softness(row).bias_rate;
-  const std::array<Real, 2> s{gap<Frame>(row, p), gap<Frame>(row, q)};
-  const auto change = [&](const RowPoint& point, Real gap, Real give) {
-    const Real bias = (gap > touching_gap ? gap / island.h : rate * gap) + give * point.normal_impulse;
-    return -(frame.normal_velocity(point) + bias);
+  const std::array<Real, 2> s{gap<Frame>(row, p) + row.parts[0] * island.h,
+                              gap<Frame>(row, q) + row.parts[1] * island.h};
+  const auto change = [&](std::size_t i, Real give) {
+    const RowPoint& point = row.points[i];
+    const Real bias = (s[i] > touching_gap ? s[i] / island.h : rate * s[i]) + give * point.normal_impulse;
+    return -(frame.normal_velocity(point) - row.parts[i] + bias);
   };
   if constexpr (rigidly) {
-    return push_both(pair.rigid, pair.inverse_mass, pair.coupling, row, frame,
-                     {change(p, s[0], 0), change(q, s[1], 0)});
+    return push_both(pair.rigid, pair.inverse_mass, pair.coupling, row, frame, {change(0, 0), change(1, 0)});
   }
   const std::array<Real, 2> give{s[0] > touching_gap ? 0 : pair.give[0], s[1] > touching_gap ? 0 : pair.give[1]};
   const std::array<Real, 2> inverse_mass{pair.inverse_mass[0] + give[0], pair.inverse_mass[1] + give[1]};
   const bool soft = !(s[0] > touching_gap) && !(s[1] > touching_gap);
   return push_both(soft ? pair.soft : pair.matrix(give), inverse_mass, pair.coupling, row, frame,
-                   {change(p, s[0], give[0]), change(q, s[1], give[1])});
+                   {change(0, give[0]), change(1, give[1])});
 }
 
 template <class Frame>
