@@ -176,8 +176,9 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   kick(data.bodies, island);
   PressAndRelax solve(data.bodies, island, motion_, changes_, space.search);
   solve.press(false);
-  if (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);
-  const int pressed = solve.press_through();
+  while (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);
+  int pressed = solve.press_through();
+  while (island.bounces && hold_those_that_meet(data, island, space)) pressed += solve.press_through();
   drift(data, island);
   if (island.bounces) Impacts::forget_paths(island.rows);
   const bool joints_fit = island.joints.fit();

@@ -14,13 +14,16 @@ constexpr Real fast = static_cast<Real>(0.1);  // m/s
 /// Budget of one island and step: large piles keep the base numbers of sub-steps and iterations.
 constexpr std::size_t most_body_substeps = 4000;
 
-/// The same for a blow that is solved through a whole island: in four sub-steps these sweeps over its bodies take 3 ms.
-constexpr std::size_t most_body_sweeps = 10000;
+/// The same for a blow that is solved through a whole island, with as many sweeps as it takes: in four sub-steps so
+/// many over its bodies take 12 ms. A light body between heavy ones takes more than one sweep for each body.
+constexpr std::size_t most_body_sweeps = 40000;
+constexpr std::size_t most_press_sweeps = 300;
 
 /// Sweeps that pass a blow through a whole island: one for each body, as in a column, and some more.
 std::size_t sweeps_through(std::size_t bodies) { return std::max(std::size_t{60}, bodies * 5 / 4); }
 
-bool few(std::size_t bodies) { return bodies * sweeps_through(bodies) <= most_body_sweeps; }
+constexpr std::size_t most_few = 89;
+bool few(std::size_t bodies) { return bodies <= most_few; }
 
 }  // namespace
 
@@ -150,7 +153,7 @@ int more_sweeps_for(std::size_t bodies) {
 
 int press_sweeps_for(std::size_t bodies) {
   if (bodies == 0) return 0;
-  return static_cast<int>(std::min(sweeps_through(bodies), most_body_sweeps / bodies));
+  return static_cast<int>(std::min(most_press_sweeps, most_body_sweeps / bodies));
 }
 
 bool few(const Island& island) { return few(island.bodies.size()); }

@@ -25,18 +25,29 @@ std::vector<Mass> masses_of(const Scene& scene) {
   return masses;
 }
 
-// Every reported impulse is off by the rounding of its terms: a share of the largest that acts in that step.
+// N s, by which every impulse reported of a step is off by rounding: a share of the largest that acts in it, and of the
+// largest momentum that touches, as impulses are found from velocities, and these are rounded.
+double impulse_rounding(const InvariantContext& context, std::size_t moment, std::span<const Mass> masses) {
+  const auto states = context.trace.states(moment);
+  double largest = 0;
+  for (const ContactState& contact : context.trace.contacts(moment)) {
+    largest = std::max({largest, std::abs(contact.normal_impulse), std::abs(contact.tangent_impulse)});
+    for (const std::size_t body : {contact.a, contact.b}) {
+      largest = std::max(largest, masses[body].mass * length(states[body].velocity));
+    }
+  }
+  return solver_rounding(context.stepping) * largest;
+}
+
 std::optional<InvariantCheck> check_push(const InvariantContext& context) {
   if (auto cannot = without_contacts(context, false)) return cannot;
+  const std::vector<Mass> masses = masses_of(context.scene);
   WorstViolation worst;
   for (std::size_t moment = 0; moment < context.trace.size(); ++moment) {
-    double largest = 0;
+    const double rounded = impulse_rounding(context, moment, masses);
     for (const ContactState& contact : context.trace.contacts(moment)) {
-      largest = std::max(largest, std::abs(contact.normal_impulse));
-    }
-    for (const ContactState& contact : context.trace.contacts(moment)) {
-      worst.add(-contact.normal_impulse, solver_rounding(context.stepping) * largest, std::abs(contact.normal_impulse),
-                context.trace.time(moment), [&] { return pair_name(context.scene, contact.a, contact.b); });
+      worst.add(-contact.normal_impulse, rounded, std::abs(contact.normal_impulse), context.trace.time(moment),
+                [&] { return pair_name(context.scene, contact.a, contact.b); });
     }
   }
   return worst.result();
@@ -48,18 +59,15 @@ std::optional<InvariantCheck> check_push(const InvariantContext& context) {
 std::optional<InvariantCheck> check_cone(const InvariantContext& context) {
   if (auto cannot = without_contacts(context, true)) return cannot;
   const FrictionBounds friction(context.scene);
+  const std::vector<Mass> masses = masses_of(context.scene);
   WorstViolation worst;
   for (std::size_t moment = 0; moment < context.trace.size(); ++moment) {
-    double largest = 0;
-    for (const ContactState& contact : context.trace.contacts(moment)) {
-      largest = std::max({largest, std::abs(contact.normal_impulse), std::abs(contact.tangent_impulse)});
-    }
+    const double rounded = impulse_rounding(context, moment, masses);
     const auto before = moment > 0 ? context.trace.contacts(moment - 1) : std::span<const ContactState>{};
     const auto contacts = context.trace.contacts(moment);
     const std::vector<double> stale = stale_impulse_error(before, contacts, context.stepping);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const ContactState& contact = contacts[i];
-      const double rounded = solver_rounding(context.stepping) * largest;
       if (context.stepping.iterations > 0 && contact.normal_impulse <= rounded) continue;
       const double mu = friction.largest_static(contact.a, contact.b);
       const double most = mu * std::max(0.0, contact.normal_impulse);
@@ -168,10 +176,9 @@ std::optional<InvariantCheck> check_complementarity(const InvariantContext& cont
     const auto states = trace.states(moment);
     Overlap::Gaps gaps = overlap.gaps(states);
     const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses);
-    double largest = 0;
-    for (const ContactState& contact : trace.contacts(moment)) largest = std::max(largest, contact.normal_impulse);
+    const double none = impulse_rounding(context, moment, masses);
     for (const ContactState& contact : trace.contacts(moment)) {
-      if (contact.normal_impulse <= solver_rounding(stepping) * largest) continue;
+      if (contact.normal_impulse <= none) continue;
       const double gap = gaps.between(contact.a, contact.b);
       double path = dt * (slip_speed(contact, trace.states(moment - 1)) + slip_speed(contact, states)) +
                     dt * (dt * length(scene.gravity) + load_speed(context));
@@ -216,8 +223,7 @@ std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
     const auto now = trace.states(moment);
     const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses);
     const auto contacts = trace.contacts(moment);
-    double largest = 0;
-    for (const ContactState& contact : contacts) largest = std::max(largest, std::abs(contact.normal_impulse));
+    const double rounded = impulse_rounding(context, moment, masses);
     const std::vector<double> stale = stale_impulse_error(trace.contacts(moment - 1), contacts, stepping);
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const ContactState& contact = contacts[c];
@@ -238,7 +244,7 @@ std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
         slip_tolerance += hidden[body].at(length(arm_of(contact, now[body])));
         if (masses[body].mass > 0) size = std::max(size, bounding_radius(scene.bodies[body]));
       }
-      const double certain = std::max(0.0, unused - mu * stale[c] - solver_rounding(stepping) * mu * largest);
+      const double certain = std::max(0.0, unused - mu * stale[c] - (1 + mu) * rounded);
       // A body that slides down its own size has this speed.
       const double scale = std::sqrt(2 * length(scene.gravity) * size);
       worst.add(certain * slip, certain * slip_tolerance, certain * scale, trace.time(moment),

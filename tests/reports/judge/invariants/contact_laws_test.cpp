@@ -23,6 +23,14 @@ TEST(PushInvariant, AllowsPullsUpToRoundOff) {
   EXPECT_EQ(broken.where, "ground - box");
 }
 
+// An impulse is the change of a velocity, which is rounded by its size.
+TEST(PushInvariant, AllowsForTheRoundingOfTheMomentumThatTouches) {
+  const Scene scene = box_on_ground();
+  const auto fast = [](double push) { return shown({pushing(push)}, {10, 0}); };
+  EXPECT_EQ(status("push", scene, fast(-6e-14), exact), CheckStatus::held);
+  EXPECT_EQ(status("push", scene, fast(-8e-14), exact), CheckStatus::broken);
+}
+
 TEST(ConeInvariant, LimitsFrictionToItsCoefficient) {
   const Scene scene = box_on_ground(0.5);
   EXPECT_EQ(status("cone", scene, shown({pushing(2, -1)}), exact), CheckStatus::held);
