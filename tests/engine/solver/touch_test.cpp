@@ -53,6 +53,34 @@ Motion moved(Vec2 by, double turn = 0) {
   return motion;
 }
 
+// The corner is at (1, 1). The disc was found beside it or above the face that ends there, and goes straight from one
+// place to another, both from the corner; either body is listed first.
+TEST(Touch, TellsWhenADiscPassesTheEndOfAFace) {
+  struct Way {
+    Vec2 found, from, to;
+    double share;  // of the way to the end of the face
+  };
+  const auto way = [](Vec2 found, Vec2 from, Vec2 to, double share) { return Way{found, from, to, share}; };
+  const auto v = [](double x, double y) { return Vec2{real(x), real(y)}; };
+  const Vec2 beside = v(.3, .5);
+  const Vec2 above = v(-.1, .6);
+  for (const Way& one : {way(above, above, v(.2, .6), 1. / 3), way(above, v(-.4, .6), above, 1),
+                         way(above, v(.2, .5), v(.4, .5), 1), way(beside, beside, v(-.3, .5), .5),
+                         way(beside, beside, v(.6, -.3), .625), way(beside, v(-.2, .8), v(.8, -.4), .2),
+                         way(beside, beside, v(.5, .2), 1), way(beside, v(-.2, .5), v(-2.2, .5), .9)}) {
+    const Shape box = Shape::box({1, 1});
+    const Shape disc = Shape::circle(real(.5));
+    const Vec2 at = Vec2{1, 1} + one.found;
+    const Motion still = moved({});
+    const Motion from = moved(one.from - one.found);
+    const Motion to = moved(one.to - one.found);
+    const Touch first = Pair(box, {0, 0}, disc, at).touch();
+    const Touch second = Pair(disc, at, box, {0, 0}).touch();
+    EXPECT_NEAR(first.until_corner(still, from, still, to), one.share, tolerance) << one.share;
+    EXPECT_NEAR(second.until_corner(from, still, to, still), one.share, tolerance) << one.share;
+  }
+}
+
 // The corner is at (1, 1); the disc starts above and beside it, or above the face that ends there, and goes from the
 // one to the other, either body listed first.
 TEST(Touch, OfADiscAndABoxIsTheirDistanceWhereverTheDiscGoes) {
