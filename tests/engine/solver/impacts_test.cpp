@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -344,21 +345,28 @@ TEST(Impacts, ReboundHoweverSlowlyWhereNothingPresses) {
   EXPECT_NEAR(across(right), (1 + e) / 2 * slow, bound(1e-12, 1e-6));
 }
 
+Material weighs(double density, double restitution) { return {real(density), 0, 0, real(restitution)}; }
+
+// A plank on the floor with two rows of 13 small boxes, which begin at these places: more contacts than are solved as
+// one system, so that what touches the plank is swept.
+BodyId plank_with_boxes(World& world, double half_length, double density, std::array<double, 2> rows) {
+  ground(world, weighs(1, 0));
+  const BodyId plank = world.create_body(at(0, .1), Shape::box(vec(half_length, .1)), weighs(density, 0));
+  for (const double first : rows) {
+    for (int i = 0; i < 13; ++i) {
+      world.create_body(at(first + .25 * i, .3), Shape::box(vec(.1, .1)), weighs(1, 0));
+    }
+  }
+  return plank;
+}
+
 // A disc on a plank is struck by a heavier one, again and again as it rebounds between both, and the plank stops it.
 // With 26 boxes on the plank the island is swept: an impact shifts the start of a path, and what stopped the disc after
 // it, in the same sub-step, left it where that was, up to 1.4 mm deep in the plank.
 TEST(Impacts, LeaveNoBodyWhereTheyShiftedItsPath) {
   for (int k = 0; k < 12; ++k) {
     World world{Settings{}};
-    const auto weighs = [](double density, double restitution) {
-      return Material{real(density), 0, 0, real(restitution)};
-    };
-    ground(world, weighs(1, 0));
-    const BodyId plank = world.create_body(at(0, .1), Shape::box(vec(4, .1)), weighs(5, 0));
-    for (int i = 0; i < 26; ++i) {
-      const double x = (i < 13 ? -3.9 : .9) + .25 * (i % 13);
-      world.create_body(at(x, .3), Shape::box(vec(.1, .1)), weighs(1, 0));
-    }
+    const BodyId plank = plank_with_boxes(world, 4, 5, {-3.9, .9});
     const BodyId disc = world.create_body(at(0, .4), Shape::circle(real(.2)), weighs(5, 1));
     world.create_body(at(.02, 1.4 + .03 * k, 0, -15), Shape::circle(real(.3)), weighs(20, 1));
     double deepest = 0;
@@ -377,14 +385,7 @@ TEST(Impacts, LeaveNoBodyWhereTheyShiftedItsPath) {
 TEST(Impacts, HoldWhateverABlowDrivesTogether) {
   for (int k = 0; k < 8; ++k) {
     World world{Settings{}};
-    const auto weighs = [](double density, double restitution) {
-      return Material{real(density), 0, 0, real(restitution)};
-    };
-    ground(world, weighs(1, 0));
-    world.create_body(at(0, .1), Shape::box(vec(12, .1)), weighs(1, 0));
-    for (int i = 0; i < 26; ++i) {
-      world.create_body(at(3 + .25 * i, .3), Shape::box(vec(.1, .1)), weighs(1, 0));
-    }
+    plank_with_boxes(world, 12, 1, {3, 6.25});
     std::vector<BodyId> row;
     row.push_back(world.create_body(at(-.46 - .01 * k, .4, 10), Shape::circle(real(.2)), weighs(20, 0)));
     for (int i = 0; i < 4; ++i) {
