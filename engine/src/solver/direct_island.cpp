@@ -59,6 +59,7 @@ void DirectIsland::begin() {
   gained_ = fastest * h_;
   turns_round_by_ = places_round_by * turned;
   rounding_ = places_round_by * std::max({std::abs(least.x), std::abs(least.y), std::abs(most.x), std::abs(most.y)});
+  touching_ = std::max(touching_gap, rounding_);
   begin_contacts();
   const Real share = 1 / static_cast<Real>(substeps_);
   for (ActiveJoint* joint : members_.joints) {
@@ -207,7 +208,7 @@ Real DirectIsland::most_kinetic(Real before) const {
 bool DirectIsland::overlaps() const {
   return std::any_of(contacts_.begin(), contacts_.end(), [this](const DirectContact& contact) {
     for (std::size_t i = 0; i < contact.count; ++i) {
-      if (contact.frame.points[i].separation < -std::max(touching_gap, rounding_)) return true;
+      if (contact.frame.points[i].separation < -touching_) return true;
     }
     return false;
   });
@@ -332,7 +333,7 @@ bool DirectIsland::is_borne(std::uint32_t body) const {
 /// Points that are struck at the end of the interval do nothing in it, but what the contact rests on does.
 void DirectIsland::let_wait(DirectContact& contact, bool struck) const {
   for (std::size_t i = 0; i < contact.count; ++i) {
-    const bool apart = contact.frame.points[i].separation > touching_gap;
+    const bool apart = contact.frame.points[i].separation > touching_;
     contact.waits[i] = struck && (apart || strikes(contact, closing(contact, contact.frame, i, 0)));
   }
 }

@@ -180,6 +180,7 @@ class DirectIsland {
   Real last_ = 0;            // s, of the interval that impulses are of
   Real gained_ = 0;          // m/s, by which a body falls faster in a sub-step
   Real rounding_ = 0;        // m, of gaps, by how far away the bodies are
+  Real touching_ = 0;        // m, gap up to which points touch: touching_gap, or rounding_ if that is more
   Real turns_round_by_ = 0;  // rad, of the errors of joints, by how far bodies have turned
   Real extent_ = 0;          // m, of the island: of the places of its bodies
   bool tall_ = false;        // the island is taller than wide

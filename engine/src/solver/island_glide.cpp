@@ -45,7 +45,7 @@ bool DirectIsland::seems_to_stay(Real h) {
     const TouchFrame end = contact.touch.at(flown_motion(contact.a, h), flown_motion(contact.b, h));
     bool near = false;
     for (std::size_t i = 0; i < contact.count; ++i) {
-      const bool touches = contact.frame.points[i].separation <= touching_gap;
+      const bool touches = contact.frame.points[i].separation <= touching_;
       if (!touches && end.points[i].separation < 0) return false;
       near = near || touches;
       contact.sliding[i] = contact.frame.sliding(i, flown_velocity(contact.a, 0), flown_velocity(contact.b, 0));
@@ -67,7 +67,7 @@ bool DirectIsland::stays(Real h) const {
     bool bears = false;
     for (std::size_t i = 0; i < contact.count; ++i) {
       if (!(system_.all()[contact.row + i].impulse > 0)) continue;
-      if (contact.frame.points[i].separation > touching_gap) return false;
+      if (contact.frame.points[i].separation > touching_) return false;
       bears = true;
     }
     if (!bears) continue;
@@ -127,7 +127,7 @@ bool DirectIsland::is_found_there(const DirectContact& contact, const TouchFrame
   const bool by_a = pushable(contact.mass_a);
   const std::uint32_t body = by_a ? contact.a : contact.b;
   const Vec2 centre = step_->start[body].p + (by_a ? a.d : b.d);
-  const Real near = unchanged * step_->data.bodies.bounding_radius[body] + touching_gap;
+  const Real near = unchanged * step_->data.bodies.bounding_radius[body] + touching_;
   const Manifold found = collide_at(contact, a, b, sought_within);
   if (static_cast<std::size_t>(found.count) != contact.count) return false;
   for (std::size_t i = 0; i < contact.count; ++i) {

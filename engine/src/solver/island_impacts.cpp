@@ -130,7 +130,7 @@ Real DirectIsland::longest(Real most) const {
   const BodySet& bodies = step_->data.bodies;
   for (const DirectContact& contact : contacts_) {
     const Real gap = contact.frame.points[0].separation;
-    if (contact.lasts || contact.count == 0 || gap <= touching_gap) continue;
+    if (contact.lasts || contact.count == 0 || gap <= touching_) continue;
     const Real speed = length(bodies.velocity[contact.b].v - bodies.velocity[contact.a].v);
     const Real size = std::min(bodies.bounding_radius[contact.a], bodies.bounding_radius[contact.b]);
     const Real way = std::max(gap, size);
@@ -374,7 +374,7 @@ void DirectIsland::find_forces_again() {
 void DirectIsland::list_struck(DirectContact& contact, bool first) {
   const auto& [one, other] = contact.frame.points;
   const Real apart = contact.count == 2 ? std::abs(one.cross_a - other.cross_a) : Real{0};
-  const Real reach = first ? std::max(struck_together * apart, touching_gap) : touching_gap;
+  const Real reach = first ? std::max(struck_together * apart, touching_) : touching_;
   const std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   bool any = false;
   Real slide = 0;

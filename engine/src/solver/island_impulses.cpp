@@ -325,7 +325,7 @@ bool DirectIsland::press(Real h) {
     off = missed(h);
     if (off <= std::max(exact, rounding_) || !solved) break;
   }
-  return off <= std::max(touching_gap, rounding_) &&
+  return off <= touching_ &&
          (is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= most_kinetic(before));
 }
 
@@ -410,7 +410,7 @@ void DirectIsland::relax(Real h) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       Constraint& row = system_[contact.row + i];
       const Vec2 pressed = contact.pressing[i];
-      const bool near_by = contact.frame.points[i].separation <= touching_gap;
+      const bool near_by = contact.frame.points[i].separation <= touching_;
       const bool struck = strikes(contact, static_cast<Real>(-ConstraintSystem::speed(row, velocity)));
       if (contact.waits[i] || (pressed.x == 0 && (!near_by || struck))) {
         row.mass_a = row.mass_b = {};
