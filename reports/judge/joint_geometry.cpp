@@ -164,7 +164,8 @@ double JointGeometry::stored(std::size_t index, std::span<const BodyState> state
   return square * sum / 2;
 }
 
-double JointGeometry::passes_limits(std::size_t index, std::span<const BodyState> states, double dt) const {
+double JointGeometry::passes_limits(std::size_t index, std::span<const BodyState> states, double dt,
+                                    double spin) const {
   const Ends& joint = ends_[index];
   BodyState a = states[joint.a];
   BodyState b = states[joint.b];
@@ -172,7 +173,17 @@ double JointGeometry::passes_limits(std::size_t index, std::span<const BodyState
     moved->position = moved->position + dt * moved->velocity;
     moved->angle += dt * moved->angular_velocity;
   }
+  b.angle += dt * spin;
   return gap_beyond_limits(joint, a, b);
+}
+
+double JointGeometry::swung_by(std::size_t index, double force_a, double force_b) const {
+  if (slides(index)) return 0;
+  const Ends& joint = ends_[index];
+  const auto swings = [](const Mass& of, double force, double arm) {
+    return of.mass > 0 && arm > 0 ? force * arm / (of.inertia + of.mass * arm * arm) : 0;
+  };
+  return swings(masses_[joint.a], force_a, length(joint.at_a)) + swings(masses_[joint.b], force_b, length(joint.at_b));
 }
 
 std::optional<LimitRoom> JointGeometry::room(std::size_t index, std::span<const BodyState> states) const {

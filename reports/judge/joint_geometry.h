@@ -43,8 +43,12 @@ class JointGeometry {
   std::pair<std::size_t, std::size_t> bodies(std::size_t joint) const { return {ends_[joint].a, ends_[joint].b}; }
   /// m, by how much a joint is violated; 0 for a spring.
   double error(std::size_t joint, std::span<const BodyState>) const;
-  /// m, by how much a joint would violate its limits after dt s at these velocities.
-  double passes_limits(std::size_t joint, std::span<const BodyState>, double dt) const;
+  /// m, by how much a joint would violate its limits after dt s at these velocities, if b turned faster by `spin`,
+  /// rad/s.
+  double passes_limits(std::size_t joint, std::span<const BodyState>, double dt, double spin = 0) const;
+  /// rad/s^2, by which forces of these sizes, N, on the bodies may turn them about a hinge between them: F r/(I + m
+  /// r^2) each, r the distance of its centre.
+  double swung_by(std::size_t joint, double force_a, double force_b) const;
   /// Whether the joint's limits are of a way, in m.
   bool slides(std::size_t joint) const { return ends_[joint].keeps == Keeps::line; }
   /// nullopt without limits.

@@ -24,9 +24,10 @@
 //   sqrt(sum (F dt)^2/(m m_i)) dt; torques likewise;
 // - joints: each of a group may be off at the start or at the end by what is measured and by the stated slop, and by
 //   moving along the tangents; putting that right moves the group's bodies. A limit stops them that a step would pass
-//   at the velocities of its start, or those a step later by the forces then. A body on a path gets another velocity
-//   at the start of a step, by c, and what joints attach to it gets at most the energy m c^2/2, m the group's mass,
-//   that takes it along. With that at once, the mean is off by half of it: sqrt(m c^2/m_i) dt/2;
+//   at the velocities of its start, or those a step later by the forces then, which also swing bodies about a hinge
+//   (see JointGeometry::swung_by). A body on a path gets another velocity at the start of a step, by c, and what joints
+//   attach to it gets at most the energy m c^2/2, m the group's mass, that takes it along. With that at once, the mean
+//   is off by half of it: sqrt(m c^2/m_i) dt/2;
 // - motors that reach their speed within the step, or lose it, as an impact may make them: their force changes by up to
 //   twice their strength S. An impulse of 2 S dt/8 counts as that of a force that changes;
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
@@ -145,8 +146,10 @@ class Displacement {
         const Vec jump = now[carrier].velocity - then[carrier].velocity;
         pushes[group_of(a, b)].energy += group_mass[group_of(a, b)] * dot(jump, jump) / 4;
       }
+      const double spin = dt * joints_.swung_by(joint, length(forces[a].force), length(forces[b].force));
       const double stopped =
-          std::max(joints_.passes_limits(joint, then, dt), joints_.passes_limits(joint, hurried, dt));
+          std::max({joints_.passes_limits(joint, then, dt), joints_.passes_limits(joint, hurried, dt, spin),
+                    joints_.passes_limits(joint, hurried, dt, -spin)});
       if (stopped > 0) {
         pushes[group_of(a, b)].correction += stopped;
         pushes[group_of(a, b)].touched = true;

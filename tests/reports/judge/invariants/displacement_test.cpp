@@ -171,6 +171,24 @@ TEST(DisplacementInvariant, AllowsALimitThatForcesReachWithinAStep) {
   EXPECT_EQ(status("displacement", rail, fell(5.9), exact), CheckStatus::broken) << "no force acts upwards";
 }
 
+// A box that hangs out level from a hinge 2 m away falls within a step of 0.2 s to its lower limit, and rests there.
+TEST(DisplacementInvariant, AllowsALimitToWhichAHingeSwingsWithinAStep) {
+  constexpr double turned = -0.05;
+  Scene door = box_on_ground(0.5, {0, -10});
+  door.bodies[1].position = {2, 5};
+  door.joints.push_back(Revolute{.a = 0, .b = 1, .anchor = {0, 5}});
+  const auto fell_to = [&](double angle) {
+    std::vector<BodyState> there = box_at({2 * std::cos(angle), 5 + 2 * std::sin(angle)});
+    there[1].angle = angle;
+    return status("displacement", door, forged(0.2, {{box_at({2, 5})}, {there}}), exact);
+  };
+  EXPECT_EQ(fell_to(turned), CheckStatus::broken) << "it has no end";
+  std::get<Revolute>(door.joints[0]).limits = Limits{turned, 1};
+  EXPECT_EQ(fell_to(turned), CheckStatus::held);
+  std::get<Revolute>(door.joints[0]).limits = Limits{5 * turned, 1};
+  EXPECT_EQ(fell_to(5 * turned), CheckStatus::broken) << "it cannot swing so far in that time";
+}
+
 // A torque swings a box on a hinge, at rest 2 cm above the ground, down to it within the step, and it rests there.
 TEST(DisplacementInvariant, AllowsAContactThatATorqueReachesWithinAStep) {
   Scene scene = box_on_ground();
