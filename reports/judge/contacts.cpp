@@ -40,6 +40,16 @@ Vec relative_velocity(const ContactState& contact, std::span<const BodyState> st
   return velocity_at(states[contact.b], contact.point) - velocity_at(states[contact.a], contact.point);
 }
 
+Vec velocity_before(const Scene& scene, const ContactState& contact, std::span<const BodyState> then,
+                    std::span<const BodyState> now) {
+  const auto at_contact = [&](std::size_t body) {
+    const double turned = smallest_radius(scene.bodies[body]) ? 0 : now[body].angle - then[body].angle;
+    const Vec arm = rotated(contact.point - now[body].position, -turned);
+    return velocity_at(then[body], then[body].position + arm);
+  };
+  return at_contact(contact.b) - at_contact(contact.a);
+}
+
 Vec impulse_of(const ContactState& contact) {
   const Vec tangent{-contact.normal.y, contact.normal.x};
   return contact.normal_impulse * contact.normal + contact.tangent_impulse * tangent;

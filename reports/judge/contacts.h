@@ -20,6 +20,10 @@ Vec velocity_at(const BodyState&, Vec point);
 /// m/s, the velocity of b relative to a at the contact.
 Vec relative_velocity(const ContactState&, std::span<const BodyState>);
 
+/// m/s, the same at the start of a step, at what touches at its end: a corner comes there with its body, and a round
+/// body touches wherever its centre leads.
+Vec velocity_before(const Scene&, const ContactState&, std::span<const BodyState> then, std::span<const BodyState> now);
+
 /// N s, the impulse on b, normal and tangential.
 Vec impulse_of(const ContactState&);
 

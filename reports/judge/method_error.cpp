@@ -86,6 +86,7 @@ struct BodyStress {
   double radius = 0;   // m
   double damping = 0;  // 1/s
   double smooth = 0, bends = 0, jolts = 0, pushed = 0, carried = 0, changes = 0;
+  double strays = 0, begun = 0;                // begun: m/s^3, the rates at which accelerations began to change
   double jammed = 0, turned = 0, turning = 0;  // turning: m/s^2, the changes in jams, each times the rotation
   std::optional<bool> touched;                 // in the step before
   int alike = 0;                               // steps since that changed
@@ -98,9 +99,11 @@ struct BodyStress {
     changes += size + load;
     (touches ? pushed : smooth) += size;
     alike = touched == touches ? alike + 1 : 0;
+    strays += begun * dt;
     const Triple now = scaled_by(1 / dt, change);
     const Triple rate_now = scaled_by(1 / dt, minus(now, acceleration));
     if (alike > 0) bends += change_to(now, smooth_acceleration);
+    if (alike == 2) begun += length_of(rate_now);
     if (alike > 1) jolts += change_to(rate_now, smooth_rate);
     // What damps and what drives may balance, and each is still integrated with an error.
     const double path = dt * std::hypot(length(after.velocity), radius * after.angular_velocity);
@@ -142,6 +145,8 @@ class Jams {
   std::vector<double> at(std::size_t moment) const {
     std::vector<double> jams(radii_.size());
     if (moment == 0 || trace_.contacts(moment).empty()) return jams;
+    const auto then = trace_.states(moment - 1);
+    const auto now = trace_.states(moment);
     const double fall = length(scene_.gravity) * (trace_.time(moment) - trace_.time(moment - 1));
     std::vector<bool> struck(radii_.size());  // by group
     std::vector<bool> touches(radii_.size());
@@ -151,7 +156,7 @@ class Jams {
     });
     for (const ContactState& contact : trace_.contacts(moment)) {
       touches[contact.a] = touches[contact.b] = true;
-      const bool approaches = -dot(contact.normal, relative_velocity(contact, trace_.states(moment - 1))) > fall;
+      const bool approaches = -dot(contact.normal, velocity_before(scene_, contact, then, now)) > fall;
       if (approaches) struck[groups.of(moves(contact.a) ? contact.a : contact.b)] = true;
     }
     for (std::size_t i = 0; i < jams.size(); ++i) {
@@ -235,6 +240,7 @@ std::vector<Stress> stress_along(const Scene& scene, const Trace& trace) {
       stress.smooth = std::max(stress.smooth, bodies[i].smooth);
       stress.bends = std::max(stress.bends, bodies[i].bends);
       stress.jolts = std::max(stress.jolts, bodies[i].jolts);
+      stress.strays = std::max(stress.strays, bodies[i].strays);
       stress.pushed = std::max(stress.pushed, bodies[i].pushed);
       stress.carried = std::max(stress.carried, bodies[i].carried);
       stress.jammed = std::max(stress.jammed, bodies[i].jammed);
@@ -247,7 +253,8 @@ std::vector<Stress> stress_along(const Scene& scene, const Trace& trace) {
 
 MethodError method_error(const Stepping& s, const Stress& stress, bool bounces) {
   const bool second = s.order >= 2 && s.drift == 0;
-  const double smooth = second ? s.h * s.h / 3 * stress.bends : std::max(std::abs(s.drift), 0.5) * s.h * stress.smooth;
+  const double smooth = second ? s.h * s.h * (stress.bends / 3 + stress.strays / 12)
+                               : std::max(std::abs(s.drift), 0.5) * s.h * stress.smooth;
   const double found_late = std::max(lag(s), s.order_in_contact >= 2 ? 0 : s.h / 2);
   const double late = found_late * (stress.pushed - stress.jammed);
   const double jams = s.dt * (stress.jammed + stress.turned);

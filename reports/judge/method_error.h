@@ -23,6 +23,8 @@ struct Stress {
   double smooth = 0;   // m/s, the sum of all changes of velocity while nothing pushed the body
   double bends = 0;    // m/s^2, the sum of all changes of acceleration, from before to after a contact begins or ends
   double jolts = 0;    // m/s^3, the same of its rate of change
+  double strays = 0;   // m/s^2, the sum of its rates of change at the start and after a contact begins or ends, each
+                       // times the time since
   double pushed = 0;   // m/s, the sum of all changes of velocity by contacts
   double carried = 0;  // m, the sum of all changes of velocity, and of gravity's that contacts and joints take away,
                        // each times the time since
@@ -45,7 +47,9 @@ struct MethodError {
 /// The largest errors of a method in such a motion. Its place is off by the sum of
 /// - a method of first order applies each change of velocity too early or too late by up to h/2 (the free fall of
 ///   symplectic Euler, g t h/2, is such a sum), or as its drift states; one of second order is off by h^2/6 times the
-///   changes of acceleration in position, and by as much through its velocity;
+///   changes of acceleration in position, and by as much through its velocity. That is off by h^2/12 times what the
+///   rate of change of acceleration has become less than it was at first (the trapezoidal rule), so that what flies on
+///   after a force has ceased goes on to stray: h^2/12 times that first rate and the time since;
 /// - contact: a change of velocity is late by up to the lag of an impact, or by the h/2 of first order;
 /// - jams: nothing approaches, so their time is not solved for even by a method that solves for times of impact. One
 ///   begins at a step, up to dt late but for the first, and its contact keeps the normal and arms found there, which

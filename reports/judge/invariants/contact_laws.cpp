@@ -136,7 +136,7 @@ std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::
     }
     const std::size_t group = groups.of(masses[contact.a].mass > 0 ? contact.a : contact.b);
     passed_on[group] += length(impulse_of(contact)) * std::sqrt(inverse);
-    const bool impact = -dot(contact.normal, relative_velocity(contact, then)) > load_speed(context);
+    const bool impact = -dot(contact.normal, velocity_before(context.scene, contact, then, now)) > load_speed(context);
     for (const std::size_t body : {contact.a, contact.b}) {
       if (impact && masses[body].mass > 0) has_impact[groups.of(body)] = true;
       const VelocityBound by = given_by(contact, masses[body], now[body]);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "reports/run/run.h"
@@ -82,6 +83,31 @@ TEST(MethodError, HalvesWithTheStepAtFirstOrderAndQuartersAtSecond) {
   half = second_order;
   half.h = dt / 2;
   EXPECT_NEAR(method_error(half, swinging, false).place, method_error(second_order, swinging, false).place / 4, 1e-12);
+}
+
+// a = a_0 exp(-t/T) pushes for a moment and is gone. The trapezoidal rule makes the speed wrong by h^2/12 (a_0/T), and
+// what flies on goes on to stray.
+TEST(MethodError, GrowsWhereSomethingFliesOnAfterAForceHasCeased) {
+  constexpr double at_first = 10;  // m/s^2
+  constexpr double ends = 0.1;     // s
+  const auto pushed = [](double t) { return at_first * std::exp(-t / ends); };
+  const auto speed = [](double t) { return at_first * ends * (1 - std::exp(-t / ends)); };
+  const Scene scene{.bodies = {{.name = "disc", .shapes = {{Circle{0.1}, {}}}}}};
+  Trace trace(1);
+  double x = 0;
+  double v = 0;
+  for (int step = 0; step <= 120; ++step) {
+    const double t = dt * step;
+    trace.record(t, std::vector<BodyState>{{.velocity = {speed(t), 0}}}, {});
+    x += dt * (v + dt / 2 * pushed(t));
+    v += dt / 2 * (pushed(t) + pushed(t + dt));
+  }
+  const double t = 121 * dt;
+  const double off = std::abs(x - at_first * ends * (t - ends * (1 - std::exp(-t / ends))));
+  const double allowed = method_error(second_order, stress_along(scene, trace).back(), false).place;
+  EXPECT_GT(off, 9 * dt * dt);
+  EXPECT_GT(allowed, off);
+  EXPECT_LT(allowed, 1.5 * off);
 }
 
 constexpr double frame = 1.0 / 60;

@@ -175,5 +175,38 @@ TEST(StickingInvariant, AllowsForAnImpactThatAJointPassesOn) {
   EXPECT_EQ(status("sticking", scene, landing(0.01, 0), exact), CheckStatus::broken);
 }
 
+// It turns by .2 rad in the step and is carried 10 cm along the ground. Where the contact is seen from, the corner
+// would rise; it comes down at 4 m/s.
+TEST(StickingInvariant, SeesTheImpactOfACornerThatTurnsTowardsTheGround) {
+  const Scene scene = box_on_ground(0.5);
+  // 1 kg, (1/6) kg m^2 and an arm of (-.05, -.5) m.
+  const double change = std::hypot(1, 0.25) + (0.05 * 1 + 0.5 * 0.25) * 6 * std::hypot(0.05, 0.5);
+  const auto landing = [](double slip, double spin) {
+    ContactState contact = pushing(1, 0.25);
+    contact.point = {0.05, 0};
+    return forged(dt, {{{{}, {.position = {0, 0.5}, .angle = -0.2, .velocity = {10, -1}, .angular_velocity = spin}}},
+                       {{{}, {.position = {0.1, 0.5}, .velocity = {slip, 0}}}, {contact}}});
+  };
+  EXPECT_EQ(status("sticking", scene, landing(0.99 * change, 20), exact), CheckStatus::held);
+  EXPECT_EQ(status("sticking", scene, landing(1.01 * change, 20), exact), CheckStatus::broken);
+  EXPECT_EQ(status("sticking", scene, landing(0.01, -10), exact), CheckStatus::broken);
+}
+
+TEST(StickingInvariant, TakesARollingDiscForNoImpact) {
+  Scene scene = box_on_ground(0.5, {0, -10});
+  scene.bodies[1].shapes[0].geometry = Circle{0.5};
+  const auto rolling = [](double slip) {
+    ContactState contact = pushing(0.1, 0.025);
+    contact.point = {0.1, 0};
+    const auto at = [&](double x, double angle) {
+      return BodyState{.position = {x, 0.5}, .angle = angle, .velocity = {10 + slip, 0}, .angular_velocity = -20};
+    };
+    return forged(dt, {{{{}, at(0, 0)}}, {{{}, at(0.1, -0.2)}, {contact}}});
+  };
+  // 2 g dt, and w V dt by which the contact moves round: s = .2 + .2 (10 + s).
+  EXPECT_EQ(status("sticking", scene, rolling(2.74), exact), CheckStatus::held);
+  EXPECT_EQ(status("sticking", scene, rolling(2.76), exact), CheckStatus::broken);
+}
+
 }  // namespace
 }  // namespace plumb::contact_laws_test
