@@ -140,6 +140,19 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
   return n;
 }
 
+int substeps_past(const StepData& data, std::span<const std::uint32_t> island, std::span<const Pull> pulls) {
+  constexpr Real far_past = Real{1} / 8;
+  constexpr int most = 64;
+  const Settings& settings = data.settings;
+  const Real rate = data.forces.passing_rate(data.bodies, island, pulls, settings.dt);
+  int n = settings.substeps;
+  while (2 * n <= most && rate * settings.dt > far_past * static_cast<Real>(n) &&
+         static_cast<std::size_t>(2 * n) * island.size() <= most_body_substeps) {
+    n *= 2;
+  }
+  return n;
+}
+
 int settling_sweeps_for(std::size_t bodies) {
   constexpr std::size_t least = 30;
   constexpr std::size_t most = 300;  // needed for boxes each ten times as heavy as the one below

@@ -160,6 +160,9 @@ struct Bearing {
 /// with them, and a stack would topple while it is low.
 int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, const BodySet& bodies,
                  const std::vector<Velocity>& acceleration, const Settings& settings);
+/// The number of sub-steps in which bodies go no farther than an eighth of their distance while they pass what pulls at
+/// them (see ForceField::passing_rate): at least the settings' number and at most 64.
+int substeps_past(const StepData& data, std::span<const std::uint32_t> island, std::span<const Pull> pulls);
 /// Whether substeps_for may exceed the settings' number for an island of this many bodies.
 bool may_need_substeps(std::size_t bodies, const Settings& settings);
 
