@@ -216,6 +216,29 @@ std::vector<Wrench> AppliedForces::at(std::span<const BodyState> states) const {
   return wrenches;
 }
 
+std::vector<std::vector<BodyState>> AppliedForces::passages(std::span<const BodyState> states, double time) const {
+  std::vector<std::vector<BodyState>> all;
+  const auto pass = [&](Vec line, Vec velocity) {
+    const double squared = dot(velocity, velocity);
+    const double then = squared > 0 ? -dot(line, velocity) / squared : 0;
+    const bool on_the_way = then * time > 0 && std::abs(then) < std::abs(time);
+    const double distance = length(line + then * velocity);
+    if (on_the_way && distance < std::abs(time) * length(velocity)) all.push_back(moved_on(states, then));
+  };
+  for (const Force& force : forces_) {
+    if (const auto* spring = std::get_if<Spring>(&force)) {
+      const auto& [a, b, pull] = pulled(*spring, masses(), states);
+      pass(b.point - a.point, b.velocity - a.velocity);
+    }
+    const auto* attraction = std::get_if<Attraction>(&force);
+    for (std::size_t i = 0; attraction != nullptr && i < states.size(); ++i) {
+      const BodyState& from = states[attraction->from];
+      if (masses()[i].mass > 0) pass(states[i].position - from.position, states[i].velocity - from.velocity);
+    }
+  }
+  return all;
+}
+
 std::vector<WrenchError> AppliedForces::change_in(std::span<const BodyState> then, std::span<const BodyState> now,
                                                   double dt) const {
   std::vector<WrenchError> errors(then.size());
@@ -228,6 +251,8 @@ std::vector<WrenchError> AppliedForces::change_in(std::span<const BodyState> the
   for (std::size_t place = 1; place <= places; ++place) {
     on_the_way.push_back(at(moved_on(then, dt * static_cast<double>(place) / static_cast<double>(places + 1))));
   }
+  for (const auto& passing : passages(then, dt)) on_the_way.push_back(at(passing));
+  for (const auto& passing : passages(now, -dt)) on_the_way.push_back(at(passing));
   const std::vector<Wrench> ahead = at(moved_on(then, dt));
   const std::vector<Wrench> behind = at(moved_on(now, -dt));
   for (std::size_t i = 0; i < errors.size(); ++i) {

@@ -86,10 +86,14 @@ class AppliedForces {
 
   /// By body: how far the force that a method takes for a step of dt s may be off from the mean of both ends, whichever
   /// end it takes, or any place on the way that the velocities at the start lead by: the middle of the step, and where
-  /// bodies turn by radians, one for each. And how far the mean over the step may be: half the difference of the ends;
-  /// and where forces turn back within it, as a spring at the end of its stroke, an eighth of what their rates at both
-  /// ends would change in a step.
+  /// bodies turn by radians, one for each, and where they pass what pulls at them. And how far the mean over the step
+  /// may be: half the difference of the ends; and where forces turn back within it, as a spring at the end of its
+  /// stroke, an eighth of what their rates at both ends would change in a step.
   std::vector<WrenchError> change_in(std::span<const BodyState> then, std::span<const BodyState> now, double dt) const;
+
+  /// The states in which bodies that went straight on for `time` s, or back if it is negative, would pass what pulls at
+  /// them, so near that they go farther in that time: a force may come and go between two moments.
+  std::vector<std::vector<BodyState>> passages(std::span<const BodyState>, double time) const;
 
   /// W, the power that the scene's forces bring in from outside: it moves the centre of an attraction that is not
   /// mutual, and the end of a spring on a kinematic body. (A constant force has a potential instead.)

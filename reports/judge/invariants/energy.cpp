@@ -30,6 +30,7 @@
 // - the load on the contacts times their gap: a contact lifts its load when it takes up the gap. Where contacts hold
 //   their points for a step, what turns by a in one is let down by r (1 - cos a), where a part of that radius is round,
 //   and lifted again;
+// - the power from outside between two moments, where a body passes what pulls at it;
 // - round-off.
 // Joints that the method states to be springs hold energy, too: what H loses to them it may have back.
 // A method may be better than it states: if E itself does not rise, as in the exact motion, nothing is broken either.
@@ -203,6 +204,10 @@ Balance balance_of(const InvariantContext& context, double drift, bool springs) 
     if (moment > 0) {
       const DriveWork by = drive_work(context, moment);
       work += by.work + dt * (power + now_power) / 2;
+      for (const auto& passages : {forces.passages(trace.states(moment - 1), dt), forces.passages(states, -dt)}) {
+        for (const auto& passing : passages)
+          tolerance += dt / 2 * std::abs(forces.power(passing) - (power + now_power) / 2);
+      }
       tolerance += by.uncertainty;
       power_change = std::max(power_change, std::abs(now_power - power) * dt);
     }

@@ -73,7 +73,8 @@ struct Missed {
 // much: 12/pi^2 for the fastest that states at every dt show, w dt = pi. So 2 dt/pi^2 times the largest slope times dt:
 // the force's change in a step, or, where it turns within the step, its change until a step after the start and since a
 // step before the end at the velocities there. A method may take a force where the velocities at the step's start lead
-// by its middle: that misses dt^2/8 of the change of the force's slope, dt/4 times the same change. A first-order
+// by its middle: that misses dt^2/8 of the change of the force's slope, dt/4 times the same change. Where a body
+// passes what pulls at it between two moments, dt/2 times what the force is then more is missed. A first-order
 // method takes a force at one end of its sub-step: its sums differ from the trapezoids by d h (F(t) - F(0)) and d h
 // (M(t) - M(0)), M = sum r x F + T, with its drift d. The check subtracts that, unless the run is better without. A
 // first-order method moves the bodies of a joint along the tangents and then puts their places right, which moves their
@@ -100,6 +101,8 @@ Missed missed_with(const InvariantContext& context, double drift) {
   double angular_size = 0;  // largest sum m r v + I w
   double force_change = 0;  // largest in a step
   double torque_change = 0;
+  double passed = 0;  // N s, and N m s: of forces that come and go between two moments
+  double passed_torque = 0;
   double force_size = 0;  // largest sum |F|
   double torque_size = 0;
   const JointGeometry joints(scene);
@@ -126,6 +129,13 @@ Missed missed_with(const InvariantContext& context, double drift) {
         {force_change, length(is.force - was.force), length(next.force - was.force), length(is.force - last.force)});
     torque_change = std::max({torque_change, std::abs(is.torque - was.torque), std::abs(next.torque - was.torque),
                               std::abs(is.torque - last.torque)});
+    for (const auto& passages : {forces.passages(then, dt), forces.passages(now, -dt)}) {
+      for (const auto& passing : passages) {
+        const TotalWrench there = total_of(forces.at(passing), passing);
+        passed += dt / 2 * length(there.force - 0.5 * (was.force + is.force));
+        passed_torque += dt / 2 * std::abs(there.torque - (was.torque + is.torque) / 2);
+      }
+    }
     double momenta = 0;
     double moments = 0;
     double pulls = 0;
@@ -150,10 +160,11 @@ Missed missed_with(const InvariantContext& context, double drift) {
     const Momentum has = forces.conserved().momentum(now);
     const double lead = drift * stepping.h;
     const Vec missing = has.linear - first.linear - impulse + lead * (is.force - at_start.force);
-    linear.add(length(missing), slope_share * dt * force_change + nu * size + summed * (size + time * force_size),
+    linear.add(length(missing),
+               slope_share * dt * force_change + passed + nu * size + summed * (size + time * force_size),
                scales.linear, time, [] { return ""; });
     angular.add(std::abs(has.angular - first.angular - angular_impulse + lead * (is.torque - at_start.torque)),
-                slope_share * dt * torque_change + pushed_out + nu * angular_size +
+                slope_share * dt * torque_change + passed_torque + pushed_out + nu * angular_size +
                     summed * (angular_size + time * torque_size),
                 scales.angular, time, [] { return ""; });
     before = after;

@@ -231,5 +231,13 @@ TEST(EnergyInvariant, CountsTheWorkOfASpinThatNothingSlows) {
   EXPECT_FALSE(checked("energy_bound", scene, driven(-5, 2), second_order).has_value());
 }
 
+TEST(EnergyInvariant, KnowsThatABodyMayPassWhatPullsAtItBetweenTwoMoments) {
+  constexpr double dt = 1.0 / 60;
+  const Stepping stated{.dt = dt, .h = dt / 4, .drift = 0, .impact_lag = 0, .epsilon = 1e-16};
+  const Scene scene = past_an_attraction();
+  EXPECT_EQ(status("energy", scene, flown_past(dt, 1), stated), CheckStatus::held);
+  EXPECT_EQ(status("energy", scene, flown_past(dt, -1), stated), CheckStatus::broken);
+}
+
 }  // namespace
 }  // namespace plumb::energy_test

@@ -154,5 +154,13 @@ TEST(MomentumInvariant, KnowsThatAForceMayBeTakenAhead) {
   EXPECT_EQ(status("momentum", scene, swinging(11.0 / 8), stepping), CheckStatus::broken);
 }
 
+TEST(MomentumInvariant, KnowsThatABodyMayPassWhatPullsAtItBetweenTwoMoments) {
+  constexpr double frame = 1.0 / 60;
+  const Stepping stated{.dt = frame, .h = frame / 4, .drift = 0, .impact_lag = 0, .epsilon = 1e-16};
+  const Scene scene = past_an_attraction();
+  EXPECT_EQ(status("momentum", scene, flown_past(frame, 1), stated), CheckStatus::held);
+  EXPECT_EQ(status("momentum", scene, flown_past(frame, 0), stated), CheckStatus::broken);
+}
+
 }  // namespace
 }  // namespace plumb::momentum_test
