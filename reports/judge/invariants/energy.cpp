@@ -31,7 +31,7 @@
 //   their points for a step, what turns by a in one is let down by r (1 - cos a), where a part of that radius is round,
 //   and lifted again;
 // - the power from outside between two moments, where a body passes what pulls at it;
-// - round-off.
+// - round-off; that of places, u X, too, where joints put them right by velocities, u X/h.
 // Joints that the method states to be springs hold energy, too: what H loses to them it may have back.
 // A method may be better than it states: if E itself does not rise, as in the exact motion, nothing is broken either.
 // A method that gains more, such as explicit Euler on a spring (it multiplies E by 1 + (w h)^2 a step), is wrong by its
@@ -158,6 +158,7 @@ Balance balance_of(const InvariantContext& context, double drift, bool springs) 
   double force_rate = 0;                                           // largest |dF/dt . v|
   double low = std::numeric_limits<double>::infinity(), high = 0;  // of |F|^2/m
   double size = 0;                                                 // J, the largest energy that is rounded
+  double places = 0;                                               // kg m^2/s, the same of what puts places right
   double power = 0, power_change = 0;
   double let_down = 0;  // m
   std::vector<Wrench> before;
@@ -169,6 +170,7 @@ Balance balance_of(const InvariantContext& context, double drift, bool springs) 
     double squares = 0;  // sum |F|^2/m
     double rate = 0;
     double sizes = 0;
+    double put_right = 0;  // kg m^2/s
     const std::vector<BodyState> possible = slowed(states, masses, range);
     const double held = joints.acceleration(possible, length(scene.gravity));  // m/s^2
     const double turns = joints.spin(possible);                                // rad/s
@@ -180,6 +182,7 @@ Balance balance_of(const InvariantContext& context, double drift, bool springs) 
       power_sum += dot(wrenches[i].force, now.velocity) + wrenches[i].torque * now.angular_velocity;
       squares += dot(wrenches[i].force, wrenches[i].force) / mass.mass;
       if (jointed[i]) {
+        put_right += mass.mass * length(now.velocity) * length(now.position);
         joint_squares += mass.mass * held * held;
         rate += mass.mass * held * turns * length(now.velocity);
       }
@@ -217,6 +220,7 @@ Balance balance_of(const InvariantContext& context, double drift, bool springs) 
     low = std::min(low, squares);
     high = std::max(high, squares + joint_squares);
     size = std::max(size, sizes);
+    places = std::max(places, put_right);
     double stored = 0;
     for (std::size_t joint = 0; springs && joint < joints.size(); ++joint) {
       stored += joints.stored(joint, states, 2 * std::numbers::pi * stepping.joint_frequency);
@@ -227,7 +231,8 @@ Balance balance_of(const InvariantContext& context, double drift, bool springs) 
   }
   // The trapezoidal rule is off by dt^2/12 times the change of the power's slope: at most twice the largest slope.
   balance.oscillation = stepping.h * stepping.h / 12 * (2 * force_rate + high - low) + power_change / 6 +
-                        (stepping.contact_gap() + let_down) * load_of(context, forces) + nu * size;
+                        (stepping.contact_gap() + let_down) * load_of(context, forces) + nu * size +
+                        (stepping.h > 0 ? stepping.epsilon * places / stepping.h : 0);
   return balance;
 }
 

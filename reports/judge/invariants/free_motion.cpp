@@ -46,7 +46,8 @@
 // - the round-off of places. A joint puts its bodies where its anchors meet, known to u X, X the distances of both
 //   bodies and anchors. A method that keeps the energy of what joints hold takes the work of the forces from these
 //   places: E = sum |F| u X too much or too little in each of n sub-steps. With w the length of the momentum in the
-//   norm above, w^2/2 is off by n E: w by n E/w, and where it passes zero within the step by sqrt(2 n E).
+//   norm above, w^2/2 is off by n E: w by n E/w, and where it passes zero within the step by sqrt(2 n E). And one that
+//   puts places right by velocities gives each body u X/h.
 namespace plumb::invariants::free_motion {
 namespace {
 
@@ -325,7 +326,8 @@ class FreeMotion {
   // In the norm of a group's momentum, by how much the round-off of places changes it in a step.
   double round_off_of_places(const Step& step, const std::vector<std::size_t>& group, double slowest) const {
     const auto& [scene, trace, stepping, neighbours] = context_;
-    double energy = 0;  // J
+    double energy = 0;   // J
+    double squares = 0;  // N^2 s^2/kg
     for (const std::size_t i : group) {
       double farthest = 0;  // m
       for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
@@ -336,11 +338,13 @@ class FreeMotion {
         farthest = std::max(farthest, length(states[a].position) + arm_a + length(states[b].position) + arm_b);
       }
       energy += length(step.end[i].force) * stepping.epsilon * farthest;
+      const double put_right = stepping.h > 0 ? stepping.epsilon * farthest / stepping.h : 0;  // m/s
+      squares += forces_.masses()[i].mass * put_right * put_right;
     }
     const double dt = trace.time(step.moment) - trace.time(step.moment - 1);
     energy *= stepping.h > 0 ? std::max(1.0, dt / stepping.h) : 1;
     const double at_rest = std::sqrt(2 * energy);
-    return slowest > at_rest ? energy / slowest : at_rest;
+    return (slowest > at_rest ? energy / slowest : at_rest) + std::sqrt(squares);
   }
 
   void add(const Step& step, const std::vector<std::size_t>& group) {

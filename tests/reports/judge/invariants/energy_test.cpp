@@ -239,5 +239,12 @@ TEST(EnergyInvariant, KnowsThatABodyMayPassWhatPullsAtItBetweenTwoMoments) {
   EXPECT_EQ(status("energy", scene, flown_past(dt, -1), stated), CheckStatus::broken);
 }
 
+// At 15 m u/dt, v u 15 m/dt, of which v/2 + v/12 is spent.
+TEST(EnergyInvariant, LetsAJointPutPlacesRight) {
+  const Stepping stated{.dt = 0.01, .h = 0.01, .drift = 0, .impact_lag = 0, .epsilon = 1e-16};
+  EXPECT_EQ(status("energy", far_hinge(), sets_off(0.01, 2.5e-13), stated), CheckStatus::held);
+  EXPECT_EQ(status("energy", far_hinge(), sets_off(0.01, 2.7e-13), stated), CheckStatus::broken);
+}
+
 }  // namespace
 }  // namespace plumb::energy_test

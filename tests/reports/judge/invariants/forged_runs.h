@@ -55,6 +55,22 @@ inline ContactState pushing(double normal, double tangent = 0) {
   return {.a = 0, .b = 1, .normal = {0, 1}, .normal_impulse = normal, .tangent_impulse = tangent};
 }
 
+/// A box of 1 kg and I = 1/6 on a hinge through its centre, at 15 m from the origin, where nothing pulls.
+inline Scene far_hinge() {
+  Scene scene = box_on_ground();
+  scene.bodies[0].layers = 0;
+  scene.bodies[1].position = {15, 0};
+  scene.joints.push_back(Revolute{.a = 0, .b = 1, .anchor = {15, 0}});
+  return scene;
+}
+
+/// It is at rest, and then turns and moves, rad/s and m/s.
+inline Trace sets_off(double dt, double speed) {
+  const BodyState then{.position = {15, 0}};
+  const BodyState now{.position = {15, 0}, .velocity = {speed, 0}, .angular_velocity = speed};
+  return forged(dt, {{{{}, then}}, {{{}, now}}});
+}
+
 /// A disc of 1 kg that flies past another one, which goes on at 1 m/s and attracts it, at 2 cm and 8 m/s: 7 m/s^2 where
 /// they start, 1250 m/s^2 where they are nearest, for a sixth of a step. And its trace; `felt`: the share of the pull
 /// that acts on it.

@@ -339,5 +339,11 @@ TEST(FreeMotionInvariant, FitsNothingToTheRoundingOfJointsAtRest) {
   }
 }
 
+// A place is known to 30 m u, and put right in a step: 3e-13 m/s, or 2.4 times that in rad/s.
+TEST(FreeMotionInvariant, LetsAJointPutPlacesRight) {
+  EXPECT_EQ(status("free_motion", far_hinge(), sets_off(dt, 7e-13), exact), CheckStatus::held);
+  EXPECT_EQ(status("free_motion", far_hinge(), sets_off(dt, 8e-13), exact), CheckStatus::broken);
+}
+
 }  // namespace
 }  // namespace plumb::free_motion_test
