@@ -129,8 +129,10 @@ Real DirectIsland::longest(Real most) const {
   Real time = w * most > far_turn ? std::max(far_turn / w, shortest_of_all) : most;
   const BodySet& bodies = step_->data.bodies;
   for (const DirectContact& contact : contacts_) {
-    const Real gap = contact.frame.points[0].separation;
-    if (contact.lasts || contact.count == 0 || gap <= touching_) continue;
+    if (contact.lasts || contact.count == 0) continue;
+    const auto& [p, q] = contact.frame.points;
+    const Real gap = contact.count == 2 ? std::min(p.separation, q.separation) : p.separation;
+    if (gap <= touching_) continue;
     const Real speed = length(bodies.velocity[contact.b].v - bodies.velocity[contact.a].v);
     const Real size = std::min(bodies.bounding_radius[contact.a], bodies.bounding_radius[contact.b]);
     const Real way = std::max(gap, size);
