@@ -105,25 +105,63 @@ void Accurate::step_island(StepData& data, std::size_t number, AccurateWorkspace
     return;
   }
   now.pile = !now.varies && is_pile(data, now);
-  if (now.pile) {
-    if (lanes_) return step_pile(data, number, now, space);
-    space.colouring.assign(parts_, now, 1);
-    now.contacts = space.colouring.order();
+  if (now.pile) return step_pile(data, number, now, space);
+  step_swept(data, number, now, space);
+}
+
+void Accurate::step_pile(StepData& data, std::size_t number, Island& pile, AccurateWorkspace& space) {
+  const bool struck = may_need_substeps(pile.bodies.size(), data.settings) && is_struck(data, pile);
+  if (struck) space.before.keep(data, pile, acceleration_);
+  if (lanes_) {
+    step_in_lanes(data, number, pile, space);
+  } else {
+    space.colouring.assign(parts_, pile, 1);
+    pile.contacts = space.colouring.order();
+    make_rows(data, pile, number);
+    go_through(data, pile, space);
   }
-  make_rows(data, now, number);
-  step_swept(data, now, space);
+  if (!struck || !space.before.drove_deep(data, start_, motion_)) return;
+  // Lanes keep normals and arms within a step.
+  begun_[number] = nullptr;
+  Island again = island(data, number, space);
+  begin_again(data, number, again, space);
+  step_swept(data, number, again, space);
 }
 
-void Accurate::step_pile(StepData& data, std::size_t number, Island& island, AccurateWorkspace& space) {
-  plan_pile(data, parts_, island, acceleration_);
+void Accurate::step_in_lanes(StepData& data, std::size_t number, Island& pile, AccurateWorkspace& space) {
+  plan_pile(data, parts_, pile, acceleration_);
   std::unique_ptr<RestingPile>& begun = begun_[number];
-  begun = resting_.part_at_rest(data, parts_, island, space.row_of);
-  if (begun == nullptr) return step_as_pile(data, parts_, island, acceleration_, motion_, space.pile, space.row_of);
-  island.contacts = begun->others();
-  begun->step(data, parts_, island, acceleration_, motion_, space.row_of);
+  begun = resting_.part_at_rest(data, parts_, pile, space.row_of);
+  if (begun == nullptr) return step_as_pile(data, parts_, pile, acceleration_, motion_, space.pile, space.row_of);
+  pile.contacts = begun->others();
+  begun->step(data, parts_, pile, acceleration_, motion_, space.row_of);
 }
 
-void Accurate::step_swept(StepData& data, Island& island, AccurateWorkspace& space) {
+void Accurate::step_swept(StepData& data, std::size_t number, Island& island, AccurateWorkspace& space) {
+  make_rows(data, island, number);
+  const bool moves = (island.turning || island.struck) && island.joints.empty();
+  if (moves && may_halve(island.bodies.size(), island.substeps)) space.before.keep(data, island, acceleration_);
+  go_through(data, island, space);
+  while (moves && may_halve(island.bodies.size(), island.substeps) && space.before.drove_deep(data, start_, motion_)) {
+    island.least_substeps = 2 * island.substeps;
+    begin_again(data, number, island, space);
+    make_rows(data, island, number);
+    go_through(data, island, space);
+  }
+}
+
+/// Takes an island back to the start of the step.
+void Accurate::begin_again(StepData& data, std::size_t number, const Island& island, AccurateWorkspace& space) {
+  space.before.restore(data, island, acceleration_);
+  for (const std::uint32_t body : island.bodies) {
+    if (island.varies) data.bodies.pose[body] = start_[body];
+    motion_[body] = {};
+    loaded_[body] = 0;
+  }
+  for (std::size_t i = 0; i < island.contacts.size(); ++i) rows_[parts_.first_contact(number) + i].made = false;
+}
+
+void Accurate::go_through(StepData& data, Island& island, AccurateWorkspace& space) {
   const auto substeps = static_cast<Real>(island.substeps);
   island.share(1 / substeps);
   if (!island.joints.empty()) island.joints.write();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "solver/before_step.h"
 #include "solver/colouring.h"
 #include "solver/direct_island.h"
 #include "solver/energy_bound.h"
@@ -31,6 +32,7 @@ struct AccurateWorkspace {
   Unpushed unpushed;
   LineSearch search;
   DirectIsland direct;
+  BeforeStep before;
 };
 
 /// The default method, which makes flight and impacts exact up to rounding. A step of dt is divided into N sub-steps of
@@ -74,8 +76,11 @@ class Accurate : public Solver {
   Island island(StepData& data, std::size_t number, AccurateWorkspace& space);
   void make_rows(StepData& data, Island& island, std::size_t number);
   void step_island(StepData& data, std::size_t number, AccurateWorkspace& space);
-  void step_pile(StepData& data, std::size_t number, Island& island, AccurateWorkspace& space);
-  void step_swept(StepData& data, Island& island, AccurateWorkspace& space);
+  void step_pile(StepData& data, std::size_t number, Island& pile, AccurateWorkspace& space);
+  void step_in_lanes(StepData& data, std::size_t number, Island& pile, AccurateWorkspace& space);
+  void step_swept(StepData& data, std::size_t number, Island& island, AccurateWorkspace& space);
+  void begin_again(StepData& data, std::size_t number, const Island& island, AccurateWorkspace& space);
+  void go_through(StepData& data, Island& island, AccurateWorkspace& space);
   void fly(StepData& data, const Island& island);
   void fly_all(StepData& data);
   void substep(StepData& data, Island& island, AccurateWorkspace& space);

@@ -140,6 +140,10 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
   return n;
 }
 
+bool may_halve(std::size_t bodies, int substeps) {
+  return 2 * substeps <= most_substeps && static_cast<std::size_t>(2 * substeps) * bodies <= most_body_substeps;
+}
+
 int substeps_past(const StepData& data, std::span<const std::uint32_t> island, std::span<const Pull> pulls) {
   constexpr Real far_past = Real{1} / 8;
   constexpr int most = 64;

@@ -90,9 +90,10 @@ struct Island {
   std::span<const Pull> pulls = {};
   bool varies = false;  // forces vary within the step
   int substeps = 1;
-  int sweeps = 1;        // iterations over joints and contacts, or joints and their stops
-  int press_sweeps = 0;  // extra rigid iterations allowed until an impact adds no penetration
-  int more_sweeps = 0;   // extra iterations of relax allowed until the energy bound holds
+  int least_substeps = 0;  // after fewer have not sufficed
+  int sweeps = 1;          // iterations over joints and contacts, or joints and their stops
+  int press_sweeps = 0;    // extra rigid iterations allowed until an impact adds no penetration
+  int more_sweeps = 0;     // extra iterations of relax allowed until the energy bound holds
   Real h = 0;
   struct Softnesses {
     Softness movable, fixed;  // between movable bodies; with one that cannot move
@@ -163,6 +164,8 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
 /// The number of sub-steps in which bodies go no farther than an eighth of their distance while they pass what pulls at
 /// them (see ForceField::passing_rate): at least the settings' number and at most 64.
 int substeps_past(const StepData& data, std::span<const std::uint32_t> island, std::span<const Pull> pulls);
+/// Whether an island of this many bodies may be stepped again with twice as many sub-steps.
+bool may_halve(std::size_t bodies, int substeps);
 /// Whether substeps_for may exceed the settings' number for an island of this many bodies.
 bool may_need_substeps(std::size_t bodies, const Settings& settings);
 

@@ -370,15 +370,16 @@ void rub(Island& island, const std::vector<Velocity>& acceleration) {
   }
 }
 
-void relax_blows(const StepData& data, Island& island) {
-  const auto struck = [&](const Tie& tie) {
+bool is_struck(const StepData& data, const Island& island) {
+  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
     return new_or_deep(data.contacts[tie.contact]) &&
            at_speed(make_row(data.bodies, data.contacts, tie.contact), data.bodies);
-  };
+  });
+}
+
+void relax_blows(const StepData& data, Island& island) {
   const int more_sweeps = closed(data.bodies, island.bodies) ? more_sweeps_for(island.bodies.size()) : 0;
-  if (more_sweeps > 0 && std::any_of(island.contacts.begin(), island.contacts.end(), struck)) {
-    island.more_sweeps = more_sweeps;
-  }
+  if (more_sweeps > 0 && is_struck(data, island)) island.more_sweeps = more_sweeps;
 }
 
 void step_as_pile(StepData& data, const Partition& parts, const Island& island,

@@ -114,7 +114,9 @@ bool is_pile(const StepData& data, const Island& island);
 void plan_pile(const StepData& data, const Partition& parts, Island& island, const std::vector<Velocity>& acceleration);
 /// Notes whether contacts of the pile have two coefficients of friction, and then what presses them.
 void rub(Island& island, const std::vector<Velocity>& acceleration);
-/// Allows extra iterations if one of its contacts is hit.
+/// Whether one of its contacts is hit.
+bool is_struck(const StepData& data, const Island& island);
+/// Allows extra iterations if one is.
 void relax_blows(const StepData& data, Island& island);
 
 /// Steps a pile that was planned.
