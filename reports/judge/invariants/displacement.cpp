@@ -141,12 +141,16 @@ class Displacement {
       pushes[group_of(a, b)].correction += stepping.joint_slop + joints_.error(joint, then) +
                                            joints_.error(joint, now) + joints_.linearisation(joint, then, dt) +
                                            joints_.linearisation(joint, now, dt);
+      double carried = 0;  // m/s^2
       for (const std::size_t carrier : {a, b}) {
         if (!scene.bodies[carrier].path) continue;
         const Vec jump = now[carrier].velocity - then[carrier].velocity;
         pushes[group_of(a, b)].energy += group_mass[group_of(a, b)] * dot(jump, jump) / 4;
+        carried += length(jump) / dt;
       }
-      const double spin = dt * joints_.swung_by(joint, length(forces[a].force), length(forces[b].force));
+      // In the frame of a body on a path, its acceleration is a force on the other.
+      const auto felt = [&](std::size_t body) { return length(forces[body].force) + mass(body) * carried; };
+      const double spin = dt * joints_.swung_by(joint, felt(a), felt(b));
       const double stopped =
           std::max({joints_.passes_limits(joint, then, dt), joints_.passes_limits(joint, hurried, dt, spin),
                     joints_.passes_limits(joint, hurried, dt, -spin)});

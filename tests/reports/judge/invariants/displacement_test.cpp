@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <variant>
 
 #include "forged_runs.h"
@@ -187,6 +188,30 @@ TEST(DisplacementInvariant, AllowsALimitToWhichAHingeSwingsWithinAStep) {
   EXPECT_EQ(fell_to(turned), CheckStatus::held);
   std::get<Revolute>(door.joints[0]).limits = Limits{5 * turned, 1};
   EXPECT_EQ(fell_to(5 * turned), CheckStatus::broken) << "it cannot swing so far in that time";
+}
+
+// A post that slows down by .71 m/s in a step lets its door swing to its limit, and both stop.
+TEST(DisplacementInvariant, AllowsALimitToWhichAPostThatSlowsDownLetsADoorSwing) {
+  constexpr double frame = 1.0 / 60;
+  const Stepping stated{.dt = frame, .h = frame / 4, .drift = 0, .impact_lag = 0, .epsilon = 1e-16};
+  const auto slows_down = [&](std::optional<Limits> limits) {
+    const Scene scene{.gravity = {},
+                      .bodies = {{.name = "post", .type = BodyType::kinematic, .path = Path{.amplitude = {0.1279, 0}}},
+                                 {.name = "door",
+                                  .position = {0.5945, 0},
+                                  .shapes = {{Box{.size = {1.189, 0.2605}}, {.density = 1.611}}}}},
+                      .joints = {Revolute{.a = 0, .b = 1, .limits = limits}}};
+    const BodyState post_then{.position = {-0.2495401, 0}, .velocity = {-1.090011, 0}};
+    const BodyState post_now{.position = {-0.2558, 0}, .velocity = {-0.375592, 0}};
+    const BodyState door_then{.position = {0.3345097, 0.1109775},
+                              .angle = 0.1877752,
+                              .velocity = {-1.183949, 0.494373},
+                              .angular_velocity = 0.846456};
+    const BodyState door_now{.position = {0.3263484, 0.120555}, .angle = 0.2042, .velocity = {-0.375592, 0}};
+    return status("displacement", scene, forged(frame, {{{post_then, door_then}}, {{post_now, door_now}}}), stated);
+  };
+  EXPECT_EQ(slows_down(Limits{-0.4187, 0.2042}), CheckStatus::held);
+  EXPECT_EQ(slows_down({}), CheckStatus::broken) << "nothing stops it";
 }
 
 // A torque swings a box on a hinge, at rest 2 cm above the ground, down to it within the step, and it rests there.
