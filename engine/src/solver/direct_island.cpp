@@ -152,6 +152,7 @@ Real DirectIsland::advance(Real h, const Impact& then) {
     return 0;
   }
   const bool jammed = !found && system_.yielded() && overlaps();
+  bool runs_away = false;
   if (!found) {
     restore_velocities();
     if (h > shortest * h_ && !jammed) return 0;
@@ -159,7 +160,9 @@ Real DirectIsland::advance(Real h, const Impact& then) {
     by_forces_.assign(members_.bodies.size(), {});
     kick(h);
     note_velocities(kicked_);
+    const Real most = most_kinetic(kinetic_energy(members_.bodies, step_->data.bodies));
     press_as_linear(h);
+    runs_away = !jammed && !is_driven() && kinetic_energy(members_.bodies, step_->data.bodies) > most;
   }
   const Real share = found && !glides && h > shortest * h_ ? apart_for(then, h) : Real{1};
   if (share < 1) {
@@ -167,6 +170,7 @@ Real DirectIsland::advance(Real h, const Impact& then) {
     return advance(share * h, then);
   }
   note_press();
+  if (runs_away) take_back();
   drift(h);
   if (jammed) take_back();
   refresh();
@@ -182,7 +186,7 @@ Real DirectIsland::advance(Real h, const Impact& then) {
 }
 
 /// What was pressed in a jam displaces bodies, and is no load: it may be a thousand times what bodies bear, and would
-/// shoot out what turns meanwhile.
+/// shoot out what turns meanwhile. What would run away is not even to displace them.
 void DirectIsland::take_back() {
   for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
     step_->data.bodies.velocity[members_.bodies[i]] = kicked_[i];
