@@ -141,6 +141,8 @@ Real DirectIsland::advance(Real h, const Impact& then) {
   note_velocities(before_);
   by_forces_.assign(members_.bodies.size(), {});
   kick(h);
+  note_velocities(kicked_);
+  const bool mends = joints_are_apart();
   const bool found = press(h);
   const bool glides = h > h_;
   if (glides && !(found && stays(h) && apart_for(then, h) == 1)) {
@@ -172,7 +174,7 @@ Real DirectIsland::advance(Real h, const Impact& then) {
   note_press();
   if (runs_away) take_back();
   drift(h);
-  if (jammed) take_back();
+  if (jammed || mends) take_back();
   refresh();
   kick(h);
   relax(h);
@@ -207,6 +209,16 @@ Real DirectIsland::most_kinetic(Real before) const {
     if (inverse.m > 0) most += fastest * fastest / (2 * inverse.m);
   }
   return most;
+}
+
+/// Whether joints are so far apart that what mends them is no load either.
+bool DirectIsland::joints_are_apart() const {
+  constexpr Real apart = 10 * tolerated_joint_gap;
+  return std::any_of(members_.joints.begin(), members_.joints.end(), [](const ActiveJoint* joint) {
+    const JointBlock& block = joint->block;
+    return std::any_of(block.equation.begin(), block.equation.begin() + block.equations,
+                       [](const JointRow& row) { return std::abs(row.error) > apart; });
+  });
 }
 
 bool DirectIsland::overlaps() const {

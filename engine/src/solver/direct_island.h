@@ -129,6 +129,7 @@ class DirectIsland {
   void list_for_press(Real h);
   Real most_kinetic(Real before) const;
   bool overlaps() const;
+  bool joints_are_apart() const;
   bool is_driven() const;
   bool is_held() const;
   void note_press();
