@@ -101,13 +101,7 @@ Real nearest(Vec2 line, Vec2 velocity, Real time) {
   return length(line + then * velocity);
 }
 
-/// See ForceField::passing_rate; `acceleration`: m/s^2, of one from the other where they are nearest, at `distance`.
-Real rate_of(Real speed, Real acceleration, Real distance, Real time) {
-  constexpr Real felt = static_cast<Real>(1e-6);  // m/s
-  if (!(acceleration * time > felt)) return 0;
-  return std::max(speed, std::sqrt(acceleration * distance)) / distance;
-}
-
+/// See ForceField::passing_rate.
 Real rate_past(const Attraction& attraction, std::size_t i, const BodySet& bodies, Real time) {
   const std::size_t from = attraction.from.index;
   if (i == from || bodies.inverse_mass[i].m == 0 || !bodies.detail[from].inserted) return 0;
@@ -118,22 +112,10 @@ Real rate_past(const Attraction& attraction, std::size_t i, const BodySet& bodie
   if (r > attraction.reach) return 0;
   const Real pull = std::abs(attraction.strength) / power_of_halves(r, static_cast<int>(2 * attraction.exponent));
   const Real share = bodies.inverse_mass[from].m / bodies.inverse_mass[i].m;
-  return rate_of(length(velocity), attraction.mutual ? (1 + share) * pull : pull, r, time);
-}
-
-Real rate_past(const Spring& spring, const BodySet& bodies, Real time) {
-  const SpringEnd a(spring.a, spring.anchor_a, bodies, bodies.velocity);
-  const SpringEnd b(spring.b, spring.anchor_b, bodies, bodies.velocity);
-  if (!a.present || !b.present) return 0;
-  const Vec2 velocity = b.velocity - a.velocity;
-  const Real r = nearest(b.point - a.point, velocity, time);
-  const auto inverse_mass = [&](const SpringEnd& end) {
-    return end.on_body ? bodies.inverse_mass[end.row].m + bodies.inverse_mass[end.row].i * dot(end.arm, end.arm)
-                       : Real{0};
-  };
-  // Its direction turns; what is proportional to the distance does not change by that.
-  const Real pull = spring.stiffness * spring.length + spring.damping * length(velocity);
-  return rate_of(length(velocity), pull * (inverse_mass(a) + inverse_mass(b)), r, time);
+  const Real acceleration = attraction.mutual ? (1 + share) * pull : pull;
+  constexpr Real felt = static_cast<Real>(1e-6);  // m/s
+  if (!(acceleration * time > felt)) return 0;
+  return std::max(length(velocity), std::sqrt(acceleration * r)) / r;
 }
 
 void accelerate(const ConstantForce& constant, const BodySet& bodies, std::vector<Velocity>& out) {
@@ -253,18 +235,12 @@ void ForceField::accelerations(const BodySet& bodies, std::span<const std::uint3
   for (const std::uint32_t i : rows) damp(bodies, i, held[i], implicit, 0, out);
 }
 
-Real ForceField::passing_rate(const BodySet& bodies, std::span<const std::uint32_t> rows, std::span<const Pull> pulls,
-                              Real time) const {
+Real ForceField::passing_rate(const BodySet& bodies, std::span<const std::uint32_t> rows, Real time) const {
   Real fastest = 0;
   for (const std::uint32_t i : rows) {
     for (const std::uint32_t slot : attractions_) {
-      const auto& attraction = std::get<Attraction>(*slots_[slot].force);
-      fastest = std::max(fastest, rate_past(attraction, i, bodies, time));
+      fastest = std::max(fastest, rate_past(std::get<Attraction>(*slots_[slot].force), i, bodies, time));
     }
-  }
-  for (const Pull& one : pulls) {
-    const auto* spring = std::get_if<Spring>(&*slots_[one.slot].force);
-    if (spring != nullptr) fastest = std::max(fastest, rate_past(*spring, bodies, time));
   }
   return fastest;
 }

@@ -38,11 +38,10 @@ class ForceField {
                      Real implicit, const std::vector<Velocity>& held, const std::vector<Velocity>& later,
                      std::vector<Velocity>& out) const;
 
-  /// 1/s, how fast bodies of these rows pass what attracts them, or the ends of springs each other, within `time` s:
-  /// their speed, or that of circles, over their distance where they are nearest, if they go straight on. Meanwhile a
-  /// force turns and changes by as much as itself. 0 for forces that are linear in places, or too weak to be felt.
-  Real passing_rate(const BodySet& bodies, std::span<const std::uint32_t> rows, std::span<const Pull> pulls,
-                    Real time) const;
+  /// 1/s, how fast bodies of these rows pass what attracts them within `time` s: their speed, or that of circles, over
+  /// their distance where they are nearest, if they go straight on. Meanwhile a force turns and changes by as much as
+  /// itself. 0 for forces that are linear in places, or too weak to be felt.
+  Real passing_rate(const BodySet& bodies, std::span<const std::uint32_t> rows, Real time) const;
 
   bool empty() const { return slots_.size() == free_slots_.size(); }
   /// Whether accelerations depend on positions or velocities.

@@ -87,8 +87,8 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   }
 
   const int by_load = substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings);
-  const int by_pulls = island.varies ? substeps_past(data, island.bodies, island.pulls) : 0;
-  island.cut(data.settings, std::max({by_load, by_pulls, island.least_substeps}));
+  const int by_forces = island.varies ? substeps_past(data, island.bodies) : 0;
+  island.cut(data.settings, std::max({by_load, by_forces, island.least_substeps}));
   for (ImpactRow& row : island.rows) {
     row.offset = island.offset_scale * data.contacts[row.contact].offset;
     if (row.block && row.pair.strength != island.softness(row).mass_scale) {

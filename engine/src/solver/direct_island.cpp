@@ -41,7 +41,7 @@ void DirectIsland::step(DirectStep& step, const Members& members) {
 
 void DirectIsland::begin() {
   StepData& data = step_->data;
-  substeps_ = members_.varies ? substeps_past(data, members_.bodies, members_.pulls) : data.settings.substeps;
+  substeps_ = members_.varies ? substeps_past(data, members_.bodies) : data.settings.substeps;
   solvable_ = last_ = h_ = data.settings.dt / static_cast<Real>(substeps_);
   Vec2 least = step_->start[members_.bodies[0]].p;
   Vec2 most = least;

@@ -144,11 +144,11 @@ bool may_halve(std::size_t bodies, int substeps) {
   return 2 * substeps <= most_substeps && static_cast<std::size_t>(2 * substeps) * bodies <= most_body_substeps;
 }
 
-int substeps_past(const StepData& data, std::span<const std::uint32_t> island, std::span<const Pull> pulls) {
+int substeps_past(const StepData& data, std::span<const std::uint32_t> island) {
   constexpr Real far_past = Real{1} / 8;
   constexpr int most = 64;
   const Settings& settings = data.settings;
-  const Real rate = data.forces.passing_rate(data.bodies, island, pulls, settings.dt);
+  const Real rate = data.forces.passing_rate(data.bodies, island, settings.dt);
   int n = settings.substeps;
   while (2 * n <= most && rate * settings.dt > far_past * static_cast<Real>(n) &&
          static_cast<std::size_t>(2 * n) * island.size() <= most_body_substeps) {

@@ -161,9 +161,9 @@ struct Bearing {
 /// with them, and a stack would topple while it is low.
 int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, const BodySet& bodies,
                  const std::vector<Velocity>& acceleration, const Settings& settings);
-/// The number of sub-steps in which bodies go no farther than an eighth of their distance while they pass what pulls at
+/// The number of sub-steps in which bodies go no farther than an eighth of their distance while they pass what attracts
 /// them (see ForceField::passing_rate): at least the settings' number and at most 64.
-int substeps_past(const StepData& data, std::span<const std::uint32_t> island, std::span<const Pull> pulls);
+int substeps_past(const StepData& data, std::span<const std::uint32_t> island);
 /// Whether an island of this many bodies may be stepped again with twice as many sub-steps.
 bool may_halve(std::size_t bodies, int substeps);
 /// Whether substeps_for may exceed the settings' number for an island of this many bodies.
