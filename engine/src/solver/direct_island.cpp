@@ -6,6 +6,8 @@
 
 #include "narrow_phase/margin.h"
 #include "solver/impact_row.h"
+#include "solver/island.h"
+#include "solver/island_joints.h"
 
 namespace impulse::inline IMPULSE_PRECISION {
 
