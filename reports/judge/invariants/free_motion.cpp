@@ -46,8 +46,8 @@
 // - the round-off of places. A joint puts its bodies where its anchors meet, known to u X, X the distances of both
 //   bodies and anchors. A method that keeps the energy of what joints hold takes the work of the forces from these
 //   places: E = sum |F| u X too much or too little in each of n sub-steps. With w the length of the momentum in the
-//   norm above, w^2/2 is off by n E: w by n E/w, and where it passes zero within the step by sqrt(2 n E). And one that
-//   puts places right by velocities gives each body u X/h.
+//   norm above, w^2/2 is off by n E: w by n E/w, and where it passes zero within the step by sqrt(2 n E). Where no
+//   force works, one that puts places right by velocities still gives each body u X/h.
 namespace plumb::invariants::free_motion {
 namespace {
 
@@ -344,7 +344,8 @@ class FreeMotion {
     const double dt = trace.time(step.moment) - trace.time(step.moment - 1);
     energy *= stepping.h > 0 ? std::max(1.0, dt / stepping.h) : 1;
     const double at_rest = std::sqrt(2 * energy);
-    return (slowest > at_rest ? energy / slowest : at_rest) + std::sqrt(squares);
+    if (energy == 0) return std::sqrt(squares);
+    return slowest > at_rest ? energy / slowest : at_rest;
   }
 
   void add(const Step& step, const std::vector<std::size_t>& group) {
