@@ -176,7 +176,7 @@ Real DirectIsland::advance(Real h, const Impact& then) {
   note_press();
   if (runs_away) take_back();
   drift(h);
-  if (jammed || mends) take_back();
+  if ((jammed || mends) && !runs_away) take_back();
   refresh();
   kick(h);
   relax(h);
