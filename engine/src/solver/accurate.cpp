@@ -213,6 +213,7 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
   kick(data.bodies, island);
   PressAndRelax solve(data.bodies, island, motion_, changes_, space.search);
+  contacts.measure(island);
   solve.press(false);
   while (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);
   int pressed = solve.press_through();
@@ -222,6 +223,7 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   const bool joints_fit = island.joints.fit();
   if (!island.joints.empty()) island.joints.write();
   kick(data.bodies, island);
+  contacts.measure(island);
   solve.relax(island.settling ? std::max(settling_sweeps_for(island.bodies.size()), island.sweeps)
                               : island.sweeps + pressed);
   solve.relax_through();
@@ -257,8 +259,10 @@ bool Accurate::hold_those_that_meet(StepData& data, Island& island, AccurateWork
   const auto find_at = [&](const ImpactRow& row, const Motion& a, const Motion& b) {
     return space.turning.find_at(data, island, start_, motion_, row, {a, b});
   };
-  return space.impacts.hold_those_that_meet(island.rows, data.bodies, motion_, island.h,
-                                            not_felt / static_cast<Real>(island.substeps), std::ref(find_at));
+  const bool any = space.impacts.hold_those_that_meet(island.rows, data.bodies, motion_, island.h,
+                                                      not_felt / static_cast<Real>(island.substeps), std::ref(find_at));
+  if (any) ScalarContacts(data.bodies, motion_).measure(island);  // those that were found again
+  return any;
 }
 
 /// Half of the forces, half of what contacts and joints bore in the last sub-step.

@@ -55,9 +55,10 @@ struct ImpactRow : ContactRow {
   std::array<Vec2, 2> half;  // of each point's last impulse, along normal and tangent
   // m/s, at which each point must part in this sub-step, for impacts have moved the start of its path into overlap.
   std::array<Real, 2> parts{};
-  ContactEffect effect;  // if its normal rotates
-  int age = 0;           // steps since the contact began
-  bool made = false;     // still valid if the contact's points are those below
+  std::array<Real, 2> gaps{};  // m, separations less the offset, where the bodies are while this is solved
+  ContactEffect effect;        // if its normal rotates
+  int age = 0;                 // steps since the contact began
+  bool made = false;           // still valid if the contact's points are those below
   Pose found_a, found_b;
   std::array<Real, 2> found_separation{};
   NormalOf normal_of = NormalOf::between;  // set if it turns
@@ -76,6 +77,7 @@ struct ImpactRow : ContactRow {
   Real friction() const { return slips ? dynamic_friction : static_friction; }
   /// Adds an impulse j, N s, which acted at `at` along n and its tangent, to a point's totals of the step.
   void note(RowPoint& p, const PointArms& at, Vec2 n, Vec2 j) {
+    if (j == Vec2{}) return;
     p.total_normal += j.x;
     p.total_tangent += j.y;
     if (turns) effect.note(at, n, j);

@@ -17,58 +17,77 @@ struct Parabola {
   Real lowest_below(Real most) const { return slope < 0 && bend > 0 ? std::min(-slope / bend, most) : Real{0}; }
 };
 
-/// The energy along impulses that change the velocities of the bodies by `change(body)`. `velocity(body)`: where the
-/// line begins.
-template <class Velocities, class Impulse, class Bias, class Change>
-Parabola along(const Island& island, const BodySet& bodies, Velocities velocity, Impulse impulse, Bias bias,
-               Change change) {
+using RowImpulses = std::array<Vec2, 2>;  // N s, along normal and tangent, of each point
+
+/// Adds the work of a row's impulses, at unit length, against the velocity at which `bias(row, point)` says it should
+/// part.
+template <class Bias>
+void add_slope(const ImpactRow& row, const ContactFrame& frame, const RowImpulses& impulses, Bias bias,
+               Parabola& energy) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const RowPoint& p = row.points[i];
+    const Vec2 j = impulses[i];
+    energy.slope += j.x * (frame.normal_velocity(p) + bias(row, i)) + j.y * frame.tangent_velocity(p);
+  }
+}
+
+void add_bend(const Island& island, const BodySet& bodies, const std::vector<Velocity>& changes, Parabola& energy) {
+  for (const std::uint32_t body : island.bodies) {
+    const InverseMass& inverse = bodies.inverse_mass[body];
+    const Velocity& by = changes[body];
+    if (inverse.m > 0) energy.bend += dot(by.v, by.v) / inverse.m;
+    if (inverse.i > 0) energy.bend += by.w * by.w / inverse.i;
+  }
+}
+
+/// The energy along impulses that change the velocities of the bodies by `changes`. `velocity(body)`: where the line
+/// begins.
+template <class Velocities>
+Parabola along(const Island& island, const BodySet& bodies, Velocities velocity,
+               const std::vector<RowImpulses>& impulses, const std::vector<Velocity>& changes) {
+  constexpr auto unbiased = [](const ImpactRow&, std::size_t) { return Real{0}; };
   Parabola energy;
   for (std::size_t r = 0; r < island.rows.size(); ++r) {
     const ImpactRow& row = island.rows[r];
     if (!row.active) continue;
-    const ContactFrame frame(row, velocity(row.a), velocity(row.b));
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      const RowPoint& p = row.points[i];
-      const Vec2 j = impulse(r, i);
-      energy.slope += j.x * (frame.normal_velocity(p) + bias(row, p)) + j.y * frame.tangent_velocity(p);
-    }
+    add_slope(row, ContactFrame(row, velocity(row.a), velocity(row.b)), impulses[r], unbiased, energy);
   }
-  for (const std::uint32_t body : island.bodies) {
-    const InverseMass& inverse = bodies.inverse_mass[body];
-    const Velocity by = change(body);
-    if (inverse.m > 0) energy.bend += dot(by.v, by.v) / inverse.m;
-    if (inverse.i > 0) energy.bend += by.w * by.w / inverse.i;
-  }
+  add_bend(island, bodies, changes, energy);
   return energy;
 }
 
-constexpr auto unbiased = [](const ImpactRow&, const RowPoint&) { return Real{0}; };
+/// Adds what a row's impulses change of its bodies' velocities. Bodies that cannot be pushed are not written: they may
+/// belong to other islands too.
+void add_change(const ImpactRow& row, const RowImpulses& impulses, std::vector<Velocity>& changes) {
+  const bool on_a = pushable(row.mass_a);
+  const bool on_b = pushable(row.mass_b);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const RowPoint& p = row.points[i];
+    const Vec2 j = impulses[i];
+    const Vec2 push = j.x * row.normal + j.y * perpendicular(row.normal);
+    if (on_a) {
+      changes[row.a].v -= row.mass_a.m * push;
+      changes[row.a].w -= row.mass_a.i * (j.x * p.cross_a + j.y * p.dot_a);
+    }
+    if (on_b) {
+      changes[row.b].v += row.mass_b.m * push;
+      changes[row.b].w += row.mass_b.i * (j.x * p.cross_b + j.y * p.dot_b);
+    }
+  }
+}
+
+void clear(const Island& island, std::vector<Velocity>& changes) {
+  for (const std::uint32_t body : island.bodies) changes[body] = {};
+}
 
 Velocity sum(const Velocity& v, Real x, const Velocity& by) { return {v.v + x * by.v, v.w + x * by.w}; }
 
 }  // namespace
 
 void LineSearch::spread(const Island& island, const Impulses& impulses, std::vector<Velocity>& changes) {
-  for (const std::uint32_t body : island.bodies) changes[body] = {};
+  clear(island, changes);
   for (std::size_t r = 0; r < island.rows.size(); ++r) {
-    const ImpactRow& row = island.rows[r];
-    if (!row.active) continue;
-    // Bodies that cannot be pushed are not written: they may belong to other islands too.
-    const bool on_a = pushable(row.mass_a);
-    const bool on_b = pushable(row.mass_b);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      const RowPoint& p = row.points[i];
-      const Vec2 j = impulses[r][i];
-      const Vec2 push = j.x * row.normal + j.y * perpendicular(row.normal);
-      if (on_a) {
-        changes[row.a].v -= row.mass_a.m * push;
-        changes[row.a].w -= row.mass_a.i * (j.x * p.cross_a + j.y * p.dot_a);
-      }
-      if (on_b) {
-        changes[row.b].v += row.mass_b.m * push;
-        changes[row.b].w += row.mass_b.i * (j.x * p.cross_b + j.y * p.dot_b);
-      }
-    }
+    if (island.rows[r].active) add_change(island.rows[r], impulses[r], changes);
   }
 }
 
@@ -85,11 +104,7 @@ void LineSearch::temper(const Island& island, const BodySet& bodies, const std::
   list(island, last_);
   spread(island, last_, kicks);
   const auto flown = [&](std::uint32_t body) { return sum(bodies.velocity[body], island.h, acceleration[body]); };
-  const auto guess = [&] {
-    return along(
-        island, bodies, flown, [&](std::size_t r, std::size_t i) { return last_[r][i]; }, unbiased,
-        [&](std::uint32_t body) { return kicks[body]; });
-  };
+  const auto guess = [&] { return along(island, bodies, flown, last_, kicks); };
   if (!guess().rises_to(1)) return;
 
   direction_ = last_;
@@ -98,10 +113,7 @@ void LineSearch::temper(const Island& island, const BodySet& bodies, const std::
   }
   spread(island, direction_, changes);
   const auto before = [&](std::uint32_t body) { return sum(sum(flown(body), 1, kicks[body]), -1, changes[body]); };
-  const Real share = along(
-                         island, bodies, before, [&](std::size_t r, std::size_t i) { return direction_[r][i]; },
-                         unbiased, [&](std::uint32_t body) { return changes[body]; })
-                         .lowest_below(1);
+  const Real share = along(island, bodies, before, direction_, changes).lowest_below(1);
   for (const std::uint32_t body : island.bodies) kicks[body] = sum(kicks[body], share - 1, changes[body]);
   for (std::size_t r = 0; r < last_.size(); ++r) {
     for (std::size_t i = 0; i < 2; ++i) last_[r][i] += (share - 1) * direction_[r][i];
@@ -125,8 +137,7 @@ void LineSearch::begin(const Island& island) {
   change_ = 0;
 }
 
-void LineSearch::go_on(const Island& island, BodySet& bodies, const std::vector<Motion>& motion,
-                       std::vector<Velocity>& changes, bool pressing) {
+void LineSearch::go_on(const Island& island, BodySet& bodies, std::vector<Velocity>& changes, bool pressing) {
   Real change = 0;
   for (std::size_t r = 0; r < island.rows.size(); ++r) {
     for (std::size_t i = 0; i < 2; ++i) {
@@ -142,25 +153,26 @@ void LineSearch::go_on(const Island& island, BodySet& bodies, const std::vector<
 
   Real share = 0;
   if (ratio > 0) {
+    const auto bias = [&](const ImpactRow& row, std::size_t i) {
+      if (!pressing) return Real{0};
+      return row.gaps[i] > 0 ? row.gaps[i] / island.h : island.softness(row).bias_rate * row.gaps[i];
+    };
     Real room = 1;
+    Parabola energy;
+    clear(island, changes);
     for (std::size_t r = 0; r < island.rows.size(); ++r) {
+      const ImpactRow& row = island.rows[r];
       for (std::size_t i = 0; i < 2; ++i) {
         Vec2& go = direction_[r][i];
         go = ratio * go;
-        if (go.x < 0) room = std::min(room, island.rows[r].points[i].normal_impulse / -go.x);
+        if (go.x < 0) room = std::min(room, row.points[i].normal_impulse / -go.x);
       }
+      if (!row.active) continue;
+      add_change(row, direction_[r], changes);
+      add_slope(row, ContactFrame(row, bodies.velocity[row.a], bodies.velocity[row.b]), direction_[r], bias, energy);
     }
-    spread(island, direction_, changes);
-    const auto bias = [&](const ImpactRow& row, const RowPoint& p) {
-      if (!pressing) return Real{0};
-      const Real gap = separation(row, p, motion[row.a], motion[row.b]) - row.offset;
-      return gap > 0 ? gap / island.h : island.softness(row).bias_rate * gap;
-    };
-    share = along(
-                island, bodies, [&](std::uint32_t body) { return bodies.velocity[body]; },
-                [&](std::size_t r, std::size_t i) { return direction_[r][i]; }, bias,
-                [&](std::uint32_t body) { return changes[body]; })
-                .lowest_below(room);
+    add_bend(island, bodies, changes, energy);
+    share = energy.lowest_below(room);
     for (const std::uint32_t body : island.bodies) {
       if (bodies.pushable(body)) bodies.velocity[body] = sum(bodies.velocity[body], share, changes[body]);
     }

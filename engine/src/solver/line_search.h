@@ -33,8 +33,7 @@ class LineSearch {
   /// nonlinear conjugate gradients: M. Silcowitz, S. Niebe and K. Erleben, A nonsmooth nonlinear conjugate gradient
   /// method for interactive contact force problems, 2010), but not beyond the lowest energy, nor so far that a point
   /// would pull. A sweep must follow, which enforces the limit of friction. `pressing`: the sweeps are press_rigidly().
-  void go_on(const Island& island, BodySet& bodies, const std::vector<Motion>& motion, std::vector<Velocity>& changes,
-             bool pressing);
+  void go_on(const Island& island, BodySet& bodies, std::vector<Velocity>& changes, bool pressing);
 
  private:
   /// N s, along normal and tangent, of each point of each row.

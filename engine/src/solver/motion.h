@@ -59,14 +59,6 @@ inline Real separation(const ContactRow& row, const RowPoint& p, const Motion& a
   return p.separation + dot(row.normal, b.d - a.d) + (b.sine * p.cross_b + b.drop * p.turn_b) -
          (a.sine * p.cross_a + a.drop * p.turn_a);
 }
-/// The same in a frame without the body that stands still.
-template <class Frame>
-Real separation(const ContactRow& row, const RowPoint& p, const Motion& a, const Motion& b) {
-  Real s = p.separation + dot(row.normal, Frame::difference(a.d, b.d));
-  if constexpr (Frame::with_b) s += b.sine * p.cross_b + b.drop * p.turn_b;
-  if constexpr (Frame::with_a) s -= a.sine * p.cross_a + a.drop * p.turn_a;
-  return s;
-}
 
 /// Advances a velocity by t seconds of constant acceleration; returns the mean velocity.
 inline Velocity flown(Velocity& v, const Velocity& acceleration, Real t) {

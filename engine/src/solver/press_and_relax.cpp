@@ -18,10 +18,8 @@ void PressAndRelax::press(bool rigidly) {
   }
 }
 
-/// Whether a contact penetrates deeper in this sub-step than its share of what is not felt. `held`: without the points
-/// that relax skips.
 bool PressAndRelax::deepens(bool held) const {
-  return ScalarContacts(bodies_, motion_).deepening(island_, held) * static_cast<Real>(island_.substeps) > not_felt;
+  return ScalarContacts(bodies_, motion_).deepens(island_, not_felt, held);
 }
 
 /// Extra rigid iterations. In an impact, a soft contact penetrates by 1 - strength of the displacement in a sub-step,
@@ -33,7 +31,7 @@ int PressAndRelax::press_through() {
     if (sweeps == 0) {
       search_.begin(island_);
     } else {
-      search_.go_on(island_, bodies_, motion_, changes_, true);
+      search_.go_on(island_, bodies_, changes_, true);
     }
     press(true);
     sweeps += island_.sweeps;
@@ -54,7 +52,7 @@ void PressAndRelax::relax_through() {
     if (sweep == 0) {
       search_.begin(island_);
     } else {
-      search_.go_on(island_, bodies_, motion_, changes_, false);
+      search_.go_on(island_, bodies_, changes_, false);
     }
     relax(1);
   }

@@ -142,9 +142,12 @@ void ScalarContacts::each(const Island& island, Solve solve) {
   }
 }
 
-template <class Frame>
-Real ScalarContacts::gap(const ImpactRow& row, const RowPoint& p) const {
-  return separation<Frame>(row, p, motion_[row.a], motion_[row.b]) - row.offset;
+void ScalarContacts::measure(const Island& island) const {
+  for (ImpactRow& row : island.rows) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      row.gaps[i] = separation(row, row.points[i], motion_[row.a], motion_[row.b]) - row.offset;
+    }
+  }
 }
 
 void ScalarContacts::halve(const Island& island, std::vector<Velocity>& kicks) const {
@@ -258,7 +261,7 @@ void ScalarContacts::press(const Island& island) {
       if constexpr (rigidly) soft = {.bias_rate = soft.bias_rate};
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
         RowPoint& p = row.points[i];
-        const Real s = gap<Frame>(row, p) + row.parts[i] * island.h;
+        const Real s = row.gaps[i] + row.parts[i] * island.h;
         const Real v = frame.normal_velocity(p) - row.parts[i];
         const Real push = s > touching_gap ? -p.normal_mass * (v + s / island.h)
                                            : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) -
@@ -275,7 +278,7 @@ void ScalarContacts::relax(const Island& island) {
     if (!row.block || !relax_pair(row, frame)) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
         RowPoint& p = row.points[i];
-        if (p.normal_impulse == 0 && gap<Frame>(row, p) > touching_gap) continue;
+        if (p.normal_impulse == 0 && row.gaps[i] > touching_gap) continue;
         const Real push = -p.normal_mass * frame.normal_velocity(p);
         apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
@@ -284,8 +287,8 @@ void ScalarContacts::relax(const Island& island) {
   });
 }
 
-Real ScalarContacts::deepening(const Island& island, bool held) const {
-  Real most = 0;
+bool ScalarContacts::deepens(const Island& island, Real in_step, bool held) const {
+  const auto felt = [&](Real growth) { return growth * static_cast<Real>(island.substeps) > in_step; };
   for (const ImpactRow& row : island.rows) {
     if (!row.active) continue;
     const ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
@@ -293,13 +296,13 @@ Real ScalarContacts::deepening(const Island& island, bool held) const {
       const RowPoint& p = row.points[i];
       const Real parts = held ? 0 : row.parts[i] * island.h;
       const Real closing = parts - island.h * frame.normal_velocity(p);
-      if (closing <= most) continue;  // an upper bound of the growth
-      const Real s = gap<ContactFrame>(row, p) + parts;
+      if (!felt(closing)) continue;  // an upper bound of the growth
+      const Real s = row.gaps[i] + parts;
       if (held && p.normal_impulse == 0 && s > touching_gap) continue;
-      most = std::max(most, held ? closing : std::min(s, Real{0}) - (s - closing));
+      if (felt(held ? closing : std::min(s, Real{0}) - (s - closing))) return true;
     }
   }
-  return most;
+  return false;
 }
 
 PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
@@ -318,13 +321,10 @@ PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
 
 /// (K + G) d = -(v + bias + G lambda) with G the compliance of the points that overlap.
 template <bool rigidly, class Frame>
-[[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, ImpactRow& row,
-                                                              Frame& frame) const {
+[[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, ImpactRow& row, Frame& frame) {
   const PointPair& pair = row.pair;
-  const auto& [p, q] = row.points;
   const Real rate = island.softness(row).bias_rate;
-  const std::array<Real, 2> s{gap<Frame>(row, p) + row.parts[0] * island.h,
-                              gap<Frame>(row, q) + row.parts[1] * island.h};
+  const std::array<Real, 2> s{row.gaps[0] + row.parts[0] * island.h, row.gaps[1] + row.parts[1] * island.h};
   const auto change = [&](std::size_t i, Real give) {
     const RowPoint& point = row.points[i];
     const Real bias = (s[i] > touching_gap ? s[i] / island.h : rate * s[i]) + give * point.normal_impulse;
@@ -341,10 +341,10 @@ template <bool rigidly, class Frame>
 }
 
 template <class Frame>
-[[gnu::always_inline]] inline bool ScalarContacts::relax_pair(ImpactRow& row, Frame& frame) const {
+[[gnu::always_inline]] inline bool ScalarContacts::relax_pair(ImpactRow& row, Frame& frame) {
   const auto& [p, q] = row.points;
-  for (const RowPoint& point : row.points) {
-    if (point.normal_impulse == 0 && gap<Frame>(row, point) > touching_gap) return false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (row.points[i].normal_impulse == 0 && row.gaps[i] > touching_gap) return false;
   }
   return push_both(row.pair.rigid, row.pair.inverse_mass, row.pair.coupling, row, frame,
                    {-frame.normal_velocity(p), -frame.normal_velocity(q)});

@@ -30,6 +30,8 @@ class ScalarContacts {
   void halve(const Island& island, std::vector<Velocity>& kicks) const;
   /// Adds the halves to the accumulated impulses, after each kick.
   void count_halves(const Island& island);
+  /// Sets the gaps for the solves below, while bodies stay where they are.
+  void measure(const Island& island) const;
   /// Solves contacts as soft constraints; a gap may close within the sub-step, but no further. Friction is solved in
   /// relax(), except in a contact's first step (otherwise a box set down on a slope slips before it is held).
   void press(const Island& island);
@@ -47,9 +49,9 @@ class ScalarContacts {
   bool stick_or_slip(const Island& island, Real slow_in_web) const;
   /// After relax(): what two discs bore before they drifted acts along the normal of then.
   void turn_back(const Island& island);
-  /// m, the largest growth of a contact's penetration in a sub-step at these velocities. `held`: without the points
-  /// that relax() skips.
-  Real deepening(const Island& island, bool held) const;
+  /// Whether a contact penetrates deeper in a sub-step at these velocities by more than its share of `in_step`, m, of
+  /// all sub-steps. `held`: without the points that relax() skips.
+  bool deepens(const Island& island, Real in_step, bool held) const;
   void settle_offsets(const Island& island);
 
  private:
@@ -59,17 +61,15 @@ class ScalarContacts {
   /// The same for each active row.
   template <class Solve>
   void each(const Island& island, Solve solve);
-  template <class Frame>
-  Real gap(const ImpactRow& row, const RowPoint& p) const;
   void face(ImpactRow& row) const;
   void turn_normal(ImpactRow& row);
   void push_centres(const ImpactRow& row, Vec2 impulse);
   template <bool rigidly>
   void press(const Island& island);
   template <bool rigidly, class Frame>
-  bool press_pair(const Island& island, ImpactRow& row, Frame& frame) const;
+  static bool press_pair(const Island& island, ImpactRow& row, Frame& frame);
   template <class Frame>
-  bool relax_pair(ImpactRow& row, Frame& frame) const;
+  static bool relax_pair(ImpactRow& row, Frame& frame);
 
   BodySet& bodies_;
   const std::vector<Motion>& motion_;

@@ -123,7 +123,7 @@ TEST(LineSearch, StopsAHeavyBodyOnALightOneInFewerSweeps) {
     column.bodies.velocity[2].v.y = -1;
     column.search.begin(column.island);
     for (int i = 0; i < 60; ++i) {
-      if (helped && i > 0) column.search.go_on(column.island, column.bodies, column.motion, column.changes, false);
+      if (helped && i > 0) column.search.go_on(column.island, column.bodies, column.changes, false);
       sweep(column);
     }
     const double speed = std::abs(static_cast<double>(column.bodies.velocity[2].v.y));
