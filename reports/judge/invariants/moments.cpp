@@ -24,7 +24,8 @@
 // - within the step the body turns by w dt under the point, and the normal by delta (see normal_rotation):
 //   |p| (w dt + delta) |J|;
 // - a method may keep the points that it found when the two came to touch, on both bodies: they are as far apart as the
-//   bodies have slid since, at the relative velocity there, and round ones have rolled, w r dt. That path, times |J|.
+//   bodies have slid since, at the relative velocity there, or, if they stopped within a step in which they set out, as
+//   far as they got, and round ones have rolled, w r dt. That path, times |J|.
 // A method may report the points of the step's start, of its end, or, if it goes on from an impact within the step, of
 // any moment in between. So p is taken from the centre at the start, or at the end, or, with half of the longest path,
 // from the middle: whichever explains it best. The forces change within the step, and everything is rounded, velocities
@@ -104,7 +105,8 @@ class Moments {
       const double known = dt * off[i].torque +
                            solver_rounding(stepping) * static_cast<double>(1 + of[i].size()) * largest_[i] +
                            2 * 0x1p-53 * trace.time(moment) * std::abs(torque);
-      const double path = dt * std::max(length(then[i].velocity), length(now[i].velocity));
+      const double path = std::max(dt * std::max(length(then[i].velocity), length(now[i].velocity)),
+                                   length(now[i].position - then[i].position));
       double missing = 0;
       double tolerance = 0;
       double scale = 0;
@@ -134,6 +136,13 @@ class Moments {
                              std::abs(context_.trace.states(moment)[body].angular_velocity));
   }
 
+  // Where the point of the body that is at the contact now was at the start of the step.
+  Vec where_it_was(const ContactState& contact, std::size_t body, std::size_t moment) const {
+    const BodyState& then = context_.trace.states(moment - 1)[body];
+    const BodyState& now = context_.trace.states(moment)[body];
+    return then.position + rotated(contact.point - now.position, then.angle - now.angle);
+  }
+
   // The paths that touching bodies have slid and rolled on each other.
   void follow_paths(std::size_t moment) {
     const auto& trace = context_.trace;
@@ -145,8 +154,10 @@ class Moments {
                                     length(relative_velocity(contact, trace.states(moment))));
       const auto before = passed_.find(pair);
       double& path = passed[pair];
-      const double rolled = rim_speed(contact.a, moment) + rim_speed(contact.b, moment);
-      path = std::max(path, dt * (speed + rolled) + (before != passed_.end() ? before->second : 0));
+      const double slid = std::max(
+          dt * speed, length(where_it_was(contact, contact.b, moment) - where_it_was(contact, contact.a, moment)));
+      const double rolled = dt * (rim_speed(contact.a, moment) + rim_speed(contact.b, moment));
+      path = std::max(path, slid + rolled + (before != passed_.end() ? before->second : 0));
     }
     passed_ = std::move(passed);
   }

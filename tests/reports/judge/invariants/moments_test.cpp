@@ -78,6 +78,19 @@ TEST(AngularMomentumOfBodiesInvariant, AllowsForTheWaySlidSinceTheContactBegan) 
   EXPECT_EQ(slid(0.001, 0.004), CheckStatus::broken);
 }
 
+// A brick that is struck, slides up to the next one and hands its velocity on, all within a step.
+TEST(AngularMomentumOfBodiesInvariant, AllowsForTheWaySlidByWhatSetsOutAndStopsWithinAStep) {
+  const auto slid = [](double way, double off) {
+    const std::vector<ContactState> contacts{pushing_at({way + 0.5 + off, 0}, 0.05),
+                                             pushing_at({way - 0.5 + off, 0}, 0.05)};
+    const Trace trace = forged(dt, {{box_at({0, 0.5})}, {box_at({way, 0.5}), contacts}});
+    return status(invariant, box_on_ground(), trace, exact);
+  };
+  EXPECT_EQ(slid(0.01, 0.004), CheckStatus::held);
+  EXPECT_EQ(slid(0.01, 0.03), CheckStatus::broken);
+  EXPECT_EQ(slid(0.001, 0.004), CheckStatus::broken);
+}
+
 // A disc that rolls leaves the points behind on both.
 TEST(AngularMomentumOfBodiesInvariant, AllowsForTheWayRolledSinceTheContactBegan) {
   Scene scene = box_on_ground();
