@@ -58,7 +58,6 @@ void Accurate::prepare(StepData& data) {
 void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
   island.rows = std::span(rows_).subspan(parts_.first_contact(number), island.contacts.size());
   Bearing bearing;
-  const bool is_few = few(island);
   bool may_turn = false;  // by friction
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
     const Contact& contact = data.contacts[island.contacts[i].contact];
@@ -72,7 +71,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     island.bounces |= row.restitution > 0;
     island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
     bearing.add(row);
-    if (is_few && row.age >= OffsetRule::from_age) bearing.add_load(row, row.web, contact.offset, data.settings);
+    if (row.age >= OffsetRule::from_age) bearing.add_load(row, row.web, contact.offset, data.settings);
     const Stir stir = stir_of(contact, data.bodies);
     if (!stir.moves(data.settings.dt)) continue;
     island.struck = island.struck || (new_or_deep(contact) && at_speed(row, data.bodies));

@@ -14,6 +14,9 @@ constexpr Real fast = static_cast<Real>(0.1);  // m/s
 /// Budget of one island and step: large piles keep the base numbers of sub-steps and iterations.
 constexpr std::size_t most_body_substeps = 4000;
 
+/// The same for what rests: the most sub-steps for a wall of 200 bricks, whose corners bear most.
+constexpr std::size_t most_resting_substeps = 6400;
+
 /// The same for a blow that is solved through a whole island, with as many sweeps as it takes: in four sub-steps so
 /// many over its bodies take 12 ms. A light body between heavy ones takes more than one sweep for each body.
 constexpr std::size_t most_body_sweeps = 40000;
@@ -129,12 +132,13 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
   // deep. Both are within the limits in nearly every step: no division then.
   const bool light = bearing.points == 0 || weight <= 2 * bearing.lightest * bears;
   if (light && 2 * bearing.deepest <= tolerated_sink) return base;
+  if (!may_need_substeps(island.size(), settings)) return base;
   const Real weighs = light ? Real{0} : weight / (bearing.lightest * bears);
   const Real presses = bearing.deepest / tolerated_sink;
   const Real wanted = std::max(weighs / 2, 2 * presses) * static_cast<Real>(base * base);
   int n = base;
   while (2 * n <= most_substeps && static_cast<Real>(n * n) < wanted &&
-         static_cast<std::size_t>(2 * n) * island.size() <= most_body_substeps) {
+         static_cast<std::size_t>(2 * n) * island.size() <= most_resting_substeps) {
     n *= 2;
   }
   return n;

@@ -342,13 +342,12 @@ bool is_pile(const StepData& data, const Island& island) {
 void plan_pile(const StepData& data, const Partition& parts, Island& island,
                const std::vector<Velocity>& acceleration) {
   Bearing bearing;
-  const bool is_few = few(island);
   if (may_need_substeps(island.bodies.size(), data.settings)) {
     for (const Tie& tie : island.contacts) {
       const Contact& contact = data.contacts[tie.contact];
       const ContactRow row = make_row(data.bodies, data.contacts, tie.contact);
       bearing.add(row);
-      if (is_few && contact.age >= OffsetRule::from_age)
+      if (contact.age >= OffsetRule::from_age)
         bearing.add_load(row, parts.in_web(tie), contact.offset, data.settings);
     }
   }
