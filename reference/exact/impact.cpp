@@ -52,8 +52,12 @@ std::variant<FirstImpact, std::string> FirstImpact::solve(const Setup& given) {
       return "handles only a body that starts above the floor";
   }
   const std::optional<FloorContact> contact =
-      first_contact(given.start, given.gravity, given.corners, given.floor, given.horizon);
+      first_contact(given.start, given.gravity, given.corners, given.floor, given.horizon + longest_step);
   if (!contact) return motion;
+  if (contact->time > given.horizon) {
+    motion.until_ = contact->time;  // in the last step of a run, which may go on past the horizon
+    return motion;
+  }
 
   const BodyState landed = free_flight(given.start, given.gravity, contact->time);
   for (std::size_t i = 0; i < given.corners.size(); ++i) {

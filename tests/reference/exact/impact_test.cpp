@@ -207,6 +207,13 @@ TEST(FirstImpact, EndsAtTheSecondContact) {
   EXPECT_EQ(solved(shorter).valid_until(), motion.valid_until());
 }
 
+TEST(FirstImpact, EndsAtAFirstContactInTheLastStep) {
+  auto shorter = landing();
+  const double landed = solved(shorter).impact();
+  shorter.horizon = landed - 1e-3;
+  EXPECT_EQ(solved(shorter).valid_until(), landed);
+}
+
 TEST(FirstImpact, IsValidForEverIfNothingIsHit) {
   FirstImpact::Setup high = landing();
   high.start.position.y = 1e4;
