@@ -120,11 +120,11 @@ void DirectIsland::substep() {
   }
 }
 
-/// s, up to `most`, but no less than an eighth of a sub-step: in which no body turns far, because normals turn with the
+/// s, up to `most`, but no less than 1/64 of a sub-step: in which no body turns far, because normals turn with the
 /// bodies, and none goes farther than its size past what it has not reached yet, because other corners may meet than
 /// are nearest now.
 Real DirectIsland::longest(Real most) const {
-  const Real shortest_of_all = h_ / 8;
+  const Real shortest_of_all = h_ / 64;
   const Real w = fastest();
   Real time = w * most > far_turn ? std::max(far_turn / w, shortest_of_all) : most;
   const BodySet& bodies = step_->data.bodies;

@@ -192,6 +192,32 @@ TEST(Accurate, PyramidsOfTenAndTwentySettleAndDoNotPenetrate) {
 
 // The slowest wave of 80 layers (see OffsetRule::lifting) has W = 2.5 and c = .97/s, and starts with g / W as the
 // pyramid sinks into its springs; offsets that follow faster than c keep it going.
+// The deepest overlap, m, of a wall of bricks in bond that falls by some millimetres.
+double deepest_in_a_wall(int courses, int bricks, double width, double height, double gap, const Material& brick) {
+  World world(accurate());
+  ground(world, brick);
+  const Shape shape = Shape::box(vec(width / 2, height / 2));
+  for (int row = 0; row < courses; ++row) {
+    for (int i = 0; i < bricks; ++i) {
+      const double x = (width + .01) * (i + (row % 2 == 0 ? 0 : .5));
+      world.create_body(at(x, (row + .5) * (height + gap) + gap / 2), shape, brick);
+    }
+  }
+  double deepest = 0;
+  for (int step = 0; step < 50; ++step) {
+    world.step();
+    for (const ContactInfo& contact : world.contacts())
+      deepest = std::max(deepest, -static_cast<double>(contact.separation));
+  }
+  return deepest;
+}
+
+// The last brick of a course hangs over, so that one corner bears it and half of what stands on it.
+TEST(Accurate, WallsSinkInNoDeeperThanStatedWhereTheirCornersBearMost) {
+  EXPECT_LT(deepest_in_a_wall(10, 14, .979, .378, .0081, material(0, .15)), .0005);
+  EXPECT_LT(deepest_in_a_wall(12, 14, .92, .17, .0098, material(.47, 1)), .0005);
+}
+
 TEST(Accurate, APyramidOfEightyRowsStopsOscillating) {
   constexpr double swing = 2.5;
   constexpr double damping = .97;
