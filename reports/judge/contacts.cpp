@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "scenarios/scene/vec.h"
@@ -119,10 +120,17 @@ double unsolved_share(const Stepping& stepping) {
 // uses that of the iteration before, which is off by the unsolved share of the step's change, the initial error.
 std::vector<double> stale_impulse_error(std::span<const ContactState> before, std::span<const ContactState> now,
                                         const Stepping& stepping) {
-  std::vector<double> errors;
-  errors.reserve(now.size());
-  for (const ContactState& contact : now) errors.push_back(stepping.drift == 0 ? 0 : impulse_change(before, contact));
-  if (stepping.iterations == 0 || errors.empty()) return errors;
+  std::vector<double> errors(now.size());
+  if (stepping.drift == 0 || now.empty()) return errors;
+  const auto of_earlier_pair = [](const ContactState& one, const ContactState& other) {
+    return std::pair(one.a, one.b) < std::pair(other.a, other.b);
+  };
+  std::vector<ContactState> by_pair(before.begin(), before.end());
+  std::ranges::stable_sort(by_pair, of_earlier_pair);
+  std::ranges::transform(now, errors.begin(), [&](const ContactState& contact) {
+    return impulse_change(std::ranges::equal_range(by_pair, contact, of_earlier_pair), contact);
+  });
+  if (stepping.iterations == 0) return errors;
   const double iterated = unsolved_share(stepping) * *std::max_element(errors.begin(), errors.end());
   for (double& one : errors) one = std::max(one, iterated);
   return errors;

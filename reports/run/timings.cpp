@@ -12,8 +12,8 @@ namespace plumb {
 namespace {
 
 // 15 repetitions, which scenes so short that a single interrupt would show need; fewer, but at least 5, once they have
-// taken 0.02 s, or at least 3, once they have taken 0.15 s.
-constexpr RepetitionRule report_repetitions{.fewest = 5, .most = 15, .budget = 0.02, .slow = 0.15};
+// taken 0.02 s, or at least 3, once they have taken 0.05 s.
+constexpr RepetitionRule report_repetitions{.fewest = 5, .most = 15, .budget = 0.02, .slow = 0.05};
 
 double time_of_scene(const Scene& scene, const EngineConfig& config, double dt, double at_least) {
   try {

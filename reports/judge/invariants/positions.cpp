@@ -26,6 +26,16 @@ double relative_speed(const BodyState& a, const BodyState& b, double radius_a, d
          radius_b * std::abs(b.angular_velocity);
 }
 
+// Every overlap at a moment: those that meet in the step after it are known anyway.
+std::vector<BodyOverlap> overlaps_at(std::size_t moment, const Overlap& overlap, const InvariantContext& context) {
+  if (moment + 1 == context.trace.size()) return overlap.all(context.trace.states(moment));
+  std::vector<BodyOverlap> overlaps;
+  for (const BodyGap& pair : context.neighbours.in_step(moment + 1)) {
+    if (pair.gap < 0) overlaps.push_back({pair.a, pair.b, -pair.gap});
+  }
+  return overlaps;
+}
+
 // A pair may overlap by the gap that the method states, by its depth at the start of the scene, and by the distance
 // that it approaches before an impact is noticed: lag h V, V the largest relative speed of two of its points in the
 // steps that the lag covers, and in the one after, in which it is measured, and what gravity adds to V until then. How
@@ -55,7 +65,7 @@ std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
   };
   grow_extremes(0);
   std::map<BodyPair, double> at_start;
-  for (const BodyOverlap& pair : overlap.all(trace.states(0))) {
+  for (const BodyOverlap& pair : overlaps_at(0, overlap, context)) {
     double& depth = at_start[{pair.a, pair.b}];
     depth = std::max(depth, pair.depth);
   }
@@ -68,7 +78,7 @@ std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
     const auto covered = static_cast<std::size_t>(std::ceil(lag / dt)) + 1;
     const std::size_t since = moment - std::min(moment, covered);
     std::map<BodyPair, double> depths;
-    for (const BodyOverlap& pair : overlap.all(trace.states(moment))) {
+    for (const BodyOverlap& pair : overlaps_at(moment, overlap, context)) {
       double& depth = depths[{pair.a, pair.b}];
       depth = std::max(depth, pair.depth);
     }
