@@ -347,8 +347,7 @@ void plan_pile(const StepData& data, const Partition& parts, Island& island,
       const Contact& contact = data.contacts[tie.contact];
       const ContactRow row = make_row(data.bodies, data.contacts, tie.contact);
       bearing.add(row);
-      if (contact.age >= OffsetRule::from_age)
-        bearing.add_load(row, parts.in_web(tie), contact.offset, data.settings);
+      if (contact.age >= OffsetRule::from_age) bearing.add_load(row, parts.in_web(tie), contact.offset, data.settings);
     }
   }
   island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration, data.settings));
