@@ -323,6 +323,13 @@ void ForceField::append_pairs(const BodySet& bodies, std::vector<std::pair<std::
   }
 }
 
+bool ForceField::attracts(const BodySet& bodies, std::size_t row) const {
+  std::vector<Velocity> pull(attractions_.empty() ? 0 : row + 1);
+  if (pull.empty()) return false;
+  attract(bodies, row, pull);
+  return pull[row].v != Vec2{};
+}
+
 void ForceField::remove(ForceId id) {
   require(id);
   free_slot(id.index);

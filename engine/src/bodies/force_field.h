@@ -60,6 +60,8 @@ class ForceField {
   /// nearer by `margin` m.
   void append_pairs(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out,
                     Real margin = 0) const;
+  /// Whether some attraction accelerates the body of a row.
+  bool attracts(const BodySet& bodies, std::size_t row) const;
   /// Throws std::out_of_range for a stale id.
   void remove(ForceId id);
   /// Removes every force that refers to the body.

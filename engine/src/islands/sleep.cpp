@@ -117,6 +117,7 @@ void Sleep::update_after_step(const Settings& settings, const Margin& margin) {
   }
   if (!due) return;
   const std::size_t sleepers = bodies_.sleepers;
+  keep_attracted_awake(margin);
   build_islands(margin);
   for (std::size_t island = 0; island < islands_.size(); ++island) {
     const auto bodies = islands_.bodies(island);
@@ -146,6 +147,21 @@ bool Sleep::update_timer(std::size_t i, const Settings& settings) {
     rest.time += settings.dt;
   }
   return true;
+}
+
+void Sleep::keep_attracted_awake(const Margin& margin) {
+  held_.assign(bodies_.size(), 0);
+  for (const Contact& contact : contacts_.rows()) {
+    const Real separation = least_separation(contact.points, contact.count);
+    if (!within_reach(contact.body_a, contact.body_b, contact.normal, separation, margin)) continue;
+    held_[contact.body_a] = held_[contact.body_b] = 1;
+  }
+  connections_.clear();
+  joints_.append_pairs(connections_);
+  for (const auto& [a, b] : connections_) held_[a] = held_[b] = 1;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (held_[i] == 0 && bodies_.moves(i) && forces_.attracts(bodies_, i)) restless_[i] = 1;
+  }
 }
 
 /// Builds the islands of the awake bodies; each body that is not dynamic stays an island of its own.

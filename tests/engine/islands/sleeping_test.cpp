@@ -265,6 +265,23 @@ TEST(Sleep, DoesNotMistakeATurningPointForRest) {
   EXPECT_TRUE(world.body(ball).awake());
 }
 
+TEST(Sleep, ComesToNothingThatIsAttractedAndThatNothingHolds) {
+  Settings settings = sleeping_allowed("accurate");
+  settings.gravity = {};
+  World world(settings);
+  const BodyId sun = world.create_body(at(0, 0), unit_box());
+  const BodyId planet = world.create_body(at(3, 0), unit_box());
+  const ForceId pull = world.add_force(Attraction{sun, real(1e-5), 2});
+  run(world, 300);
+  EXPECT_TRUE(world.body(sun).awake());
+  EXPECT_TRUE(world.body(planet).awake());
+  EXPECT_LT(world.body(planet).velocity().x, 0);
+  world.remove_force(pull);
+  world.body(sun).set_velocity({}, 0);
+  world.body(planet).set_velocity({}, 0);
+  EXPECT_LT(steps_to_sleep(world), 1200);
+}
+
 TEST(Sleep, OfOneBodyWaitsForItsWholeIsland) {
   World world(sleeping_allowed());
   const BodyId floor = add_floor(world);
