@@ -19,8 +19,7 @@ struct Parabola {
 
 using RowImpulses = std::array<Vec2, 2>;  // N s, along normal and tangent, of each point
 
-/// Adds the work of a row's impulses, at unit length, against the velocity at which `bias(row, point)` says it should
-/// part.
+/// Adds the slope of the energy along a row's impulses; `bias(row, point)`: see LineSearch.
 template <class Bias>
 void add_slope(const ImpactRow& row, const ContactFrame& frame, const RowImpulses& impulses, Bias bias,
                Parabola& energy) {
