@@ -126,9 +126,10 @@ std::vector<double> stale_impulse_error(std::span<const ContactState> before, st
     return std::pair(one.a, one.b) < std::pair(other.a, other.b);
   };
   std::vector<ContactState> by_pair(before.begin(), before.end());
-  std::ranges::stable_sort(by_pair, of_earlier_pair);
-  std::ranges::transform(now, errors.begin(), [&](const ContactState& contact) {
-    return impulse_change(std::ranges::equal_range(by_pair, contact, of_earlier_pair), contact);
+  std::stable_sort(by_pair.begin(), by_pair.end(), of_earlier_pair);
+  std::transform(now.begin(), now.end(), errors.begin(), [&](const ContactState& contact) {
+    const auto [first, last] = std::equal_range(by_pair.begin(), by_pair.end(), contact, of_earlier_pair);
+    return impulse_change({first, last}, contact);
   });
   if (stepping.iterations == 0) return errors;
   const double iterated = unsolved_share(stepping) * *std::max_element(errors.begin(), errors.end());
