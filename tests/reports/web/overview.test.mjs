@@ -107,7 +107,7 @@ test("a column's head sorts by it, reverses the order, and restores it", async (
 test("cells show the chosen number, and rows are sorted by it", async () => {
   const { page } = await open(file);
   await page.getByRole("combobox", { name: "number" }).selectOption("time per step");
-  assert.match(await page.locator(".matrix td[data-verdict]").first().innerText(), /\u00b5s/);
+  await until(() => page.locator(".matrix td[data-verdict]").first().innerText(), /\u00b5s/);
   await page.getByRole("combobox", { name: "order" }).selectOption("case, descending");
   assert.equal((await rows(page))[0], "stacking tilted");
   assert.equal(hash(page), "#overview?show=time+per+step&sort=-case");
