@@ -323,6 +323,13 @@ void ForceField::append_pairs(const BodySet& bodies, std::vector<std::pair<std::
   }
 }
 
+void ForceField::append_sprung(const BodySet& bodies, std::vector<std::uint32_t>& rows) const {
+  for (const Slot& slot : slots_) {
+    if (!slot.force) continue;
+    if (const auto* spring = std::get_if<Spring>(&*slot.force)) append_bodies(*spring, bodies, 0, rows);
+  }
+}
+
 bool ForceField::attracts(const BodySet& bodies, std::size_t row) const {
   std::vector<Velocity> pull(attractions_.empty() ? 0 : row + 1);
   if (pull.empty()) return false;

@@ -56,6 +56,8 @@ class ForceField {
   bool contains(ForceId id) const;
   /// The rows of the bodies that the force acts on or comes from. Throws std::out_of_range for a stale id.
   std::vector<std::uint32_t> bodies_of(ForceId id, const BodySet& bodies) const;
+  /// Appends the rows of the bodies that springs pull.
+  void append_sprung(const BodySet& bodies, std::vector<std::uint32_t>& rows) const;
   /// Appends the pairs of rows of which one body's acceleration depends on the other's position, or would if they were
   /// nearer by `margin` m.
   void append_pairs(const BodySet& bodies, std::vector<std::pair<std::uint32_t, std::uint32_t>>& out,

@@ -15,8 +15,8 @@ namespace {
 
 /// How far a body may move while it falls asleep, as a share of the distance that the speed threshold would carry it. A
 /// load that only jitters stays within; one that creeps, swings back or turns at its apex moves farther, however slow
-/// it is at the moment.
-constexpr Real low_motion_tolerance = static_cast<Real>(0.01);
+/// it is at the moment. The contacts of some methods creep by a third of this.
+constexpr Real low_motion_tolerance = static_cast<Real>(0.005);
 
 Aabb body_bounds(const BodySet& bodies, std::size_t i) {
   const Pose& pose = bodies.pose[i];
@@ -117,7 +117,7 @@ void Sleep::update_after_step(const Settings& settings, const Margin& margin) {
   }
   if (!due) return;
   const std::size_t sleepers = bodies_.sleepers;
-  keep_attracted_awake(margin);
+  keep_pulled_awake(margin);
   build_islands(margin);
   for (std::size_t island = 0; island < islands_.size(); ++island) {
     const auto bodies = islands_.bodies(island);
@@ -143,18 +143,34 @@ bool Sleep::update_timer(std::size_t i, const Settings& settings) {
     rest.time = 0;
     rest.at = bodies_.pose[i];
     rest.angle = bodies_.angle[i];
+    rest.moved = 0;
   } else {
     rest.time += settings.dt;
+    rest.moved = std::max(rest.moved, moved);
   }
   return true;
 }
 
-void Sleep::keep_attracted_awake(const Margin& margin) {
+/// Whether the body has moved by no more than its place is rounded by, since it was slow: where a slow spring swings
+/// back it moves by far less in that time than it is away from its rest.
+bool Sleep::stands_still(std::size_t i) const {
+  constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+  return rest_[i].moved <= 4 * epsilon * (length(bodies_.pose[i].p) + bodies_.bounding_radius[i]);
+}
+
+void Sleep::keep_pulled_awake(const Margin& margin) {
   held_.assign(bodies_.size(), 0);
   for (const Contact& contact : contacts_.rows()) {
     const Real separation = least_separation(contact.points, contact.count);
     if (!within_reach(contact.body_a, contact.body_b, contact.normal, separation, margin)) continue;
     held_[contact.body_a] = held_[contact.body_b] = 1;
+  }
+  sprung_.clear();
+  forces_.append_sprung(bodies_, sprung_);
+  for (const std::uint32_t i : sprung_) {
+    if (held_[i] != 0 || !bodies_.moves(i) || stands_still(i)) continue;
+    restless_[i] = 1;
+    rest_[i].time = moving;
   }
   connections_.clear();
   joints_.append_pairs(connections_);

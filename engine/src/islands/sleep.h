@@ -17,10 +17,10 @@ namespace impulse::inline IMPULSE_PRECISION {
 /// Puts resting islands to sleep: they are not searched for contacts, integrated or solved until something wakes them.
 ///
 /// Contacts that may close within a step, joints, springs and attractions connect bodies into islands. Bodies that are
-/// not dynamic connect nothing, but a connection to a moving one keeps an island awake, and so does a body that is
-/// attracted and that nothing touches or holds: it will move, however slowly at first. Solvers don't know about sleep:
-/// to them a sleeping body is fixed and has no contacts or joints. No sleeping body ever meets a moving one, because
-/// wake_before_step wakes the bodies that could.
+/// not dynamic connect nothing, but a connection to a moving one keeps an island awake, and so does a body in the air
+/// that a force will move, however slowly: an attraction if no joint holds it, or a spring until it stands still.
+/// Solvers don't know about sleep: to them a sleeping body is fixed and has no contacts or joints. No sleeping body
+/// ever meets a moving one, because wake_before_step wakes the bodies that could.
 class Sleep {
  public:
   Sleep(BodySet& bodies, ContactSet& contacts, const JointSet& joints, const ForceField& forces,
@@ -55,7 +55,8 @@ class Sleep {
   bool may_meet(std::size_t mover, std::size_t sleeper, const Margin& margin) const;
   void wake_around(std::uint32_t mover, const Margin& margin);
   void list_connections();
-  void keep_attracted_awake(const Margin& margin);
+  void keep_pulled_awake(const Margin& margin);
+  bool stands_still(std::size_t i) const;
   void build_islands(const Margin& margin);
   bool update_timer(std::size_t i, const Settings& settings);
   void put_island_to_sleep(std::span<const std::uint32_t> island);
@@ -71,6 +72,7 @@ class Sleep {
     Real time = moving;  // s, for which it has stayed near `at`
     Pose at;
     Real angle = 0;
+    Real moved = 0;          // m, at most, from there
     std::uint32_t next = 0;  // if asleep: the next body of its island, in a ring
     std::uint32_t leaf = 0;  // if asleep: in the tree
   };
@@ -82,7 +84,8 @@ class Sleep {
   Islands islands_;
   std::vector<BodyPair> connections_;   // by joints and forces
   std::vector<std::uint8_t> restless_;  // of each body: whether it or something connected to it moves
-  std::vector<std::uint8_t> held_;      // of each body: whether something touches it or a joint holds it
+  std::vector<std::uint8_t> held_;      // of each body: whether something touches it, or a joint holds it
+  std::vector<std::uint32_t> sprung_;   // rows of the bodies that springs pull
   std::vector<std::uint32_t> movers_;   // all that a step may move
   std::vector<std::uint32_t> neighbors_;
 };

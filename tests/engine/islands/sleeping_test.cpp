@@ -282,6 +282,27 @@ TEST(Sleep, ComesToNothingThatIsAttractedAndThatNothingHolds) {
   EXPECT_LT(steps_to_sleep(world), 1200);
 }
 
+// 0.018 Hz: at its turning point it moves by less than a micrometre in half a second, 2 mm from where it comes to rest.
+TEST(Sleep, ComesToNoSlowSpringAtItsTurningPoint) {
+  Settings settings = sleeping_allowed("accurate");
+  settings.gravity = {};
+  World world(settings);
+  const BodyId weight = world.create_body(at(.002, 0), unit_box());
+  Spring soft;
+  soft.b = weight;
+  soft.anchor_a = {-3, 0};
+  soft.length = 3;
+  soft.stiffness = real(.0125) * world.body(weight).mass().mass;
+  const ForceId spring = world.add_force(soft);
+  run(world, 300);
+  EXPECT_TRUE(world.body(weight).awake());
+  const double w = std::sqrt(.0125);
+  EXPECT_NEAR(world.body(weight).position().x, .002 * std::cos(w * 5), 1e-6);
+  world.remove_force(spring);
+  world.body(weight).set_velocity({}, 0);
+  EXPECT_LT(steps_to_sleep(world), 1200);
+}
+
 TEST(Sleep, OfOneBodyWaitsForItsWholeIsland) {
   World world(sleeping_allowed());
   const BodyId floor = add_floor(world);
