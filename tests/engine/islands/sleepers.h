@@ -25,6 +25,7 @@ inline Shape unit_box() { return Shape::box({Real{0.5}, Real{0.5}}); }
 /// A column of boxes on the floor.
 inline std::vector<BodyId> add_column(World& world, double x, int height) {
   std::vector<BodyId> boxes;
+  boxes.reserve(static_cast<std::size_t>(height));
   for (int i = 0; i < height; ++i) boxes.push_back(world.create_body(at(x, .5 + i), unit_box()));
   return boxes;
 }
@@ -40,6 +41,7 @@ inline int steps_to_sleep(World& world, int most = 1200) {
 
 inline std::vector<bool> awake(World& world, const std::vector<BodyId>& ids) {
   std::vector<bool> states;
+  states.reserve(ids.size());
   for (const BodyId id : ids) states.push_back(world.body(id).awake());
   return states;
 }
