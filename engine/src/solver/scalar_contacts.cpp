@@ -14,11 +14,6 @@ bool keeps_points(const ImpactRow& row, const Contact& contact) {
          row.normal == contact.normal && row.found_separation == contact.found_separation;
 }
 
-/// Sweeps that press rigidly change impulses by so much more than would bring each point's velocity to where it should
-/// be (successive over-relaxation). Where an impulse goes back and forth between contacts, each sweep alone leaves all
-/// but 1 or 2 % of it, and a line through the impulses of the whole island does not see one place.
-constexpr Real over_relaxation = static_cast<Real>(1.5);
-
 /// Updates a row whose contact kept its points: only their separations and impulses are new.
 void update(ImpactRow& row, const Contact& contact) {
   row.static_friction = contact.static_friction;
@@ -254,15 +249,14 @@ void ScalarContacts::push_centres(const ImpactRow& row, Vec2 impulse) {
   if (row.mass_b.m > 0) bodies_.velocity[row.b].v += row.mass_b.m * impulse;
 }
 
-void ScalarContacts::press(const Island& island) { press<false>(island); }
+void ScalarContacts::press(const Island& island) { press<false>(island, 1); }
 
-void ScalarContacts::press_rigidly(const Island& island) { press<true>(island); }
+void ScalarContacts::press_rigidly(const Island& island, Real by) { press<true>(island, by); }
 
 template <bool rigidly>
-void ScalarContacts::press(const Island& island) {
-  constexpr Real by = rigidly ? over_relaxation : Real{1};
+void ScalarContacts::press(const Island& island, Real by) {
   each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
-    if (!row.block || !press_pair<rigidly>(island, row, frame)) {
+    if (!row.block || !press_pair<rigidly>(island, by, row, frame)) {
       Softness soft = island.softness(row);
       if constexpr (rigidly) soft = {.bias_rate = soft.bias_rate};
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
@@ -327,7 +321,8 @@ PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
 
 /// (K + G) d = -(v + bias + G lambda) with G the compliance of the points that overlap.
 template <bool rigidly, class Frame>
-[[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, ImpactRow& row, Frame& frame) {
+[[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, Real by, ImpactRow& row,
+                                                              Frame& frame) {
   const PointPair& pair = row.pair;
   const Real rate = island.softness(row).bias_rate;
   const std::array<Real, 2> s{row.gaps[0] + row.parts[0] * island.h, row.gaps[1] + row.parts[1] * island.h};
@@ -337,8 +332,7 @@ template <bool rigidly, class Frame>
     return -(frame.normal_velocity(point) - row.parts[i] + bias);
   };
   if constexpr (rigidly) {
-    return push_both(pair.rigid, pair.inverse_mass, pair.coupling, row, frame,
-                     over_relaxation * Vec2{change(0, 0), change(1, 0)});
+    return push_both(pair.rigid, pair.inverse_mass, pair.coupling, row, frame, by * Vec2{change(0, 0), change(1, 0)});
   }
   const std::array<Real, 2> give{s[0] > touching_gap ? 0 : pair.give[0], s[1] > touching_gap ? 0 : pair.give[1]};
   const std::array<Real, 2> inverse_mass{pair.inverse_mass[0] + give[0], pair.inverse_mass[1] + give[1]};
