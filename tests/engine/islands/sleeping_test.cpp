@@ -303,6 +303,31 @@ TEST(Sleep, ComesToNoSlowSpringAtItsTurningPoint) {
   EXPECT_LT(steps_to_sleep(world), 1200);
 }
 
+// Only springs and rails hold it, so that it must stand still to within rounding: after 1.6 s in float, 4 s in double.
+TEST(Sleep, ComesToACarOnItsSprings) {
+  World world(sleeping_allowed("accurate"));
+  add_floor(world);
+  const BodyId car = world.create_body(at(0, 1.1), Shape::box({1, real(.3)}));
+  for (const double x : {-.8, .8}) {
+    const BodyId wheel = world.create_body(at(x, .4), Shape::circle(real(.4)));
+    PrismaticJoint strut;
+    strut.a = car;
+    strut.b = wheel;
+    strut.anchor = {real(x), real(.4)};
+    strut.axis = {0, 1};
+    world.create_joint(strut);
+    Spring spring;
+    spring.a = car;
+    spring.b = wheel;
+    spring.anchor_a = {real(x), 0};
+    spring.length = real(.75);
+    spring.stiffness = 200;
+    spring.damping = 10;
+    world.add_force(spring);
+  }
+  EXPECT_LT(steps_to_sleep(world), 400);
+}
+
 TEST(Sleep, OfOneBodyWaitsForItsWholeIsland) {
   World world(sleeping_allowed());
   const BodyId floor = add_floor(world);
