@@ -214,8 +214,8 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   kick(data.bodies, island);
   PressAndRelax solve(data.bodies, island, motion_, changes_, space.search);
   contacts.measure(island);
-  solve.press();
-  while (island.bounces && hold_those_that_meet(data, island, space)) solve.press();
+  solve.press(false);
+  while (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);
   int pressed = solve.press_through();
   while (island.bounces && hold_those_that_meet(data, island, space)) pressed += solve.press_through();
   drift(data, island);

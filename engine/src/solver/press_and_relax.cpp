@@ -6,26 +6,15 @@
 
 namespace impulse::inline IMPULSE_PRECISION {
 
-namespace {
-
-/// Where an impulse goes back and forth between contacts, a sweep leaves all but 1 or 2 % of it, and a line through the
-/// impulses of the whole island does not see one place. What `patience` sweeps have not solved is over-relaxed.
-constexpr Real over_relaxation = static_cast<Real>(1.5);
-constexpr int patience = 6;
-
-}  // namespace
-
-void PressAndRelax::press() {
+void PressAndRelax::press(bool rigidly) {
   for (int sweep = 0; sweep < island_.sweeps; ++sweep) {
     if (!island_.joints.empty()) island_.joints.press(island_.h);
-    ScalarContacts(bodies_, motion_).press(island_);
-  }
-}
-
-void PressAndRelax::press_rigidly(Real by) {
-  for (int sweep = 0; sweep < island_.sweeps; ++sweep) {
-    if (!island_.joints.empty()) island_.joints.press(island_.h);
-    ScalarContacts(bodies_, motion_).press_rigidly(island_, by);
+    ScalarContacts contacts(bodies_, motion_);
+    if (rigidly) {
+      contacts.press_rigidly(island_);
+    } else {
+      contacts.press(island_);
+    }
   }
 }
 
@@ -44,7 +33,7 @@ int PressAndRelax::press_through() {
     } else {
       search_.go_on(island_, bodies_, changes_, true);
     }
-    press_rigidly(sweeps < patience ? Real{1} : over_relaxation);
+    press(true);
     sweeps += island_.sweeps;
   }
   return sweeps;

@@ -23,8 +23,8 @@ class PressAndRelax {
                 LineSearch& search)
       : bodies_(bodies), island_(island), motion_(motion), changes_(changes), search_(search) {}
 
-  /// Solves with bias: velocities that correct positions too.
-  void press();
+  /// Solves with bias: velocities that correct positions too. `rigidly`: see ScalarContacts::press_rigidly().
+  void press(bool rigidly);
   /// More of that, rigidly. Returns the number of sweeps.
   int press_through();
   /// Rigid contacts with friction.
@@ -35,7 +35,6 @@ class PressAndRelax {
   void relax_until_bounded(const EnergyBound& bound, const std::vector<Velocity>& acceleration);
 
  private:
-  void press_rigidly(Real by);
   bool deepens(bool held) const;
 
   BodySet& bodies_;

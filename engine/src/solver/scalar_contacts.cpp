@@ -249,14 +249,14 @@ void ScalarContacts::push_centres(const ImpactRow& row, Vec2 impulse) {
   if (row.mass_b.m > 0) bodies_.velocity[row.b].v += row.mass_b.m * impulse;
 }
 
-void ScalarContacts::press(const Island& island) { press<false>(island, 1); }
+void ScalarContacts::press(const Island& island) { press<false>(island); }
 
-void ScalarContacts::press_rigidly(const Island& island, Real by) { press<true>(island, by); }
+void ScalarContacts::press_rigidly(const Island& island) { press<true>(island); }
 
 template <bool rigidly>
-void ScalarContacts::press(const Island& island, Real by) {
+void ScalarContacts::press(const Island& island) {
   each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
-    if (!row.block || !press_pair<rigidly>(island, by, row, frame)) {
+    if (!row.block || !press_pair<rigidly>(island, row, frame)) {
       Softness soft = island.softness(row);
       if constexpr (rigidly) soft = {.bias_rate = soft.bias_rate};
       for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
@@ -266,7 +266,7 @@ void ScalarContacts::press(const Island& island, Real by) {
         const Real push = s > touching_gap ? -p.normal_mass * (v + s / island.h)
                                            : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) -
                                                  soft.impulse_scale * p.normal_impulse;
-        apply_accumulated(row, p, frame, std::max(p.normal_impulse + by * push, Real{0}));
+        apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
       }
     }
     if (row.fresh) solve_friction_by_state(row, frame);
@@ -321,8 +321,7 @@ PointPair ScalarContacts::pair_of(const Island& island, const ImpactRow& row) {
 
 /// (K + G) d = -(v + bias + G lambda) with G the compliance of the points that overlap.
 template <bool rigidly, class Frame>
-[[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, Real by, ImpactRow& row,
-                                                              Frame& frame) {
+[[gnu::always_inline]] inline bool ScalarContacts::press_pair(const Island& island, ImpactRow& row, Frame& frame) {
   const PointPair& pair = row.pair;
   const Real rate = island.softness(row).bias_rate;
   const std::array<Real, 2> s{row.gaps[0] + row.parts[0] * island.h, row.gaps[1] + row.parts[1] * island.h};
@@ -332,7 +331,7 @@ template <bool rigidly, class Frame>
     return -(frame.normal_velocity(point) - row.parts[i] + bias);
   };
   if constexpr (rigidly) {
-    return push_both(pair.rigid, pair.inverse_mass, pair.coupling, row, frame, by * Vec2{change(0, 0), change(1, 0)});
+    return push_both(pair.rigid, pair.inverse_mass, pair.coupling, row, frame, {change(0, 0), change(1, 0)});
   }
   const std::array<Real, 2> give{s[0] > touching_gap ? 0 : pair.give[0], s[1] > touching_gap ? 0 : pair.give[1]};
   const std::array<Real, 2> inverse_mass{pair.inverse_mass[0] + give[0], pair.inverse_mass[1] + give[1]};

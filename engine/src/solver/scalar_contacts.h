@@ -35,9 +35,8 @@ class ScalarContacts {
   /// Solves contacts as soft constraints; a gap may close within the sub-step, but no further. Friction is solved in
   /// relax(), except in a contact's first step (otherwise a box set down on a slope slips before it is held).
   void press(const Island& island);
-  /// The same with rigid contacts: nothing gets deeper, and what overlaps is pushed apart at the same rate. `by`: times
-  /// the change of impulses that does so.
-  void press_rigidly(const Island& island, Real by);
+  /// The same with rigid contacts: nothing gets deeper, and what overlaps is pushed apart at the same rate.
+  void press_rigidly(const Island& island);
   /// Rigid contacts with friction, regardless of depth. Skips points with a gap and no load, which would be braked one
   /// sub-step before they arrive.
   void relax(const Island& island);
@@ -66,9 +65,9 @@ class ScalarContacts {
   void turn_normal(ImpactRow& row);
   void push_centres(const ImpactRow& row, Vec2 impulse);
   template <bool rigidly>
-  void press(const Island& island, Real by);
+  void press(const Island& island);
   template <bool rigidly, class Frame>
-  static bool press_pair(const Island& island, Real by, ImpactRow& row, Frame& frame);
+  static bool press_pair(const Island& island, ImpactRow& row, Frame& frame);
   template <class Frame>
   static bool relax_pair(ImpactRow& row, Frame& frame);
 
