@@ -40,8 +40,8 @@ struct Settings {
   bool sleeping = false;
   /// A body is at rest once it has been no faster than these for sleep_time and has stayed where it was, to within
   /// .5 % of the distance that the linear speed covers in that time: creeping (as piles do under xpbd) or turning back
-  /// is not rest. What only springs hold must stand still, to within rounding. All above 0. The defaults are those of
-  /// Box2D 2.4.
+  /// is not rest. What springs pull and no friction holds must stand still, to within rounding. All above 0. The
+  /// defaults are those of Box2D 2.4.
   Real sleep_linear_speed = static_cast<Real>(0.01);                 // m/s
   Real sleep_angular_speed = static_cast<Real>(2) * pi / Real{180};  // rad/s
   Real sleep_time = static_cast<Real>(0.5);                          // s

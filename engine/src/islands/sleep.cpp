@@ -163,12 +163,13 @@ void Sleep::keep_pulled_awake(const Margin& margin) {
   for (const Contact& contact : contacts_.rows()) {
     const Real separation = least_separation(contact.points, contact.count);
     if (!within_reach(contact.body_a, contact.body_b, contact.normal, separation, margin)) continue;
-    held_[contact.body_a] = held_[contact.body_b] = 1;
+    const std::uint8_t by = contact.static_friction > 0 ? by_friction : touched;
+    for (const std::uint32_t body : {contact.body_a, contact.body_b}) held_[body] = std::max(held_[body], by);
   }
   sprung_.clear();
   forces_.append_sprung(bodies_, sprung_);
   for (const std::uint32_t i : sprung_) {
-    if (held_[i] != 0 || !bodies_.moves(i) || stands_still(i)) continue;
+    if (held_[i] == by_friction || !bodies_.moves(i) || stands_still(i)) continue;
     restless_[i] = 1;
     rest_[i].time = moving;
   }

@@ -18,9 +18,9 @@ namespace impulse::inline IMPULSE_PRECISION {
 ///
 /// Contacts that may close within a step, joints, springs and attractions connect bodies into islands. Bodies that are
 /// not dynamic connect nothing, but a connection to a moving one keeps an island awake, and so does a body in the air
-/// that a force will move, however slowly: an attraction if no joint holds it, or a spring until it stands still.
-/// Solvers don't know about sleep: to them a sleeping body is fixed and has no contacts or joints. No sleeping body
-/// ever meets a moving one, because wake_before_step wakes the bodies that could.
+/// that a force will move, however slowly: an attraction if no joint holds it, or a spring, unless friction may hold
+/// it, until it stands still. Solvers don't know about sleep: to them a sleeping body is fixed and has no contacts or
+/// joints. No sleeping body ever meets a moving one, because wake_before_step wakes the bodies that could.
 class Sleep {
  public:
   Sleep(BodySet& bodies, ContactSet& contacts, const JointSet& joints, const ForceField& forces,
@@ -85,8 +85,9 @@ class Sleep {
   std::vector<BodyPair> connections_;   // by joints and forces
   std::vector<std::uint8_t> restless_;  // of each body: whether it or something connected to it moves
   std::vector<std::uint8_t> held_;      // of each body: whether something touches it, or a joint holds it
-  std::vector<std::uint32_t> sprung_;   // rows of the bodies that springs pull
-  std::vector<std::uint32_t> movers_;   // all that a step may move
+  static constexpr std::uint8_t touched = 1, by_friction = 2;
+  std::vector<std::uint32_t> sprung_;  // rows of the bodies that springs pull
+  std::vector<std::uint32_t> movers_;  // all that a step may move
   std::vector<std::uint32_t> neighbors_;
 };
 
