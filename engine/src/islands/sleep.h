@@ -84,7 +84,7 @@ class Sleep {
   Islands islands_;
   std::vector<BodyPair> connections_;   // by joints and forces
   std::vector<std::uint8_t> restless_;  // of each body: whether it or something connected to it moves
-  std::vector<std::uint8_t> held_;      // of each body: whether something touches it, or a joint holds it
+  std::vector<std::uint8_t> held_;      // of each body: what holds it, 0 if nothing
   static constexpr std::uint8_t touched = 1, by_friction = 2;
   std::vector<std::uint32_t> sprung_;  // rows of the bodies that springs pull
   std::vector<std::uint32_t> movers_;  // all that a step may move
