@@ -118,23 +118,22 @@ void ConstraintSystem::begin(const std::vector<Velocity>& velocity) {
     start_ = now_;
   }
   mass_.resize(rows_.size());
-  speeds_.clear();
-  for (const Precise& v : now_) speeds_.push_back(std::sqrt(v.x * v.x + v.y * v.y));
   scale_ = pushed_ = 0;
   if (!begun_) fastest_ = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     weigh(i);
+    const double inverse = mass_[i] > 0 ? 1 / mass_[i] : 0;
     const Precise& a = now_[ends_[i].a];
     const Precise& b = now_[ends_[i].b];
     const bool turns = row.axis == Vec2{};
-    const double moves = turns ? 0 : speeds_[ends_[i].a] + speeds_[ends_[i].b];
+    const double moves = turns ? 0 : std::sqrt(a.x * a.x + a.y * a.y) + std::sqrt(b.x * b.x + b.y * b.y);
     const double terms = moves + std::abs(a.w * double{row.arm_a}) + std::abs(b.w * double{row.arm_b});
     // Of a gap that is open, only as much as closes counts.
     const double bias = row.law == Law::pushes ? std::max(-row.bias, 0.) : std::abs(row.bias);
     if (!begun_) fastest_ = std::max({fastest_, terms, bias});
     scale_ = std::max({scale_, terms, bias});
-    if (row.impulse != 0 && mass_[i] > 0) pushed_ = std::max(pushed_, std::abs(row.impulse) * (1 / mass_[i]));
+    pushed_ = std::max(pushed_, std::abs(row.impulse) * inverse);
   }
   if (!begun_) {
     begun_ = true;
@@ -188,8 +187,7 @@ double ConstraintSystem::broken_by() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (!(mass_[i] > 0)) continue;
     rates_[i] = rate(i);
-    const double missing = std::abs(rows_[i].impulse - wanted(i, rates_[i]));
-    if (missing > most * mass_[i]) most = missing / mass_[i];
+    most = std::max(most, std::abs(rows_[i].impulse - wanted(i, rates_[i])) / mass_[i]);
   }
   return most;
 }
@@ -268,12 +266,11 @@ void ConstraintSystem::place_friction() {
     weigh(i);
     factored_ = false;
   }
-  placed_ = state_;
 }
 
 /// Solves the linear system of those that act now. False if it is singular.
 bool ConstraintSystem::newton() {
-  if (placed_ != state_) place_friction();
+  place_friction();
   if (!factored_ || last_ != state_) {
     factored_ = factor();
     last_ = state_;

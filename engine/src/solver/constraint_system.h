@@ -141,14 +141,10 @@ class ConstraintSystem {
       return double{mass.m} * along + double{mass.i} * double{arm_p} * double{arm_q};
     };
     double sum = 0;
-    if (pushable(p.mass_a)) {
-      if (p.a == q.a) sum += through(p.mass_a, p.arm_a, q.arm_a);
-      if (p.a == q.b) sum -= through(p.mass_a, p.arm_a, q.arm_b);
-    }
-    if (pushable(p.mass_b)) {
-      if (p.b == q.b) sum += through(p.mass_b, p.arm_b, q.arm_b);
-      if (p.b == q.a) sum -= through(p.mass_b, p.arm_b, q.arm_a);
-    }
+    if (p.a == q.a) sum += through(p.mass_a, p.arm_a, q.arm_a);
+    if (p.b == q.b) sum += through(p.mass_b, p.arm_b, q.arm_b);
+    if (p.a == q.b) sum -= through(p.mass_a, p.arm_a, q.arm_b);
+    if (p.b == q.a) sum -= through(p.mass_b, p.arm_b, q.arm_a);
     return sum;
   }
   std::uint32_t number_of(std::uint32_t body);
@@ -195,7 +191,6 @@ class ConstraintSystem {
   bool begun_ = false;
   std::vector<Precise> start_;  // of each body of the system, before the first call
   std::vector<Precise> now_;
-  std::vector<double> speeds_;              // m/s, of each, when the last call began
   std::vector<double> mass_;                // kg or kg m^2, effective, of each row alone
   double scale_ = 0;                        // m/s, the largest term of a rate without impulses, by which rows round
   double pushed_ = 0;                       // m/s, the largest change of a rate by its own impulse
@@ -204,7 +199,6 @@ class ConstraintSystem {
   double firm_ = 1;                         // share of the compliance that is left
   std::vector<State> state_;                // of each row
   std::vector<State> last_;                 // when the matrix was factored
-  std::vector<State> placed_;               // when friction was placed
   std::vector<std::uint32_t> free_;         // rows whose impulses are solved for
   std::vector<std::uint32_t> slips_;        // of each of these, the friction that follows it; or none
   std::vector<double> slope_;               // by how much

@@ -166,7 +166,7 @@ void LineSearch::go_on(const Island& island, BodySet& bodies, std::vector<Veloci
         go = ratio * go;
         if (go.x < 0) room = std::min(room, row.points[i].normal_impulse / -go.x);
       }
-      if (!row.active || direction_[r] == RowImpulses{}) continue;
+      if (!row.active) continue;
       add_change(row, direction_[r], changes);
       add_slope(row, ContactFrame(row, bodies.velocity[row.a], bodies.velocity[row.b]), direction_[r], bias, energy);
     }
