@@ -8,6 +8,12 @@
 
 namespace plumb {
 
+void Trace::reserve(std::size_t moments) {
+  times_.reserve(moments);
+  states_.reserve(moments * bodies_);
+  contact_end_.reserve(moments);
+}
+
 void Trace::record(double time, std::span<const BodyState> states, std::span<const ContactState> contacts) {
   if (states.size() != bodies_) throw std::invalid_argument("a trace needs the state of every body");
   if (!times_.empty() && !(time > times_.back())) throw std::invalid_argument("a trace needs increasing times");

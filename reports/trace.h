@@ -15,6 +15,8 @@ class Trace {
  public:
   explicit Trace(std::size_t bodies) : bodies_(bodies) {}
 
+  /// Makes room for the states of so many moments at once.
+  void reserve(std::size_t moments);
   /// Throws std::invalid_argument unless there is one state per body and `time`, s, is later than the last.
   void record(double time, std::span<const BodyState> states, std::span<const ContactState> contacts);
 

@@ -138,41 +138,40 @@ bool Overlap::may_touch(std::size_t a, std::size_t b) const {
 }
 
 std::vector<BodyGap> Overlap::near(std::span<const BodyState> states, std::span<const double> reach) const {
-  struct Placed {
-    std::size_t body, shape;
-    OutlineView outline;
-    Interval x, y;  // grown by the body's reach
+  struct Bounds {
+    Interval x, y;  // of a part, grown by its body's reach
+    std::size_t part = 0;
   };
   std::vector<Vec> points(points_);
   for (std::size_t i = 0; i < states.size(); ++i) place(i, states[i], points);
-  std::vector<Placed> parts;
-  parts.reserve(parts_.size());
-  std::vector<std::pair<double, std::size_t>> order;  // by their left ends
-  order.reserve(parts_.size());
+  std::vector<OutlineView> outlines;
+  std::vector<Bounds> bounds;
+  outlines.reserve(parts_.size());
+  bounds.reserve(parts_.size());
   for (const Part& part : parts_) {
-    const OutlineView outline = view(part, states[part.body], points);
+    outlines.push_back(view(part, states[part.body], points));
+    const OutlineView& outline = outlines.back();
     const double by = reach[part.body] + outline.radius;
     const auto grown = [&](Vec direction) {
       if (outline.halfspace) return Interval{-infinity, infinity};
       const Interval range = along(direction, outline.points);
       return Interval{range.low - by, range.high + by};
     };
-    parts.push_back({part.body, part.shape, outline, grown({1, 0}), grown({0, 1})});
-    order.push_back({parts.back().x.low, order.size()});
+    bounds.push_back({grown({1, 0}), grown({0, 1}), bounds.size()});
   }
   // A part can only be near those after it that start before it ends.
-  std::sort(order.begin(), order.end());
+  std::sort(bounds.begin(), bounds.end(), [](const Bounds& one, const Bounds& other) {
+    return one.x.low != other.x.low ? one.x.low < other.x.low : one.part < other.part;
+  });
   std::vector<BodyGap> gaps;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Placed& one = parts[order[i].second];
-    for (std::size_t j = i + 1; j < order.size() && order[j].first <= one.x.high; ++j) {
-      const Placed& other = parts[order[j].second];
-      if (other.y.low > one.y.high || one.y.low > other.y.high) continue;
-      if (!may_touch(one.body, other.body)) continue;
-      const double gap = gap_between(one.outline, other.outline);
-      const bool in_order = one.body < other.body;
-      const Placed& a = in_order ? one : other;
-      const Placed& b = in_order ? other : one;
+  for (auto one = bounds.begin(); one != bounds.end(); ++one) {
+    for (auto other = one + 1; other != bounds.end() && other->x.low <= one->x.high; ++other) {
+      if (other->y.low > one->y.high || one->y.low > other->y.high) continue;
+      const bool in_order = parts_[one->part].body < parts_[other->part].body;
+      const Part& a = parts_[in_order ? one->part : other->part];
+      const Part& b = parts_[in_order ? other->part : one->part];
+      if (!may_touch(a.body, b.body)) continue;
+      const double gap = gap_between(outlines[one->part], outlines[other->part]);
       const double within = reach[a.body] + reach[b.body];
       if (gap <= within) gaps.push_back({a.body, b.body, gap, a.shape, b.shape, within});
     }

@@ -60,8 +60,7 @@ double quantity_rounding(Quantity quantity, std::size_t body, const Scene& scene
   const double t = trace.times().back();
   const double nu = trace_rounding(trace, stepping);
   const double step = shortest_step(trace);
-  const auto off = [&](std::size_t i) {
-    const Extremes of = extremes_of(trace, i);
+  const auto off = [&](const Extremes& of) {
     const double dv = nu * (of.speed + differenced(stepping, of.position, step));
     const double dw = nu * (of.spin + differenced(stepping, of.angle, step));
     return Extremes{nu * of.position + t * dv / 2, dv, nu * of.angle + t * dw / 2, dw};
@@ -71,7 +70,9 @@ double quantity_rounding(Quantity quantity, std::size_t body, const Scene& scene
     double sum = 0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       const Mass& mass = conserved.masses()[i];
-      if (mass.mass > 0) sum += of_one(mass, extremes_of(trace, i), off(i));
+      if (!(mass.mass > 0)) continue;
+      const Extremes of = extremes_of(trace, i);
+      sum += of_one(mass, of, off(of));
     }
     return sum;
   };
@@ -79,15 +80,15 @@ double quantity_rounding(Quantity quantity, std::size_t body, const Scene& scene
     case Quantity::x:
     case Quantity::y:
     case Quantity::apex:
-      return off(body).position;
+      return off(extremes_of(trace, body)).position;
     case Quantity::vx:
     case Quantity::vy:
     case Quantity::speed:
-      return off(body).speed;
+      return off(extremes_of(trace, body)).speed;
     case Quantity::angle:
-      return off(body).angle;
+      return off(extremes_of(trace, body)).angle;
     case Quantity::angular_velocity:
-      return off(body).spin;
+      return off(extremes_of(trace, body)).spin;
     case Quantity::speed_spread:
       // About 2, a quotient of fourth powers of speeds that are each off by nu.
       return 16 * nu;

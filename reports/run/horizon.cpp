@@ -229,6 +229,7 @@ std::vector<EnsembleSample> run_ensemble(const Scene& scene, const EngineConfig&
   for (int member = 0; member < members; ++member) {
     const Scene start = perturbed(scene, size, first_seed + static_cast<std::uint64_t>(member));
     Trace places(scene.bodies.size());
+    places.reserve(steps_in(scene.duration, dt) + 1);
     const Outcome outcome = watch(start, config, dt, 1, [&](double time, std::span<const BodyState> states) {
       places.record(time, states, {});
       return true;

@@ -187,6 +187,7 @@ Outcome run(const Scene& scene, const EngineConfig& config, double dt, double fi
   return run_observed(
       scene, config, dt, first_step, [&](Outcome& outcome, const Simulation& simulation, Readout& readout) -> Observer {
         outcome.trace = std::make_shared<Trace>(scene.bodies.size());
+        outcome.trace->reserve(steps_in(scene.duration, dt) + 1);
         return [&](double time, std::span<const BodyState> states) {
           const bool start = outcome.trace->size() == 0;
           outcome.trace->record(time, states, start ? std::span<const ContactState>{} : readout.contacts(simulation));

@@ -1,7 +1,7 @@
 // Where bodies may be: not deep inside each other, and where they were once they have come to rest.
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -26,14 +26,40 @@ double relative_speed(const BodyState& a, const BodyState& b, double radius_a, d
          radius_b * std::abs(b.angular_velocity);
 }
 
+// Two bodies that are near each other.
+struct Near {
+  BodyPair pair;
+  double depth = 0;  // m, of the deepest overlap of their parts; 0 if there is none
+};
+
+// Each pair once, in order.
+void join_parts(std::vector<Near>& all) {
+  std::sort(all.begin(), all.end(), [](const Near& one, const Near& other) {
+    return one.pair != other.pair ? one.pair < other.pair : one.depth > other.depth;
+  });
+  const auto same = [](const Near& one, const Near& other) { return one.pair == other.pair; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+}
+
 // Every overlap at a moment: those that meet in the step after it are known anyway.
-std::vector<BodyOverlap> overlaps_at(std::size_t moment, const Overlap& overlap, const InvariantContext& context) {
-  if (moment + 1 == context.trace.size()) return overlap.all(context.trace.states(moment));
-  std::vector<BodyOverlap> overlaps;
-  for (const BodyGap& pair : context.neighbours.in_step(moment + 1)) {
-    if (pair.gap < 0) overlaps.push_back({pair.a, pair.b, -pair.gap});
+std::vector<Near> overlaps_at(std::size_t moment, const Overlap& overlap, const InvariantContext& context) {
+  std::vector<Near> overlaps;
+  if (moment + 1 == context.trace.size()) {
+    for (const BodyOverlap& of : overlap.all(context.trace.states(moment)))
+      overlaps.push_back({{of.a, of.b}, of.depth});
+  } else {
+    for (const BodyGap& of : context.neighbours.in_step(moment + 1)) {
+      if (of.gap < 0) overlaps.push_back({{of.a, of.b}, -of.gap});
+    }
   }
   return overlaps;
+}
+
+// m, 0 for a pair that is not among them; they are in order.
+double depth_of(const BodyPair& pair, std::span<const Near> among) {
+  const auto found = std::lower_bound(among.begin(), among.end(), pair,
+                                      [](const Near& one, const BodyPair& other) { return one.pair < other; });
+  return found != among.end() && found->pair == pair ? found->depth : 0;
 }
 
 // A pair may overlap by the gap that the method states, by its depth at the start of the scene, and by the distance
@@ -64,12 +90,10 @@ std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
     }
   };
   grow_extremes(0);
-  std::map<BodyPair, double> at_start;
-  for (const BodyOverlap& pair : overlaps_at(0, overlap, context)) {
-    double& depth = at_start[{pair.a, pair.b}];
-    depth = std::max(depth, pair.depth);
-  }
-  std::map<BodyPair, double> allowed;  // of the overlaps there were at the moment before
+  std::vector<Near> at_start = overlaps_at(0, overlap, context);
+  join_parts(at_start);
+  std::vector<Near> allowed;    // of the overlaps there were at the moment before
+  std::vector<double> late_by;  // m, approached before an impact is noticed, of each pair
   WorstViolation worst;
   for (std::size_t moment = 1; moment < trace.size(); ++moment) {
     const double dt = trace.time(moment) - trace.time(moment - 1);
@@ -77,38 +101,33 @@ std::optional<InvariantCheck> check_overlap(const InvariantContext& context) {
     const double lag = stepping.impact_lag * stepping.h;
     const auto covered = static_cast<std::size_t>(std::ceil(lag / dt)) + 1;
     const std::size_t since = moment - std::min(moment, covered);
-    std::map<BodyPair, double> depths;
-    for (const BodyOverlap& pair : overlaps_at(moment, overlap, context)) {
-      double& depth = depths[{pair.a, pair.b}];
-      depth = std::max(depth, pair.depth);
-    }
-    for (const BodyGap& near : neighbours.in_step(moment)) depths.insert({{near.a, near.b}, 0});
-    std::map<BodyPair, double> late_by;  // m, approached before an impact is noticed
-    double latest = 0;
-    for (const auto& [pair, depth] : depths) {
+    std::vector<Near> pairs = overlaps_at(moment, overlap, context);
+    for (const BodyGap& near : neighbours.in_step(moment)) pairs.push_back({{near.a, near.b}});
+    join_parts(pairs);
+    late_by.clear();
+    for (const Near& near : pairs) {
+      const auto [a, b] = near.pair;
       double approach = 0;
       for (std::size_t i = since; lag > 0 && i <= moment; ++i) {
         const auto states = trace.states(i);
-        approach = std::max(
-            approach, relative_speed(states[pair.first], states[pair.second], radii[pair.first], radii[pair.second]));
+        approach = std::max(approach, relative_speed(states[a], states[b], radii[a], radii[b]));
       }
-      late_by[pair] = lag * (approach + lag * gravity);
-      latest = std::max(latest, late_by[pair]);
+      late_by.push_back(lag * (approach + lag * gravity));
     }
-    std::map<BodyPair, double> still_allowed;
-    for (const auto& [pair, depth] : depths) {
+    const double latest = late_by.empty() ? 0 : *std::max_element(late_by.begin(), late_by.end());
+    std::vector<Near> still_allowed;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto& [pair, depth] = pairs[i];
       const std::size_t a = pair.first;
       const std::size_t b = pair.second;
       const double rounded = farthest[a] + farthest[b] + trace.times().back() / 2 * (fastest[a] + fastest[b]);
-      const auto start = at_start.find(pair);
-      const auto left = allowed.find(pair);
-      const double late = late_by[pair];
-      const double tolerance = std::max(stepping.contact_gap() + (start == at_start.end() ? 0 : start->second) + late,
-                                        left == allowed.end() ? 0 : left->second + unsolved_share(stepping) * latest) +
+      const double left = depth_of(pair, allowed);
+      const double tolerance = std::max(stepping.contact_gap() + depth_of(pair, at_start) + late_by[i],
+                                        left == 0 ? 0 : left + unsolved_share(stepping) * latest) +
                                nu * rounded;
       const double size = radii[a] > 0 && radii[b] > 0 ? std::min(radii[a], radii[b]) : std::max(radii[a], radii[b]);
       worst.add(depth, tolerance, size, trace.time(moment), [&] { return pair_name(context.scene, a, b); });
-      if (depth > 0) still_allowed[pair] = std::min(depth, tolerance);
+      if (depth > 0) still_allowed.push_back({pair, std::min(depth, tolerance)});
     }
     allowed = std::move(still_allowed);
   }
