@@ -25,6 +25,7 @@ void Repetitions::add(double seconds, double spent) {
 
 bool Repetitions::settled() const {
   const std::size_t count = counted().size();
+  if (first_ >= rule_.long_enough) return true;
   if (count < std::min(rule_.fewest, rule_.fewest_if_slow)) return false;
   if (count < rule_.fewest && spent_ < rule_.slow) return false;
   return count >= rule_.most || spent_ >= rule_.budget || !wide();

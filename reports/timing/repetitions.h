@@ -29,6 +29,8 @@ struct RepetitionRule {
   // s spent, after which fewest_if_slow are enough. A first repetition that takes longer is no warm-up but counts.
   double slow = std::numeric_limits<double>::infinity();
   std::size_t fewest_if_slow = 3;
+  // s, from which the first repetition is enough alone: an interrupt is short beside it.
+  double long_enough = std::numeric_limits<double>::infinity();
 };
 
 /// The repetitions of one timing. The first one is a warm-up and not counted, unless it is slow.

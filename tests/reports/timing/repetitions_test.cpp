@@ -30,7 +30,8 @@ TEST(Rounds, EndWhenNobodyNeedsMoreRepetitions) {
   EXPECT_EQ(order, "abbb");
 }
 
-constexpr RepetitionRule rule{.fewest = 5, .most = 7, .budget = 1, .wide = 0.1, .slow = 0.1, .fewest_if_slow = 3};
+constexpr RepetitionRule rule{
+    .fewest = 5, .most = 7, .budget = 1, .wide = 0.1, .slow = 0.1, .fewest_if_slow = 3, .long_enough = 2};
 
 // The number of counted repetitions after which a timing is settled, if they take these times in turn.
 std::size_t settled_after(double a, double b, double spent) {
@@ -56,6 +57,11 @@ TEST(Repetitions, AreFewerForWhatIsSlow) {
   EXPECT_EQ(settled_after(1e-3, 1e-3, 1e-3), 5U);
   EXPECT_EQ(settled_after(0.2, 0.2, 0.2), 3U);
   EXPECT_EQ(settled_after(1e-3, 1e-3, 0.2), 3U);  // what is not timed counts as time spent
+}
+
+TEST(Repetitions, AreOneIfThatIsLongEnough) {
+  EXPECT_EQ(settled_after(2, 3, 2), 1U);
+  EXPECT_EQ(settled_after(1.9, 3, 1.9), 3U);
 }
 
 TEST(Repetitions, AreMoreWhileTheyVaryUpToTheBudget) {
