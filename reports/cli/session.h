@@ -28,7 +28,7 @@ struct Session {
   bool no_converged = false;
   bool no_timings = false;
   bool relations = false;
-  int ensemble = 16;
+  int ensemble = 12;
   std::vector<std::string> engines;
   std::string dt = "1/60";
   std::string out = "out";
