@@ -11,9 +11,9 @@
 namespace plumb {
 namespace {
 
-// 15 repetitions, which scenes so short that a single interrupt would show need; fewer, but at least 5, once they have
+// 9 repetitions, which scenes so short that a single interrupt would show need; fewer, but at least 5, once they have
 // taken 0.01 s, or at least 3, once they have taken 0.02 s.
-constexpr RepetitionRule report_repetitions{.fewest = 5, .most = 15, .budget = 0.01, .slow = 0.02, .long_enough = 0.2};
+constexpr RepetitionRule report_repetitions{.fewest = 5, .most = 9, .budget = 0.01, .slow = 0.02, .long_enough = 0.2};
 
 double time_of_scene(const Scene& scene, const EngineConfig& config, double dt, double at_least) {
   try {

@@ -127,7 +127,8 @@ class Displacement {
     Overlap::Gaps gaps_at_first = overlap_.gaps(at_first);
     for (const BodyGap& pair : near) {
       Push& push = pushes[group_of(pair.a, pair.b)];
-      const double gap = gaps.between(pair.a, pair.b);
+      const bool whole = scene.bodies[pair.a].shapes.size() == 1 && scene.bodies[pair.b].shapes.size() == 1;
+      const double gap = whole ? pair.gap : gaps.between(pair.a, pair.b);
       const double closed = std::max(
           {0.0, gap - gaps_ahead.between(pair.a, pair.b), (gap - gaps_at_first.between(pair.a, pair.b)) / beginning});
       const double inverse_mass = (mass(pair.a) > 0 ? 1 / mass(pair.a) : 0) + (mass(pair.b) > 0 ? 1 / mass(pair.b) : 0);
