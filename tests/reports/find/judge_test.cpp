@@ -38,7 +38,8 @@ TEST(FindJudge, RaisesNoAlarmForClosedFormsInTheScenesTheyKnow) {
 
 // Each was wrong once, of our engine or of what it is judged by: three bodies that meet what pulls at them between two
 // moments, a chain whose joints mend rounding, one that gained energy as they mended more, a door that its post swings
-// to its limit, and links that a solve which found nothing shot out at 2500 m/s.
+// to its limit, links that a solve which found nothing shot out at 2500 m/s, and a light body that heavy ones squeeze
+// out of a heap.
 TEST(FindJudge, RaisesNoAlarmForOurEngineInScenesWithPitfalls) {
   struct Draw {
     const char* kind;
@@ -53,7 +54,8 @@ TEST(FindJudge, RaisesNoAlarmForOurEngineInScenesWithPitfalls) {
                            {"chain", 72003, 3, "float"},
                            {"door", 72006, 7, "double"},
                            {"jointed", 72006, 1, "float"},
-                           {"jointed", 401, 33, "float"}}) {
+                           {"jointed", 401, 33, "float"},
+                           {"heap", 992, 5, "double"}}) {
     EngineConfig ours = our_config();
     ours.settings = complete(*ours.engine, {{"precision", draw.precision}});
     const Kind& kind = *Catalog<Kind>::find(draw.kind);
