@@ -9,6 +9,8 @@
 namespace plumb {
 
 void Trace::reserve(std::size_t moments) {
+  constexpr std::size_t most_states = 1'000'000;  // 48 MB: a long run may end early
+  moments = std::min(moments, most_states / std::max<std::size_t>(bodies_, 1));
   times_.reserve(moments);
   states_.reserve(moments * bodies_);
   contact_end_.reserve(moments);
