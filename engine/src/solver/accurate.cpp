@@ -212,7 +212,7 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
     space.bound.note(island.bodies, island.held, data.bodies, motion_);
   if (island.press_sweeps > 0) space.unpushed.note(island, data.bodies, acceleration_);
   kick(data.bodies, island);
-  PressAndRelax solve(data.bodies, island, motion_, changes_, space.search);
+  PressAndRelax solve(data.bodies, island, motion_, changes_, space.search, space.local);
   contacts.measure(island);
   solve.press(false);
   while (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);

@@ -31,6 +31,7 @@ struct AccurateWorkspace {
   Turning turning;
   Unpushed unpushed;
   LineSearch search;
+  LocalSweeps local;
   DirectIsland direct;
   BeforeStep before;
 };

@@ -1,5 +1,6 @@
 #include "solver/press_and_relax.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "solver/scalar_contacts.h"
@@ -34,6 +35,7 @@ int PressAndRelax::press_through() {
       search_.go_on(island_, bodies_, changes_, true);
     }
     press(true);
+    sweep_locally(true);
     sweeps += island_.sweeps;
   }
   return sweeps;
@@ -55,6 +57,26 @@ void PressAndRelax::relax_through() {
       search_.go_on(island_, bodies_, changes_, false);
     }
     relax(1);
+    sweep_locally(false);
+  }
+}
+
+void PressAndRelax::sweep_locally(bool pressing) {
+  constexpr int most = 20;    // sweeps, then the whole island is swept again
+  constexpr int between = 4;  // looks whether they have sufficed
+  if (!island_.joints.empty()) return;
+  ScalarContacts contacts(bodies_, motion_);
+  if (!local_.find(island_, contacts, motion_.size(), not_felt, !pressing)) return;
+  const auto deepens = [&](std::uint32_t row) {
+    return contacts.deepens(island_, island_.rows[row], not_felt, !pressing);
+  };
+  for (int sweep = 0; sweep < most; ++sweep) {
+    if (sweep % between == 0 && sweep > 0 && std::none_of(local_.rows().begin(), local_.rows().end(), deepens)) return;
+    if (pressing) {
+      contacts.press_rigidly(island_, local_.rows());
+    } else {
+      contacts.relax(island_, local_.rows());
+    }
   }
 }
 

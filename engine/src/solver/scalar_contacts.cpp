@@ -142,6 +142,11 @@ void ScalarContacts::each(const Island& island, Solve solve) {
   }
 }
 
+template <class Solve>
+void ScalarContacts::each_of(const Island& island, std::span<const std::uint32_t> rows, Solve solve) {
+  for (const std::uint32_t row : rows) in_frame(island.rows[row], bodies_.velocity, solve);
+}
+
 void ScalarContacts::measure(const Island& island) const {
   for (ImpactRow& row : island.rows) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
@@ -249,58 +254,73 @@ void ScalarContacts::push_centres(const ImpactRow& row, Vec2 impulse) {
   if (row.mass_b.m > 0) bodies_.velocity[row.b].v += row.mass_b.m * impulse;
 }
 
-void ScalarContacts::press(const Island& island) { press<false>(island); }
-
-void ScalarContacts::press_rigidly(const Island& island) { press<true>(island); }
-
-template <bool rigidly>
 void ScalarContacts::press(const Island& island) {
-  each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
-    if (!row.block || !press_pair<rigidly>(island, row, frame)) {
-      Softness soft = island.softness(row);
-      if constexpr (rigidly) soft = {.bias_rate = soft.bias_rate};
-      for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-        RowPoint& p = row.points[i];
-        const Real s = row.gaps[i] + row.parts[i] * island.h;
-        const Real v = frame.normal_velocity(p) - row.parts[i];
-        const Real push = s > touching_gap ? -p.normal_mass * (v + s / island.h)
-                                           : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) -
-                                                 soft.impulse_scale * p.normal_impulse;
-        apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
-      }
-    }
-    if (row.fresh) solve_friction_by_state(row, frame);
-  });
+  each(island, [&](ImpactRow& row, auto& frame) { press_row<false>(island, row, frame); });
+}
+
+void ScalarContacts::press_rigidly(const Island& island) {
+  each(island, [&](ImpactRow& row, auto& frame) { press_row<true>(island, row, frame); });
+}
+
+void ScalarContacts::press_rigidly(const Island& island, std::span<const std::uint32_t> rows) {
+  each_of(island, rows, [&](ImpactRow& row, auto& frame) { press_row<true>(island, row, frame); });
 }
 
 void ScalarContacts::relax(const Island& island) {
-  each(island, [&]<class Frame>(ImpactRow& row, Frame& frame) {
-    if (!row.block || !relax_pair(row, frame)) {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-        RowPoint& p = row.points[i];
-        if (p.normal_impulse == 0 && row.gaps[i] > touching_gap) continue;
-        const Real push = -p.normal_mass * frame.normal_velocity(p);
-        apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
-      }
+  each(island, [](ImpactRow& row, auto& frame) { relax_row(row, frame); });
+}
+
+void ScalarContacts::relax(const Island& island, std::span<const std::uint32_t> rows) {
+  each_of(island, rows, [](ImpactRow& row, auto& frame) { relax_row(row, frame); });
+}
+
+template <bool rigidly, class Frame>
+[[gnu::always_inline]] inline void ScalarContacts::press_row(const Island& island, ImpactRow& row, Frame& frame) {
+  if (!row.block || !press_pair<rigidly>(island, row, frame)) {
+    Softness soft = island.softness(row);
+    if constexpr (rigidly) soft = {.bias_rate = soft.bias_rate};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      RowPoint& p = row.points[i];
+      const Real s = row.gaps[i] + row.parts[i] * island.h;
+      const Real v = frame.normal_velocity(p) - row.parts[i];
+      const Real push = s > touching_gap ? -p.normal_mass * (v + s / island.h)
+                                         : -p.normal_mass * soft.mass_scale * (v + soft.bias_rate * s) -
+                                               soft.impulse_scale * p.normal_impulse;
+      apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
     }
-    solve_friction_by_state(row, frame);
-  });
+  }
+  if (row.fresh) solve_friction_by_state(row, frame);
+}
+
+template <class Frame>
+[[gnu::always_inline]] inline void ScalarContacts::relax_row(ImpactRow& row, Frame& frame) {
+  if (!row.block || !relax_pair(row, frame)) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+      RowPoint& p = row.points[i];
+      if (p.normal_impulse == 0 && row.gaps[i] > touching_gap) continue;
+      const Real push = -p.normal_mass * frame.normal_velocity(p);
+      apply_accumulated(row, p, frame, std::max(p.normal_impulse + push, Real{0}));
+    }
+  }
+  solve_friction_by_state(row, frame);
 }
 
 bool ScalarContacts::deepens(const Island& island, Real in_step, bool held) const {
+  return std::any_of(island.rows.begin(), island.rows.end(),
+                     [&](const ImpactRow& row) { return row.active && deepens(island, row, in_step, held); });
+}
+
+bool ScalarContacts::deepens(const Island& island, const ImpactRow& row, Real in_step, bool held) const {
   const auto felt = [&](Real growth) { return growth * static_cast<Real>(island.substeps) > in_step; };
-  for (const ImpactRow& row : island.rows) {
-    if (!row.active) continue;
-    const ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
-      const RowPoint& p = row.points[i];
-      const Real parts = held ? 0 : row.parts[i] * island.h;
-      const Real closing = parts - island.h * frame.normal_velocity(p);
-      if (!felt(closing)) continue;  // an upper bound of the growth
-      const Real s = row.gaps[i] + parts;
-      if (held && p.normal_impulse == 0 && s > touching_gap) continue;
-      if (felt(held ? closing : std::min(s, Real{0}) - (s - closing))) return true;
-    }
+  const ContactFrame frame(row, bodies_.velocity[row.a], bodies_.velocity[row.b]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i) {
+    const RowPoint& p = row.points[i];
+    const Real parts = held ? 0 : row.parts[i] * island.h;
+    const Real closing = parts - island.h * frame.normal_velocity(p);
+    if (!felt(closing)) continue;  // an upper bound of the growth
+    const Real s = row.gaps[i] + parts;
+    if (held && p.normal_impulse == 0 && s > touching_gap) continue;
+    if (felt(held ? closing : std::min(s, Real{0}) - (s - closing))) return true;
   }
   return false;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bodies/body_set.h"
@@ -37,9 +39,12 @@ class ScalarContacts {
   void press(const Island& island);
   /// The same with rigid contacts: nothing gets deeper, and what overlaps is pushed apart at the same rate.
   void press_rigidly(const Island& island);
+  /// Only `rows`, which must be active.
+  void press_rigidly(const Island& island, std::span<const std::uint32_t> rows);
   /// Rigid contacts with friction, regardless of depth. Skips points with a gap and no load, which would be braked one
   /// sub-step before they arrive.
   void relax(const Island& island);
+  void relax(const Island& island, std::span<const std::uint32_t> rows);
   /// At the start of a sub-step: a contact that bore nothing slips if its points move past each other faster than
   /// `slow`, m/s.
   void meet(const Island& island, Real slow) const;
@@ -52,6 +57,7 @@ class ScalarContacts {
   /// Whether a contact penetrates deeper in a sub-step at these velocities by more than its share of `in_step`, m, of
   /// all sub-steps. `held`: without the points that relax() skips.
   bool deepens(const Island& island, Real in_step, bool held) const;
+  bool deepens(const Island& island, const ImpactRow& row, Real in_step, bool held) const;
   void settle_offsets(const Island& island);
 
  private:
@@ -61,11 +67,15 @@ class ScalarContacts {
   /// The same for each active row.
   template <class Solve>
   void each(const Island& island, Solve solve);
+  template <class Solve>
+  void each_of(const Island& island, std::span<const std::uint32_t> rows, Solve solve);
   void face(ImpactRow& row) const;
   void turn_normal(ImpactRow& row);
   void push_centres(const ImpactRow& row, Vec2 impulse);
-  template <bool rigidly>
-  void press(const Island& island);
+  template <bool rigidly, class Frame>
+  static void press_row(const Island& island, ImpactRow& row, Frame& frame);
+  template <class Frame>
+  static void relax_row(ImpactRow& row, Frame& frame);
   template <bool rigidly, class Frame>
   static bool press_pair(const Island& island, ImpactRow& row, Frame& frame);
   template <class Frame>

@@ -1,0 +1,41 @@
+#include "solver/local_sweeps.h"
+
+namespace impulse::inline IMPULSE_PRECISION {
+
+bool LocalSweeps::find(const Island& island, const ScalarContacts& contacts, std::size_t bodies, Real in_step,
+                       bool held) {
+  ring_.resize(bodies);
+  for (const std::uint32_t body : island.bodies) ring_[body] = 0;
+  // What cannot be pushed passes nothing on, and may belong to other islands too.
+  const auto mark = [&](std::uint32_t body, const InverseMass& mass, std::uint8_t ring) {
+    if (ring_[body] == 0 && pushable(mass)) ring_[body] = ring;
+  };
+  const auto in = [&](std::uint32_t body, const InverseMass& mass) { return pushable(mass) ? ring_[body] : 0; };
+
+  bool any = false;
+  std::size_t active = 0;
+  for (const ImpactRow& row : island.rows) {
+    if (!row.active) continue;
+    ++active;
+    if (!contacts.deepens(island, row, in_step, held)) continue;
+    any = true;
+    mark(row.a, row.mass_a, 1);
+    mark(row.b, row.mass_b, 1);
+  }
+  if (!any) return false;
+  for (const ImpactRow& row : island.rows) {
+    if (!row.active) continue;
+    if (in(row.a, row.mass_a) == 1) mark(row.b, row.mass_b, 2);
+    if (in(row.b, row.mass_b) == 1) mark(row.a, row.mass_a, 2);
+  }
+  rows_.clear();
+  for (std::size_t i = 0; i < island.rows.size(); ++i) {
+    const ImpactRow& row = island.rows[i];
+    if (row.active && (in(row.a, row.mass_a) != 0 || in(row.b, row.mass_b) != 0)) {
+      rows_.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  return 2 * rows_.size() <= active;
+}
+
+}  // namespace impulse::inline IMPULSE_PRECISION
