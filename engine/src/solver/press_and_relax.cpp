@@ -1,7 +1,10 @@
 #include "solver/press_and_relax.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include "solver/scalar_contacts.h"
 
@@ -62,20 +65,25 @@ void PressAndRelax::relax_through() {
 }
 
 void PressAndRelax::sweep_locally(bool pressing) {
-  constexpr int most = 20;    // sweeps, then the whole island is swept again
-  constexpr int between = 4;  // looks whether they have sufficed
+  constexpr std::size_t most = 20;    // sweeps; more of them gain less than one of the whole island,
+  constexpr std::size_t cost = 2;     // and they may take as long as this many of that
+  constexpr std::size_t between = 4;  // looks whether they have sufficed
   if (!island_.joints.empty()) return;
   ScalarContacts contacts(bodies_, motion_);
   if (!local_.find(island_, contacts, motion_.size(), not_felt, !pressing)) return;
-  const auto deepens = [&](std::uint32_t row) {
-    return contacts.deepens(island_, island_.rows[row], not_felt, !pressing);
-  };
-  for (int sweep = 0; sweep < most; ++sweep) {
-    if (sweep % between == 0 && sweep > 0 && std::none_of(local_.rows().begin(), local_.rows().end(), deepens)) return;
+  const std::span<const std::uint32_t> rows = local_.rows();
+  const std::size_t sweeps = std::min(most, cost * island_.rows.size() / rows.size());
+  for (std::size_t sweep = 1; sweep <= sweeps; ++sweep) {
     if (pressing) {
-      contacts.press_rigidly(island_, local_.rows());
+      contacts.press_rigidly(island_, rows);
     } else {
-      contacts.relax(island_, local_.rows());
+      contacts.relax(island_, rows);
+    }
+    const bool look = sweep % between == 0 && sweep < sweeps;
+    if (look && std::none_of(rows.begin(), rows.end(), [&](std::uint32_t row) {
+          return contacts.deepens(island_, island_.rows[row], not_felt, !pressing);
+        })) {
+      return;
     }
   }
 }
