@@ -77,6 +77,73 @@ const Catalog<Scenario>::Entry entry{{.name = "free-bodies",
 }  // namespace
 }  // namespace plumb::scenarios::free_bodies
 
+namespace plumb::scenarios::thrown_wall {
+namespace {
+
+constexpr double duration = 1;  // s
+constexpr double gravity = 10;  // m/s^2
+constexpr double size = .5;     // m, of each box
+constexpr double gap = .022;    // m, wider than the skins of engines, and near enough for a contact
+constexpr Vec velocity{3, 4};   // m/s
+
+int side(const Parameters& p) { return static_cast<int>(p.at("side")); }
+
+// All are thrown alike.
+Scene scene(const Parameters& p) {
+  Scene scene{.name = "thrown-wall",
+              .about = "Boxes a finger's breadth from each other are thrown together, and fall.",
+              .gravity = {0, -gravity},
+              .duration = duration};
+  for (int i = 0; i < side(p) * side(p); ++i) {
+    const Vec at{(size + gap) * (i % side(p)), (size + gap) * (i / side(p))};
+    scene.bodies.push_back(box("box " + std::to_string(i + 1), at, {size, size}, surface(0.5, 0.5)));
+    scene.bodies.back().velocity = velocity;
+  }
+  return scene;
+}
+
+// None presses another, so each flies as if alone: off by the drift g t h and round-off.
+std::vector<Expectation> expectations(const Parameters& p) {
+  const Scene wall = scene(p);
+  const double reach = (size + gap) * side(p) + (length(velocity) + gravity * duration) * duration;
+  const auto exact = [=](const Stepping& s) { return round_off(s, duration, reach); };
+  std::vector<Expectation> all;
+  for (const Body& body : {wall.bodies.front(), wall.bodies[wall.bodies.size() / 2], wall.bodies.back()}) {
+    all.push_back({.body = body.name,
+                   .quantity = Quantity::x,
+                   .expected = body.position.x + velocity.x * duration,
+                   .allowed = exact,
+                   .source = "v t, as if alone"});
+    all.push_back({.body = body.name,
+                   .quantity = Quantity::y,
+                   .expected = body.position.y + velocity.y * duration - gravity * duration * duration / 2,
+                   .allowed = [=](const Stepping& s) { return drifted(s, gravity, duration) + exact(s); },
+                   .source = "v t + g t^2/2, as if alone; drift g t h"});
+    all.push_back({.body = body.name,
+                   .quantity = Quantity::angle,
+                   .expected = 0,
+                   .allowed = [=](const Stepping& s) { return exact(s) / (size / 2); },
+                   .source = "nothing turns it"});
+  }
+  return all;
+}
+
+const Catalog<Scenario>::Entry entry{
+    {.name = "thrown-wall",
+     .question = "Do bodies beside each other, none of which presses another, fly as if alone?",
+     .parameters = {{.name = "side",
+                     .value = 9,
+                     .min = 1,
+                     .max = 60,
+                     .about = "boxes along each side of the wall",
+                     .whole = true}},
+     .variants = {{"81 boxes", {}}},
+     .scene = scene,
+     .expectations = expectations}};
+
+}  // namespace
+}  // namespace plumb::scenarios::thrown_wall
+
 namespace plumb::scenarios::layers {
 namespace {
 

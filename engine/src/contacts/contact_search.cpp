@@ -17,6 +17,14 @@ constexpr Real most_persistent_motion = static_cast<Real>(0.01);
 constexpr Real most_persistent_turn = static_cast<Real>(0.001);  // rad, of normals: a share of what they bear
 constexpr Real most_persistent_gap = static_cast<Real>(0.005);
 
+/// m: what is as near to two bodies may bear the one against the other.
+constexpr Real most_bearing_gap = static_cast<Real>(0.005);
+
+Real gap_of(const PairPoints& found) {
+  return found.count == 2 ? std::min(found.separation[0], found.separation[1]) : found.separation[0];
+}
+Vec2 normal_of(const PairPoints& found) { return {found.normal[0], found.normal[1]}; }
+
 /// Whether the points may persist. The normal of rounded shapes turns as they roll over a corner, by a tenth for a disc
 /// of a decimetre.
 bool lasting(const Contact& contact, const BodySet& bodies) {
@@ -206,10 +214,10 @@ bool ContactSearch::touching_are_last() const {
   return true;
 }
 
-/// Two bodies that hit each other at a speed u change the velocity of a by at most (1 + e) u mB / (mA + mB). A body
-/// that is hit within the step may then hit others than those it was approaching: a disc thrown back into its
-/// followers, the next box in a stack that lands. Returns whether that moves any body farther than the margin allows
-/// for.
+/// Two bodies that hit each other at a speed u change the velocity of a by at most (1 + e) u mB / (mA + mB), in any
+/// direction; or, if something bears b, by (1 + e) u along the normal. A body that is hit within the step may then hit
+/// others than those it was approaching: a disc thrown back into its followers, the next box in a stack that lands.
+/// Returns whether that moves any body farther than the margin allows for.
 bool ContactSearch::predict_impacts(const SearchInput& input) {
   const BodySet& bodies = input.bodies;
   const Margin& margin = input.margin;
@@ -218,27 +226,23 @@ bool ContactSearch::predict_impacts(const SearchInput& input) {
   const auto too_slow = [&](Real speed) { return margin.time * speed <= allowed * (Real{63} / 64); };
   if (too_slow(2 * shapes_.fastest())) return false;
   impact_changes_.assign(bodies.size(), 0);
+  any_way_.assign(bodies.size(), 0);
+  thrusts_.assign(bodies.size(), {});
   hit_by_.assign(bodies.size(), none);
+  count_bearing();
   bool farther = false;
   const auto count = static_cast<std::uint32_t>(touching_.size());
   const PairBatch all{shapes_.records().data(), pairs_.data(), touching_.data(), count, allowed, margin.time};
   fast_.resize(count);
   const std::uint32_t* end = narrow_phase_kernels().find_fast(all, found_.data(), counts_.data(), fast_.data());
   for (const std::uint32_t pair : std::span(fast_.data(), end)) {
-    const PairPoints& found = found_[pair];
     const ShapeRecord& record_a = shapes_.records()[pairs_[pair].first];
     const ShapeRecord& record_b = shapes_.records()[pairs_[pair].second];
     const Vec2 between = record_b.velocity - record_a.velocity;
     const Real turning = record_a.rim + record_b.rim;
-    Vec2 normal{found.normal[0], found.normal[1]};
-    Real gap = found.count == 2 ? std::min(found.separation[0], found.separation[1]) : found.separation[0];
-    if (persists(pair)) {
-      const Contact& contact = last_[last_of_[pair]];
-      normal = contact.normal;
-      gap = contact.points[0].separation;
-      if (contact.count == 2) gap = std::min(gap, contact.points[1].separation);
-    }
+    const Vec2 normal = persists(pair) ? last_[last_of_[pair]].normal : normal_of(found_[pair]);
     const Real speed = turning - dot(normal, between);
+    const Real gap = gap_between(pair);
     if (margin.time * speed <= std::max(gap, allowed)) continue;
     const std::size_t a = first(pair).body;
     const std::size_t b = second(pair).body;
@@ -247,26 +251,68 @@ bool ContactSearch::predict_impacts(const SearchInput& input) {
     const Real restitution = mix(input.settings.restitution_mixing, shapes_.restitution(pairs_[pair].first),
                                  shapes_.restitution(pairs_[pair].second));
     const Real change = (1 + restitution) * speed / (inv_mass_a + inv_mass_b);
-    farther |= change_velocity(input, a, b, change * inv_mass_a);
-    farther |= change_velocity(input, b, a, change * inv_mass_b);
+    const Vec2 thrust = (1 + restitution) * speed * normal;
+    const std::uint32_t each_other = gap <= most_bearing_gap ? 1 : 0;
+    const bool from_a = bearing_[a] > each_other && inv_mass_b > 0;
+    const bool from_b = bearing_[b] > each_other && inv_mass_a > 0;
+    farther |= change_velocity(input, {a, b, change * inv_mass_a, from_b ? -thrust : Vec2{}});
+    farther |= change_velocity(input, {b, a, change * inv_mass_b, from_a ? thrust : Vec2{}});
   }
   return farther;
 }
 
-/// Notes that a hit may change the velocity of a body by so much; returns whether that moves it farther than the margin
-/// allows for, and than what was noted.
-bool ContactSearch::change_velocity(const SearchInput& input, std::size_t body, std::size_t by, Real change) {
-  if (input.margin.time * change <= input.margin.distance / 2 || change <= impact_changes_[body]) return false;
-  impact_changes_[body] = change;
-  hit_by_[body] = static_cast<std::uint32_t>(by);
-  if (input.bodies.pile[body] != 0) hit_piles_.push_back(input.bodies.pile[body]);
+/// Notes what a hit may change; returns whether that moves the body farther than the margin allows for, and than what
+/// was noted.
+bool ContactSearch::change_velocity(const SearchInput& input, const Change& hit) {
+  const auto matters = [&](Real change) { return input.margin.time * change > input.margin.distance / 2; };
+  const Real along = length(hit.thrust);
+  const bool more = matters(hit.any_way) && hit.any_way > any_way_[hit.body];
+  const bool farther_along = matters(along) && along > length(thrusts_[hit.body]);
+  if (!more && !farther_along) return false;
+  if (more) any_way_[hit.body] = hit.any_way;
+  if (farther_along) thrusts_[hit.body] = hit.thrust;
+  impact_changes_[hit.body] = std::max(any_way_[hit.body], length(thrusts_[hit.body]));
+  hit_by_[hit.body] = static_cast<std::uint32_t>(hit.by);
+  if (input.bodies.pile[hit.body] != 0) hit_piles_.push_back(input.bodies.pile[hit.body]);
   return true;
+}
+
+/// Counts what is near each body.
+void ContactSearch::count_bearing() {
+  bearing_.assign(hit_by_.size(), 0);
+  for (const std::uint32_t pair : touching_) {
+    if (gap_between(pair) > most_bearing_gap) continue;
+    ++bearing_[first(pair).body];
+    ++bearing_[second(pair).body];
+  }
+}
+
+Real ContactSearch::gap_between(std::uint32_t pair) const {
+  if (!persists(pair)) return gap_of(found_[pair]);
+  const Contact& contact = last_[last_of_[pair]];
+  const Real gap = contact.points[0].separation;
+  return contact.count == 2 ? std::min(gap, contact.points[1].separation) : gap;
+}
+
+/// Whether predicted changes of velocity bring two bodies no nearer than the margin allows for.
+bool ContactSearch::stay_apart(const Margin& margin, const Pair& pair, const PairPoints& found) const {
+  const ShapeRecord& record_a = shapes_.records()[pair.first];
+  const ShapeRecord& record_b = shapes_.records()[pair.second];
+  const std::size_t a = shapes_.proxies()[pair.first].body;
+  const std::size_t b = shapes_.proxies()[pair.second].body;
+  const Vec2 between = record_b.velocity - record_a.velocity;
+  const Vec2 normal = normal_of(found);
+  const Real any_way = length(between) + any_way_[a] + any_way_[b];
+  const Real along = std::max(any_way_[a], dot(normal, thrusts_[a])) +
+                     std::max(any_way_[b], -dot(normal, thrusts_[b])) - dot(normal, between);
+  return gap_of(found) > margin.distance + margin.time * (std::max(any_way, along) + record_a.rim + record_b.rim);
 }
 
 /// What is hit hits others within the same step: the balls of a cradle one after the other, and what lies on a body
 /// that lands. A body whose velocity changes by c changes that of another by at most (1 + e) c mA / (mA + mB), but for
-/// the one that hit it. Only to what the change brings near: bounds overlap in some directions and not in others. Ends
-/// with the pairs that all these changes bring near each other.
+/// the one that hit it; and one that is borne along the normal stops what follows it. Only to what the change brings
+/// near: bounds overlap in some directions and not in others. Ends with the pairs that all these changes bring near
+/// each other.
 void ContactSearch::pass_impacts_on(const SearchInput& input) {
   const std::span<const Proxy> proxies = shapes_.proxies();
   hit_.resize(proxies.size());
@@ -282,7 +328,8 @@ void ContactSearch::pass_impacts_on(const SearchInput& input) {
     farther_pairs_.insert(farther_pairs_.end(), near_hit_.begin(), near_hit_.end());
     remove_apart(input, near_hit_);
     passed_on_.clear();
-    for (const Pair& pair : near_hit_) {
+    for (std::size_t i = 0; i < near_hit_.size(); ++i) {
+      const Pair& pair = near_hit_[i];
       const std::size_t a = proxies[pair.first].body;
       const std::size_t b = proxies[pair.second].body;
       const Real inv_mass_a = input.bodies.inverse_mass[a].m;
@@ -291,13 +338,16 @@ void ContactSearch::pass_impacts_on(const SearchInput& input) {
       const Real bounce =
           1 + mix(input.settings.restitution_mixing, shapes_.restitution(pair.first), shapes_.restitution(pair.second));
       const Real shared = bounce / (inv_mass_a + inv_mass_b);
-      if (hit_by_[a] != b) passed_on_.push_back({b, a, shared * inv_mass_b * impact_changes_[a]});
-      if (hit_by_[b] != a) passed_on_.push_back({a, b, shared * inv_mass_a * impact_changes_[b]});
+      const Vec2 normal = normal_of(near_points_[i]);
+      const Vec2 to_b = std::max(dot(normal, thrusts_[a]), Real{0}) * normal;
+      const Vec2 to_a = std::min(dot(normal, thrusts_[b]), Real{0}) * normal;
+      if (hit_by_[a] != b) passed_on_.push_back({b, a, shared * inv_mass_b * any_way_[a], to_b});
+      if (hit_by_[b] != a) passed_on_.push_back({a, b, shared * inv_mass_a * any_way_[b], to_a});
     }
     farther = false;
     changed_.assign(input.bodies.size(), 0);
-    for (const Passed& one : passed_on_) {
-      if (!change_velocity(input, one.body, one.by, one.change)) continue;
+    for (const Change& one : passed_on_) {
+      if (!change_velocity(input, one)) continue;
       changed_[one.body] = 1;
       farther = true;
     }
@@ -318,7 +368,8 @@ void ContactSearch::remove_apart(const SearchInput& input, std::vector<Pair>& pa
   std::size_t left = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     pairs[left] = pairs[i];
-    left += near_points_[i].count > 0 ? 1 : 0;
+    near_points_[left] = near_points_[i];
+    left += near_points_[i].count > 0 && !stay_apart(input.margin, pairs[i], near_points_[i]) ? 1 : 0;
   }
   pairs.resize(left);
 }
@@ -355,6 +406,9 @@ void ContactSearch::search_farther(const SearchInput& input) {
   in_order_.resize(placed);
   end_stage("farther: match");
   find_points(input, undecided_);
+  for (const std::uint32_t pair : undecided_) {
+    if (counts_[pair] > 0 && stay_apart(input.margin, pairs_[pair], found_[pair])) counts_[pair] = 0;
+  }
   list_touching(in_order_);
   end_stage("farther: list touching");
 }

@@ -79,7 +79,16 @@ class ContactSearch {
   void persist_points(const SearchInput& input, std::span<const std::uint32_t> of_pairs);
   void note_motion(const SearchInput& input, bool undisturbed);
   bool predict_impacts(const SearchInput& input);
-  bool change_velocity(const SearchInput& input, std::size_t body, std::size_t by, Real change);
+  /// That a body is hit by another, and by how much its velocity may change, m/s.
+  struct Change {
+    std::size_t body, by;
+    Real any_way;  // in any direction
+    Vec2 thrust;   // in this one
+  };
+  bool change_velocity(const SearchInput& input, const Change& hit);
+  void count_bearing();
+  Real gap_between(std::uint32_t pair) const;
+  bool stay_apart(const Margin& margin, const Pair& pair, const PairPoints& found) const;
   void pass_impacts_on(const SearchInput& input);
   void remove_apart(const SearchInput& input, std::vector<Pair>& pairs);
   void search_farther(const SearchInput& input);
@@ -121,16 +130,15 @@ class ContactSearch {
   std::vector<std::uint32_t> candidate_contacts_;  // their contacts
   std::vector<std::uint8_t> kept_;                 // and whether they do
   std::vector<std::uint32_t> fast_;                // touching pairs that may hit each other within the step
-  struct Passed {
-    std::size_t body, by;
-    Real change;  // m/s
-  };
-  std::vector<Passed> passed_on_;
+  std::vector<Change> passed_on_;
   std::vector<std::uint8_t> changed_;    // of each body, in this round of pass_impacts_on()
   std::vector<Pair> near_hit_;           // found in it
   std::vector<PairPoints> near_points_;  // of these
   std::vector<std::uint32_t> hit_by_;    // of each body, see change_velocity()
-  std::vector<Real> impact_changes_;     // m/s, of each body: predicted change of velocity by impacts within the step
+  std::vector<std::uint32_t> bearing_;   // of each body: how many are so near that they may bear it
+  std::vector<Real> any_way_;            // m/s, of each body: what impacts within the step may change of its velocity,
+  std::vector<Vec2> thrusts_;            // the same, in one direction,
+  std::vector<Real> impact_changes_;     // and the greater of both
   std::vector<std::uint8_t> hit_;        // of each proxy: whether its body has such a change
   std::vector<Pair> farther_pairs_;      // of those proxies
   std::vector<std::uint32_t> touching_;

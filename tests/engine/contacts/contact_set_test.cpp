@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "../support.h"
 #include "core/method_list.h"
@@ -130,6 +132,29 @@ TEST(ContactSet, LooksFartherForFasterBodies) {
   EXPECT_TRUE(heap.find().empty());
   heap.bodies.velocity[fast].w = 6;  // a surface may swing over .6 m
   EXPECT_EQ(heap.find().size(), 1U);
+}
+
+// A disc that falls at 10 m/s on one that lies on the ground stops there, and the next is behind it.
+TEST(ContactSet, LooksForWhatFollowsABodyThatIsStopped) {
+  for (const bool lies : {false, true}) {
+    Heap heap;
+    heap.margin.time = real(.1);
+    BodyDef floor = at(0, lies ? 0 : -9);
+    floor.type = BodyType::fixed;
+    const std::size_t ground = heap.add(floor, Shape::half_space({0, 1}, 0));
+    const std::size_t first = heap.add(at(0, 1), Shape::circle(1));
+    const std::size_t falls = heap.add(at(0, 3.1, 0, -10), Shape::circle(1));
+    const std::size_t follows = heap.add(at(0, 5.8, 0, -10), Shape::circle(1));
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (const Contact& contact : heap.find()) found.emplace_back(contact.body_a, contact.body_b);
+    if (lies) {
+      EXPECT_EQ(found.size(), 3);
+      EXPECT_TRUE(std::count(found.begin(), found.end(), std::pair{falls, follows})) << "stopped by the ground";
+      EXPECT_TRUE(std::count(found.begin(), found.end(), std::pair{ground, first}));
+    } else {
+      EXPECT_EQ(found, (std::vector{std::pair{first, falls}})) << "two discs share their speed, so that .5 m remain";
+    }
+  }
 }
 
 TEST(ContactSet, MixesStaticAndDynamicFrictionByTheSameRule) {

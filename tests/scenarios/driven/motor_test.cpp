@@ -43,6 +43,39 @@ TEST(Motor, StopsAMotorThatDoesNothingOrHasNoLimit) {
   EXPECT_LT(early.allows_at_most(), 1.0 / 10);
 }
 
+// Wheels of .15 m: to the left and to the right, freely and to a stop.
+TEST(MotorHub, AgreesWithAnIntegrationInSmallSteps) {
+  const double inertia = std::numbers::pi * std::pow(.15, 4) / 2;
+  constexpr double torque = .002;
+  for (const double stop : {0.0, 120.0}) {
+    for (const auto& [wheel, speed] : {std::pair{"wheel 1", 4.0}, std::pair{"wheel 16", -4.0}}) {
+      constexpr int steps = 100000;
+      constexpr double h = 3.0 / steps;
+      double angle = 0;
+      double w = 0;
+      for (int i = 0; i < steps; ++i) {
+        const double before = w;
+        w += std::clamp(speed - w, -torque / inertia * h, torque / inertia * h);
+        angle += h * (before + w) / 2;
+        if (stop > 0 && std::abs(angle) > stop * std::numbers::pi / 180) w = 0;
+      }
+      const Parameters changes{{"stop", stop}};
+      for (const Quantity quantity : {Quantity::angle, Quantity::angular_velocity}) {
+        const auto all = Of{"motor-hub", changes, wheel, quantity}.expectations();
+        ASSERT_EQ(all.size(), 1);
+        const double tolerance = quantity == Quantity::angle ? 2e-4 : 1e-3;  // a step's motion; its last torque
+        EXPECT_NEAR(*all[0].expected, quantity == Quantity::angle ? angle : w, tolerance) << wheel << ' ' << stop;
+      }
+    }
+  }
+}
+
+TEST(MotorHub, StopsAMotorWhoseTorqueTurnsTheHub) {
+  const Of hub{.scenario = "motor-hub", .changes = {}, .body = "hub", .quantity = Quantity::angle};
+  const double turned = .002 * 3 * 3 / 2 / (std::numbers::pi * 8);  // by one motor more on one side than on the other
+  EXPECT_LT(hub.allows_at_most(), turned / 5);
+}
+
 // The brake's torque is constant until the arm stops for the first time.
 TEST(MotorArm, StopsWhereAnIntegrationStops) {
   for (const double share : {0.5, 0.6, 0.9}) {

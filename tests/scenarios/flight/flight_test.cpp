@@ -95,5 +95,10 @@ TEST(Flyby, StopsAnAttractionThatIsTenPercentOff) {
   EXPECT_LT(velocity.allows(statement_of::skinned()), speed / 5);
 }
 
+TEST(ThrownWall, StopsBoxesThatPushEachOtherApartByASkin) {
+  const Of corner{"thrown-wall", {}, "box 1", Quantity::x};
+  EXPECT_LT(corner.allows_at_most(), .02 / 10);
+}
+
 }  // namespace
 }  // namespace plumb::flight_test
