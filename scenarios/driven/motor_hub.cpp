@@ -47,7 +47,7 @@ Scene scene(const Parameters& p) {
 //   drift     a t h while the wheel gains speed;
 //   chord     a dt^2/8 between two steps, and in the one that reaches the speed, as for `motor`;
 //   stop      what the method leaves of an angle past the limit, and a/(2 pi f)^2 where joints are springs;
-//   sweeps    where a motor needs less than its torque, a method that solves one hinge after another may leave one
+//   iteration where a motor needs less than its torque, a method that solves one hinge after another may leave one
 //             wheel's change of a step, I a h, to the hub, which turns by that over its inertia from then on, and the
 //             wheel with it;
 //   round-off places of the hinges are rounded, so their directions from the hub's centre by an epsilon, and the hub
