@@ -25,23 +25,24 @@ TEST(Scenarios, AreAllRegistered) {
   std::vector<std::string> names;
   for (const Scenario* scenario : Catalog<Scenario>::all()) names.push_back(scenario->name);
   EXPECT_THAT(
-      names, testing::ElementsAre(
-                 "arc-bowl", "arch", "beam", "beats", "bifilar", "billiard", "bounce", "bowl", "box-on-box",
-                 "breakaway", "cantilever", "capsule-heap", "capsules", "card-house", "catenary", "chain-modes",
-                 "chain-row", "closing-walls", "conveyor", "corner-impact", "corner-spin", "cradle", "crowd",
-                 "damped-slide", "disc-on-wedge", "disc-pair", "disc-pile", "dome", "dominoes", "double-pendulum",
-                 "dry-oscillator", "dumbbells", "flush-tiles", "flyby", "four-bar", "free-bodies", "free-four-bar",
-                 "free-wedge", "gas", "grazing", "hanging-chain", "head-on", "heavy-object", "held-pyramid",
-                 "hinged-hit", "joined-pair", "joint-grid", "joint-stop", "juggler", "kater", "ladder", "late-blow",
-                 "layers", "limiting-friction", "lone-bodies", "lost-support", "many-pyramids", "mass-ratio",
-                 "materials", "mixing-rules", "motor", "motor-arm", "motor-lift", "oblique-disc", "off-center", "orbit",
-                 "overhang", "paddle", "painleve-rod", "peaucellier", "pendulum", "pi-billiard", "pressed-box",
-                 "pulled-chain", "pushed-plank", "pyramid", "rail-stop", "rain", "restitution-rules", "rocking-block",
-                 "rod-hit", "rod-pendulum", "rod-toppling", "rope-bridge", "settling-tower", "slider", "slider-crank",
-                 "sliding-ladder", "sliding-pyramid", "slip-to-roll", "slope", "slope-disc", "smash", "soft-joint",
-                 "spin-up", "spinning-obb", "spring", "spring-ellipse", "spring-stop", "stacking", "step-climb",
-                 "stick-slip", "stopping-distance", "struck-wall", "table-edge", "tautochrone", "teams", "thin-wall",
-                 "tipping", "touching-cradle", "tower-row", "tumbler", "turning-rail", "two-frictions"));
+      names,
+      testing::ElementsAre(
+          "arc-bowl", "arch", "beam", "beats", "bifilar", "billiard", "bounce", "bowl", "box-on-box", "breakaway",
+          "cantilever", "capsule-heap", "capsules", "card-house", "catenary", "chain-modes", "chain-row",
+          "closing-walls", "conveyor", "corner-impact", "corner-spin", "cradle", "crowd", "damped-slide",
+          "disc-on-wedge", "disc-pair", "disc-pile", "dome", "dominoes", "double-pendulum", "dry-oscillator",
+          "dumbbells", "flush-tiles", "flyby", "four-bar", "free-bodies", "free-four-bar", "free-wedge", "gas",
+          "grazing", "hanging-chain", "head-on", "heavy-object", "held-pyramid", "hinged-hit", "joined-pair",
+          "joint-grid", "joint-stop", "juggler", "kater", "ladder", "late-blow", "layers", "limiting-friction",
+          "lone-bodies", "lost-support", "many-pyramids", "mass-ratio", "materials", "mixing-rules", "motor",
+          "motor-arm", "motor-hub", "motor-lift", "oblique-disc", "off-center", "orbit", "overhang", "paddle",
+          "painleve-rod", "peaucellier", "pendulum", "pi-billiard", "pressed-box", "pulled-chain", "pushed-plank",
+          "pyramid", "rail-stop", "rain", "restitution-rules", "rocking-block", "rod-hit", "rod-pendulum",
+          "rod-toppling", "rope-bridge", "settling-tower", "slider", "slider-crank", "sliding-ladder",
+          "sliding-pyramid", "slip-to-roll", "slope", "slope-disc", "smash", "soft-joint", "spin-up", "spinning-obb",
+          "spring", "spring-ellipse", "spring-stop", "stacking", "step-climb", "stick-slip", "stopping-distance",
+          "struck-wall", "table-edge", "tautochrone", "teams", "thin-wall", "thrown-wall", "tipping", "touching-cradle",
+          "tower-row", "tumbler", "turning-rail", "two-frictions"));
 }
 
 TEST(Scenarios, AreAsManyAsTheReadmeSays) {
