@@ -176,7 +176,7 @@ TEST(Scenarios, AllowLessWithFinerStepsAndOnlyRoundOffIfExact) {
         EXPECT_TRUE(std::isfinite(coarse) && fine > 0) << what;
         // Three tolerances are physical: the last sector of pi-billiard, half a wall that nothing may pass, and the
         // distance of a few hundred discs from Maxwell's law.
-        if (what == "thin-wall fast bullet x" || (scenario->name == "pi-billiard" && expectation.body != "") ||
+        if (what == "thin-wall fast bullet x" || (scenario->name == "pi-billiard" && !expectation.body.empty()) ||
             expectation.quantity == Quantity::speed_spread)
           continue;
         EXPECT_TRUE(coarse < 1e-6 || fine < coarse / 4) << what << ' ' << coarse << ' ' << fine;
