@@ -74,6 +74,10 @@ std::vector<Expectation> expectations(const Parameters& p) {
     if (stopped) return s.angular_slop + spring_depth(s.joint_frequency, a, 1) + round(s) + still(s);
     return drifted(s, a, gains) + a * s.dt * s.dt / 8 + round(s) + still(s);
   };
+  const double early = std::min(gains, stop > 0 ? std::sqrt(2 * stop / a) : duration) / 2;
+  const auto on_the_way = [=](const Stepping& s) {
+    return drifted(s, a, early) + a * s.dt * s.dt / 8 + round(s) + still(s);
+  };
   const char* at_stop = "at rest at the stop; what the method leaves beyond it";
   std::vector<Expectation> all{
       {.body = "hub", .quantity = Quantity::angle, .expected = 0, .allowed = still, .source = "the torques cancel"},
@@ -84,6 +88,12 @@ std::vector<Expectation> expectations(const Parameters& p) {
        .source = "likewise"}};
   for (const int wheel : {0, wheels(p) / 2, wheels(p) - 1}) {
     const std::string name = made.bodies[static_cast<std::size_t>(wheel) + 1].name;
+    all.push_back({.body = name,
+                   .quantity = Quantity::angle,
+                   .time = early,
+                   .expected = direction(wheel) * a * early * early / 2,
+                   .allowed = on_the_way,
+                   .source = "tau t^2/(2 I); the method's drift"});
     all.push_back({.body = name,
                    .quantity = Quantity::angle,
                    .expected = direction(wheel) * turned,
