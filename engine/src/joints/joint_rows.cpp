@@ -103,8 +103,9 @@ void forget_impulses(JointBlock& block) {
 
 namespace {
 
-/// Solves all rows of a joint; equations correct errors at the speed `correction` (1/s) times the error.
-void solve_rows(JointBlock& block, Real h, Real correction, const Softness& soft, BodySet& bodies) {
+/// Solves all rows of a joint; equations correct errors at the speed `correction` (1/s) times the error, and a motor
+/// acts for `driven`, s.
+void solve_rows(JointBlock& block, Real h, Real driven, Real correction, const Softness& soft, BodySet& bodies) {
   Velocity& a = bodies.velocity[block.a];
   Velocity& b = bodies.velocity[block.b];
   std::array<Real, 3> bias{};
@@ -117,7 +118,7 @@ void solve_rows(JointBlock& block, Real h, Real correction, const Softness& soft
     const Real error = block.stop[i].error;
     stop_bias[i] = error > 0 ? error / h : correction * error;
   }
-  solve_motor(block, h, a, b);
+  solve_motor(block, driven, a, b);
   solve_equations(block, bias, a, b, soft);
   solve_stops(block, stop_bias, a, b);
 }
@@ -125,11 +126,11 @@ void solve_rows(JointBlock& block, Real h, Real correction, const Softness& soft
 }  // namespace
 
 void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies) {
-  solve_rows(block, h, share / h, {}, bodies);
+  solve_rows(block, h, h, share / h, {}, bodies);
 }
 
-void solve_soft_joint(JointBlock& block, Real h, const Softness& soft, BodySet& bodies) {
-  solve_rows(block, h, soft.bias_rate, soft, bodies);
+void solve_soft_joint(JointBlock& block, Real h, Real driven, const Softness& soft, BodySet& bodies) {
+  solve_rows(block, h, driven, soft.bias_rate, soft, bodies);
 }
 
 void warm_start(const JointBlock& block, Real scale, Velocity& a, Velocity& b) {

@@ -59,8 +59,9 @@ void forget_impulses(JointBlock& block);
 /// One iteration over a joint at velocity level: corrects `share` of the error within h.
 void solve_joint(JointBlock& block, Real h, Real share, BodySet& bodies);
 
-/// The same for a soft joint. Its stops are rigid, but correct errors no faster than the soft equations.
-void solve_soft_joint(JointBlock& block, Real h, const Softness& soft, BodySet& bodies);
+/// The same for a soft joint, whose motor acts for `driven`, s. Its stops are rigid, but correct errors no faster than
+/// the soft equations.
+void solve_soft_joint(JointBlock& block, Real h, Real driven, const Softness& soft, BodySet& bodies);
 
 /// Applies all accumulated impulses, times `scale`, to both bodies.
 void warm_start(const JointBlock& block, Real scale, Velocity& a, Velocity& b);

@@ -268,7 +268,8 @@ void IslandJoints::write() {
 
 void IslandJoints::press_by_sweep(Real h) {
   const Softness soft = softness_of_swept(h);
-  for (ActiveJoint* joint : joints_) solve_soft_joint(joint->block, h, soft, bodies_);
+  const Real driven = h / 2;  // as in press()
+  for (ActiveJoint* joint : joints_) solve_soft_joint(joint->block, h, driven, soft, bodies_);
 }
 
 /// In the opposite order of press, so that loads propagate both ways.

@@ -175,7 +175,7 @@ void SoftStep::warm_start(StepData& data) {
 /// A gap may close within the sub-step, but no further; overlap is a soft constraint.
 void SoftStep::press(StepData& data) {
   BodySet& bodies = data.bodies;
-  for (ActiveJoint& joint : data.joints) solve_soft_joint(joint.block, h_, joint_, bodies);
+  for (ActiveJoint& joint : data.joints) solve_soft_joint(joint.block, h_, h_, joint_, bodies);
   for (ContactRow& row : rows_) {
     const Softness& soft = row.mass_a.m == 0 || row.mass_b.m == 0 ? stiff_ : soft_;
     ContactFrame frame(row, bodies.velocity[row.a], bodies.velocity[row.b]);
