@@ -4,11 +4,39 @@
 #include "scenarios/parts.h"
 #include "scenarios/scenario.h"
 
-namespace plumb::scenarios::free_bodies {
+namespace plumb::scenarios::each_alone {
 namespace {
 
 constexpr double duration = 1;  // s
 constexpr double gravity = 10;  // m/s^2
+
+/// `body` is at `end` then but for what it falls, and at `angle`: off by the drift g t h and round-off. `reach`: m,
+/// that any body is from the origin at most.
+void expect_alone(const Body& body, const Vec& end, double angle, double reach, std::vector<Expectation>& all) {
+  const auto exact = [=](const Stepping& s) { return round_off(s, duration, reach); };
+  all.push_back(
+      {.body = body.name, .quantity = Quantity::x, .expected = end.x, .allowed = exact, .source = "v t, as if alone"});
+  all.push_back({.body = body.name,
+                 .quantity = Quantity::y,
+                 .expected = end.y - gravity * duration * duration / 2,
+                 .allowed = [=](const Stepping& s) { return drifted(s, gravity, duration) + exact(s); },
+                 .source = "v t + g t^2/2, as if alone; drift g t h"});
+  all.push_back({.body = body.name,
+                 .quantity = Quantity::angle,
+                 .expected = angle,
+                 .allowed = exact,
+                 .source = "w t, as if alone"});
+}
+
+}  // namespace
+}  // namespace plumb::scenarios::each_alone
+
+namespace plumb::scenarios::free_bodies {
+namespace {
+
+using each_alone::duration;
+using each_alone::gravity;
+
 constexpr double pitch = 1;     // m, from body to body
 constexpr double spread = 0.5;  // 1/s
 constexpr double spin = 3;      // rad/s
@@ -40,24 +68,9 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const Scene field = scene(p);
   const double grown = 1 + spread * duration;
   const double reach = pitch * side(p) * grown + gravity * duration * duration;
-  const auto exact = [=](const Stepping& s) { return round_off(s, duration, reach); };
   std::vector<Expectation> all;
   for (const Body& body : {field.bodies.front(), field.bodies[field.bodies.size() / 2], field.bodies.back()}) {
-    all.push_back({.body = body.name,
-                   .quantity = Quantity::x,
-                   .expected = body.position.x * grown,
-                   .allowed = exact,
-                   .source = "v t, as if alone"});
-    all.push_back({.body = body.name,
-                   .quantity = Quantity::y,
-                   .expected = body.position.y * grown - gravity * duration * duration / 2,
-                   .allowed = [=](const Stepping& s) { return drifted(s, gravity, duration) + exact(s); },
-                   .source = "v t + g t^2/2, as if alone; drift g t h"});
-    all.push_back({.body = body.name,
-                   .quantity = Quantity::angle,
-                   .expected = spin * duration,
-                   .allowed = exact,
-                   .source = "w t, as if alone"});
+    each_alone::expect_alone(body, grown * body.position, spin * duration, reach, all);
   }
   return all;
 }
@@ -80,11 +93,12 @@ const Catalog<Scenario>::Entry entry{{.name = "free-bodies",
 namespace plumb::scenarios::thrown_wall {
 namespace {
 
-constexpr double duration = 1;  // s
-constexpr double gravity = 10;  // m/s^2
-constexpr double size = .5;     // m, of each box
-constexpr double gap = .022;    // m, wider than the skins of engines, and near enough for a contact
-constexpr Vec velocity{3, 4};   // m/s
+using each_alone::duration;
+using each_alone::gravity;
+
+constexpr double size = .5;    // m, of each box
+constexpr double gap = .022;   // m, wider than the skins of engines, and near enough for a contact
+constexpr Vec velocity{3, 4};  // m/s
 
 int side(const Parameters& p) { return static_cast<int>(p.at("side")); }
 
@@ -95,35 +109,22 @@ Scene scene(const Parameters& p) {
               .gravity = {0, -gravity},
               .duration = duration};
   for (int i = 0; i < side(p) * side(p); ++i) {
-    const Vec at{(size + gap) * (i % side(p)), (size + gap) * (i / side(p))};
+    const int row = i / side(p);
+    const int column = i % side(p);
+    const Vec at{(size + gap) * column, (size + gap) * row};
     scene.bodies.push_back(box("box " + std::to_string(i + 1), at, {size, size}, surface(0.5, 0.5)));
     scene.bodies.back().velocity = velocity;
   }
   return scene;
 }
 
-// None presses another, so each flies as if alone: off by the drift g t h and round-off.
+// None presses another.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Scene wall = scene(p);
   const double reach = (size + gap) * side(p) + (length(velocity) + gravity * duration) * duration;
-  const auto exact = [=](const Stepping& s) { return round_off(s, duration, reach); };
   std::vector<Expectation> all;
   for (const Body& body : {wall.bodies.front(), wall.bodies[wall.bodies.size() / 2], wall.bodies.back()}) {
-    all.push_back({.body = body.name,
-                   .quantity = Quantity::x,
-                   .expected = body.position.x + velocity.x * duration,
-                   .allowed = exact,
-                   .source = "v t, as if alone"});
-    all.push_back({.body = body.name,
-                   .quantity = Quantity::y,
-                   .expected = body.position.y + velocity.y * duration - gravity * duration * duration / 2,
-                   .allowed = [=](const Stepping& s) { return drifted(s, gravity, duration) + exact(s); },
-                   .source = "v t + g t^2/2, as if alone; drift g t h"});
-    all.push_back({.body = body.name,
-                   .quantity = Quantity::angle,
-                   .expected = 0,
-                   .allowed = [=](const Stepping& s) { return exact(s) / (size / 2); },
-                   .source = "nothing turns it"});
+    each_alone::expect_alone(body, body.position + duration * velocity, 0, reach, all);
   }
   return all;
 }

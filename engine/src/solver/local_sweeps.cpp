@@ -35,7 +35,7 @@ bool LocalSweeps::find(const Island& island, const ScalarContacts& contacts, std
       rows_.push_back(static_cast<std::uint32_t>(i));
     }
   }
-  return 2 * rows_.size() <= active;
+  return !rows_.empty() && 2 * rows_.size() <= active;
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

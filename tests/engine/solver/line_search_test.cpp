@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "column.h"
 #include "worlds.h"
 
 namespace impulse::inline IMPULSE_PRECISION::line_search_test {
@@ -43,36 +44,12 @@ TEST(LineSearch, KeepsAHeavyBodyFromBeingThrownUpByTheBlowThatStoppedIt) {
   }
 }
 
-/// Two bodies of 1 and 1000 kg on a line: the light one on the ground, the heavy one on it.
-struct Column {
-  BodySet bodies;
-  std::vector<std::uint32_t> members{1, 2};
-  std::vector<ImpactRow> rows = std::vector<ImpactRow>(2);
+/// A body of 1000 kg on one of 1 kg, which lies on the ground.
+struct HeavyOnLight : Column {
   std::vector<Velocity> acceleration = std::vector<Velocity>(3), kicks = acceleration, changes = acceleration;
-  std::vector<Motion> motion = std::vector<Motion>(3);
-  std::vector<Pose> start = std::vector<Pose>(3);
-  JointWorkspace work;
-  Island island{.bodies = members,
-                .contacts = {},
-                .rows = rows,
-                .joints = IslandJoints({}, members, bodies, start, motion, work)};
   LineSearch search;
 
-  Column() {
-    bodies.velocity.resize(3);
-    bodies.inverse_mass = {{}, {1, 0}, {real(.001), 0}};
-    island.h = real(.01);
-    for (std::uint32_t i = 0; i < 2; ++i) {
-      ImpactRow& row = rows[i];
-      row.a = i;
-      row.b = i + 1;
-      row.normal = {0, 1};
-      row.mass_a = bodies.inverse_mass[row.a];
-      row.mass_b = bodies.inverse_mass[row.b];
-      row.count = 1;
-      row.points[0].normal_mass = effective_mass(row, 0, 0);
-    }
-  }
+  HeavyOnLight() : Column({1, 1000}) {}
   /// The impulse, N s, that is kept of both contacts after a sub-step that began with `guess` and ended with `impulse`.
   double kept(double impulse, double guess) {
     for (ImpactRow& row : rows) {
@@ -86,21 +63,21 @@ struct Column {
 };
 
 TEST(LineSearch, KeepsAnImpulseThatBearsTheWeight) {
-  Column column;
+  HeavyOnLight column;
   column.acceleration[2].v.y = -10;
   EXPECT_EQ(column.kept(100, 6), 100) << "1000 kg 10 m/s^2 .01 s";
   EXPECT_EQ(column.kept(150, 100), 150) << "which only brakes";
 }
 
 TEST(LineSearch, GoesBackFromABlowToTheLoadBefore) {
-  Column column;
+  HeavyOnLight column;
   column.acceleration[2].v.y = -10;
   EXPECT_NEAR(column.kept(4000, 100), 100, bound(1e-9, 1e-2));
   EXPECT_NEAR(column.kept(4000, 0), 100, bound(1e-9, 1e-2));
 }
 
 TEST(LineSearch, KeepsNothingOfABodyThatLeaves) {
-  Column column;
+  HeavyOnLight column;
   column.bodies.velocity[2].v.y = 3;
   EXPECT_EQ(column.kept(100, 100), 0);
 }
@@ -119,7 +96,7 @@ void sweep(Column& column) {
 
 TEST(LineSearch, StopsAHeavyBodyOnALightOneInFewerSweeps) {
   for (const bool helped : {false, true}) {
-    Column column;
+    HeavyOnLight column;
     column.bodies.velocity[2].v.y = -1;
     column.search.begin(column.island);
     for (int i = 0; i < 60; ++i) {

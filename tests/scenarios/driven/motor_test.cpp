@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 #include "scenarios/integrate.h"
@@ -14,23 +16,36 @@ namespace {
 
 using statement_of::Of;
 
-// A disc of 0.5 m and 1 kg/m^2 in small steps, in which the torque is cut where it would pass the speed.
+struct Turned {
+  double angle = 0;  // rad
+  double speed = 0;  // rad/s
+};
+
+/// What a wheel has turned by after `time`, s, in small steps, in which what drives it to `speed`, rad/s, by at most
+/// `acceleration`, rad/s^2, is cut where it would pass that speed. At the angle `stop` it stays for good.
+Turned turned(double speed, double acceleration, double time, double stop = std::numeric_limits<double>::infinity()) {
+  constexpr int steps = 100000;
+  const double h = time / steps;
+  Turned wheel;
+  for (int i = 0; i < steps; ++i) {
+    const double before = wheel.speed;
+    wheel.speed += std::clamp(speed - wheel.speed, -acceleration * h, acceleration * h);
+    wheel.angle += h * (before + wheel.speed) / 2;
+    if (std::abs(wheel.angle) > stop) wheel.speed = 0;
+  }
+  return wheel;
+}
+
+// A disc of 0.5 m and 1 kg/m^2.
 TEST(Motor, AgreesWithAnIntegrationInSmallSteps) {
   constexpr double inertia = std::numbers::pi * 0.0625 / 2;
   for (const auto& [speed, torque] : {std::pair{2.0, 0.1}, std::pair{-6.0, 1.0}, std::pair{8.0, 0.1}}) {
     const Parameters changes{{"speed", speed}, {"torque", torque}};
     for (const Quantity quantity : {Quantity::angle, Quantity::angular_velocity}) {
       for (const Expectation& one : (Of{"motor", changes, "wheel", quantity}.expectations())) {
-        constexpr int steps = 100000;
-        const double h = *one.time / steps;
-        double angle = 0;
-        double w = 0;
-        for (int i = 0; i < steps; ++i) {
-          const double before = w;
-          w += std::clamp(speed - w, -torque / inertia * h, torque / inertia * h);
-          angle += h * (before + w) / 2;
-        }
-        EXPECT_NEAR(*one.expected, quantity == Quantity::angle ? angle : w, 1e-6) << speed << ' ' << *one.time;
+        const Turned wheel = turned(speed, torque / inertia, *one.time);
+        EXPECT_NEAR(*one.expected, quantity == Quantity::angle ? wheel.angle : wheel.speed, 1e-6)
+            << speed << ' ' << *one.time;
       }
     }
   }
@@ -49,22 +64,15 @@ TEST(MotorHub, AgreesWithAnIntegrationInSmallSteps) {
   constexpr double torque = .002;
   for (const double stop : {0.0, 120.0}) {
     for (const auto& [wheel, speed] : {std::pair{"wheel 1", 4.0}, std::pair{"wheel 16", -4.0}}) {
-      constexpr int steps = 100000;
-      constexpr double h = 3.0 / steps;
-      double angle = 0;
-      double w = 0;
-      for (int i = 0; i < steps; ++i) {
-        const double before = w;
-        w += std::clamp(speed - w, -torque / inertia * h, torque / inertia * h);
-        angle += h * (before + w) / 2;
-        if (stop > 0 && std::abs(angle) > stop * std::numbers::pi / 180) w = 0;
-      }
+      const double limit = stop > 0 ? stop * std::numbers::pi / 180 : std::numeric_limits<double>::infinity();
+      const Turned expected = turned(speed, torque / inertia, 3, limit);
       const Parameters changes{{"stop", stop}};
       for (const Quantity quantity : {Quantity::angle, Quantity::angular_velocity}) {
         const auto all = Of{"motor-hub", changes, wheel, quantity}.expectations();
         ASSERT_EQ(all.size(), quantity == Quantity::angle ? 2 : 1);
         const double tolerance = quantity == Quantity::angle ? 2e-4 : 1e-3;  // a step's motion; its last torque
-        EXPECT_NEAR(*all.back().expected, quantity == Quantity::angle ? angle : w, tolerance) << wheel << ' ' << stop;
+        EXPECT_NEAR(*all.back().expected, quantity == Quantity::angle ? expected.angle : expected.speed, tolerance)
+            << wheel << ' ' << stop;
         if (quantity != Quantity::angle) continue;
         const double early = *all[0].time;
         EXPECT_NEAR(std::abs(*all[0].expected), torque / inertia * early * early / 2, 1e-12) << wheel << ' ' << stop;
