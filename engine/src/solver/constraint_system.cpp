@@ -434,7 +434,7 @@ void ConstraintSystem::yield(double enough) {
   rebuild();
   for (std::size_t i = 0; i < rows_.size(); ++i) state_[i] = guessed_state(rows_[i], enough_of);
   factored_ = false;
-  iterate(enough);
+  if (!iterate(enough)) iterate_from_pivots(enough);
   finish(enough);
   yield_ = 0;
   factored_ = false;

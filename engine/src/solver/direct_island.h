@@ -79,7 +79,9 @@ class DirectIsland {
   bool counts_changed() { return std::exchange(counts_changed_, false); }
 
  private:
-  static constexpr Real far_turn = static_cast<Real>(0.25);  // rad in an interval: more is far from linear
+  /// In an interval: more is far from linear. rad, of bodies and normals; of a body's reach, of the arms of its
+  /// contacts.
+  static constexpr Real far_turn = static_cast<Real>(0.25);
   static constexpr Real far_swing = static_cast<Real>(0.5);  // the same of the phase of what swings under its load
   /// m, by which an overlap is pushed apart in a sub-step. Bodies that start in each other part without being shot out.
   static constexpr Real most_push = static_cast<Real>(0.001);
@@ -98,6 +100,7 @@ class DirectIsland {
   /// Whether an interval is so short that what rounding or a blow changes in it is no load.
   bool is_brief(Real h) const { return h < h_ / 64; }
   Real longest(Real most) const;
+  Real turns(const DirectContact& contact, Real within) const;
   Real fastest() const;
   Real swings(Real h) const;
   Real advance(Real h, const Impact& then);
@@ -131,7 +134,7 @@ class DirectIsland {
   bool overlaps() const;
   bool joints_are_apart() const;
   bool is_driven() const;
-  bool is_held() const;
+  bool list_touched(Real h);
   void note_press();
   void take_back();
   void drift(Real h);
@@ -185,9 +188,11 @@ class DirectIsland {
   Real turns_round_by_ = 0;  // rad, of the errors of joints, by how far bodies have turned
   Real extent_ = 0;          // m, of the island: of the places of its bodies
   bool tall_ = false;        // the island is taller than wide
+  std::vector<std::pair<double, std::uint32_t>> by_response_;  // 1/kg and index of each contact
   std::vector<DirectContact> contacts_;
   ConstraintSystem system_;
   EnergyBound bound_;                                   // where impulses were not found
+  std::vector<std::uint32_t> touched_;                  // whom that bounds
   std::vector<std::uint32_t> joint_rows_;               // first of each joint in the system
   std::vector<Velocity> before_;                        // of the island's bodies
   std::vector<Velocity> kicked_;                        // the same after the first kick

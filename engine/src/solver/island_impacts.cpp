@@ -121,8 +121,8 @@ void DirectIsland::substep() {
 }
 
 /// s, up to `most`, but no less than 1/64 of a sub-step: in which no body turns far, because normals turn with the
-/// bodies, and none goes farther than its size past what it has not reached yet, because other corners may meet than
-/// are nearest now.
+/// bodies, nor does what one bears run far along it, as a face that rolls over a disc, and none goes farther than its
+/// size past what it has not reached yet, because other corners may meet than are nearest now.
 Real DirectIsland::longest(Real most) const {
   const Real shortest_of_all = h_ / 64;
   const Real w = fastest();
@@ -132,13 +132,34 @@ Real DirectIsland::longest(Real most) const {
     if (contact.lasts || contact.count == 0) continue;
     const auto& [p, q] = contact.frame.points;
     const Real gap = contact.count == 2 ? std::min(p.separation, q.separation) : p.separation;
-    if (gap <= touching_) continue;
+    if (gap <= touching_) {
+      const Real turned = turns(contact, time);
+      if (turned > far_turn) time = std::max(time * far_turn / turned, shortest_of_all);
+      continue;
+    }
     const Real speed = length(bodies.velocity[contact.b].v - bodies.velocity[contact.a].v);
     const Real size = std::min(bodies.bounding_radius[contact.a], bodies.bounding_radius[contact.b]);
     const Real way = std::max(gap, size);
     if (size > 0 && speed * time > way) time = std::max(way / speed, shortest_of_all);
   }
   return time;
+}
+
+/// By how much a contact changes that touches: rad, its normal; of their bodies' reach, the arms of its points.
+Real DirectIsland::turns(const DirectContact& contact, Real within) const {
+  const TouchFrame then = contact.touch.at(flown_motion(contact.a, within), flown_motion(contact.b, within));
+  Real most = length(then.normal - contact.frame.normal);
+  const auto consider = [&](std::uint32_t body, const InverseMass& mass, Vec2 change) {
+    if (pushable(mass)) most = std::max(most, length(change) / step_->data.bodies.bounding_radius[body]);
+  };
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    const PointArms& p = contact.frame.points[i];
+    const PointArms& q = then.points[i];
+    if (p.separation > touching_) continue;
+    consider(contact.a, contact.mass_a, {q.dot_a - p.dot_a, q.cross_a - p.cross_a});
+    consider(contact.b, contact.mass_b, {q.dot_b - p.dot_b, q.cross_b - p.cross_b});
+  }
+  return most;
 }
 
 /// rad/s
