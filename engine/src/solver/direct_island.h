@@ -174,6 +174,7 @@ class DirectIsland {
   void strike(const Impact& impact);
   void list_struck(DirectContact& contact, bool first);
   void solve_impact(const DirectContact* alone);
+  void solve_pushes_first();
   void find_forces_again();
 
   DirectStep* step_ = nullptr;

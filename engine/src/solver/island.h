@@ -94,6 +94,7 @@ struct Island {
   int sweeps = 1;          // iterations over joints and contacts, or joints and their stops
   int press_sweeps = 0;    // extra rigid iterations allowed until an impact adds no penetration
   int more_sweeps = 0;     // extra iterations of relax allowed until the energy bound holds
+  int unsolved = 0;        // sub-steps in which those of a blow did not suffice
   Real h = 0;
   struct Softnesses {
     Softness movable, fixed;  // between movable bodies; with one that cannot move

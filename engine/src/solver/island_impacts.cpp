@@ -422,7 +422,8 @@ void DirectIsland::list_struck(DirectContact& contact, bool first) {
 /// Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985), and has no solution for
 /// some (Painleve). Then the normal impulses are those without friction, and friction only removes energy. It also can
 /// at two points of which one parts, and is stopped by what the other does to it. Then that is pushed back by e times
-/// its speed: by Moreau's law no pair of points gains energy. `alone`: the contact that is struck, if no other is.
+/// its speed: by Moreau's law no pair of points gains energy. Several contacts may with restitutions that differ; then
+/// nothing rebounds. `alone`: the contact that is struck, if no other is.
 void DirectIsland::solve_impact(const DirectContact* alone) {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   if ((system_.solve(velocity) || system_.yielded()) && !system_.drove()) return;
@@ -431,6 +432,15 @@ void DirectIsland::solve_impact(const DirectContact* alone) {
     Constraint& row = system_[alone->row + i];
     row.bias = alone->restitution * ConstraintSystem::speed(row, velocity);
   }
+  solve_pushes_first();
+  if (!system_.drove()) return;
+  system_.undo(velocity);
+  for (Constraint& row : system_.all()) row.bias = 0;
+  solve_pushes_first();
+}
+
+void DirectIsland::solve_pushes_first() {
+  std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   for (Constraint& row : system_.all()) row.fixed = row.law == Law::rubs;
   system_.solve(velocity);
   for (Constraint& row : system_.all()) row.fixed = row.law == Law::pushes;
