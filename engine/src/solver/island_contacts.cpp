@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <vector>
 
 #include "narrow_phase/margin.h"
@@ -46,7 +45,7 @@ void DirectIsland::begin_contacts() {
   }
   std::sort(by_response_.begin(), by_response_.end());
   contacts_.clear();
-  for (const std::uint32_t index : std::views::values(by_response_)) {
+  for (const auto& [response, index] : by_response_) {
     const Contact& from = data.contacts[index];
     DirectContact contact;
     contact.contact = index;
