@@ -29,12 +29,13 @@ constexpr std::size_t most_known = 240;
 
 /// Whether two bodies are near each other within the step, as they move now.
 bool come_near(const Contact& contact, const BodySet& bodies, const std::vector<Velocity>& acceleration, Real dt) {
+  constexpr Real near = static_cast<Real>(0.005);  // m
   const Velocity& a = bodies.velocity[contact.body_a];
   const Velocity& b = bodies.velocity[contact.body_b];
   const Vec2 falls = (dt * dt / 2) * (acceleration[contact.body_b].v - acceleration[contact.body_a].v);
   return std::any_of(contact.points.begin(), contact.points.begin() + contact.count, [&](const ContactPoint& p) {
     const Vec2 moves = dt * (b.v - a.v + cross(b.w, p.arm_b) - cross(a.w, p.arm_a)) + falls;
-    return p.separation + std::min(dot(contact.normal, moves), Real{0}) <= near_by;
+    return p.separation + std::min(dot(contact.normal, moves), Real{0}) <= near;
   });
 }
 
@@ -217,12 +218,10 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   kick(data.bodies, island);
   PressAndRelax solve(data.bodies, island, motion_, changes_, space.search, space.local);
   contacts.measure(island);
-  if (island.press_sweeps > 0) contacts.leave_out_far(island);
-  const bool some_wait = island.bounces || island.press_sweeps > 0;
   solve.press(false);
-  while (some_wait && hold_those_that_meet(data, island, space)) solve.press(false);
+  while (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);
   int pressed = solve.press_through();
-  while (some_wait && hold_those_that_meet(data, island, space)) pressed += solve.press_through();
+  while (island.bounces && hold_those_that_meet(data, island, space)) pressed += solve.press_through();
   if (island.press_sweeps > 0 && pressed >= island.press_sweeps) ++island.unsolved;
   drift(data, island);
   if (island.bounces) Impacts::forget_paths(island.rows);

@@ -410,9 +410,9 @@ void DirectIsland::relax(Real h) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       Constraint& row = system_[contact.row + i];
       const Vec2 pressed = contact.pressing[i];
-      const bool touches = contact.frame.points[i].separation <= touching_;
+      const bool near_by = contact.frame.points[i].separation <= touching_;
       const bool struck = strikes(contact, static_cast<Real>(-ConstraintSystem::speed(row, velocity)));
-      if (contact.waits[i] || (pressed.x == 0 && (!touches || struck))) {
+      if (contact.waits[i] || (pressed.x == 0 && (!near_by || struck))) {
         row.mass_a = row.mass_b = {};
         continue;
       }
