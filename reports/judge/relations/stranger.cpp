@@ -10,7 +10,8 @@ namespace {
 // A body that touches nothing and pulls at nothing is in no equation of the others. It is listed last, shares no layer
 // with any body, weighs nothing, turns, and is damped: one that an engine might treat all bodies alike for. An engine
 // may keep its bodies in an order that a further one changes, so the others' sums may be rounded, and its iterations
-// ordered, in another way; an engine that does not is the same to the bit.
+// ordered, in another way; an engine that does not is the same to the bit. It is far from what attracts all bodies,
+// too, or it would fall into that within the scene.
 Scene with_stranger(const Scene& scene) {
   Scene image = scene;
   const double extent = extent_of(scene);
@@ -18,8 +19,10 @@ Scene with_stranger(const Scene& scene) {
   for (const Body& body : scene.bodies) {
     if (body.type == BodyType::dynamic) middle = body.position;
   }
+  double far = extent;
+  for (const Body& body : scene.bodies) far = std::max(far, length(body.position - middle));
   image.bodies.push_back({.name = "the stranger",
-                          .position = {middle.x + 20 * extent, middle.y + 10 * extent},
+                          .position = {middle.x + 20 * far, middle.y + 10 * far},
                           .angular_velocity = 1,
                           .gravity_scale = 0,
                           .layers = 0,

@@ -85,6 +85,19 @@ TEST(Relations, HalvesAreBrokenByAnErrorThatDoesNotShrink) {
   EXPECT_EQ(checked("halves", scene, {&wrong, {}}).check.status, CheckStatus::broken);
 }
 
+// Twenty sizes of a small planet away it fell into the sun.
+TEST(Relations, PutTheStrangerFarFromWhatAttractsAllBodies) {
+  Body planet = box("planet", {-1.3072453387953409, -3.494491468611399}, {0.14, 0.12617}, surface(0, 0));
+  planet.velocity = {2.721089889368461, -0.93653250270458};
+  const Scene orbit{.name = "orbit",
+                    .gravity = {},
+                    .duration = 1.9,
+                    .bodies = {{.name = "sun", .type = BodyType::fixed}, planet},
+                    .forces = {Attraction{.from = 0, .strength = 30, .exponent = 2}}};
+  const RelationCheck check = ours("stranger", orbit);
+  EXPECT_EQ(check.check.status, CheckStatus::held) << check.check.value << " " << check.why_not;
+}
+
 TEST(Relations, SayWhyTheySayNothing) {
   Scene damped = flying_rod();
   damped.bodies[0].linear_damping = 0.1;
