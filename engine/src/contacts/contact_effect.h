@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "contacts/contact_rows.h"
 
@@ -15,9 +16,12 @@ struct ContactEffect {
   /// Adds an impulse j, N s, which acted at one point along the normal n and its tangent.
   void note(const PointArms& at, Vec2 n, Vec2 j);
   ContactEffect& operator+=(const ContactEffect& more);
-  /// What takes it back: given as well, but the other way.
-  ContactEffect operator-() const { return {-impulse, given, -turned_a, -turned_b}; }
 };
+
+/// Part of it, or, below 0, what takes that back: given as well, but the other way.
+inline ContactEffect operator*(Real share, const ContactEffect& of) {
+  return {share * of.impulse, std::abs(share) * of.given, share * of.turned_a, share * of.turned_b};
+}
 
 /// N s, of each point along normal and tangent, that act on the bodies as all impulses of the step did; `total` is what
 /// each point got, along whichever normal it had. If the normal turned meanwhile, the contact gets the mean one, and

@@ -29,13 +29,12 @@ constexpr std::size_t most_known = 240;
 
 /// Whether two bodies are near each other within the step, as they move now.
 bool come_near(const Contact& contact, const BodySet& bodies, const std::vector<Velocity>& acceleration, Real dt) {
-  constexpr Real near = static_cast<Real>(0.005);  // m
   const Velocity& a = bodies.velocity[contact.body_a];
   const Velocity& b = bodies.velocity[contact.body_b];
   const Vec2 falls = (dt * dt / 2) * (acceleration[contact.body_b].v - acceleration[contact.body_a].v);
   return std::any_of(contact.points.begin(), contact.points.begin() + contact.count, [&](const ContactPoint& p) {
     const Vec2 moves = dt * (b.v - a.v + cross(b.w, p.arm_b) - cross(a.w, p.arm_a)) + falls;
-    return p.separation + std::min(dot(contact.normal, moves), Real{0}) <= near;
+    return p.separation + std::min(dot(contact.normal, moves), Real{0}) <= near_by;
   });
 }
 
@@ -59,6 +58,18 @@ bool is_direct(const StepData& data, const Island& island, const std::vector<Vel
     if (end - pair > 2 && pair[2] == *pair) --count;
   }
   return count <= most_direct;
+}
+
+/// Whether bodies of some contact move so fast that they may be driven into each other. Discs must be hit: their
+/// normals rotate in lanes, too, or stay as they are.
+bool may_drive_deep(const StepData& data, const Island& island) {
+  const bool stirs = std::any_of(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
+    const Contact& contact = data.contacts[tie.contact];
+    const Stir stir = stir_of(contact, data.bodies);
+    const bool turns = stir.turning > 0 || !(contact.disc_a || contact.disc_b);
+    return turns && stir.moves(data.settings.dt);
+  });
+  return stirs || is_struck(data, island);
 }
 
 }  // namespace
@@ -110,8 +121,8 @@ void Accurate::step_island(StepData& data, std::size_t number, AccurateWorkspace
 }
 
 void Accurate::step_pile(StepData& data, std::size_t number, Island& pile, AccurateWorkspace& space) {
-  const bool struck = may_need_substeps(pile.bodies.size(), data.settings) && is_struck(data, pile);
-  if (struck) space.before.keep(data, pile, acceleration_);
+  const bool may = may_need_substeps(pile.bodies.size(), data.settings) && may_drive_deep(data, pile);
+  if (may) space.before.keep(data, pile, acceleration_);
   if (lanes_) {
     step_in_lanes(data, number, pile, space);
   } else {
@@ -120,7 +131,7 @@ void Accurate::step_pile(StepData& data, std::size_t number, Island& pile, Accur
     make_rows(data, pile, number);
     go_through(data, pile, space);
   }
-  if (!struck || !space.before.drove_deep(data, start_, motion_)) return;
+  if (!may || !space.before.drove_deep(data, start_, motion_)) return;
   // Lanes keep normals and arms within a step.
   begun_[number] = nullptr;
   Island again = island(data, number, space);
@@ -218,10 +229,12 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   kick(data.bodies, island);
   PressAndRelax solve(data.bodies, island, motion_, changes_, space.search, space.local);
   contacts.measure(island);
+  if (island.press_sweeps > 0) contacts.leave_out_far(island);
+  const bool some_wait = island.bounces || island.press_sweeps > 0;
   solve.press(false);
-  while (island.bounces && hold_those_that_meet(data, island, space)) solve.press(false);
+  while (some_wait && hold_those_that_meet(data, island, space)) solve.press(false);
   int pressed = solve.press_through();
-  while (island.bounces && hold_those_that_meet(data, island, space)) pressed += solve.press_through();
+  while (some_wait && hold_those_that_meet(data, island, space)) pressed += solve.press_through();
   if (island.press_sweeps > 0 && pressed >= island.press_sweeps) ++island.unsolved;
   drift(data, island);
   if (island.bounces) Impacts::forget_paths(island.rows);

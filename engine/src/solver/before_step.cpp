@@ -43,7 +43,8 @@ bool BeforeStep::drove_deep(const StepData& data, const std::vector<Pose>& start
     const Manifold now = collide(data.bodies.detail[a].parts[before.part_a].shape, motion[a].from(start[a]),
                                  data.bodies.detail[b].parts[before.part_b].shape, motion[b].from(start[b]), 0);
     const Real depth = depth_of(now.points, now.count);
-    if (depth > tolerated_sink && depth > depth_of(before.points, before.count) + not_felt) return true;
+    const Real then = depth_of(before.points, before.count);
+    if (depth > tolerated_sink && (then <= tolerated_sink || depth > then + not_felt)) return true;
   }
   return false;
 }

@@ -19,10 +19,15 @@ constexpr Real shortest = Real{1} / 16;
 
 }  // namespace
 
-void DirectContact::forget_press() {
-  effect += -pressed_by;
-  for (std::size_t i = 0; i < pressing.size(); ++i) total[i] -= pressing[i];
-  pressing = {};
+ContactEffect DirectContact::forget_press(Real share) {
+  const ContactEffect back = -share * pressed_by;
+  effect += back;
+  pressed_by += back;
+  for (std::size_t i = 0; i < pressing.size(); ++i) {
+    total[i] -= share * pressing[i];
+    pressing[i] = (1 - share) * pressing[i];
+  }
+  return back;
 }
 
 void DirectIsland::step(DirectStep& step, const Members& members) {
@@ -154,7 +159,7 @@ void DirectIsland::take_back() {
   for (std::size_t i = 0; i < members_.bodies.size(); ++i) {
     step_->data.bodies.velocity[members_.bodies[i]] = kicked_[i];
   }
-  for (DirectContact& contact : contacts_) contact.forget_press();
+  for (DirectContact& contact : contacts_) contact.forget_press(1);
   std::fill(pressing_joints_.begin(), pressing_joints_.end(), Real{0});
 }
 

@@ -29,6 +29,7 @@ struct DirectContact {
   Real static_friction = 0, dynamic_friction = 0, restitution = 0;
   bool slips = false;           // slides, so that the dynamic coefficient counts
   bool struck = false;          // in the present impact
+  Real lets_go = 0;             // the share of what was pressed in this interval that should not have been
   int approached = 0;           // intervals of this sub-step that should have ended with its impact, since the last one
   std::array<bool, 2> waits{};  // of each point: for an impact at the end of the interval
   bool found_again = false;     // within the step
@@ -48,8 +49,8 @@ struct DirectContact {
 
   static constexpr std::uint32_t no_row = ~std::uint32_t{0};
   Real friction() const { return slips ? dynamic_friction : static_friction; }
-  /// What was pressed in this interval is no longer counted.
-  void forget_press();
+  /// A share of what was pressed in this interval is no longer counted. Returns what takes it back.
+  ContactEffect forget_press(Real share);
 };
 
 /// What islands share in a step.

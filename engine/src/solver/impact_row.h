@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
+#include "bodies/body_set.h"
 #include "contacts/contact.h"
 #include "contacts/contact_effect.h"
 #include "contacts/contact_rows.h"
@@ -10,6 +14,8 @@ namespace impulse::inline IMPULSE_PRECISION {
 
 /// m/s, a velocity that rounding may leave of none.
 constexpr Real no_speed = static_cast<Real>(1e-4);
+/// m, between bodies that may push each other within a step.
+constexpr Real near_by = static_cast<Real>(0.005);
 /// m/s, sliding that rounding may leave of none: a contact that bears all of its static friction holds below that.
 constexpr Real no_slip = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-6);
 
@@ -72,6 +78,8 @@ struct ImpactRow : ContactRow {
   bool block = false;  // its two points are solved together, by `pair`
   PointPair pair;
 
+  /// m, the lesser of the gaps.
+  Real nearest() const { return count < 2 ? gaps[0] : std::min(gaps[0], gaps[1]); }
   bool two_frictions() const { return static_friction != dynamic_friction; }
   /// The coefficient that limits friction now.
   Real friction() const { return slips ? dynamic_friction : static_friction; }
@@ -83,5 +91,13 @@ struct ImpactRow : ContactRow {
     if (turns) effect.note(at, n, j);
   }
 };
+
+/// m/s, a bound of how fast points of a row's bodies near each other.
+inline Real fastest_nearing(const ImpactRow& row, const BodySet& bodies) {
+  const Velocity& a = bodies.velocity[row.a];
+  const Velocity& b = bodies.velocity[row.b];
+  const std::vector<Real>& reach = bodies.bounding_radius;
+  return length(b.v - a.v) + std::abs(a.w) * reach[row.a] + std::abs(b.w) * reach[row.b];
+}
 
 }  // namespace impulse::inline IMPULSE_PRECISION

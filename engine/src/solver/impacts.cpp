@@ -428,7 +428,7 @@ bool Impacts::hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bod
   };
   bool any = false;
   for (ImpactRow& row : rows) {
-    if (row.active) continue;
+    if (row.active || row.nearest() > h * fastest_nearing(row, bodies)) continue;
     row.active = meet(row);
     // The plane of a face is reached no later than the face.
     if (row.active && find_at(row, drift.motion_at(row.a, h), drift.motion_at(row.b, h))) row.active = meet(row);

@@ -41,9 +41,9 @@ class Impacts {
   void resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span<const std::uint32_t> members, BodySet& bodies,
                std::vector<Motion>& motion, const std::vector<Velocity>& acceleration, Real h, Real slow,
                const FindAt& find_at);
-  /// Contacts that were on their way to a later impact, but whose bodies the contact solve of others has turned towards
-  /// each other: activates those that the drift of h seconds would make deeper by more than `most`, m. Returns whether
-  /// there are any.
+  /// Contacts that were on their way to a later impact or left out because they are far, but whose bodies the contact
+  /// solve of others has turned towards each other: activates those that the drift of h seconds would make deeper by
+  /// more than `most`, m. Returns whether there are any.
   bool hold_those_that_meet(std::span<ImpactRow> rows, const BodySet& bodies, const std::vector<Motion>& motion, Real h,
                             Real most, const FindAt& find_at);
   /// Sets at what speed points part, for paths that impacts have shifted, until forget_paths().

@@ -17,7 +17,7 @@ constexpr std::size_t most_body_substeps = 4000;
 /// The same for a step that drove bodies into each other, which few do: a light body that two heavy ones squeeze out
 /// goes at 20 m/s, its own size in a sub-step of 1/32 step, and turns meanwhile.
 constexpr int most_substeps_again = 128;
-constexpr std::size_t most_body_substeps_again = 16000;
+constexpr std::size_t most_body_substeps_again = 32000;
 
 /// The same for what rests: the most sub-steps for a wall of 200 bricks, whose corners bear most.
 constexpr std::size_t most_resting_substeps = 6400;

@@ -234,33 +234,33 @@ void DirectIsland::push(const DirectContact& contact, const ContactEffect& by) {
   }
 }
 
-/// What lets go after the drift should not have been pressed: its impulse is taken back where it acted. Returns whether
-/// there was any.
+/// What lets go after the drift, of most that it bore, should not have been pressed: that is taken back where it acted.
+/// Returns whether there was any.
 bool DirectIsland::let_go() {
-  const auto lets_go = [this](const DirectContact& contact) {
+  constexpr double kept = .01;
+  bool any = false;
+  for (DirectContact& contact : contacts_) {
     const Real pressed = contact.pressing[0].x + contact.pressing[1].x;
     double left = 0;
     for (std::size_t i = 0; i < contact.count; ++i) left += system_[contact.row + i].impulse;
-    return pressed > 0 && left == 0 && (contact.count == 0 || contact.pressed_along != contact.frame.normal);
-  };
-  bool any = false;
-  for (DirectContact& contact : contacts_) {
-    contact.struck = lets_go(contact);
-    any = any || contact.struck;
+    const bool moved = contact.count == 0 || contact.pressed_along != contact.frame.normal;
+    contact.lets_go = moved && left < kept * pressed ? static_cast<Real>(1 - left / pressed) : Real{0};
+    any = any || contact.lets_go > 0;
   }
   if (!any) return false;
   system_.restart(step_->data.bodies.velocity);
   for (DirectContact& contact : contacts_) {
-    if (!contact.struck) continue;
-    push(contact, -contact.pressed_by);
-    contact.forget_press();
+    if (contact.lets_go == 0) continue;
+    push(contact, contact.forget_press(contact.lets_go));
+    Vec2 given;
     for (std::size_t i = 0; i < contact.count; ++i) {
       Constraint& row = system_[contact.row + i];
-      row.mass_a = row.mass_b = {};
-      row.given = row.impulse = 0;
+      if (contact.lets_go == 1) row.mass_a = row.mass_b = {};
+      row.given = row.impulse = contact.pressing[i].x;
+      given += contact.pressing[i];
     }
     if (contact.friction_row == DirectContact::no_row) continue;
-    system_[contact.friction_row].given = system_[contact.friction_row].impulse = 0;
+    system_[contact.friction_row].given = system_[contact.friction_row].impulse = given.y;
   }
   return true;
 }
@@ -410,9 +410,9 @@ void DirectIsland::relax(Real h) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       Constraint& row = system_[contact.row + i];
       const Vec2 pressed = contact.pressing[i];
-      const bool near_by = contact.frame.points[i].separation <= touching_;
+      const bool touches = contact.frame.points[i].separation <= touching_;
       const bool struck = strikes(contact, static_cast<Real>(-ConstraintSystem::speed(row, velocity)));
-      if (contact.waits[i] || (pressed.x == 0 && (!near_by || struck))) {
+      if (contact.waits[i] || (pressed.x == 0 && (!touches || struck))) {
         row.mass_a = row.mass_b = {};
         continue;
       }

@@ -155,6 +155,15 @@ void ScalarContacts::measure(const Island& island) const {
   }
 }
 
+void ScalarContacts::leave_out_far(const Island& island) const {
+  const auto bears = [](const RowPoint& p) { return p.normal_impulse != 0 || p.tangent_impulse != 0; };
+  for (ImpactRow& row : island.rows) {
+    const bool goes_on = row.active || !island.bounces;  // and not to an impact of its own
+    row.active = goes_on && (bears(row.points[0]) || bears(row.points[1]) ||
+                             row.nearest() <= near_by + 2 * island.h * fastest_nearing(row, bodies_));
+  }
+}
+
 void ScalarContacts::halve(const Island& island, std::vector<Velocity>& kicks) const {
   for (const std::uint32_t body : island.bodies) kicks[body] = {};
   for (ImpactRow& row : island.rows) {

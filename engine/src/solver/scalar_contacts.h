@@ -34,6 +34,9 @@ class ScalarContacts {
   void count_halves(const Island& island);
   /// Sets the gaps for the solves below, while bodies stay where they are.
   void measure(const Island& island) const;
+  /// Leaves out of this sub-step what bears nothing and would not close if its bodies were thrown at each other twice
+  /// as fast: most rows of a heap, whose bodies may be struck. Impacts::hold_those_that_meet() takes back what meets.
+  void leave_out_far(const Island& island) const;
   /// Solves contacts as soft constraints; a gap may close within the sub-step, but no further. Friction is solved in
   /// relax(), except in a contact's first step (otherwise a box set down on a slope slips before it is held).
   void press(const Island& island);

@@ -98,7 +98,7 @@ TEST(ContactEffect, IsTakenBackWhole) {
   ContactEffect effect;
   effect.note(arms(contact), contact.normal, {3, 1});
   const ContactEffect pressed = effect;
-  effect += -pressed;
+  effect += -1 * pressed;
   EXPECT_EQ(effect.impulse, Vec2{});
   EXPECT_EQ(effect.turned_a, 0);
   EXPECT_EQ(effect.turned_b, 0);

@@ -31,6 +31,8 @@ struct Column {
                .joints = IslandJoints({}, members, bodies, start, motion, work)} {
     bodies.velocity.resize(masses.size() + 1);
     bodies.inverse_mass.resize(masses.size() + 1);
+    bodies.bounding_radius.resize(masses.size() + 1);
+    bodies.pose.resize(masses.size() + 1);
     island.h = real(.01);
     for (const std::uint32_t body : members) bodies.inverse_mass[body] = {real(1 / masses[body - 1]), 0};
     for (const std::uint32_t body : members) touch(body - 1, body - 1, body);
