@@ -46,6 +46,7 @@ void DirectIsland::step(DirectStep& step, const Members& members) {
 
 void DirectIsland::begin() {
   StepData& data = step_->data;
+  met_jam_ = false;
   substeps_ = members_.varies ? substeps_past(data, members_.bodies) : data.settings.substeps;
   solvable_ = last_ = h_ = data.settings.dt / static_cast<Real>(substeps_);
   Vec2 least = step_->start[members_.bodies[0]].p;
@@ -119,6 +120,7 @@ Real DirectIsland::advance(Real h, const Impact& then) {
     return 0;
   }
   const bool jammed = !found && system_.yielded() && overlaps();
+  met_jam_ = met_jam_ || jammed;
   bool runs_away = false;
   if (!found) {
     restore_velocities();

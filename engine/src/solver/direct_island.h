@@ -184,6 +184,7 @@ class DirectIsland {
   Real h_ = 0;               // s, of a sub-step
   Real solvable_ = 0;        // s, the longest interval for which impulses were found in this step
   Real last_ = 0;            // s, of the interval that impulses are of
+  bool met_jam_ = false;     // in this step
   Real gained_ = 0;          // m/s, by which a body falls faster in a sub-step
   Real rounding_ = 0;        // m, of gaps, by how far away the bodies are
   Real touching_ = 0;        // m, gap up to which points touch: touching_gap, or rounding_ if that is more

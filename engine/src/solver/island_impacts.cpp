@@ -122,9 +122,11 @@ void DirectIsland::substep() {
 
 /// s, up to `most`, but no less than 1/64 of a sub-step: in which no body turns far, because normals turn with the
 /// bodies, nor does what one bears run far along it, as a face that rolls over a disc, and none goes farther than its
-/// size past what it has not reached yet, because other corners may meet than are nearest now.
+/// size past what it has not reached yet, because other corners may meet than are nearest now. In a jam no motion is
+/// exact: once a step has met one, what bears runs on for a quarter of a sub-step.
 Real DirectIsland::longest(Real most) const {
   const Real shortest_of_all = h_ / 64;
+  const Real shortest_run = met_jam_ ? h_ / 4 : shortest_of_all;
   const Real w = fastest();
   Real time = w * most > far_turn ? std::max(far_turn / w, shortest_of_all) : most;
   const BodySet& bodies = step_->data.bodies;
@@ -134,7 +136,7 @@ Real DirectIsland::longest(Real most) const {
     const Real gap = contact.count == 2 ? std::min(p.separation, q.separation) : p.separation;
     if (gap <= touching_) {
       const Real turned = turns(contact, time);
-      if (turned > far_turn) time = std::max(time * far_turn / turned, shortest_of_all);
+      if (turned > far_turn) time = std::max(time * far_turn / turned, std::min(time, shortest_run));
       continue;
     }
     const Real speed = length(bodies.velocity[contact.b].v - bodies.velocity[contact.a].v);
