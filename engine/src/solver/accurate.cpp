@@ -131,7 +131,7 @@ void Accurate::step_pile(StepData& data, std::size_t number, Island& pile, Accur
     make_rows(data, pile, number);
     go_through(data, pile, space);
   }
-  if (!may || !space.before.drove_deep(data, start_, motion_)) return;
+  if (!may || !space.before.drove_deep(data, start_, motion_, 0)) return;
   // Lanes keep normals and arms within a step.
   begun_[number] = nullptr;
   Island again = island(data, number, space);
@@ -156,7 +156,7 @@ void Accurate::step_swept(StepData& data, std::size_t number, Island& island, Ac
   // Where sweeps never suffice, as of bodies that start in each other, shorter sub-steps have no solution either.
   const auto jammed = [&] { return island.unsolved == island.substeps; };
   while (moves && may_halve(island.bodies.size(), island.substeps) && !jammed() &&
-         space.before.drove_deep(data, start_, motion_)) {
+         space.before.drove_deep(data, start_, motion_, not_felt)) {
     island.least_substeps = 2 * island.substeps;
     begin_again(data, number, island, space);
     make_rows(data, island, number);

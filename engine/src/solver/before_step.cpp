@@ -34,8 +34,8 @@ void BeforeStep::restore(StepData& data, const Island& island, std::vector<Veloc
   for (std::size_t i = 0; i < contacts_.size(); ++i) data.contacts[island.contacts[i].contact] = contacts_[i];
 }
 
-bool BeforeStep::drove_deep(const StepData& data, const std::vector<Pose>& start,
-                            const std::vector<Motion>& motion) const {
+bool BeforeStep::drove_deep(const StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion,
+                            Real felt) const {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const Contact& before = contacts_[i];
     const auto a = before.body_a;
@@ -43,8 +43,7 @@ bool BeforeStep::drove_deep(const StepData& data, const std::vector<Pose>& start
     const Manifold now = collide(data.bodies.detail[a].parts[before.part_a].shape, motion[a].from(start[a]),
                                  data.bodies.detail[b].parts[before.part_b].shape, motion[b].from(start[b]), 0);
     const Real depth = depth_of(now.points, now.count);
-    const Real then = depth_of(before.points, before.count);
-    if (depth > tolerated_sink && (then <= tolerated_sink || depth > then + not_felt)) return true;
+    if (depth > tolerated_sink && depth > depth_of(before.points, before.count) + felt) return true;
   }
   return false;
 }

@@ -18,9 +18,10 @@ class BeforeStep {
   void keep(const StepData& data, const Island& island, const std::vector<Velocity>& acceleration);
   void restore(StepData& data, const Island& island, std::vector<Velocity>& acceleration) const;
 
-  /// Whether bodies overlap after it by more than loads may cause, and by more than before, by what would be felt.
-  /// `motion` is of each body, from `start`. Looks at the shapes, as other corners may be near than contacts know.
-  bool drove_deep(const StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion) const;
+  /// Whether bodies overlap after it by more than loads may cause, and by more than before, by `felt`, m. `motion` is
+  /// of each body, from `start`. Looks at the shapes, as other corners may be near than contacts know.
+  bool drove_deep(const StepData& data, const std::vector<Pose>& start, const std::vector<Motion>& motion,
+                  Real felt) const;
 
  private:
   struct Moved {

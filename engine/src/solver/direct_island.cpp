@@ -304,11 +304,12 @@ void DirectIsland::note_velocities(std::vector<Velocity>& to) const {
   for (const std::uint32_t body : members_.bodies) to.push_back(step_->data.bodies.velocity[body]);
 }
 
-/// Whether a point of the contact that closes at this speed, m/s, is struck. What rebounds does so until it is as slow
-/// as a body at rest may get in two sub-steps. What does not is struck at any speed: pressed instead, it would lose its
-/// speed at the sub-step's end, wherever its other points have gone by then.
+/// Whether a point of the contact that closes at this speed, m/s, is struck. What rebounds alone does so unless it
+/// would be back within a sub-step even if it lost nothing; among others, where impacts at one moment have no single
+/// outcome, until it is as slow as a body at rest may get in two sub-steps. What does not rebound is struck at any
+/// speed: pressed instead, it would lose its speed at the sub-step's end, wherever its other points have gone by then.
 bool DirectIsland::strikes(const DirectContact& contact, Real speed) const {
-  constexpr Real elastic = static_cast<Real>(2.4);
+  const Real elastic = static_cast<Real>(members_.bodies.size() == 1 ? 0.5 : 2.4);
   constexpr Real inelastic = static_cast<Real>(0.1);
   if (speed <= no_speed) return false;
   if (contact.restitution == 0) return speed > inelastic * gained_ + no_speed;

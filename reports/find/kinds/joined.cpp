@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/find/kind.h"
 #include "scenarios/catalog.h"
 #include "scenarios/parts.h"
@@ -132,7 +134,11 @@ Scene slider(Draw& draw) {
           Distance{.a = 1, .b = 2, .anchor_a = cart.position, .anchor_b = at, .length = length(at - cart.position)});
     }
   }
-  if (draw.chance(0.3)) scene.bodies.push_back(half_space("ground", {.offset = -draw.between(2.5, 4)}, of));
+  if (draw.chance(0.3)) {
+    double low = 0;  // m, of what starts above it, none of which reaches farther than half a metre
+    for (const Body& body : scene.bodies) low = std::min(low, body.position.y - 0.5);
+    scene.bodies.push_back(half_space("ground", {.offset = low - draw.between(0.01, 1.5)}, of));
+  }
   if (draw.chance(0.4)) {
     std::get<Prismatic>(scene.joints.front()).limits =
         Limits{.low = -draw.between(0.05, 1), .high = draw.between(0.05, 1)};
