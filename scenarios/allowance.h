@@ -100,9 +100,8 @@ struct ReboundError {
 ///   reversed in place               H' = e^2 (H + d) - d
 ///   lifted out of the ground first  H' = e^2 (H + d), or a skin higher.
 /// A method with drift D conserves v^2/(2 g) + y - D h v. What a reversal does to that depends on the order:
-///   D > 0  velocities, impact, positions: H' gains D h v (e^2 + e); but if the body is stopped at the ground within
-///   the
-///          step, on its way from y = h v or less, H' = e^2 (H - y + D h v) - D h e v;
+///   D > 0  velocities, impact, positions: H' gains D h v (e^2 + e); but if the ground stops the body within the step,
+///          on its way from y = h v or less, H' = e^2 (H - y + D h v) - D h e v;
 ///   D < 0  positions, then the impact with the velocity of before the step: H' gains |D| h v (e - e^2).
 /// Found a skin early and reversed there, it gains (1 - e^2) skin.
 inline ReboundError rebound_error(const Stepping& s, double e, double v) {

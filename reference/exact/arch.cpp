@@ -69,8 +69,7 @@ Arch::Arch(std::vector<BedJoint> joints, std::vector<Stone> stones, double frict
     : joints_(std::move(joints)), stones_(std::move(stones)), friction_(friction) {}
 
 // The thrust through joint k is that through the first joint plus the weights between them. For a joint p ... q with
-// unit tangent t and normal n, N = F . n and the moment m about p, the thrust passes through p + e t with e N = +-m, so
-// that
+// unit tangent t and normal n, N = F . n and the moment m about p, the thrust passes through p + e t with e N = +-m:
 //   0 <= +-m <= |q - p| N   and   |F . t| <= mu N.
 bool Arch::stands() const {
   double weight = 0;

@@ -31,10 +31,9 @@ RelationCheck compare_poses(const RelationRun&, std::size_t moments, const Poses
 
 /// Why two runs may differ that should be the same but for round-off; `rounding` is that of both together, by moment.
 /// - Round-off, if nothing amplifies it.
-/// - Round-off as the scene amplifies it; joints within the slop that the engine states, for where in it they are is
-/// not
-///   stated; and where the images list things in another order, what a solver that iterates over them a stated number
-///   of times leaves: `residue` is the stepping of a method with that error alone.
+/// - Round-off as the scene amplifies it; joints within the slop that the engine states, for it does not state where in
+///   that they are; and where the images list things in another order, what a solver that iterates over them a stated
+///   number of times leaves: `residue` is the stepping of a method with that error alone.
 /// - From the moment on at which the engine decides by round-off in a tie, as its own runs from displaced starts show,
 ///   both are runs of the method: each is off by its own stated error, and no more.
 /// The run must outlive them.

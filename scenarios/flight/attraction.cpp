@@ -35,8 +35,7 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// A step of symplectic Euler keeps the modified energy H - drift dt v.a (m = 1) constant, except for the terms of
-// Verlet's,
+// A step of symplectic Euler keeps the modified energy H - drift dt v.a (m = 1) constant, except for Verlet's terms,
 //   dt^2 (v.V''v/12 - |a|^2/24).
 // The worst place is the near end r: v.a <= v k/r^2, v.V''v <= 2 k v^2/r^3 and |a| = k/r^2. A step of explicit Euler
 // adds dt^2 (|a|^2 + v.V''v)/2 every time and multiplies the angular momentum by 1 + dt^2 k/r^3. The other methods

@@ -46,9 +46,8 @@ Scene leaning(double angle, double friction, double duration) {
 // Errors grow like cosh(q t) and sinh(q t)/q, where q^2 = g l (1 + 2 mu)/(I/m + l^2 (1 - mu)) bounds the derivative of
 // a'' by a. With the angular velocity at the end W <= p t:
 //   start    each end is off by the gap, in opposite directions across the ladder of length 2 l: gap/l;
-//   contact  it is found a lag late. The impact then has the impulses that were missing, in the same proportions, so
-//   that
-//            only the turn until then is: p lag (lag + h);
+//   contact  it is found a lag late. The impact then has the impulses that were missing, in the same proportions: only
+//            the turn until then is missing, p lag (lag + h);
 //   first    the method's drift makes it half a step early or late: |drift| h W;
 //   lost     first-order contacts are found once per step and let the ends move along their tangents, which loses
 //            (W dt)^2/2 of the speed in each of t/dt steps;

@@ -26,13 +26,12 @@ Scene scene(const Parameters& p) {
 // Rolls with acceleration (2/3) g sin a iff mu >= tan(a)/3; otherwise slips with g (sin a - mu cos a) and spins up with
 // 2 mu g cos(a)/r.
 // Contact may be found a lag late, after which all velocities are right again. A contact point that is off by the gap
-// changes the lever arm: a disc that rolls has the acceleration g sin a/(1 + r^2/(2 arm^2)) and that of spin g sin
-// a/(arm
-// + r^2/(2 arm)), which are off by 4/9 g sin a gap/r and 2/9 g sin a gap/r^2; of one that slips the spin alone is off,
-// by gap/r of itself. While the disc sinks in by the slop at a speed u, the contact has given m u less impulse, and
-// friction mu times that less: a distance of mu slop is missing. Where contact points are held for a step, the disc
-// sinks in by rolls_in besides, and friction is missing for as long as it is unpressed. A rolling disc may creep, by
-// the share of its friction in gravity.
+// changes the lever arm: a disc that rolls has the acceleration g sin a/(1 + r^2/(2 arm^2)) and gains spin by
+// g sin a/(arm + r^2/(2 arm)), which are off by 4/9 g sin a gap/r and 2/9 g sin a gap/r^2; of one that slips the spin
+// alone is off, by gap/r of itself. While the disc sinks in by the slop at a speed u, the contact has given m u less
+// impulse, and friction mu times that less: a distance of mu slop is missing. Where contact points are held for a step,
+// the disc sinks in by rolls_in besides, and friction is missing for as long as it is unpressed. A rolling disc may
+// creep, by the share of its friction in gravity.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double angle = p.at("angle") * degree;
   const double mu = p.at("friction");

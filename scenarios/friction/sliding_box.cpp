@@ -26,14 +26,13 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// It stops after v/(mu g) at v^2/(2 mu g). Contact may be found a lag late. The drift of the deceleration is drift (mu
-// g) (v/(mu g)) h. A method that resolves nothing within a step
-//   applies the step in which it stops as a whole: with a fraction u of the step left until the stop, friction over the
-//     whole step moves the box mu g h^2 (1 - u)^2/2 too far, and in the next step, until friction is seen to push a
-//     body at rest, u mu g h^2/2 back: together less than mu g h^2/2;
-//   and lets the box sink in by the slop, during which friction is late by mu times that; while it brakes one end may
-//   be
-//     deeper by the slop, which moves its centre, at half its height, by slop (height/length)/2.
+// It stops after v/(mu g) at v^2/(2 mu g). Contact may be found a lag late. The drift of the deceleration is
+// drift (mu g) (v/(mu g)) h. A method that resolves nothing within a step
+// - applies the step in which it stops as a whole: with a fraction u of the step left until the stop, friction over the
+//   whole step moves the box mu g h^2 (1 - u)^2/2 too far, and in the next step, until friction is seen to push a
+//   body at rest, u mu g h^2/2 back: together less than mu g h^2/2;
+// - and lets the box sink in by the slop, during which friction is late by mu times that; while it brakes one end may
+//   be deeper by the slop, which moves its centre, at half its height, by slop (height/length)/2.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double v = p.at("speed");
   const double end = scene(p).duration;

@@ -124,9 +124,9 @@ Scene scene(const Parameters& p) {
 // speed like sinh(w t)/w. With the angular velocity at the end W <= s(0) w sinh(w t):
 //   start    two corners of the base differ by the slop, slop/b; and the edge on which the box turns is off by the gap
 //            along the slope's normal, gap (b/2)/d^2 in the arm's angle, which also changes w by gap/(2 d) of itself;
-//   contact  it is found a lag late, until when the box falls freely. Its angular momentum about the edge grows as if
-//   it
-//            touched, and the impact turns all of it into spin: the turn until then is missing, w^2 s(0) lag (lag + h);
+//   contact  it is found a lag late, until when the box falls freely. Its angular momentum about the edge grows as it
+//            does in contact, and the impact turns all of it into spin: the turn until then is missing,
+//            w^2 s(0) lag (lag + h);
 //   first    the method's drift makes it half a step early or late: |drift| h W;
 //   lost     first-order contacts are found once per step and let the centre move along the tangent, which loses
 //            (W dt)^2/2 of the speed in each of t/dt steps;

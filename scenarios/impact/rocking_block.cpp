@@ -125,9 +125,8 @@ struct Slip {
 
 // A swing up and down again, or down at the start, with at most the rate W, in that time. As a rod on a hinge
 // (swing.h):
-//   first     half a step ahead or behind, |drift| h W; what moves along its tangent is pushed back, and loses (W
-//   h)^2/2
-//             of the centre's share of the speed, 3/4, a step;
+//   first     half a step ahead or behind, |drift| h W; what moves along its tangent is pushed back, and loses
+//             (W h)^2/2 of the centre's share of the speed, 3/4, a step;
 //   second    (w h)^2/24 of the phase, and (W h)^2/3 of the way;
 //   corner    sinks in by the gap, which tilts a block of width 2 b by gap/(2 b).
 Slip in_swing(const Stepping& s, const Block& block, double fastest, double time) {

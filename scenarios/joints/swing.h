@@ -27,10 +27,9 @@ inline double simple_pendulum(double period, double amplitude, double gravity) {
 /// turned by at most A and reached at most the angular velocity W:
 ///   first     x and angle are half a step ahead or behind: |drift| h W. (A step of symplectic Euler gives the exact
 ///             velocity of the half step before.)
-///   lost      first-order methods solve a hinge at the velocity level: the centre moves along the tangent, and the
-///   part
-///             of its velocity that is no longer tangential is removed. A step that turns by W h loses m d^2/I_p
-///             (W h)^2/2 of the speed, and as much of the swing;
+///   lost      first-order methods solve a hinge at the velocity level: the centre moves along the tangent, and what is
+///             no longer tangential of its velocity is removed. A step that turns by W h loses m d^2/I_p (W h)^2/2 of
+///             the speed, and as much of the swing;
 ///   second    its phase is (w h)^2/24 w t ahead, and after projection back onto the circle it has turned by atan(W h):
 ///             (W h)^2/3 W t;
 ///   growth    errors grow like cosh(w t) while the rod is above the pivot; a method that keeps no spring bounded

@@ -32,9 +32,8 @@ Scene scene(const Parameters& p) {
 // Nothing moves. The error allowed for box k comes from the k contacts below it:
 //   y      each may be off by the engine's gap: k gap; and where contacts are springs, by their depths;
 //   angle  one corner of each may be deeper by the slop: slop/size each, k slop/size together;
-//   x      each box adds to the lean of the one below: sum over j <= k of size j slop/size = k (k+1)/2 slop. The ground
-//   is
-//          level, so that friction has nothing to hold and nothing creeps.
+//   x      each box adds to the lean of the one below: sum over j <= k of size j slop/size = k (k+1)/2 slop. On level
+//          ground friction has nothing to hold, and nothing creeps.
 // Only the round-off of positions accumulates; that of velocities is stopped by the contacts.
 std::vector<Expectation> expectations(const Parameters& p) {
   const double end = p.at("duration");

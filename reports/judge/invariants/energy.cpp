@@ -19,10 +19,10 @@
 //   H = E + d h sum (F.v + T w) + O(h^2)
 // (Hairer, Lubich, Wanner, Geometric Numerical Integration, IX.3: the modified Hamiltonian). E itself oscillates by the
 // middle term, which belongs to the method and is no error. H, less the work W done from outside, must never rise by
-// more than
-// - h^2/12 (|dF/dt . v| + |F|^2/m), the next term, which oscillates: twice its largest value, and its range;
-//   Joints exert forces too: what holds a body on circles about its anchors, m sum w^2 r over the joints that hold it
-//   and those that these hang from, turns with w. No w counts that the energy of the scene could not give the body;
+// more than the following.
+// - h^2/12 (|dF/dt . v| + |F|^2/m), the next term, which oscillates: twice its largest value, and its range. Joints
+//   exert forces too: what holds a body on circles about its anchors, m sum w^2 r over the joints that hold it and
+//   those that these hang from, turns with w. No w counts that the energy of the scene could not give the body;
 // - F.V h (|d| + lag) at an impact of speed V, noticed `lag` late: the overlap is pushed out against F. In a step whose
 //   velocities change by D, by c more than F explains: h (|d| + lag) min(|F.D|, |F.c|), which is zero in free motion
 //   (c = 0) and at rest (D = 0). A method that corrects positions by themselves pushes out in the step that notices it,
