@@ -120,6 +120,7 @@ class DirectIsland {
   void refresh();
   void find(DirectContact& contact);
   bool slides_far(const DirectContact& contact, const Motion& a, const Motion& b) const;
+  bool may_lie_down(const DirectContact& contact, const Motion& a, const Motion& b) const;
   Manifold collide_at(const DirectContact& contact, const Motion& a, const Motion& b, Real margin) const;
   JointBlock ahead(const ActiveJoint& joint, Real t) const;
   JointBlock placed(const ActiveJoint& joint, const Motion& a, const Motion& b) const;
