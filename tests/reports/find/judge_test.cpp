@@ -55,8 +55,8 @@ struct Draw {
 // Each was wrong once, of our engine or of what it is judged by: three bodies that meet what pulls at them between two
 // moments, a chain whose joints mend rounding, one that gained energy as they mended more, a door that its post swings
 // to its limit, links that a solve which found nothing shot out at 2500 m/s, a light body that heavy ones squeeze out
-// of a heap, one that flies beside a jam whose energy is bounded, faces that roll over discs, and contacts of different
-// restitution that are struck together.
+// of a heap, one that flies beside a jam whose energy is bounded, faces that roll over discs, contacts of different
+// restitution that are struck together, and a body that a blow lays against the turning wall of a drum.
 TEST(FindJudge, RaisesNoAlarmForOurEngineInScenesWithPitfalls) {
   for (const Draw& draw : {Draw{"flight", 82, 92, "double"},
                            {"chain", 72002, 2, "double"},
@@ -70,7 +70,8 @@ TEST(FindJudge, RaisesNoAlarmForOurEngineInScenesWithPitfalls) {
                            {"heap", 77007, 5, "double"},
                            {"pair", 77005, 4, "float"},
                            {"thin", 771, 160, "double"},
-                           {"thin", 78002, 6, "double"}}) {
+                           {"thin", 78002, 6, "double"},
+                           {"drum", 32, 20, "double"}}) {
     for (const Complaint& one : judged_by_laws(draw.scene(), draw.kind().posed, draw.ours()).complaints)
       ADD_FAILURE() << draw.scene().name << ": " << one.words();
   }
