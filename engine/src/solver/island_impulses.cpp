@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/direct_island.h"
 #include "solver/impact_row.h"
@@ -314,7 +315,9 @@ bool DirectIsland::press(Real h) {
     system_.solve(velocity);
   }
   constexpr int rounds = 12;
+  constexpr Real runs_off = 16;  // times what an earlier round left: further ones lead nowhere
   Real off = 0;
+  Real least = std::numeric_limits<Real>::infinity();
   for (int round = 0; round < rounds; ++round) {
     bias_press(h);
     bool solved = system_.solve(velocity);
@@ -324,6 +327,8 @@ bool DirectIsland::press(Real h) {
     }
     off = missed(h);
     if (off <= std::max(exact, rounding_) || !solved) break;
+    if (off > std::max(runs_off * least, touching_)) break;
+    least = std::min(least, off);
   }
   return off <= touching_ &&
          (is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= most_kinetic(before));
