@@ -121,7 +121,7 @@ void Accurate::step_island(StepData& data, std::size_t number, AccurateWorkspace
 }
 
 void Accurate::step_pile(StepData& data, std::size_t number, Island& pile, AccurateWorkspace& space) {
-  const bool may = may_need_substeps(pile.bodies.size(), data.settings) && may_drive_deep(data, pile);
+  const bool may = !is_large(pile.bodies.size(), data.settings) && may_drive_deep(data, pile);
   if (may) space.before.keep(data, pile, acceleration_);
   if (lanes_) {
     step_in_lanes(data, number, pile, space);

@@ -85,7 +85,7 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     island.held = island.held || !pushable(joint->block.inv_mass_a) || !pushable(joint->block.inv_mass_b);
   }
 
-  const int by_load = substeps_for(island.bodies, bearing, data.bodies, acceleration_, data.settings);
+  const int by_load = substeps_for(island, bearing, data.bodies, acceleration_, data.settings);
   const int by_forces = island.varies ? substeps_past(data, island.bodies) : 0;
   island.cut(data.settings, std::max({by_load, by_forces, island.least_substeps}));
   for (ImpactRow& row : island.rows) {

@@ -11,20 +11,18 @@ constexpr int most_substeps = 32;
 
 constexpr Real fast = static_cast<Real>(0.1);  // m/s
 
-/// Budget of one island and step: large piles keep the base numbers of sub-steps and iterations.
+/// Budget of one island and step: beyond, islands keep the base numbers of sub-steps and iterations.
 constexpr std::size_t most_body_substeps = 4000;
 
-/// The same for a step that drove bodies into each other, which few do: a light body that two heavy ones squeeze out
-/// goes at 20 m/s, its own size in a sub-step of 1/32 step, and turns meanwhile.
+/// The same where loads ask for sub-steps, in lanes: 16 for 2000 bodies, which sink by millimetres in 4. And for a step
+/// that drove bodies into each other, which few do: a light body that two heavy ones squeeze out goes at 20 m/s, its
+/// own size in a sub-step of 1/32 step, and turns meanwhile.
 constexpr int most_substeps_again = 128;
-constexpr std::size_t most_body_substeps_again = 32000;
-
-/// The same for what rests: the most sub-steps for a wall of 200 bricks, whose corners bear most.
-constexpr std::size_t most_resting_substeps = 6400;
+constexpr std::size_t most_loaded_substeps = 32000;
 
 /// The same for a blow that is solved through a whole island, with as many sweeps as it takes: in four sub-steps so
 /// many over its bodies take 12 ms. A light body between heavy ones takes more than one sweep for each body.
-constexpr std::size_t most_body_sweeps = 40000;
+constexpr std::size_t most_pressed_sweeps = 40000;
 constexpr std::size_t most_press_sweeps = 300;
 
 /// Sweeps that pass a blow through a whole island: one for each body, as in a column, and some more.
@@ -71,7 +69,7 @@ bool closed(const BodySet& bodies, std::span<const std::uint32_t> island) {
 }
 
 bool is_heap(const StepData& data, const Island& island) {
-  const bool large = !may_need_substeps(island.bodies.size(), data.settings);
+  const bool large = is_large(island.bodies.size(), data.settings);
   if (!island.webbed || (!large && few(island))) return false;
   const auto most = [&](std::size_t tenths, auto test) {
     const auto count = std::count_if(island.contacts.begin(), island.contacts.end(), test);
@@ -91,8 +89,8 @@ bool settles(const StepData& data, const Island& island) {
     return std::abs(bodies.velocity[body].w) * bodies.bounding_radius[body];
   };
   return std::all_of(island.contacts.begin(), island.contacts.end(), [&](const Tie& tie) {
-    const Vec2 apart = bodies.velocity[tie.b].v - bodies.velocity[tie.a].v;
-    return length(apart) + rim_speed(tie.a) + rim_speed(tie.b) <= slow;
+    const Real apart = dot(data.contacts[tie.contact].normal, bodies.velocity[tie.b].v - bodies.velocity[tie.a].v);
+    return std::abs(apart) + rim_speed(tie.a) + rim_speed(tie.b) <= slow;
   });
 }
 
@@ -114,18 +112,22 @@ void Bearing::add_load(const ContactRow& row, bool in_web, Real offset, const Se
   }
 }
 
+bool is_large(std::size_t bodies, const Settings& settings) {
+  return static_cast<std::size_t>(2 * settings.substeps) * bodies > most_body_substeps;
+}
+
 bool may_need_substeps(std::size_t bodies, const Settings& settings) {
-  return static_cast<std::size_t>(2 * settings.substeps) * bodies <= most_body_substeps;
+  return static_cast<std::size_t>(2 * settings.substeps) * bodies <= most_loaded_substeps;
 }
 
 // penetration = weight / (points on the ground) * k_max / (2 w^2), k the inverse effective mass; and penetration ~ h^2.
 // With w of a column: a web may penetrate (12/8)^2 times as deep until its offsets correct it, and still settles
 // fastest with these.
-int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, const BodySet& bodies,
+int substeps_for(const Island& island, const Bearing& bearing, const BodySet& bodies,
                  const std::vector<Velocity>& acceleration, const Settings& settings) {
   const int base = settings.substeps;
   Real weight = 0;
-  for (const std::uint32_t body : island) {
+  for (const std::uint32_t body : island.bodies) {
     const Real m = bodies.inverse_mass[body].m;
     if (m > 0) weight += length(acceleration[body].v) / m;
   }
@@ -137,21 +139,21 @@ int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, 
   // deep. Both are within the limits in nearly every step: no division then.
   const bool light = bearing.points == 0 || weight <= 2 * bearing.lightest * bears;
   if (light && 2 * bearing.deepest <= tolerated_sink) return base;
-  if (!may_need_substeps(island.size(), settings)) return base;
+  const std::size_t count = island.bodies.size();
+  if (island.pile ? !may_need_substeps(count, settings) : is_large(count, settings)) return base;
   const Real weighs = light ? Real{0} : weight / (bearing.lightest * bears);
   const Real presses = bearing.deepest / tolerated_sink;
-  const Real wanted = std::max(weighs / 2, 2 * presses) * static_cast<Real>(base * base);
+  const Real wanted = std::max(weighs * 3 / 4, 2 * presses) * static_cast<Real>(base * base);
   int n = base;
   while (2 * n <= most_substeps && static_cast<Real>(n * n) < wanted &&
-         static_cast<std::size_t>(2 * n) * island.size() <= most_resting_substeps) {
+         static_cast<std::size_t>(2 * n) * count <= most_loaded_substeps) {
     n *= 2;
   }
   return n;
 }
 
 bool may_halve(std::size_t bodies, int substeps) {
-  return 2 * substeps <= most_substeps_again &&
-         static_cast<std::size_t>(2 * substeps) * bodies <= most_body_substeps_again;
+  return 2 * substeps <= most_substeps_again && static_cast<std::size_t>(2 * substeps) * bodies <= most_loaded_substeps;
 }
 
 int substeps_past(const StepData& data, std::span<const std::uint32_t> island) {
@@ -168,9 +170,11 @@ int substeps_past(const StepData& data, std::span<const std::uint32_t> island) {
 }
 
 int settling_sweeps_for(std::size_t bodies) {
-  constexpr std::size_t least = 30;
-  constexpr std::size_t most = 300;  // needed for boxes each ten times as heavy as the one below
-  return static_cast<int>(std::clamp(most_body_substeps / bodies, least, most));
+  constexpr std::size_t of_few = 300;               // needed for boxes each ten times as heavy as the one below
+  constexpr std::size_t most_body_sweeps = 800000;  // takes a tenth of a second, once
+  // Loads spread by a contact a sweep, to and fro: through all rows of a pyramid in as many as it has bodies.
+  const std::size_t through = std::min(bodies, most_body_sweeps / bodies);
+  return static_cast<int>(std::max(std::min(of_few, most_body_substeps / bodies), through));
 }
 
 int more_sweeps_for(std::size_t bodies) {
@@ -180,7 +184,7 @@ int more_sweeps_for(std::size_t bodies) {
 
 int press_sweeps_for(std::size_t bodies) {
   if (bodies == 0) return 0;
-  return static_cast<int>(std::min(most_press_sweeps, most_body_sweeps / bodies));
+  return static_cast<int>(std::min(most_press_sweeps, most_pressed_sweeps / bodies));
 }
 
 bool few(const Island& island) { return few(island.bodies.size()); }

@@ -160,14 +160,17 @@ struct Bearing {
 /// The number of sub-steps an island needs so that its weight causes no more than the tolerated penetration: at least
 /// the settings' number and at most 32. Computed mainly from masses: an estimate from impulses alone would fluctuate
 /// with them, and a stack would topple while it is low.
-int substeps_for(std::span<const std::uint32_t> island, const Bearing& bearing, const BodySet& bodies,
+int substeps_for(const Island& island, const Bearing& bearing, const BodySet& bodies,
                  const std::vector<Velocity>& acceleration, const Settings& settings);
 /// The number of sub-steps in which bodies go no farther than an eighth of their distance while they pass what attracts
 /// them (see ForceField::passing_rate): at least the settings' number and at most 64.
 int substeps_past(const StepData& data, std::span<const std::uint32_t> island);
 /// Whether an island of this many bodies may be stepped again with twice as many sub-steps.
 bool may_halve(std::size_t bodies, int substeps);
-/// Whether substeps_for may exceed the settings' number for an island of this many bodies.
+/// Whether an island of this many bodies is too large to be swept a second time, or to be cut anew beside a part at
+/// rest.
+bool is_large(std::size_t bodies, const Settings& settings);
+/// Whether substeps_for may exceed the settings' number for a pile of this many bodies.
 bool may_need_substeps(std::size_t bodies, const Settings& settings);
 
 /// The iterations of each sub-step in which an island that starts at rest finds its loads, instead of penetrating until

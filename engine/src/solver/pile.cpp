@@ -350,7 +350,7 @@ void plan_pile(const StepData& data, const Partition& parts, Island& island,
       if (contact.age >= OffsetRule::from_age) bearing.add_load(row, parts.in_web(tie), contact.offset, data.settings);
     }
   }
-  island.cut(data.settings, substeps_for(island.bodies, bearing, data.bodies, acceleration, data.settings));
+  island.cut(data.settings, substeps_for(island, bearing, data.bodies, acceleration, data.settings));
   end_stage("pile: bearing");
   rub(island, acceleration);
   island.settling = settles(data, island);

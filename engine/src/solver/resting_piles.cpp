@@ -116,7 +116,7 @@ void RestingPile::step(StepData& data, const Partition& parts, Island island, co
   island.two_frictions = two_frictions_;
   rub(island, acceleration);
   relax_blows(data, island);
-  pile_.step(data, parts, island, acceleration, motion, row_of);
+  step_as_pile(data, parts, island, acceleration, motion, pile_, row_of);
   ++steps_;
   rests_ = pays(contacts_.size(), island.contacts.size());
   for (std::size_t i = 0; i < members_.size(); ++i) {
@@ -218,7 +218,7 @@ bool RestingPiles::let_go_hindered(StepData& data, const Partition& parts) {
     const std::span<const Tie> met = parts.contacts(island);
     const bool rebounds =
         std::any_of(met.begin(), met.end(), [&](const Tie& tie) { return data.contacts[tie.contact].restitution > 0; });
-    const bool cut_finer = !met.empty() && may_need_substeps(parts.bodies(island).size(), data.settings);
+    const bool cut_finer = !met.empty() && !is_large(parts.bodies(island).size(), data.settings);
     const bool only_contacts = parts.joints(island).empty() && !parts.varies(island);
     if (held.size() == 1 && only_contacts && !rebounds && !cut_finer) continue;
     for (const std::uint32_t pile : held) let_go(pile, bodies, contacts);
@@ -264,7 +264,7 @@ std::unique_ptr<RestingPile> RestingPiles::part_at_rest(const StepData& data, co
   std::vector<Tie> others;
   for (const Tie& tie : island.contacts) (calm(bodies, tie) ? kept : others).push_back(tie);
   if (!pays(kept.size(), others.size())) return nullptr;
-  if (!others.empty() && may_need_substeps(island.bodies.size(), data.settings)) return nullptr;
+  if (!others.empty() && !is_large(island.bodies.size(), data.settings)) return nullptr;
   return std::make_unique<RestingPile>(data, parts, island, std::move(kept), std::move(others), row_of);
 }
 
