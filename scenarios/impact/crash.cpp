@@ -156,7 +156,7 @@ const Catalog<Scenario>::Entry entry{
            .max = 1000,
            .about = "density of the big box divided by that of the small ones"},
           {.name = "speed", .value = 10, .min = 1, .max = 50, .unit = "m/s", .about = "of the big box"}},
-     .variants = {{"wall", {}}},
+     .variants = {{"wall", {}}, {"144 boxes", {{"rows", 12}, {"columns", 12}}}},
      .scene = scene,
      .expectations = expectations}};
 

@@ -53,7 +53,7 @@ const Catalog<Scenario>::Entry entry{
      .question = "Does a row of dominoes fall down to the last one?",
      .parameters =
          {{.name = "count", .value = 10, .min = 2, .max = 100, .about = "number of dominoes", .whole = true},
-          {.name = "spacing", .value = 0.6, .min = 0.3, .max = 0.8, .unit = "m", .about = "from one to the next"},
+          {.name = "spacing", .value = 0.6, .min = 0.5, .max = 0.7, .unit = "m", .about = "from one to the next"},
           {.name = "push",
            .value = 2,
            .min = 1,

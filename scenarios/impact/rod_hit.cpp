@@ -13,16 +13,15 @@
 namespace plumb::scenarios::struck_rod {
 namespace {
 
-constexpr double duration = 0.8;   // s
+constexpr double longest = 0.8;    // s, of a run
 constexpr double moment = 0.393;   // s, of the impact: between two steps
 constexpr double length = 2;       // m, of the rod
 constexpr double thickness = 0.2;  // m
 constexpr double radius = 0.25;    // m, of the disc
-constexpr double after = duration - moment;
 
 // The rod lies along x with its centre at the origin; the disc comes from below, `beside` the centre.
 Scene struck(const Parameters& p, double beside) {
-  Scene scene{.gravity = {0, 0}, .duration = duration};
+  Scene scene{.gravity = {0, 0}, .duration = longest};
   const Surface smooth = surface(0, p.at("restitution"));
   Body rod = box("rod", {0, 0}, {length, thickness}, smooth);
   const double area = std::numbers::pi * radius * radius;
@@ -39,7 +38,7 @@ Scene struck(const Parameters& p, double beside) {
 struct Allowed {
   double approach, reach;
 
-  double exact(const Stepping& s) const { return round_off(s, duration, reach); }
+  double exact(const Stepping& s) const { return round_off(s, longest, reach); }
   double overlap(const Stepping& s) const { return approach * lag(s) + s.contact_gap(); }
   double place(const Stepping& s, double jump) const {
     return std::abs(jump) * found_off(s, approach) + overlap(s) + exact(s);
@@ -52,27 +51,43 @@ struct Allowed {
 namespace plumb::scenarios::rod_hit {
 namespace {
 
-using struck_rod::after;
-using struck_rod::duration;
+// What the blow does to the rod.
+struct Blow {
+  double impulse, spin;  // N s, rad/s
+};
 
+// J = (1+e) v/(1/m1 + 1/m2 + d^2/I).
+Blow blow(const Scene& scene, const Parameters& p) {
+  const Mass rod = mass_of(scene.bodies[0]);
+  const Mass striker = mass_of(scene.bodies[1]);
+  const double d = p.at("offset");
+  const double impulse =
+      (1 + p.at("restitution")) * p.at("speed") / (1 / striker.mass + 1 / rod.mass + d * d / rod.inertia);
+  return {impulse, d * impulse / rod.inertia};
+}
+
+// It ends before the other end of the rod comes round to the disc: in 1.2 rad and a step it never does.
 Scene scene(const Parameters& p) {
   Scene scene = struck_rod::struck(p, p.at("offset"));
   scene.name = "rod-hit";
   scene.about = "A disc hits a free rod on its side.";
+  constexpr double most_turn = 1.2;  // rad
+  const double last = struck_rod::moment + most_turn / blow(scene, p).spin;
+  scene.duration = std::min(struck_rod::longest, whole_steps(last));
   return scene;
 }
 
-// J = (1+e) v/(1/m1 + 1/m2 + d^2/I). Overlap that is removed at the distance d from the rod's centre turns it by at
+// Overlap that is removed at the distance d from the rod's centre turns it by at
 // most 1/(2 k) times it, k^2 = I/m.
 std::vector<Expectation> expectations(const Parameters& p) {
   const Scene built = scene(p);
   const Mass rod = mass_of(built.bodies[0]);
   const Mass striker = mass_of(built.bodies[1]);
   const double v = p.at("speed");
-  const double d = p.at("offset");
-  const double impulse = (1 + p.at("restitution")) * v / (1 / striker.mass + 1 / rod.mass + d * d / rod.inertia);
+  const auto [impulse, spin] = blow(built, p);
+  const double duration = built.duration;
+  const double after = duration - struck_rod::moment;
   const double rises = impulse / rod.mass;
-  const double spin = d * impulse / rod.inertia;
   const double slower = impulse / striker.mass;
   const struck_rod::Allowed allowed{v, 2 * (struck_rod::length + v + std::abs(spin))};
   const auto exact = [=](const Stepping& s) { return allowed.exact(s); };
@@ -126,9 +141,10 @@ const Catalog<Scenario>::Entry entry{
 namespace plumb::scenarios::hinged_hit {
 namespace {
 
-using struck_rod::after;
-using struck_rod::duration;
 using struck_rod::length;
+using struck_rod::longest;
+
+constexpr double after = longest - struck_rod::moment;
 
 // m, from the hinge: I_p/(m l/2), the centre of percussion. A blow there makes the free rod turn about its end.
 constexpr double sweet_spot =
@@ -208,7 +224,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
            .source = "on its circle about the hinge; the angle's error, a step along the tangent, slop"},
           {.body = "disc",
            .quantity = Quantity::y,
-           .expected = built.bodies[1].position.y + v * duration - slower * after,
+           .expected = built.bodies[1].position.y + v * longest - slower * after,
            .allowed = [=](const Stepping& s) { return allowed.place(s, slower) + leaves(s) * after; },
            .source = "the velocity jump times the lag, and the overlap"}};
 }

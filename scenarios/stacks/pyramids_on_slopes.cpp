@@ -138,7 +138,10 @@ const Catalog<Scenario>::Entry entry{
            .min = 0,
            .max = 0.5,
            .about = "of its friction while sticking, as a share of what would hold the pile"}},
-     .variants = {{"78 boxes", {}}, {"smooth", {{"friction", 0}}}, {"sticky", {{"base", 7}, {"excess", 0.4}}}},
+     .variants = {{"78 boxes", {}},
+                  {"smooth", {{"friction", 0}}},
+                  {"sticky", {{"base", 7}, {"excess", 0.4}}},
+                  {"300 boxes", {{"base", 24}, {"excess", 0.2}}}},
      .scene = scene,
      .expectations = expectations}};
 

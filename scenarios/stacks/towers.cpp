@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -109,14 +110,16 @@ constexpr double duration = 5;  // s
 
 std::string name(int k) { return "box " + std::to_string(k); }
 
-// Each box is `ratio` times as heavy as the one below it, so the lightest carries all.
+// Each box is `ratio` times as heavy as the one below it, so the lightest carries all; up to 1e8 times the lightest,
+// whose own weight then has half of the digits of double precision beside that load.
+double density_of(const Parameters& p, int k) { return std::min(std::pow(p.at("ratio"), k - 1), 1e8); }
+
 Scene scene(const Parameters& p) {
   Scene scene{
       .name = "mass-ratio", .about = "A tower in which every box is heavier than the one below.", .duration = duration};
   scene.bodies.push_back(level_ground(surface(0.5, 0)));
   for (int k = 1; k <= static_cast<int>(p.at("boxes")); ++k) {
-    const double density = std::pow(p.at("ratio"), k - 1);
-    scene.bodies.push_back(box(name(k), {0, k - 0.5}, {1, 1}, surface(0.5, 0, density)));
+    scene.bodies.push_back(box(name(k), {0, k - 0.5}, {1, 1}, surface(0.5, 0, density_of(p, k))));
   }
   return scene;
 }
@@ -124,7 +127,7 @@ Scene scene(const Parameters& p) {
 // As in any tower, nothing moves except by one gap, or the depth of a spring, per contact below.
 std::vector<Expectation> expectations(const Parameters& p) {
   std::vector<double> masses;
-  for (int k = 1; k <= static_cast<int>(p.at("boxes")); ++k) masses.push_back(std::pow(p.at("ratio"), k - 1));
+  for (int k = 1; k <= static_cast<int>(p.at("boxes")); ++k) masses.push_back(density_of(p, k));
   std::vector<Expectation> all;
   for (int k = 1; k <= static_cast<int>(p.at("boxes")); ++k) {
     all.push_back({.body = name(k),
@@ -148,7 +151,7 @@ const Catalog<Scenario>::Entry entry{
                      .value = 10,
                      .min = 1,
                      .max = 100,
-                     .about = "mass of a box divided by that of the one below"}},
+                     .about = "mass of a box divided by that of the one below, up to 1e8 times the lowest"}},
      .variants = {{"3", {{"ratio", 3}}}, {"10", {}}},
      .closed_form = "rest",
      .scene = scene,
