@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -22,9 +23,11 @@ namespace {
 /// about the true one: 1e-5 for a pendulum, 1e-2 and more for chains too fast for the sub-step.
 constexpr Real ideal_gain = static_cast<Real>(1e-4);
 
-/// Most joints of an island that is solved as one system, and most contacts that may bear something; and most contacts
-/// in all, unless it is a single body: eight composite bodies that fly about have 200.
+/// Most joints of an island that is solved as one system, and most contacts that may bear something; most contacts in
+/// all, unless it is a single body: eight composite bodies that fly about have 200; and the most that more joints may
+/// cost, as much as 24 hinges that all act on each other: chains of 1000 links do.
 constexpr std::size_t most_direct = 24;
+constexpr std::uint64_t most_joint_cost = 20000;
 constexpr std::size_t most_known = 240;
 
 /// Whether two bodies are near each other within the step, as they move now.
@@ -38,11 +41,11 @@ bool come_near(const Contact& contact, const BodySet& bodies, const std::vector<
   });
 }
 
-/// Whether an island is solved as one system: if few of its contacts bring bodies near each other within the step. Of
-/// two bodies that are pushed no more than two count: parts of compound bodies meet at many places, and what these two
-/// do to each other has three components.
+/// Whether an island is solved as one system: if its joints form chains or are few, and few of its contacts bring
+/// bodies near each other within the step. Of two bodies that are pushed no more than two count: parts of compound
+/// bodies meet at many places, and what these two do to each other has three components.
 bool is_direct(const StepData& data, const Island& island, const std::vector<Velocity>& acceleration) {
-  if (island.joints.swept() || island.joints.all().size() > most_direct) return false;
+  if (island.joints.all().size() > most_direct && island.joints.cost() > most_joint_cost) return false;
   if (island.contacts.size() <= most_direct) return true;
   if (island.contacts.size() > most_known && island.bodies.size() > 1) return false;
   std::array<std::pair<std::uint32_t, std::uint32_t>, most_known> pairs;

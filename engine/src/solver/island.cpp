@@ -14,11 +14,11 @@ constexpr Real fast = static_cast<Real>(0.1);  // m/s
 /// Budget of one island and step: beyond, islands keep the base numbers of sub-steps and iterations.
 constexpr std::size_t most_body_substeps = 4000;
 
-/// The same where loads ask for sub-steps, in lanes: 16 for 2000 bodies, which sink by millimetres in 4. And for a step
+/// The same where loads ask for sub-steps, in lanes: 16 for 2500 bodies, which sink by millimetres in 4. And for a step
 /// that drove bodies into each other, which few do: a light body that two heavy ones squeeze out goes at 20 m/s, its
 /// own size in a sub-step of 1/32 step, and turns meanwhile.
 constexpr int most_substeps_again = 128;
-constexpr std::size_t most_loaded_substeps = 32000;
+constexpr std::size_t most_loaded_substeps = 40000;
 
 /// The same for a blow that is solved through a whole island, with as many sweeps as it takes: in four sub-steps so
 /// many over its bodies take 12 ms. A light body between heavy ones takes more than one sweep for each body.

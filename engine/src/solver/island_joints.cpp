@@ -35,7 +35,8 @@ IslandJoints::IslandJoints(std::span<ActiveJoint* const> joints, std::span<const
       start_(start),
       motion_(motion),
       work_(work),
-      swept_(!joints.empty() && work.system.cost(joints, motion.size(), expensive) > expensive) {}
+      cost_(joints.empty() ? 0 : work.system.cost(joints, motion.size(), expensive)),
+      swept_(cost_ > expensive) {}
 
 Softness softness_of_swept(Real h) {
   constexpr Real damping_ratio = 5;

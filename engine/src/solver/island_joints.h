@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,8 @@ class IslandJoints {
   bool empty() const { return joints_.empty(); }
   /// Whether they are solved one after another.
   bool swept() const { return swept_; }
+  /// Of factoring their equations, in additions and multiplications; not beyond where joints are swept.
+  std::uint64_t cost() const { return cost_; }
   /// Scales impulses between a whole step and a sub-step.
   void share(Real by);
   /// Splits the impulses of the last sub-step in halves, which kick() applies again.
@@ -85,6 +88,7 @@ class IslandJoints {
   const std::vector<Pose>& start_;
   const std::vector<Motion>& motion_;
   JointWorkspace& work_;
+  std::uint64_t cost_;
   bool swept_;
   bool fit_ = true;
 };
