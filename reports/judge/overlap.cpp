@@ -12,6 +12,7 @@ namespace plumb {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-12;  // of distances
 
 Interval along(Vec direction, std::span<const Vec> points) {
   Interval range{infinity, -infinity};
@@ -52,7 +53,6 @@ Vec way_to(Vec point, Vec from, Vec to) {
 // The smallest distance from a corner of a to an edge of b: if two hulls do not meet, one of their nearest points is a
 // corner. What is certainly farther than another, though both are rounded, is not measured.
 double distance(std::span<const Vec> a, std::span<const Vec> b) {
-  constexpr double rounding = 1e-12;
   double nearest = infinity;
   double farther = infinity;  // m^2
   for (const Vec point : a) {
@@ -64,6 +64,14 @@ double distance(std::span<const Vec> a, std::span<const Vec> b) {
     }
   }
   return nearest;
+}
+
+// m, how far an outline reaches from its first point.
+double reach_of(const Outline& outline) {
+  if (outline.halfspace) return infinity;
+  double farthest = 0;
+  for (const Vec point : outline.points) farthest = std::max(farthest, length(point - outline.points[0]));
+  return farthest + outline.radius;
 }
 
 double gap_to(const HalfSpace& ground, const OutlineView& outline) {
@@ -103,8 +111,9 @@ Overlap::Overlap(const Scene& scene) : scene_(scene) {
     const std::vector<Shape>& shapes = scene.bodies[i].shapes;
     first_part_.push_back(parts_.size());
     for (std::size_t k = 0; k < shapes.size(); ++k) {
-      parts_.push_back({i, k, outline_of(shapes[k].geometry, center), points_});
-      points_ += parts_.back().outline.points.size();
+      const Outline outline = outline_of(shapes[k].geometry, center);
+      parts_.push_back({i, k, outline, points_, reach_of(outline)});
+      points_ += outline.points.size();
     }
   }
   first_part_.push_back(parts_.size());
@@ -193,14 +202,26 @@ Overlap::Gaps::Gaps(const Overlap& overlap, std::span<const BodyState> states)
     : overlap_(overlap), states_(states), points_(overlap.points_), placed_(states.size()) {}
 
 double Overlap::Gaps::between(std::size_t a, std::size_t b) {
+  const auto [at, is_new] = known_.try_emplace({a, b});
+  if (is_new) at->second = measured(a, b);
+  return at->second;
+}
+
+double Overlap::Gaps::measured(std::size_t a, std::size_t b) {
   for (const std::size_t body : {a, b}) {
     if (!placed_[body]) overlap_.place(body, states_[body], points_);
     placed_[body] = true;
   }
+  const auto certainly_beyond = [&](double gap, const Part& one, const Part& other) {
+    const double reach = one.reach + other.reach;
+    if (!(reach < infinity)) return false;
+    return length(points_[one.first_point] - points_[other.first_point]) - reach > gap + rounding * (reach + gap);
+  };
   double nearest = infinity;
   for (std::size_t i = overlap_.first_part_[a]; i < overlap_.first_part_[a + 1]; ++i) {
     const OutlineView one = overlap_.view(overlap_.parts_[i], states_[a], points_);
     for (std::size_t j = overlap_.first_part_[b]; j < overlap_.first_part_[b + 1]; ++j) {
+      if (certainly_beyond(nearest, overlap_.parts_[i], overlap_.parts_[j])) continue;
       nearest = std::min(nearest, gap_between(one, overlap_.view(overlap_.parts_[j], states_[b], points_)));
     }
   }

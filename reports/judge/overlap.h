@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -71,6 +72,7 @@ class Overlap {
     std::size_t body, shape;
     Outline outline;          // relative to the centre of mass
     std::size_t first_point;  // of all outlines' points, by part
+    double reach;             // m, from its first point; infinite of a half-space
   };
   bool may_touch(std::size_t a, std::size_t b) const;
   /// Puts the points of a body's parts where its state says, into those of all parts.
@@ -91,10 +93,13 @@ class Overlap::Gaps {
   double between(std::size_t a, std::size_t b);
 
  private:
+  double measured(std::size_t a, std::size_t b);
+
   const Overlap& overlap_;
   std::span<const BodyState> states_;
   std::vector<Vec> points_;   // of all parts, of a body once it is asked for
   std::vector<bool> placed_;  // by body
+  std::map<std::pair<std::size_t, std::size_t>, double> known_;
 };
 
 }  // namespace plumb

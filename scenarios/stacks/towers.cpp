@@ -222,7 +222,8 @@ Scene scene(const Parameters& p) {
 }
 
 // Beyond the limit the blocks above each surface have their common centre beyond its edge and turn about it. At the end
-// the top block has come down by at least its own height: wherever it comes to rest, it has left the pile.
+// the top block of four or more has come down by at least its own height: wherever it comes to rest, it has left the
+// pile. Of fewer it may lean on the one below.
 std::vector<Expectation> fallen(int blocks) {
   return {{.body = name(1),
            .quantity = Quantity::y,
@@ -270,7 +271,7 @@ const Catalog<Scenario>::Entry entry{
     {.name = "overhang",
      .question = "Do blocks with an overhang up to the harmonic series stand, and fall beyond it?",
      .parameters =
-         {{.name = "blocks", .value = 4, .min = 2, .max = 20, .about = "in the pile", .whole = true},
+         {{.name = "blocks", .value = 4, .min = 4, .max = 20, .about = "in the pile", .whole = true},
           {.name = "fraction", .value = 0.99, .min = 0, .max = 1.5, .about = "overhang as a fraction of the limit"}},
      .variants = {{"90%", {{"fraction", 0.9}}}, {"99%", {}}, {"101%", {{"fraction", 1.01}}}},
      .closed_form = "rest",
