@@ -143,7 +143,7 @@ int substeps_for(const Island& island, const Bearing& bearing, const BodySet& bo
   if (island.pile ? !may_need_substeps(count, settings) : is_large(count, settings)) return base;
   const Real weighs = light ? Real{0} : weight / (bearing.lightest * bears);
   const Real presses = bearing.deepest / tolerated_sink;
-  const Real wanted = std::max(weighs * 3 / 4, 2 * presses) * static_cast<Real>(base * base);
+  const Real wanted = std::max(static_cast<Real>(0.7) * weighs, 2 * presses) * static_cast<Real>(base * base);
   int n = base;
   while (2 * n <= most_substeps && static_cast<Real>(n * n) < wanted &&
          static_cast<std::size_t>(2 * n) * count <= most_loaded_substeps) {
@@ -170,11 +170,10 @@ int substeps_past(const StepData& data, std::span<const std::uint32_t> island) {
 }
 
 int settling_sweeps_for(std::size_t bodies) {
-  constexpr std::size_t of_few = 300;               // needed for boxes each ten times as heavy as the one below
+  constexpr std::size_t least = 300;                // needed for boxes each ten times as heavy as the one below
   constexpr std::size_t most_body_sweeps = 800000;  // takes a tenth of a second, once
   // Loads spread by a contact a sweep, to and fro: through all rows of a pyramid in as many as it has bodies.
-  const std::size_t through = std::min(bodies, most_body_sweeps / bodies);
-  return static_cast<int>(std::max(std::min(of_few, most_body_substeps / bodies), through));
+  return static_cast<int>(std::min(std::max(least, bodies), most_body_sweeps / bodies));
 }
 
 int more_sweeps_for(std::size_t bodies) {
