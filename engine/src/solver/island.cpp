@@ -125,6 +125,7 @@ bool may_need_substeps(std::size_t bodies, const Settings& settings) {
 // fastest with these.
 int substeps_for(const Island& island, const Bearing& bearing, const BodySet& bodies,
                  const std::vector<Velocity>& acceleration, const Settings& settings) {
+  constexpr Real heavily = static_cast<Real>(0.7);
   const int base = settings.substeps;
   Real weight = 0;
   for (const std::uint32_t body : island.bodies) {
@@ -133,17 +134,18 @@ int substeps_for(const Island& island, const Bearing& bearing, const BodySet& bo
   }
   const Real omega = Island::swing(false, false) * static_cast<Real>(base) / settings.dt;
   const Real bears = static_cast<Real>(bearing.points) * (2 * omega * omega) * tolerated_sink;
-  // Powers of two: for the weight the nearest by ratio, and for the known load of one point down to half of the
-  // tolerated penetration. The other half is for the change of that load, which is known a step late: in a step a point
-  // covers 1 - exp(-n w h / (2 zeta)) = 15 % of the distance to its new equilibrium, which may thus be several times as
-  // deep. Both are within the limits in nearly every step: no division then.
+  // Powers of two: for the weight no more than 1/.7 of the tolerated penetration, as while its boxes tilt a pyramid
+  // that slides goes astray at its lower corners; and for the known load of one point down to half of it. The other
+  // half is for the change of that load, which is known a step late: in a step a point covers 1 - exp(-n w h / (2
+  // zeta)) = 15 % of the distance to its new equilibrium, which may thus be several times as deep. Both are within the
+  // limits in nearly every step: no division then.
   const bool light = bearing.points == 0 || weight <= 2 * bearing.lightest * bears;
   if (light && 2 * bearing.deepest <= tolerated_sink) return base;
   const std::size_t count = island.bodies.size();
   if (island.pile ? !may_need_substeps(count, settings) : is_large(count, settings)) return base;
   const Real weighs = light ? Real{0} : weight / (bearing.lightest * bears);
   const Real presses = bearing.deepest / tolerated_sink;
-  const Real wanted = std::max(static_cast<Real>(0.7) * weighs, 2 * presses) * static_cast<Real>(base * base);
+  const Real wanted = std::max(heavily * weighs, 2 * presses) * static_cast<Real>(base * base);
   int n = base;
   while (2 * n <= most_substeps && static_cast<Real>(n * n) < wanted &&
          static_cast<std::size_t>(2 * n) * count <= most_loaded_substeps) {
