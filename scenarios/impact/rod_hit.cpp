@@ -84,7 +84,8 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const Mass rod = mass_of(built.bodies[0]);
   const Mass striker = mass_of(built.bodies[1]);
   const double v = p.at("speed");
-  const auto [impulse, spin] = blow(built, p);
+  const double impulse = blow(built, p).impulse;
+  const double spin = blow(built, p).spin;
   const double duration = built.duration;
   const double after = duration - struck_rod::moment;
   const double rises = impulse / rod.mass;
