@@ -75,6 +75,15 @@ bool may_drive_deep(const StepData& data, const Island& island) {
   return stirs || is_struck(data, island);
 }
 
+/// Notes which rows take part in what is solved next.
+void list_acting(Island& island, std::vector<std::uint32_t>& acting) {
+  acting.clear();
+  for (std::size_t i = 0; i < island.rows.size(); ++i) {
+    if (island.rows[i].active) acting.push_back(static_cast<std::uint32_t>(i));
+  }
+  island.acting = acting;
+}
+
 }  // namespace
 
 void Accurate::step(StepData& data) {
@@ -233,6 +242,7 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   PressAndRelax solve(data.bodies, island, motion_, changes_, space.search, space.local);
   contacts.measure(island);
   if (island.press_sweeps > 0) contacts.leave_out_far(island);
+  list_acting(island, space.acting);
   const bool some_wait = island.bounces || island.press_sweeps > 0;
   solve.press(false);
   while (some_wait && hold_those_that_meet(data, island, space)) solve.press(false);
@@ -282,8 +292,10 @@ bool Accurate::hold_those_that_meet(StepData& data, Island& island, AccurateWork
   };
   const bool any = space.impacts.hold_those_that_meet(island.rows, data.bodies, motion_, island.h,
                                                       not_felt / static_cast<Real>(island.substeps), std::ref(find_at));
-  if (any) ScalarContacts(data.bodies, motion_).measure(island);  // those that were found again
-  return any;
+  if (!any) return false;
+  ScalarContacts(data.bodies, motion_).measure(island);  // those that were found again
+  list_acting(island, space.acting);
+  return true;
 }
 
 /// Half of the forces, half of what contacts and joints bore in the last sub-step.

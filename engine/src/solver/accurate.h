@@ -28,6 +28,7 @@ struct AccurateWorkspace {
   Pile pile{solver_kernels()};
   Pile::RowOf row_of;
   Colouring colouring;
+  std::vector<std::uint32_t> acting;  // see Island::acting
   Turning turning;
   Unpushed unpushed;
   LineSearch search;

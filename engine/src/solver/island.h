@@ -86,6 +86,7 @@ struct Island {
   std::span<const std::uint32_t> bodies;
   std::span<const Tie> contacts;
   std::span<ImpactRow> rows;  // of the contacts, unless they are solved as a pile (pile.h)
+  std::span<const std::uint32_t> acting;  // indices of the rows that take part in this sub-step's solve, in order
   IslandJoints joints;
   std::span<const Pull> pulls = {};
   bool varies = false;  // forces vary within the step

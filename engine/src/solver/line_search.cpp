@@ -46,9 +46,8 @@ Parabola along(const Island& island, const BodySet& bodies, Velocities velocity,
                const std::vector<RowImpulses>& impulses, const std::vector<Velocity>& changes) {
   constexpr auto unbiased = [](const ImpactRow&, std::size_t) { return Real{0}; };
   Parabola energy;
-  for (std::size_t r = 0; r < island.rows.size(); ++r) {
-    const ImpactRow& row = island.rows[r];
-    if (!row.active) continue;
+  for (std::size_t r = 0; r < island.acting.size(); ++r) {
+    const ImpactRow& row = island.rows[island.acting[r]];
     add_slope(row, ContactFrame(row, velocity(row.a), velocity(row.b)), impulses[r], unbiased, energy);
   }
   add_bend(island, bodies, changes, energy);
@@ -85,15 +84,15 @@ Velocity sum(const Velocity& v, Real x, const Velocity& by) { return {v.v + x * 
 
 void LineSearch::spread(const Island& island, const Impulses& impulses, std::vector<Velocity>& changes) {
   clear(island, changes);
-  for (std::size_t r = 0; r < island.rows.size(); ++r) {
-    if (island.rows[r].active) add_change(island.rows[r], impulses[r], changes);
+  for (std::size_t r = 0; r < island.acting.size(); ++r) {
+    add_change(island.rows[island.acting[r]], impulses[r], changes);
   }
 }
 
 void LineSearch::list(const Island& island, Impulses& impulses) {
   impulses.clear();
-  for (const ImpactRow& row : island.rows) {
-    const auto& [p, q] = row.points;
+  for (const std::uint32_t row : island.acting) {
+    const auto& [p, q] = island.rows[row].points;
     impulses.push_back({Vec2{p.normal_impulse, p.tangent_impulse}, Vec2{q.normal_impulse, q.tangent_impulse}});
   }
 }
@@ -108,7 +107,7 @@ void LineSearch::temper(const Island& island, const BodySet& bodies, const std::
 
   direction_ = last_;
   for (std::size_t r = 0; r < direction_.size(); ++r) {
-    for (std::size_t i = 0; i < 2; ++i) direction_[r][i] -= 2 * island.rows[r].half[i];
+    for (std::size_t i = 0; i < 2; ++i) direction_[r][i] -= 2 * island.rows[island.acting[r]].half[i];
   }
   spread(island, direction_, changes);
   const auto before = [&](std::uint32_t body) { return sum(sum(flown(body), 1, kicks[body]), -1, changes[body]); };
@@ -121,8 +120,7 @@ void LineSearch::temper(const Island& island, const BodySet& bodies, const std::
   const Parabola from_none = guess();
   const Real rest = from_none.rises_to(1) ? from_none.lowest_below(1) : Real{1};
   for (std::size_t r = 0; r < last_.size(); ++r) {
-    ImpactRow& row = island.rows[r];
-    if (!row.active) continue;
+    ImpactRow& row = island.rows[island.acting[r]];
     for (std::size_t i = 0; i < 2; ++i) {
       row.points[i].normal_impulse = std::max(rest * last_[r][i].x, Real{0});
       row.points[i].tangent_impulse = rest * last_[r][i].y;
@@ -138,9 +136,9 @@ void LineSearch::begin(const Island& island) {
 
 void LineSearch::go_on(const Island& island, BodySet& bodies, std::vector<Velocity>& changes, bool pressing) {
   Real change = 0;
-  for (std::size_t r = 0; r < island.rows.size(); ++r) {
+  for (std::size_t r = 0; r < island.acting.size(); ++r) {
     for (std::size_t i = 0; i < 2; ++i) {
-      const RowPoint& p = island.rows[r].points[i];
+      const RowPoint& p = island.rows[island.acting[r]].points[i];
       const Vec2 by = Vec2{p.normal_impulse, p.tangent_impulse} - last_[r][i];
       change += dot(by, by);
       last_[r][i] = by;
@@ -159,14 +157,13 @@ void LineSearch::go_on(const Island& island, BodySet& bodies, std::vector<Veloci
     Real room = 1;
     Parabola energy;
     clear(island, changes);
-    for (std::size_t r = 0; r < island.rows.size(); ++r) {
-      const ImpactRow& row = island.rows[r];
+    for (std::size_t r = 0; r < island.acting.size(); ++r) {
+      const ImpactRow& row = island.rows[island.acting[r]];
       for (std::size_t i = 0; i < 2; ++i) {
         Vec2& go = direction_[r][i];
         go = ratio * go;
         if (go.x < 0) room = std::min(room, row.points[i].normal_impulse / -go.x);
       }
-      if (!row.active) continue;
       add_change(row, direction_[r], changes);
       add_slope(row, ContactFrame(row, bodies.velocity[row.a], bodies.velocity[row.b]), direction_[r], bias, energy);
     }
@@ -176,15 +173,13 @@ void LineSearch::go_on(const Island& island, BodySet& bodies, std::vector<Veloci
       if (bodies.pushable(body)) bodies.velocity[body] = sum(bodies.velocity[body], share, changes[body]);
     }
   }
-  for (std::size_t r = 0; r < island.rows.size(); ++r) {
-    ImpactRow& row = island.rows[r];
+  for (std::size_t r = 0; r < island.acting.size(); ++r) {
+    ImpactRow& row = island.rows[island.acting[r]];
     for (std::size_t i = 0; i < 2; ++i) {
       RowPoint& p = row.points[i];
       const Vec2 more = share * direction_[r][i];
-      if (row.active) {
-        p.normal_impulse = std::max(p.normal_impulse + more.x, Real{0});
-        p.tangent_impulse += more.y;
-      }
+      p.normal_impulse = std::max(p.normal_impulse + more.x, Real{0});
+      p.tangent_impulse += more.y;
       direction_[r][i] = more + last_[r][i];
       last_[r][i] = {p.normal_impulse, p.tangent_impulse};
     }

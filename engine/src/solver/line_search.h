@@ -36,7 +36,7 @@ class LineSearch {
   void go_on(const Island& island, BodySet& bodies, std::vector<Velocity>& changes, bool pressing);
 
  private:
-  /// N s, along normal and tangent, of each point of each row.
+  /// N s, along normal and tangent, of each point of each acting row.
   using Impulses = std::vector<std::array<Vec2, 2>>;
 
   static void list(const Island& island, Impulses& impulses);

@@ -13,29 +13,25 @@ bool LocalSweeps::find(const Island& island, const ScalarContacts& contacts, std
   const auto in = [&](std::uint32_t body, const InverseMass& mass) { return pushable(mass) ? ring_[body] : 0; };
 
   bool any = false;
-  std::size_t active = 0;
-  for (const ImpactRow& row : island.rows) {
-    if (!row.active) continue;
-    ++active;
+  for (const std::uint32_t index : island.acting) {
+    const ImpactRow& row = island.rows[index];
     if (!contacts.deepens(island, row, in_step, held)) continue;
     any = true;
     mark(row.a, row.mass_a, 1);
     mark(row.b, row.mass_b, 1);
   }
   if (!any) return false;
-  for (const ImpactRow& row : island.rows) {
-    if (!row.active) continue;
+  for (const std::uint32_t index : island.acting) {
+    const ImpactRow& row = island.rows[index];
     if (in(row.a, row.mass_a) == 1) mark(row.b, row.mass_b, 2);
     if (in(row.b, row.mass_b) == 1) mark(row.a, row.mass_a, 2);
   }
   rows_.clear();
-  for (std::size_t i = 0; i < island.rows.size(); ++i) {
-    const ImpactRow& row = island.rows[i];
-    if (row.active && (in(row.a, row.mass_a) != 0 || in(row.b, row.mass_b) != 0)) {
-      rows_.push_back(static_cast<std::uint32_t>(i));
-    }
+  for (const std::uint32_t index : island.acting) {
+    const ImpactRow& row = island.rows[index];
+    if (in(row.a, row.mass_a) != 0 || in(row.b, row.mass_b) != 0) rows_.push_back(index);
   }
-  return !rows_.empty() && 2 * rows_.size() <= active;
+  return !rows_.empty() && 2 * rows_.size() <= island.acting.size();
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

@@ -15,7 +15,7 @@ void PressAndRelax::press(bool rigidly) {
     if (!island_.joints.empty()) island_.joints.press(island_.h);
     ScalarContacts contacts(bodies_, motion_);
     if (rigidly) {
-      contacts.press_rigidly(island_);
+      contacts.press_rigidly(island_, island_.acting);
     } else {
       contacts.press(island_);
     }
@@ -47,7 +47,7 @@ int PressAndRelax::press_through() {
 void PressAndRelax::relax(int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     if (!island_.joints.empty()) island_.joints.relax(island_.h);
-    ScalarContacts(bodies_, motion_).relax(island_);
+    ScalarContacts(bodies_, motion_).relax(island_, island_.acting);
   }
 }
 

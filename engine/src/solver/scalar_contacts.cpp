@@ -136,13 +136,6 @@ void ScalarContacts::in_frame(ImpactRow& row, std::vector<Velocity>& velocity, S
 }
 
 template <class Solve>
-void ScalarContacts::each(const Island& island, Solve solve) {
-  for (ImpactRow& row : island.rows) {
-    if (row.active) in_frame(row, bodies_.velocity, solve);
-  }
-}
-
-template <class Solve>
 void ScalarContacts::each_of(const Island& island, std::span<const std::uint32_t> rows, Solve solve) {
   for (const std::uint32_t row : rows) in_frame(island.rows[row], bodies_.velocity, solve);
 }
@@ -264,19 +257,11 @@ void ScalarContacts::push_centres(const ImpactRow& row, Vec2 impulse) {
 }
 
 void ScalarContacts::press(const Island& island) {
-  each(island, [&](ImpactRow& row, auto& frame) { press_row<false>(island, row, frame); });
-}
-
-void ScalarContacts::press_rigidly(const Island& island) {
-  each(island, [&](ImpactRow& row, auto& frame) { press_row<true>(island, row, frame); });
+  each_of(island, island.acting, [&](ImpactRow& row, auto& frame) { press_row<false>(island, row, frame); });
 }
 
 void ScalarContacts::press_rigidly(const Island& island, std::span<const std::uint32_t> rows) {
   each_of(island, rows, [&](ImpactRow& row, auto& frame) { press_row<true>(island, row, frame); });
-}
-
-void ScalarContacts::relax(const Island& island) {
-  each(island, [](ImpactRow& row, auto& frame) { relax_row(row, frame); });
 }
 
 void ScalarContacts::relax(const Island& island, std::span<const std::uint32_t> rows) {
@@ -315,8 +300,8 @@ template <class Frame>
 }
 
 bool ScalarContacts::deepens(const Island& island, Real in_step, bool held) const {
-  return std::any_of(island.rows.begin(), island.rows.end(),
-                     [&](const ImpactRow& row) { return row.active && deepens(island, row, in_step, held); });
+  return std::any_of(island.acting.begin(), island.acting.end(),
+                     [&](std::uint32_t row) { return deepens(island, island.rows[row], in_step, held); });
 }
 
 bool ScalarContacts::deepens(const Island& island, const ImpactRow& row, Real in_step, bool held) const {

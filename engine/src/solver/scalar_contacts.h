@@ -40,13 +40,11 @@ class ScalarContacts {
   /// Solves contacts as soft constraints; a gap may close within the sub-step, but no further. Friction is solved in
   /// relax(), except in a contact's first step (otherwise a box set down on a slope slips before it is held).
   void press(const Island& island);
-  /// The same with rigid contacts: nothing gets deeper, and what overlaps is pushed apart at the same rate.
-  void press_rigidly(const Island& island);
-  /// Only `rows`, which must be active.
+  /// The same with rigid contacts, all or some of those that act: nothing gets deeper, and what overlaps is pushed apart
+  /// at the same rate.
   void press_rigidly(const Island& island, std::span<const std::uint32_t> rows);
   /// Rigid contacts with friction, regardless of depth. Skips points with a gap and no load, which would be braked one
   /// sub-step before they arrive.
-  void relax(const Island& island);
   void relax(const Island& island, std::span<const std::uint32_t> rows);
   /// At the start of a sub-step: a contact that bore nothing slips if its points move past each other faster than
   /// `slow`, m/s.
@@ -67,9 +65,7 @@ class ScalarContacts {
   /// Calls solve(row, frame) and writes the frame back to the velocities.
   template <class Solve>
   static void in_frame(ImpactRow& row, std::vector<Velocity>& velocity, Solve solve);
-  /// The same for each active row.
-  template <class Solve>
-  void each(const Island& island, Solve solve);
+  /// The same for each of some rows.
   template <class Solve>
   void each_of(const Island& island, std::span<const std::uint32_t> rows, Solve solve);
   void face(ImpactRow& row) const;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "solver/island.h"
@@ -14,6 +15,7 @@ struct Column {
   BodySet bodies;
   std::vector<std::uint32_t> members;
   std::vector<ImpactRow> rows;
+  std::vector<std::uint32_t> acting;  // all of them
   std::vector<Motion> motion;
   std::vector<Pose> start;
   JointWorkspace work;
@@ -21,13 +23,15 @@ struct Column {
 
   /// `masses`: kg, of the bodies from 1 on.
   explicit Column(const std::vector<double>& masses)
-      : members(numbers(masses.size())),
+      : members(numbers_from(1, masses.size())),
         rows(masses.size()),
+        acting(numbers_from(0, masses.size())),
         motion(masses.size() + 1),
         start(masses.size() + 1),
         island{.bodies = members,
                .contacts = {},
                .rows = rows,
+               .acting = acting,
                .joints = IslandJoints({}, members, bodies, start, motion, work)} {
     bodies.velocity.resize(masses.size() + 1);
     bodies.inverse_mass.resize(masses.size() + 1);
@@ -50,9 +54,9 @@ struct Column {
   }
 
  private:
-  static std::vector<std::uint32_t> numbers(std::size_t count) {
+  static std::vector<std::uint32_t> numbers_from(std::uint32_t first, std::size_t count) {
     std::vector<std::uint32_t> all(count);
-    for (std::size_t i = 0; i < count; ++i) all[i] = static_cast<std::uint32_t>(i + 1);
+    std::iota(all.begin(), all.end(), first);
     return all;
   }
 };
