@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -73,6 +74,9 @@ namespace {
 constexpr double duration = 1.5;  // s
 constexpr double pitch = 1.25;    // m
 constexpr double grip = 0.8;      // coefficient of friction between boxes
+// Row above which boxes may lean by more than a twentieth of the way, with gaps of half a millimetre: a check of those
+// would be none.
+constexpr int highest_asked = 12;
 
 // The smaller coefficient counts: boxes hold on to each other, but not to the slope.
 Scene scene(const Parameters& p) {
@@ -122,7 +126,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   };
   for (const int place : {1, n}) expect(1, place);
   expect(n / 2, 1);
-  expect(n, 1);
+  expect(std::min(n, highest_asked), 1);
   return all;
 }
 
