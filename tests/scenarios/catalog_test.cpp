@@ -41,8 +41,8 @@ TEST(Scenarios, AreAllRegistered) {
           "rod-toppling", "rope-bridge", "settling-tower", "slider", "slider-crank", "sliding-ladder",
           "sliding-pyramid", "slip-to-roll", "slope", "slope-disc", "smash", "soft-joint", "spin-up", "spinning-obb",
           "spring", "spring-ellipse", "spring-stop", "stacking", "step-climb", "stick-slip", "stopping-distance",
-          "struck-wall", "table-edge", "tautochrone", "teams", "thin-wall", "thrown-wall", "tipping", "touching-cradle",
-          "tower-row", "tumbler", "turning-rail", "two-frictions"));
+          "struck-net", "struck-wall", "table-edge", "tautochrone", "teams", "thin-wall", "thrown-wall", "tipping",
+          "touching-cradle", "tower-row", "tumbler", "turning-rail", "two-frictions"));
 }
 
 TEST(Scenarios, AreAsManyAsTheReadmeSays) {

@@ -148,6 +148,8 @@ class DirectIsland {
   Real place_of(std::uint32_t a, std::uint32_t b) const;
   void bias_press(Real h);
   Real least_gap(Real now, Real h) const;
+  /// m or rad, by which the error of a joint may be rounded.
+  Real rounding_of(const JointRow& row) const { return row.axis == Vec2{} ? turns_round_by_ : rounding_; }
   Real least_error(const JointRow& row, Real h) const;
   Real missed(Real h) const;
   bool stick_or_slip();

@@ -85,7 +85,7 @@ constexpr Real deep_overlap = static_cast<Real>(0.005);
 struct Island {
   std::span<const std::uint32_t> bodies;
   std::span<const Tie> contacts;
-  std::span<ImpactRow> rows;  // of the contacts, unless they are solved as a pile (pile.h)
+  std::span<ImpactRow> rows;              // of the contacts, unless they are solved as a pile (pile.h)
   std::span<const std::uint32_t> acting;  // indices of the rows that take part in this sub-step's solve, in order
   IslandJoints joints;
   std::span<const Pull> pulls = {};

@@ -98,13 +98,13 @@ void DirectIsland::bias_press(Real h) {
   const auto set = [&](std::uint32_t at, Real miss) {
     system_[at].bias = miss / h - ConstraintSystem::speed(system_[at], velocity);
   };
-  // In a short interval the rounding of a gap is a great speed, which relax() takes back, but not with its friction.
-  const bool brief = is_brief(h);
-  const auto after = [&](std::uint32_t at, Real now, Real then) {
-    if (!brief) return then;
+  // What differs from how a gap or error changes now by no more than places are rounded by, goes on as it does now.
+  const auto after = [&](std::uint32_t at, Real now, Real then, Real rounding) {
     const auto straight = static_cast<Real>(now + h * ConstraintSystem::speed(system_[at], velocity));
-    return std::abs(then - straight) <= rounding_ ? straight : then;
+    return std::abs(then - straight) <= rounding ? straight : then;
   };
+  // In a short interval the rounding of a gap is a great speed, which relax() takes back, but not with its friction.
+  const Real rounding_of_gaps = is_brief(h) ? rounding_ : 0;
   for (const DirectContact& contact : contacts_) {
     const Motion a = motion_after(contact.a, h);
     const Motion b = motion_after(contact.b, h);
@@ -117,7 +117,8 @@ void DirectIsland::bias_press(Real h) {
     for (std::size_t i = 0; i < contact.count; ++i) {
       const PointArms& p = contact.frame.points[i];
       const std::uint32_t at = contact.row + static_cast<std::uint32_t>(i);
-      const Real miss = after(at, p.separation, contact.touch.gap(i, a, b)) - least_gap(p.separation, h);
+      const Real miss =
+          after(at, p.separation, contact.touch.gap(i, a, b), rounding_of_gaps) - least_gap(p.separation, h);
       // What comes to touch at the end by rounding is not stopped.
       set(at, system_[at].impulse == 0 && miss > -exact ? std::max(miss, Real{0}) : miss);
       if (!rubs) continue;
@@ -131,8 +132,10 @@ void DirectIsland::bias_press(Real h) {
     const JointBlock& now = members_.joints[j]->block;
     const JointBlock there = ahead(*members_.joints[j], h);
     std::uint32_t at = joint_rows_[j];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(there.equations); ++i) {
-      set(at++, there.equation[i].error - least_error(now.equation[i], h));
+    // A net of hinges has motions that hardly change their errors, and makes a thousand times as much of rounding.
+    for (std::size_t i = 0; i < static_cast<std::size_t>(there.equations); ++i, ++at) {
+      const JointRow& row = now.equation[i];
+      set(at, after(at, row.error, there.equation[i].error, rounding_of(row)) - least_error(row, h));
     }
     for (int i = 0; i < there.stops; ++i) set(at++, there.stop[static_cast<std::size_t>(i)].error);
     if (there.driven) system_[at].bias = -there.motor_speed;
@@ -145,13 +148,14 @@ Real DirectIsland::least_gap(Real now, Real h) const {
   return now + h / h_ * std::min(-now, most_push);
 }
 
-/// m or rad, what the error of a joint may be after the drift: it is mended bit by bit. What may be rounding stays:
-/// mended, it would say how several contacts share a load.
+/// m or rad, what the error of a joint may be after the drift: it is mended bit by bit, but for half of what may be
+/// rounding: mended, that would say how several contacts share a load. No more is mended than what exceeds it, as a net
+/// of hinges makes a thousand times as much of a sudden correction.
 Real DirectIsland::least_error(const JointRow& row, Real h) const {
-  const Real now = row.error;
-  if (std::abs(now) <= (row.axis == Vec2{} ? turns_round_by_ : rounding_)) return now;
+  const Real stays = rounding_of(row) / 2;
+  const Real more = row.error - clamp(row.error, -stays, stays);
   const Real most = most_push * (h / h_);
-  return now - clamp(now, -most, most);
+  return row.error - clamp(more, -most, most);
 }
 
 /// m, by how much gaps and errors of joints that act will be off after the drift; of angles, what they move at the

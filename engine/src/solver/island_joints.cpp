@@ -302,9 +302,18 @@ void IslandJoints::absorb_impact() {
     }
     return;
   }
+  // Compliance leaves a share of each solution to the next: 1e-4 where a net of 64 discs is struck at a corner.
+  constexpr int most_rounds = 8;
+  constexpr Real rounding = 64 * std::numeric_limits<Real>::epsilon();
   work_.bias.assign(work_.system.equations(), 0);
-  work_.system.solve(joints_, bodies_, work_.bias);
-  work_.system.push(joints_, bodies_, 1, false);
+  Real first = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    work_.system.solve(joints_, bodies_, work_.bias);
+    work_.system.push(joints_, bodies_, 1, false);
+    const Real last = work_.system.largest();
+    if (round == 0) first = last;
+    if (last <= rounding * first) break;
+  }
 }
 
 }  // namespace impulse::inline IMPULSE_PRECISION

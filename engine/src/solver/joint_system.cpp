@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace impulse::inline IMPULSE_PRECISION {
@@ -136,6 +137,12 @@ void JointSystem::solve(std::span<ActiveJoint* const> joints, const BodySet& bod
   for (std::size_t i = x.size(); i-- > 0;) {
     for (std::size_t j = first_[i]; j < i; ++j) x[j] -= entry(i, j) * x[i];
   }
+}
+
+Real JointSystem::largest() const {
+  Real most = 0;
+  for (const Real impulse : solution_) most = std::max(most, std::abs(impulse));
+  return most;
 }
 
 void JointSystem::push(std::span<ActiveJoint* const> joints, BodySet& bodies, Real share, bool accumulate) const {

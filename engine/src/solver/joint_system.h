@@ -28,6 +28,9 @@ class JointSystem {
   /// Finds the impulses that bring the rates to -bias. `bias` has one entry an equation, in the joints' order.
   void solve(std::span<ActiveJoint* const> joints, const BodySet& bodies, std::span<const Real> bias);
 
+  /// N s or N m s, the largest of the impulses found last.
+  Real largest() const;
+
   /// Applies a fraction of the impulses found last, and adds it to the joints' accumulated impulses if `accumulate`.
   void push(std::span<ActiveJoint* const> joints, BodySet& bodies, Real share, bool accumulate) const;
 

@@ -40,8 +40,8 @@ class ScalarContacts {
   /// Solves contacts as soft constraints; a gap may close within the sub-step, but no further. Friction is solved in
   /// relax(), except in a contact's first step (otherwise a box set down on a slope slips before it is held).
   void press(const Island& island);
-  /// The same with rigid contacts, all or some of those that act: nothing gets deeper, and what overlaps is pushed apart
-  /// at the same rate.
+  /// The same with rigid contacts, all or some of those that act: nothing gets deeper, and what overlaps is pushed
+  /// apart at the same rate.
   void press_rigidly(const Island& island, std::span<const std::uint32_t> rows);
   /// Rigid contacts with friction, regardless of depth. Skips points with a gap and no load, which would be braked one
   /// sub-step before they arrive.
