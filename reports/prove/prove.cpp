@@ -14,8 +14,8 @@
 namespace plumb {
 namespace {
 
-// Bodies times steps; about a tenth of a second of our engine.
-constexpr double largest_case = 40000;
+// Bodies times steps; about a twentieth of a second of our engine, and of one with a fault up to a minute.
+constexpr double largest_case = 20000;
 
 double size_of(const Case& one, double dt) {
   return static_cast<double>(one.scene->bodies.size() * steps_in(one.scene->duration, dt));
