@@ -81,7 +81,8 @@ TEST(Nets, OfMoreHingesThanAreSolvedAtOnceTakeAllOfABlow) {
   double inertia = 0;  // about the middle
   for (std::size_t i = 0; i < side * side; ++i) {
     const double x = static_cast<double>(i % side) - 3.5;
-    const double y = static_cast<double>(i / side) - 3.5;
+    const std::size_t row = i / side;
+    const double y = static_cast<double>(row) - 3.5;
     inertia += static_cast<double>(one.inertia) + m * (x * x + y * y);
   }
   const double impulse = 2 * 4 / (1 / m + 1 / (side * side * m) + 3.5 * 3.5 / inertia);
