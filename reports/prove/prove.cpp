@@ -42,7 +42,7 @@ class RightEngines {
   // Faults of the same method share an engine, unless a fault brings its own.
   static std::string key_of(const Fault& fault) {
     std::string key = fault.right == nullptr ? "" : fault.name;
-    for (const auto& [option, value] : fault.method) key += "," + option + "=" + value;
+    for (const auto& [option, value] : fault.method) key.append(",").append(option).append("=").append(value);
     return key;
   }
   std::map<std::string, std::size_t> number_;
@@ -127,6 +127,7 @@ std::vector<FaultResult> prove(const std::vector<Fault>& faults, const std::vect
   });
 
   std::vector<Engine> faulty;
+  faulty.reserve(faults.size());
   for (const Fault& fault : faults) faulty.push_back(faulty_engine(fault));
   std::vector<std::vector<Detection>> found(faults.size() * cases.size());
   do_all(found.size(), jobs, [&](std::size_t i) {
@@ -201,7 +202,9 @@ Case Variation::of(const Case& one_case) const {
 std::string Variation::text() const {
   if (seed == 0) return "default settings";
   std::string text = "seed " + std::to_string(seed) + ":";
-  for (const auto& [option, value] : settings) text += (text.back() == ':' ? " " : ", ") + option + "=" + value;
+  for (const auto& [option, value] : settings) {
+    text.append(text.back() == ':' ? " " : ", ").append(option).append("=").append(value);
+  }
   return text;
 }
 
