@@ -160,7 +160,9 @@ const Catalog<Scenario>::Entry entry{
           {.name = "speed", .value = 4, .min = 1, .max = 10, .unit = "m/s", .about = "of the striker"},
           {.name = "ratio", .value = 3, .min = 0.5, .max = 10, .about = "density of the striker, of the net's discs'"},
           {.name = "restitution", .value = 0.5, .min = 0, .max = 1, .about = "of all discs"}},
-     .variants = {{"sixteen", {}}, {"elastic, 64", {{"half", 4}, {"restitution", 1}, {"ratio", 5}}}},
+     .variants = {{"sixteen", {}},
+                  {"elastic, 64", {{"half", 4}, {"restitution", 1}, {"ratio", 5}}},
+                  {"inelastic, 64", {{"half", 4}, {"restitution", 0}, {"ratio", 5}}}},
      .scene = scene,
      .expectations = expectations}};
 

@@ -248,7 +248,10 @@ void Accurate::substep(StepData& data, Island& island, AccurateWorkspace& space)
   while (some_wait && hold_those_that_meet(data, island, space)) solve.press(false);
   int pressed = solve.press_through();
   while (some_wait && hold_those_that_meet(data, island, space)) pressed += solve.press_through();
-  if (island.press_sweeps > 0 && pressed >= island.press_sweeps) ++island.unsolved;
+  if (island.press_sweeps > 0 && pressed >= island.press_sweeps) {
+    ++island.unsolved;
+    if (island.jammed) island.press_sweeps = std::max(island.press_sweeps / 2, 1);
+  }
   drift(data, island);
   if (island.bounces) Impacts::forget_paths(island.rows);
   const bool joints_fit = island.joints.fit();

@@ -68,8 +68,11 @@ void Accurate::make_rows(StepData& data, Island& island, std::size_t number) {
     row.block = !row.web && row.count == 2;
     if (row.points[0].normal_impulse > 0 || row.points[1].normal_impulse > 0) note_load(row);
     island.two_frictions |= row.two_frictions();
-    island.bounces |= row.restitution > 0;
+    // Joints that are solved at once pass all of a blow on only if it comes at one moment.
+    row.strikes = row.restitution > 0 || (!island.joints.empty() && !island.joints.swept());
+    island.bounces |= row.strikes;
     island.held = island.held || !pushable(row.mass_a) || !pushable(row.mass_b);
+    island.jammed |= is_deep(row.points);
     bearing.add(row);
     if (row.age >= OffsetRule::from_age) bearing.add_load(row, row.web, contact.offset, data.settings);
     const Stir stir = stir_of(contact, data.bodies);

@@ -38,6 +38,7 @@ bool BeforeStep::drove_deep(const StepData& data, const std::vector<Pose>& start
                             Real felt) const {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const Contact& before = contacts_[i];
+    if (is_deep(before.points)) continue;  // shorter sub-steps have no solution either
     const auto a = before.body_a;
     const auto b = before.body_b;
     const Manifold now = collide(data.bodies.detail[a].parts[before.part_a].shape, motion[a].from(start[a]),

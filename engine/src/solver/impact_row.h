@@ -16,6 +16,13 @@ namespace impulse::inline IMPULSE_PRECISION {
 constexpr Real no_speed = static_cast<Real>(1e-4);
 /// m, between bodies that may push each other within a step.
 constexpr Real near_by = static_cast<Real>(0.005);
+/// m; bodies that overlap by more were not pressed into each other by loads.
+constexpr Real deep_overlap = static_cast<Real>(0.005);
+/// Whether one of two points does.
+template <class Points>
+bool is_deep(const Points& points) {
+  return std::min(points[0].separation, points[1].separation) <= -deep_overlap;
+}
 /// m/s, sliding that rounding may leave of none: a contact that bears all of its static friction holds below that.
 constexpr Real no_slip = static_cast<Real>(sizeof(Real) == 8 ? 1e-9 : 1e-6);
 
@@ -70,12 +77,13 @@ struct ImpactRow : ContactRow {
   NormalOf normal_of = NormalOf::between;  // set if it turns
   bool stirs_a = true;                     // the body can move, see BodySet::stirs
   bool stirs_b = true;
-  bool turns = false;  // its normal follows the bodies within a step
-  bool active = true;  // takes part in this sub-step's solve
-  bool fresh = false;  // first step of the contact
-  bool slips = false;  // slides, so that the dynamic coefficient limits friction
-  bool web = false;    // a body of it touches more than two others, as in a pyramid and not in a column
-  bool block = false;  // its two points are solved together, by `pair`
+  bool turns = false;    // its normal follows the bodies within a step
+  bool strikes = false;  // its impacts are events
+  bool active = true;    // takes part in this sub-step's solve
+  bool fresh = false;    // first step of the contact
+  bool slips = false;    // slides, so that the dynamic coefficient limits friction
+  bool web = false;      // a body of it touches more than two others, as in a pyramid and not in a column
+  bool block = false;    // its two points are solved together, by `pair`
   PointPair pair;
 
   /// m, the lesser of the gaps.

@@ -300,6 +300,8 @@ void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, cons
   Candidate& aimed = candidates_[candidate];
   ++aimed.aims;
   const ImpactRow& row = rows[aimed.row];
+  // In a jam bodies would be struck again and again, and get nowhere.
+  if (aimed.struck && is_deep(row.points)) return;
   const Flight flight{bodies, motion, &acceleration, slow_, &flown_};
   const Encounter here(row, flight, now);
   Hit first;
@@ -312,7 +314,7 @@ void Impacts::aim(std::span<const ImpactRow> rows, std::uint32_t candidate, cons
   std::push_heap(events_.begin(), events_.end(), later);
 }
 
-/// Lists the rows that rebound as candidates, and links each to its bodies that an impact can move.
+/// Lists the rows whose impacts are events as candidates, and links each to its bodies that an impact can move.
 void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count) {
   candidates_.clear();
   events_.clear();
@@ -323,7 +325,7 @@ void Impacts::list_candidates(std::span<ImpactRow> rows, std::size_t body_count)
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].active = true;
-    if (!(rows[i].restitution > 0)) continue;
+    if (!rows[i].strikes) continue;
     candidates_.push_back({static_cast<std::uint32_t>(i)});
     each_movable(rows[i], [this](std::size_t, std::uint32_t body) { first_of_[body] = none; });
   }
@@ -360,6 +362,7 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     if (next.aims != candidates_[next.candidate].aims) continue;
     ImpactRow& hit = rows[candidates_[next.candidate].row];
     ++(hit.restitution < 1 ? count : elastic);
+    candidates_[next.candidate].struck = true;
     const Flight flight{bodies, motion, &acceleration, slow_, &flown_};
     // The plane of a face is reached no later than the face: from there on it goes to what is nearest then.
     if (find_at(hit, flight.motion_at(hit.a, next.time), flight.motion_at(hit.b, next.time))) {

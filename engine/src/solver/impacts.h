@@ -57,6 +57,7 @@ class Impacts {
   struct Candidate {
     std::uint32_t row = 0;
     std::uint32_t aims = 0;                            // number of searches for its next impact
+    bool struck = false;                               // in this sub-step
     std::array<std::uint32_t, 2> next = {none, none};  // in the list of candidates of body a, of body b
   };
   struct Event {

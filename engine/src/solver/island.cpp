@@ -190,9 +190,7 @@ int press_sweeps_for(std::size_t bodies) {
 
 bool few(const Island& island) { return few(island.bodies.size()); }
 
-bool new_or_deep(const Contact& contact) {
-  return contact.age == 0 || std::min(contact.points[0].separation, contact.points[1].separation) <= -deep_overlap;
-}
+bool new_or_deep(const Contact& contact) { return contact.age == 0 || is_deep(contact.points); }
 
 bool at_speed(const ContactRow& row, const BodySet& bodies) {
   const auto& [p, q] = row.points;

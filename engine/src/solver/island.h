@@ -78,9 +78,6 @@ class OffsetRule {
 /// m; sub-steps are short enough that an island would penetrate by at most this before its offsets take up the load.
 constexpr Real tolerated_sink = static_cast<Real>(0.0005);
 
-/// m; bodies that overlap by more were not pressed into each other by loads.
-constexpr Real deep_overlap = static_cast<Real>(0.005);
-
 /// One island of `accurate` during a step.
 struct Island {
   std::span<const std::uint32_t> bodies;
@@ -96,6 +93,7 @@ struct Island {
   int press_sweeps = 0;    // extra rigid iterations allowed until an impact adds no penetration
   int more_sweeps = 0;     // extra iterations of relax allowed until the energy bound holds
   int unsolved = 0;        // sub-steps in which those of a blow did not suffice
+  bool jammed = false;     // some bodies overlap deeply: each time that sweeps have not sufficed there are half as many
   Real h = 0;
   struct Softnesses {
     Softness movable, fixed;  // between movable bodies; with one that cannot move

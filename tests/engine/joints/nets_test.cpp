@@ -71,23 +71,28 @@ TEST(Nets, OfHingedDiscsTurnAsOneBodyAfterABlow) {
   }
 }
 
-// J = (1+e) v/(1/m + 1/M + y^2/I). The compliance of the hinges took 1e-4 of it.
+// J = (1+e) v/(1/m + 1/M + y^2/I). The compliance of the hinges took 1e-4 of it; without a rebound the impact was none
+// at a time of its own, and contacts and hinges, solved in turns, left 1e-5. What does not rebound goes on to push
+// while the net turns.
 TEST(Nets, OfMoreHingesThanAreSolvedAtOnceTakeAllOfABlow) {
-  constexpr std::size_t side = 8;
-  StruckNet net(side, 1);
-  net.run_for(.2);
-  const MassData one = net.world.body(net.striker).mass();
-  const auto m = static_cast<double>(one.mass);
-  double inertia = 0;  // about the middle
-  for (std::size_t i = 0; i < side * side; ++i) {
-    const double x = static_cast<double>(i % side) - 3.5;
-    const std::size_t row = i / side;
-    const double y = static_cast<double>(row) - 3.5;
-    inertia += static_cast<double>(one.inertia) + m * (x * x + y * y);
+  for (const double e : {0., 1.}) {
+    constexpr std::size_t side = 8;
+    StruckNet net(side, real(e));
+    net.run_for(.2);
+    const MassData one = net.world.body(net.striker).mass();
+    const auto m = static_cast<double>(one.mass);
+    double inertia = 0;  // about the middle
+    for (std::size_t i = 0; i < side * side; ++i) {
+      const double x = static_cast<double>(i % side) - 3.5;
+      const std::size_t row = i / side;
+      const double y = static_cast<double>(row) - 3.5;
+      inertia += static_cast<double>(one.inertia) + m * (x * x + y * y);
+    }
+    const double impulse = (1 + e) * 4 / (1 / m + 1 / (side * side * m) + 3.5 * 3.5 / inertia);
+    const double off = bound(e > 0 ? 1e-10 : 1e-7, 1e-4);
+    EXPECT_NEAR(static_cast<double>(net.world.body(net.striker).velocity().x), 4 - impulse / m, off);
+    EXPECT_NEAR(net.spin(0), 3.5 * impulse / inertia, off);
   }
-  const double impulse = 2 * 4 / (1 / m + 1 / (side * side * m) + 3.5 * 3.5 / inertia);
-  EXPECT_NEAR(static_cast<double>(net.world.body(net.striker).velocity().x), 4 - impulse / m, bound(1e-10, 1e-4));
-  EXPECT_NEAR(net.spin(0), 3.5 * impulse / inertia, bound(1e-10, 1e-4));
 }
 
 }  // namespace
