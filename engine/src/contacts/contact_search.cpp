@@ -250,13 +250,18 @@ bool ContactSearch::predict_impacts(const SearchInput& input) {
     const Real inv_mass_b = bodies.inverse_mass[b].m;
     const Real restitution = mix(input.settings.restitution_mixing, shapes_.restitution(pairs_[pair].first),
                                  shapes_.restitution(pairs_[pair].second));
-    const Real change = (1 + restitution) * speed / (inv_mass_a + inv_mass_b);
-    const Vec2 thrust = (1 + restitution) * speed * normal;
+    const Real bounce = (1 + restitution) * speed;
+    // What joints hold may have any mass.
+    const auto change_by = [&](std::size_t other, Real own) {
+      const bool joined = !input.joints.partners(static_cast<std::uint32_t>(other)).empty();
+      return joined && own > 0 ? bounce : bounce * own / (inv_mass_a + inv_mass_b);
+    };
+    const Vec2 thrust = bounce * normal;
     const std::uint32_t each_other = gap <= most_bearing_gap ? 1 : 0;
     const bool from_a = bearing_[a] > each_other && inv_mass_b > 0;
     const bool from_b = bearing_[b] > each_other && inv_mass_a > 0;
-    farther |= change_velocity(input, {a, b, change * inv_mass_a, from_b ? -thrust : Vec2{}});
-    farther |= change_velocity(input, {b, a, change * inv_mass_b, from_a ? thrust : Vec2{}});
+    farther |= change_velocity(input, {a, b, change_by(b, inv_mass_a), from_b ? -thrust : Vec2{}});
+    farther |= change_velocity(input, {b, a, change_by(a, inv_mass_b), from_a ? thrust : Vec2{}});
   }
   return farther;
 }
@@ -268,13 +273,36 @@ bool ContactSearch::change_velocity(const SearchInput& input, const Change& hit)
   const Real along = length(hit.thrust);
   const bool more = matters(hit.any_way) && hit.any_way > any_way_[hit.body];
   const bool farther_along = matters(along) && along > length(thrusts_[hit.body]);
+  Real& most = impact_changes_[hit.body];
+  // Of several that hit it the one that changes most, and none of two alike: in whatever order they come.
+  const Real change = std::max(matters(hit.any_way) ? hit.any_way : Real{0}, matters(along) ? along : Real{0});
+  if (change > most) hit_by_[hit.body] = static_cast<std::uint32_t>(hit.by);
+  if (change == most && hit_by_[hit.body] != hit.by) hit_by_[hit.body] = none;
   if (!more && !farther_along) return false;
   if (more) any_way_[hit.body] = hit.any_way;
   if (farther_along) thrusts_[hit.body] = hit.thrust;
-  impact_changes_[hit.body] = std::max(any_way_[hit.body], length(thrusts_[hit.body]));
-  hit_by_[hit.body] = static_cast<std::uint32_t>(hit.by);
+  most = std::max(most, change);
   if (input.bodies.pile[hit.body] != 0) hit_piles_.push_back(input.bodies.pile[hit.body]);
   return true;
+}
+
+/// Joints pass changes on at once, to all that they hold together: less than what was hit, but for levers.
+void ContactSearch::pass_along_joints(const SearchInput& input) {
+  if (input.joints.empty()) return;
+  to_pass_.clear();
+  for (std::uint32_t body = 0; body < changed_.size(); ++body) {
+    if (changed_[body] != 0) to_pass_.push_back(body);
+  }
+  while (!to_pass_.empty()) {
+    const std::uint32_t body = to_pass_.back();
+    to_pass_.pop_back();
+    for (const std::uint32_t partner : input.joints.partners(body)) {
+      if (!input.bodies.pushable(partner)) continue;
+      if (!change_velocity(input, {partner, body, impact_changes_[body], {}})) continue;
+      changed_[partner] = 1;
+      to_pass_.push_back(partner);
+    }
+  }
 }
 
 /// Counts what is near each body.
@@ -315,8 +343,11 @@ bool ContactSearch::stay_apart(const Margin& margin, const Pair& pair, const Pai
 /// each other.
 void ContactSearch::pass_impacts_on(const SearchInput& input) {
   const std::span<const Proxy> proxies = shapes_.proxies();
+  changed_.resize(input.bodies.size());
+  for (std::size_t body = 0; body < changed_.size(); ++body) changed_[body] = impact_changes_[body] > 0 ? 1 : 0;
+  pass_along_joints(input);
   hit_.resize(proxies.size());
-  for (std::size_t i = 0; i < proxies.size(); ++i) hit_[i] = impact_changes_[proxies[i].body] > 0 ? 1 : 0;
+  for (std::size_t i = 0; i < proxies.size(); ++i) hit_[i] = changed_[proxies[i].body];
   farther_pairs_.clear();
   constexpr int most = 16;  // bodies in a row; each round searches around those that the last one added
   int round = 0;
@@ -351,6 +382,7 @@ void ContactSearch::pass_impacts_on(const SearchInput& input) {
       changed_[one.body] = 1;
       farther = true;
     }
+    pass_along_joints(input);
     for (std::size_t i = 0; i < proxies.size(); ++i) hit_[i] = changed_[proxies[i].body];
     end_stage("farther: pass on");
   }

@@ -86,6 +86,7 @@ class ContactSearch {
     Vec2 thrust;   // in this one
   };
   bool change_velocity(const SearchInput& input, const Change& hit);
+  void pass_along_joints(const SearchInput& input);
   void count_bearing();
   Real gap_between(std::uint32_t pair) const;
   bool stay_apart(const Margin& margin, const Pair& pair, const PairPoints& found) const;
@@ -132,6 +133,7 @@ class ContactSearch {
   std::vector<std::uint32_t> fast_;                // touching pairs that may hit each other within the step
   std::vector<Change> passed_on_;
   std::vector<std::uint8_t> changed_;    // of each body, in this round of pass_impacts_on()
+  std::vector<std::uint32_t> to_pass_;   // bodies whose changes joints have not passed on yet
   std::vector<Pair> near_hit_;           // found in it
   std::vector<PairPoints> near_points_;  // of these
   std::vector<std::uint32_t> hit_by_;    // of each body, see change_velocity()

@@ -109,6 +109,10 @@ bool JointSet::connects(std::uint32_t a, std::uint32_t b) const {
   return std::find(partners_[a].begin(), partners_[a].end(), b) != partners_[a].end();
 }
 
+std::span<const std::uint32_t> JointSet::partners(std::uint32_t body) const {
+  return body < partners_.size() ? std::span(partners_[body]) : std::span<const std::uint32_t>();
+}
+
 void JointSet::append_pairs(std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) const {
   for (const Slot& slot : slots_) {
     if (slot.model) pairs.emplace_back(slot.a.index, slot.b.index);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,8 @@ class JointSet {
 
   /// Whether a joint connects the bodies in these two rows.
   bool connects(std::uint32_t a, std::uint32_t b) const;
+  /// The rows of the bodies that joints connect with the one in this row.
+  std::span<const std::uint32_t> partners(std::uint32_t body) const;
 
   bool empty() const { return slots_.size() == free_slots_.size(); }
   /// Appends the rows of the two bodies of every joint, in order of their slots.

@@ -157,6 +157,27 @@ TEST(ContactSet, LooksForWhatFollowsABodyThatIsStopped) {
   }
 }
 
+// A disc falls on one end of a bar that a weld makes of two: the other end may come down on the ground within the step.
+TEST(ContactSet, LooksForWhatIsJoinedToABodyThatIsHit) {
+  for (const bool welded : {true, false}) {
+    Heap heap;
+    heap.margin.time = real(.1);
+    BodyDef floor = at(0, -1.4);
+    floor.type = BodyType::fixed;
+    const std::size_t ground = heap.add(floor, Shape::half_space({0, 1}, 0));
+    heap.add(at(0, 0), Shape::circle(1));
+    const std::size_t end = heap.add(at(3, 0), Shape::circle(1));
+    heap.add(at(0, 2.1, 0, -10), Shape::circle(1));
+    ForceField forces;
+    if (welded) heap.joints.add(WeldJoint{{1, 0}, {2, 0}, {real(1.5), 0}}, heap.bodies, forces);
+    const std::vector<Contact>& found = heap.find();
+    const bool listed = std::any_of(found.begin(), found.end(), [&](const Contact& contact) {
+      return contact.body_a == ground && contact.body_b == end;
+    });
+    EXPECT_EQ(listed, welded);
+  }
+}
+
 TEST(ContactSet, MixesStaticAndDynamicFrictionByTheSameRule) {
   Heap heap;
   heap.settings.friction_mixing = FrictionMixing::pythagorean;
