@@ -48,6 +48,22 @@ bool hidden(const GroundContact& m, const Plane& plane, const BodySet& bodies) {
   return true;
 }
 
+/// m, how far the face that the contact lies on goes in front of a plane; at a corner, how far the contact is.
+Real reach(const GroundContact& m, const Plane& plane, const BodySet& bodies) {
+  if (m.ground.type() == ShapeType::half_space) return std::numeric_limits<Real>::infinity();
+  Real most = -std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.contact.count); ++i) {
+    most = std::max(most, plane.height(surface(m, i, bodies)));
+  }
+  const Hull hull = hull_of(m.ground, bodies.pose[m.fixed]);
+  for (int i = 0; i < hull.count; ++i) {
+    const Edge face = hull.edge(i);
+    if (!same_direction(face.normal, m.up)) continue;
+    most = std::max({most, plane.height(face.from), plane.height(face.to)});
+  }
+  return most;
+}
+
 /// Collides the part with the whole plane of a face.
 Manifold against_face(const GroundContact& m, const Edge& face, const BodySet& bodies, const Margin& margin) {
   // Relative to the part, so that no precision is lost far from the origin.
@@ -89,10 +105,9 @@ bool joined(const BodySet& bodies, std::uint32_t a, std::uint32_t b) {
 bool form_corner(const GroundContact& one, const GroundContact& other, const BodySet& bodies) {
   constexpr Real steep = static_cast<Real>(0.5);      // cosine: at 60 degrees, what comes sliding is stopped by half
   constexpr Real in_front = static_cast<Real>(0.01);  // m; rounding puts the end of a tile in front of the one before
-  const Plane first{one.up, surface(one, 0, bodies)};
-  const Plane second{other.up, surface(other, 0, bodies)};
-  return dot(one.up, other.up) < steep && first.height(second.place) > in_front &&
-         second.height(first.place) > in_front;
+  if (dot(one.up, other.up) >= steep) return false;
+  return reach(one, {other.up, surface(other, 0, bodies)}, bodies) > in_front &&
+         reach(other, {one.up, surface(one, 0, bodies)}, bodies) > in_front;
 }
 
 std::optional<Plane> face_under(const GroundContact& at, const BodySet& bodies) {

@@ -44,8 +44,8 @@ struct Plane {
 /// Whether two bodies that cannot be pushed keep their places relative to each other, up to rounding.
 bool joined(const BodySet& bodies, std::uint32_t a, std::uint32_t b);
 
-/// Whether the part is in a corner of two pieces of ground, each in front of the other: it slides from neither to the
-/// other.
+/// Whether the part is in a corner of two pieces of ground, of which the faces go on in front of each other: it slides
+/// from neither to the other.
 bool form_corner(const GroundContact& one, const GroundContact& other, const BodySet& bodies);
 
 /// The face of the ground that the contact lies on; nullopt if it is at a corner.

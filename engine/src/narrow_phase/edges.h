@@ -106,13 +106,13 @@ constexpr bool opposite(Vec2 normal_a, Vec2 normal_b) {
 }
 
 /// Whether the second shape's face replaces the first's as the reference. Of two faces that lie on each other the
-/// reference must not alternate from step to step, nor between overlapping shapes, so the first is preferred by 0.1 mm
-/// and by 1/64 of the depth. The error is of second order, because the points' separations are those of the clipped
-/// edge. Where a corner meets a corner only the better face is where they meet.
+/// reference must not alternate from step to step, so the first is preferred by 0.1 mm and by 1/64 of the depth. The
+/// error is of second order, because the points' separations are those of the clipped edge. Otherwise only the better
+/// face is where they meet: which shape is the first depends on where they are.
 constexpr bool beats(Real second, Real first, bool opposite_faces) {
   constexpr Real least = static_cast<Real>(1e-4);  // m
-  const Real wanted = opposite_faces ? first + least : first;
-  return second > (first > 0 ? wanted : wanted - first / 64);
+  if (!opposite_faces) return second > first;
+  return second > (first > 0 ? first : first - first / 64) + least;
 }
 
 /// Adds the incident edge's deeper end: for overlapping shapes whose preferred face just misses the other's edge.

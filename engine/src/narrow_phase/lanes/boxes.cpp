@@ -186,8 +186,8 @@ MeetingLanes against(const Against& it, const Lanes& margin) {
 
 /// beats()
 Mask second_beats(const Lanes& second, const Lanes& first, const Mask& upright) {
-  const Lanes wanted = select(upright, first + Lanes::all(static_cast<Real>(1e-4)), first);
-  return select(Lanes::all(0) < first, wanted, wanted - first / Lanes::all(64)) < second;
+  const Lanes by_depth = select(Lanes::all(0) < first, first, first - first / Lanes::all(64));
+  return select(upright, by_depth + Lanes::all(static_cast<Real>(1e-4)), first) < second;
 }
 
 }  // namespace
